@@ -1,0 +1,17 @@
+#pragma once
+// Text files compiled into the program (shaders, preset recipes), so that a copied binary needs
+// nothing beside it.
+#include <span>
+#include <string_view>
+
+namespace burl {
+
+struct EmbeddedFile {
+    std::string_view name;  ///< file name without folder
+    std::string_view content;
+};
+
+std::span<const EmbeddedFile> embedded_recipes();  ///< assets/recipes/*.json
+std::span<const EmbeddedFile> embedded_shaders();  ///< shaders/*.vert, *.frag, *.glsl
+
+}  // namespace burl

@@ -1,0 +1,48 @@
+#pragma once
+// Everything a user decides about the result, as one comparable value: what the command line sets,
+// presets hold, tests and benchmarks name and (later) undo steps through. Its JSON is documented
+// key by key in docs/recipes.md.
+#include <string>
+#include <vector>
+
+#include "atlas/atlas.h"
+#include "atlas/solid_atlas.h"
+#include "procedural/texture.h"
+
+namespace burl {
+
+enum class Filter { none };
+
+struct SolidOptions {
+    SolidSpace space = SolidSpace::unit;
+    double scale = 1.0;  ///< texture coordinates = scale * solid coordinates
+    bool operator==(const SolidOptions&) const = default;
+};
+
+struct Recipe {
+    std::string name;
+    AtlasOptions atlas;
+    SolidOptions solid;
+    Texture texture;
+    Filter filter = Filter::none;
+    bool operator==(const Recipe&) const = default;
+};
+
+/// Map from the mesh's coordinates to the texture's solid coordinates s.
+Affine3 texture_from_mesh(const Recipe& recipe, const Mesh& mesh);
+
+/// Parses recipe JSON; `origin` names it in messages. `settings` are "path=value" edits applied to
+/// the JSON first, such as "texture.input.noise.0.amplitude=0.7". Unknown keys, wrong types and
+/// values out of range are Error(invalid_file) (usage for `settings`) naming the key and the
+/// nearest known one.
+Recipe parse_recipe(const std::string& json, const std::string& origin,
+                    const std::vector<std::string>& settings = {});
+
+/// A file's path, or the name of a preset in assets/recipes ("marble").
+Recipe load_recipe(const std::string& path_or_preset,
+                   const std::vector<std::string>& settings = {});
+
+/// JSON that parse_recipe reads back to an equal Recipe.
+std::string to_json(const Recipe& recipe);
+
+}  // namespace burl

@@ -1,0 +1,70 @@
+#pragma once
+// The mesh atlas: a place in the texture for every triangle of the mesh (Carr & Hart, "Real-Time
+// Procedural Solid Texturing", 2001, section 4). Pixel coordinates are texels: texel (i,j) has its
+// centre at (i+0.5, j+0.5), row 0 is v = 0.
+#include <array>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "atlas/connectivity.h"
+#include "atlas/mesh.h"
+
+namespace burl {
+
+enum class AtlasKind { uniform, area, length };
+enum class Overscan { nearest, bilinear };
+
+struct AtlasOptions {
+    AtlasKind kind = AtlasKind::area;
+    Overscan overscan = Overscan::bilinear;
+    std::uint32_t size = 1024;  ///< N: the texture is exactly N x N texels
+    bool operator==(const AtlasOptions&) const = default;
+};
+
+inline constexpr std::uint32_t max_atlas_size = 16384;
+
+/// Texels [x, x+width) x [y, y+height) shared by one or two right triangles whose legs lie along
+/// the block's sides. `lower` has its right angle at the low-x, low-y end, `upper` (-1: none) is
+/// turned by 180 degrees. In the block's row j (0-based) the texels with column < split(j) belong
+/// to `lower`, the others to `upper`.
+struct Block {
+    std::uint32_t x = 0, y = 0, width = 0, height = 0;
+    std::int32_t lower = -1, upper = -1;
+    bool shares_hypotenuse =
+        false;  ///< the two triangles are neighbours across the diagonal: no overscan
+};
+
+/// Figures of the layout that metrics and reports print.
+struct LayoutNotes {
+    std::uint64_t texels_total = 0;      ///< N * N
+    std::uint64_t overscan_texels = 0;   ///< texels spent on overscan columns
+    std::uint64_t saved_texels = 0;      ///< overscan texels saved by shared hypotenuses and strips
+    std::uint64_t paired_triangles = 0;  ///< triangles whose block-mate is their mesh neighbour
+    std::uint64_t strips = 0;            ///< runs of blocks that share their vertical edges
+    std::uint64_t minimal_cells = 0;     ///< triangles that got the smallest cell possible
+};
+
+struct Atlas {
+    AtlasOptions options;
+    /// Per triangle the texel-space place of its three corners, in the mesh's corner order.
+    std::vector<std::array<Vec2d, 3>> corners;
+    /// Per triangle the chart it belongs to: triangles that may share exported vertices.
+    std::vector<std::uint32_t> charts;
+    std::uint32_t chart_count = 0;
+    std::vector<Block> blocks;
+    LayoutNotes notes;
+};
+
+/// Packs the mesh. Pure and deterministic: the same mesh gives the same bytes.
+/// Throws Error(runtime) with the size that would do when the texture cannot hold the mesh.
+Atlas layout_atlas(const Mesh& mesh, const Connectivity& connectivity, const AtlasOptions& options);
+
+/// Smallest N that layout_atlas accepts for a mesh of this many triangles, whatever their
+/// connectivity.
+std::uint32_t smallest_size(std::size_t triangles, const AtlasOptions& options);
+
+std::string_view to_string(AtlasKind kind);
+std::string_view to_string(Overscan overscan);
+
+}  // namespace burl

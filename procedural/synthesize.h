@@ -1,0 +1,24 @@
+#pragma once
+// Fills an atlas with the texture on the host (Carr & Hart 2001, section 5.1): rows in parallel,
+// spans packed into cache-sized batches, field then colour then store. The bytes do not depend on
+// the thread count.
+#include "atlas/image.h"
+#include "atlas/solid_atlas.h"
+#include "procedural/texture.h"
+
+namespace burl {
+
+/// `texture_from_atlas` maps the SolidAtlas's space to the texture's solid coordinates (the
+/// recipe's scale). `threads` 0 means all. Texels outside every span get the colour of field 0.
+Image<Rgb8> synthesize_rgb8(const SolidAtlas& solid, const Texture& texture,
+                            const Affine3& texture_from_atlas, int threads);
+Image<Rgb16> synthesize_rgb16(const SolidAtlas& solid, const Texture& texture,
+                              const Affine3& texture_from_atlas, int threads);
+Image<RgbF> synthesize_rgbf(const SolidAtlas& solid, const Texture& texture,
+                            const Affine3& texture_from_atlas, int threads);
+
+/// The field itself, for tests and error measurements.
+Image<float> synthesize_field(const SolidAtlas& solid, const Texture& texture,
+                              const Affine3& texture_from_atlas, int threads);
+
+}  // namespace burl

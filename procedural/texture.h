@@ -1,0 +1,57 @@
+#pragma once
+// The 1999 texture model (Hart, Carr, Kameya, Tibbitts & Coleman, "Antialiased Parameterized Solid
+// Texturing"): p(s) = c(f(s)), f(s) = q(s) + sum_i a_i n_i(T_i s). A Texture is a plain comparable
+// value.
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "atlas/vec.h"
+#include "procedural/color_map.h"
+
+namespace burl {
+
+/// q(s,t,r) = A s^2 + 2B st + 2C sr + 2D s + E t^2 + 2F tr + 2G t + H r^2 + 2I r + J, eq. (3).
+struct Quadric {
+    double a = 0, b = 0, c = 0, d = 0, e = 0, f = 0, g = 0, h = 0, i = 0, j = 0;
+    bool operator==(const Quadric&) const = default;
+};
+
+enum class NoiseKind { value, perlin };
+enum class Fade { linear, smooth, quintic };
+enum class NoiseRange { unit, bipolar };  ///< [0,1] or [-1,1]; "unit" and "signed" in JSON
+
+/// One noise term: octave k adds amplitude * gain^k * n_{seed+k}(lacunarity^k F s + phase), k =
+/// 0..octaves-1, where F is diag(frequency). `matrix` (row-major 3x4) replaces frequency and phase:
+/// F is its 3x3 part, phase its last column.
+struct NoiseTerm {
+    NoiseKind kind = NoiseKind::value;
+    Fade fade = Fade::smooth;         ///< value noise only; Perlin's is quintic
+    std::optional<NoiseRange> range;  ///< default: unit for value, signed for perlin
+    double amplitude = 1.0;
+    Vec3d frequency{1.0};
+    Vec3d phase{0.0};
+    std::optional<std::array<double, 12>> matrix;
+    std::uint32_t seed = 0;
+    std::uint32_t octaves = 1;  ///< 1..24
+    double lacunarity = 2.0;
+    double gain = 0.5;
+    bool operator==(const NoiseTerm&) const = default;
+};
+
+struct Texture {
+    Quadric quadric;
+    std::vector<NoiseTerm> noise;
+    ColorMap colors;
+    bool operator==(const Texture&) const = default;
+};
+
+/// f(s) in float64: the reference every faster path is measured against. `s` is the recipe's solid
+/// coordinate (after space and scale).
+double evaluate_field(const Texture& texture, const Vec3d& s);
+
+/// c(f) in linear light, float64 reference.
+Vec3d evaluate_color(const ColorMap& map, double f);
+
+}  // namespace burl

@@ -1,0 +1,10 @@
+# Writes OUTPUT, a C++ source that defines burl::FUNCTION() over the files of the list FILES (";" separated as "|").
+# Run by cmake -P at build time, so that an edited shader or preset is compiled in again.
+string(REPLACE "|" ";" FILES "${FILES}")
+set(entries "")
+foreach(file IN LISTS FILES)
+    get_filename_component(name "${file}" NAME)
+    file(READ "${file}" content)
+    string(APPEND entries "    {\"${name}\", R\"~~~~(${content})~~~~\"},\n")
+endforeach()
+file(WRITE "${OUTPUT}" "#include <array>\n\n#include \"app/embedded.h\"\n\nnamespace burl {\n\nnamespace {\nconstexpr EmbeddedFile files[] = {\n${entries}};\n}  // namespace\n\nstd::span<const EmbeddedFile> ${FUNCTION}() { return files; }\n\n}  // namespace burl\n")
