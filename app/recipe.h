@@ -28,7 +28,10 @@ struct Recipe {
     bool operator==(const Recipe&) const = default;
 };
 
-/// Map from the mesh's coordinates to the texture's solid coordinates s.
+/// Map from solid space (unit box or object) to the texture's coordinates s: the recipe's scale.
+Affine3 texture_from_solid(const Recipe& recipe);
+
+/// Map from the mesh's coordinates to the texture's coordinates s.
 Affine3 texture_from_mesh(const Recipe& recipe, const Mesh& mesh);
 
 /// Parses recipe JSON; `origin` names it in messages. `settings` are "path=value" edits applied to

@@ -1,0 +1,76 @@
+#include "app/pipeline.h"
+
+#include <utility>
+
+#include "procedural/synthesize.h"
+
+namespace burl {
+
+Pipeline::Pipeline(Mesh mesh) : mesh_(std::move(mesh)) {}
+
+void Pipeline::set_recipe(const Recipe& recipe) {
+    if (recipe.atlas != recipe_.atlas) atlas_.reset();
+    if (!atlas_ || recipe.solid.space != recipe_.solid.space) solid_.reset();
+    recipe_ = recipe;
+}
+
+template <class Stage>
+auto Pipeline::timed(const char* name, Stage&& stage) {
+    const auto start = std::chrono::steady_clock::now();
+    auto result = stage();
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+    times_.push_back({name, elapsed.count()});
+    return result;
+}
+
+const Connectivity& Pipeline::connectivity() {
+    if (!connectivity_) {
+        connectivity_ = timed("connectivity", [&] { return build_connectivity(mesh_); });
+    }
+    return *connectivity_;
+}
+
+const Atlas& Pipeline::atlas() {
+    if (!atlas_) {
+        const Connectivity& edges = connectivity();
+        atlas_ = timed("layout", [&] { return layout_atlas(mesh_, edges, recipe_.atlas); });
+    }
+    return *atlas_;
+}
+
+const SolidAtlas& Pipeline::solid() {
+    if (!solid_) {
+        const Atlas& layout = atlas();
+        solid_ = timed("spans", [&] {
+            const Affine3 map = solid_from_mesh(mesh_, recipe_.solid.space);
+            return rasterize(mesh_, layout, map_positions(mesh_, map));
+        });
+    }
+    return *solid_;
+}
+
+namespace {
+
+Image<Rgb8> fill(const SolidAtlas& solid, const Recipe& recipe, int threads, Rgb8) {
+    return synthesize_rgb8(solid, recipe.texture, texture_from_solid(recipe), threads);
+}
+Image<Rgb16> fill(const SolidAtlas& solid, const Recipe& recipe, int threads, Rgb16) {
+    return synthesize_rgb16(solid, recipe.texture, texture_from_solid(recipe), threads);
+}
+Image<RgbF> fill(const SolidAtlas& solid, const Recipe& recipe, int threads, RgbF) {
+    return synthesize_rgbf(solid, recipe.texture, texture_from_solid(recipe), threads);
+}
+
+}  // namespace
+
+template <class Pixel>
+Image<Pixel> Pipeline::synthesize() {
+    const SolidAtlas& points = solid();
+    return timed("synthesis", [&] { return fill(points, recipe_, threads_, Pixel{}); });
+}
+
+template Image<Rgb8> Pipeline::synthesize();
+template Image<Rgb16> Pipeline::synthesize();
+template Image<RgbF> Pipeline::synthesize();
+
+}  // namespace burl

@@ -1,0 +1,55 @@
+#pragma once
+// Mesh to pixels in one place, for the command line now and the editor later: the stages' results are kept, and a new
+// recipe drops only those that it changes (mesh -> connectivity -> layout -> spans -> pixels).
+#include <chrono>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "app/recipe.h"
+#include "atlas/metrics.h"
+
+namespace burl {
+
+/// Seconds a stage took, in the order the stages ran; a stage that was kept is not listed.
+struct StageTime {
+    std::string stage;
+    double seconds = 0.0;
+};
+
+class Pipeline {
+  public:
+    /// Takes the mesh; all its points must be finite and at least one triangle present, as read_mesh guarantees.
+    explicit Pipeline(Mesh mesh);
+
+    /// Keeps every result that the difference to the former recipe leaves valid.
+    void set_recipe(const Recipe& recipe);
+    /// 0 means as many as the machine has; no result depends on it.
+    void set_threads(int threads) { threads_ = threads; }
+
+    const Mesh& mesh() const { return mesh_; }
+    const Recipe& recipe() const { return recipe_; }
+    const Connectivity& connectivity();
+    const Atlas& atlas();
+    const SolidAtlas& solid();
+    /// The texture; one of Rgb8, Rgb16 and RgbF.
+    template <class Pixel>
+    Image<Pixel> synthesize();
+
+    const std::vector<StageTime>& times() const { return times_; }
+
+  private:
+    template <class Stage>
+    auto timed(const char* name, Stage&& stage);
+
+    Mesh mesh_;
+    Recipe recipe_;
+    int threads_ = 0;
+    std::optional<Connectivity> connectivity_;
+    std::optional<Atlas> atlas_;
+    std::optional<SolidAtlas> solid_;
+    std::vector<StageTime> times_;
+};
+
+}  // namespace burl
