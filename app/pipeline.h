@@ -1,6 +1,7 @@
 #pragma once
-// Mesh to pixels in one place, for the command line now and the editor later: the stages' results are kept, and a new
-// recipe drops only those that it changes (mesh -> connectivity -> layout -> spans -> pixels).
+// Mesh to pixels in one place, for the command line now and the editor later: the stages' results
+// are kept, and a new recipe drops only those that it changes (mesh -> connectivity -> layout ->
+// spans -> pixels).
 #include <chrono>
 #include <optional>
 #include <string>
@@ -20,7 +21,8 @@ struct StageTime {
 
 class Pipeline {
   public:
-    /// Takes the mesh; all its points must be finite and at least one triangle present, as read_mesh guarantees.
+    /// Takes the mesh; all its points must be finite and at least one triangle present, as
+    /// read_mesh guarantees.
     explicit Pipeline(Mesh mesh);
 
     /// Keeps every result that the difference to the former recipe leaves valid.

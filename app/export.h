@@ -1,0 +1,44 @@
+#pragma once
+// The one door for results: a baked image with or without its mesh, in the format the file name
+// asks for. Formats, samplers and what is kept of the input: docs/export.md.
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "app/exr_io.h"
+#include "atlas/atlas.h"
+#include "atlas/image.h"
+#include "atlas/mesh.h"
+
+namespace burl {
+
+enum class ImageKind { rgb8, rgb16, rgb_float };
+
+/// In the order of ImageKind. 8 and 16 bit are sRGB-encoded, float is linear light.
+using BakedImage = std::variant<Image<Rgb8>, Image<Rgb16>, Image<RgbF>>;
+
+struct ExportOptions {
+    double crease_degrees = 40.0;         ///< for computed normals (app/normals.h)
+    ExrDepth exr_depth = ExrDepth::half;  ///< .exr only
+    std::string recipe_json;              ///< kept in the glTF's asset.extras; may be empty
+};
+
+/// Refuses an output before any work starts: the extension is one of .glb, .gltf, .obj, .png, .exr
+/// (any case; else Error(usage) listing them), and the folder exists and is writable, no file to be
+/// written is a folder, and none is the file at `input_path` (else Error(io)).
+void check_output(const std::string& out_path, const std::string& input_path = {});
+
+/// Every file export_scene writes, the one named first: "a.obj" gives a.obj, a.mtl and a.png.
+std::vector<std::string> output_paths(const std::string& out_path);
+
+/// Which image export_scene wants for this file: float for .exr, 16 bits where `depth` is 16, else
+/// 8. Depth is 8 or 16 (for .exr it is not looked at).
+ImageKind wanted_kind(const std::string& out_path, int depth);
+
+/// Writes everything or nothing (app/atomic_file.h). `image` is N x N with N = atlas.options.size;
+/// another kind than the wanted one is converted (float is clamped and sRGB-encoded; 8 and 16 bits
+/// are decoded for .exr). Throws Error: as check_output, and io when a write fails.
+void export_scene(const std::string& out_path, const Mesh& mesh, const Atlas& atlas,
+                  const BakedImage& image, const ExportOptions& options = {});
+
+}  // namespace burl

@@ -1,0 +1,94 @@
+// OpenEXR writes into memory here, so that one piece of code (AtomicFile) meets the disk.
+#include "app/exr_io.h"
+
+#include <cstring>
+#include <exception>
+
+#include <ImfChannelList.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfIO.h>
+#include <ImfOutputFile.h>
+
+#include "app/atomic_file.h"
+#include "atlas/error.h"
+
+namespace burl {
+namespace {
+
+class MemoryStream : public Imf::OStream {
+  public:
+    explicit MemoryStream(std::vector<std::uint8_t>& bytes)
+        : Imf::OStream("image"), bytes_(bytes) {}
+
+    void write(const char data[], int count) override {
+        const std::size_t end = position_ + std::size_t(count);
+        if (end > bytes_.size()) bytes_.resize(end);
+        std::memcpy(bytes_.data() + position_, data, std::size_t(count));
+        position_ = end;
+    }
+    std::uint64_t tellp() override { return position_; }
+    void seekp(std::uint64_t position) override { position_ = position; }
+
+  private:
+    std::vector<std::uint8_t>& bytes_;
+    std::size_t position_ = 0;
+};
+
+template <class Component>
+void write_pixels(Imf::OutputFile& file, const Rgb<Component>* pixels, std::size_t width,
+                  std::size_t height, Imf::PixelType type) {
+    // OpenEXR's slices take char* although they are only read here.
+    auto* base = const_cast<char*>(reinterpret_cast<const char*>(pixels));
+    constexpr std::size_t step = sizeof(Rgb<Component>);
+    Imf::FrameBuffer frame;
+    const char* names[] = {"R", "G", "B"};
+    for (std::size_t c = 0; c < 3; ++c) {
+        frame.insert(names[c], Imf::Slice(type, base + c * sizeof(Component), step, step * width));
+    }
+    file.setFrameBuffer(frame);
+    file.writePixels(int(height));
+}
+
+std::vector<Rgb<Imath::half>> to_half(const Image<RgbF>& image) {
+    std::vector<Rgb<Imath::half>> pixels;
+    pixels.reserve(image.pixels().size());
+    for (const RgbF& p : image.pixels()) {
+        pixels.push_back({Imath::half(p.r), Imath::half(p.g), Imath::half(p.b)});
+    }
+    return pixels;
+}
+
+void encode_into(std::vector<std::uint8_t>& bytes, const Image<RgbF>& image, ExrDepth depth) {
+    const Imf::PixelType type = depth == ExrDepth::half ? Imf::HALF : Imf::FLOAT;
+    Imf::Header header(int(image.width()), int(image.height()));
+    header.compression() = Imf::ZIP_COMPRESSION;
+    for (const char* name : {"R", "G", "B"}) header.channels().insert(name, Imf::Channel(type));
+    MemoryStream stream(bytes);
+    Imf::OutputFile file(stream, header);
+    if (depth == ExrDepth::half) {
+        write_pixels(file, to_half(image).data(), image.width(), image.height(), type);
+    } else {
+        write_pixels(file, image.pixels().data(), image.width(), image.height(), type);
+    }
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> encode_exr(const Image<RgbF>& image, ExrDepth depth) {
+    std::vector<std::uint8_t> bytes;
+    try {
+        encode_into(bytes, image, depth);
+    } catch (const std::exception& e) {
+        throw Error(ExitCode::runtime,
+                    fmt::format("the OpenEXR image of {} x {} could not be encoded: {}",
+                                image.width(), image.height(), e.what()));
+    }
+    return bytes;
+}
+
+void write_exr(const std::string& path, const Image<RgbF>& image, ExrDepth depth) {
+    write_file(path, encode_exr(image, depth));
+}
+
+}  // namespace burl
