@@ -185,7 +185,9 @@ TEST(AtomicFile, NoPermissionIsNamed) {
     const uid_t user = ::geteuid();
     const bool root = user == 0 && ::seteuid(65534) == 0;  // root may write anywhere
     const std::string message = io_message([&] { AtomicFile file(folder / "out.txt"); });
-    if (root) ASSERT_EQ(::seteuid(user), 0);
+    if (root) {
+        ASSERT_EQ(::seteuid(user), 0);
+    }
     std::filesystem::permissions(folder.path(), std::filesystem::perms::owner_all);
     EXPECT_NE(message.find("Permission denied"), std::string::npos) << message;
 }
