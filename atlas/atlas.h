@@ -26,13 +26,16 @@ inline constexpr std::uint32_t max_atlas_size = 16384;
 
 /// Texels [x, x+width) x [y, y+height) shared by one or two right triangles whose legs lie along
 /// the block's sides. `lower` has its right angle at the low-x, low-y end, `upper` (-1: none) is
-/// turned by 180 degrees. In the block's row j (0-based) the texels with column < split(j) belong
-/// to `lower`, the others to `upper`.
+/// turned by 180 degrees and moved right by `overscan` columns. In the block's row j (0-based) the
+/// texels with column < split(j) belong to `lower`, the others to `upper` (atlas/overscan.h).
 struct Block {
     std::uint32_t x = 0, y = 0, width = 0, height = 0;
     std::int32_t lower = -1, upper = -1;
     bool shares_hypotenuse =
-        false;  ///< the two triangles are neighbours across the diagonal: no overscan
+        false;                ///< the two triangles are neighbours across the diagonal: no overscan
+    bool joins_left = false;  ///< its left edge is the mesh edge on the right of the block before
+    std::uint32_t leg_x = 0, leg_y = 0;  ///< both triangles' legs, in texels
+    std::uint32_t overscan = 0;          ///< columns between the triangles' hypotenuses
 };
 
 /// Figures of the layout that metrics and reports print.
@@ -42,7 +45,7 @@ struct LayoutNotes {
     std::uint64_t saved_texels = 0;      ///< overscan texels saved by shared hypotenuses and strips
     std::uint64_t paired_triangles = 0;  ///< triangles whose block-mate is their mesh neighbour
     std::uint64_t strips = 0;            ///< runs of blocks that share their vertical edges
-    std::uint64_t minimal_cells = 0;     ///< triangles that got the smallest cell possible
+    std::uint64_t minimal_cells = 0;     ///< triangles in the narrowest cell possible (leg_x = 1)
 };
 
 struct Atlas {

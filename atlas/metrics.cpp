@@ -1,0 +1,72 @@
+// Coverage and relative scale (Carr & Hart 2001, section 3.3 and 3.4) and their companions.
+#include "atlas/metrics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "atlas/weights.h"
+
+namespace burl {
+
+namespace {
+
+double texture_area(const std::array<Vec2d, 3>& corners, double size) {
+    const Vec2d u = (corners[1] - corners[0]) / size, v = (corners[2] - corners[0]) / size;
+    return 0.5 * std::abs(u.x * v.y - u.y * v.x);
+}
+
+/// Texture area per model area, with the model area it stands for.
+struct Density {
+    double ratio = 0.0, area = 0.0;
+    bool operator<(const Density& other) const { return ratio < other.ratio; }
+};
+
+/// Smallest ratio such that `share` of the area has at most that ratio.
+double percentile(std::span<const Density> sorted, double area, double share) {
+    double below = 0.0;
+    for (const Density& density : sorted) {
+        below += density.area;
+        if (below >= share * area) return density.ratio;
+    }
+    return sorted.empty() ? 0.0 : sorted.back().ratio;
+}
+
+double owned_share(const SolidAtlas& solid) {
+    double texels = 0.0;
+    for (const Span& span : solid.spans) texels += span.count;
+    return texels / (double(solid.size) * double(solid.size));
+}
+
+}  // namespace
+
+AtlasMetrics measure(const Mesh& mesh, const Atlas& atlas, const SolidAtlas& solid) {
+    AtlasMetrics metrics;
+    metrics.triangles = mesh.triangles.size();
+    metrics.charts = atlas.chart_count;
+    metrics.texel_coverage = owned_share(solid);
+    const std::vector<bool> zero = zero_area_triangles(mesh);
+    std::vector<Density> densities;
+    double ratios = 0.0;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        const double in_texture = texture_area(atlas.corners[t], atlas.options.size);
+        const double area = triangle_area(mesh, t);
+        metrics.coverage += in_texture;
+        metrics.area += area;
+        if (zero[t] || !(area > 0.0)) {
+            ++metrics.zero_area;
+            continue;
+        }
+        densities.push_back({in_texture / area, area});
+        ratios += in_texture / area;
+    }
+    if (densities.empty()) return metrics;
+    metrics.relative_scale = std::sqrt(metrics.area * ratios / double(densities.size()));
+    std::sort(densities.begin(), densities.end());
+    constexpr std::array<double, 3> shares{0.05, 0.5, 0.95};
+    for (std::size_t i = 0; i < shares.size(); ++i)
+        metrics.density[i] = metrics.area * percentile(densities, metrics.area, shares[i]);
+    return metrics;
+}
+
+}  // namespace burl
