@@ -1,0 +1,68 @@
+// Chooses the reader by the file's extension and turns what it parsed into a Mesh.
+#include "atlas/mesh_io.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <new>
+#include <stdexcept>
+
+#include "atlas/error.h"
+#include "atlas/mesh_builder.h"
+#include "atlas/mesh_readers.h"
+
+namespace burl {
+namespace {
+
+std::string lower_extension(const std::string& path) {
+    std::string extension = std::filesystem::path(path).extension().string();
+    for (char& c : extension)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return extension;
+}
+
+using Parser = PolygonSoup (*)(const FileBuffer&);
+
+/// The parser for a single-file format, or null.
+Parser parser_for(const std::string& extension) {
+    if (extension == ".obj") return parse_obj;
+    return nullptr;
+}
+
+PolygonSoup parse_by_extension(const std::string& path, const ReadOptions&) {
+    const std::string extension = lower_extension(path);
+    const Parser parse = parser_for(extension);
+    if (parse == nullptr)
+        throw Error(
+            ExitCode::unsupported,
+            fmt::format("{}: cannot read {}; use .obj, .ply, .stl, .off, .gltf or .glb", path,
+                        extension.empty() ? "a mesh without extension"
+                                          : fmt::format("'{}' meshes", extension)));
+    const FileBuffer file = read_file(path);
+    if (file.size == 0) throw invalid_file(path, 0, "the file is empty");
+    return parse(file);
+}
+
+/// Runs `step`, turning exhausted memory into an Error.
+template <typename Step>
+auto with_memory_error(const std::string& path, const Step& step) {
+    try {
+        return step();
+    } catch (const std::bad_alloc&) {
+        throw Error(ExitCode::runtime, fmt::format("{}: not enough memory to read the mesh", path));
+    } catch (const std::length_error&) {
+        throw Error(ExitCode::runtime, fmt::format("{}: not enough memory to read the mesh", path));
+    }
+}
+
+}  // namespace
+
+PolygonSoup parse_mesh(const std::string& path, const ReadOptions& options) {
+    return with_memory_error(path, [&] { return parse_by_extension(path, options); });
+}
+
+Mesh read_mesh(const std::string& path, const ReadOptions& options) {
+    PolygonSoup soup = parse_mesh(path, options);
+    return with_memory_error(path, [&] { return build_mesh(std::move(soup), path, options); });
+}
+
+}  // namespace burl

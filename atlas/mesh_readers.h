@@ -1,0 +1,20 @@
+#pragma once
+// The readers behind read_mesh(), one per format. Each parses a whole file in memory and throws
+// Error(invalid_file) with the line (text) or the vertex's or face's number (binary) of what is
+// wrong.
+#include "atlas/file_buffer.h"
+#include "atlas/mesh_io.h"
+#include "atlas/polygon_soup.h"
+
+namespace burl {
+
+PolygonSoup parse_obj(const FileBuffer& file);
+PolygonSoup parse_off(const FileBuffer& file);
+PolygonSoup parse_ply(const FileBuffer& file);
+PolygonSoup parse_stl(const FileBuffer& file);
+
+/// The first half of read_mesh(): reads and parses `path` by its extension, with read_mesh()'s
+/// errors. build_mesh() is the second half.
+PolygonSoup parse_mesh(const std::string& path, const ReadOptions& options = {});
+
+}  // namespace burl

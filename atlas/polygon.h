@@ -1,0 +1,41 @@
+#pragma once
+// Triangulation of one polygon of a mesh file: a fan where the polygon is strictly convex, ear
+// clipping (Meisters 1975) otherwise, in the plane of Newell's normal.
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "atlas/vec.h"
+
+namespace burl {
+
+/// Cuts polygons into triangles; holds its working memory, so that a reader makes one and keeps it.
+class PolygonTriangulator {
+  public:
+    /// The n - 2 triangles of a polygon of n >= 3 corners, as corner numbers 0..n-1, wound as the
+    /// polygon. Area is kept for any simple polygon, also with collinear or repeated corners and
+    /// with holes joined by a bridge; a self-crossing one still gives n - 2 triangles. The result
+    /// is valid until the next call.
+    const std::vector<std::array<std::uint32_t, 3>>& operator()(std::span<const Vec3d> corners);
+
+    /// Polygons so far that were too intricate for the work limit and were finished as a fan.
+    std::uint64_t unfinished() const { return unfinished_; }
+
+  private:
+    bool project(std::span<const Vec3d> corners);
+    bool strictly_convex() const;
+    void fan(std::uint32_t count);
+    void clip_ears();
+    bool is_ear(std::uint32_t tip, int strictness);
+    bool blocks(std::uint32_t other, std::uint32_t tip, int strictness) const;
+    void cut(std::uint32_t tip);
+
+    std::vector<Vec2d> plane_;
+    std::vector<std::uint32_t> next_, previous_;
+    std::vector<std::array<std::uint32_t, 3>> triangles_;
+    std::uint64_t work_left_ = 0;
+    std::uint64_t unfinished_ = 0;
+};
+
+}  // namespace burl
