@@ -19,9 +19,12 @@ struct ColorStop {
     bool operator==(const ColorStop&) const = default;
 };
 
-/// At least one stop. With `repeat` the interval from the last stop to the first one plus one
-/// interpolates across the wrap (so a map whose first stop is 0 and last is 1 jumps there, unless
-/// the colours agree).
+/// At least one stop. Between two stops the colour is interpolated in linear light. Exactly at a
+/// stop it is that stop's colour; where several share a position, the last one's (so a jump belongs
+/// to its right side). With `clamp` the ends go on with the first and the last colour. A negative f
+/// with `repeat` has index f - floor(f). One stop is a constant. With `repeat` the interval from
+/// the last stop to the first one plus one interpolates across the wrap (so a map whose first stop
+/// is 0 and last is 1 jumps there, unless the colours agree).
 struct ColorMap {
     Wrap wrap = Wrap::repeat;
     std::vector<ColorStop> stops;

@@ -1,0 +1,126 @@
+#include "app/parameters.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <utility>
+
+namespace burl {
+
+namespace {
+
+using enum ParameterType;
+
+// path, type, low, high, step, count, unit, default, choices, tip
+constexpr Parameter quadric_parameter(std::string_view path, std::string_view tip) {
+    return {path, number, -1e9, 1e9, 0.05, 1, "", "0", "", tip};
+}
+
+constexpr std::array table{
+    Parameter{"burl", integer, 1, 1, 1, 1, "", "1", "", "version of this format"},
+    Parameter{"name", text, 0, 0, 0, 1, "", "\"\"", "", "what the texture is called"},
+    Parameter{"atlas.kind", choice, 0, 0, 0, 1, "", "\"area\"", "uniform|area|length",
+              "how triangles are packed"},
+    Parameter{"atlas.size", integer, 1, 16384, 256, 1, "texels", "1024", "",
+              "width and height of the texture"},
+    Parameter{"atlas.overscan", choice, 0, 0, 0, 1, "", "\"bilinear\"", "nearest|bilinear",
+              "the look-up the texture is prepared for"},
+    Parameter{"solid.space", choice, 0, 0, 0, 1, "", "\"unit\"", "unit|object",
+              "unit: the mesh's box centred, longest side 1; object: the file's coordinates"},
+    Parameter{"solid.scale", number, 1e-6, 1e6, 0.1, 1, "", "1", "",
+              "solid coordinates are multiplied by it"},
+    Parameter{"texture.node", choice, 0, 0, 0, 1, "", "\"color_map\"", "color_map",
+              "kind of the tree's root"},
+    Parameter{"texture.wrap", choice, 0, 0, 0, 1, "", "\"repeat\"", "repeat|clamp",
+              "the map's index modulo one, or clamped to [0,1]"},
+    Parameter{"texture.stops.*.0", number, 0, 1, 0.01, 1, "", "", "",
+              "index of a stop, not below the stop before it"},
+    Parameter{"texture.stops.*.1", color, 0, 0, 0, 1, "", "", "", "sRGB colour of a stop"},
+    Parameter{"texture.input.node", choice, 0, 0, 0, 1, "", "\"field\"", "field",
+              "kind of the node that gives the index"},
+    quadric_parameter("texture.input.quadric.A", "coefficient of s^2"),
+    quadric_parameter("texture.input.quadric.B", "half the coefficient of s t"),
+    quadric_parameter("texture.input.quadric.C", "half the coefficient of s r"),
+    quadric_parameter("texture.input.quadric.D", "half the coefficient of s"),
+    quadric_parameter("texture.input.quadric.E", "coefficient of t^2"),
+    quadric_parameter("texture.input.quadric.F", "half the coefficient of t r"),
+    quadric_parameter("texture.input.quadric.G", "half the coefficient of t"),
+    quadric_parameter("texture.input.quadric.H", "coefficient of r^2"),
+    quadric_parameter("texture.input.quadric.I", "half the coefficient of r"),
+    quadric_parameter("texture.input.quadric.J", "constant"),
+    Parameter{"texture.input.noise.*.kind", choice, 0, 0, 0, 1, "", "\"value\"", "value|perlin",
+              "value noise, or improved Perlin (gradient) noise"},
+    Parameter{"texture.input.noise.*.fade", choice, 0, 0, 0, 1, "", "\"smooth\"",
+              "linear|smooth|quintic",
+              "interpolation between lattice points; value noise only, Perlin's is quintic"},
+    Parameter{"texture.input.noise.*.range", choice, 0, 0, 0, 1, "", "", "unit|signed",
+              "[0,1] or [-1,1]; left out: unit for value, signed for perlin"},
+    Parameter{"texture.input.noise.*.amplitude", number, -1e6, 1e6, 0.05, 1, "", "1", "",
+              "factor of the first octave"},
+    Parameter{"texture.input.noise.*.frequency", numbers, -1e6, 1e6, 0.1, 3, "", "[1,1,1]", "",
+              "lattice cells per unit of s, t and r"},
+    Parameter{"texture.input.noise.*.phase", numbers, -1e9, 1e9, 0.1, 3, "cells", "[0,0,0]", "",
+              "added to the lattice coordinates of every octave, never scaled"},
+    Parameter{"texture.input.noise.*.matrix", numbers, -1e9, 1e9, 0.1, 12, "", "", "",
+              "3 rows of 4: affine map to lattice coordinates in place of frequency and phase"},
+    Parameter{"texture.input.noise.*.seed", integer, 0, 4294967295.0, 1, 1, "", "0", "",
+              "number of the random lattice; octave k uses seed + k"},
+    Parameter{"texture.input.noise.*.octaves", integer, 1, 24, 1, 1, "", "1", "",
+              "how many octaves are summed"},
+    Parameter{"texture.input.noise.*.lacunarity", number, 0.01, 16, 0.05, 1, "", "2", "",
+              "frequency ratio from one octave to the next"},
+    Parameter{"texture.input.noise.*.gain", number, 0, 2, 0.05, 1, "", "0.5", "",
+              "amplitude ratio from one octave to the next"},
+    Parameter{"filter", choice, 0, 0, 0, 1, "", "\"none\"", "none",
+              "how a texel's area is averaged"},
+};
+
+/// Levenshtein's distance: insertions, deletions and replacements of single characters.
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+    std::vector<std::size_t> row(b.size() + 1);
+    std::iota(row.begin(), row.end(), std::size_t(0));
+    for (std::size_t i = 1; i <= a.size(); ++i) {
+        std::size_t diagonal = std::exchange(row[0], i);
+        for (std::size_t j = 1; j <= b.size(); ++j) {
+            const std::size_t replaced = diagonal + (a[i - 1] != b[j - 1]);
+            diagonal = row[j];
+            row[j] = std::min({row[j] + 1, row[j - 1] + 1, replaced});
+        }
+    }
+    return row[b.size()];
+}
+
+}  // namespace
+
+std::span<const Parameter> parameters() {
+    return table;
+}
+
+std::string_view to_string(ParameterType type) {
+    constexpr std::array<std::string_view, 6> names{"number", "integer", "numbers",
+                                                    "text",   "choice",  "color"};
+    return names[std::size_t(type)];
+}
+
+std::vector<std::string_view> split_choices(std::string_view choices) {
+    std::vector<std::string_view> words;
+    while (!choices.empty()) {
+        const std::size_t end = std::min(choices.find('|'), choices.size());
+        words.push_back(choices.substr(0, end));
+        choices.remove_prefix(std::min(end + 1, choices.size()));
+    }
+    return words;
+}
+
+std::string_view nearest_word(std::string_view word, std::span<const std::string_view> candidates) {
+    std::string_view nearest;
+    std::size_t best = std::string_view::npos;
+    for (const std::string_view candidate : candidates) {
+        const std::size_t distance = edit_distance(word.substr(0, 200), candidate);
+        if (distance < best && distance < std::max(word.size(), candidate.size()))
+            best = distance, nearest = candidate;
+    }
+    return nearest;
+}
+
+}  // namespace burl

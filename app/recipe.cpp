@@ -1,0 +1,51 @@
+#include "app/recipe.h"
+
+#include <algorithm>
+
+#include "app/embedded.h"
+#include "app/file_bytes.h"
+#include "app/parameters.h"
+#include "atlas/error.h"
+
+namespace burl {
+
+namespace {
+
+constexpr std::string_view extension = ".json";
+
+std::string_view preset_name(const EmbeddedFile& file) {
+    return file.name.substr(0, file.name.size() - extension.size());
+}
+
+Error unknown_preset(const std::string& name) {
+    std::vector<std::string_view> names;
+    for (const EmbeddedFile& file : embedded_recipes()) names.push_back(preset_name(file));
+    const std::string_view nearest = nearest_word(name, names);
+    const std::string hint = nearest.empty() ? "" : fmt::format("did you mean \"{}\"? ", nearest);
+    return Error(ExitCode::usage,
+                 fmt::format("there is no recipe \"{}\"; {}Presets: {}. Anything else must be the "
+                             "path of a .json file",
+                             name, hint, fmt::join(names, ", ")));
+}
+
+}  // namespace
+
+Affine3 texture_from_solid(const Recipe& recipe) {
+    return {recipe.solid.scale * Mat3d(1.0), Vec3d(0.0)};
+}
+
+Affine3 texture_from_mesh(const Recipe& recipe, const Mesh& mesh) {
+    return texture_from_solid(recipe).after(solid_from_mesh(mesh, recipe.solid.space));
+}
+
+Recipe load_recipe(const std::string& path_or_preset, const std::vector<std::string>& settings) {
+    for (const EmbeddedFile& file : embedded_recipes())
+        if (preset_name(file) == path_or_preset)
+            return parse_recipe(std::string(file.content), path_or_preset, settings);
+    if (path_or_preset.find_first_of("./") == std::string::npos)
+        throw unknown_preset(path_or_preset);
+    const std::vector<std::uint8_t> bytes = read_file_bytes(path_or_preset);
+    return parse_recipe(std::string(bytes.begin(), bytes.end()), path_or_preset, settings);
+}
+
+}  // namespace burl

@@ -1,0 +1,98 @@
+#include <algorithm>
+#include <array>
+
+#include "app/recipe.h"
+#include "app/recipe_check.h"
+#include "app/recipe_settings.h"
+#include "atlas/error.h"
+#include "procedural/texture_json.h"
+
+namespace burl {
+
+namespace {
+
+// In the order of the enumerators.
+constexpr std::array atlas_kinds{"uniform", "area", "length"};
+constexpr std::array overscans{"nearest", "bilinear"};
+constexpr std::array spaces{"unit", "object"};
+constexpr std::array filters{"none"};
+
+template <class Enum, class Names>
+void read(const Json& json, const char* key, const Names& names, Enum& target) {
+    if (!json.contains(key)) return;
+    const auto found = std::find(names.begin(), names.end(), json[key].get<std::string>());
+    if (found != names.end()) target = Enum(found - names.begin());
+}
+
+template <class Enum, class Names>
+const char* name_of(const Names& names, Enum value) {
+    return names[std::size_t(value)];
+}
+
+Recipe recipe_from_json(const Json& json) {
+    Recipe recipe;
+    const Json none = Json::object();
+    const auto part = [&](const char* key) -> const Json& {
+        return json.contains(key) ? json[key] : none;
+    };
+    if (json.contains("name")) recipe.name = json["name"].get<std::string>();
+    const Json& atlas = part("atlas");
+    read(atlas, "kind", atlas_kinds, recipe.atlas.kind);
+    read(atlas, "overscan", overscans, recipe.atlas.overscan);
+    if (atlas.contains("size")) recipe.atlas.size = std::uint32_t(atlas["size"].get<double>());
+    const Json& solid = part("solid");
+    read(solid, "space", spaces, recipe.solid.space);
+    if (solid.contains("scale")) recipe.solid.scale = solid["scale"].get<double>();
+    recipe.texture = texture_from_json(part("texture"));
+    read(json, "filter", filters, recipe.filter);
+    return recipe;
+}
+
+/// `path` lies at, above or below `other`.
+bool concerns(const std::string& path, const std::string& other) {
+    const std::string& shorter = path.size() < other.size() ? path : other;
+    const std::string& longer = path.size() < other.size() ? other : path;
+    return longer.starts_with(shorter) &&
+           (longer.size() == shorter.size() || longer[shorter.size()] == '.');
+}
+
+/// Applies the settings, then checks the result as a whole: single steps may pass through recipes
+/// that are not valid (stops out of order).
+void apply_settings(Json& json, const std::vector<std::string>& settings) {
+    std::vector<std::string> paths;
+    for (const std::string& setting : settings) paths.push_back(apply_setting(json, setting));
+    const auto problem = find_problem(json);
+    if (!problem) return;
+    for (std::size_t i = settings.size(); i-- > 0;) {
+        if (concerns(problem->path, paths[i]))
+            throw Error(ExitCode::usage,
+                        fmt::format("--set {}: {}", settings[i], problem->sentence));
+    }
+    throw Error(ExitCode::usage, "--set: " + problem->sentence);
+}
+
+}  // namespace
+
+Recipe parse_recipe(const std::string& json, const std::string& origin,
+                    const std::vector<std::string>& settings) {
+    Json tree = parse_json_text(json, origin);
+    if (const auto problem = find_problem(tree)) throw invalid_file(origin, 0, problem->sentence);
+    if (!settings.empty()) apply_settings(tree, settings);
+    return recipe_from_json(tree);
+}
+
+std::string to_json(const Recipe& recipe) {
+    const Json json{
+        {"burl", 1},
+        {"name", recipe.name},
+        {"atlas",
+         {{"kind", name_of(atlas_kinds, recipe.atlas.kind)},
+          {"size", recipe.atlas.size},
+          {"overscan", name_of(overscans, recipe.atlas.overscan)}}},
+        {"solid", {{"space", name_of(spaces, recipe.solid.space)}, {"scale", recipe.solid.scale}}},
+        {"texture", texture_to_json(recipe.texture)},
+        {"filter", name_of(filters, recipe.filter)}};
+    return print_json(json);
+}
+
+}  // namespace burl

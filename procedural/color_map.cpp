@@ -1,0 +1,39 @@
+#include "procedural/color_map.h"
+
+#include "procedural/color_table.h"
+#include "procedural/srgb.h"
+#include "procedural/texture.h"
+
+namespace burl {
+
+namespace {
+
+Vec3d to_linear(const Rgb8& color) {
+    return {srgb_decode(color.r / 255.0), srgb_decode(color.g / 255.0),
+            srgb_decode(color.b / 255.0)};
+}
+
+}  // namespace
+
+Vec3d evaluate_color(const ColorMap& map, double f) {
+    if (map.stops.empty()) return Vec3d(0.0);
+    const double t = map_index(map.wrap, f);
+    ColorStop before = map.stops.back(), after = map.stops.front();
+    if (map.wrap == Wrap::repeat) {
+        before.position -= 1.0;
+        if (t >= map.stops.back().position) before.position += 1.0, after.position += 1.0;
+    }
+    for (const ColorStop& stop : map.stops) {
+        if (stop.position <= t) before = stop;
+    }
+    for (auto stop = map.stops.rbegin(); stop != map.stops.rend(); ++stop) {
+        if (stop->position > t) after = *stop;
+    }
+    if (map.wrap == Wrap::clamp && t < map.stops.front().position) before = map.stops.front();
+    if (map.wrap == Wrap::clamp && t >= map.stops.back().position) after = map.stops.back();
+    const double width = after.position - before.position;
+    const double weight = width > 0.0 ? (t - before.position) / width : 0.0;
+    return to_linear(before.color) + weight * (to_linear(after.color) - to_linear(before.color));
+}
+
+}  // namespace burl

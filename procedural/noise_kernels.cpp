@@ -1,0 +1,261 @@
+#include "procedural/noise_kernels.h"
+
+#include "procedural/lattice_hash.h"
+
+// This file is compiled once per instruction set.
+// clang-format off
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "procedural/noise_kernels.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+// clang-format on
+
+HWY_BEFORE_NAMESPACE();
+namespace burl {
+namespace HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Floats = hn::ScalableTag<float>;
+using Doubles = hn::ScalableTag<double>;
+using Ints = hn::RebindToSigned<Floats>;
+using Bits = hn::RebindToUnsigned<Floats>;
+using HalfFloats = hn::Rebind<float, Doubles>;  // as many floats as there are doubles in a vector
+using HalfInts = hn::Rebind<std::int32_t, Doubles>;
+using HalfBits = hn::Rebind<std::uint32_t, Doubles>;
+using Float = hn::Vec<Floats>;
+using Bit = hn::Vec<Bits>;
+
+/// Adding this to |y| < 2^51 rounds y to an integer, whose low 32 bits are the sum's low bits.
+constexpr double round_magic = 0x1.8p52;
+
+HWY_ATTR void SplitLine(const LatticeLine& line, int axis, std::size_t at, LatticeBatch& batch) {
+    const Doubles d;
+    const auto magic = hn::Set(d, round_magic);
+    const auto start = hn::Set(d, line.start[axis] - 0.5), step = hn::Set(d, line.step[axis]);
+    const auto lanes = hn::Set(d, double(hn::Lanes(d)));
+    auto index = hn::Iota(d, line.first);
+    for (std::size_t j = 0; j < line.count; j += hn::Lanes(d)) {
+        // The nearest integer to x - 1/2 is floor(x), up to ties, where both cells agree.
+        const auto y = hn::Add(start, hn::Mul(index, step));
+        const auto shifted = hn::Add(y, magic);
+        const auto place = hn::Sub(y, hn::Sub(shifted, magic));
+        const auto cell =
+            hn::TruncateTo(HalfBits(), hn::BitCast(hn::RebindToUnsigned<Doubles>(), shifted));
+        hn::StoreU(hn::BitCast(HalfInts(), cell), HalfInts(), batch.cells[axis] + at + j);
+        hn::StoreU(hn::DemoteTo(HalfFloats(), place), HalfFloats(), batch.places[axis] + at + j);
+        index = hn::Add(index, lanes);
+    }
+}
+
+HWY_ATTR void SplitLatticeLines(std::span<const LatticeLine> lines, LatticeBatch& batch) {
+    std::size_t at = 0;
+    for (const LatticeLine& line : lines) {
+        for (int axis = 0; axis < 3; ++axis) SplitLine(line, axis, at, batch);
+        at += line.count;
+    }
+}
+
+// Fades as v = 2 w - 1 in [-1,1] of t = 2 u in [-1,1], u the place. Written as t plus a correction
+// that vanishes towards the ends they lose less than x^2 (3 - 2x) and x^3 (10 + x (6x - 15)) do.
+struct LinearFade {
+    HWY_ATTR Float operator()(Float t) const { return t; }
+};
+struct SmoothFade {  // t (3 - t^2) / 2
+    HWY_ATTR Float operator()(Float t) const {
+        const Float half = hn::Set(Floats(), 0.5f);
+        const Float correction = hn::Sub(half, hn::Mul(half, hn::Mul(t, t)));
+        return hn::Add(t, hn::Mul(t, correction));
+    }
+};
+struct QuinticFade {  // t (15 - 10 t^2 + 3 t^4) / 8
+    HWY_ATTR Float operator()(Float t) const {
+        const Floats d;
+        const Float square = hn::Mul(t, t);
+        const Float factor = hn::Sub(hn::Set(d, 0.875f), hn::Mul(hn::Set(d, 0.375f), square));
+        const Float correction = hn::Mul(hn::Sub(hn::Set(d, 1.0f), square), factor);
+        return hn::Add(t, hn::Mul(t, correction));
+    }
+};
+
+/// Twice the interpolation between a and b at v in [-1,1]: (a + b) + v (b - a). The sum and the
+/// difference of two 24-bit lattice values are exact.
+HWY_ATTR HWY_INLINE Float TwiceLerp(Float v, Float a, Float b) {
+    return hn::Add(hn::Add(a, b), hn::Mul(v, hn::Sub(b, a)));
+}
+
+HWY_ATTR HWY_INLINE Bit Mix(Bit h) {
+    const Bits d;
+    h = hn::Xor(h, hn::ShiftRight<16>(h));
+    h = hn::Mul(h, hn::Set(d, LatticeHash::multiplier_1));
+    h = hn::Xor(h, hn::ShiftRight<15>(h));
+    return hn::Mul(h, hn::Set(d, LatticeHash::multiplier_2));
+}
+
+/// 2^23 times the lattice value.
+struct ValueCorner {
+    HWY_ATTR HWY_INLINE Float operator()(Bit h, Float, Float, Float) const {
+        return hn::ConvertTo(Floats(), hn::ShiftRight<8>(hn::BitCast(Ints(), h)));
+    }
+};
+
+/// gradient_dot with the gradient's number in the upper four bits of h.
+struct PerlinCorner {
+    HWY_ATTR HWY_INLINE Float operator()(Bit h, Float x, Float y, Float z) const {
+        const Floats d;
+        const auto as_float = [d](Bit bits) HWY_ATTR { return hn::BitCast(d, bits); };
+        // (Highway 1.0.3's IfNegativeThenElse is wrong for floats on SSSE3 and SCALAR.)
+        const auto bit31_set = [d](Bit bits) HWY_ATTR {
+            return hn::RebindMask(d, hn::Lt(hn::BitCast(Ints(), bits), hn::Zero(Ints())));
+        };
+        const Bit bit30 = hn::ShiftLeft<1>(h), bit29 = hn::ShiftLeft<2>(h),
+                  bit28 = hn::ShiftLeft<3>(h);
+        const auto not_below_4 = bit31_set(hn::Or(h, bit30));
+        const auto is_12_or_14 = bit31_set(hn::AndNot(bit28, hn::And(h, bit30)));
+        const Float a = hn::IfThenElse(bit31_set(h), y, x);
+        const Float b = hn::IfThenElse(not_below_4, hn::IfThenElse(is_12_or_14, x, z), y);
+        const Float sign = hn::SignBit(d);
+        return hn::Add(hn::Xor(a, hn::And(as_float(bit28), sign)),
+                       hn::Xor(b, hn::And(as_float(bit29), sign)));
+    }
+};
+
+/// Eight times the interpolated corners of a vector of texels.
+template <class Corner, class FadeFunction>
+HWY_ATTR HWY_INLINE Float EightfoldNoise(Bit seed, const LatticeBatch& batch, std::size_t j) {
+    const Floats d;
+    const Bits bits;
+    const Corner corner;
+    const FadeFunction fade;
+    const auto cell = [&](int axis) HWY_ATTR {
+        return hn::BitCast(bits, hn::Load(Ints(), batch.cells[axis] + j));
+    };
+    const Float x = hn::Load(d, batch.places[0] + j), y = hn::Load(d, batch.places[1] + j),
+                z = hn::Load(d, batch.places[2] + j);
+    const Float half = hn::Set(d, 0.5f);
+    const Float x0 = hn::Add(x, half), y0 = hn::Add(y, half), z0 = hn::Add(z, half);
+    const Float x1 = hn::Sub(x, half), y1 = hn::Sub(y, half), z1 = hn::Sub(z, half);
+    const Float fx = fade(hn::Add(x, x)), fy = fade(hn::Add(y, y)), fz = fade(hn::Add(z, z));
+
+    const Bit next_x = hn::Set(bits, LatticeHash::prime_x);
+    const Bit next_y = hn::Set(bits, LatticeHash::prime_y);
+    const Bit hx = hn::Add(hn::Mul(cell(0), next_x), seed);
+    const Bit h00 = hn::Add(hx, hn::Mul(cell(1), next_y)), h10 = hn::Add(h00, next_x);
+    const Bit h01 = hn::Add(h00, next_y), h11 = hn::Add(h10, next_y);
+
+    const auto plane = [&](Bit hz, Float dz) HWY_ATTR {
+        const Float a = corner(Mix(hn::Add(h00, hz)), x0, y0, dz);
+        const Float b = corner(Mix(hn::Add(h10, hz)), x1, y0, dz);
+        const Float low = TwiceLerp(fx, a, b);
+        const Float e = corner(Mix(hn::Add(h01, hz)), x0, y1, dz);
+        const Float f = corner(Mix(hn::Add(h11, hz)), x1, y1, dz);
+        return TwiceLerp(fy, low, TwiceLerp(fx, e, f));
+    };
+    const Bit next_z = hn::Set(bits, LatticeHash::prime_z);
+    const Bit hz = hn::Mul(cell(2), next_z);
+    const Float low = plane(hz, z0);
+    return TwiceLerp(fz, low, plane(hn::Add(hz, next_z), z1));
+}
+
+template <class Corner, class FadeFunction>
+HWY_ATTR void AddNoiseOf(std::uint32_t seed, double scale, const LatticeBatch& batch,
+                         std::size_t count, double* sums) {
+    const Floats d;
+    const Doubles doubles;
+    HWY_ALIGN float noise[batch_capacity + batch_padding];
+    const Bit seeds = hn::Set(Bits(), seed * LatticeHash::prime_seed);
+    for (std::size_t j = 0; j < count; j += hn::Lanes(d))
+        hn::Store(EightfoldNoise<Corner, FadeFunction>(seeds, batch, j), d, noise + j);
+    const auto scales = hn::Set(doubles, scale);
+    for (std::size_t j = 0; j < count; j += hn::Lanes(doubles)) {
+        const auto n = hn::PromoteTo(doubles, hn::Load(HalfFloats(), noise + j));
+        hn::StoreU(hn::Add(hn::LoadU(doubles, sums + j), hn::Mul(n, scales)), doubles, sums + j);
+    }
+}
+
+HWY_ATTR void AddNoise(NoiseKind kind, Fade fade, std::uint32_t seed, double scale,
+                       const LatticeBatch& batch, std::size_t count, double* sums) {
+    if (kind == NoiseKind::perlin)
+        return AddNoiseOf<PerlinCorner, QuinticFade>(seed, scale * 0x1p-3, batch, count, sums);
+    const double value_scale = scale * 0x1p-26;
+    switch (fade) {
+        case Fade::linear:
+            return AddNoiseOf<ValueCorner, LinearFade>(seed, value_scale, batch, count, sums);
+        case Fade::smooth:
+            return AddNoiseOf<ValueCorner, SmoothFade>(seed, value_scale, batch, count, sums);
+        case Fade::quintic:
+            return AddNoiseOf<ValueCorner, QuinticFade>(seed, value_scale, batch, count, sums);
+    }
+}
+
+HWY_ATTR void FillParabolas(std::span<const ParabolaLine> lines, double* values) {
+    const Doubles d;
+    const auto lanes = hn::Set(d, double(hn::Lanes(d)));
+    for (const ParabolaLine& line : lines) {
+        const auto c0 = hn::Set(d, line.c0), c1 = hn::Set(d, line.c1), c2 = hn::Set(d, line.c2);
+        auto x = hn::Iota(d, line.first);
+        for (std::size_t j = 0; j < line.count; j += hn::Lanes(d)) {
+            const auto slope = hn::Add(c1, hn::Mul(x, c2));
+            hn::StoreU(hn::Add(c0, hn::Mul(x, slope)), d, values + j);
+            x = hn::Add(x, lanes);
+        }
+        values += line.count;
+    }
+}
+
+HWY_ATTR void IndexColors(Wrap wrap, const double* f, std::size_t count, std::uint32_t entry_count,
+                          std::int32_t* entries) {
+    const Doubles d;
+    const auto zero = hn::Zero(d), one = hn::Set(d, 1.0), scale = hn::Set(d, double(entry_count));
+    for (std::size_t j = 0; j < count; j += hn::Lanes(d)) {
+        const auto v = hn::LoadU(d, f + j);
+        // Both forms give 0 for NaN: comparisons with it are false.
+        const auto part = hn::Sub(v, hn::Floor(v));
+        const auto positive = hn::IfThenElseZero(hn::Gt(v, zero), v);
+        const auto t = wrap == Wrap::repeat ? hn::IfThenElseZero(hn::Lt(part, one), part)
+                                            : hn::IfThenElse(hn::Lt(positive, one), positive, one);
+        hn::StoreU(hn::DemoteTo(HalfInts(), hn::Mul(t, scale)), HalfInts(), entries + j);
+    }
+}
+
+const char* SimdLevel() {
+    return hwy::TargetName(HWY_TARGET);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace burl
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace burl {
+
+HWY_EXPORT(SplitLatticeLines);
+HWY_EXPORT(AddNoise);
+HWY_EXPORT(FillParabolas);
+HWY_EXPORT(IndexColors);
+HWY_EXPORT(SimdLevel);
+
+void split_lattice_lines(std::span<const LatticeLine> lines, LatticeBatch& batch) {
+    HWY_DYNAMIC_DISPATCH(SplitLatticeLines)(lines, batch);
+}
+
+void add_noise(NoiseKind kind, Fade fade, std::uint32_t seed, double scale,
+               const LatticeBatch& batch, std::size_t count, double* sums) {
+    HWY_DYNAMIC_DISPATCH(AddNoise)(kind, fade, seed, scale, batch, count, sums);
+}
+
+void fill_parabolas(std::span<const ParabolaLine> lines, double* values) {
+    HWY_DYNAMIC_DISPATCH(FillParabolas)(lines, values);
+}
+
+void index_colors(Wrap wrap, const double* f, std::size_t count, std::uint32_t entry_count,
+                  std::int32_t* entries) {
+    HWY_DYNAMIC_DISPATCH(IndexColors)(wrap, f, count, entry_count, entries);
+}
+
+std::string simd_level() {
+    return HWY_DYNAMIC_DISPATCH(SimdLevel)();
+}
+
+}  // namespace burl
+#endif

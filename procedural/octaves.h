@@ -1,0 +1,29 @@
+#pragma once
+// The noise sum of a texture as the flat list of what is really added: sum_i a_i n_i(T_i s) of
+// eq. (1), every octave one entry, entries of zero amplitude left out.
+#include <vector>
+
+#include "procedural/texture.h"
+
+namespace burl {
+
+/// One octave: offset + scale * n_seed(lattice_from_solid(s)) with n in [-1,1].
+struct Octave {
+    NoiseKind kind = NoiseKind::value;
+    Fade fade = Fade::smooth;
+    std::uint32_t seed = 0;
+    double scale = 0.0;
+    double offset = 0.0;  ///< of range `unit`: half the amplitude
+    Affine3 lattice_from_solid;
+};
+
+/// All octaves of all terms with a non-zero amplitude, in the order they are added.
+std::vector<Octave> expand_octaves(const Texture& texture);
+
+/// q(s), eq. (3).
+double evaluate_quadric(const Quadric& q, const Vec3d& s);
+
+/// Half the gradient of q at s: Q s without its last row, eq. (11).
+Vec3d half_gradient(const Quadric& q, const Vec3d& s);
+
+}  // namespace burl

@@ -1,0 +1,187 @@
+#include "procedural/noise.h"
+
+#include <array>
+#include <numeric>
+#include <random>
+
+#include <gtest/gtest.h>
+
+namespace burl {
+namespace {
+
+/// The permutation published with "Improving Noise".
+constexpr std::array<std::uint8_t, 256> published_permutation{
+    151, 160, 137, 91,  90,  15,  131, 13,  201, 95,  96,  53,  194, 233, 7,   225, 140, 36,  103,
+    30,  69,  142, 8,   99,  37,  240, 21,  10,  23,  190, 6,   148, 247, 120, 234, 75,  0,   26,
+    197, 62,  94,  252, 219, 203, 117, 35,  11,  32,  57,  177, 33,  88,  237, 149, 56,  87,  174,
+    20,  125, 136, 171, 168, 68,  175, 74,  165, 71,  134, 139, 48,  27,  166, 77,  146, 158, 231,
+    83,  111, 229, 122, 60,  211, 133, 230, 220, 105, 92,  41,  55,  46,  245, 40,  244, 102, 143,
+    54,  65,  25,  63,  161, 1,   216, 80,  73,  209, 76,  132, 187, 208, 89,  18,  169, 200, 196,
+    135, 130, 116, 188, 159, 86,  164, 100, 109, 198, 173, 186, 3,   64,  52,  217, 226, 250, 124,
+    123, 5,   202, 38,  147, 118, 126, 255, 82,  85,  212, 207, 206, 59,  227, 47,  16,  58,  17,
+    182, 189, 28,  42,  223, 183, 170, 213, 119, 248, 152, 2,   44,  154, 163, 70,  221, 153, 101,
+    155, 167, 43,  172, 9,   129, 22,  39,  253, 19,  98,  108, 110, 79,  113, 224, 232, 178, 185,
+    112, 104, 218, 246, 97,  228, 251, 34,  242, 193, 238, 210, 144, 12,  191, 179, 162, 241, 81,
+    51,  145, 235, 249, 14,  239, 107, 49,  192, 214, 31,  181, 199, 106, 157, 184, 84,  204, 176,
+    115, 121, 50,  45,  127, 4,   150, 254, 138, 236, 205, 93,  222, 114, 67,  29,  24,  72,  243,
+    141, 128, 195, 78,  66,  215, 61,  156, 180};
+
+double published_noise(double x, double y, double z) {
+    const auto p = [](std::uint32_t i) -> std::uint32_t { return published_permutation[i & 255]; };
+    return perlin_noise({x, y, z}, [&p](std::uint32_t i, std::uint32_t j, std::uint32_t k) {
+        return p(p(p(i) + j) + k) & 15;
+    });
+}
+
+TEST(PerlinNoise, GivesThePublishedValues) {
+    EXPECT_NEAR(published_noise(3.14, 42, 7), 0.13691995878400012, 1e-15);
+    EXPECT_EQ(published_noise(0, 0, 0), 0.0);
+    EXPECT_NEAR(published_noise(-4.20, 10.0, 6.0), 0.14208000000000043, 1e-14);
+}
+
+TEST(PerlinNoise, GradientsAreTheTwelveEdges) {
+    std::array<int, 27> seen{};
+    for (std::uint32_t g = 0; g < 16; ++g) {
+        const Vec3d v(gradient_dot(g, {1, 0, 0}), gradient_dot(g, {0, 1, 0}),
+                      gradient_dot(g, {0, 0, 1}));
+        EXPECT_EQ(glm::dot(v, v), 2.0);
+        ++seen[std::size_t(9 * (v.x + 1) + 3 * (v.y + 1) + v.z + 1)];
+    }
+    EXPECT_EQ(std::count_if(seen.begin(), seen.end(), [](int n) { return n > 0; }), 12);
+}
+
+TEST(PerlinNoise, VanishesOnTheLatticeAndHasTheGradientThere) {
+    const double h = 1e-6;
+    for (int i = -3; i < 3; ++i) {
+        const Vec3d p(i, 2 * i + 1, 5 - i);
+        EXPECT_EQ(evaluate_noise(NoiseKind::perlin, Fade::quintic, 9, p), 0.0);
+        const std::uint32_t g =
+            lattice_gradient(std::uint32_t(i), std::uint32_t(2 * i + 1), std::uint32_t(5 - i), 9);
+        for (int axis = 0; axis < 3; ++axis) {
+            Vec3d step(0.0);
+            step[axis] = h;
+            const double slope = evaluate_noise(NoiseKind::perlin, Fade::quintic, 9, p + step) / h;
+            EXPECT_NEAR(slope, gradient_dot(g, step / h), 1e-5);
+        }
+    }
+}
+
+TEST(ValueNoise, IsTheLatticeValueOnTheLattice) {
+    for (int i = -5; i < 5; ++i)
+        for (const Fade fade : {Fade::linear, Fade::smooth, Fade::quintic})
+            EXPECT_EQ(evaluate_noise(NoiseKind::value, fade, 3, Vec3d(i, 7, -i)),
+                      lattice_value(std::uint32_t(i), 7u, std::uint32_t(-i), 3));
+}
+
+TEST(ValueNoise, InterpolatesWithTheFade) {
+    // Along an edge of the lattice, by the fades' own formulas.
+    const double a = lattice_value(4, 1, 2, 0), b = lattice_value(5, 1, 2, 0);
+    for (const double x : {0.1, 0.25, 0.5, 0.9}) {
+        const double smooth = 3 * x * x - 2 * x * x * x;
+        const double quintic = 6 * std::pow(x, 5) - 15 * std::pow(x, 4) + 10 * std::pow(x, 3);
+        const Vec3d p(4 + x, 1, 2);
+        EXPECT_NEAR(evaluate_noise(NoiseKind::value, Fade::linear, 0, p), a + x * (b - a), 4e-15);
+        EXPECT_NEAR(evaluate_noise(NoiseKind::value, Fade::smooth, 0, p), a + smooth * (b - a),
+                    4e-15);
+        EXPECT_NEAR(evaluate_noise(NoiseKind::value, Fade::quintic, 0, p), a + quintic * (b - a),
+                    4e-15);
+    }
+    // In the middle of a cell it is the mean of the corners.
+    double mean = 0.0;
+    for (std::uint32_t c = 0; c < 8; ++c)
+        mean += lattice_value(10 + (c & 1), 20 + (c >> 1 & 1), 30 + (c >> 2), 0) / 8.0;
+    EXPECT_NEAR(evaluate_noise(NoiseKind::value, Fade::smooth, 0, {10.5, 20.5, 30.5}), mean, 1e-15);
+}
+
+TEST(Noise, IsContinuousAcrossCellFaces) {
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> coordinate(-100.0, 100.0);
+    const double h = 1e-9;
+    for (int i = 0; i < 3000; ++i) {
+        Vec3d p(coordinate(random), coordinate(random), coordinate(random));
+        p[i % 3] = std::round(p[i % 3]);
+        Vec3d below = p;
+        below[i % 3] -= h;
+        for (const NoiseKind kind : {NoiseKind::value, NoiseKind::perlin})
+            for (const Fade fade : {Fade::linear, Fade::smooth, Fade::quintic})
+                EXPECT_NEAR(evaluate_noise(kind, fade, 5, p), evaluate_noise(kind, fade, 5, below),
+                            4 * h);
+    }
+}
+
+TEST(Noise, WrapsTheLatticeAndIgnoresHopelessCoordinates) {
+    const Vec3d p(0.3, 0.7, 0.1);
+    const Vec3d far = p + Vec3d(4294967296.0, 0, 0);
+    EXPECT_NEAR(evaluate_noise(NoiseKind::value, Fade::smooth, 0, far),
+                evaluate_noise(NoiseKind::value, Fade::smooth, 0, p), 1e-5);
+    for (const double huge : {1e300, -1e300, 1e18, std::numeric_limits<double>::infinity(),
+                              std::numeric_limits<double>::quiet_NaN()})
+        EXPECT_EQ(evaluate_noise(NoiseKind::value, Fade::smooth, 0, {huge, 0.7, 0.1}),
+                  evaluate_noise(NoiseKind::value, Fade::smooth, 0, {0.0, 0.7, 0.1}));
+}
+
+// Statistics of the lattice, about a block of 64^3 points: a standard deviation is 1/512.
+
+std::vector<double> lattice_block(std::uint32_t size, std::uint32_t seed) {
+    std::vector<double> values;
+    for (std::uint32_t k = 0; k < size; ++k)
+        for (std::uint32_t j = 0; j < size; ++j)
+            for (std::uint32_t i = 0; i < size; ++i)
+                values.push_back(lattice_value(i - size / 2, j - size / 2, k - size / 2, seed));
+    return values;
+}
+
+TEST(LatticeValues, AreUniform) {
+    for (const std::uint32_t seed : {0u, 1u, 12345u}) {
+        std::array<int, 64> histogram{};
+        for (const double v : lattice_block(64, seed)) {
+            ASSERT_TRUE(v >= -1.0 && v < 1.0);
+            ++histogram[std::size_t((v + 1.0) * 32.0)];
+        }
+        const double expected = 64.0 * 64 * 64 / 64;
+        double chi_squared = 0.0;
+        for (const int n : histogram) chi_squared += (n - expected) * (n - expected) / expected;
+        // 63 degrees of freedom: mean 63, standard deviation 11.2.
+        EXPECT_LT(chi_squared, 63 + 5 * 11.2);
+    }
+}
+
+TEST(LatticeValues, AreUncorrelatedBetweenNeighboursAndSeeds) {
+    constexpr std::uint32_t size = 64;
+    for (const std::uint32_t seed : {0u, 7u}) {
+        const std::vector<double> block = lattice_block(size, seed);
+        const std::vector<double> next = lattice_block(size, seed + 1);
+        const double variance = std::inner_product(block.begin(), block.end(), block.begin(), 0.0);
+        EXPECT_NEAR(variance / double(block.size()), 1.0 / 3.0, 0.005);
+        for (const std::size_t lag :
+             {1u, 2u, 3u, 64u, 65u, 63u, 128u, 4096u, 4097u, 4161u, 8192u}) {
+            double sum = 0.0;
+            for (std::size_t i = 0; i + lag < block.size(); ++i) sum += block[i] * block[i + lag];
+            EXPECT_LT(std::abs(sum / variance), 5.0 / 512) << "lag " << lag;
+        }
+        const double across = std::inner_product(block.begin(), block.end(), next.begin(), 0.0);
+        EXPECT_LT(std::abs(across / variance), 5.0 / 512);
+    }
+}
+
+TEST(LatticeValues, DifferAllOverABlock) {
+    std::vector<std::uint32_t> bits;
+    for (std::uint32_t k = 0; k < 48; ++k)
+        for (std::uint32_t j = 0; j < 48; ++j)
+            for (std::uint32_t i = 0; i < 48; ++i) bits.push_back(LatticeHash::bits(i, j, k, 0));
+    std::sort(bits.begin(), bits.end());
+    EXPECT_EQ(std::adjacent_find(bits.begin(), bits.end()), bits.end());
+}
+
+TEST(LatticeGradients, AreEquallyFrequent) {
+    std::array<int, 16> histogram{};
+    for (std::uint32_t k = 0; k < 40; ++k)
+        for (std::uint32_t j = 0; j < 40; ++j)
+            for (std::uint32_t i = 0; i < 40; ++i) ++histogram[lattice_gradient(i, j, k, 2)];
+    double chi_squared = 0.0;
+    for (const int n : histogram) chi_squared += (n - 4000.0) * (n - 4000.0) / 4000.0;
+    EXPECT_LT(chi_squared, 15 + 5 * 5.5);
+}
+
+}  // namespace
+}  // namespace burl
