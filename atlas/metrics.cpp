@@ -45,27 +45,27 @@ AtlasMetrics measure(const Mesh& mesh, const Atlas& atlas, const SolidAtlas& sol
     metrics.triangles = mesh.triangles.size();
     metrics.charts = atlas.chart_count;
     metrics.texel_coverage = owned_share(solid);
-    const std::vector<bool> zero = zero_area_triangles(mesh);
+    const auto [areas, unit] = triangle_areas(mesh);
     std::vector<Density> densities;
-    double ratios = 0.0;
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    double ratios = 0.0, total = 0.0;
+    for (std::size_t t = 0; t < areas.size(); ++t) {
         const double in_texture = texture_area(atlas.corners[t], atlas.options.size);
-        const double area = triangle_area(mesh, t);
         metrics.coverage += in_texture;
-        metrics.area += area;
-        if (zero[t] || !(area > 0.0)) {
+        if (areas[t] == 0.0) {
             ++metrics.zero_area;
             continue;
         }
-        densities.push_back({in_texture / area, area});
-        ratios += in_texture / area;
+        densities.push_back({in_texture / areas[t], areas[t]});
+        ratios += in_texture / areas[t];
+        total += areas[t];
     }
+    metrics.area = total * unit * unit;
     if (densities.empty()) return metrics;
-    metrics.relative_scale = std::sqrt(metrics.area * ratios / double(densities.size()));
+    metrics.relative_scale = std::sqrt(total * ratios / double(densities.size()));
     std::sort(densities.begin(), densities.end());
     constexpr std::array<double, 3> shares{0.05, 0.5, 0.95};
     for (std::size_t i = 0; i < shares.size(); ++i)
-        metrics.density[i] = metrics.area * percentile(densities, metrics.area, shares[i]);
+        metrics.density[i] = total * percentile(densities, total, shares[i]);
     return metrics;
 }
 

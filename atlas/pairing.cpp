@@ -110,7 +110,7 @@ double dislike(const Mesh& mesh, std::span<const float> weights, HalfEdge h, Hal
             longest = std::max(longest, squared_length(mesh, e));
     const double shortness =
         longest > 0.0 ? 1.0 - std::sqrt(squared_length(mesh, h) / longest) : 0.0;
-    return 1.0 - std::min(a, b) / std::max(a, b) + 0.5 * shortness;
+    return 1.0 - std::min(a, b) / std::max(a, b) + shortness;
 }
 
 }  // namespace

@@ -95,7 +95,8 @@ Affine3 solid_from_mesh(const Mesh& mesh, SolidSpace space) {
     Affine3 map;
     if (space == SolidSpace::object) return map;
     const Box3 box = bounding_box(mesh);
-    const double scale = 1.0 / box.longest_side();
+    const Vec3d half = 0.5 * box.high - 0.5 * box.low;  // halves: no overflow
+    const double scale = 0.5 / std::max({half.x, half.y, half.z});
     if (!std::isfinite(scale)) return {Mat3d(1.0), -box.centre()};
     return {Mat3d(scale), -scale * box.centre()};
 }

@@ -13,8 +13,13 @@ namespace burl {
 /// area for area, the longest edge squared for length. 0 for triangles without area.
 std::vector<float> triangle_weights(const Mesh& mesh, AtlasKind kind);
 
-/// True for a repeated point or a height below 1e-14 of the mesh's box: nothing to see of it.
-/// Relative, and safe for meshes of any size.
-std::vector<bool> zero_area_triangles(const Mesh& mesh);
+struct TriangleAreas {
+    std::vector<double> areas;  ///< per triangle in units of unit^2; 0 for nothing to see
+    double unit = 1.0;          ///< mesh units, a power of two
+};
+
+/// Areas that neither overflow nor vanish, whatever the mesh's size. A triangle with a repeated
+/// point, or lower than the largest coordinate's rounding (1e-15 of it), has area 0.
+TriangleAreas triangle_areas(const Mesh& mesh);
 
 }  // namespace burl
