@@ -8,10 +8,10 @@
 
 namespace burl {
 
-std::string printable(std::string_view token) {
+std::string printable(std::string_view token, std::size_t longest) {
     std::string clean;
-    for (const char c : token.substr(0, 40)) clean += c >= 0x20 && c < 0x7f ? c : '?';
-    return token.size() > 40 ? clean + "..." : clean;
+    for (const char c : token.substr(0, longest)) clean += c >= 0x20 && c < 0x7f ? c : '?';
+    return token.size() > longest ? clean + "..." : clean;
 }
 
 std::size_t text_begin(const FileBuffer& buffer) {

@@ -154,6 +154,6 @@ class TextScanner {
 std::size_t text_begin(const FileBuffer& buffer);
 
 /// `token` cut and cleaned so that a message stays one printable line.
-std::string printable(std::string_view token);
+std::string printable(std::string_view token, std::size_t longest = 40);
 
 }  // namespace burl
