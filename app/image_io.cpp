@@ -8,6 +8,7 @@
 #include <cstring>
 
 #include <png.h>
+#include <zlib.h>
 
 #include "app/atomic_file.h"
 #include "app/file_bytes.h"
@@ -143,6 +144,12 @@ bool write_all(Writer& w, const Raster& raster, int level, std::vector<std::uint
     if (setjmp(png_jmpbuf(w.png))) return false;
     png_set_write_fn(w.png, out, on_write, on_flush);
     png_set_compression_level(w.png, level);
+    if (level == default_png_level) {
+        // Noise has no long repeats to find: against libpng's defaults at this level 25 % faster
+        // and 20 % smaller (docs/export.md).
+        png_set_filter(w.png, PNG_FILTER_TYPE_BASE, PNG_FILTER_PAETH);
+        png_set_compression_strategy(w.png, Z_RLE);
+    }
     png_set_IHDR(w.png, w.info, png_uint_32(raster.width), png_uint_32(raster.height), raster.bits,
                  PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
                  PNG_FILTER_TYPE_DEFAULT);

@@ -1,0 +1,154 @@
+// Chooses the writer by extension, and answers what can be known before the work starts.
+#include "app/export.h"
+
+#include <array>
+#include <cerrno>
+#include <filesystem>
+#include <string_view>
+#include <system_error>
+
+#include <unistd.h>
+
+#include "app/atomic_file.h"
+#include "app/convert_image.h"
+#include "app/export_gltf.h"
+#include "app/export_obj.h"
+#include "app/image_io.h"
+#include "app/normals.h"
+#include "atlas/error.h"
+
+namespace burl {
+namespace {
+
+namespace fs = std::filesystem;
+
+enum class Format { glb, gltf, obj, png, exr };
+
+struct FormatFiles {
+    Format format;
+    std::string_view extension;
+    std::array<const char*, 2> beside;  // extensions of further files, or null
+};
+
+constexpr std::array<FormatFiles, 5> formats{{{Format::glb, ".glb", {}},
+                                              {Format::gltf, ".gltf", {".bin", ".png"}},
+                                              {Format::obj, ".obj", {".mtl", ".png"}},
+                                              {Format::png, ".png", {}},
+                                              {Format::exr, ".exr", {}}}};
+
+const FormatFiles& format_of(const std::string& path) {
+    std::string extension = fs::path(path).extension().string();
+    for (char& c : extension) {
+        if (c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
+    }
+    for (const FormatFiles& f : formats) {
+        if (f.extension == extension) return f;
+    }
+    const std::string what = extension.empty()
+                                 ? "has no extension"
+                                 : fmt::format("has the unknown extension '{}'", extension);
+    throw Error(ExitCode::usage,
+                fmt::format("{}: the output {}; use .glb, .gltf, .obj, .png or .exr", path, what));
+}
+
+std::string reason(int code) {
+    return std::generic_category().message(code);
+}
+
+void check_folder(const std::string& path) {
+    const fs::path folder = fs::path(path).parent_path();
+    const std::string name = folder.empty() ? "." : folder.string();
+    std::error_code failure;
+    const fs::file_status status = fs::status(name, failure);
+    if (!fs::exists(status)) {
+        throw Error(ExitCode::io, fmt::format("{}: the folder {} does not exist", path, name));
+    }
+    if (!fs::is_directory(status)) {
+        throw Error(ExitCode::io, fmt::format("{}: {} is not a folder", path, name));
+    }
+    if (::access(name.c_str(), W_OK | X_OK) != 0) {
+        throw Error(ExitCode::io, fmt::format("{}: the folder {} cannot be written to: {}", path,
+                                              name, reason(errno)));
+    }
+}
+
+void check_file(const std::string& path, const std::string& input_path) {
+    std::error_code ignored;
+    const fs::file_status status = fs::status(path, ignored);
+    if (!fs::exists(status)) return;
+    if (fs::is_directory(status)) {
+        throw Error(ExitCode::io, fmt::format("{}: is a folder, not a file", path));
+    }
+    if (!fs::is_regular_file(status)) {
+        throw Error(ExitCode::io, fmt::format("{}: is not a regular file", path));
+    }
+    if (!input_path.empty() && fs::equivalent(path, input_path, ignored)) {
+        throw Error(ExitCode::io,
+                    fmt::format("{}: is the input itself; give the output another name", path));
+    }
+}
+
+/// PNG content in the image's own depth; float becomes 8 bits.
+std::vector<std::uint8_t> png_of(const BakedImage& image) {
+    if (const auto* rgb16 = std::get_if<Image<Rgb16>>(&image)) return encode_png(*rgb16);
+    if (const auto* rgb_float = std::get_if<Image<RgbF>>(&image)) {
+        return encode_png(to_rgb8(*rgb_float));
+    }
+    return encode_png(std::get<Image<Rgb8>>(image));
+}
+
+Image<RgbF> linear_of(const BakedImage& image) {
+    if (const auto* rgb8 = std::get_if<Image<Rgb8>>(&image)) return to_linear(*rgb8);
+    if (const auto* rgb16 = std::get_if<Image<Rgb16>>(&image)) return to_linear(*rgb16);
+    return std::get<Image<RgbF>>(image);
+}
+
+void export_mesh(const std::string& path, Format format, const Mesh& mesh, const Atlas& atlas,
+                 const BakedImage& image, const ExportOptions& options) {
+    const std::vector<std::uint8_t> png = png_of(image);
+    const std::vector<Vec3f> normals = corner_normals(mesh, options.crease_degrees);
+    if (format == Format::obj) return write_obj(path, mesh, atlas, normals, png);
+    const std::vector<PartVertices> vertices = export_vertices(mesh, atlas, normals);
+    const GltfContent content{mesh, vertices, atlas.options, png, options.recipe_json};
+    format == Format::glb ? write_glb(path, content) : write_gltf(path, content);
+}
+
+}  // namespace
+
+std::vector<std::string> output_paths(const std::string& out_path) {
+    std::vector<std::string> paths{out_path};
+    for (const char* extension : format_of(out_path).beside) {
+        if (!extension) continue;
+        paths.push_back(fs::path(out_path).replace_extension(extension).string());
+    }
+    return paths;
+}
+
+void check_output(const std::string& out_path, const std::string& input_path) {
+    const std::vector<std::string> paths = output_paths(out_path);
+    check_folder(out_path);
+    for (const std::string& path : paths) check_file(path, input_path);
+}
+
+ImageKind wanted_kind(const std::string& out_path, int depth) {
+    if (format_of(out_path).format == Format::exr) return ImageKind::rgb_float;
+    return depth == 16 ? ImageKind::rgb16 : ImageKind::rgb8;
+}
+
+void export_scene(const std::string& out_path, const Mesh& mesh, const Atlas& atlas,
+                  const BakedImage& image, const ExportOptions& options) {
+    const Format format = format_of(out_path).format;
+    switch (format) {
+        case Format::png:
+            write_file(out_path, png_of(image));
+            break;
+        case Format::exr:
+            write_exr(out_path, linear_of(image), options.exr_depth);
+            break;
+        default:
+            export_mesh(out_path, format, mesh, atlas, image, options);
+            break;
+    }
+}
+
+}  // namespace burl

@@ -1,0 +1,31 @@
+#pragma once
+// glTF 2.0 output: JSON and buffers written by us, so that the texture is a plain bufferView (not a
+// data URI), bounds are those of the floats written, and every byte goes through AtomicFile.
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/export_vertices.h"
+#include "atlas/atlas.h"
+#include "atlas/mesh.h"
+
+namespace burl {
+
+/// What a glTF file is made of; `png` is the texture's file content.
+struct GltfContent {
+    const Mesh& mesh;
+    std::span<const PartVertices> vertices;
+    const AtlasOptions& atlas;
+    std::span<const std::uint8_t> png;
+    std::string recipe_json;  ///< for asset.extras; may be empty
+};
+
+/// One file with everything in it. Throws Error: io, or unsupported beyond 4 GiB.
+void write_glb(const std::string& path, const GltfContent& content);
+
+/// PATH, the buffer beside it in NAME.bin and the texture in NAME.png; all or none. Throws
+/// Error(io).
+void write_gltf(const std::string& path, const GltfContent& content);
+
+}  // namespace burl

@@ -1,0 +1,95 @@
+// Vertices are numbered by first use, so the arrays follow the triangles and are deterministic.
+#include "app/export_vertices.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "app/unique_rows.h"
+
+namespace burl {
+namespace {
+
+using Vertices = UniqueRows<6>;  // point, u, v, normal
+
+std::uint32_t bits(float value) {
+    return std::bit_cast<std::uint32_t>(value + 0.0f);
+}  // -0 -> 0
+
+Vertices::Row vertex_row(const Mesh& mesh, const Atlas& atlas, const Vec3f& n, std::size_t t,
+                         std::size_t k) {
+    const Vec2d uv = atlas.corners[t][k] / double(atlas.options.size);
+    return {mesh.triangles[t][k],
+            bits(float(uv.x)),
+            bits(float(uv.y)),
+            bits(n.x),
+            bits(n.y),
+            bits(n.z)};
+}
+
+Box3 box_of(const Mesh& mesh, const Part& part) {
+    const Vec3d& first = mesh.positions[mesh.triangles[part.first_triangle][0]];
+    Box3 box{first, first};
+    for (std::size_t t = 0; t < part.triangle_count; ++t) {
+        for (const std::uint32_t p : mesh.triangles[part.first_triangle + t]) {
+            box.low = glm::min(box.low, mesh.positions[p]);
+            box.high = glm::max(box.high, mesh.positions[p]);
+        }
+    }
+    return box;
+}
+
+/// Power of two that brings sizes float32 cannot work with to about one.
+double safe_scale(const Box3& box) {
+    const Vec3d half = 0.5 * box.high - 0.5 * box.low;  // halved first: sizes may overflow
+    const double half_size = std::max({half.x, half.y, half.z});
+    if (!(half_size > 0.0)) return 1.0;
+    const int exponent = std::ilogb(half_size);
+    return std::abs(exponent) <= 60 ? 1.0 : std::ldexp(1.0, exponent);
+}
+
+void unpack(const Mesh& mesh, const Vertices& vertices, PartVertices& out) {
+    for (const Vertices::Row& row : vertices.rows()) {
+        const Vec3d p = (mesh.positions[row[0]] - out.centre) / out.scale;
+        out.positions.push_back(Vec3f(p) + 0.0f);
+        out.uvs.push_back({std::bit_cast<float>(row[1]), std::bit_cast<float>(row[2])});
+        out.normals.push_back({std::bit_cast<float>(row[3]), std::bit_cast<float>(row[4]),
+                               std::bit_cast<float>(row[5])});
+    }
+}
+
+PartVertices part_vertices(const Mesh& mesh, const Atlas& atlas, std::span<const Vec3f> normals,
+                           std::size_t index) {
+    const Part& part = mesh.parts[index];
+    const Box3 box = box_of(mesh, part);
+    PartVertices out;
+    out.part = index;
+    out.centre = box.centre();
+    out.scale = safe_scale(box);
+    Vertices vertices(part.triangle_count);
+    out.indices.reserve(3 * std::size_t(part.triangle_count));
+    for (std::size_t i = 0; i < part.triangle_count; ++i) {
+        const std::size_t t = part.first_triangle + i;
+        for (std::size_t k = 0; k < 3; ++k) {
+            out.indices.push_back(
+                vertices.insert(vertex_row(mesh, atlas, normals[3 * t + k], t, k)));
+        }
+    }
+    unpack(mesh, vertices, out);
+    return out;
+}
+
+}  // namespace
+
+std::vector<PartVertices> export_vertices(const Mesh& mesh, const Atlas& atlas,
+                                          std::span<const Vec3f> normals) {
+    std::vector<PartVertices> parts;
+    for (std::size_t i = 0; i < mesh.parts.size(); ++i) {
+        if (mesh.parts[i].triangle_count > 0) {
+            parts.push_back(part_vertices(mesh, atlas, normals, i));
+        }
+    }
+    return parts;
+}
+
+}  // namespace burl

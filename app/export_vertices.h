@@ -1,0 +1,30 @@
+#pragma once
+// A mesh with its atlas as the vertex arrays a graphics API draws: corners that agree in point,
+// texture coordinate and normal become one vertex.
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "atlas/atlas.h"
+#include "atlas/mesh.h"
+
+namespace burl {
+
+/// One Part. A point of the mesh is centre + scale * position; subtracting the box's centre in
+/// double first keeps float32 positions exact to 2^-24 of the part's own size wherever it lies.
+struct PartVertices {
+    std::size_t part = 0;  ///< index into mesh.parts
+    Vec3d centre{0.0};     ///< of the part's box, mesh units
+    double scale = 1.0;    ///< a power of two; 1 unless the part's size is beyond 2^-60 .. 2^60
+    std::vector<Vec3f> positions;
+    std::vector<Vec3f> normals;             ///< unit length
+    std::vector<std::array<float, 2>> uvs;  ///< corners / N, v = 0 at image row 0
+    std::vector<std::uint32_t> indices;     ///< three per triangle, in the mesh's order
+};
+
+/// One entry per part that has triangles. `normals` are per corner (app/normals.h).
+std::vector<PartVertices> export_vertices(const Mesh& mesh, const Atlas& atlas,
+                                          std::span<const Vec3f> normals);
+
+}  // namespace burl

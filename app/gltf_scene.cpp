@@ -1,0 +1,219 @@
+// Ids: view, accessor and mesh numbers are positions in the JSON arrays they were appended to.
+#include "app/gltf_scene.h"
+
+#include <algorithm>
+#include <set>
+
+#include "app/node_transform.h"
+#include "atlas/error.h"
+
+namespace burl {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+enum Gl {  // the few OpenGL constants the format is written in
+    gl_unsigned_short = 5123,
+    gl_unsigned_int = 5125,
+    gl_float = 5126,
+    gl_nearest = 9728,
+    gl_linear = 9729,
+    gl_clamp_to_edge = 33071,
+    gl_array_buffer = 34962,
+    gl_element_array_buffer = 34963,
+};
+
+/// Highest 16-bit index; 65535 itself is reserved (primitive restart).
+constexpr std::size_t max_short_index = 65534;
+
+template <class T>
+std::span<const std::uint8_t> as_bytes(const std::vector<T>& values) {
+    return {reinterpret_cast<const std::uint8_t*>(values.data()), values.size() * sizeof(T)};
+}
+
+std::size_t append(Json& array, Json value) {
+    array.push_back(std::move(value));
+    return array.size() - 1;
+}
+
+/// An accessor over bytes of its own.
+std::size_t add_accessor(GltfScene& scene, std::span<const std::uint8_t> bytes, Gl target,
+                         Gl component, std::size_t count, const char* type) {
+    const std::size_t view = add_buffer_view(scene, bytes);
+    scene.json["bufferViews"][view]["target"] = int(target);
+    return append(scene.json["accessors"], {{"bufferView", view},
+                                            {"componentType", int(component)},
+                                            {"count", count},
+                                            {"type", type}});
+}
+
+std::size_t add_positions(GltfScene& scene, const std::vector<Vec3f>& positions) {
+    const std::size_t accessor = add_accessor(scene, as_bytes(positions), gl_array_buffer, gl_float,
+                                              positions.size(), "VEC3");
+    Vec3f low = positions.front(), high = low;
+    for (const Vec3f& p : positions) {
+        low = glm::min(low, p);
+        high = glm::max(high, p);
+    }
+    Json& json = scene.json["accessors"][accessor];
+    json["min"] = {low.x, low.y, low.z};
+    json["max"] = {high.x, high.y, high.z};
+    return accessor;
+}
+
+std::size_t add_indices(GltfScene& scene, const std::vector<std::uint32_t>& indices,
+                        std::size_t vertex_count) {
+    if (vertex_count > max_short_index + 1) {
+        return add_accessor(scene, as_bytes(indices), gl_element_array_buffer, gl_unsigned_int,
+                            indices.size(), "SCALAR");
+    }
+    const std::vector<std::uint16_t> narrow(indices.begin(), indices.end());
+    return add_accessor(scene, as_bytes(narrow), gl_element_array_buffer, gl_unsigned_short,
+                        narrow.size(), "SCALAR");
+}
+
+/// Accessors of one part's arrays.
+struct PrimitiveIds {
+    std::size_t position, normal, uv, indices;
+};
+
+std::size_t add_mesh(GltfScene& scene, const std::string& name, const PrimitiveIds& ids) {
+    const Json attributes{
+        {"POSITION", ids.position}, {"NORMAL", ids.normal}, {"TEXCOORD_0", ids.uv}};
+    const Json primitive{{"attributes", attributes}, {"indices", ids.indices}, {"material", 0}};
+    return append(scene.json["meshes"], {{"name", name}, {"primitives", Json::array({primitive})}});
+}
+
+/// Hands out each name once: "leg", "leg 2", "leg 3".
+class UniqueNames {
+  public:
+    std::string operator()(const std::string& wanted) {
+        std::string name = wanted;
+        for (std::size_t n = 2; !used_.insert(name).second; ++n) {
+            name = fmt::format("{} {}", wanted, n);
+        }
+        return name;
+    }
+
+  private:
+    std::set<std::string> used_;
+};
+
+void add_node(GltfScene& scene, const std::string& name, std::size_t mesh,
+              const NodeTransform& place) {
+    Json node{{"name", name}, {"mesh", mesh}};
+    if (place.translation != Vec3d(0.0)) {
+        node["translation"] = {place.translation.x, place.translation.y, place.translation.z};
+    }
+    if (place.rotation != NodeTransform().rotation) node["rotation"] = place.rotation;
+    if (place.scale != Vec3d(1.0)) node["scale"] = {place.scale.x, place.scale.y, place.scale.z};
+    scene.json["scenes"][0]["nodes"].push_back(append(scene.json["nodes"], std::move(node)));
+}
+
+/// The part's arrays in a placement no node can express (shear, flattening): positions moved there,
+/// centred again; triangles turned over where it mirrors.
+PartVertices placed(const PartVertices& vertices, const Mat4d& placement) {
+    PartVertices out = vertices;
+    const Mat3d linear(placement);
+    const NormalTransform normal_transform(placement);
+    out.centre = Vec3d(placement * Vec4d(vertices.centre, 1.0));
+    for (Vec3f& p : out.positions) p = Vec3f(linear * Vec3d(p)) + 0.0f;
+    for (Vec3f& n : out.normals) n = normal_transform(n);
+    for (std::size_t i = 0; normal_transform.mirrors() && i + 2 < out.indices.size(); i += 3) {
+        std::swap(out.indices[i + 1], out.indices[i + 2]);
+    }
+    return out;
+}
+
+PrimitiveIds add_primitive(GltfScene& scene, const PartVertices& v) {
+    return {add_positions(scene, v.positions),
+            add_accessor(scene, as_bytes(v.normals), gl_array_buffer, gl_float, v.normals.size(),
+                         "VEC3"),
+            add_accessor(scene, as_bytes(v.uvs), gl_array_buffer, gl_float, v.uvs.size(), "VEC2"),
+            add_indices(scene, v.indices, v.positions.size())};
+}
+
+Mat4d centred(const Mat4d& placement, const PartVertices& v) {
+    Mat4d result = placement;
+    result[3] = placement * Vec4d(v.centre, 1.0);
+    for (int c = 0; c < 3; ++c) result[c] *= v.scale;
+    return result;
+}
+
+void add_part(GltfScene& scene, const Part& part, const std::string& fallback_name,
+              const PartVertices& vertices, UniqueNames& names) {
+    const std::string name = part.name.empty() ? fallback_name : part.name;
+    const PrimitiveIds ids = add_primitive(scene, vertices);
+    const std::size_t mesh = add_mesh(scene, name, ids);
+    for (const Mat4d& instance : part.instances) {
+        if (const auto place = decompose(centred(instance, vertices))) {
+            add_node(scene, names(name), mesh, *place);
+            continue;
+        }
+        const PartVertices moved = placed(vertices, instance);
+        NodeTransform place;
+        place.translation = moved.centre;
+        place.scale = Vec3d(moved.scale);
+        PrimitiveIds moved_ids = add_primitive(scene, moved);
+        add_node(scene, names(name), add_mesh(scene, name, moved_ids), place);
+    }
+}
+
+Json asset(const GltfContent& content) {
+    Json burl{{"atlas", to_string(content.atlas.kind)},
+              {"overscan", to_string(content.atlas.overscan)},
+              {"size", content.atlas.size}};
+    if (!content.recipe_json.empty()) burl["recipe"] = content.recipe_json;
+    return {{"version", "2.0"},
+            {"generator", "Burl " BURL_VERSION},
+            {"extras", {{"burl", std::move(burl)}}}};
+}
+
+Json sampler(Overscan overscan) {
+    const int filter = overscan == Overscan::nearest ? gl_nearest : gl_linear;
+    return {{"magFilter", filter},
+            {"minFilter", filter},
+            {"wrapS", int(gl_clamp_to_edge)},
+            {"wrapT", int(gl_clamp_to_edge)}};
+}
+
+/// A solid texture shows on whichever side is seen, so open sheets and meshes with faces wound both
+/// ways look whole: the material is double-sided.
+Json material() {
+    return {
+        {"name", "solid texture"},
+        {"pbrMetallicRoughness",
+         {{"baseColorTexture", {{"index", 0}}}, {"metallicFactor", 0.0}, {"roughnessFactor", 0.6}}},
+        {"doubleSided", true}};
+}
+
+}  // namespace
+
+std::size_t add_buffer_view(GltfScene& scene, std::span<const std::uint8_t> bytes) {
+    const std::size_t offset = scene.binary.size();
+    scene.binary.insert(scene.binary.end(), bytes.begin(), bytes.end());
+    scene.binary.resize((scene.binary.size() + 3) / 4 * 4);
+    return append(scene.json["bufferViews"],
+                  {{"buffer", 0}, {"byteOffset", offset}, {"byteLength", bytes.size()}});
+}
+
+GltfScene build_gltf_scene(const GltfContent& content) {
+    GltfScene scene;
+    scene.json["asset"] = asset(content);
+    scene.json["scene"] = 0;
+    scene.json["scenes"] = Json::array({{{"nodes", Json::array()}}});
+    for (const char* array : {"nodes", "meshes", "accessors", "bufferViews"}) {
+        scene.json[array] = Json::array();
+    }
+    UniqueNames names;
+    const std::string fallback = content.mesh.name.empty() ? "mesh" : content.mesh.name;
+    for (const PartVertices& vertices : content.vertices) {
+        add_part(scene, content.mesh.parts[vertices.part], fallback, vertices, names);
+    }
+    scene.json["materials"] = Json::array({material()});
+    scene.json["textures"] = Json::array({{{"sampler", 0}, {"source", 0}}});
+    scene.json["samplers"] = Json::array({sampler(content.atlas.overscan)});
+    return scene;
+}
+
+}  // namespace burl

@@ -1,0 +1,24 @@
+#pragma once
+// The glTF document of a textured mesh: JSON and one binary buffer, before they become files.
+#include <cstdint>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "app/export_gltf.h"
+
+namespace burl {
+
+struct GltfScene {
+    nlohmann::ordered_json json;       ///< all but `buffers` and the image's source
+    std::vector<std::uint8_t> binary;  ///< what the bufferViews index; length a multiple of 4
+};
+
+/// Meshes (one per part, one primitive each), nodes (one per placement), material, sampler,
+/// texture; image 0 is left to the caller.
+GltfScene build_gltf_scene(const GltfContent& content);
+
+/// Appends bytes at a multiple of 4 and returns the number of the new bufferView.
+std::size_t add_buffer_view(GltfScene& scene, std::span<const std::uint8_t> bytes);
+
+}  // namespace burl

@@ -1,0 +1,32 @@
+#!/bin/sh
+# Validates every sample of the exporter, and with the program every mesh x atlas x overscan:
+#   validate_matrix.sh MODULES SCRATCH GLTF_SAMPLES [BURL]
+# Exit 77 (skipped) where Node or the validator is not installed.
+set -e
+modules=$1 scratch=$2 samples=$3 burl=$4
+here=$(dirname "$0")
+meshes=$here/../../assets/meshes
+if ! command -v node >/dev/null; then
+    echo "SKIPPED: node is not installed"
+    exit 77
+fi
+if ! [ -d "$modules/node_modules/gltf-validator" ]; then
+    echo "SKIPPED: gltf-validator is not installed (npm install --prefix $modules gltf-validator)"
+    exit 77
+fi
+rm -rf "$scratch"
+mkdir -p "$scratch"
+"$samples" "$scratch"
+if [ -n "$burl" ]; then
+    for mesh in "$meshes"/*.* "$meshes"/nasty/*.*; do
+        case $mesh in *.obj | *.ply | *.stl | *.off | *.glb | *.gltf) ;; *) continue ;; esac
+        for atlas in uniform area length; do
+            for overscan in nearest bilinear; do
+                out=$scratch/$(basename "$mesh" | tr . _).$atlas.$overscan.glb
+                "$burl" bake "$mesh" -o "$out" --atlas $atlas --overscan $overscan --size 512 \
+                    >/dev/null
+            done
+        done
+    done
+fi
+exec node "$here/validate_glb.mjs" "$modules" "$scratch"/*.gl*
