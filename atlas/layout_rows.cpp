@@ -195,7 +195,7 @@ RowPlan RowPlanner::plan() const {
 }  // namespace
 
 RowPlan plan_rows(std::span<const Cell> cells, Overscan mode, std::uint32_t size) {
-    return RowPlanner(cells, mode, size).plan();
+    return cells.empty() ? RowPlan{} : RowPlanner(cells, mode, size).plan();
 }
 
 }  // namespace burl

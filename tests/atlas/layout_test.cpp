@@ -270,6 +270,15 @@ TEST(Layout, MeshesAtTheEndsOfTheNumberRangeAreLaidOutLikeAnyOther) {
     }
 }
 
+TEST(Layout, NoTrianglesGiveNoBlocks) {
+    const Mesh mesh;
+    const Atlas atlas = layout(mesh, {AtlasKind::area, Overscan::bilinear, 4});
+    EXPECT_TRUE(atlas.blocks.empty());
+    const SolidAtlas solid = rasterize(mesh, atlas, {});
+    EXPECT_EQ(solid.row(3).size(), 0u);
+    EXPECT_EQ(measure(mesh, atlas, solid).coverage, 0.0);
+}
+
 TEST(Layout, RefusesSizesThatNoTextureHas) {
     for (const std::uint32_t size : {0u, max_atlas_size + 1, 100000u}) {
         try {
