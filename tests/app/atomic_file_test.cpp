@@ -153,6 +153,12 @@ TEST(AtomicFile, AGroupIsWrittenWholeOrNotAtAll) {
         EXPECT_NE(io_message([&] { write_group(5000); }).find("a.obj"), std::string::npos);
     }
     EXPECT_EQ(folder.entries(), 0u);
+    std::ofstream(folder / "a.png") << "old";
+    {
+        const FileSizeLimit limit(1000);
+        EXPECT_NE(io_message([&] { write_group(5000); }).find("a.obj"), std::string::npos);
+    }
+    EXPECT_EQ(content(folder / "a.png"), "old") << "nothing is renamed before all is complete";
     write_group(5000);
     EXPECT_EQ(folder.entries(), 3u);
     EXPECT_EQ(content(folder / "a.mtl"), "material");
