@@ -40,7 +40,7 @@ std::string expectation(const Parameter& p) {
         case ParameterType::numbers:
             return fmt::format("an array of {} numbers {}", p.count, range_text(p));
         case ParameterType::text:
-            return "a string";
+            return "a string in UTF-8";
         case ParameterType::choice:
             return (p.choices.find('|') == std::string_view::npos ? "" : "one of ") +
                    quoted_list(split_choices(p.choices));
@@ -61,6 +61,15 @@ bool is_color(const std::string& text) {
            text.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
 }
 
+bool is_utf8(const Json& text) {
+    try {
+        (void)text.dump();
+        return true;
+    } catch (const Json::type_error&) {
+        return false;  // the library throws for what it could not write
+    }
+}
+
 bool fits(const Parameter& p, const Json& value) {
     const auto number = [&p](const Json& v) { return number_fits(p, v); };
     switch (p.type) {
@@ -72,7 +81,7 @@ bool fits(const Parameter& p, const Json& value) {
             return value.is_array() && value.size() == p.count &&
                    std::all_of(value.begin(), value.end(), number);
         case ParameterType::text:
-            return value.is_string();
+            return value.is_string() && is_utf8(value);
         case ParameterType::color:
             return value.is_string() && is_color(value.get_ref<const std::string&>());
         case ParameterType::choice: {

@@ -1,0 +1,130 @@
+#include "app/parameters.h"
+
+#include <fstream>
+#include <regex>
+#include <set>
+#include <sstream>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "app/embedded.h"
+#include "app/recipe.h"
+#include "atlas/atlas.h"
+
+namespace burl {
+namespace {
+
+std::string documentation() {
+    std::ifstream file(BURL_SOURCE_DIR "/docs/recipes.md");
+    std::stringstream text;
+    text << file.rdbuf();
+    return text.str();
+}
+
+/// A row of the reference: | `path` | type | default | range | ...
+struct Row {
+    std::string path, type, default_value, range;
+    bool operator<(const Row& other) const { return path < other.path; }
+};
+
+std::set<Row> documented_rows() {
+    std::set<Row> rows;
+    const std::string all = documentation();
+    const std::size_t begin = all.find("## Keys"), end = all.find("\n## ", begin);
+    const std::string text = all.substr(begin, end - begin);
+    const std::regex row(R"(\n\| `([a-zA-Z_.*0-9]+)` \| ([^|]*) \| ([^|]*) \| ([^|]*) \|)");
+    for (auto match = std::sregex_iterator(text.begin(), text.end(), row);
+         match != std::sregex_iterator(); ++match)
+        rows.insert({(*match)[1], (*match)[2], (*match)[3], (*match)[4]});
+    return rows;
+}
+
+TEST(Parameters, AreAllDocumentedAndNothingElse) {
+    std::set<std::string> documented, known;
+    for (const Row& row : documented_rows()) documented.insert(row.path);
+    for (const Parameter& parameter : parameters()) known.insert(std::string(parameter.path));
+    EXPECT_EQ(documented, known);
+}
+
+TEST(Parameters, AreDocumentedWithTypeDefaultAndRange) {
+    const std::set<Row> rows = documented_rows();
+    for (const Parameter& parameter : parameters()) {
+        const auto row = rows.find({std::string(parameter.path), "", "", ""});
+        ASSERT_NE(row, rows.end()) << parameter.path;
+        EXPECT_EQ(row->type, to_string(parameter.type)) << parameter.path;
+        const std::string quoted = fmt::format("`{}`", parameter.default_value);
+        EXPECT_EQ(row->default_value, parameter.default_value.empty() ? "-" : quoted)
+            << parameter.path;
+        for (const std::string_view word : split_choices(parameter.choices))
+            EXPECT_NE(row->range.find(fmt::format("`{}`", word)), std::string::npos)
+                << parameter.path << " " << word;
+        if (parameter.low < parameter.high) {
+            EXPECT_EQ(row->range, fmt::format("{} to {}", parameter.low, parameter.high))
+                << parameter.path;
+        }
+    }
+}
+
+TEST(Parameters, AgreeWithTheRecipeTheyDescribe) {
+    // Setting a parameter to its own default changes nothing.
+    const std::string base =
+        R"({"texture": {"stops": [[0, "#000000"]], "input": {"noise": [{}]}}})";
+    const Recipe plain = parse_recipe(base, "base");
+    for (const Parameter& parameter : parameters()) {
+        if (parameter.default_value.empty()) continue;
+        const std::string path =
+            std::regex_replace(std::string(parameter.path), std::regex("\\*"), "0");
+        EXPECT_EQ(parse_recipe(base, "base", {path + "=" + std::string(parameter.default_value)}),
+                  plain)
+            << path;
+        EXPECT_FALSE(parameter.tip.empty()) << path;
+    }
+}
+
+TEST(Parameters, AcceptTheirLimitsAndNothingBeyond) {
+    const std::string base =
+        R"({"texture": {"stops": [[0, "#000000"]], "input": {"noise": [{}]}}})";
+    for (const Parameter& parameter : parameters()) {
+        if (parameter.low >= parameter.high || parameter.type == ParameterType::numbers) continue;
+        const std::string path =
+            std::regex_replace(std::string(parameter.path), std::regex("\\*"), "0");
+        const auto set = [&](double value) {
+            return parse_recipe(base, "base", {fmt::format("{}={}", path, value)});
+        };
+        EXPECT_NO_THROW(set(parameter.low)) << path;
+        EXPECT_NO_THROW(set(parameter.high)) << path;
+        EXPECT_ANY_THROW(set(parameter.low - 1.0)) << path;
+        EXPECT_ANY_THROW(set(parameter.high + 1.0)) << path;
+    }
+}
+
+TEST(Parameters, AllowTheAtlasSizesTheLayoutDoes) {
+    for (const Parameter& parameter : parameters()) {
+        if (parameter.path != "atlas.size") continue;
+        EXPECT_EQ(parameter.low, 1.0);
+        EXPECT_EQ(parameter.high, max_atlas_size);
+    }
+}
+
+TEST(Presets, AreAllDocumented) {
+    const std::string all = documentation();
+    const std::string text = all.substr(all.find("## Presets"));
+    EXPECT_EQ(embedded_recipes().size(), 6u);
+    for (const EmbeddedFile& file : embedded_recipes()) {
+        const std::string_view name = file.name.substr(0, file.name.find('.'));
+        EXPECT_NE(text.find(fmt::format("\n| `{}` |", name)), std::string::npos) << name;
+    }
+}
+
+TEST(NearestWord, CountsEdits) {
+    const std::vector<std::string_view> words{"amplitude", "frequency", "phase", "gain"};
+    EXPECT_EQ(nearest_word("amplitde", words), "amplitude");
+    EXPECT_EQ(nearest_word("gian", words), "gain");
+    EXPECT_EQ(nearest_word("Phase", words), "phase");
+    EXPECT_EQ(nearest_word("zzzzzz", words), "");
+    EXPECT_EQ(nearest_word("x", {}), "");
+}
+
+}  // namespace
+}  // namespace burl
