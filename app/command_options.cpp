@@ -1,0 +1,68 @@
+#include "app/command_options.h"
+
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "atlas/error.h"
+
+namespace burl {
+
+void RecipeOptions::add_recipe(CLI::App& verb) {
+    verb.add_option("-r,--recipe", recipe, "Preset name or recipe file (.json)")
+        ->capture_default_str();
+    verb.add_option("--set", settings, "Edit of the recipe, PATH=VALUE; may be repeated")
+        ->allow_extra_args(false)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+void RecipeOptions::add_atlas(CLI::App& verb) {
+    verb.add_option("-a,--atlas", kind, "Atlas: uniform, area or length");
+    verb.add_option("--overscan", overscan, "Lookup the atlas is made for: nearest or bilinear");
+    verb.add_option("-s,--size", size, "Side N of the N x N texture, in texels");
+}
+
+Recipe RecipeOptions::load() const {
+    std::vector<std::string> edits = settings;
+    if (!kind.empty()) edits.push_back("atlas.kind=" + kind);
+    if (!overscan.empty()) edits.push_back("atlas.overscan=" + overscan);
+    if (!size.empty()) edits.push_back("atlas.size=" + size);
+    if (!filter.empty()) edits.push_back("filter=" + filter);
+    return load_recipe(recipe, edits);
+}
+
+void MeshOptions::add(CLI::App& verb) {
+    verb.add_option("--weld", read.weld, "Weld points closer than this times the longest side")
+        ->check(CLI::Range(0.0, 0.1));
+    verb.add_flag("--unshare-instances", read.unshare_instances,
+                  "Bake each glTF instance by itself, in scene space");
+}
+
+Mesh MeshOptions::load(const std::string& path) const {
+    Mesh mesh = read_mesh(path, read);
+    print_notes(path, mesh.notes);
+    return mesh;
+}
+
+void add_threads(CLI::App& verb, int& threads) {
+    verb.add_option("-j,--threads", threads,
+                    "Threads to use, 0 for all; the result never depends on it")
+        ->check(CLI::Range(0, 1024));
+}
+
+void print_notes(const std::string& path, const MeshNotes& notes) {
+    const std::pair<std::uint64_t, const char*> counts[] = {
+        {notes.degenerate_triangles, "degenerate triangles (kept; no area to texture)"},
+        {notes.duplicate_triangles, "duplicate triangles (kept)"},
+        {notes.unreferenced_points, "points no face uses (left out)"},
+        {notes.ignored_elements, "elements that are not faces (left out)"},
+    };
+    for (const auto& [count, what] : counts) {
+        if (count != 0) fmt::print(stderr, "{}: {} {}\n", path, count, what);
+    }
+    for (const std::string& sentence : notes.sentences)
+        fmt::print(stderr, "{}: {}\n", path, sentence);
+}
+
+}  // namespace burl

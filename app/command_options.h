@@ -1,0 +1,42 @@
+#pragma once
+// Options that several verbs share, so that a recipe or an atlas is named the same way everywhere.
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "app/recipe.h"
+#include "atlas/mesh_io.h"
+
+namespace burl {
+
+/// --recipe, --set and the atlas options; the latter are edits of the recipe like any --set.
+struct RecipeOptions {
+    std::string recipe = "marble";
+    std::vector<std::string> settings;
+    std::string kind, overscan, filter;
+    std::string size;
+
+    void add_recipe(CLI::App& verb);
+    void add_atlas(CLI::App& verb);
+    /// The recipe with all edits applied; throws Error as load_recipe does.
+    Recipe load() const;
+};
+
+/// --weld and --unshare-instances.
+struct MeshOptions {
+    ReadOptions read;
+
+    void add(CLI::App& verb);
+    /// Reads the mesh and prints what reading noticed on stderr.
+    Mesh load(const std::string& path) const;
+};
+
+/// --threads, 0 for all.
+void add_threads(CLI::App& verb, int& threads);
+
+/// One line per thing reading noticed, with the file's name in front.
+void print_notes(const std::string& path, const MeshNotes& notes);
+
+}  // namespace burl

@@ -1,0 +1,72 @@
+#include "app/report.h"
+
+#include <cstdio>
+
+#include <fmt/format.h>
+
+#include "app/atomic_file.h"
+#include "app/version.h"
+
+namespace burl {
+
+Json mesh_json(const Mesh& mesh, const Connectivity& connectivity) {
+    const MeshNotes& notes = mesh.notes;
+    return {{"name", mesh.name},
+            {"triangles", mesh.triangles.size()},
+            {"points", mesh.positions.size()},
+            {"parts", mesh.parts.size()},
+            {"shells", connectivity.shells},
+            {"interior_edges", connectivity.interior_edges},
+            {"boundary_edges", connectivity.boundary_edges},
+            {"split_faces", connectivity.split_faces},
+            {"polygons", notes.polygons},
+            {"degenerate_triangles", notes.degenerate_triangles},
+            {"duplicate_triangles", notes.duplicate_triangles},
+            {"merged_points", notes.merged_points},
+            {"unreferenced_points", notes.unreferenced_points},
+            {"ignored_elements", notes.ignored_elements},
+            {"notes", notes.sentences}};
+}
+
+Json metrics_json(const Atlas& atlas, const AtlasMetrics& metrics) {
+    const LayoutNotes& notes = atlas.notes;
+    return {{"kind", to_string(atlas.options.kind)},
+            {"overscan", to_string(atlas.options.overscan)},
+            {"size", atlas.options.size},
+            {"triangles", metrics.triangles},
+            {"zero_area", metrics.zero_area},
+            {"charts", metrics.charts},
+            {"area", metrics.area},
+            {"coverage", metrics.coverage},
+            {"texel_coverage", metrics.texel_coverage},
+            {"relative_scale", metrics.relative_scale},
+            {"density_5_50_95", metrics.density},
+            {"overscan_texels", notes.overscan_texels},
+            {"saved_texels", notes.saved_texels},
+            {"paired_triangles", notes.paired_triangles},
+            {"strips", notes.strips},
+            {"minimal_cells", notes.minimal_cells}};
+}
+
+Json times_json(const std::vector<StageTime>& times) {
+    Json json = Json::object();
+    for (const auto& [stage, seconds] : times) json[stage] = seconds;
+    return json;
+}
+
+Json versions_json() {
+    Json json = {{"burl", burl_version()}};
+    for (const auto& [name, version] : component_versions()) json[name] = version;
+    return json;
+}
+
+void write_json(const std::string& path, const Json& json) {
+    const std::string text = json.dump(2) + "\n";
+    if (path == "-") {
+        fmt::print("{}", text);
+        return;
+    }
+    write_file(path, text);
+}
+
+}  // namespace burl

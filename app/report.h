@@ -1,0 +1,29 @@
+#pragma once
+// What a verb found out, as JSON for pipelines and as short lines for people; both come from the
+// same values.
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "app/pipeline.h"
+
+namespace burl {
+
+using Json = nlohmann::ordered_json;
+
+/// Counts of the mesh and of what reading noticed.
+Json mesh_json(const Mesh& mesh, const Connectivity& connectivity);
+
+/// Coverage, relative scale, density percentiles (DESIGN names) and the layout's own counts.
+Json metrics_json(const Atlas& atlas, const AtlasMetrics& metrics);
+
+/// Seconds per stage.
+Json times_json(const std::vector<StageTime>& times);
+
+/// Version, library versions and SIMD level.
+Json versions_json();
+
+/// Writes `json` to a file, or to stdout when `path` is "-". Throws Error(io).
+void write_json(const std::string& path, const Json& json);
+
+}  // namespace burl

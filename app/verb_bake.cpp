@@ -1,0 +1,126 @@
+// `burl bake`: a mesh without UVs in, a textured scene out (the whole pipeline, headless).
+#include <chrono>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "app/command_options.h"
+#include "app/export.h"
+#include "app/report.h"
+#include "app/verbs.h"
+
+namespace burl {
+
+namespace {
+
+struct BakeCommand {
+    std::string mesh, out, report;
+    RecipeOptions recipe;
+    MeshOptions meshes;
+    int threads = 0, depth = 8;
+    double crease = 40.0;
+    bool json = false, quiet = false;
+};
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+BakedImage synthesize(Pipeline& pipeline, ImageKind kind) {
+    if (kind == ImageKind::rgb16) return pipeline.synthesize<Rgb16>();
+    if (kind == ImageKind::rgb_float) return pipeline.synthesize<RgbF>();
+    return pipeline.synthesize<Rgb8>();
+}
+
+/// Below 5 texels per triangle pair a texture holds little more than a colour per vertex would
+/// (DESIGN section 6).
+void warn_if_starved(const Pipeline& pipeline) {
+    const double n = pipeline.recipe().atlas.size,
+                 pairs = double(pipeline.mesh().triangles.size()) / 2;
+    if (pairs <= 0 || n * n / pairs >= 5.0) return;
+    fmt::print(stderr, "{}: only {:.1f} texels per pair of triangles; --size {} would give 25\n",
+               pipeline.mesh().name, n * n / pairs, int(std::ceil(std::sqrt(25.0 * pairs))));
+}
+
+Json bake_json(const BakeCommand& command, Pipeline& pipeline, Json seconds) {
+    const AtlasMetrics metrics = measure(pipeline.mesh(), pipeline.atlas(), pipeline.solid());
+    return {{"input", command.mesh},
+            {"outputs", output_paths(command.out)},
+            {"recipe", Json::parse(to_json(pipeline.recipe()))},
+            {"mesh", mesh_json(pipeline.mesh(), pipeline.connectivity())},
+            {"atlas", metrics_json(pipeline.atlas(), metrics)},
+            {"seconds", std::move(seconds)},
+            {"versions", versions_json()}};
+}
+
+void print_summary(const Json& report) {
+    const Json& atlas = report["atlas"];
+    fmt::print(
+        "{}: {} triangles, {} atlas {} x {}, coverage {:.1f} %, relative scale {:.2f}, {:.2f} s\n",
+        report["outputs"][0].get<std::string>(), report["mesh"]["triangles"].get<std::uint64_t>(),
+        atlas["kind"].get<std::string>(), atlas["size"].get<int>(), atlas["size"].get<int>(),
+        100.0 * atlas["coverage"].get<double>(), atlas["relative_scale"].get<double>(),
+        report["seconds"]["total"].get<double>());
+}
+
+void run_bake(const BakeCommand& command) {
+    const auto start = Clock::now();
+    check_output(command.out, command.mesh);
+    const Recipe recipe = command.recipe.load();
+    Pipeline pipeline(command.meshes.load(command.mesh));
+    const double reading = seconds_since(start);
+    pipeline.set_recipe(recipe);
+    pipeline.set_threads(command.threads);
+    pipeline.atlas();
+    warn_if_starved(pipeline);
+    const BakedImage image = synthesize(pipeline, wanted_kind(command.out, command.depth));
+    const auto writing = Clock::now();
+    ExportOptions options;
+    options.crease_degrees = command.crease;
+    options.recipe_json = to_json(recipe);
+    export_scene(command.out, pipeline.mesh(), pipeline.atlas(), image, options);
+    Json seconds = {{"read", reading}};
+    seconds.update(times_json(pipeline.times()));
+    seconds["write"] = seconds_since(writing);
+    seconds["total"] = seconds_since(start);
+    const Json report = bake_json(command, pipeline, std::move(seconds));
+    if (!command.report.empty()) write_json(command.report, report);
+    if (command.json) {
+        write_json("-", report);
+    } else if (!command.quiet && command.report != "-") {
+        print_summary(report);
+    }
+}
+
+}  // namespace
+
+void add_bake(CLI::App& program) {
+    auto* verb =
+        program.add_subcommand("bake", "Texture a mesh and write .glb, .gltf, .obj, .png or .exr");
+    auto command = std::make_shared<BakeCommand>();
+    verb->add_option("mesh", command->mesh, "Mesh file: .obj .ply .stl .off .gltf .glb")
+        ->required();
+    verb->add_option("-o,--output", command->out, "Output file; its extension says what")
+        ->required();
+    command->recipe.add_recipe(*verb);
+    command->recipe.add_atlas(*verb);
+    verb->add_option("--filter", command->recipe.filter, "Texture filter: none");
+    command->meshes.add(*verb);
+    verb->add_option("--depth", command->depth, "Bits per channel of .png textures")
+        ->check(CLI::IsMember({8, 16}))
+        ->capture_default_str();
+    verb->add_option("--crease", command->crease,
+                     "Angle in degrees above which computed normals split")
+        ->check(CLI::Range(0.0, 180.0))
+        ->capture_default_str();
+    add_threads(*verb, command->threads);
+    verb->add_flag("--json", command->json, "Print the report as JSON on stdout");
+    verb->add_option("--report", command->report,
+                     "Write the report as JSON to this file (- for stdout)");
+    verb->add_flag("-q,--quiet", command->quiet, "Print nothing on stdout");
+    verb->callback([command] { run_bake(*command); });
+}
+
+}  // namespace burl

@@ -1,0 +1,89 @@
+// `burl list`: what can be asked for, so that nobody has to guess a name.
+#include <fmt/format.h>
+
+#include "app/embedded.h"
+#include "app/parameters.h"
+#include "app/report.h"
+#include "app/verbs.h"
+
+namespace burl {
+
+namespace {
+
+struct Entry {
+    std::string name, text;
+};
+
+std::vector<Entry> recipe_entries() {
+    std::vector<Entry> entries;
+    for (const EmbeddedFile& file : embedded_recipes()) {
+        const Json recipe = Json::parse(file.content);
+        entries.push_back({std::string(file.name.substr(0, file.name.rfind('.'))),
+                           recipe.value("description", "")});
+    }
+    return entries;
+}
+
+/// "number 0..10, default 1: what it does".
+std::string describe(const Parameter& p) {
+    std::string text(to_string(p.type));
+    if (p.type == ParameterType::choice) text += fmt::format(" {}", p.choices);
+    const bool ranged = p.type == ParameterType::number || p.type == ParameterType::integer ||
+                        p.type == ParameterType::numbers;
+    if (ranged) text += fmt::format(" {:g}..{:g}", p.low, p.high);
+    if (!p.unit.empty()) text += fmt::format(" {}", p.unit);
+    if (!p.default_value.empty()) text += fmt::format(", default {}", p.default_value);
+    return fmt::format("{}: {}", text, p.tip);
+}
+
+std::vector<Entry> parameter_entries() {
+    std::vector<Entry> entries;
+    for (const Parameter& parameter : parameters()) {
+        entries.push_back({std::string(parameter.path), describe(parameter)});
+    }
+    return entries;
+}
+
+std::vector<Entry> entries_of(const std::string& what) {
+    if (what == "recipes") return recipe_entries();
+    if (what == "parameters") return parameter_entries();
+    if (what == "atlases") {
+        return {{"uniform", "every triangle the same shape (Carr & Hart 4.1)"},
+                {"area", "triangles sized by their area (Carr & Hart 4.2)"},
+                {"length", "triangles sized by their longest edge (Carr & Hart 4.2)"}};
+    }
+    if (what == "noises") {
+        return {{"value", "interpolated lattice values; fade linear, smooth or quintic"},
+                {"perlin", "improved Perlin gradient noise (2002)"}};
+    }
+    return {{"color_map", "colour stops over a field, index repeated or clamped"},
+            {"field", "quadric plus noise terms (Hart et al. 1999, equation 1)"}};
+}
+
+void print_entries(const std::string& what, bool json) {
+    const std::vector<Entry> entries = entries_of(what);
+    if (json) {
+        Json list = Json::array();
+        for (const Entry& entry : entries)
+            list.push_back({{"name", entry.name}, {"text", entry.text}});
+        fmt::print("{}\n", list.dump(2));
+        return;
+    }
+    for (const Entry& entry : entries) fmt::print("{:<32} {}\n", entry.name, entry.text);
+}
+
+}  // namespace
+
+void add_list(CLI::App& program) {
+    auto* verb =
+        program.add_subcommand("list", "List recipes, atlases, noises, nodes or parameters");
+    auto what = std::make_shared<std::string>();
+    auto json = std::make_shared<bool>(false);
+    verb->add_option("what", *what, "recipes, atlases, noises, nodes or parameters")
+        ->required()
+        ->check(CLI::IsMember({"recipes", "atlases", "noises", "nodes", "parameters"}));
+    verb->add_flag("--json", *json, "Print JSON");
+    verb->callback([what, json] { print_entries(*what, *json); });
+}
+
+}  // namespace burl

@@ -1,0 +1,13 @@
+#pragma once
+// The verbs of the program `burl`, one file each (verb_*.cpp). Each adds its options to the command
+// line and a callback that does the work; errors leave as burl::Error and are printed by main.
+#include <CLI/CLI.hpp>
+
+namespace burl {
+
+void add_bake(CLI::App& program);
+void add_metrics(CLI::App& program);
+void add_bench(CLI::App& program);
+void add_list(CLI::App& program);
+
+}  // namespace burl

@@ -1,0 +1,159 @@
+// Every kind of bad input: one sentence on stderr, the documented exit code, and no file left
+// behind.
+#include <unistd.h>
+
+#include "tests/app/run_program.h"
+
+namespace burl::test {
+namespace {
+
+const char* const square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
+const char* const ply_head =
+    "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float "
+    "z\n"
+    "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n";
+const char* const absurd_ply =
+    "ply\nformat binary_little_endian 1.0\nelement vertex 4000000000\nproperty float x\nproperty "
+    "float y\n"
+    "property float z\nend_header\n";
+
+struct BadCase {
+    const char* name;
+    const char* file;
+    const char* content;
+    const char* options;
+    int exit_code;
+    const char* says;  ///< a part of the sentence
+};
+
+void PrintTo(const BadCase& bad, std::ostream* out) { *out << bad.name; }
+
+class BadInput : public testing::TestWithParam<BadCase> {};
+
+TEST_P(BadInput, OneSentenceAndNoOutput) {
+    const BadCase& bad = GetParam();
+    const Scratch scratch;
+    const std::string mesh = scratch.write(bad.file, bad.content);
+    const Outcome outcome = run_burl(
+        scratch, fmt::format("bake '{}' -o '{}' {}", mesh, scratch / "out.glb", bad.options));
+    EXPECT_EQ(outcome.exit_code, bad.exit_code) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+    expect_one_sentence(outcome.err);
+    EXPECT_NE(outcome.err.find(bad.says), std::string::npos) << outcome.err;
+    EXPECT_EQ(scratch.files(), 1u);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Program, BadInput,
+    testing::Values(
+        BadCase{"Empty", "m.obj", "", "", 3, "m.obj"},
+        BadCase{"EmptyGlb", "m.glb", "", "", 3, "m.glb"},
+        BadCase{"NoFaces", "m.obj", "v 0 0 0\n", "", 3, "face"},
+        BadCase{"Nan", "m.obj", "v 0 0 0\nv nan 0 0\nv 1 1 0\nf 1 2 3\n", "", 3, "m.obj:2:"},
+        BadCase{"Infinite", "m.obj", "v 0 0 0\nv 1 inf 0\nv 1 1 0\nf 1 2 3\n", "", 3, "m.obj:2:"},
+        BadCase{"Overflow", "m.obj", "v 0 0 0\nv 1 1e999 0\nv 1 1 0\nf 1 2 3\n", "", 3, "m.obj:2:"},
+        BadCase{"IndexTooHigh", "m.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 4\n", "", 3, "m.obj:4:"},
+        BadCase{"IndexZero", "m.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 0 1 2\n", "", 3, "m.obj:4:"},
+        BadCase{"TruncatedPly", "m.ply", ply_head, "", 3, "m.ply"},
+        BadCase{"AbsurdPly", "m.ply", absurd_ply, "", 3, "m.ply"},
+        BadCase{"UnknownMeshExtension", "m.xyz", "0 0 0\n", "", 5, "xyz"},
+        BadCase{"SizeZero", "m.obj", square, "--size 0", 1, "size"},
+        BadCase{"SizeHuge", "m.obj", square, "--size 100000", 1, "size"},
+        BadCase{"SizeNoNumber", "m.obj", square, "--size 0x0", 1, "size"},
+        BadCase{"SizeTooSmall", "m.obj", square, "--size 1", 4, "--size"},
+        BadCase{"UnknownAtlas", "m.obj", square, "--atlas aria", 1, "area"},
+        BadCase{"UnknownPreset", "m.obj", square, "--recipe marbel", 1, "marble"},
+        BadCase{"UnknownKey", "m.obj", square, "--set texture.input.nose.0.gain=1", 1, "noise"},
+        BadCase{"UnknownOption", "m.obj", square, "--sise 64", 1, "--sise"},
+        BadCase{"NanParameter", "m.obj", square, "--set solid.scale=nan", 1, "scale"}),
+    [](const auto& bad) { return bad.param.name; });
+
+TEST(Program, DirectoriesMissingFilesAndUnknownExtensions) {
+    const Scratch scratch;
+    const std::string mesh = scratch.write("m.obj", square), out = scratch / "o.glb";
+    fs::create_directory(scratch / "folder.obj");
+    const struct {
+        std::string mesh, out;
+        int exit_code;
+    } cases[] = {{scratch / "folder.obj", out, 2},
+                 {scratch / "absent.obj", out, 2},
+                 {mesh, scratch / "o.tiff", 1},
+                 {mesh, scratch / "no/such/o.glb", 2}};
+    for (const auto& bad : cases) {
+        const Outcome outcome =
+            run_burl(scratch, fmt::format("bake '{}' -o '{}' --size 64", bad.mesh, bad.out));
+        EXPECT_EQ(outcome.exit_code, bad.exit_code) << bad.mesh << "\n" << outcome.err;
+        expect_one_sentence(outcome.err);
+        EXPECT_EQ(scratch.files(), 2u) << bad.mesh;
+    }
+}
+
+TEST(Program, UnknownRecipeKeyNamesTheNearest) {
+    const Scratch scratch;
+    const std::string mesh = scratch.write("m.obj", square), out = scratch / "o.glb";
+    const std::string recipe = scratch.write("r.json", R"({"burl": 1, "solids": {"scale": 2}})");
+    const Outcome outcome =
+        run_burl(scratch, fmt::format("bake '{}' -o '{}' --recipe '{}'", mesh, out, recipe));
+    EXPECT_EQ(outcome.exit_code, 3);
+    expect_one_sentence(outcome.err);
+    EXPECT_NE(outcome.err.find("solids"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("\"solid\""), std::string::npos) << outcome.err;
+}
+
+/// Shell text that gives up root's right to read and write everything; empty when there is nothing
+/// to give up.
+std::string as_nobody() {
+    return geteuid() == 0 ? "setpriv --reuid=65534 --regid=65534 --clear-groups" : "";
+}
+
+TEST(Program, NoPermission) {
+    const Scratch scratch;
+    const std::string mesh = scratch.write("m.obj", square), locked = scratch / "locked";
+    if (run_burl(scratch, "--version", as_nobody()).exit_code != 0) {
+        GTEST_SKIP() << "cannot run the program as an ordinary user here";
+    }
+    fs::create_directory(locked);
+    fs::permissions(locked, fs::perms::owner_read | fs::perms::owner_exec);
+    fs::permissions(scratch.path(), fs::perms::all);
+    const Outcome unwritable =
+        run_burl(scratch, fmt::format("bake '{}' -o '{}/o.glb'", mesh, locked), as_nobody());
+    EXPECT_EQ(unwritable.exit_code, 2);
+    expect_one_sentence(unwritable.err);
+    fs::permissions(mesh, fs::perms::none);
+    const Outcome unreadable =
+        run_burl(scratch, fmt::format("bake '{}' -o '{}'", mesh, scratch / "o.glb"), as_nobody());
+    EXPECT_EQ(unreadable.exit_code, 2);
+    expect_one_sentence(unreadable.err);
+    EXPECT_NE(unreadable.err.find("ermission"), std::string::npos) << unreadable.err;
+    EXPECT_EQ(scratch.files(), 2u);
+}
+
+TEST(Program, FileSizeLimitLeavesNothingBehind) {
+    const Scratch scratch;
+    const std::string mesh = scratch.write("m.obj", square), out = scratch / "o.glb";
+    const Outcome outcome =
+        run_burl(scratch, fmt::format("bake '{}' -o '{}' --size 512", mesh, out), "ulimit -f 16;");
+    EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
+    expect_one_sentence(outcome.err);
+    EXPECT_EQ(scratch.files(), 1u);
+}
+
+TEST(Program, FullDiskLeavesNothingBehind) {
+    const Scratch scratch;
+    const std::string mesh = scratch.write("m.obj", square), disk = scratch / "disk";
+    fs::create_directory(disk);
+    if (std::system(
+            fmt::format("mount -t tmpfs -o size=64k none '{}' 2>/dev/null", disk).c_str()) != 0) {
+        GTEST_SKIP() << "cannot mount a small tmpfs here (needs root)";
+    }
+    const Outcome outcome =
+        run_burl(scratch, fmt::format("bake '{}' -o '{}/o.glb' --size 512", mesh, disk));
+    const bool empty = fs::is_empty(disk);
+    EXPECT_EQ(std::system(fmt::format("umount '{}'", disk).c_str()), 0);
+    EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
+    expect_one_sentence(outcome.err);
+    EXPECT_TRUE(empty);
+}
+
+}  // namespace
+}  // namespace burl::test

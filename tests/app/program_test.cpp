@@ -1,0 +1,86 @@
+// The program as its user meets it: a bake that works and says what it did.
+#include <nlohmann/json.hpp>
+
+#include "app/image_io.h"
+#include "tests/app/run_program.h"
+
+namespace burl::test {
+namespace {
+
+const char* const square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
+
+TEST(Program, BakesEveryOutputKind) {
+    const Scratch scratch;
+    const std::string mesh = scratch.write("square.obj", square);
+    for (const char* name : {"a.glb", "b.gltf", "c.obj", "d.png", "e.exr"}) {
+        const Outcome outcome =
+            run_burl(scratch, fmt::format("bake '{}' -o '{}' --size 64", mesh, scratch / name));
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        EXPECT_TRUE(fs::exists(scratch / name)) << name;
+        EXPECT_NE(outcome.out.find("coverage"), std::string::npos) << outcome.out;
+    }
+    for (const char* beside : {"b.png", "c.mtl", "c.png"})
+        EXPECT_TRUE(fs::exists(scratch / beside)) << beside;
+}
+
+TEST(Program, TextureIsExactlyAsLargeAsAskedAndNotFlat) {
+    const Scratch scratch;
+    const std::string mesh = scratch.write("square.obj", square), png = scratch / "t.png";
+    ASSERT_EQ(run_burl(scratch, fmt::format("bake '{}' -o '{}' --size 100", mesh, png)).exit_code,
+              0);
+    const Image<Rgb8> image = read_png(png);
+    EXPECT_EQ(image.width(), 100u);
+    EXPECT_EQ(image.height(), 100u);
+    int low = 255, high = 0;
+    for (const Rgb8& pixel : image.pixels()) {
+        low = std::min<int>(low, pixel.g);
+        high = std::max<int>(high, pixel.g);
+    }
+    EXPECT_GT(high - low, 60);
+}
+
+TEST(Program, SameBytesForEveryThreadCount) {
+    const Scratch scratch;
+    const std::string mesh = scratch.write("square.obj", square);
+    for (const int threads : {1, 2, 5}) {
+        const std::string png = scratch / fmt::format("{}.png", threads);
+        ASSERT_EQ(
+            run_burl(scratch, fmt::format("bake '{}' -o '{}' --size 128 -j {}", mesh, png, threads))
+                .exit_code,
+            0);
+        EXPECT_EQ(slurp(png), slurp(scratch / "1.png")) << threads;
+    }
+}
+
+TEST(Program, ReportIsJson) {
+    const Scratch scratch;
+    const std::string mesh = scratch.write("square.obj", square), glb = scratch / "s.glb";
+    const Outcome outcome =
+        run_burl(scratch, fmt::format("bake '{}' -o '{}' --size 64 --json", mesh, glb));
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const auto report = nlohmann::json::parse(outcome.out);
+    EXPECT_EQ(report["mesh"]["triangles"], 2);
+    EXPECT_EQ(report["atlas"]["size"], 64);
+    EXPECT_EQ(report["outputs"][0], glb);
+    EXPECT_GT(report["atlas"]["coverage"].get<double>(), 0.5);
+}
+
+TEST(Program, HelpVersionAndLists) {
+    const Scratch scratch;
+    for (const char* verb : {"", "bake", "metrics", "bench", "list"}) {
+        const Outcome outcome = run_burl(scratch, fmt::format("{} --help", verb));
+        EXPECT_EQ(outcome.exit_code, 0) << verb;
+        EXPECT_NE(outcome.out.find("--help"), std::string::npos) << verb;
+    }
+    const Outcome version = run_burl(scratch, "--version");
+    for (const char* name : {"burl 0.", "OpenMesh 9", "Highway", "simd "}) {
+        EXPECT_NE(version.out.find(name), std::string::npos) << version.out;
+    }
+    EXPECT_NE(run_burl(scratch, "list recipes").out.find("marble"), std::string::npos);
+    EXPECT_NE(run_burl(scratch, "list parameters").out.find("atlas.size"), std::string::npos);
+    EXPECT_EQ(run_burl(scratch, "list trees").exit_code, 1);
+    EXPECT_EQ(run_burl(scratch, "").exit_code, 1);
+}
+
+}  // namespace
+}  // namespace burl::test
