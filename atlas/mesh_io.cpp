@@ -25,11 +25,15 @@ using Parser = PolygonSoup (*)(const FileBuffer&);
 /// The parser for a single-file format, or null.
 Parser parser_for(const std::string& extension) {
     if (extension == ".obj") return parse_obj;
+    if (extension == ".ply") return parse_ply;
+    if (extension == ".stl") return parse_stl;
+    if (extension == ".off") return parse_off;
     return nullptr;
 }
 
-PolygonSoup parse_by_extension(const std::string& path, const ReadOptions&) {
+PolygonSoup parse_by_extension(const std::string& path, const ReadOptions& options) {
     const std::string extension = lower_extension(path);
+    if (extension == ".gltf" || extension == ".glb") return parse_gltf(path, options);
     const Parser parse = parser_for(extension);
     if (parse == nullptr)
         throw Error(

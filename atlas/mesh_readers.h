@@ -12,6 +12,7 @@ PolygonSoup parse_obj(const FileBuffer& file);
 PolygonSoup parse_off(const FileBuffer& file);
 PolygonSoup parse_ply(const FileBuffer& file);
 PolygonSoup parse_stl(const FileBuffer& file);
+PolygonSoup parse_gltf(const std::string& path, const ReadOptions& options);
 
 /// The first half of read_mesh(): reads and parses `path` by its extension, with read_mesh()'s
 /// errors. build_mesh() is the second half.

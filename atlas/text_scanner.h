@@ -22,6 +22,7 @@ class TextScanner {
     explicit TextScanner(const FileBuffer& buffer, bool continuation = false, std::size_t begin = 0,
                          std::size_t line = 1)
         : path_(&buffer.path),
+          start_(buffer.bytes.get()),
           at_(buffer.bytes.get() + begin),
           end_(buffer.bytes.get() + buffer.size),
           line_(line),
@@ -29,7 +30,8 @@ class TextScanner {
 
     std::size_t line() const { return line_; }
     const std::string& path() const { return *path_; }
-    bool at_end() const { return at_ == end_; }
+    /// The byte this scanner stands at, from the start of the file.
+    std::size_t offset() const { return static_cast<std::size_t>(at_ - start_); }
     std::size_t bytes_left() const { return static_cast<std::size_t>(end_ - at_); }
 
     /// Moves to the next token of this line; false at the line's end or at a comment ('#').
@@ -144,6 +146,7 @@ class TextScanner {
     std::string_view token_here() const;
 
     const std::string* path_;
+    const char* start_;
     const char* at_;
     const char* end_;
     std::size_t line_;
