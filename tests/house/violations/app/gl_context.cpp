@@ -1,0 +1,2 @@
+// Right: the one place for GL.
+#include <glad/gl.h>
