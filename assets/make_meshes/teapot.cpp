@@ -13,7 +13,7 @@ namespace {
 using Patch = std::array<std::array<Vec3d, 4>, 4>;
 
 struct ProfilePoint {
-    double radius, height;
+    double radius, height, k = 0.56;
 };
 
 /// Four control points along the pot from the top down.
@@ -23,7 +23,7 @@ constexpr std::array<Profile, 6> turned_profiles{{
     {{{1.4, 2.4}, {1.3375, 2.53125}, {1.4375, 2.53125}, {1.5, 2.4}}},  // rim
     {{{1.5, 2.4}, {1.75, 1.875}, {2.0, 1.35}, {2.0, 0.9}}},            // upper body
     {{{2.0, 0.9}, {2.0, 0.45}, {1.5, 0.225}, {1.5, 0.15}}},            // lower body
-    {{{0.0, 3.15}, {0.8, 3.15}, {0.0, 2.85}, {0.2, 2.7}}},             // the lid's knob
+    {{{0.0, 3.15}, {0.8, 3.15, 0.5625}, {0.0, 2.85}, {0.2, 2.7}}},     // the lid's knob
     {{{0.2, 2.7}, {0.4, 2.55}, {1.3, 2.55}, {1.3, 2.4}}},              // lid
     {{{1.5, 0.15}, {1.5, 0.075}, {1.425, 0.0}, {0.0, 0.0}}},           // bottom
 }};
@@ -75,11 +75,11 @@ void add_patch(Model& model, const Patch& patch, int segments) {
 
 /// The profile turned through quarter `quarter` about the y axis, seen from outside.
 Patch turned_patch(const Profile& profile, int quarter) {
-    constexpr double k = 0.56;
-    constexpr std::array<std::array<double, 2>, 4> arc{
-        {{1.0, 0.0}, {1.0, k}, {k, 1.0}, {0.0, 1.0}}};
     Patch patch;
-    for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t i = 0; i < 4; ++i) {
+        const double k = profile[i].k;
+        const std::array<std::array<double, 2>, 4> arc{
+            {{1.0, 0.0}, {1.0, k}, {k, 1.0}, {0.0, 1.0}}};
         for (std::size_t j = 0; j < 4; ++j) {
             double x = profile[i].radius * arc[j][0], z = -profile[i].radius * arc[j][1];
             for (int turn = 0; turn < quarter; ++turn) {
@@ -89,6 +89,7 @@ Patch turned_patch(const Profile& profile, int quarter) {
             }
             patch[i][j] = Vec3d(x, profile[i].height, z);
         }
+    }
     return patch;
 }
 
