@@ -26,7 +26,9 @@ struct BadCase {
     const char* says;  ///< a part of the sentence
 };
 
-void PrintTo(const BadCase& bad, std::ostream* out) { *out << bad.name; }
+void PrintTo(const BadCase& bad, std::ostream* out) {
+    *out << bad.name;
+}
 
 class BadInput : public testing::TestWithParam<BadCase> {};
 

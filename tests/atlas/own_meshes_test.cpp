@@ -191,6 +191,16 @@ TEST(OwnMeshes, CadPartHasTwoBoresFlatFacesAndSlivers) {
     EXPECT_NEAR(top, 3.8 * 1.8 - corners - polygon_area(48, 0.55) - polygon_area(32, 0.3), 1e-5);
 }
 
+TEST(OwnMeshes, EveryFormatCarriesTheSameTorus) {
+    const Mesh obj = made("torus.obj");
+    for (const char* name : {"torus.off", "torus_ascii.ply", "torus_little.ply", "torus_big.ply",
+                             "torus_ascii.stl", "torus.stl", "torus.glb"}) {
+        const Mesh other = made(name);
+        EXPECT_EQ(other.positions, obj.positions) << name;
+        EXPECT_EQ(other.triangles, obj.triangles) << name;
+    }
+}
+
 TEST(NastyMeshes, NonManifoldEdgeHasThreeFaces) {
     const Counts counts = count(nasty("non_manifold_edge"));
     EXPECT_EQ(counts.faces, 3);
