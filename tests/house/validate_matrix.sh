@@ -1,11 +1,11 @@
 #!/bin/sh
 # Validates every sample of the exporter, and with the program every mesh x atlas x overscan:
-#   validate_matrix.sh MODULES SCRATCH GLTF_SAMPLES [BURL]
+#   validate_matrix.sh MODULES SCRATCH GLTF_SAMPLES SAMPLE_MESHES [BURL]
 # Exit 77 (skipped) where Node or the validator is not installed.
 set -e
-modules=$1 scratch=$2 samples=$3 burl=$4
+modules=$1 scratch=$2 samples=$3 meshes=$4 burl=$5
 here=$(dirname "$0")
-meshes=$here/../../assets/meshes
+nasty=$here/../../assets/meshes/nasty
 if ! command -v node >/dev/null; then
     echo "SKIPPED: node is not installed"
     exit 77
@@ -18,8 +18,7 @@ rm -rf "$scratch"
 mkdir -p "$scratch"
 "$samples" "$scratch"
 if [ -n "$burl" ]; then
-    for mesh in "$meshes"/*.* "$meshes"/nasty/*.*; do
-        case $mesh in *.obj | *.ply | *.stl | *.off | *.glb | *.gltf) ;; *) continue ;; esac
+    for mesh in "$meshes"/*.obj "$meshes"/*.glb "$nasty"/*.obj; do
         for atlas in uniform area length; do
             for overscan in nearest bilinear; do
                 out=$scratch/$(basename "$mesh" | tr . _).$atlas.$overscan.glb
