@@ -113,12 +113,10 @@ Patch mirrored(const Patch& patch) {
     return other;
 }
 
-void add_tube(Model& model, const Tube& tube, bool front_out, int segments) {
+void add_tube(Model& model, const Tube& tube, int segments) {
     for (const std::size_t first_row : {std::size_t{0}, std::size_t{3}}) {
-        const Patch front = tube_patch(tube, first_row, 1.0);
-        const Patch back = tube_patch(tube, first_row, -1.0);
-        add_patch(model, front_out ? front : mirrored(front), segments);
-        add_patch(model, front_out ? mirrored(back) : back, segments);
+        add_patch(model, mirrored(tube_patch(tube, first_row, 1.0)), segments);
+        add_patch(model, tube_patch(tube, first_row, -1.0), segments);
     }
 }
 
@@ -129,8 +127,8 @@ Model make_teapot(int segments) {
     for (const Profile& profile : turned_profiles)
         for (int quarter = 0; quarter < 4; ++quarter)
             add_patch(model, turned_patch(profile, quarter), segments);
-    add_tube(model, handle, true, segments);
-    add_tube(model, spout, true, segments);
+    add_tube(model, handle, segments);
+    add_tube(model, spout, segments);
     return model;
 }
 

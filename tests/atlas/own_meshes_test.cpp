@@ -117,15 +117,22 @@ TEST(OwnMeshes, TeapotHasNewellsSizeAndShells) {
 
 TEST(OwnMeshes, TeapotFacesOutwards) {
     const Mesh mesh = made("teapot.obj");
-    // Away from handle and spout, a face that looks at the axis is one of the few inside the rim.
-    std::size_t inwards = 0;
+    // Below the rim the pot looks away from the axis; handle and spout (below its lip) away from
+    // the plane of symmetry.
+    std::size_t pot_faces = 0, tube_faces = 0, inwards = 0;
     for (const auto& [a, b, c] : mesh.triangles) {
         const auto& p = mesh.positions;
         const Vec3d normal = glm::cross(p[b] - p[a], p[c] - p[a]);
         const Vec3d middle = (p[a] + p[b] + p[c]) / 3.0;
-        if (middle.y > 0.2 && middle.y < 2.3 && std::abs(middle.x) < 1.4)
-            inwards += normal.x * middle.x + normal.z * middle.z < 0.0;
+        const bool pot = middle.y > 0.2 && middle.y < 2.3 && std::abs(middle.x) < 1.4;
+        const bool tube = std::abs(middle.x) > 2.1 && middle.y < 2.2;
+        pot_faces += pot;
+        tube_faces += tube;
+        if (pot) inwards += normal.x * middle.x + normal.z * middle.z < 0.0;
+        if (tube) inwards += normal.z * middle.z < 0.0;
     }
+    EXPECT_GT(pot_faces, 500u);
+    EXPECT_GT(tube_faces, 500u);
     EXPECT_EQ(inwards, 0u);
 }
 
