@@ -1,0 +1,31 @@
+#pragma once
+// The ground truth: the texture evaluated in float64 at the exact surface point of every picture
+// sample, with no atlas and no texture between (docs/rendering.md). Baked pictures are measured
+// against it.
+#include <functional>
+#include <span>
+
+#include "app/camera.h"
+#include "app/recipe.h"
+#include "app/shading.h"
+#include "atlas/image.h"
+#include "atlas/mesh.h"
+
+namespace burl {
+
+/// Linear-light colour of a point of the mesh, in mesh coordinates. Called from several threads.
+using SurfaceColor = std::function<Vec3d(const Vec3d& mesh_point)>;
+
+/// Draws every placement of every part; a placement shows the colours of the first one.
+/// `normals`: per triangle corner, 3 * triangle count entries, in mesh coordinates.
+/// Bit-identical for every thread count.
+Image<Rgb8> render_surface(const Mesh& mesh, std::span<const Vec3f> normals,
+                           const SurfaceColor& color, const Camera& camera,
+                           const PictureOptions& options);
+
+/// The mesh with the recipe's texture; normals are the mesh's own, else those an export would have
+/// (angle-weighted, creases above `crease_degrees`).
+Image<Rgb8> render_direct(const Mesh& mesh, const Recipe& recipe, const Camera& camera,
+                          const PictureOptions& options, double crease_degrees = 40.0);
+
+}  // namespace burl

@@ -1,0 +1,62 @@
+#pragma once
+// What `burl render` draws: surfaces with per-vertex attributes, base colours, and the places they
+// stand in, as a glTF scene has them. Independent of OpenGL.
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "app/camera.h"
+#include "atlas/image.h"
+#include "atlas/mesh.h"
+#include "atlas/vec.h"
+
+namespace burl {
+
+enum class TextureFilter {
+    nearest,  ///< the texel that holds the point
+    linear,   ///< bilinear at full size
+    mip       ///< bilinear in two MIP levels and linear between them
+};
+enum class TextureWrap { repeat, mirror, clamp };
+
+/// A base colour texture and how the file wants it looked up.
+struct SceneTexture {
+    Image<Rgb8> image;  ///< sRGB-encoded; row 0 is v = 0
+    TextureFilter filter = TextureFilter::linear;
+    TextureWrap wrap_u = TextureWrap::repeat, wrap_v = TextureWrap::repeat;
+};
+
+struct SceneMaterial {
+    Vec4f factor{1.0f};  ///< linear, times the texture's colour; alpha is not drawn
+    int texture = -1;    ///< index into Scene::textures, -1: white
+};
+
+/// Indexed triangles drawn with one material at one or more places.
+struct Surface {
+    std::vector<Vec3d> positions;  ///< local
+    std::vector<Vec3f> normals;    ///< one per position
+    std::vector<Vec2d> uvs;        ///< one per position, or empty
+    std::vector<Vec4f> colors;     ///< linear, one per position, or empty
+    std::vector<Triangle> triangles;
+    SceneMaterial material;
+    std::vector<Mat4d> placements{Mat4d(1.0)};  ///< scene from local
+};
+
+struct Scene {
+    std::vector<Surface> surfaces;
+    std::vector<SceneTexture> textures;
+};
+
+/// Loads .glb or .gltf with its PNG textures. A Wavefront .obj may have one material, of which
+/// Kd and map_Kd are used. .ply, .stl and .off are drawn in their vertex colours or grey.
+/// Throws Error: io, invalid_file, unsupported (other formats; JPEG, WebP or KTX textures).
+Scene load_scene(const std::string& path);
+
+/// The mesh with its own normals, UVs and colours, else normals with creases at 40 degrees.
+Scene scene_from_mesh(const Mesh& mesh, const SceneMaterial& material);
+
+/// Sphere around the centre of the box of all placed, drawn points, as bounding_sphere(Mesh).
+Sphere bounding_sphere(const Scene& scene);
+
+}  // namespace burl
