@@ -1,4 +1,4 @@
-# The include rule: atlas <- procedural <- app <- tests, GL only in app/gl_*. Looks at every #include
+# The include rule: atlas <- procedural <- app <- tests, GL only in app/gl_* and its tests. Looks at every #include
 # line below ROOT. Usage: cmake -DROOT=folder -P include_rule.cmake
 cmake_minimum_required(VERSION 3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/files.cmake)
@@ -22,8 +22,8 @@ function(complaint_about out file included)
         set(why "app may include only app, procedural and atlas")
     elseif(layer STREQUAL "assets" AND target MATCHES "^(app|procedural|tests)$")
         set(why "assets may include only assets and atlas")
-    elseif(target MATCHES "^(glad|GL|EGL|GLFW)$" AND NOT file MATCHES "^app/gl_")
-        set(why "only app/gl_* may include OpenGL headers")
+    elseif(target MATCHES "^(glad|GL|EGL|GLFW)$" AND NOT file MATCHES "^(tests/)?app/gl_")
+        set(why "only app/gl_* and its tests may include OpenGL headers")
     endif()
     set(${out} "${why}" PARENT_SCOPE)
 endfunction()
