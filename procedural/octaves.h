@@ -1,6 +1,7 @@
 #pragma once
 // The noise sum of a texture as the flat list of what is really added: sum_i a_i n_i(T_i s) of
 // eq. (1), every octave one entry, entries of zero amplitude left out.
+#include <span>
 #include <vector>
 
 #include "procedural/texture.h"
@@ -19,6 +20,9 @@ struct Octave {
 
 /// All octaves of all terms with a non-zero amplitude, in the order they are added.
 std::vector<Octave> expand_octaves(const Texture& texture);
+
+/// f(s) in float64 from octaves that were expanded before: evaluate_field for many points.
+double evaluate_field(const Quadric& quadric, std::span<const Octave> octaves, const Vec3d& s);
 
 /// q(s), eq. (3).
 double evaluate_quadric(const Quadric& q, const Vec3d& s);

@@ -57,14 +57,18 @@ Vec3d half_gradient(const Quadric& q, const Vec3d& s) {
             q.c * s.x + q.f * s.y + q.h * s.z + q.i};
 }
 
-double evaluate_field(const Texture& texture, const Vec3d& s) {
-    double f = evaluate_quadric(texture.quadric, s);
-    for (const Octave& octave : expand_octaves(texture)) {
+double evaluate_field(const Quadric& quadric, std::span<const Octave> octaves, const Vec3d& s) {
+    double f = evaluate_quadric(quadric, s);
+    for (const Octave& octave : octaves) {
         const Vec3d p = octave.lattice_from_solid(s);
         f +=
             octave.offset + octave.scale * evaluate_noise(octave.kind, octave.fade, octave.seed, p);
     }
     return f;
+}
+
+double evaluate_field(const Texture& texture, const Vec3d& s) {
+    return evaluate_field(texture.quadric, expand_octaves(texture), s);
 }
 
 }  // namespace burl

@@ -107,8 +107,8 @@ TEST(Synthesis, KeepsTheErrorContractOnRandomRecipes) {
     for (std::uint32_t i = 0; i < 60; ++i) {
         const double offset = std::array{0.0, 1.0, 1e2, 1e4, 1e6}[i % 5];
         const double step = std::array{1.0 / 256, 1.0 / 16, 1.0 / 2, 2.0}[i / 5 % 4];
-        const std::uint32_t block = std::array{3u, 16u, 61u}[i % 3];
-        const SolidAtlas solid = SyntheticAtlas{61, block, offset, step, true}.make(i);
+        const std::uint32_t block = std::array{3u, 16u, 47u}[i % 3];
+        const SolidAtlas solid = SyntheticAtlas{47, block, offset, step, true}.make(i);
         const Texture texture = random_texture(random, i % 2 == 0);
         EXPECT_LT(worst_share(solid, texture, scaled(1.0)), 1.0)
             << "recipe " << i << ", offset " << offset << ", step " << step;
@@ -138,13 +138,13 @@ TEST(Synthesis, AppliesTheTexturesMap) {
 TEST(Synthesis, GivesTheSameBytesForEveryThreadCount) {
     const tbb::global_control more(tbb::global_control::max_allowed_parallelism, 8);
     std::mt19937 random(3);
-    for (const std::uint32_t block : {5u, 40u, 1500u}) {
-        const SolidAtlas solid = SyntheticAtlas{1500, block, 100.0, 0.01, true}.make(block);
+    for (const std::uint32_t block : {5u, 300u}) {
+        const SolidAtlas solid = SyntheticAtlas{300, block, 100.0, 0.01, true}.make(block);
         Texture texture = random_texture(random, true);
         for (NoiseTerm& term : texture.noise) term.octaves = 1 + term.octaves % 2;
         const Image<float> field = synthesize_field(solid, texture, scaled(1.0), 1);
         const Image<Rgb8> colors = synthesize_rgb8(solid, texture, scaled(1.0), 1);
-        for (const int threads : {2, 3, 7, 0}) {
+        for (const int threads : {2, 7, 0}) {
             EXPECT_EQ(synthesize_field(solid, texture, scaled(1.0), threads), field);
             EXPECT_EQ(synthesize_rgb8(solid, texture, scaled(1.0), threads), colors);
         }
@@ -166,7 +166,7 @@ class OnlyTarget {
 
 TEST(Synthesis, GivesTheSameBytesOnEveryInstructionSet) {
     std::mt19937 random(8);
-    const SolidAtlas solid = SyntheticAtlas{100, 13, 1000.0, 0.07, true}.make(0);
+    const SolidAtlas solid = SyntheticAtlas{50, 13, 1000.0, 0.07, true}.make(0);
     std::vector<Texture> textures{marble()};
     for (int i = 0; i < 12; ++i) textures.push_back(random_texture(random, true));
     for (std::size_t i = 0; i < textures.size(); ++i)
