@@ -47,9 +47,21 @@ std::string temporary_name(const std::string& path, int attempt) {
         .string();
 }
 
+std::string handle_path(int descriptor) {
+    return fmt::format("/proc/self/fd/{}", descriptor);
+}
+
+/// -1 where the file system has no nameless files, or /proc is missing to name them later.
+int open_nameless(const std::string& folder) {
+    const int descriptor = ::open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0666);
+    if (descriptor < 0 || ::access(handle_path(descriptor).c_str(), F_OK) == 0) return descriptor;
+    ::close(descriptor);
+    return -1;
+}
+
 }  // namespace
 
-AtomicFile::AtomicFile(const std::string& target)
+AtomicFile::AtomicFile(const std::string& target, Temporary kind)
     : target_(target), real_path_(follow_links(target)) {
     struct stat status {};
     replaces_ = ::stat(real_path_.c_str(), &status) == 0;
@@ -57,10 +69,8 @@ AtomicFile::AtomicFile(const std::string& target)
     if (replaces_ && !S_ISREG(status.st_mode)) {
         throw Error(ExitCode::io, fmt::format("{}: is not a regular file", target_));
     }
-    descriptor_ = ::open(folder_of(real_path_).c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0666);
-    if (descriptor_ < 0 && (errno == EOPNOTSUPP || errno == EISDIR || errno == EINVAL)) {
-        take_name();  // a file system without nameless files
-    }
+    if (kind == Temporary::nameless) descriptor_ = open_nameless(folder_of(real_path_));
+    if (descriptor_ < 0) take_name();
     if (descriptor_ < 0) throw write_error(target_, errno);
     if (replaces_) ::fchmod(descriptor_, status.st_mode & 07777);
     buffer_.reserve(buffer_size);
@@ -88,7 +98,7 @@ void AtomicFile::discard() noexcept {
 /// Gives the nameless file a temporary name, or opens a new named one when there is none. On
 /// failure leaves errno and an empty name.
 void AtomicFile::take_name() {
-    const std::string handle = fmt::format("/proc/self/fd/{}", descriptor_);
+    const std::string handle = handle_path(descriptor_);
     const bool nameless = descriptor_ >= 0;
     for (int attempt = 0; attempt < 1000; ++attempt) {
         const std::string name = temporary_name(real_path_, attempt);

@@ -13,12 +13,17 @@
 
 namespace burl {
 
+enum class Temporary {
+    nameless,  ///< O_TMPFILE where the file system has it, else named
+    named,     ///< a hidden name from the start
+};
+
 class AtomicFile {
   public:
     /// Opens the temporary file. A symbolic link is followed to the file it names; an existing
     /// file's permissions are kept, a new one gets the umask's. Throws Error(io) naming `target`
     /// when the folder is missing or not writable or the target is not a regular file.
-    explicit AtomicFile(const std::string& target);
+    explicit AtomicFile(const std::string& target, Temporary kind = Temporary::nameless);
     /// Removes the temporary file unless committed.
     ~AtomicFile();
     AtomicFile(AtomicFile&& other) noexcept;

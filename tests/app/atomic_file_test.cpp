@@ -99,6 +99,26 @@ TEST(AtomicFile, NewFilesGetTheUmasksPermissions) {
     EXPECT_EQ(status.st_mode & 0777u, 0644u);
 }
 
+TEST(AtomicFile, NamedTemporariesBehaveAlike) {
+    const ScratchFolder folder;
+    const std::string path = folder / "out.txt";
+    {
+        AtomicFile file(path, Temporary::named), rival(path, Temporary::named);
+        EXPECT_EQ(folder.entries(), 2u) << "hidden names from the start, one each";
+        file.write("new");
+        file.commit();
+        EXPECT_EQ(content(path), "new");
+        const FileSizeLimit limit(100);
+        const std::string message = io_message([&] {
+            rival.write(std::string(1000, 'x'));
+            rival.commit();
+        });
+        EXPECT_NE(message.find(path), std::string::npos) << message;
+    }
+    EXPECT_EQ(content(path), "new");
+    EXPECT_EQ(folder.entries(), 1u);
+}
+
 TEST(AtomicFile, LinksAreFollowed) {
     const ScratchFolder folder;
     std::filesystem::create_directory(folder / "sub");
@@ -153,6 +173,12 @@ TEST(AtomicFile, AGroupIsWrittenWholeOrNotAtAll) {
         EXPECT_NE(io_message([&] { write_group(5000); }).find("a.obj"), std::string::npos);
     }
     EXPECT_EQ(folder.entries(), 0u);
+    std::ofstream(folder / "a.png") << "old";
+    {
+        const FileSizeLimit limit(1000);
+        EXPECT_NE(io_message([&] { write_group(5000); }).find("a.obj"), std::string::npos);
+    }
+    EXPECT_EQ(content(folder / "a.png"), "old") << "nothing is renamed before all is complete";
     write_group(5000);
     EXPECT_EQ(folder.entries(), 3u);
     EXPECT_EQ(content(folder / "a.mtl"), "material");

@@ -23,7 +23,7 @@ if [ -n "$burl" ]; then
             for overscan in nearest bilinear; do
                 out=$scratch/$(basename "$mesh" | tr . _).$atlas.$overscan.glb
                 "$burl" bake "$mesh" -o "$out" --atlas $atlas --overscan $overscan --size 512 \
-                    >/dev/null
+                    >/dev/null || { echo "burl bake failed on $mesh, $atlas, $overscan"; exit 1; }
             done
         done
     done
