@@ -1,5 +1,7 @@
 #include "procedural/noise_kernels.h"
 
+#include <iterator>
+
 #include "procedural/lattice_hash.h"
 
 // This file is compiled once per instruction set.
@@ -29,12 +31,19 @@ using Bit = hn::Vec<Bits>;
 /// Adding this to |y| < 2^51 rounds y to an integer, whose low 32 bits are the sum's low bits.
 constexpr double round_magic = 0x1.8p52;
 
+/// 0, 1, 2 ... from memory: Iota builds them lane by lane, 10 ns a call on AVX2.
+HWY_ATTR HWY_INLINE hn::Vec<Doubles> LaneNumbers() {
+    HWY_ALIGN static constexpr double numbers[] = {0, 1, 2, 3, 4, 5, 6, 7};
+    static_assert(std::size(numbers) >= HWY_MAX_BYTES / sizeof(double));
+    return hn::Load(Doubles(), numbers);
+}
+
 HWY_ATTR void SplitLine(const LatticeLine& line, int axis, std::size_t at, LatticeBatch& batch) {
     const Doubles d;
     const auto magic = hn::Set(d, round_magic);
     const auto start = hn::Set(d, line.start[axis] - 0.5), step = hn::Set(d, line.step[axis]);
     const auto lanes = hn::Set(d, double(hn::Lanes(d)));
-    auto index = hn::Iota(d, line.first);
+    auto index = hn::Add(LaneNumbers(), hn::Set(d, line.first));
     for (std::size_t j = 0; j < line.count; j += hn::Lanes(d)) {
         // The nearest integer to x - 1/2 is floor(x), up to ties, where both cells agree.
         const auto y = hn::Add(start, hn::Mul(index, step));
@@ -193,7 +202,7 @@ HWY_ATTR void FillParabolas(std::span<const ParabolaLine> lines, double* values)
     const auto lanes = hn::Set(d, double(hn::Lanes(d)));
     for (const ParabolaLine& line : lines) {
         const auto c0 = hn::Set(d, line.c0), c1 = hn::Set(d, line.c1), c2 = hn::Set(d, line.c2);
-        auto x = hn::Iota(d, line.first);
+        auto x = hn::Add(LaneNumbers(), hn::Set(d, line.first));
         for (std::size_t j = 0; j < line.count; j += hn::Lanes(d)) {
             const auto slope = hn::Add(c1, hn::Mul(x, c2));
             hn::StoreU(hn::Add(c0, hn::Mul(x, slope)), d, values + j);
