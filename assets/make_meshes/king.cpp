@@ -1,4 +1,4 @@
-// A chess king off the lathe, in the manner of the model in figure 6 of Carr and Hart (2002): its
+// A chess king off the lathe, in the manner of the model in figure 6 of Carr and Hart (2001): its
 // stem and head are single tall bands, so their triangles are slivers of 30:1, and the rings
 // between the collars are as thin the other way. The cross on top is a shell of its own.
 #include <cmath>
