@@ -10,7 +10,7 @@ namespace burl {
 
 struct DiffOptions {
     double tolerance = 0.0;  ///< in 0..1; pixels with a channel off by more are counted
-    double scale = 0.125;    ///< the difference that the false-colour picture's ramp ends at, > 0
+    double scale = 0.0625;   ///< the difference that the false-colour picture's ramp ends at, > 0
     /// Pixels where either picture has exactly this colour are left out: with the renderers'
     /// background, what remains is the surface both pictures show.
     std::optional<Rgb8> ignore = std::nullopt;

@@ -1,8 +1,44 @@
 #include "app/scene.h"
 
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <filesystem>
+
 #include "app/normals.h"
+#include "atlas/error.h"
+#include "atlas/mesh_io.h"
 
 namespace burl {
+
+namespace {
+
+std::string extension_of(const std::string& path) {
+    std::string extension = std::filesystem::path(path).extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return char(std::tolower(c)); });
+    return extension;
+}
+
+Scene load_plain_mesh(const std::string& path) {
+    const Mesh mesh = read_mesh(path);
+    const bool colored = !mesh.corners.colors.empty();
+    return scene_from_mesh(mesh, {colored ? Vec4f(1.0f) : default_grey, -1});
+}
+
+}  // namespace
+
+Scene load_scene(const std::string& path) {
+    const std::string extension = extension_of(path);
+    Scene scene = extension == ".glb" || extension == ".gltf" ? load_gltf_scene(path)
+                  : extension == ".obj"                       ? load_obj_scene(path)
+                                                              : load_plain_mesh(path);
+    if (scene.surfaces.empty()) throw invalid_file(path, 0, "the scene holds no triangle to draw");
+    if (!std::isfinite(bounding_sphere(scene).radius)) {
+        throw invalid_file(path, 0, "the scene's points lie too far out to draw");
+    }
+    return scene;
+}
 
 Scene scene_from_mesh(const Mesh& mesh, const SceneMaterial& material) {
     const std::vector<Vec3f> normals = corner_normals(mesh, 40.0);

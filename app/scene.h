@@ -46,12 +46,21 @@ struct Surface {
 struct Scene {
     std::vector<Surface> surfaces;
     std::vector<SceneTexture> textures;
+    std::vector<std::string> notes;  ///< what is drawn otherwise than the file says, for stderr
 };
 
-/// Loads .glb or .gltf with its PNG textures. A Wavefront .obj may have one material, of which
-/// Kd and map_Kd are used. .ply, .stl and .off are drawn in their vertex colours or grey.
-/// Throws Error: io, invalid_file, unsupported (other formats; JPEG, WebP or KTX textures).
+/// Loads .glb or .gltf with its PNG textures. Of an .obj with one material, Kd and map_Kd are used.
+/// Everything else (.ply, .stl, .off, .obj with several materials) is drawn in its vertex colours
+/// or grey. Throws Error: io, invalid_file, unsupported (other formats; JPEG, WebP or KTX
+/// textures).
 Scene load_scene(const std::string& path);
+
+/// The two halves of load_scene that know materials.
+Scene load_gltf_scene(const std::string& path);
+Scene load_obj_scene(const std::string& path);
+
+/// What surfaces without a material look like.
+inline constexpr Vec4f default_grey{0.6f, 0.6f, 0.6f, 1.0f};
 
 /// The mesh with its own normals, UVs and colours, else normals with creases at 40 degrees.
 Scene scene_from_mesh(const Mesh& mesh, const SceneMaterial& material);

@@ -21,11 +21,16 @@ int first_sample(double edge, int limit) {
     return int(std::clamp(std::ceil(edge - 0.5), 0.0, double(limit)));
 }
 
+bool finite(const std::array<Vec3d, 3>& v) {
+    const Vec3d sum = v[0] + v[1] + v[2];
+    return std::isfinite(sum.x + sum.y + sum.z);
+}
+
 /// Sets the sample box; false when it is empty. A triangle through the near plane may be anywhere.
 bool set_bounds(ScreenTriangle& t, const std::array<Vec3d, 3>& v, double near_w,
                 const PictureSize& samples) {
     const auto [w_low, w_high] = std::minmax({v[0].z, v[1].z, v[2].z});
-    if (w_high < near_w) return false;
+    if (!(w_high >= near_w) || !finite(v)) return false;
     t.x_end = samples.width;
     t.y_end = samples.height;
     if (w_low < near_w) return true;

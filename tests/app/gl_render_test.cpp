@@ -7,10 +7,13 @@
 #include <functional>
 
 #include "app/direct_render.h"
+#include "app/export.h"
 #include "app/image_diff.h"
 #include "app/normals.h"
+#include "app/pipeline.h"
 #include "tests/app/gl_fixture.h"
 #include "tests/app/sample_scene.h"
+#include "tests/app/scratch_folder.h"
 
 namespace burl {
 namespace {
@@ -207,6 +210,34 @@ TEST_F(GlRenderTest, PlacementsAgreeWithTheDirectRenderer) {
     // Sharp edges may fall to the one or the other side.
     EXPECT_LE(diff.above_tolerance, 10u);
     EXPECT_GT(diff.pixels, 3000u);
+}
+
+/// The whole way: mesh, atlas, texture, file, picture, against the texture at each pixel's point.
+TEST_F(GlRenderTest, BakedFileLooksLikeTheGroundTruth) {
+    const ScratchFolder folder;
+    Recipe recipe = load_recipe("marble");
+    recipe.atlas.size = 512;
+    Pipeline pipeline(sphere_mesh(12, 24));
+    pipeline.set_recipe(recipe);
+    export_scene(folder / "sphere.glb", pipeline.mesh(), pipeline.atlas(),
+                 pipeline.synthesize<Rgb8>());
+    const Scene scene = load_scene(folder / "sphere.glb");
+
+    const PictureOptions options{{160, 120}, true, 2};
+    const Camera camera = orbit_camera({}, bounding_sphere(scene), options.size);
+    const Image<Rgb8> baked = render_scene(*context, scene, camera, options);
+    const Image<Rgb8> truth =
+        render_direct(pipeline.mesh(), recipe,
+                      orbit_camera({}, bounding_sphere(pipeline.mesh()), options.size), options);
+    const ImageDiff diff = diff_images(baked, truth, {.ignore = background_srgb});
+    EXPECT_GT(diff.pixels, 4000u);
+    EXPECT_GT(diff.psnr_db, 48.0);
+    // With the texture turned by half a period it must not match.
+    recipe.texture.quadric.j += 0.5;
+    EXPECT_LT(diff_images(baked, render_direct(pipeline.mesh(), recipe, camera, options),
+                          {.ignore = background_srgb})
+                  .psnr_db,
+              30.0);
 }
 
 TEST_F(GlRenderTest, TilesLeaveNoTrace) {

@@ -1,0 +1,210 @@
+// Scenes from glTF: what the default scene draws, primitive by primitive, with base colour factors
+// and PNG textures as the metallic-roughness material names them (specification 3.9.2).
+#include <tiny_gltf.h>
+
+#include <algorithm>
+#include <map>
+#include <string_view>
+
+#include "app/image_io.h"
+#include "app/scene.h"
+#include "atlas/error.h"
+#include "atlas/gltf_accessor.h"
+#include "atlas/gltf_document.h"
+#include "atlas/gltf_primitive.h"
+#include "atlas/gltf_scene.h"
+#include "atlas/text_scanner.h"
+
+namespace burl {
+
+namespace {
+
+TextureFilter filter_of(const tinygltf::Sampler& sampler) {
+    switch (sampler.minFilter) {
+        case TINYGLTF_TEXTURE_FILTER_NEAREST:
+            return TextureFilter::nearest;
+        case TINYGLTF_TEXTURE_FILTER_LINEAR:
+            return TextureFilter::linear;
+        case TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_NEAREST:
+        case TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_NEAREST:
+        case TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_LINEAR:
+        case TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_LINEAR:
+            return TextureFilter::mip;
+        default:
+            break;
+    }
+    return sampler.magFilter == TINYGLTF_TEXTURE_FILTER_NEAREST ? TextureFilter::nearest
+                                                                : TextureFilter::linear;
+}
+
+TextureWrap wrap_of(int wrap) {
+    if (wrap == TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE) return TextureWrap::clamp;
+    return wrap == TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT ? TextureWrap::mirror
+                                                         : TextureWrap::repeat;
+}
+
+/// The format of encoded image bytes, by their first ones.
+std::string_view image_type(const std::vector<unsigned char>& bytes) {
+    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    if (text.starts_with("\x89PNG\r\n\x1a\n")) return "PNG";
+    if (text.starts_with("\xff\xd8\xff")) return "JPEG";
+    if (text.starts_with("RIFF") &&
+        text.substr(std::min<std::size_t>(8, text.size())).starts_with("WEBP"))
+        return "WebP";
+    if (text.starts_with("\xabKTX ")) return "KTX";
+    return "of unknown type";
+}
+
+class GltfSceneLoader {
+  public:
+    GltfSceneLoader(const tinygltf::Model& model, const std::string& path)
+        : model_(model), path_(path) {}
+
+    Scene load() {
+        for (const GltfPlacement& placement : scene_placements(model_)) {
+            const auto& primitives = model_.meshes[std::size_t(placement.mesh)].primitives;
+            for (std::size_t p = 0; p < primitives.size(); ++p) {
+                add_surface(primitives[p], placement,
+                            fmt::format("meshes[{}].primitives[{}]", placement.mesh, p));
+            }
+        }
+        return std::move(scene_);
+    }
+
+  private:
+    void add_surface(const tinygltf::Primitive& primitive, const GltfPlacement& placement,
+                     const std::string& where) {
+        PolygonSoup soup;
+        PrimitiveReader reader(model_, path_, Mat4d(1.0), soup);
+        reader.append(primitive, where);
+        fill_attributes(soup);
+        if (soup.corners.empty()) return;
+        Surface surface;
+        surface.placements = placement.to_scene;
+        surface.positions = std::move(soup.points);
+        surface.normals = std::move(soup.normals.values);
+        surface.uvs = std::move(soup.uvs.values);
+        surface.colors = std::move(soup.colors.values);
+        for (std::size_t i = 0; i < soup.corners.size(); i += 3) {
+            surface.triangles.push_back(
+                {soup.corners[i], soup.corners[i + 1], soup.corners[i + 2]});
+        }
+        if (primitive.material >= 0) set_material(surface, primitive, where);
+        if (surface.normals.empty()) make_flat(surface);
+        scene_.surfaces.push_back(std::move(surface));
+    }
+
+    void set_material(Surface& surface, const tinygltf::Primitive& primitive,
+                      const std::string& where) {
+        const tinygltf::Material& material = model_.materials[std::size_t(primitive.material)];
+        const auto& factor = material.pbrMetallicRoughness.baseColorFactor;
+        for (std::size_t k = 0; k < 4 && factor.size() == 4; ++k) {
+            surface.material.factor[int(k)] = float(factor[k]);
+        }
+        const tinygltf::TextureInfo& info = material.pbrMetallicRoughness.baseColorTexture;
+        if (info.index < 0) return;
+        if (info.extensions.contains("KHR_texture_transform")) {
+            throw Error(ExitCode::unsupported,
+                        fmt::format("{}: {} uses KHR_texture_transform, which is not drawn; apply "
+                                    "the transform to the UVs",
+                                    path_, where));
+        }
+        surface.material.texture = texture(info.index);
+        if (info.texCoord != 0) surface.uvs = texture_coordinates(primitive, info, where);
+        if (surface.uvs.size() != surface.positions.size()) {
+            throw invalid_file(path_, 0,
+                               fmt::format("{}: its material has a texture, but the primitive has "
+                                           "no TEXCOORD_{}",
+                                           where, info.texCoord));
+        }
+    }
+
+    std::vector<Vec2d> texture_coordinates(const tinygltf::Primitive& primitive,
+                                           const tinygltf::TextureInfo& info,
+                                           const std::string& where) {
+        std::vector<Vec2d> uvs;
+        const auto found = primitive.attributes.find(fmt::format("TEXCOORD_{}", info.texCoord));
+        if (found == primitive.attributes.end()) return uvs;
+        const AccessorValues values = read_accessor(model_, found->second);
+        if (values.components != 2) {
+            throw invalid_file(path_, 0,
+                               fmt::format("{}: {} has a wrong type", where, found->first));
+        }
+        for (std::size_t i = 0; i < values.count(); ++i) {
+            uvs.emplace_back(values[i][0], values[i][1]);
+        }
+        return uvs;
+    }
+
+    /// Index of a glTF texture in the scene, loaded at its first use.
+    int texture(int number) {
+        const auto [entry, is_new] = loaded_.try_emplace(number, int(scene_.textures.size()));
+        if (!is_new) return entry->second;
+        const tinygltf::Texture& source = model_.textures[std::size_t(number)];
+        SceneTexture texture;
+        texture.image = image(source.source);
+        if (source.sampler >= 0) {
+            const tinygltf::Sampler& sampler = model_.samplers[std::size_t(source.sampler)];
+            texture.filter = filter_of(sampler);
+            texture.wrap_u = wrap_of(sampler.wrapS);
+            texture.wrap_v = wrap_of(sampler.wrapT);
+        }
+        scene_.textures.push_back(std::move(texture));
+        return entry->second;
+    }
+
+    Image<Rgb8> image(int number) {
+        const std::string where = fmt::format("images[{}]", number);
+        if (number < 0) {
+            throw Error(
+                ExitCode::unsupported,
+                fmt::format("{}: a texture has no PNG image; export it with PNG textures", path_));
+        }
+        const tinygltf::Image& image = model_.images[std::size_t(number)];
+        if (image.image.empty()) {
+            throw Error(ExitCode::io,
+                        fmt::format("{}: the texture '{}' is not there; put it beside the file",
+                                    path_, printable(image.uri)));
+        }
+        if (const std::string_view type = image_type(image.image); type != "PNG") {
+            throw Error(ExitCode::unsupported,
+                        fmt::format("{}: {} is {}; convert it to PNG", path_, where, type));
+        }
+        return decode_png(image.image, fmt::format("{}: {}", path_, where));
+    }
+
+    /// glTF wants flat normals where there are none, so every triangle gets vertices of its own.
+    static void make_flat(Surface& surface) {
+        Surface flat;
+        flat.material = surface.material;
+        flat.placements = std::move(surface.placements);
+        for (const Triangle& t : surface.triangles) {
+            const Vec3d& a = surface.positions[t[0]];
+            const Vec3d n = glm::cross(surface.positions[t[1]] - a, surface.positions[t[2]] - a);
+            const double length = glm::length(n);
+            const auto first = std::uint32_t(flat.positions.size());
+            flat.triangles.push_back({first, first + 1, first + 2});
+            for (const std::uint32_t i : t) {
+                flat.positions.push_back(surface.positions[i]);
+                flat.normals.push_back(length > 0.0 ? Vec3f(n / length) : Vec3f(0.0f));
+                if (!surface.uvs.empty()) flat.uvs.push_back(surface.uvs[i]);
+                if (!surface.colors.empty()) flat.colors.push_back(surface.colors[i]);
+            }
+        }
+        surface = std::move(flat);
+    }
+
+    const tinygltf::Model& model_;
+    const std::string& path_;
+    Scene scene_;
+    std::map<int, int> loaded_;  ///< glTF texture to scene texture
+};
+
+}  // namespace
+
+Scene load_gltf_scene(const std::string& path) {
+    const tinygltf::Model model = load_gltf(path);
+    return GltfSceneLoader(model, path).load();
+}
+
+}  // namespace burl
