@@ -21,6 +21,8 @@ int run(int argc, char** argv) {
     program.require_subcommand(1);
     program.get_formatter()->column_width(34);
     burl::add_bake(program);
+    burl::add_render(program);
+    burl::add_diff(program);
     burl::add_metrics(program);
     burl::add_bench(program);
     burl::add_list(program);

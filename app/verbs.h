@@ -6,6 +6,8 @@
 namespace burl {
 
 void add_bake(CLI::App& program);
+void add_render(CLI::App& program);
+void add_diff(CLI::App& program);
 void add_metrics(CLI::App& program);
 void add_bench(CLI::App& program);
 void add_list(CLI::App& program);

@@ -1,0 +1,88 @@
+// `burl render`: a picture of a textured scene through OpenGL, or of the texture itself in float64
+// (--direct).
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "app/command_options.h"
+#include "app/direct_render.h"
+#include "app/gl_context.h"
+#include "app/gl_render.h"
+#include "app/image_io.h"
+#include "app/scene.h"
+#include "app/verbs.h"
+
+namespace burl {
+
+namespace {
+
+struct RenderCommand {
+    std::string input, out, view, size, filter;
+    RecipeOptions recipe;
+    MeshOptions meshes;
+    PictureOptions picture;
+    double crease = 40.0;
+    bool direct = false, unlit = false;
+};
+
+Image<Rgb8> draw_scene(const RenderCommand& command, const View& view) {
+    const Scene scene = load_scene(command.input);
+    const Camera camera = orbit_camera(view, bounding_sphere(scene), command.picture.size);
+    std::optional<TextureFilter> filter;
+    if (command.filter == "nearest") filter = TextureFilter::nearest;
+    if (command.filter == "linear") filter = TextureFilter::linear;
+    if (command.filter == "mip") filter = TextureFilter::mip;
+    const std::unique_ptr<GlContext> context = create_osmesa_context();
+    return render_scene(*context, scene, camera, command.picture, filter);
+}
+
+Image<Rgb8> draw_truth(const RenderCommand& command, const View& view) {
+    const Recipe recipe = command.recipe.load();
+    const Mesh mesh = command.meshes.load(command.input);
+    const Camera camera = orbit_camera(view, bounding_sphere(mesh), command.picture.size);
+    return render_direct(mesh, recipe, camera, command.picture, command.crease);
+}
+
+void run_render(RenderCommand command) {
+    const View view = command.view.empty() ? View{} : parse_view(command.view);
+    if (!command.size.empty()) command.picture.size = parse_picture_size(command.size);
+    command.picture.lit = !command.unlit;
+    write_png(command.out, command.direct ? draw_truth(command, view) : draw_scene(command, view));
+}
+
+}  // namespace
+
+void add_render(CLI::App& program) {
+    auto* verb =
+        program.add_subcommand("render", "Picture of a textured scene, or of the exact texture");
+    auto command = std::make_shared<RenderCommand>();
+    verb->add_option("scene", command->input, "Scene (.glb .gltf .obj), or any mesh with --direct")
+        ->required();
+    verb->add_option("-o,--output", command->out, "Picture to write (.png)")->required();
+    verb->add_option("--size", command->size, "Picture size in pixels, WxH (default 1024x768)");
+    verb->add_option(
+        "--view", command->view,
+        "Azimuth and elevation in degrees, distance in radii: AZ,EL,DIST (default 30,20,3.5)");
+    auto* filter =
+        verb->add_option("--filter", command->filter,
+                         "Texture lookup: nearest, linear or mip (default: as the scene says)");
+    filter->check(CLI::IsMember({"nearest", "linear", "mip"}));
+    verb->add_flag("--unlit", command->unlit, "Show the texture's colours without light");
+    verb->add_option("--supersample", command->picture.supersample, "n: n x n samples per pixel")
+        ->check(CLI::Range(1, max_supersample))
+        ->capture_default_str();
+    auto* direct = verb->add_flag(
+        "--direct", command->direct,
+        "Evaluate the recipe's texture in float64 for every sample: the ground truth");
+    direct->excludes(filter);
+    command->recipe.add_recipe(*verb);
+    for (const char* option : {"--recipe", "--set"}) verb->get_option(option)->needs(direct);
+    verb->add_option("--crease", command->crease,
+                     "Angle in degrees above which computed normals split (--direct)")
+        ->check(CLI::Range(0.0, 180.0))
+        ->capture_default_str();
+    command->meshes.add(*verb);
+    verb->callback([command] { run_render(*command); });
+}
+
+}  // namespace burl
