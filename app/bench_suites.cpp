@@ -11,6 +11,7 @@
 #include "app/bench.h"
 #include "app/pipeline.h"
 #include "atlas/mesh_io.h"
+#include "atlas/mesh_readers.h"
 #include "procedural/synthesize.h"
 
 namespace burl {
@@ -85,7 +86,9 @@ std::vector<BenchCase> mesh_io_suite(std::size_t faces) {
     write_ply(ply, mesh);
     auto read = std::make_shared<Mesh>(read_mesh(obj));
     const double count = double(mesh.triangles.size());
-    return {{"read obj", count, "face", [folder, obj] { read_mesh(obj); }},
+    return {{"parse obj", count, "face", [folder, obj] { parse_mesh(obj); }},
+            {"parse binary ply", count, "face", [folder, ply] { parse_mesh(ply); }},
+            {"read obj (parse, weld, check)", count, "face", [folder, obj] { read_mesh(obj); }},
             {"read binary ply", count, "face", [folder, ply] { read_mesh(ply); }},
             {"connectivity", count, "face", [read] { build_connectivity(*read); }}};
 }
