@@ -1,6 +1,7 @@
 #include "app/direct_render.h"
 
 #include <gtest/gtest.h>
+#include <tbb/global_control.h>
 
 #include <cmath>
 #include <vector>
@@ -185,6 +186,16 @@ TEST(DirectRender, PlacementsShowTheFirstOnesColors) {
     int changes = 0;
     for (std::size_t x = 1; x < 100; ++x) changes += picture(x, 20) != picture(x - 1, 20);
     EXPECT_EQ(changes, 6);  // background, 0, 1, background, 0, 1, background
+}
+
+TEST(DirectRender, BytesDoNotDependOnThreads) {
+    const auto picture = [] {
+        return draw(sphere_mesh(20, 30), [](const Vec3d& p) { return Vec3d(0.5) + 0.5 * p; },
+                    {10, 20, 3}, {{90, 70}, true, 2});
+    };
+    const Image<Rgb8> parallel = picture();
+    const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+    EXPECT_EQ(picture(), parallel);
 }
 
 TEST(DirectRender, SizeOfTheSceneDoesNotMatter) {
