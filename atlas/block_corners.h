@@ -12,7 +12,7 @@ struct BlockCorners {
     std::array<Vec2d, 3> lower{}, upper{};
 };
 
-/// Bilinear: texel centres. Nearest: texel edges, pulled in by 1/256 texel wherever a lookup could
+/// Bilinear: texel centres. Nearest: texel edges, pulled in by 1/32 texel wherever a lookup could
 /// slip into a stranger's texel. `joins_right`: the next block's joins_left.
 BlockCorners block_corners(const Block& block, Overscan mode, bool joins_right);
 

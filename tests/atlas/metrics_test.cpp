@@ -59,7 +59,7 @@ TEST(Metrics, OnePairBilinear) {
 
 TEST(Metrics, OnePairNearestIsPulledInByOne256thTexel) {
     const AtlasMetrics m = measured(made::square(), {AtlasKind::area, Overscan::nearest, 8});
-    EXPECT_DOUBLE_EQ(m.coverage, std::pow((8.0 - 2.0 / 256.0) / 8.0, 2));
+    EXPECT_DOUBLE_EQ(m.coverage, std::pow((8.0 - 2.0 / 32.0) / 8.0, 2));
 }
 
 TEST(Metrics, RelativeScaleAndDensityDoNotDependOnTheUnitOfLength) {
