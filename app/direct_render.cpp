@@ -8,7 +8,7 @@
 
 #include "app/normals.h"
 #include "app/visibility.h"
-#include "procedural/texture.h"
+#include "procedural/octaves.h"
 
 namespace burl {
 
@@ -97,9 +97,11 @@ Image<Rgb8> render_direct(const Mesh& mesh, const Recipe& recipe, const Camera& 
                           const PictureOptions& options, double crease_degrees) {
     const std::vector<Vec3f> normals = corner_normals(mesh, crease_degrees);
     const Affine3 texture_from_point = texture_from_mesh(recipe, mesh);
+    const std::vector<Octave> octaves = expand_octaves(recipe.texture);
     const SurfaceColor color = [&](const Vec3d& point) {
+        const Vec3d s = texture_from_point(point);
         return evaluate_color(recipe.texture.colors,
-                              evaluate_field(recipe.texture, texture_from_point(point)));
+                              evaluate_field(recipe.texture.quadric, octaves, s));
     };
     return render_surface(mesh, normals, color, camera, options);
 }
