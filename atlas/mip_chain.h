@@ -1,0 +1,30 @@
+#pragma once
+// MIP levels (Williams, "Pyramidal Parametrics", 1983) of an image of linear values: every level is
+// half as large as the one before and each of its texels the mean of what it covers.
+#include <vector>
+
+#include "atlas/image.h"
+#include "atlas/vec.h"
+
+namespace burl {
+
+/// Level 0 is the image itself, level l+1 has max(1, floor(n/2)) texels where level l has n, as in
+/// OpenGL and WebGL; the last level is 1 x 1.
+template <class T>
+struct MipChain {
+    std::vector<Image<T>> levels;
+};
+
+/// The next level: each texel is the mean over its rectangle of the image. An even side takes two
+/// texels each; an odd side of 2m+1 texels becomes m, so every new texel covers 2 + 1/m old ones
+/// and takes parts of three (Guthe & Heckbert, "Non-Power-of-Two Mipmap Creation", 2005). The
+/// image's mean is kept in both cases. Sums are in double, texels rounded once per level. Not
+/// empty. T is float, Vec3f or RgbF.
+template <class T>
+Image<T> halve(const Image<T>& image);
+
+/// All levels of a not empty image of any size, down to 1 x 1.
+template <class T>
+MipChain<T> build_mip_chain(Image<T> image);
+
+}  // namespace burl
