@@ -65,6 +65,29 @@ TEST(Program, ReportIsJson) {
     EXPECT_GT(report["atlas"]["coverage"].get<double>(), 0.5);
 }
 
+TEST(Program, MeasuresTheUvsAFileBrings) {
+    const Scratch scratch;
+    const std::string plain = scratch.write("plain.obj", square);
+    const std::string mesh =
+        scratch.write("uv.obj", std::string(square).substr(0, std::string(square).find('f')) +
+                                    "vt 0 0\nvt .5 0\nvt .5 .5\nvt 0 .5\nf 1/1 2/2 3/3 4/4\n");
+    const auto kinds = [&](const std::string& arguments) {
+        const Outcome outcome = run_burl(scratch, "metrics --json --size 32 " + arguments);
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        std::string names;
+        const auto report = nlohmann::json::parse(outcome.out);
+        for (const auto& row : report["atlases"]) names += row["kind"].get<std::string>() + " ";
+        return names;
+    };
+    EXPECT_EQ(kinds(plain), "area ");
+    EXPECT_EQ(kinds(mesh), "uv ");
+    EXPECT_EQ(kinds(mesh + " --atlas all"), "uniform area length ");
+    EXPECT_EQ(kinds(mesh + " --atlas area --uv"), "uv area ");
+    EXPECT_EQ(run_burl(scratch, "metrics --uv " + plain).exit_code, 1);
+    const Outcome table = run_burl(scratch, "metrics --size 32 " + mesh);
+    EXPECT_NE(table.out.find("0.2500"), std::string::npos) << table.out;
+}
+
 TEST(Program, HelpVersionAndLists) {
     const Scratch scratch;
     for (const char* verb : {"", "bake", "render", "diff", "metrics", "bench", "list"}) {

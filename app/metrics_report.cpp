@@ -1,0 +1,72 @@
+#include "app/metrics_report.h"
+
+#include <fmt/format.h>
+
+namespace burl {
+
+namespace {
+
+std::string overscan_name(const MeasuredAtlas& m) {
+    return m.name == "uv" ? "-" : std::string(to_string(m.atlas.options.overscan));
+}
+
+double texel_share(const MeasuredAtlas& m, std::uint64_t texels) {
+    const double size = m.atlas.options.size;
+    return double(texels) / (size * size);
+}
+
+void print_use(const MeasuredAtlas& m) {
+    const AtlasMetrics& use = m.measures.use;
+    fmt::print("{:<8} {:<8} {:>6} {:>9.4f} {:>9.4f} {:>9.4f} {:>9.4f} {:>7.3f}/{:.3f}/{:.3f}\n",
+               m.name, overscan_name(m), m.atlas.options.size, use.coverage, use.texel_coverage,
+               texel_share(m, m.measures.texels.readable), use.relative_scale, use.density[0],
+               use.density[1], use.density[2]);
+}
+
+void print_shape(const MeasuredAtlas& m) {
+    const auto& [use, charts, shape, texels] = m.measures;
+    fmt::print("{:<8} {:>8} {:>8.4f} {:>8.3f} {:>8.2f} {:>8.2f} {:>8.4f} {:>8} {:>8} {:>8}\n",
+               m.name, charts.with_area, charts.seam_share, charts.vertex_ratio,
+               shape.anisotropy_50, shape.anisotropy_95, shape.mirrored, shape.flipped,
+               shape.vanished, texels.overlapped);
+}
+
+}  // namespace
+
+Json measured_json(const MeasuredAtlas& m) {
+    const auto& [use, charts, shape, texels] = m.measures;
+    Json json = metrics_json(m.atlas, use);
+    json["kind"] = m.name;
+    if (m.name == "uv") json["overscan"] = nullptr;
+    json["charts"] = charts.with_area;
+    json["readable_texels"] = texel_share(m, texels.readable);
+    json["covered_texels"] = texel_share(m, texels.covered);
+    json["overlapped_texels"] = texels.overlapped;
+    json["outside_triangles"] = texels.outside;
+    json["seam_length"] = charts.seam_length;
+    json["seam_share"] = charts.seam_share;
+    json["vertices"] = charts.vertices;
+    json["vertex_ratio"] = charts.vertex_ratio;
+    json["anisotropy_50_95"] = {shape.anisotropy_50, shape.anisotropy_95};
+    json["mirrored_area"] = shape.mirrored;
+    json["flipped"] = shape.flipped;
+    json["vanished"] = shape.vanished;
+    return json;
+}
+
+void print_measures(const std::vector<MeasuredAtlas>& atlases) {
+    fmt::print("{:<8} {:<8} {:>6} {:>9} {:>9} {:>9} {:>9} {:>19}\n", "atlas", "overscan", "size",
+               "coverage", "owned", "readable", "scale", "density 5/50/95 %");
+    for (const MeasuredAtlas& m : atlases) print_use(m);
+    fmt::print("\n{:<8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8}\n", "atlas", "charts",
+               "seams", "vertices", "aniso50", "aniso95", "mirrored", "flipped", "vanished",
+               "overlap");
+    for (const MeasuredAtlas& m : atlases) {
+        print_shape(m);
+        if (m.measures.texels.outside != 0)
+            fmt::print("  {} triangles leave the texture: lookups are clamped to its edge\n",
+                       m.measures.texels.outside);
+    }
+}
+
+}  // namespace burl

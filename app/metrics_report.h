@@ -1,0 +1,23 @@
+#pragma once
+// The figures of `burl metrics` as JSON and as tables; both come from the same values.
+#include <string>
+#include <vector>
+
+#include "app/report.h"
+#include "atlas/atlas_measures.h"
+
+namespace burl {
+
+/// One atlas that was measured: one of our kinds, or "uv" for the file's own coordinates.
+struct MeasuredAtlas {
+    std::string name;
+    Atlas atlas;
+    AtlasMeasures measures;
+};
+
+Json measured_json(const MeasuredAtlas& measured);
+
+/// Prints how the texture is used, then how the surface lies in it.
+void print_measures(const std::vector<MeasuredAtlas>& atlases);
+
+}  // namespace burl
