@@ -31,7 +31,27 @@ const std::string virtual_folder = "burl-gltf:";
 /// The files a glTF names, read already, by tinygltf's name for them.
 using Files = std::map<std::string, std::vector<unsigned char>>;
 
+/// Deeper JSON than any exporter writes; tinygltf descends by recursion, so depth is stack.
+constexpr int deepest_nesting = 256;
+
+void check_nesting(std::string_view json, const std::string& path) {
+    int depth = 0;
+    bool in_string = false;
+    for (std::size_t i = 0; i < json.size(); ++i) {
+        const char c = json[i];
+        if (c == '"') in_string = !in_string;
+        if (in_string && c == '\\') ++i;
+        if (in_string) continue;
+        depth += (c == '[' || c == '{') - (c == ']' || c == '}');
+        if (depth > deepest_nesting)
+            throw invalid_file(
+                path, 0,
+                fmt::format("the JSON is nested more than {} levels deep", deepest_nesting));
+    }
+}
+
 Json parse_json(const FileBuffer& file, const GltfParts& parts) {
+    check_nesting(parts.json, file.path);
     try {
         return Json::parse(parts.json);
     } catch (const Json::parse_error& error) {

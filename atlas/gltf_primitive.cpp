@@ -106,10 +106,11 @@ void PrimitiveReader::append_positions(const tinygltf::Primitive& primitive,
         const Vec3d p(to_scene_ * Vec4d(values[i][0], values[i][1], values[i][2], 1.0));
         for (int k = 0; k < 3; ++k)
             if (!(std::abs(p[k]) <= largest_coordinate))
-                throw invalid_file(path_, 0,
-                                   fmt::format("{}: the position of vertex {} is {} in the scene; "
-                                               "coordinates must be finite and at most 1e100",
-                                               where, i, p[k]));
+                throw invalid_file(
+                    path_, 0,
+                    fmt::format("{}: the position of vertex {} is not finite, or beyond "
+                                "1e100, in the scene",
+                                where, i));
         soup_.points.push_back(p);
     }
 }

@@ -121,6 +121,25 @@ void make_normals_unit(Mesh& mesh) {
             fmt::format("{} corners have no normal; their face's own is used", replaced));
 }
 
+/// Binary files may hold NaN or infinite attributes; the geometry is sound, so they are only
+/// replaced.
+void make_attributes_finite(Mesh& mesh) {
+    std::uint64_t replaced = 0;
+    const auto check = [&](auto& values, int components, auto fallback) {
+        for (auto& value : values)
+            for (int k = 0; k < components; ++k) {
+                if (std::isfinite(value[k])) continue;
+                value[k] = fallback;
+                ++replaced;
+            }
+    };
+    check(mesh.corners.colors, 4, 1.0f);
+    check(mesh.corners.uvs, 2, 0.0);
+    if (replaced > 0)
+        mesh.notes.sentences.push_back(fmt::format(
+            "{} colour or texture coordinate values are not finite; replaced", replaced));
+}
+
 /// Face ranges to triangle ranges; `faces` is ascending.
 std::vector<Part> to_parts(std::vector<SoupPart>&& soup_parts, const Triangulation& cut,
                            const std::string& name) {
@@ -183,6 +202,7 @@ Mesh build_mesh(PolygonSoup&& soup, const std::string& path, const ReadOptions& 
     if (!soup.source_faces.empty())
         for (std::uint32_t& face : mesh.source_faces) face = soup.source_faces[face];
     make_normals_unit(mesh);
+    make_attributes_finite(mesh);
     mesh.notes.degenerate_triangles = count_degenerate_triangles(mesh);
     mesh.notes.duplicate_triangles = count_duplicate_triangles(mesh);
     return mesh;

@@ -113,6 +113,19 @@ TEST(MeshBuilder, WeldingLeavesAttributesPerCorner) {
     EXPECT_EQ(mesh.corners.normals[3], Vec3f(1, 0, 0));
 }
 
+TEST(MeshBuilder, AttributesThatAreNotFiniteAreReplaced) {
+    PolygonSoup soup = soup_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {0, 1, 2});
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    soup.normals.values = {{nan, 0, 1}, {0, 0, 2}, {0, 0, 0}};
+    soup.colors.values = {{nan, 0.5f, 0, 1}, {0, 0, 0, 1}, {0, 0, 0, 1}};
+    soup.uvs.values = {{0, 0}, {std::numeric_limits<double>::infinity(), 0.5}, {0, 0}};
+    const Mesh mesh = build_mesh(std::move(soup), "x");
+    for (const Vec3f& normal : mesh.corners.normals) EXPECT_EQ(normal, Vec3f(0, 0, 1));
+    EXPECT_EQ(mesh.corners.colors[0], Vec4f(1, 0.5f, 0, 1));
+    EXPECT_EQ(mesh.corners.uvs[1], Vec2d(0, 0.5));
+    EXPECT_EQ(mesh.notes.sentences.size(), 2u);
+}
+
 TEST(MeshBuilder, ParsingAndBuildingCanBeDoneApart) {
     const std::string path =
         test::write_file("a.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n");
