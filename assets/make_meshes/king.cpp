@@ -1,6 +1,7 @@
-// A chess king off the lathe, in the manner of the model in figure 6 of Carr and Hart (2001): its
-// stem and head are single tall bands, so their triangles are slivers of 30:1, and the rings
-// between the collars are as thin the other way. The cross on top is a shell of its own.
+// A chess king off the lathe, after the piece with slivers on its cross of figure 6 in Carr and
+// Hart (2001). Here the cross has bevels a hundredth as wide as it is tall, stem and head are
+// single tall bands of slivers of 30:1, and the rings of the collars are thin the other way. The
+// cross is a shell of its own.
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -34,34 +35,56 @@ void add_lathed(Model& model, int segments) {
     }
 }
 
-/// A cross of five squares' outline, a little sunk into the crown.
-void add_cross(Model& model) {
-    constexpr double arm = 0.13, reach = 0.42, depth = 0.10, centre = 8.55, foot = 8.00,
-                     head = 9.00;
-    constexpr std::array<std::pair<double, double>, 12> outline{{{arm, foot},
-                                                                 {arm, centre - arm},
-                                                                 {reach, centre - arm},
-                                                                 {reach, centre + arm},
-                                                                 {arm, centre + arm},
-                                                                 {arm, head},
-                                                                 {-arm, head},
-                                                                 {-arm, centre + arm},
-                                                                 {-reach, centre + arm},
-                                                                 {-reach, centre - arm},
-                                                                 {-arm, centre - arm},
-                                                                 {-arm, foot}}};
-    constexpr std::array<std::array<std::size_t, 4>, 5> squares{
-        {{0, 1, 10, 11}, {2, 3, 4, 1}, {5, 6, 7, 4}, {8, 9, 10, 7}, {1, 4, 7, 10}}};
-    const auto at = [&](std::size_t i, double z) {
+using Outline = std::array<std::pair<double, double>, 12>;
+
+/// The cross seen from the front, moved inwards by `inset`, counter-clockwise from the foot.
+constexpr Outline cross_outline(double inset) {
+    constexpr double centre = 8.55;
+    const double arm = 0.13 - inset, reach = 0.42 - inset, foot = 8.00 + inset, head = 9.00 - inset;
+    const double low = centre - arm, high = centre + arm;
+    return {{{arm, foot},
+             {arm, low},
+             {reach, low},
+             {reach, high},
+             {arm, high},
+             {arm, head},
+             {-arm, head},
+             {-arm, high},
+             {-reach, high},
+             {-reach, low},
+             {-arm, low},
+             {-arm, foot}}};
+}
+
+void add_cross_band(Model& model, double front_inset, double front, double back_inset,
+                    double back) {
+    const Outline near = cross_outline(front_inset), far = cross_outline(back_inset);
+    const auto at = [](const Outline& outline, std::size_t i, double z) {
         const auto [x, y] = outline[i % outline.size()];
         return Vec3d(x, y, z);
     };
-    for (const auto& [a, b, c, d] : squares) {
+    for (std::size_t i = 0; i < near.size(); ++i)
+        model.quad(at(near, i, front), at(far, i, back), at(far, i + 1, back),
+                   at(near, i + 1, front));
+}
+
+/// A little sunk into the crown. Its edges are bevelled: slivers along every side, between flat
+/// faces of five quads each.
+void add_cross(Model& model) {
+    constexpr double depth = 0.10, bevel = 0.008;
+    constexpr std::array<std::array<std::size_t, 4>, 5> quads{
+        {{0, 1, 10, 11}, {2, 3, 4, 1}, {5, 6, 7, 4}, {8, 9, 10, 7}, {1, 4, 7, 10}}};
+    const Outline face = cross_outline(bevel);
+    const auto at = [&](std::size_t i, double z) {
+        return Vec3d(face[i].first, face[i].second, z);
+    };
+    for (const auto& [a, b, c, d] : quads) {
         model.quad(at(a, depth), at(b, depth), at(c, depth), at(d, depth));
         model.quad(at(d, -depth), at(c, -depth), at(b, -depth), at(a, -depth));
     }
-    for (std::size_t i = 0; i < outline.size(); ++i)
-        model.quad(at(i, depth), at(i, -depth), at(i + 1, -depth), at(i + 1, depth));
+    add_cross_band(model, bevel, depth, 0.0, depth - bevel);
+    add_cross_band(model, 0.0, depth - bevel, 0.0, bevel - depth);
+    add_cross_band(model, 0.0, bevel - depth, bevel, -depth);
 }
 
 }  // namespace

@@ -138,13 +138,13 @@ TEST(OwnMeshes, TeapotFacesOutwards) {
 
 TEST(OwnMeshes, KingIsTwoClosedShellsWithSlivers) {
     const Mesh mesh = made("king.obj");
-    EXPECT_NEAR(static_cast<double>(mesh.triangles.size()), 2700.0, 50.0);
+    EXPECT_NEAR(static_cast<double>(mesh.triangles.size()), 2750.0, 50.0);
     EXPECT_TRUE(count(mesh).closed_manifold());
     EXPECT_EQ(count(mesh).euler(), 2 + 2);
     EXPECT_EQ(count(mesh).shells, 2);
     EXPECT_GT(volume(mesh), 0.0);
-    // The stem: a band of 2 x 48.
-    EXPECT_GE(slender_triangles(mesh, 29.0), 96u);
+    // The stem is a band of 2 x 48; the arms of the cross have bevels on four long sides, twice.
+    EXPECT_GE(slender_triangles(mesh, 25.0), 96u + 16u);
     EXPECT_DOUBLE_EQ(bounding_box(mesh).high.y, 9.0);
 }
 
