@@ -1,0 +1,46 @@
+#pragma once
+// From regions of the mesh to mapped patches: what is flat is projected, what is a disk is mapped
+// onto a rectangle, tubes and socks are slit and holes closed first, and what still stretches too
+// much is halved and tried again. What no map is found for is listed, never forced: an unmapped
+// patch with a guessed stretch would spoil the texel budget of all others.
+#include <optional>
+
+#include "atlas/partition.h"
+#include "atlas/patch.h"
+#include "atlas/planar_map.h"
+#include "atlas/rectangle_map.h"
+
+namespace burl {
+
+struct MappedPatch {
+    Patch patch;
+    std::vector<Vec2d> uv;  ///< per vertex, in the unit square
+    Stretch stretch;
+    /// One of the two: how uv came about.
+    std::optional<RectangleMap> rectangle;
+    std::optional<PlanarMap> planar;
+};
+
+struct PatchMapOptions {
+    std::uint32_t patches = 6;     ///< as asked of the partition: sets what counts as small
+    double most_distortion = 1.4;  ///< D above this is slit or halved
+};
+
+/// What mapping did; counts are printed where they are not zero.
+struct PatchMapNotes {
+    std::uint32_t tubes_slit = 0, socks_slit = 0, holes_closed = 0, regions_halved = 0;
+    std::uint32_t planar_patches = 0, extra_vertices = 0;
+};
+
+struct PatchMaps {
+    std::vector<MappedPatch> patches;     ///< in order of the regions, halves in place
+    std::vector<std::uint32_t> unmapped;  ///< triangles no map was found for, ascending
+    PatchMapNotes notes;
+};
+
+/// Every triangle of the regions is in one patch or unmapped. Patches are mapped in parallel; the
+/// result does not depend on the number of threads.
+PatchMaps map_regions(const Mesh& mesh, const Connectivity& connectivity, const Regions& regions,
+                      const PatchMapOptions& options = {});
+
+}  // namespace burl
