@@ -3,6 +3,7 @@
 // plane is reached by dropping the normal's longest axis, which leaves the coordinates exact.
 #include "atlas/polygon.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -85,7 +86,7 @@ void PolygonTriangulator::clip_ears() {
         next_[i] = i + 1 == count ? 0 : i + 1;
         previous_[i] = i == 0 ? count - 1 : i - 1;
     }
-    work_left_ = 4096ull * count;
+    work_left_ = std::min<std::uint64_t>(4096ull * count, 1ull << 26);
     std::uint32_t tip = 0, left = count, tried = 0;
     int strictness = 2;
     while (left > 3) {
