@@ -1,6 +1,7 @@
 #include "app/command_options.h"
 
 #include <cmath>
+#include <cstdio>
 #include <utility>
 
 #include <fmt/format.h>
@@ -25,16 +26,16 @@ void RecipeOptions::add_atlas(CLI::App& verb) {
 
 Recipe RecipeOptions::load() const {
     std::vector<std::string> edits = settings;
-    if (!kind.empty()) edits.push_back("atlas.kind=" + kind);
-    if (!overscan.empty()) edits.push_back("atlas.overscan=" + overscan);
-    if (!size.empty()) edits.push_back("atlas.size=" + size);
-    if (!filter.empty()) edits.push_back("filter=" + filter);
+    if (kind) edits.push_back("atlas.kind=" + *kind);
+    if (overscan) edits.push_back("atlas.overscan=" + *overscan);
+    if (size) edits.push_back("atlas.size=" + *size);
+    if (filter) edits.push_back("filter=" + *filter);
     return load_recipe(recipe, edits);
 }
 
 void MeshOptions::add(CLI::App& verb) {
     verb.add_option("--weld", read.weld, "Weld points closer than this times the longest side")
-        ->check(CLI::Range(0.0, 0.1));
+        ->check(in_range(0.0, 0.1));
     verb.add_flag("--unshare-instances", read.unshare_instances,
                   "Bake each glTF instance by itself, in scene space");
 }
@@ -45,10 +46,26 @@ Mesh MeshOptions::load(const std::string& path) const {
     return mesh;
 }
 
+CLI::Validator in_range(double low, double high) {
+    const std::string bounds = fmt::format("{:.3g} to {:.3g}", low, high);
+    return {[=](std::string& text) {
+                double value = 0.0;
+                const bool fits =
+                    CLI::detail::lexical_cast(text, value) && value >= low && value <= high;
+                return fits ? "" : fmt::format("{} is not a number from {}", text, bounds);
+            },
+            bounds};
+}
+
 void add_threads(CLI::App& verb, int& threads) {
     verb.add_option("-j,--threads", threads,
                     "Threads to use, 0 for all; the result never depends on it")
         ->check(CLI::Range(0, 1024));
+}
+
+void warn(const std::string& sentence) {
+    const std::string line = sentence + "\n";
+    std::fwrite(line.data(), 1, line.size(), stderr);
 }
 
 void print_notes(const std::string& path, const MeshNotes& notes) {
@@ -59,10 +76,9 @@ void print_notes(const std::string& path, const MeshNotes& notes) {
         {notes.ignored_elements, "elements that are not faces (left out)"},
     };
     for (const auto& [count, what] : counts) {
-        if (count != 0) fmt::print(stderr, "{}: {} {}\n", path, count, what);
+        if (count != 0) warn(fmt::format("{}: {} {}", path, count, what));
     }
-    for (const std::string& sentence : notes.sentences)
-        fmt::print(stderr, "{}: {}\n", path, sentence);
+    for (const std::string& sentence : notes.sentences) warn(fmt::format("{}: {}", path, sentence));
 }
 
 }  // namespace burl

@@ -15,8 +15,7 @@ namespace burl {
 struct RecipeOptions {
     std::string recipe = "marble";
     std::vector<std::string> settings;
-    std::string kind, overscan, filter;
-    std::string size;
+    std::optional<std::string> kind, overscan, filter, size;
 
     void add_recipe(CLI::App& verb);
     void add_atlas(CLI::App& verb);
@@ -33,8 +32,14 @@ struct MeshOptions {
     Mesh load(const std::string& path) const;
 };
 
+/// A number within bounds; CLI::Range would let NaN pass.
+CLI::Validator in_range(double low, double high);
+
 /// --threads, 0 for all.
 void add_threads(CLI::App& verb, int& threads);
+
+/// A line on stderr; a stderr that cannot be written to is no reason to stop.
+void warn(const std::string& sentence);
 
 /// One line per thing reading noticed, with the file's name in front.
 void print_notes(const std::string& path, const MeshNotes& notes);

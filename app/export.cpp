@@ -36,11 +36,16 @@ constexpr std::array<FormatFiles, 5> formats{{{Format::glb, ".glb", {}},
                                               {Format::png, ".png", {}},
                                               {Format::exr, ".exr", {}}}};
 
-const FormatFiles& format_of(const std::string& path) {
+std::string lower_extension(const std::string& path) {
     std::string extension = fs::path(path).extension().string();
     for (char& c : extension) {
         if (c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
     }
+    return extension;
+}
+
+const FormatFiles& format_of(const std::string& path) {
+    const std::string extension = lower_extension(path);
     for (const FormatFiles& f : formats) {
         if (f.extension == extension) return f;
     }
@@ -88,6 +93,14 @@ void check_file(const std::string& path, const std::string& input_path) {
     }
 }
 
+/// Also true for two spellings of a file that does not exist yet.
+bool same_file(const std::string& a, const std::string& b) {
+    std::error_code ignored;
+    if (fs::equivalent(a, b, ignored)) return true;
+    const fs::path whole = fs::weakly_canonical(a, ignored);
+    return !whole.empty() && whole == fs::weakly_canonical(b, ignored);
+}
+
 /// PNG content in the image's own depth; float becomes 8 bits.
 std::vector<std::uint8_t> png_of(const BakedImage& image) {
     if (const auto* rgb16 = std::get_if<Image<Rgb16>>(&image)) return encode_png(*rgb16);
@@ -128,6 +141,24 @@ void check_output(const std::string& out_path, const std::string& input_path) {
     const std::vector<std::string> paths = output_paths(out_path);
     check_folder(out_path);
     for (const std::string& path : paths) check_file(path, input_path);
+}
+
+void check_side_output(const std::string& path, std::string_view extension,
+                       std::span<const std::string> taken) {
+    if (!extension.empty() && lower_extension(path) != extension) {
+        throw Error(ExitCode::usage,
+                    fmt::format("{}: the name must end in {}, which is what is written there", path,
+                                extension));
+    }
+    check_folder(path);
+    check_file(path, {});
+    for (const std::string& other : taken) {
+        if (!same_file(path, other)) continue;
+        throw Error(ExitCode::io,
+                    fmt::format("{}: would overwrite {}, which this command needs; give it another "
+                                "name",
+                                path, other));
+    }
 }
 
 ImageKind wanted_kind(const std::string& out_path, int depth) {

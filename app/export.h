@@ -1,7 +1,9 @@
 #pragma once
 // The one door for results: a baked image with or without its mesh, in the format the file name
 // asks for. Formats, samplers and what is kept of the input: docs/export.md.
+#include <span>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -27,6 +29,11 @@ struct ExportOptions {
 /// (any case; else Error(usage) listing them), and the folder exists and is writable, no file to be
 /// written is a folder, and none is the file at `input_path` (else Error(io)).
 void check_output(const std::string& out_path, const std::string& input_path = {});
+
+/// The same for a picture or report: its name ends in `extension` (in lower case; empty: any), its
+/// folder is writable, and it is none of the `taken` files, which are read or written otherwise.
+void check_side_output(const std::string& path, std::string_view extension,
+                       std::span<const std::string> taken);
 
 /// Every file export_scene writes, the one named first: "a.obj" gives a.obj, a.mtl and a.png.
 std::vector<std::string> output_paths(const std::string& out_path);

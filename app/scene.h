@@ -46,6 +46,7 @@ struct Surface {
 struct Scene {
     std::vector<Surface> surfaces;
     std::vector<SceneTexture> textures;
+    std::vector<std::string> files;  ///< read besides the one named: buffers, materials, textures
     std::vector<std::string> notes;  ///< what is drawn otherwise than the file says, for stderr
 };
 

@@ -3,6 +3,7 @@
 #include <tiny_gltf.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <map>
 #include <string_view>
 
@@ -10,6 +11,7 @@
 #include "app/scene.h"
 #include "atlas/error.h"
 #include "atlas/gltf_accessor.h"
+#include "atlas/gltf_container.h"
 #include "atlas/gltf_document.h"
 #include "atlas/gltf_primitive.h"
 #include "atlas/gltf_scene.h"
@@ -200,11 +202,25 @@ class GltfSceneLoader {
     std::map<int, int> loaded_;  ///< glTF texture to scene texture
 };
 
+std::vector<std::string> files_beside(const tinygltf::Model& model, const std::string& path) {
+    std::vector<std::string> files;
+    const auto add = [&](const std::string& uri) {
+        if (uri.empty() || is_data_uri(uri)) return;
+        const auto folder = std::filesystem::path(path).parent_path();
+        files.push_back((folder / confined_file_name(uri)).string());
+    };
+    for (const tinygltf::Buffer& buffer : model.buffers) add(buffer.uri);
+    for (const tinygltf::Image& image : model.images) add(image.uri);
+    return files;
+}
+
 }  // namespace
 
 Scene load_gltf_scene(const std::string& path) {
     const tinygltf::Model model = load_gltf(path);
-    return GltfSceneLoader(model, path).load();
+    Scene scene = GltfSceneLoader(model, path).load();
+    scene.files = files_beside(model, path);
+    return scene;
 }
 
 }  // namespace burl

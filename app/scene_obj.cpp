@@ -128,7 +128,8 @@ Image<Rgb8> read_map(const std::string& obj_path, const ObjMaterial& material) {
 Scene load_obj_scene(const std::string& path) {
     const Mesh mesh = read_mesh(path);
     std::vector<std::string> notes;
-    const auto material = whole_material(path, find_materials(path), notes);
+    const MaterialUse use = find_materials(path);
+    const auto material = whole_material(path, use, notes);
     const bool textured = material && !material->map.empty() && !mesh.corners.uvs.empty();
     const bool colored = !mesh.corners.colors.empty();
 
@@ -138,6 +139,9 @@ Scene load_obj_scene(const std::string& path) {
     if (textured) look.texture = 0;
     Scene scene = scene_from_mesh(mesh, look);
     if (textured) scene.textures.push_back({read_map(path, *material)});
+    const auto folder = std::filesystem::path(path).parent_path();
+    if (material) scene.files.push_back((folder / use.library).string());
+    if (textured) scene.files.push_back((folder / material->map).string());
     scene.notes = std::move(notes);
     return scene;
 }

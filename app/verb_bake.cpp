@@ -40,8 +40,8 @@ void warn_if_starved(const Pipeline& pipeline) {
     const double n = pipeline.recipe().atlas.size,
                  pairs = double(pipeline.mesh().triangles.size()) / 2;
     if (pairs <= 0 || n * n / pairs >= 5.0) return;
-    fmt::print(stderr, "{}: only {:.1f} texels per pair of triangles; --size {} would give 25\n",
-               pipeline.mesh().name, n * n / pairs, int(std::ceil(std::sqrt(25.0 * pairs))));
+    warn(fmt::format("{}: only {:.1f} texels per pair of triangles; --size {} would give 25",
+                     pipeline.mesh().name, n * n / pairs, int(std::ceil(std::sqrt(25.0 * pairs)))));
 }
 
 Json bake_json(const BakeCommand& command, Pipeline& pipeline, Json seconds) {
@@ -65,9 +65,18 @@ void print_summary(const Json& report) {
         report["seconds"]["total"].get<double>());
 }
 
+void check_report(const BakeCommand& command) {
+    if (command.report.empty() || command.report == "-") return;
+    std::vector<std::string> taken = output_paths(command.out);
+    taken.push_back(command.mesh);
+    taken.push_back(command.recipe.recipe);
+    check_side_output(command.report, "", taken);
+}
+
 void run_bake(const BakeCommand& command) {
     const auto start = Clock::now();
     check_output(command.out, command.mesh);
+    check_report(command);
     const Recipe recipe = command.recipe.load();
     Pipeline pipeline(command.meshes.load(command.mesh));
     const double reading = seconds_since(start);
@@ -113,7 +122,7 @@ void add_bake(CLI::App& program) {
         ->capture_default_str();
     verb->add_option("--crease", command->crease,
                      "Angle in degrees above which computed normals split")
-        ->check(CLI::Range(0.0, 180.0))
+        ->check(in_range(0.0, 180.0))
         ->capture_default_str();
     add_threads(*verb, command->threads);
     verb->add_flag("--json", command->json, "Print the report as JSON on stdout");

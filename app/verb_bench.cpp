@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "app/bench.h"
+#include "app/export.h"
 #include "app/report.h"
 #include "app/verbs.h"
 
@@ -27,6 +28,7 @@ Json row_json(const BenchRow& row) {
 }
 
 void run_bench(const BenchCommand& command) {
+    if (!command.out.empty()) check_side_output(command.out, "", {});
     const std::vector<BenchRow> rows =
         run_paired(bench_suite(command.suite, command.size), command.repeats);
     Json list = Json::array();

@@ -1,6 +1,10 @@
 // `burl diff`: how far two pictures are apart, for people and for scripts that need a yes or no.
+#include <array>
+
 #include <fmt/format.h>
 
+#include "app/command_options.h"
+#include "app/export.h"
 #include "app/image_diff.h"
 #include "app/image_io.h"
 #include "app/report.h"
@@ -33,6 +37,9 @@ Json diff_json(const DiffCommand& command, const ImageDiff& diff) {
 }
 
 void run_diff(DiffCommand command) {
+    if (!command.out.empty()) {
+        check_side_output(command.out, ".png", std::array{command.a, command.b});
+    }
     if (command.surface) command.options.ignore = background_srgb;
     const ImageDiff diff = diff_images(read_png(command.a), read_png(command.b), command.options);
     if (!command.out.empty()) write_png(command.out, diff.false_color);
@@ -56,11 +63,11 @@ void add_diff(CLI::App& program) {
     verb->add_option("b", command->b, "Second picture (.png)")->required();
     verb->add_option("--tolerance", command->options.tolerance,
                      "Largest channel difference that still counts as equal, 0..1")
-        ->check(CLI::Range(0.0, 1.0))
+        ->check(in_range(0.0, 1.0))
         ->capture_default_str();
     verb->add_option("-o,--output", command->out, "Write the difference in false colour (.png)");
     verb->add_option("--scale", command->options.scale, "Difference at which the false colours end")
-        ->check(CLI::Range(1.0 / 255.0, 1.0))
+        ->check(in_range(1.0 / 255.0, 1.0))
         ->capture_default_str();
     verb->add_flag("--surface", command->surface,
                    "Leave out pixels that show the renderer's background in either picture");

@@ -62,7 +62,7 @@ std::vector<AtlasKind> kinds_asked(const MetricsCommand& command, const Recipe& 
 std::vector<MeasuredAtlas> measure_asked(const MetricsCommand& command, const Recipe& recipe,
                                          Measuring& measuring) {
     const bool has_uvs = !measuring.mesh().corners.uvs.empty(),
-               asked = !command.recipe.kind.empty();
+               asked = command.recipe.kind.has_value();
     if (command.uv && !has_uvs)
         throw Error(ExitCode::usage,
                     fmt::format("{} has no texture coordinates: leave out --uv to measure an atlas "
@@ -79,7 +79,7 @@ std::vector<MeasuredAtlas> measure_asked(const MetricsCommand& command, const Re
 
 void run_metrics(const MetricsCommand& command) {
     RecipeOptions options = command.recipe;
-    if (options.kind == "all") options.kind.clear();
+    if (options.kind == "all") options.kind.reset();
     const Recipe recipe = options.load();
     Measuring measuring(command, recipe);
     const std::vector<MeasuredAtlas> atlases = measure_asked(command, recipe, measuring);

@@ -1,11 +1,13 @@
 // `burl render`: a picture of a textured scene through OpenGL, or of the texture itself in float64
 // (--direct).
+#include <array>
 #include <optional>
 
 #include <fmt/format.h>
 
 #include "app/command_options.h"
 #include "app/direct_render.h"
+#include "app/export.h"
 #include "app/gl_context.h"
 #include "app/gl_render.h"
 #include "app/image_io.h"
@@ -17,7 +19,8 @@ namespace burl {
 namespace {
 
 struct RenderCommand {
-    std::string input, out, view, size, filter;
+    std::string input, out, filter;
+    std::optional<std::string> view, size;
     RecipeOptions recipe;
     MeshOptions meshes;
     PictureOptions picture;
@@ -27,6 +30,8 @@ struct RenderCommand {
 
 Image<Rgb8> draw_scene(const RenderCommand& command, const View& view) {
     const Scene scene = load_scene(command.input);
+    for (const std::string& note : scene.notes) warn(note);
+    check_side_output(command.out, ".png", scene.files);
     const Camera camera = orbit_camera(view, bounding_sphere(scene), command.picture.size);
     std::optional<TextureFilter> filter;
     if (command.filter == "nearest") filter = TextureFilter::nearest;
@@ -44,8 +49,9 @@ Image<Rgb8> draw_truth(const RenderCommand& command, const View& view) {
 }
 
 void run_render(RenderCommand command) {
-    const View view = command.view.empty() ? View{} : parse_view(command.view);
-    if (!command.size.empty()) command.picture.size = parse_picture_size(command.size);
+    check_side_output(command.out, ".png", std::array{command.input, command.recipe.recipe});
+    const View view = command.view ? parse_view(*command.view) : View{};
+    if (command.size) command.picture.size = parse_picture_size(*command.size);
     command.picture.lit = !command.unlit;
     write_png(command.out, command.direct ? draw_truth(command, view) : draw_scene(command, view));
 }
@@ -79,7 +85,7 @@ void add_render(CLI::App& program) {
     for (const char* option : {"--recipe", "--set"}) verb->get_option(option)->needs(direct);
     verb->add_option("--crease", command->crease,
                      "Angle in degrees above which computed normals split (--direct)")
-        ->check(CLI::Range(0.0, 180.0))
+        ->check(in_range(0.0, 180.0))
         ->capture_default_str();
     command->meshes.add(*verb);
     verb->callback([command] { run_render(*command); });

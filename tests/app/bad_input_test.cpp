@@ -67,6 +67,11 @@ INSTANTIATE_TEST_SUITE_P(
         BadCase{"UnknownPreset", "m.obj", square, "--recipe marbel", 1, "marble"},
         BadCase{"UnknownKey", "m.obj", square, "--set texture.input.nose.0.gain=1", 1, "noise"},
         BadCase{"UnknownOption", "m.obj", square, "--sise 64", 1, "--sise"},
+        BadCase{"NanCrease", "m.obj", square, "--crease nan", 1, "--crease"},
+        BadCase{"NanWeld", "m.obj", square, "--weld nan", 1, "--weld"},
+        BadCase{"EmptySize", "m.obj", square, "--size ''", 1, "size"},
+        BadCase{"EmptyAtlas", "m.obj", square, "--atlas ''", 1, "atlas"},
+        BadCase{"ReportInNoFolder", "m.obj", square, "--report /no/where.json", 2, "/no"},
         BadCase{"NanParameter", "m.obj", square, "--set solid.scale=nan", 1, "scale"}),
     [](const auto& bad) { return bad.param.name; });
 
@@ -88,6 +93,62 @@ TEST(Program, DirectoriesMissingFilesAndUnknownExtensions) {
         expect_one_sentence(outcome.err);
         EXPECT_EQ(scratch.files(), 2u) << bad.mesh;
     }
+}
+
+TEST(Program, WrongVerbsAreNamedAndTheRightHelpIsOffered) {
+    const Scratch scratch;
+    const Outcome verb = run_burl(scratch, "bak");
+    EXPECT_EQ(verb.exit_code, 1);
+    expect_one_sentence(verb.err);
+    EXPECT_NE(verb.err.find("'bak'"), std::string::npos) << verb.err;
+    EXPECT_NE(verb.err.find("bake, render"), std::string::npos) << verb.err;
+    EXPECT_NE(run_burl(scratch, "bake").err.find("`burl bake --help`"), std::string::npos);
+    EXPECT_NE(run_burl(scratch, "").err.find("verb"), std::string::npos);
+}
+
+TEST(Program, PicturesAndReportsNeverReplaceWhatTheCommandNeeds) {
+    const Scratch scratch;
+    const std::string mesh = scratch.write("m.obj", square);
+    const auto refused = [&](const std::string& arguments, int code) {
+        const Outcome outcome = run_burl(scratch, arguments);
+        EXPECT_EQ(outcome.exit_code, code) << arguments;
+        expect_one_sentence(outcome.err);
+    };
+    refused(fmt::format("bake '{0}' -o '{1}.glb' --size 64 --report '{0}'", mesh, scratch / "a"),
+            2);
+    refused(
+        fmt::format("bake '{0}' -o '{1}.glb' --size 64 --report '{1}.glb'", mesh, scratch / "a"),
+        2);
+    EXPECT_EQ(slurp(mesh), square);
+    EXPECT_FALSE(fs::exists(scratch / "a.glb"));
+    for (const char* name : {"b.gltf", "c.obj"}) {
+        const std::string scene = scratch / name;
+        ASSERT_EQ(
+            run_burl(scratch, fmt::format("bake '{}' -o '{}' --size 64", mesh, scene)).exit_code,
+            0);
+        const std::string texture = fs::path(scene).replace_extension(".png").string();
+        const std::string before = slurp(texture);
+        refused(fmt::format("render '{}' -o '{}' --size 8x8", scene, texture), 2);
+        refused(fmt::format("diff '{0}' '{0}' -o '{0}'", texture), 2);
+        EXPECT_EQ(slurp(texture), before);
+        refused(fmt::format("render '{}' -o '{}.jpg' --size 8x8", scene, scene), 1);
+    }
+}
+
+TEST(Program, ClosedAndFullStandardStreams) {
+    const Scratch scratch;
+    const std::string mesh = scratch.write("m.obj", square + std::string("v 9 9 9\n"));
+    const std::string burl = fmt::format("'{}/bin/burl'", BURL_BINARY_DIR);
+    const auto status = [&](const std::string& arguments) {
+        return WEXITSTATUS(std::system((burl + " " + arguments).c_str()));
+    };
+    const std::string bake = fmt::format("bake '{}' --size 64 -o '{}", mesh, scratch / "");
+    EXPECT_EQ(status(bake + "open.glb' >/dev/null 2>&1"), 0);
+    EXPECT_EQ(status(bake + "shut.glb' <&- >&- 2>&-"), 0);
+    EXPECT_EQ(slurp(scratch / "shut.glb"), slurp(scratch / "open.glb"));
+    EXPECT_EQ(status("bake /no/mesh.obj -o x.glb 2>&-"), 2);
+    EXPECT_EQ(status("bake /no/mesh.obj -o x.glb 2>/dev/full"), 2);
+    EXPECT_EQ(status("list recipes >/dev/full 2>/dev/null"), 2);
 }
 
 TEST(Program, UnknownRecipeKeyNamesTheNearest) {
