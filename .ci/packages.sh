@@ -1,3 +1,4 @@
+# shellcheck shell=bash disable=SC2154 # $root comes from the caller
 # Shell functions that demo and check share: which packages of packages.txt are missing, and installing
 # them. Source it with $root set to the checkout's folder.
 
