@@ -110,10 +110,10 @@ std::vector<std::uint8_t> png_of(const BakedImage& image) {
     return encode_png(std::get<Image<Rgb8>>(image));
 }
 
+/// Of 8 or 16 bits.
 Image<RgbF> linear_of(const BakedImage& image) {
     if (const auto* rgb8 = std::get_if<Image<Rgb8>>(&image)) return to_linear(*rgb8);
-    if (const auto* rgb16 = std::get_if<Image<Rgb16>>(&image)) return to_linear(*rgb16);
-    return std::get<Image<RgbF>>(image);
+    return to_linear(std::get<Image<Rgb16>>(image));
 }
 
 void export_mesh(const std::string& path, Format format, const Mesh& mesh, const Atlas& atlas,
@@ -174,7 +174,12 @@ void export_scene(const std::string& out_path, const Mesh& mesh, const Atlas& at
             write_file(out_path, png_of(image));
             break;
         case Format::exr:
-            write_exr(out_path, linear_of(image), options.exr_depth);
+            // Not through linear_of: a copy of 16384 x 16384 floats is 3 GB.
+            if (const auto* linear = std::get_if<Image<RgbF>>(&image)) {
+                write_exr(out_path, *linear, options.exr_depth);
+            } else {
+                write_exr(out_path, linear_of(image), options.exr_depth);
+            }
             break;
         default:
             export_mesh(out_path, format, mesh, atlas, image, options);
