@@ -97,7 +97,8 @@ std::vector<BenchCase> atlas_suite(std::size_t faces) {
     auto mesh = std::make_shared<Mesh>(torus(faces == 0 ? 100'000 : faces));
     auto edges = std::make_shared<Connectivity>(build_connectivity(*mesh));
     std::vector<BenchCase> cases;
-    for (const AtlasKind kind : {AtlasKind::uniform, AtlasKind::area, AtlasKind::length}) {
+    for (const AtlasKind kind :
+         {AtlasKind::uniform, AtlasKind::area, AtlasKind::length, AtlasKind::quad}) {
         const AtlasOptions options{kind, Overscan::bilinear, 4096};
         cases.push_back({fmt::format("layout {} 4096", to_string(kind)),
                          double(mesh->triangles.size()), "face",

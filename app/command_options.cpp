@@ -19,8 +19,10 @@ void RecipeOptions::add_recipe(CLI::App& verb) {
 }
 
 void RecipeOptions::add_atlas(CLI::App& verb) {
-    verb.add_option("-a,--atlas", kind, "Atlas: uniform, area or length");
+    verb.add_option("-a,--atlas", kind, "Atlas: uniform, area, length or quad");
     verb.add_option("--overscan", overscan, "Lookup the atlas is made for: nearest or bilinear");
+    verb.add_option("--weight", weight,
+                    "What a pair's share of a quad atlas follows: equal, area, length or error");
     verb.add_option("-s,--size", size, "Side N of the N x N texture, in texels");
 }
 
@@ -28,6 +30,7 @@ Recipe RecipeOptions::load() const {
     std::vector<std::string> edits = settings;
     if (kind) edits.push_back("atlas.kind=" + *kind);
     if (overscan) edits.push_back("atlas.overscan=" + *overscan);
+    if (weight) edits.push_back("atlas.weight=" + *weight);
     if (size) edits.push_back("atlas.size=" + *size);
     if (filter) edits.push_back("filter=" + *filter);
     return load_recipe(recipe, edits);

@@ -163,6 +163,7 @@ Json asset(const GltfContent& content) {
     Json burl{{"atlas", to_string(content.atlas.kind)},
               {"overscan", to_string(content.atlas.overscan)},
               {"size", content.atlas.size}};
+    if (content.atlas.kind == AtlasKind::quad) burl["weight"] = to_string(content.atlas.weight);
     if (!content.recipe_json.empty()) burl["recipe"] = content.recipe_json;
     return {{"version", "2.0"},
             {"generator", "Burl " BURL_VERSION},

@@ -12,7 +12,8 @@ namespace burl {
 namespace {
 
 // In the order of the enumerators.
-constexpr std::array atlas_kinds{"uniform", "area", "length"};
+constexpr std::array atlas_kinds{"uniform", "area", "length", "quad"};
+constexpr std::array atlas_weights{"equal", "area", "length", "error"};
 constexpr std::array overscans{"nearest", "bilinear"};
 constexpr std::array spaces{"unit", "object"};
 constexpr std::array filters{"none"};
@@ -39,6 +40,7 @@ Recipe recipe_from_json(const Json& json) {
     const Json& atlas = part("atlas");
     read(atlas, "kind", atlas_kinds, recipe.atlas.kind);
     read(atlas, "overscan", overscans, recipe.atlas.overscan);
+    read(atlas, "weight", atlas_weights, recipe.atlas.weight);
     if (atlas.contains("size")) recipe.atlas.size = std::uint32_t(atlas["size"].get<double>());
     const Json& solid = part("solid");
     read(solid, "space", spaces, recipe.solid.space);
@@ -88,7 +90,8 @@ std::string to_json(const Recipe& recipe) {
         {"atlas",
          {{"kind", name_of(atlas_kinds, recipe.atlas.kind)},
           {"size", recipe.atlas.size},
-          {"overscan", name_of(overscans, recipe.atlas.overscan)}}},
+          {"overscan", name_of(overscans, recipe.atlas.overscan)},
+          {"weight", name_of(atlas_weights, recipe.atlas.weight)}}},
         {"solid", {{"space", name_of(spaces, recipe.solid.space)}, {"scale", recipe.solid.scale}}},
         {"texture", texture_to_json(recipe.texture)},
         {"filter", name_of(filters, recipe.filter)}};

@@ -32,6 +32,7 @@ Json metrics_json(const Atlas& atlas, const AtlasMetrics& metrics) {
     const LayoutNotes& notes = atlas.notes;
     return {{"kind", to_string(atlas.options.kind)},
             {"overscan", to_string(atlas.options.overscan)},
+            {"weight", to_string(atlas.options.weight)},
             {"size", atlas.options.size},
             {"triangles", metrics.triangles},
             {"zero_area", metrics.zero_area},
@@ -45,7 +46,8 @@ Json metrics_json(const Atlas& atlas, const AtlasMetrics& metrics) {
             {"saved_texels", notes.saved_texels},
             {"paired_triangles", notes.paired_triangles},
             {"strips", notes.strips},
-            {"minimal_cells", notes.minimal_cells}};
+            {"minimal_cells", notes.minimal_cells},
+            {"unread_texels", notes.unread_texels}};
 }
 
 Json times_json(const std::vector<StageTime>& times) {

@@ -1,5 +1,7 @@
 // `burl metrics`: how well an atlas uses its texture, in the papers' measures, for our atlases and
 // for the texture coordinates a file brings.
+#include <bit>
+
 #include <fmt/format.h>
 
 #include "app/command_options.h"
@@ -54,9 +56,14 @@ class Measuring {
 };
 
 std::vector<AtlasKind> kinds_asked(const MetricsCommand& command, const Recipe& recipe) {
-    if (command.recipe.kind == "all")
-        return {AtlasKind::uniform, AtlasKind::area, AtlasKind::length};
-    return {recipe.atlas.kind};
+    if (command.recipe.kind != "all") return {recipe.atlas.kind};
+    std::vector<AtlasKind> kinds{AtlasKind::uniform, AtlasKind::area, AtlasKind::length};
+    if (std::has_single_bit(recipe.atlas.size)) {
+        kinds.push_back(AtlasKind::quad);
+    } else {
+        fmt::print(stderr, "quad is left out: its size must be a power of two\n");
+    }
+    return kinds;
 }
 
 std::vector<MeasuredAtlas> measure_asked(const MetricsCommand& command, const Recipe& recipe,
@@ -105,7 +112,7 @@ void add_metrics(CLI::App& program) {
         ->required();
     command->recipe.add_recipe(*verb);
     command->recipe.add_atlas(*verb);
-    verb->get_option("--atlas")->description("Atlas: uniform, area, length, or all");
+    verb->get_option("--atlas")->description("Atlas: uniform, area, length, quad, or all");
     verb->add_flag("--uv", command->uv,
                    "Measure the file's own texture coordinates (the default for a file that has "
                    "them when no --atlas is asked)");

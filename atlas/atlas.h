@@ -12,13 +12,19 @@
 
 namespace burl {
 
-enum class AtlasKind { uniform, area, length };
+/// The strips of the paper's sections 4.1 and 4.2, and `quad`: pairs in a quadtree
+/// (docs/atlases.md).
+enum class AtlasKind { uniform, area, length, quad };
 enum class Overscan { nearest, bilinear };
+/// What a pair's share of a quad atlas follows: nothing, its area, its longest edge squared, or the
+/// predicted error of lookups. The other kinds have their weight in their name.
+enum class AtlasWeight { equal, area, length, error };
 
 struct AtlasOptions {
     AtlasKind kind = AtlasKind::area;
     Overscan overscan = Overscan::bilinear;
-    std::uint32_t size = 1024;  ///< N: the texture is exactly N x N texels
+    std::uint32_t size = 1024;  ///< N: the texture is exactly N x N texels; quad: a power of two
+    AtlasWeight weight = AtlasWeight::error;  ///< quad only
     bool operator==(const AtlasOptions&) const = default;
 };
 
@@ -28,6 +34,7 @@ inline constexpr std::uint32_t max_atlas_size = 16384;
 /// the block's sides. `lower` has its right angle at the low-x, low-y end, `upper` (-1: none) is
 /// turned by 180 degrees and moved right by `overscan` columns. In the block's row j (0-based) the
 /// texels with column < split(j) belong to `lower`, the others to `upper` (atlas/overscan.h).
+/// A rising block is all this mirrored in x, so that its hypotenuse rises with x.
 struct Block {
     std::uint32_t x = 0, y = 0, width = 0, height = 0;
     std::int32_t lower = -1, upper = -1;
@@ -36,6 +43,12 @@ struct Block {
     bool joins_left = false;  ///< its left edge is the mesh edge on the right of the block before
     std::uint32_t leg_x = 0, leg_y = 0;  ///< both triangles' legs, in texels
     std::uint32_t overscan = 0;          ///< columns between the triangles' hypotenuses
+    std::uint8_t lower_corner = 0, upper_corner = 0;  ///< corners of the triangles at right angles
+    bool rising = false;                              ///< mirrored in x; the triangles are not
+    bool fills_up = false;  ///< a single: texels it does not read show it turned by 180 degrees
+
+    /// One texel wide or high with corners on texel centres: its triangles have no area there.
+    bool collapsed() const { return leg_x == 0 || leg_y == 0; }
 };
 
 /// Figures of the layout that metrics and reports print.
@@ -45,7 +58,9 @@ struct LayoutNotes {
     std::uint64_t saved_texels = 0;      ///< overscan texels saved by shared hypotenuses and strips
     std::uint64_t paired_triangles = 0;  ///< triangles whose block-mate is their mesh neighbour
     std::uint64_t strips = 0;            ///< runs of blocks that share their vertical edges
-    std::uint64_t minimal_cells = 0;     ///< triangles in the narrowest cell possible (leg_x = 1)
+    std::uint64_t minimal_cells = 0;     ///< triangles in the narrowest cell possible: leg_x = 1;
+                                         ///< quad: in blocks one texel wide or high
+    std::uint64_t unread_texels = 0;     ///< quad: texels of singles that no lookup reads
 };
 
 struct Atlas {
@@ -60,7 +75,8 @@ struct Atlas {
 };
 
 /// Packs the mesh. Pure and deterministic: the same mesh gives the same bytes.
-/// Throws Error(runtime) with the size that would do when the texture cannot hold the mesh.
+/// Throws Error(runtime) with the size that would do when the texture cannot hold the mesh, and
+/// Error(usage) for a size no texture has, or quad cannot halve.
 Atlas layout_atlas(const Mesh& mesh, const Connectivity& connectivity, const AtlasOptions& options);
 
 /// Smallest N that layout_atlas accepts for a mesh of this many triangles, whatever their
@@ -69,5 +85,6 @@ std::uint32_t smallest_size(std::size_t triangles, const AtlasOptions& options);
 
 std::string_view to_string(AtlasKind kind);
 std::string_view to_string(Overscan overscan);
+std::string_view to_string(AtlasWeight weight);
 
 }  // namespace burl

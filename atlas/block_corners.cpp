@@ -30,9 +30,7 @@ std::array<Vec2d, 3> pulled_in(const std::array<Vec2d, 3>& triangle) {
     return moved;
 }
 
-}  // namespace
-
-BlockCorners block_corners(const Block& block, Overscan mode, bool joins_right) {
+BlockCorners upright_corners(const Block& block, Overscan mode, bool joins_right) {
     const Vec2d legs{block.leg_x, block.leg_y};
     Vec2d low{block.x, block.y};
     if (mode == Overscan::bilinear) {
@@ -49,6 +47,45 @@ BlockCorners block_corners(const Block& block, Overscan mode, bool joins_right) 
     corners.lower = pulled_in(corners.lower);
     corners.upper = pulled_in(corners.upper);
     return corners;
+}
+
+/// Corners between texels in the direction in which the block is one texel wide, so that the
+/// texels lie on the middle line of what the block shows.
+BlockCorners spread_corners(const Block& block) {
+    const Vec2d middle{block.x + 0.5, block.y + 0.5};
+    const Vec2d thin{block.leg_x == 0 ? 1.0 : 0.0, block.leg_y == 0 ? 1.0 : 0.0};
+    const Vec2d legs = Vec2d{block.leg_x, block.leg_y} + thin;
+    if (block.upper >= 0) {
+        const Vec2d low = middle - 0.5 * thin;
+        return right_triangles(low, low + legs, 0.0);
+    }
+    // A single's middle is its median, or in a block of one texel its centroid.
+    if (block.leg_x == 0 && block.leg_y == 0)
+        return right_triangles(middle - 1.0 / 3.0, middle + 2.0 / 3.0, 0.0);
+    const Vec2d half = 0.5 * thin;
+    if (block.leg_x == 0)
+        return {{middle - half, middle + half, middle + Vec2d{0, block.leg_y}}, {}};
+    return {{middle - half, middle + Vec2d{block.leg_x, 0}, middle + half}, {}};
+}
+
+BlockCorners mirrored(const BlockCorners& corners, const Block& block) {
+    const auto mirror = [&block](const Vec2d& c) {
+        return Vec2d{2.0 * block.x + block.width - c.x, c.y};
+    };
+    const auto& [l, u] = corners;
+    return {{mirror(l[0]), mirror(l[2]), mirror(l[1])}, {mirror(u[0]), mirror(u[2]), mirror(u[1])}};
+}
+
+}  // namespace
+
+BlockCorners block_corners(const Block& block, Overscan mode, bool joins_right) {
+    const BlockCorners corners = upright_corners(block, mode, joins_right);
+    return block.rising ? mirrored(corners, block) : corners;
+}
+
+BlockCorners sampled_corners(const Block& block) {
+    const BlockCorners corners = spread_corners(block);
+    return block.rising ? mirrored(corners, block) : corners;
 }
 
 }  // namespace burl

@@ -1,12 +1,16 @@
-// The three mesh atlases of Carr & Hart 2001, sections 4.1 and 4.2: weigh the triangles, pair
+// The three strip atlases of Carr & Hart 2001, sections 4.1 and 4.2: weigh the triangles, pair
 // neighbours, order pairs into strips, plan rows, and put every triangle's corners into its block.
+// The quad atlas is laid out by atlas/layout_quad.
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 #include "atlas/atlas.h"
 #include "atlas/block_corners.h"
 #include "atlas/error.h"
+#include "atlas/layout_quad.h"
 #include "atlas/layout_rows.h"
 #include "atlas/overscan.h"
 #include "atlas/pairing.h"
@@ -32,6 +36,8 @@ Block make_block(const Cell& cell, const AtlasOptions& options, const CellRow& r
     block.height = row.height;
     block.lower = cell.lower;
     block.upper = cell.upper;
+    block.lower_corner = static_cast<std::uint8_t>(cell.lower_corner);
+    block.upper_corner = static_cast<std::uint8_t>(cell.upper_corner);
     block.shares_hypotenuse = cell.shares_hypotenuse;
     block.joins_left = cell.joins_previous && !first;
     block.leg_y = row.height - border;
@@ -106,10 +112,16 @@ LayoutNotes layout_notes(const Atlas& atlas) {
 }
 
 void check_size(const AtlasOptions& options) {
-    if (options.size >= 1 && options.size <= max_atlas_size) return;
-    throw Error(ExitCode::usage, fmt::format("a texture of {0} x {0} texels cannot be made; use "
-                                             "--size with a number from 1 to {1}",
-                                             options.size, max_atlas_size));
+    if (options.size < 1 || options.size > max_atlas_size)
+        throw Error(ExitCode::usage, fmt::format("a texture of {0} x {0} texels cannot be made; "
+                                                 "use --size with a number from 1 to {1}",
+                                                 options.size, max_atlas_size));
+    if (options.kind != AtlasKind::quad || std::has_single_bit(options.size)) return;
+    throw Error(
+        ExitCode::usage,
+        fmt::format("the quad atlas halves its texture down to single texels, which {0} x "
+                    "{0} texels do not allow; use --size {1} or {2}",
+                    options.size, std::bit_floor(options.size), std::bit_ceil(options.size)));
 }
 
 Error does_not_fit(const Mesh& mesh, const AtlasOptions& options) {
@@ -128,6 +140,10 @@ Error does_not_fit(const Mesh& mesh, const AtlasOptions& options) {
 Atlas layout_atlas(const Mesh& mesh, const Connectivity& connectivity,
                    const AtlasOptions& options) {
     check_size(options);
+    if (options.kind == AtlasKind::quad) {
+        if (std::optional<Atlas> atlas = layout_quad(mesh, connectivity, options)) return *atlas;
+        throw does_not_fit(mesh, options);
+    }
     const Likeness likeness;
     const std::vector<float> weights = triangle_weights(mesh, options.kind);
     const std::vector<std::int32_t> opposite = opposite_half_edges(mesh, connectivity);
@@ -153,12 +169,15 @@ Atlas layout_atlas(const Mesh& mesh, const Connectivity& connectivity,
 }
 
 std::uint32_t smallest_size(std::size_t triangles, const AtlasOptions& options) {
-    // One triangle alone takes one texel step each way: 2 x 2 texels with corners on centres.
-    const std::uint64_t cell = 1 + border_texels(options.overscan);
+    // One triangle alone takes one texel step each way: 2 x 2 texels with corners on centres. In a
+    // quad atlas one texel holds a triangle.
+    const bool quad = options.kind == AtlasKind::quad;
+    const std::uint64_t cell = quad ? 1 : 1 + border_texels(options.overscan);
     auto side = static_cast<std::uint64_t>(std::sqrt(static_cast<double>(triangles)));
     while (side * side < triangles) ++side;
     while (side > 1 && (side - 1) * (side - 1) >= triangles) --side;
-    return static_cast<std::uint32_t>(cell * std::max<std::uint64_t>(side, 1));
+    side = cell * std::max<std::uint64_t>(side, 1);
+    return static_cast<std::uint32_t>(quad ? std::bit_ceil(side) : side);
 }
 
 std::string_view to_string(AtlasKind kind) {
@@ -169,6 +188,22 @@ std::string_view to_string(AtlasKind kind) {
             return "area";
         case AtlasKind::length:
             return "length";
+        case AtlasKind::quad:
+            return "quad";
+    }
+    return "";
+}
+
+std::string_view to_string(AtlasWeight weight) {
+    switch (weight) {
+        case AtlasWeight::equal:
+            return "equal";
+        case AtlasWeight::area:
+            return "area";
+        case AtlasWeight::length:
+            return "length";
+        case AtlasWeight::error:
+            return "error";
     }
     return "";
 }

@@ -25,9 +25,17 @@ std::uint32_t nearest_columns(std::uint32_t leg_x, std::uint32_t leg_y) {
     return 1 + (p - 1 + q - 1) / q;
 }
 
+/// One texel wide or high: the texels lie on the middle line across both triangles.
+std::int64_t collapsed_columns(const Block& block, std::int64_t j) {
+    if (!block.shares_hypotenuse) return block.width;
+    if (block.leg_y == 0) return std::int64_t{block.leg_x} / 2 + 1;
+    return 2 * j <= std::int64_t{block.leg_y} ? 1 : 0;
+}
+
 /// Columns of row j, counted from the texel at the right angle, whose texel `lower` owns.
 std::int64_t lower_columns(const Block& block, Overscan mode, std::int64_t j) {
     const std::int64_t sx = block.leg_x, sy = block.leg_y;
+    if (block.collapsed()) return collapsed_columns(block, j);
     if (mode == Overscan::bilinear) {
         if (block.shares_hypotenuse) return sx * (sy - j) / sy + 1;
         return std::min(sx, (sx * sy + sx + sy - j * sx - 1) / sy) + 1;
@@ -58,7 +66,7 @@ std::uint32_t longest_leg(Overscan mode, std::uint32_t width, std::uint32_t leg_
 }
 
 std::uint32_t split(const Block& block, Overscan mode, std::uint32_t j) {
-    if (block.upper < 0) return block.width;
+    if (block.upper < 0 && !block.fills_up) return block.width;
     // A joined bilinear block starts one texel right of its triangles' common edge.
     const bool starts_late = block.joins_left && mode == Overscan::bilinear;
     const std::int64_t columns = lower_columns(block, mode, j) - (starts_late ? 1 : 0);

@@ -20,7 +20,7 @@ std::uint32_t overscan_columns(Overscan mode, std::uint32_t leg_x, std::uint32_t
 std::uint32_t longest_leg(Overscan mode, std::uint32_t width, std::uint32_t leg_y);
 
 /// Texels of the block's row j (0-based from block.y) that belong to `lower`: the block's first
-/// split columns. 0 <= split <= block.width.
+/// split columns, in a rising block its last. 0 <= split <= block.width.
 std::uint32_t split(const Block& block, Overscan mode, std::uint32_t j);
 
 }  // namespace burl

@@ -1,6 +1,6 @@
-// Matching of neighbouring triangles: greedy by likeness of weights and by how long the common
-// edge is, then short alternating paths from the triangles left over (Berge's lemma, without
-// blossoms).
+// Matching of neighbouring triangles: greedy by a key (for strips likeness of weights and how long
+// the common edge is), then short alternating paths from the triangles left over (Berge's lemma,
+// without blossoms).
 #include "atlas/pairing.h"
 
 #include <algorithm>
@@ -15,20 +15,14 @@ using HalfEdge = std::int32_t;
 
 class Matcher {
   public:
-    Matcher(std::span<const HalfEdge> opposite, std::span<const float> weights, double most_ratio)
+    Matcher(std::span<const HalfEdge> opposite, std::span<const std::uint32_t> keys)
         : opposite_(opposite),
-          weights_(weights),
-          most_ratio_(most_ratio),
-          mate_edge_(weights.size(), -1),
-          parent_(weights.size(), -1),
-          seen_(weights.size(), 0) {}
+          keys_(keys),
+          mate_edge_(keys.size() / 3, -1),
+          parent_(keys.size() / 3, -1),
+          seen_(keys.size() / 3, 0) {}
 
-    bool allowed(HalfEdge h) const {
-        if (opposite_[std::size_t(h)] < 0) return false;
-        const double a = weights_[std::size_t(h / 3)];
-        const double b = weights_[std::size_t(opposite_[std::size_t(h)] / 3)];
-        return a > 0.0 && b > 0.0 && std::max(a, b) <= most_ratio_ * std::min(a, b);
-    }
+    bool allowed(HalfEdge h) const { return keys_[std::size_t(h)] != never_pair; }
     bool single(std::int32_t t) const { return mate_edge_[std::size_t(t)] < 0; }
     void match(HalfEdge h) {
         const HalfEdge o = opposite_[std::size_t(h)];
@@ -45,8 +39,7 @@ class Matcher {
     void flip_path(HalfEdge last);
 
     std::span<const HalfEdge> opposite_;
-    std::span<const float> weights_;
-    double most_ratio_;
+    std::span<const std::uint32_t> keys_;
     std::vector<HalfEdge> mate_edge_;     // per triangle its half-edge towards the mate
     std::vector<HalfEdge> parent_;        // per even triangle the half-edge that found its mate
     std::vector<std::int32_t> seen_;      // search number that visited the triangle
@@ -94,6 +87,10 @@ std::vector<std::int8_t> Matcher::edges() const {
     return edges;
 }
 
+bool alike(double a, double b, double most_ratio) {
+    return a > 0.0 && b > 0.0 && std::max(a, b) <= most_ratio * std::min(a, b);
+}
+
 double squared_length(const Mesh& mesh, HalfEdge h) {
     const Triangle& t = mesh.triangles[std::size_t(h / 3)];
     const Vec3d d =
@@ -135,22 +132,32 @@ std::vector<std::int32_t> opposite_half_edges(const Mesh& mesh, const Connectivi
     return opposite;
 }
 
-std::vector<std::int8_t> pair_triangles(const Mesh& mesh, std::span<const std::int32_t> opposite,
-                                        std::span<const float> weights, double most_ratio) {
-    Matcher matcher(opposite, weights, most_ratio);
+std::vector<std::int8_t> match_triangles(std::span<const std::int32_t> opposite,
+                                         std::span<const std::uint32_t> keys) {
+    Matcher matcher(opposite, keys);
     std::vector<std::pair<std::uint32_t, HalfEdge>> candidates;
-    for (HalfEdge h = 0; std::size_t(h) < opposite.size(); ++h) {
-        const HalfEdge o = opposite[std::size_t(h)];
-        if (o < h || !matcher.allowed(h)) continue;
-        const double key = std::ldexp(dislike(mesh, weights, h, o), 24);
-        candidates.emplace_back(static_cast<std::uint32_t>(key), h);
-    }
+    for (HalfEdge h = 0; std::size_t(h) < opposite.size(); ++h)
+        if (opposite[std::size_t(h)] >= h && matcher.allowed(h))
+            candidates.emplace_back(keys[std::size_t(h)], h);
     std::sort(candidates.begin(), candidates.end());
     for (const auto& [key, h] : candidates)
         if (matcher.single(h / 3) && matcher.single(opposite[std::size_t(h)] / 3)) matcher.match(h);
-    for (std::int32_t t = 0; std::size_t(t) < weights.size(); ++t)
+    for (std::int32_t t = 0; std::size_t(t) < opposite.size() / 3; ++t)
         if (matcher.single(t)) matcher.augment_from(t);
     return matcher.edges();
+}
+
+std::vector<std::int8_t> pair_triangles(const Mesh& mesh, std::span<const std::int32_t> opposite,
+                                        std::span<const float> weights, double most_ratio) {
+    std::vector<std::uint32_t> keys(opposite.size(), never_pair);
+    for (HalfEdge h = 0; std::size_t(h) < opposite.size(); ++h) {
+        const HalfEdge o = opposite[std::size_t(h)];
+        if (o < h || !alike(weights[std::size_t(h / 3)], weights[std::size_t(o / 3)], most_ratio))
+            continue;
+        keys[std::size_t(h)] = keys[std::size_t(o)] =
+            static_cast<std::uint32_t>(std::ldexp(dislike(mesh, weights, h, o), 24));
+    }
+    return match_triangles(opposite, keys);
 }
 
 }  // namespace burl

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "atlas/block_corners.h"
 #include "atlas/overscan.h"
 
 namespace burl {
@@ -32,39 +33,80 @@ TexelMap texel_map(const std::array<Vec2d, 3>& corners, const std::array<Vec3d, 
     return map;
 }
 
-std::vector<TexelMap> texel_maps(const Mesh& mesh, const Atlas& atlas,
-                                 std::span<const Vec3d> positions) {
-    std::vector<TexelMap> maps(mesh.triangles.size());
-    for (const Block& block : atlas.blocks) {
-        for (const std::int32_t face : {block.lower, block.upper}) {
-            if (face < 0) continue;
-            const auto t = static_cast<std::size_t>(face);
-            const auto& [a, b, c] = mesh.triangles[t];
-            maps[t] =
-                texel_map(atlas.corners[t], {positions[a], positions[b], positions[c]}, block);
-        }
-    }
-    return maps;
+std::array<Vec2d, 3> rotated(const std::array<Vec2d, 3>& corners, std::size_t first) {
+    std::array<Vec2d, 3> result;
+    for (std::size_t k = 0; k < 3; ++k) result[(first + k) % 3] = corners[k];
+    return result;
 }
 
-/// Calls visit(row, span) for every span of the block.
+/// The map that shows the block turned by 180 degrees.
+TexelMap turned_map(const TexelMap& map, const Block& block) {
+    TexelMap turned = map;
+    turned.step_x = -map.step_x;
+    turned.step_y = -map.step_y;
+    turned.anchor_x = static_cast<std::int32_t>(2 * block.x + block.width - 1) - map.anchor_x;
+    turned.anchor_y = static_cast<std::int32_t>(2 * block.y + block.height - 1) - map.anchor_y;
+    return turned;
+}
+
+/// Fills solid.maps and solid.turned.
+void make_maps(SolidAtlas& solid, const Mesh& mesh, const Atlas& atlas,
+               std::span<const Vec3d> positions) {
+    solid.maps.resize(mesh.triangles.size());
+    const auto make = [&](const Block& block, std::int32_t face,
+                          const std::array<Vec2d, 3>& corners) {
+        const auto& [a, b, c] = mesh.triangles[std::size_t(face)];
+        solid.maps[std::size_t(face)] =
+            texel_map(corners, {positions[a], positions[b], positions[c]}, block);
+    };
+    for (const Block& block : atlas.blocks) {
+        const auto lower = std::size_t(block.lower), upper = std::size_t(block.upper);
+        if (block.collapsed()) {
+            const BlockCorners sampled = sampled_corners(block);
+            make(block, block.lower, rotated(sampled.lower, block.lower_corner));
+            if (block.upper >= 0)
+                make(block, block.upper, rotated(sampled.upper, block.upper_corner));
+            continue;
+        }
+        make(block, block.lower, atlas.corners[lower]);
+        if (block.upper >= 0) make(block, block.upper, atlas.corners[upper]);
+        if (!block.fills_up) continue;
+        solid.maps.push_back(turned_map(solid.maps[lower], block));
+        solid.turned.push_back(static_cast<std::uint32_t>(lower));
+    }
+}
+
+/// Calls visit(row, span) for every span of the block, the rest of a single by map `rest`.
 template <class Visit>
-void visit_spans(const Block& block, Overscan mode, Visit visit) {
+void visit_spans(const Block& block, Overscan mode, std::uint32_t rest, Visit visit) {
+    const std::uint32_t first = std::uint32_t(block.lower);
+    const std::uint32_t second = block.upper >= 0 ? std::uint32_t(block.upper) : rest;
     for (std::uint32_t j = 0; j < block.height; ++j) {
         const std::uint32_t lower = split(block, mode, j), upper = block.width - lower;
         const std::size_t y = block.y + j;
-        if (lower > 0) visit(y, Span{block.x, lower, std::uint32_t(block.lower)});
-        if (upper > 0) visit(y, Span{block.x + lower, upper, std::uint32_t(block.upper)});
+        if (block.rising && upper > 0) visit(y, Span{block.x, upper, second});
+        if (lower > 0) visit(y, Span{block.rising ? block.x + upper : block.x, lower, first});
+        if (!block.rising && upper > 0) visit(y, Span{block.x + lower, upper, second});
     }
 }
 
+struct BlockSpans {
+    const Block* block;
+    std::uint32_t rest;  ///< map of the texels that a single does not read
+};
+
 /// The atlas's blocks from left to right, so that spans arrive sorted within each row.
-std::vector<const Block*> left_to_right(const Atlas& atlas) {
-    std::vector<const Block*> blocks;
-    for (const Block& block : atlas.blocks) blocks.push_back(&block);
-    const auto before = [](const Block* a, const Block* b) { return a->x < b->x; };
-    const auto by_rows = [](const Block* a, const Block* b) {
-        return a->y != b->y ? a->y < b->y : a->x < b->x;
+std::vector<BlockSpans> left_to_right(const Atlas& atlas, std::size_t triangles) {
+    std::vector<BlockSpans> blocks;
+    blocks.reserve(atlas.blocks.size());
+    auto rest = static_cast<std::uint32_t>(triangles);
+    for (const Block& block : atlas.blocks)
+        blocks.push_back({&block, block.fills_up && !block.collapsed() ? rest++ : 0});
+    const auto before = [](const BlockSpans& a, const BlockSpans& b) {
+        return a.block->x < b.block->x;
+    };
+    const auto by_rows = [](const BlockSpans& a, const BlockSpans& b) {
+        return a.block->y != b.block->y ? a.block->y < b.block->y : a.block->x < b.block->x;
     };
     if (!std::is_sorted(blocks.begin(), blocks.end(), by_rows))
         std::stable_sort(blocks.begin(), blocks.end(), before);
@@ -76,17 +118,18 @@ std::vector<const Block*> left_to_right(const Atlas& atlas) {
 SolidAtlas rasterize(const Mesh& mesh, const Atlas& atlas, std::span<const Vec3d> positions) {
     SolidAtlas solid;
     solid.size = atlas.options.size;
-    solid.maps = texel_maps(mesh, atlas, positions);
-    const std::vector<const Block*> blocks = left_to_right(atlas);
+    make_maps(solid, mesh, atlas, positions);
+    const std::vector<BlockSpans> blocks = left_to_right(atlas, mesh.triangles.size());
     const Overscan mode = atlas.options.overscan;
     solid.row_begin.assign(std::size_t{solid.size} + 1, 0);
-    for (const Block* block : blocks)
-        visit_spans(*block, mode, [&](std::size_t y, const Span&) { ++solid.row_begin[y + 1]; });
+    for (const auto& [block, rest] : blocks)
+        visit_spans(*block, mode, rest,
+                    [&](std::size_t y, const Span&) { ++solid.row_begin[y + 1]; });
     for (std::size_t y = 0; y < solid.size; ++y) solid.row_begin[y + 1] += solid.row_begin[y];
     solid.spans.resize(solid.row_begin.back());
     std::vector<std::size_t> next(solid.row_begin.begin(), solid.row_begin.end() - 1);
-    for (const Block* block : blocks)
-        visit_spans(*block, mode,
+    for (const auto& [block, rest] : blocks)
+        visit_spans(*block, mode, rest,
                     [&](std::size_t y, const Span& span) { solid.spans[next[y]++] = span; });
     return solid;
 }

@@ -22,19 +22,27 @@ struct TexelMap {
     }
 };
 
-/// Texels [x, x+count) of one row, all showing (or extrapolating) one triangle.
+/// Texels [x, x+count) of one row, all showing (or extrapolating) one triangle by one map.
 struct Span {
-    std::uint32_t x = 0, count = 0, triangle = 0;
+    std::uint32_t x = 0, count = 0, map = 0;
 };
 
 struct SolidAtlas {
     std::uint32_t size = 0;              ///< N
     std::vector<Span> spans;             ///< by row, then x; spans of a row never overlap
     std::vector<std::size_t> row_begin;  ///< N+1 offsets into spans
-    std::vector<TexelMap> maps;          ///< per triangle, in the space of the positions given
+    /// Per triangle, in the space of the positions given; then per element of `turned`.
+    std::vector<TexelMap> maps;
+    /// Triangles shown a second time, turned by 180 degrees to fill up a block (no lookup reads
+    /// them, averages over the block do): turned[k] by maps[maps.size() - turned.size() + k].
+    std::vector<std::uint32_t> turned;
 
     std::span<const Span> row(std::size_t y) const {
         return {spans.data() + row_begin[y], row_begin[y + 1] - row_begin[y]};
+    }
+    std::uint32_t triangle_of(std::uint32_t map) const {
+        const std::size_t triangles = maps.size() - turned.size();
+        return map < triangles ? map : turned[map - triangles];
     }
 };
 

@@ -12,15 +12,6 @@ struct Shape {
     double area = 0.0, longest_squared = 0.0;
 };
 
-/// Power of two that brings the largest coordinate near 1.
-double unit_scale(const Mesh& mesh) {
-    const Box3 box = bounding_box(mesh);
-    const Vec3d reach = glm::max(glm::abs(box.low), glm::abs(box.high));
-    const double largest = std::max({reach.x, reach.y, reach.z});
-    if (!(largest > 0.0) || !std::isfinite(largest)) return 1.0;
-    return std::ldexp(1.0, std::clamp(-std::ilogb(largest), -1000, 1000));
-}
-
 /// Area 0 when the triangle is lower than its coordinates can tell.
 Shape shape(const Mesh& mesh, const Triangle& triangle, double scale) {
     constexpr double least_height = 1e-15;
@@ -40,6 +31,14 @@ double wanted(const Shape& s, AtlasKind kind) {
 }
 
 }  // namespace
+
+double unit_scale(const Mesh& mesh) {
+    const Box3 box = bounding_box(mesh);
+    const Vec3d reach = glm::max(glm::abs(box.low), glm::abs(box.high));
+    const double largest = std::max({reach.x, reach.y, reach.z});
+    if (!(largest > 0.0) || !std::isfinite(largest)) return 1.0;
+    return std::ldexp(1.0, std::clamp(-std::ilogb(largest), -1000, 1000));
+}
 
 std::vector<float> triangle_weights(const Mesh& mesh, AtlasKind kind) {
     const double scale = unit_scale(mesh);

@@ -13,6 +13,9 @@ namespace burl {
 /// area for area, the longest edge squared for length. 0 for triangles without area.
 std::vector<float> triangle_weights(const Mesh& mesh, AtlasKind kind);
 
+/// Power of two that brings the largest coordinate near 1.
+double unit_scale(const Mesh& mesh);
+
 struct TriangleAreas {
     std::vector<double> areas;  ///< per triangle in units of unit^2; 0 for nothing to see
     double unit = 1.0;          ///< mesh units, a power of two

@@ -167,7 +167,7 @@ void synthesize_rows(const SolidAtlas& solid, const Affine3& map, const FieldSam
     const auto batch = std::make_unique<Batch>();
     for (std::size_t y = rows.begin(); y != rows.end(); ++y) {
         for (const Span& span : solid.row(y)) {
-            const TexelMap& texel = solid.maps[span.triangle];
+            const TexelMap& texel = solid.maps[span.map];
             const LatticeLine line{map(texel(span.x, std::int64_t(y))), map.linear * texel.step_x};
             for (std::size_t done = 0; done < span.count;) {
                 const std::size_t count =

@@ -81,7 +81,7 @@ TEST(Program, MeasuresTheUvsAFileBrings) {
     };
     EXPECT_EQ(kinds(plain), "area ");
     EXPECT_EQ(kinds(mesh), "uv ");
-    EXPECT_EQ(kinds(mesh + " --atlas all"), "uniform area length ");
+    EXPECT_EQ(kinds(mesh + " --atlas all"), "uniform area length quad ");
     EXPECT_EQ(kinds(mesh + " --atlas area --uv"), "uv area ");
     EXPECT_EQ(run_burl(scratch, "metrics --uv " + plain).exit_code, 1);
     const Outcome table = run_burl(scratch, "metrics --size 32 " + mesh);

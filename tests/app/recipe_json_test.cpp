@@ -48,7 +48,8 @@ TEST(Recipe, EverythingIsOptional) {
 
 TEST(Recipe, ReadsEveryKey) {
     const Recipe recipe = parse_recipe(R"({"burl": 1, "name": "n",
-        "atlas": {"kind": "length", "size": 333, "overscan": "nearest"},
+        "atlas": {"kind": "length", "size": 333, "overscan": "nearest",
+                  "weight": "area"},
         "solid": {"space": "object", "scale": 0.25},
         "texture": {"node": "color_map", "wrap": "clamp", "stops": [[0.25, "#102030"], [1, "#FFfe00"]],
           "input": {"node": "field",
@@ -61,7 +62,7 @@ TEST(Recipe, ReadsEveryKey) {
                                        "r.json");
     Recipe expected;
     expected.name = "n";
-    expected.atlas = {AtlasKind::length, Overscan::nearest, 333};
+    expected.atlas = {AtlasKind::length, Overscan::nearest, 333, AtlasWeight::area};
     expected.solid = {SolidSpace::object, 0.25};
     expected.texture.colors = {Wrap::clamp, {{0.25, {16, 32, 48}}, {1.0, {255, 254, 0}}}};
     expected.texture.quadric = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10};
@@ -82,8 +83,8 @@ Recipe random_recipe(std::mt19937& random) {
     const auto vector = [&] { return Vec3d(number(random), number(random), number(random)); };
     Recipe recipe;
     recipe.name = random() % 2 ? "a \"quoted\" name\n\xc3\xa9" : "";
-    recipe.atlas = {AtlasKind(random() % 3), Overscan(random() % 2),
-                    1 + std::uint32_t(random() % 16384)};
+    recipe.atlas = {AtlasKind(random() % 4), Overscan(random() % 2),
+                    1 + std::uint32_t(random() % 16384), AtlasWeight(random() % 4)};
     recipe.solid = {SolidSpace(random() % 2), 1e-3 + unit(random)};
     if (random() % 2) recipe.texture.quadric.f = number(random);
     if (random() % 2) recipe.texture.quadric.j = number(random);

@@ -2,6 +2,7 @@
 // Meshes the tests make themselves, and neighbours found by comparing every edge with every other:
 // slow, and independent of the half-edge structure.
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <map>
 #include <random>
@@ -9,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "atlas/atlas.h"
 #include "atlas/connectivity.h"
 #include "atlas/mesh.h"
 
@@ -147,6 +149,20 @@ inline Mesh nasty() {
     t.insert(t.end(), {{n, n + 1, n + 2}, {n, n, n + 1}, {n + 4, n + 4, n + 4}, t[0], t[3]});
     t.push_back({t[5][0], t[5][1], n + 3});
     return mesh_of(mesh.positions, t);
+}
+
+/// Whether atlases of this kind come in this size.
+inline bool allowed(AtlasKind kind, std::uint32_t size) {
+    return kind != AtlasKind::quad || std::has_single_bit(size);
+}
+
+/// Per triangle whether it lies in a block one texel wide, where it has no area.
+inline std::vector<bool> collapsed_triangles(const Atlas& atlas) {
+    std::vector<bool> collapsed(atlas.corners.size(), false);
+    for (const Block& block : atlas.blocks)
+        for (const std::int32_t t : {block.lower, block.upper})
+            if (t >= 0 && block.collapsed()) collapsed[std::size_t(t)] = true;
+    return collapsed;
 }
 
 struct Named {

@@ -62,10 +62,10 @@ TEST(UvMetrics, TexelsShowThePointOfTheTriangleUnderTheirCentre) {
     for (std::size_t y = 0; y < 40; ++y)
         for (const Span& span : m.solid.row(y))
             for (std::uint32_t x = span.x; x < span.x + span.count; ++x, ++texels) {
-                const Vec3d p = m.solid.maps[span.triangle](x, std::int64_t(y));
+                const Vec3d p = m.solid.maps[span.map](x, std::int64_t(y));
                 EXPECT_NEAR(p.x, ((x + 0.5) / 40.0 - 0.1) / 0.8, 1e-12);
                 EXPECT_NEAR(p.y, ((double(y) + 0.5) / 40.0 - 0.2) / 0.5, 1e-12);
-                EXPECT_EQ(span.triangle, p.y > p.x ? 1u : 0u);  // on the diagonal: the lower
+                EXPECT_EQ(span.map, p.y > p.x ? 1u : 0u);  // on the diagonal: the lower
             }
     EXPECT_EQ(texels, 32u * 20u);
 }
@@ -127,7 +127,7 @@ TEST(UvMetrics, StackedTrianglesOverlapWhereBothAre) {
     EXPECT_EQ(m.all.texels.overlapped, 120u);  // centres below the diagonal: 15 + 14 + ... + 1
     EXPECT_EQ(m.all.texels.covered, 136u);     // and the 16 on it
     EXPECT_EQ(m.all.charts.with_area, 2u);
-    for (const Span& span : m.solid.spans) EXPECT_EQ(span.triangle, 0u);
+    for (const Span& span : m.solid.spans) EXPECT_EQ(span.map, 0u);
 }
 
 TEST(UvMetrics, FoldedAndVanishedTriangles) {

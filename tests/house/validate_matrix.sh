@@ -19,7 +19,7 @@ mkdir -p "$scratch"
 "$samples" "$scratch"
 if [ -n "$burl" ]; then
     for mesh in "$meshes"/*.obj "$meshes"/*.glb "$nasty"/*.obj; do
-        for atlas in uniform area length; do
+        for atlas in uniform area length quad; do
             for overscan in nearest bilinear; do
                 out=$scratch/$(basename "$mesh" | tr . _).$atlas.$overscan.glb
                 "$burl" bake "$mesh" -o "$out" --atlas $atlas --overscan $overscan --size 512 \

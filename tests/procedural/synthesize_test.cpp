@@ -92,7 +92,7 @@ double worst_share(const SolidAtlas& solid, const Texture& texture, const Affine
     for (std::size_t y = 0; y < solid.size; ++y)
         for (const Span& span : solid.row(y))
             for (std::size_t x = span.x; x < span.x + span.count; ++x) {
-                const Vec3d s = map(solid.maps[span.triangle](std::int64_t(x), std::int64_t(y)));
+                const Vec3d s = map(solid.maps[span.map](std::int64_t(x), std::int64_t(y)));
                 const double exact = evaluate_field(texture, s);
                 const auto [amplitudes, coordinates] = magnitude(texture, s);
                 const double bound = 2.5e-7 * (std::abs(exact) + amplitudes) +
@@ -216,8 +216,8 @@ TEST(Synthesis, ColoursAreTheReferenceWithinOneCode) {
                     check(x, y,
                           evaluate_color(
                               texture.colors,
-                              evaluate_field(texture, solid.maps[span.triangle](std::int64_t(x),
-                                                                                std::int64_t(y)))));
+                              evaluate_field(texture, solid.maps[span.map](std::int64_t(x),
+                                                                           std::int64_t(y)))));
     }
 }
 

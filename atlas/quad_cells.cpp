@@ -1,0 +1,155 @@
+// The budget: with X = sum A |e_x|^2 and Y = sum A |e_y|^2 over a cell (A area, e legs on the mesh)
+// a block of n texels is best at width/height = sqrt(X/Y), where its squared error is in proportion
+// to X Y / (A n^2); a given number of texels then does best when n ~ (X Y / A)^(1/3).
+#include "atlas/quad_cells.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "atlas/pairing.h"
+#include "atlas/weights.h"
+
+namespace burl {
+
+namespace {
+
+struct Sides {
+    std::array<double, 3> squared{};  ///< edge k, corner k to corner k+1
+    double area = 0.0;
+};
+
+std::vector<Sides> all_sides(const Mesh& mesh) {
+    const double scale = unit_scale(mesh);
+    const std::vector<double> areas = triangle_areas(mesh).areas;
+    std::vector<Sides> sides(mesh.triangles.size());
+    for (std::size_t t = 0; t < sides.size(); ++t) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto& triangle = mesh.triangles[t];
+            const Vec3d edge =
+                scale * mesh.positions[triangle[(k + 1) % 3]] - scale * mesh.positions[triangle[k]];
+            sides[t].squared[k] = glm::dot(edge, edge);
+        }
+        sides[t].area = areas[t];
+    }
+    return sides;
+}
+
+/// Sums over the triangles of a block.
+struct Extent {
+    double area = 0.0, x = 0.0, y = 0.0, longest = 0.0;
+    std::array<double, 3> error{};
+
+    void add(const Sides& sides, std::size_t right_angle) {
+        const double x2 = sides.squared[right_angle], y2 = sides.squared[(right_angle + 2) % 3];
+        area += sides.area;
+        x += sides.area * x2;
+        y += sides.area * y2;
+        error[0] += sides.area * x2 * x2;
+        error[1] += 2.0 * sides.area * x2 * y2;
+        error[2] += sides.area * y2 * y2;
+        longest = std::max({longest, sides.squared[0], sides.squared[1], sides.squared[2]});
+    }
+    double budget() const { return area > 0.0 ? std::cbrt(x * y / area) : 0.0; }
+};
+
+/// The corner between the two shorter edges: the cheapest right angle.
+std::size_t best_right_angle(const Sides& sides) {
+    const auto longest = std::max_element(sides.squared.begin(), sides.squared.end());
+    return std::size_t(longest - sides.squared.begin() + 2) % 3;
+}
+
+double single_budget(const Sides& sides) {
+    Extent extent;
+    extent.add(sides, best_right_angle(sides));
+    return extent.budget();
+}
+
+/// Relative cost of a pair over two singles as a sorting key, 0 the best.
+std::uint32_t pair_key(double pair, double singles, double most_cost) {
+    const double ratio = singles > 0.0 ? pair / singles : 1.0;
+    if (ratio > most_cost) return never_pair;
+    return static_cast<std::uint32_t>(std::ldexp(std::min(ratio, 128.0), 24));
+}
+
+std::vector<std::uint32_t> pair_keys(std::span<const Sides> sides,
+                                     std::span<const std::int32_t> opposite, double most_cost) {
+    std::vector<double> budgets;
+    budgets.reserve(sides.size());
+    for (const Sides& s : sides) budgets.push_back(single_budget(s));
+    std::vector<std::uint32_t> keys(opposite.size(), never_pair);
+    for (std::size_t h = 0; h < opposite.size(); ++h) {
+        if (opposite[h] < 0 || std::size_t(opposite[h]) < h) continue;
+        const auto o = std::size_t(opposite[h]);
+        Extent extent;
+        extent.add(sides[h / 3], (h + 2) % 3);
+        extent.add(sides[o / 3], (o + 2) % 3);
+        keys[h] = keys[o] = pair_key(extent.budget(), budgets[h / 3] + budgets[o / 3], most_cost);
+    }
+    return keys;
+}
+
+double demand(const Extent& extent, AtlasWeight weight) {
+    switch (weight) {
+        case AtlasWeight::equal:
+            return 1.0;
+        case AtlasWeight::area:
+            return extent.area;
+        case AtlasWeight::length:
+            return extent.area > 0.0 ? extent.longest : 0.0;
+        case AtlasWeight::error:
+            break;
+    }
+    return extent.budget();
+}
+
+/// Equal cells are equal whatever their shape.
+double aspect(const Extent& extent, AtlasWeight weight) {
+    constexpr double most = 64.0;
+    if (weight == AtlasWeight::equal || !(extent.x > 0.0) || !(extent.y > 0.0)) return 1.0;
+    return std::clamp(std::sqrt(extent.x / extent.y), 1.0 / most, most);
+}
+
+Vec3d centre(const Mesh& mesh, const QuadCell& cell, double scale) {
+    Vec3d sum{0.0};
+    for (const std::uint32_t p : mesh.triangles[std::size_t(cell.lower)])
+        sum += scale * mesh.positions[p];
+    if (cell.upper < 0) return sum / 3.0;
+    const Triangle& upper = mesh.triangles[std::size_t(cell.upper)];
+    return 0.25 * (sum + scale * mesh.positions[upper[cell.upper_corner]]);
+}
+
+}  // namespace
+
+std::vector<QuadCell> make_quad_cells(const Mesh& mesh, std::span<const std::int32_t> opposite,
+                                      AtlasWeight weight, double most_cost) {
+    const std::vector<Sides> sides = all_sides(mesh);
+    const std::vector<std::int8_t> partner_edges =
+        match_triangles(opposite, pair_keys(sides, opposite, most_cost));
+    const double scale = unit_scale(mesh);
+    std::vector<QuadCell> cells;
+    for (std::size_t t = 0; t < sides.size(); ++t) {
+        const std::int8_t edge = partner_edges[t];
+        const std::int32_t o = edge < 0 ? -1 : opposite[3 * t + std::size_t(edge)];
+        if (o >= 0 && std::size_t(o / 3) < t) continue;
+        QuadCell cell;
+        Extent extent;
+        cell.lower = static_cast<std::int32_t>(t);
+        const std::size_t corner =
+            edge < 0 ? best_right_angle(sides[t]) : std::size_t(edge + 2) % 3;
+        cell.lower_corner = static_cast<std::uint8_t>(corner);
+        extent.add(sides[t], corner);
+        if (o >= 0) {
+            cell.upper = o / 3;
+            cell.upper_corner = static_cast<std::uint8_t>((o + 2) % 3);
+            extent.add(sides[std::size_t(o / 3)], cell.upper_corner);
+        }
+        cell.centre = centre(mesh, cell, scale);
+        cell.demand = demand(extent, weight);
+        cell.aspect = aspect(extent, weight);
+        cell.error = extent.error;
+        cells.push_back(cell);
+    }
+    return cells;
+}
+
+}  // namespace burl

@@ -1,0 +1,151 @@
+// Which way every node is halved comes from a dynamic programme over (node, log2 of its aspect):
+// the least sum of the blocks' predicted errors. A node's texels are known from its depth, so its
+// aspect gives its sides.
+#include "atlas/quad_tree.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include "atlas/quad_order.h"
+
+namespace burl {
+
+namespace {
+
+constexpr int most_aspect = 16;
+constexpr double infinite = std::numeric_limits<double>::infinity();
+// Long nodes are bad for levels above their blocks; 0.01 to 0.1 all do.
+constexpr double squareness_penalty = 0.03;
+
+/// Least error of a node by log2(width / height).
+class Costs {
+  public:
+    Costs() { costs_.fill(infinite); }
+    double& operator[](int aspect) { return costs_[std::size_t(aspect + most_aspect)]; }
+    double at(int aspect) const {
+        const bool known = std::abs(aspect) <= most_aspect;
+        return known ? costs_[std::size_t(aspect + most_aspect)] : infinite;
+    }
+
+  private:
+    std::array<double, 2 * most_aspect + 1> costs_;
+};
+
+/// Nodes are numbered in preorder: a node's halves are node + 1 and node + 2 * (items of the
+/// first).
+struct Node {
+    std::uint64_t upright = 0;  ///< bit aspect + most_aspect: halved in height, not in width
+    std::uint32_t first_half = 0;
+};
+
+/// A node's place: 2^log_width x 2^log_height texels.
+struct Place {
+    std::uint32_t x = 0, y = 0;
+    int log_width = 0, log_height = 0;
+};
+
+class Tree {
+  public:
+    Tree(std::span<const QuadCell> cells, std::vector<QuadItem> items, Overscan overscan)
+        : cells_(cells), items_(std::move(items)), nodes_(2 * items_.size()) {
+        for (std::size_t log = 0; log < inverse_squares_.size(); ++log) {
+            const double side = std::ldexp(1.0, int(log));
+            // One texel on its own shows the middle.
+            const double leg = overscan == Overscan::nearest ? side : std::max(0.5, side - 1.0);
+            inverse_squares_[log] = 1.0 / (leg * leg);
+        }
+    }
+    /// Halves the items down to single ones. `depth` bounds the aspects that can occur.
+    Costs build(std::size_t node, std::size_t first, std::size_t count, int log_texels, int depth);
+    void place(std::size_t node, std::size_t first, std::size_t count, const Place& at,
+               std::vector<QuadLeaf>& leaves) const;
+
+  private:
+    double leaf_cost(const QuadCell& cell, int log_width, int log_height, bool turned) const;
+    Costs leaf_costs(std::size_t item, int log_texels, int reach) const;
+
+    std::span<const QuadCell> cells_;
+    std::vector<QuadItem> items_;
+    std::vector<Node> nodes_;
+    std::array<double, 32> inverse_squares_{};
+};
+
+double Tree::leaf_cost(const QuadCell& cell, int log_width, int log_height, bool turned) const {
+    const double x = inverse_squares_[std::size_t(turned ? log_height : log_width)];
+    const double y = inverse_squares_[std::size_t(turned ? log_width : log_height)];
+    return cell.error[0] * x * x + cell.error[1] * x * y + cell.error[2] * y * y;
+}
+
+Costs Tree::leaf_costs(std::size_t item, int log_texels, int reach) const {
+    const QuadCell& cell = cells_[items_[item].cell];
+    Costs costs;
+    for (int aspect = -reach; aspect <= reach; ++aspect) {
+        if ((aspect + log_texels) % 2 != 0) continue;
+        const int log_width = (log_texels + aspect) / 2, log_height = log_texels - log_width;
+        costs[aspect] = std::min(leaf_cost(cell, log_width, log_height, false),
+                                 leaf_cost(cell, log_width, log_height, true));
+    }
+    return costs;
+}
+
+Costs Tree::build(std::size_t node, std::size_t first, std::size_t count, int log_texels,
+                  int depth) {
+    const int reach = std::min({depth, log_texels, most_aspect});
+    if (count == 1) return leaf_costs(first, log_texels, reach);
+    const std::size_t half =
+        halve({items_.data() + first, count}, std::size_t{1} << (log_texels - 1));
+    nodes_[node].first_half = static_cast<std::uint32_t>(half);
+    const Costs a = build(node + 1, first, half, log_texels - 1, depth + 1);
+    const Costs b = build(node + 2 * half, first + half, count - half, log_texels - 1, depth + 1);
+    Costs costs;
+    for (int aspect = -reach; aspect <= reach; ++aspect) {
+        if ((aspect + log_texels) % 2 != 0) continue;
+        const double in_width = a.at(aspect - 1) + b.at(aspect - 1);
+        const double in_height = a.at(aspect + 1) + b.at(aspect + 1);
+        if (in_height < in_width)
+            nodes_[node].upright |= std::uint64_t{1} << (aspect + most_aspect);
+        costs[aspect] = std::min(in_width, in_height) *
+                        (1.0 + squareness_penalty * std::max(0, std::abs(aspect) - 1));
+    }
+    return costs;
+}
+
+void Tree::place(std::size_t node, std::size_t first, std::size_t count, const Place& at,
+                 std::vector<QuadLeaf>& leaves) const {
+    const int aspect = at.log_width - at.log_height;
+    if (count == 1) {
+        const QuadItem& item = items_[first];
+        const QuadCell& cell = cells_[item.cell];
+        const bool turned = leaf_cost(cell, at.log_width, at.log_height, true) <
+                            leaf_cost(cell, at.log_width, at.log_height, false);
+        leaves.push_back({item.cell, at.x, at.y, 1u << at.log_width, 1u << at.log_height, turned});
+        return;
+    }
+    const std::size_t half = nodes_[node].first_half;
+    Place a = at;
+    const bool upright = (nodes_[node].upright >> (aspect + most_aspect) & 1) != 0;
+    upright ? --a.log_height : --a.log_width;
+    Place b = a;
+    upright ? b.y += 1u << a.log_height : b.x += 1u << a.log_width;
+    place(node + 1, first, half, a, leaves);
+    place(node + 2 * half, first + half, count - half, b, leaves);
+}
+
+}  // namespace
+
+std::vector<QuadLeaf> plan_quad_tree(std::span<const QuadCell> cells, std::uint32_t size,
+                                     Overscan overscan) {
+    std::vector<QuadLeaf> leaves;
+    if (cells.empty()) return leaves;
+    leaves.reserve(cells.size());
+    const int log_size = std::bit_width(size) - 1;
+    Tree tree(cells, quad_items(cells, size, overscan), overscan);
+    tree.build(0, 0, cells.size(), 2 * log_size, 0);
+    tree.place(0, 0, cells.size(), {0, 0, log_size, log_size}, leaves);
+    return leaves;
+}
+
+}  // namespace burl
