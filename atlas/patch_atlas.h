@@ -1,0 +1,39 @@
+#pragma once
+// The patch atlas: few patches on full rectangles, so that a texture of it can be minified with
+// plain bilinear and trilinear lookups. Several partitions are tried and the one whose predicted
+// stretch is least is kept; then every map is fitted again to the proportions its block really got.
+#include <span>
+
+#include "atlas/patch_layout.h"
+#include "atlas/patch_refine.h"
+#include "atlas/solid_atlas.h"
+
+namespace burl {
+
+struct PatchAtlasOptions {
+    std::uint32_t size = 1024;  ///< N
+    int tries = 1;              ///< partitions to choose from, 1 to 6, and two along creases if any
+    bool operator==(const PatchAtlasOptions&) const = default;
+};
+
+struct PatchAtlas {
+    RefinedMesh refined;  ///< what is exported: the mesh with the middles of chords
+    Atlas atlas;          ///< corners and charts of the refined mesh's triangles; no blocks
+    PatchMaps maps;
+    PatchLayout layout;
+    int candidates = 0;  ///< partitions looked at
+};
+
+/// Pure and deterministic. Triangles that no map was found for (they have no area) are placed on a
+/// point of their own patch neighbours, or at texel (0,0). Throws Error(runtime) when the texture
+/// cannot hold the patches.
+PatchAtlas build_patch_atlas(const Mesh& mesh, const Connectivity& connectivity,
+                             const PatchAtlasOptions& options = {});
+
+/// The solid points of all texels. `positions` are the refined mesh's points in the space wanted.
+/// Inner texels show the triangle at their centre; gutters continue the block by odd reflection,
+/// s(-k) = 2 s(0) - s(k), a planar patch's block by its plane. Spans name maps: those of the
+/// refined mesh's triangles come first, then those of gutters, closed holes and planes.
+SolidAtlas rasterize_patches(const PatchAtlas& atlas, std::span<const Vec3d> positions);
+
+}  // namespace burl
