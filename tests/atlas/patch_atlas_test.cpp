@@ -22,7 +22,7 @@ struct Built {
     Vec3d texel(std::size_t x, std::size_t y) const {
         for (const Span& span : solid.row(y))
             if (x >= span.x && x < span.x + span.count)
-                return solid.maps[span.triangle](std::int64_t(x), std::int64_t(y));
+                return solid.maps[span.map](std::int64_t(x), std::int64_t(y));
         ADD_FAILURE() << "nobody owns " << x << ", " << y;
         return Vec3d(0.0);
     }
@@ -55,7 +55,7 @@ TEST(PatchAtlas, EveryTexelHasOneOwner) {
             std::uint32_t next = 0;
             for (const Span& span : b.solid.row(y)) {
                 EXPECT_EQ(span.x, next);
-                EXPECT_LT(span.triangle, b.solid.maps.size());
+                EXPECT_LT(span.map, b.solid.maps.size());
                 next = span.x + span.count;
             }
             EXPECT_EQ(next, 200u);
