@@ -72,14 +72,19 @@ void warn(const std::string& sentence) {
 }
 
 void print_notes(const std::string& path, const MeshNotes& notes) {
-    const std::pair<std::uint64_t, const char*> counts[] = {
-        {notes.degenerate_triangles, "degenerate triangles (kept; no area to texture)"},
-        {notes.duplicate_triangles, "duplicate triangles (kept)"},
-        {notes.unreferenced_points, "points no face uses (left out)"},
-        {notes.ignored_elements, "elements that are not faces (left out)"},
+    const struct {
+        std::uint64_t count;
+        const char *one, *many, *fate;
+    } counts[] = {
+        {notes.degenerate_triangles, "triangle", "triangles",
+         "without area (kept; nothing to texture)"},
+        {notes.duplicate_triangles, "duplicate triangle", "duplicate triangles", "(kept)"},
+        {notes.unreferenced_points, "point", "points", "that no face uses (left out)"},
+        {notes.ignored_elements, "element", "elements", "other than faces (left out)"},
     };
-    for (const auto& [count, what] : counts) {
-        if (count != 0) warn(fmt::format("{}: {} {}", path, count, what));
+    for (const auto& [count, one, many, fate] : counts) {
+        if (count != 0)
+            warn(fmt::format("{}: {} {} {}", path, count, count == 1 ? one : many, fate));
     }
     for (const std::string& sentence : notes.sentences) warn(fmt::format("{}: {}", path, sentence));
 }
