@@ -128,6 +128,19 @@ class Rasterizer {
         }
     }
 
+    /// A map beyond the triangles' own, and the triangle it belongs to.
+    std::uint32_t add_map(const TexelMap& map, std::uint32_t triangle) {
+        solid_.maps.push_back(map);
+        solid_.turned.push_back(triangle);
+        return static_cast<std::uint32_t>(solid_.maps.size() - 1);
+    }
+
+    /// The patch's first triangle of the mesh.
+    std::uint32_t any_triangle(std::size_t p) const {
+        return *std::find_if(map_of_triangle_[p].begin(), map_of_triangle_[p].end(),
+                             [&](std::uint32_t map) { return map < atlas_.atlas.corners.size(); });
+    }
+
     std::array<Vec2d, 3> places(std::size_t p, const Triangle& t) const {
         const auto& uv = atlas_.maps.patches[p].uv;
         const PatchBlock& block = atlas_.layout.blocks[p];
@@ -151,11 +164,11 @@ class Rasterizer {
                     points[*hub] += points[v[(k + 1) % 3]] + points[v[(k + 2) % 3]];
                     corners[*hub] += 2.0;
                 } else if (pass == 1) {
-                    map_of_triangle_[p][t] = static_cast<std::uint32_t>(solid_.maps.size());
                     std::array<Vec3d, 3> at{};
                     for (std::size_t k = 0; k < 3; ++k)
                         at[k] = points[v[k]] / std::max(corners[v[k]], 1.0);
-                    solid_.maps.push_back(affine_map(places(p, v), at, atlas_.layout.blocks[p]));
+                    map_of_triangle_[p][t] = add_map(
+                        affine_map(places(p, v), at, atlas_.layout.blocks[p]), any_triangle(p));
                 }
             }
     }
@@ -247,8 +260,7 @@ class Rasterizer {
             map.step_x += term.factor * term.sign_x * source.step_x;
             map.step_y += term.factor * term.sign_y * source.step_y;
         }
-        solid_.maps.push_back(map);
-        return static_cast<std::uint32_t>(solid_.maps.size() - 1);
+        return add_map(map, solid_.triangle_of(key[0]));
     }
 
     /// One affine map for the whole block, from three vertices far apart.
@@ -267,10 +279,10 @@ class Rasterizer {
         const Vec2d line = mapped.uv[b] - mapped.uv[a];
         const std::uint32_t c =
             farthest([&](const Vec2d& q) { return std::abs(cross(line, q - mapped.uv[a])); });
-        const auto map = static_cast<std::uint32_t>(solid_.maps.size());
         const auto& points = vertex_points_[p];
-        solid_.maps.push_back(
-            affine_map(places(p, {a, b, c}), {points[a], points[b], points[c]}, block));
+        const std::uint32_t map =
+            add_map(affine_map(places(p, {a, b, c}), {points[a], points[b], points[c]}, block),
+                    any_triangle(p));
         for (std::uint32_t y = block.y; y < block.y + block.height; ++y)
             rows_[y].push_back({block.x, block.width, map});
     }

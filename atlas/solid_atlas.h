@@ -34,7 +34,8 @@ struct SolidAtlas {
     /// Per triangle, in the space of the positions given; then per element of `turned`.
     std::vector<TexelMap> maps;
     /// Triangles shown a second time, turned by 180 degrees to fill up a block (no lookup reads
-    /// them, averages over the block do): turned[k] by maps[maps.size() - turned.size() + k].
+    /// them, averages over the block do), and those that a patch's gutters go on from: turned[k] by
+    /// maps[maps.size() - turned.size() + k].
     std::vector<std::uint32_t> turned;
 
     std::span<const Span> row(std::size_t y) const {

@@ -56,6 +56,12 @@ TEST(PatchAtlas, EveryTexelHasOneOwner) {
             for (const Span& span : b.solid.row(y)) {
                 EXPECT_EQ(span.x, next);
                 EXPECT_LT(span.map, b.solid.maps.size());
+                // The triangle named lies in the block that the texel is in.
+                const std::uint32_t t = b.solid.triangle_of(span.map);
+                ASSERT_LT(t, b.atlas.refined.mesh.triangles.size());
+                const PatchBlock& block = b.atlas.layout.blocks[b.atlas.refined.patch[t]];
+                EXPECT_TRUE(span.x >= block.x && span.x + span.count <= block.x + block.width &&
+                            y >= block.y && y < block.y + block.height);
                 next = span.x + span.count;
             }
             EXPECT_EQ(next, 200u);
