@@ -62,10 +62,10 @@ Triangulation triangulate(PolygonSoup& soup, MeshNotes& notes) {
     cut.point_of_corner.resize(cut.source_corners.size());
     for (std::size_t i = 0; i < cut.source_corners.size(); ++i)
         cut.point_of_corner[i] = soup.corners[cut.source_corners[i]];
-    if (triangulator.unfinished() > 0)
-        notes.sentences.push_back(
-            fmt::format("{} polygons are too intricate to triangulate and were partly cut as fans",
-                        triangulator.unfinished()));
+    if (triangulator.forced() > 0)
+        notes.sentences.push_back(fmt::format(
+            "{} polygons cross themselves or are too intricate; their triangles may overlap",
+            triangulator.forced()));
     return cut;
 }
 

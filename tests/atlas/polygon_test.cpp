@@ -40,7 +40,7 @@ void expect_partition(const std::vector<Vec2d>& outline, bool flat_allowed = fal
             sum += area;
         }
         EXPECT_NEAR(sum, shoelace(outline), 1e-12 * std::abs(sum) + 1e-15);
-        EXPECT_EQ(triangulate.unfinished(), 0u);
+        EXPECT_EQ(triangulate.forced(), 0u);
     }
 }
 
@@ -135,14 +135,30 @@ TEST(Polygon, BrokenOnesStillGiveAllTriangles) {
     for (const auto& polygon : broken) EXPECT_EQ(triangulate(polygon).size(), polygon.size() - 2);
 }
 
-TEST(Polygon, LargeRaggedOneEndsSoon) {
-    std::vector<Vec3d> ragged;
-    for (int i = 0; i < 20000; ++i) {
-        const double angle = 2.0 * std::numbers::pi * i / 20000, r = i % 2 ? 0.2 : 1.0;
-        ragged.emplace_back(r * std::cos(angle), r * std::sin(angle), 0.0);
+TEST(Polygon, LargeRaggedOnes) {
+    for (const double dent : {0.2, 0.99}) {
+        std::vector<Vec3d> ragged;
+        std::vector<Vec2d> outline;
+        for (int i = 0; i < 20000; ++i) {
+            const double angle = 2.0 * std::numbers::pi * i / 20000, r = i % 2 ? dent : 1.0;
+            outline.emplace_back(r * std::cos(angle), r * std::sin(angle));
+            ragged.emplace_back(outline.back(), 0.0);
+        }
+        PolygonTriangulator triangulate;
+        double sum = 0.0;
+        for (const auto& [a, b, c] : triangulate(ragged))
+            sum += std::abs(shoelace({outline[a], outline[b], outline[c]}));
+        EXPECT_NEAR(sum, shoelace(outline), 1e-9);
+        EXPECT_EQ(triangulate.forced(), 0u);
     }
+}
+
+TEST(Polygon, AHopelessOneEnds) {
+    std::vector<Vec3d> tangle;  // crosses itself everywhere
+    for (int i = 0; i < 3000; ++i) tangle.emplace_back(i * 7919 % 3001, i * 104729 % 2999, 0.0);
     PolygonTriangulator triangulate;
-    EXPECT_EQ(triangulate(ragged).size(), ragged.size() - 2);
+    EXPECT_EQ(triangulate(tangle).size(), tangle.size() - 2);
+    EXPECT_EQ(triangulate.forced(), 1u);
 }
 
 }  // namespace
