@@ -31,7 +31,6 @@ struct Candidate {
 PatchDemand demand_of(const MappedPatch& mapped) {
     PatchDemand demand;
     demand.stretch = mapped.stretch;
-    demand.gutter = !mapped.planar;
     for (std::size_t t = 0; t < mapped.patch.triangles.size(); ++t) {
         if (mapped.patch.faces[t] == not_in_mesh) continue;
         const double area = area_of(mapped.patch, t);

@@ -140,7 +140,7 @@ class Treemap {
         block.y = texel(r.y);
         block.width = texel(r.x + r.width) - block.x;
         block.height = texel(r.y + r.height) - block.y;
-        if (patch.gutter) block.gutter = std::min({gutter_, block.width / 4, block.height / 4});
+        block.gutter = std::min({gutter_, block.width / 4, block.height / 4});
         const double w = block.columns(), h = block.rows();
         if (block.columns() < 1 || block.rows() < 1) return {};
         const Stretch& s = patch.stretch;

@@ -15,10 +15,9 @@ namespace burl {
 
 /// What placing needs to know of a patch.
 struct PatchDemand {
-    Stretch stretch;     ///< of its map from the unit square
-    double area = 0.0;   ///< mesh units^2
-    Vec3d centre{0.0};   ///< of its surface; neighbours in space become neighbours in the tree
-    bool gutter = true;  ///< false where the whole block shows the patch's own plane
+    Stretch stretch;    ///< of its map from the unit square
+    double area = 0.0;  ///< mesh units^2
+    Vec3d centre{0.0};  ///< of its surface; neighbours in space become neighbours in the tree
 };
 
 /// Texels [x, x+width) x [y, y+height) of one patch. The outermost `gutter` texels on each side

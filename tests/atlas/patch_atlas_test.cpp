@@ -173,6 +173,14 @@ TEST(PatchAtlas, LookupsFindTheSurfacePointAndBothSidesOfABorderAgree) {
 TEST(PatchAtlas, FlatMeshesAreExact) {
     const Built b(made::box(4), 256);
     EXPECT_EQ(b.atlas.maps.notes.planar_patches, 6u);
+    // Planes have gutters, too, which go on with the plane: levels need them.
+    for (std::size_t p = 0; p < 6; ++p) {
+        const PatchBlock& k = b.atlas.layout.blocks[p];
+        EXPECT_EQ(k.gutter, b.atlas.layout.gutter);
+        const std::size_t y = k.y + k.height / 2, x = k.x + k.gutter;
+        const Vec3d step = b.texel(x + 1, y) - b.texel(x, y);
+        EXPECT_LT(glm::distance(b.texel(k.x, y), b.texel(x, y) - double(k.gutter) * step), 1e-12);
+    }
     const Mesh& refined = b.atlas.refined.mesh;
     for (std::size_t t = 0; t < refined.triangles.size(); ++t)
         for (std::size_t k = 0; k < 3; ++k) {

@@ -11,7 +11,7 @@ namespace {
 /// A flat patch of these sides: X = A w^2, Y = A h^2.
 PatchDemand flat(double width, double height, const Vec3d& centre = Vec3d(0.0)) {
     const double area = width * height;
-    return {{area * width * width, area * height * height, area}, area, centre, true};
+    return {{area * width * width, area * height * height, area}, area, centre};
 }
 
 std::vector<PatchDemand> random_patches(std::size_t count, std::uint32_t seed) {
