@@ -240,7 +240,11 @@ void check_contents(const tinygltf::Model& model, const std::string& path) {
 }  // namespace
 
 tinygltf::Model load_gltf(const std::string& path) {
-    const FileBuffer file = read_file(path);
+    return load_gltf(read_file(path));
+}
+
+tinygltf::Model load_gltf(const FileBuffer& file) {
+    const std::string& path = file.path;
     if (file.size == 0) throw invalid_file(path, 0, "the file is empty");
     if (file.size > largest_gltf_integer)
         throw Error(ExitCode::unsupported, fmt::format("{}: larger than 2 GiB", path));

@@ -3,6 +3,8 @@
 // tinygltf follows offsets and indices into memory unchecked.
 #include <string>
 
+#include "atlas/file_buffer.h"
+
 namespace tinygltf {
 class Model;
 }
@@ -17,5 +19,8 @@ namespace burl {
 /// when a file cannot be read, invalid_file when the content is wrong, unsupported for a required
 /// extension that would change the geometry (Draco, meshopt ...).
 tinygltf::Model load_gltf(const std::string& path);
+
+/// The same for a file in memory; files it names are looked for beside `file.path`.
+tinygltf::Model load_gltf(const FileBuffer& file);
 
 }  // namespace burl

@@ -20,30 +20,20 @@ std::string lower_extension(const std::string& path) {
     return extension;
 }
 
-using Parser = PolygonSoup (*)(const FileBuffer&);
+using Parser = PolygonSoup (*)(const FileBuffer&, const ReadOptions&);
 
-/// The parser for a single-file format, or null.
-Parser parser_for(const std::string& extension) {
+/// The parser for the path's extension. Throws Error(unsupported) when there is none.
+Parser parser_for(const std::string& path) {
+    const std::string extension = lower_extension(path);
     if (extension == ".obj") return parse_obj;
     if (extension == ".ply") return parse_ply;
     if (extension == ".stl") return parse_stl;
     if (extension == ".off") return parse_off;
-    return nullptr;
-}
-
-PolygonSoup parse_by_extension(const std::string& path, const ReadOptions& options) {
-    const std::string extension = lower_extension(path);
-    if (extension == ".gltf" || extension == ".glb") return parse_gltf(path, options);
-    const Parser parse = parser_for(extension);
-    if (parse == nullptr)
-        throw Error(
-            ExitCode::unsupported,
-            fmt::format("{}: cannot read {}; use .obj, .ply, .stl, .off, .gltf or .glb", path,
-                        extension.empty() ? "a mesh without extension"
-                                          : fmt::format("'{}' meshes", extension)));
-    const FileBuffer file = read_file(path);
-    if (file.size == 0) throw invalid_file(path, 0, "the file is empty");
-    return parse(file);
+    if (extension == ".gltf" || extension == ".glb") return parse_gltf;
+    throw Error(ExitCode::unsupported,
+                fmt::format("{}: cannot read {}; use .obj, .ply, .stl, .off, .gltf or .glb", path,
+                            extension.empty() ? "a mesh without extension"
+                                              : fmt::format("'{}' meshes", extension)));
 }
 
 /// Runs `step`, turning exhausted memory into an Error.
@@ -60,8 +50,15 @@ auto with_memory_error(const std::string& path, const Step& step) {
 
 }  // namespace
 
+PolygonSoup parse_mesh(const FileBuffer& file, const ReadOptions& options) {
+    const Parser parse = parser_for(file.path);
+    if (file.size == 0) throw invalid_file(file.path, 0, "the file is empty");
+    return with_memory_error(file.path, [&] { return parse(file, options); });
+}
+
 PolygonSoup parse_mesh(const std::string& path, const ReadOptions& options) {
-    return with_memory_error(path, [&] { return parse_by_extension(path, options); });
+    parser_for(path);  // an unknown format is said before a missing file
+    return parse_mesh(with_memory_error(path, [&] { return read_file(path); }), options);
 }
 
 Mesh read_mesh(const std::string& path, const ReadOptions& options) {

@@ -8,14 +8,17 @@
 
 namespace burl {
 
-PolygonSoup parse_obj(const FileBuffer& file);
-PolygonSoup parse_off(const FileBuffer& file);
-PolygonSoup parse_ply(const FileBuffer& file);
-PolygonSoup parse_stl(const FileBuffer& file);
-PolygonSoup parse_gltf(const std::string& path, const ReadOptions& options);
+PolygonSoup parse_obj(const FileBuffer& file, const ReadOptions& options = {});
+PolygonSoup parse_off(const FileBuffer& file, const ReadOptions& options = {});
+PolygonSoup parse_ply(const FileBuffer& file, const ReadOptions& options = {});
+PolygonSoup parse_stl(const FileBuffer& file, const ReadOptions& options = {});
+PolygonSoup parse_gltf(const FileBuffer& file, const ReadOptions& options = {});
 
 /// The first half of read_mesh(): reads and parses `path` by its extension, with read_mesh()'s
 /// errors. build_mesh() is the second half.
 PolygonSoup parse_mesh(const std::string& path, const ReadOptions& options = {});
+
+/// The same for a file in memory, by the extension of `file.path`.
+PolygonSoup parse_mesh(const FileBuffer& file, const ReadOptions& options = {});
 
 }  // namespace burl

@@ -103,9 +103,9 @@ class SceneReader {
 
 }  // namespace
 
-PolygonSoup parse_gltf(const std::string& path, const ReadOptions& options) {
-    const tinygltf::Model model = load_gltf(path);
-    return SceneReader(model, path, options).read();
+PolygonSoup parse_gltf(const FileBuffer& file, const ReadOptions& options) {
+    const tinygltf::Model model = load_gltf(file);
+    return SceneReader(model, file.path, options).read();
 }
 
 }  // namespace burl

@@ -198,7 +198,7 @@ PolygonSoup ObjParser::finish() {
 
 }  // namespace
 
-PolygonSoup parse_obj(const FileBuffer& file) {
+PolygonSoup parse_obj(const FileBuffer& file, const ReadOptions&) {
     ObjParser parser(file, {no_index, no_index, no_index});
     parser.parse();
     if (!parser.in_range()) {

@@ -160,7 +160,7 @@ void OffParser::finish() {
 
 }  // namespace
 
-PolygonSoup parse_off(const FileBuffer& file) {
+PolygonSoup parse_off(const FileBuffer& file, const ReadOptions&) {
     return OffParser(file).parse();
 }
 

@@ -279,7 +279,7 @@ void PlyParser<Body>::finish() {
 
 }  // namespace
 
-PolygonSoup parse_ply(const FileBuffer& file) {
+PolygonSoup parse_ply(const FileBuffer& file, const ReadOptions&) {
     const PlyHeader header = read_ply_header(file);
     if (header.format == PlyFormat::ascii) return PlyParser<PlyAsciiBody>(file, header).parse();
     return PlyParser<PlyBinaryBody>(file, header).parse();

@@ -143,7 +143,7 @@ class AsciiStlParser {
 
 }  // namespace
 
-PolygonSoup parse_stl(const FileBuffer& file) {
+PolygonSoup parse_stl(const FileBuffer& file, const ReadOptions&) {
     return is_binary(file) ? parse_binary(file) : AsciiStlParser(file).parse();
 }
 

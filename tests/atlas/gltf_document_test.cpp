@@ -24,8 +24,8 @@ GltfFile one_triangle() {
 
 void expect_refused(const GltfFile& file, const std::string& message,
                     ExitCode code = ExitCode::invalid_file) {
-    const std::string path = test::write_file("a.gltf", file.gltf());
-    expect_error([&] { load_gltf(path); }, code, message);
+    const auto path = (test::test_folder() / "a.gltf").string();
+    expect_error([&] { load_gltf(buffer_from(file.gltf(), path)); }, code, message);
 }
 
 /// Sets root[pointer] = value in a sound file and expects the message.

@@ -3,6 +3,8 @@
 #include <random>
 
 #include "atlas/connectivity.h"
+#include "atlas/mesh_builder.h"
+#include "atlas/mesh_readers.h"
 #include "gltf_files.h"
 
 namespace burl {
@@ -80,9 +82,9 @@ std::vector<Sample> samples() {
 }
 
 /// True when the file was read, false when it was refused; anything else escapes.
-bool survives(const std::string& path) {
+bool survives(const std::string& name, const std::string& content) {
     try {
-        const Mesh mesh = read_mesh(path);
+        const Mesh mesh = build_mesh(parse_mesh(buffer_from(content, name)), name);
         EXPECT_FALSE(mesh.triangles.empty());
         for (const Triangle& t : mesh.triangles)
             for (const std::uint32_t point : t) EXPECT_LT(point, mesh.positions.size());
@@ -97,20 +99,20 @@ bool survives(const std::string& path) {
 
 TEST(HostileMesh, TheSamplesAreSound) {
     for (const Sample& sample : samples())
-        EXPECT_TRUE(survives(test::write_file(sample.name, sample.content))) << sample.name;
+        EXPECT_TRUE(survives(sample.name, sample.content)) << sample.name;
 }
 
 TEST(HostileMesh, CutOffAfterEveryByte) {
     for (const Sample& sample : samples())
         for (std::size_t size = 0; size < sample.content.size(); ++size)
-            survives(test::write_file(sample.name, sample.content.substr(0, size)));
+            survives(sample.name, sample.content.substr(0, size));
 }
 
 TEST(HostileMesh, RandomBytesChanged) {
     std::mt19937 random(20250101);
     const auto pick = [&](std::size_t n) { return random() % n; };
     for (const Sample& sample : samples())
-        for (int round = 0; round < 700; ++round) {
+        for (int round = 0; round < 3000; ++round) {
             std::string content = sample.content;
             for (std::size_t change = 1 + pick(4); change > 0; --change) {
                 const std::size_t at = pick(content.size());
@@ -124,7 +126,7 @@ TEST(HostileMesh, RandomBytesChanged) {
                     content.insert(at, content.substr(pick(content.size()), 1 + pick(8)));
                 if (content.empty()) content.push_back('x');
             }
-            survives(test::write_file(sample.name, content));
+            survives(sample.name, content);
         }
 }
 

@@ -11,7 +11,8 @@
 #include <string>
 
 #include "atlas/error.h"
-#include "atlas/mesh_io.h"
+#include "atlas/mesh_builder.h"
+#include "atlas/mesh_readers.h"
 
 namespace burl::test {
 
@@ -30,9 +31,11 @@ inline std::string write_file(const std::string& name, const std::string& conten
     return path;
 }
 
+/// Reads a mesh from memory, as if it stood in the test's folder.
 inline Mesh read_text(const std::string& name, const std::string& content,
                       const ReadOptions& options = {}) {
-    return read_mesh(write_file(name, content), options);
+    const std::string path = (test_folder() / name).string();
+    return build_mesh(parse_mesh(buffer_from(content, path), options), path, options);
 }
 
 /// Expects an Error with `code` whose message holds `part` (after the folder's path).
