@@ -67,10 +67,11 @@ TEST(Program, ReportIsJson) {
 
 TEST(Program, MeasuresTheUvsAFileBrings) {
     const Scratch scratch;
-    const std::string plain = scratch.write("plain.obj", square);
-    const std::string mesh =
+    const auto quoted = [](const std::string& path) { return "'" + path + "'"; };
+    const std::string plain = quoted(scratch.write("plain.obj", square));
+    const std::string mesh = quoted(
         scratch.write("uv.obj", std::string(square).substr(0, std::string(square).find('f')) +
-                                    "vt 0 0\nvt .5 0\nvt .5 .5\nvt 0 .5\nf 1/1 2/2 3/3 4/4\n");
+                                    "vt 0 0\nvt .5 0\nvt .5 .5\nvt 0 .5\nf 1/1 2/2 3/3 4/4\n"));
     const auto kinds = [&](const std::string& arguments) {
         const Outcome outcome = run_burl(scratch, "metrics --json --size 32 " + arguments);
         EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
