@@ -1,5 +1,7 @@
 #include "app/metrics_report.h"
 
+#include <cmath>
+
 #include <fmt/format.h>
 
 namespace burl {
@@ -31,6 +33,47 @@ void print_shape(const MeasuredAtlas& m) {
                shape.vanished, texels.overlapped);
 }
 
+/// Not a number where there is nothing to compare with.
+double seam_ratio(const LookupErrors& errors) {
+    return errors.interior_rmse > 0.0 && errors.seam_points > 0.0
+               ? errors.seam_rmse / errors.interior_rmse
+               : std::nan("");
+}
+
+void print_lookups(const MeasuredAtlas& m) {
+    if (!m.lookups) return;
+    const LookupErrors& errors = *m.lookups;
+    fmt::print(
+        "\n{}: metric-marble, {:.2f} dB ({:.2f} dB in 8 bits), seam over interior error {:.2f} "
+        "({:.1f} % of points near a seam)\n",
+        m.name, errors.psnr, errors.psnr_8bit, seam_ratio(errors), 100.0 * errors.seam_points);
+    fmt::print("{:<8} {:>9} {:>9} {:>9} {:>9} {:>9} {:>11}\n", "level", "rmse", "8 bits",
+               "truth +-", "mismatch", "foreign", "other chart");
+    for (const LevelError& e : errors.levels)
+        fmt::print("L{:<7} {:>9.5f} {:>9.5f} {:>9.5f} {:>9.5f} {:>9.4f} {:>11.4f}\n", e.level,
+                   e.rmse, e.rmse_8bit, e.truth_noise, e.mismatch, e.foreign, e.other_chart);
+}
+
+Json lookups_json(const LookupErrors& errors) {
+    Json levels = Json::array();
+    for (const LevelError& e : errors.levels)
+        levels.push_back({{"level", e.level},
+                          {"rmse", e.rmse},
+                          {"rmse_8bit", e.rmse_8bit},
+                          {"truth_noise", e.truth_noise},
+                          {"mismatch", e.mismatch},
+                          {"foreign", e.foreign},
+                          {"other_chart", e.other_chart}});
+    return {{"texture", "metric-marble"},
+            {"psnr", errors.psnr},
+            {"psnr_8bit", errors.psnr_8bit},
+            {"seam_rmse", errors.seam_rmse},
+            {"interior_rmse", errors.interior_rmse},
+            {"seam_over_interior", seam_ratio(errors)},
+            {"seam_points", errors.seam_points},
+            {"levels", levels}};
+}
+
 }  // namespace
 
 Json measured_json(const MeasuredAtlas& m) {
@@ -51,6 +94,7 @@ Json measured_json(const MeasuredAtlas& m) {
     json["mirrored_area"] = shape.mirrored;
     json["flipped"] = shape.flipped;
     json["vanished"] = shape.vanished;
+    if (m.lookups) json["lookups"] = lookups_json(*m.lookups);
     return json;
 }
 
@@ -67,6 +111,7 @@ void print_measures(const std::vector<MeasuredAtlas>& atlases) {
             fmt::print("  {} triangles leave the texture: lookups are clamped to its edge\n",
                        m.measures.texels.outside);
     }
+    for (const MeasuredAtlas& m : atlases) print_lookups(m);
 }
 
 }  // namespace burl

@@ -1,10 +1,12 @@
 #pragma once
 // The figures of `burl metrics` as JSON and as tables; both come from the same values.
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/report.h"
 #include "atlas/atlas_measures.h"
+#include "atlas/lookup_errors.h"
 
 namespace burl {
 
@@ -13,11 +15,12 @@ struct MeasuredAtlas {
     std::string name;
     Atlas atlas;
     AtlasMeasures measures;
+    std::optional<LookupErrors> lookups;  ///< of metric-marble
 };
 
 Json measured_json(const MeasuredAtlas& measured);
 
-/// Prints how the texture is used, then how the surface lies in it.
+/// Prints how the texture is used, how the surface lies in it, and what lookups show of it.
 void print_measures(const std::vector<MeasuredAtlas>& atlases);
 
 }  // namespace burl

@@ -1,6 +1,7 @@
 // `burl metrics`: how well an atlas uses its texture, in the papers' measures, for our atlases and
 // for the texture coordinates a file brings.
 #include <bit>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -9,6 +10,7 @@
 #include "app/verbs.h"
 #include "atlas/error.h"
 #include "atlas/uv_atlas.h"
+#include "procedural/metric_marble.h"
 
 namespace burl {
 
@@ -18,9 +20,19 @@ struct MetricsCommand {
     std::string mesh;
     RecipeOptions recipe;
     MeshOptions meshes;
-    bool uv = false;
-    bool json = false;
+    bool uv = false, levels = false, json = false;
 };
+
+/// The mesh as metric-marble wants it: the box's middle in the origin, its half diagonal 1.
+Mesh normalised(const Mesh& mesh) {
+    Mesh result = mesh;
+    const Affine3 to_unit = solid_from_mesh(mesh, SolidSpace::unit);  // longest side 1: no overflow
+    result.positions = map_positions(mesh, to_unit);
+    const double half_diagonal = 0.5 * glm::length(bounding_box(result).size());
+    if (half_diagonal > 0.0)
+        for (Vec3d& p : result.positions) p /= half_diagonal;
+    return result;
+}
 
 /// What is measured: the mesh, and one atlas after another.
 class Measuring {
@@ -28,7 +40,13 @@ class Measuring {
     Measuring(const MetricsCommand& command, Recipe recipe)
         : recipe_(std::move(recipe)),
           pipeline_(command.meshes.load(command.mesh)),
-          edges_(mesh_edges(mesh(), pipeline_.connectivity())) {}
+          edges_(mesh_edges(mesh(), pipeline_.connectivity())) {
+        if (!command.levels) return;
+        normalised_ = normalised(mesh());
+        TruthOptions options;
+        options.size = recipe_.atlas.size;
+        truth_ = surface_truth(normalised_, metric_marble, options);
+    }
 
     const Mesh& mesh() const { return pipeline_.mesh(); }
     const Connectivity& connectivity() { return pipeline_.connectivity(); }
@@ -36,23 +54,33 @@ class Measuring {
     MeasuredAtlas our_atlas(AtlasKind kind) {
         recipe_.atlas.kind = kind;
         pipeline_.set_recipe(recipe_);
-        return measured(std::string(to_string(kind)), pipeline_.atlas(),
-                        rasterize(mesh(), pipeline_.atlas(), mesh().positions));
+        return measured(std::string(to_string(kind)), pipeline_.atlas(), rasterize);
     }
 
     MeasuredAtlas uv_atlas() {
-        const Atlas atlas = atlas_from_uvs(mesh(), connectivity(), recipe_.atlas.size);
-        return measured("uv", atlas, rasterize_uvs(mesh(), atlas, mesh().positions));
+        return measured("uv", atlas_from_uvs(mesh(), connectivity(), recipe_.atlas.size),
+                        rasterize_uvs);
     }
 
   private:
-    MeasuredAtlas measured(std::string name, const Atlas& atlas, const SolidAtlas& solid) {
-        return {std::move(name), atlas, measure_atlas(mesh(), atlas, solid, edges_)};
+    template <class Rasterize>
+    MeasuredAtlas measured(std::string name, const Atlas& atlas, Rasterize&& points_of) {
+        const SolidAtlas solid = points_of(mesh(), atlas, mesh().positions);
+        MeasuredAtlas result{std::move(name), atlas, measure_atlas(mesh(), atlas, solid, edges_),
+                             std::nullopt};
+        if (truth_)
+            result.lookups = measure_lookups(
+                normalised_, atlas,
+                fill_texture(points_of(normalised_, atlas, normalised_.positions), metric_marble),
+                edges_, *truth_);
+        return result;
     }
 
     Recipe recipe_;
     Pipeline pipeline_;
     std::vector<MeshEdge> edges_;
+    Mesh normalised_;
+    std::optional<SurfaceTruth> truth_;
 };
 
 std::vector<AtlasKind> kinds_asked(const MetricsCommand& command, const Recipe& recipe) {
@@ -117,6 +145,8 @@ void add_metrics(CLI::App& program) {
                    "Measure the file's own texture coordinates (the default for a file that has "
                    "them when no --atlas is asked)");
     command->meshes.add(*verb);
+    verb->add_flag("--levels", command->levels,
+                   "Also measure lookups of metric-marble: error per MIP level, seams, bleeding");
     verb->add_flag("--json", command->json, "Print JSON");
     verb->callback([command] { run_metrics(*command); });
 }

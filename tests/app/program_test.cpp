@@ -89,6 +89,29 @@ TEST(Program, MeasuresTheUvsAFileBrings) {
     EXPECT_NE(table.out.find("0.2500"), std::string::npos) << table.out;
 }
 
+TEST(Program, MeasuresLookupsOfEveryLevel) {
+    const Scratch scratch;
+    const std::string mesh = scratch.write("square.obj", square);
+    const Outcome outcome =
+        run_burl(scratch, fmt::format("metrics '{}' --size 64 --levels --json", mesh));
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const auto lookups = nlohmann::json::parse(outcome.out)["atlases"][0]["lookups"];
+    EXPECT_GT(lookups["psnr"].get<double>(), 25.0);
+    ASSERT_EQ(lookups["levels"].size(), 7u);
+    double before = 0.0;
+    for (const auto& level : lookups["levels"]) {
+        EXPECT_LT(level["truth_noise"].get<double>(), 0.003);
+        if (level["level"].get<int>() <= 4) {
+            EXPECT_GT(level["rmse"].get<double>(), 0.5 * before);
+        }
+        before = level["rmse"].get<double>();
+    }
+    const Outcome table = run_burl(scratch, fmt::format("metrics '{}' --size 64 --levels", mesh));
+    EXPECT_NE(table.out.find("L6"), std::string::npos) << table.out;
+    EXPECT_EQ(run_burl(scratch, fmt::format("metrics '{}' --size 64 --levels", mesh)).out,
+              table.out);
+}
+
 TEST(Program, HelpVersionAndLists) {
     const Scratch scratch;
     for (const char* verb : {"", "bake", "render", "diff", "metrics", "bench", "list"}) {

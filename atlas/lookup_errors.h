@@ -1,0 +1,37 @@
+#pragma once
+// The errors a viewer sees: lookups of a texture against what the surface shows there.
+#include <vector>
+
+#include "atlas/metric_charts.h"
+#include "atlas/mip_chain.h"
+#include "atlas/surface_truth.h"
+#include "atlas/texture_values.h"
+
+namespace burl {
+
+/// Plain bilinear lookups in one level; 8-bit is the same after rounding texels to 1/255.
+struct LevelError {
+    std::uint32_t level = 0;
+    double rmse = 0.0, rmse_8bit = 0.0;  ///< level 0: at all points; others: at the level points
+    double truth_noise = 0.0;            ///< RMS error of the truth itself
+    /// RMS difference of the two sides along edges between triangles, by length; where the texture
+    /// goes on across an edge there is none.
+    double mismatch = 0.0;
+    /// Mean share of lookup weight on texels of another chart or of none; on texels that hold
+    /// another chart's value (a texel of no chart holds that of the nearest one).
+    double foreign = 0.0, other_chart = 0.0;
+};
+
+struct LookupErrors {
+    double psnr = 0.0, psnr_8bit = 0.0;  ///< level 0, dB, peak 1; infinite without any error
+    double seam_rmse = 0.0;              ///< level 0, points within one texel of a chart's edge
+    double interior_rmse = 0.0;          ///< level 0, all others
+    double seam_points = 0.0;            ///< share of points near an edge
+    std::vector<LevelError> levels;      ///< from level 0
+};
+
+/// `truth` of the same mesh, the same f as in `texture` and a size as large.
+LookupErrors measure_lookups(const Mesh& mesh, const Atlas& atlas, const TextureValues& texture,
+                             std::span<const MeshEdge> edges, const SurfaceTruth& truth);
+
+}  // namespace burl
