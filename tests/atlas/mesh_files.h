@@ -27,7 +27,8 @@ inline std::filesystem::path test_folder() {
 
 inline std::string write_file(const std::string& name, const std::string& content) {
     const std::string path = (test_folder() / name).string();
-    std::ofstream(path, std::ios::binary | std::ios::trunc) << content;
+    std::filesystem::remove(path);  // truncating one instead makes ext4 write it to disk at once
+    std::ofstream(path, std::ios::binary) << content;
     return path;
 }
 
