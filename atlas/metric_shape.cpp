@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "atlas/weighted_percentile.h"
 #include "atlas/weights.h"
 
 namespace burl {
@@ -28,20 +29,6 @@ double longest_squared(const std::array<Vec2d, 3>& c) {
 
 bool vanishes(const std::array<Vec2d, 3>& c) {
     return !(std::abs(cross(c)) > 1e-9 * longest_squared(c));
-}
-
-struct Weighted {
-    double value = 0.0, area = 0.0;
-    bool operator<(const Weighted& other) const { return value < other.value; }
-};
-
-double percentile(std::span<const Weighted> sorted, double total, double share) {
-    double below = 0.0;
-    for (const Weighted& w : sorted) {
-        below += w.area;
-        if (below >= share * total) return w.value;
-    }
-    return sorted.empty() ? 0.0 : sorted.back().value;
 }
 
 std::uint64_t count_flipped(const Atlas& atlas, std::span<const std::uint32_t> charts,
@@ -77,7 +64,7 @@ ShapeMetrics measure_shape(const Mesh& mesh, const Atlas& atlas,
                            std::span<const std::uint32_t> charts, std::uint32_t chart_count) {
     ShapeMetrics metrics;
     const std::vector<double> areas = triangle_areas(mesh).areas;
-    std::vector<Weighted> values;
+    std::vector<WeightedValue> values;
     double total = 0.0;
     for (std::size_t t = 0; t < areas.size(); ++t) {
         if (areas[t] == 0.0) continue;
@@ -97,8 +84,8 @@ ShapeMetrics measure_shape(const Mesh& mesh, const Atlas& atlas,
     if (values.empty()) return metrics;
     metrics.mirrored /= total;
     std::sort(values.begin(), values.end());
-    metrics.anisotropy_50 = percentile(values, total, 0.5);
-    metrics.anisotropy_95 = percentile(values, total, 0.95);
+    metrics.anisotropy_50 = weighted_percentile(values, total, 0.5);
+    metrics.anisotropy_95 = weighted_percentile(values, total, 0.95);
     return metrics;
 }
 

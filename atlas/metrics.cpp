@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "atlas/weighted_percentile.h"
 #include "atlas/weights.h"
 
 namespace burl {
@@ -14,22 +15,6 @@ namespace {
 double texture_area(const std::array<Vec2d, 3>& corners, double size) {
     const Vec2d u = (corners[1] - corners[0]) / size, v = (corners[2] - corners[0]) / size;
     return 0.5 * std::abs(u.x * v.y - u.y * v.x);
-}
-
-/// Texture area per model area, with the model area it stands for.
-struct Density {
-    double ratio = 0.0, area = 0.0;
-    bool operator<(const Density& other) const { return ratio < other.ratio; }
-};
-
-/// Smallest ratio such that `share` of the area has at most that ratio.
-double percentile(std::span<const Density> sorted, double area, double share) {
-    double below = 0.0;
-    for (const Density& density : sorted) {
-        below += density.area;
-        if (below >= share * area) return density.ratio;
-    }
-    return sorted.empty() ? 0.0 : sorted.back().ratio;
 }
 
 double owned_share(const SolidAtlas& solid) {
@@ -46,7 +31,7 @@ AtlasMetrics measure(const Mesh& mesh, const Atlas& atlas, const SolidAtlas& sol
     metrics.charts = atlas.chart_count;
     metrics.texel_coverage = owned_share(solid);
     const auto [areas, unit] = triangle_areas(mesh);
-    std::vector<Density> densities;
+    std::vector<WeightedValue> densities;
     double ratios = 0.0, total = 0.0;
     for (std::size_t t = 0; t < areas.size(); ++t) {
         const double in_texture = texture_area(atlas.corners[t], atlas.options.size);
@@ -65,7 +50,7 @@ AtlasMetrics measure(const Mesh& mesh, const Atlas& atlas, const SolidAtlas& sol
     std::sort(densities.begin(), densities.end());
     constexpr std::array<double, 3> shares{0.05, 0.5, 0.95};
     for (std::size_t i = 0; i < shares.size(); ++i)
-        metrics.density[i] = total * percentile(densities, total, shares[i]);
+        metrics.density[i] = total * weighted_percentile(densities, total, shares[i]);
     return metrics;
 }
 
