@@ -23,6 +23,11 @@ void RecipeOptions::add_atlas(CLI::App& verb) {
     verb.add_option("--overscan", overscan, "Lookup the atlas is made for: nearest or bilinear");
     verb.add_option("--weight", weight,
                     "What a pair's share of a quad atlas follows: equal, area, length or error");
+    verb.add_option("--partition", partition,
+                    "How a quad atlas finds clusters: rcb (coordinates) or graph");
+    verb.add_option("--gutter", gutter, "Texels that a quad atlas leaves round every pair");
+    verb.add_option("--diagonals", diagonals,
+                    "Pairs of a quad atlas: shared, or with overscan for more than 8 bits");
     verb.add_option("-s,--size", size, "Side N of the N x N texture, in texels");
 }
 
@@ -31,6 +36,9 @@ Recipe RecipeOptions::load() const {
     if (kind) edits.push_back("atlas.kind=" + *kind);
     if (overscan) edits.push_back("atlas.overscan=" + *overscan);
     if (weight) edits.push_back("atlas.weight=" + *weight);
+    if (partition) edits.push_back("atlas.partition=" + *partition);
+    if (gutter) edits.push_back("atlas.gutter=" + *gutter);
+    if (diagonals) edits.push_back("atlas.diagonals=" + *diagonals);
     if (size) edits.push_back("atlas.size=" + *size);
     if (filter) edits.push_back("filter=" + *filter);
     return load_recipe(recipe, edits);

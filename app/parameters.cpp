@@ -27,6 +27,15 @@ constexpr std::array table{
               "the look-up the texture is prepared for"},
     Parameter{"atlas.weight", choice, 0, 0, 0, 1, "", "\"error\"", "equal|area|length|error",
               "what a pair's share of a quad atlas follows; the other kinds ignore it"},
+    Parameter{"atlas.partition", choice, 0, 0, 0, 1, "", "\"rcb\"", "rcb|graph",
+              "how a quad atlas finds clusters: by bisecting coordinates, or the graph of "
+              "neighbouring pairs"},
+    Parameter{"atlas.gutter", integer, 0, 64, 1, 1, "texels", "0", "",
+              "quad, bilinear: texels round every pair that go on with its triangles; fewer in "
+              "small blocks"},
+    Parameter{"atlas.diagonals", choice, 0, 0, 0, 1, "", "\"shared\"", "shared|overscan",
+              "quad, bilinear: whether pairs meet on the diagonal, or lie apart where they would "
+              "meet in a kink"},
     Parameter{"solid.space", choice, 0, 0, 0, 1, "", "\"unit\"", "unit|object",
               "unit: the mesh's box centred, longest side 1; object: the file's coordinates"},
     Parameter{"solid.scale", number, 1e-6, 1e6, 0.1, 1, "", "1", "",

@@ -14,6 +14,8 @@ namespace {
 // In the order of the enumerators.
 constexpr std::array atlas_kinds{"uniform", "area", "length", "quad"};
 constexpr std::array atlas_weights{"equal", "area", "length", "error"};
+constexpr std::array partitions{"rcb", "graph"};
+constexpr std::array diagonals{"shared", "overscan"};
 constexpr std::array overscans{"nearest", "bilinear"};
 constexpr std::array spaces{"unit", "object"};
 constexpr std::array filters{"none"};
@@ -41,6 +43,10 @@ Recipe recipe_from_json(const Json& json) {
     read(atlas, "kind", atlas_kinds, recipe.atlas.kind);
     read(atlas, "overscan", overscans, recipe.atlas.overscan);
     read(atlas, "weight", atlas_weights, recipe.atlas.weight);
+    read(atlas, "partition", partitions, recipe.atlas.partition);
+    read(atlas, "diagonals", diagonals, recipe.atlas.diagonals);
+    if (atlas.contains("gutter"))
+        recipe.atlas.gutter = std::uint32_t(atlas["gutter"].get<double>());
     if (atlas.contains("size")) recipe.atlas.size = std::uint32_t(atlas["size"].get<double>());
     const Json& solid = part("solid");
     read(solid, "space", spaces, recipe.solid.space);
@@ -91,7 +97,10 @@ std::string to_json(const Recipe& recipe) {
          {{"kind", name_of(atlas_kinds, recipe.atlas.kind)},
           {"size", recipe.atlas.size},
           {"overscan", name_of(overscans, recipe.atlas.overscan)},
-          {"weight", name_of(atlas_weights, recipe.atlas.weight)}}},
+          {"weight", name_of(atlas_weights, recipe.atlas.weight)},
+          {"partition", name_of(partitions, recipe.atlas.partition)},
+          {"gutter", recipe.atlas.gutter},
+          {"diagonals", name_of(diagonals, recipe.atlas.diagonals)}}},
         {"solid", {{"space", name_of(spaces, recipe.solid.space)}, {"scale", recipe.solid.scale}}},
         {"texture", texture_to_json(recipe.texture)},
         {"filter", name_of(filters, recipe.filter)}};

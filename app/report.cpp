@@ -33,6 +33,9 @@ Json metrics_json(const Atlas& atlas, const AtlasMetrics& metrics) {
     return {{"kind", to_string(atlas.options.kind)},
             {"overscan", to_string(atlas.options.overscan)},
             {"weight", to_string(atlas.options.weight)},
+            {"partition", to_string(atlas.options.partition)},
+            {"gutter", atlas.options.gutter},
+            {"diagonals", to_string(atlas.options.diagonals)},
             {"size", atlas.options.size},
             {"triangles", metrics.triangles},
             {"zero_area", metrics.zero_area},
@@ -47,7 +50,11 @@ Json metrics_json(const Atlas& atlas, const AtlasMetrics& metrics) {
             {"paired_triangles", notes.paired_triangles},
             {"strips", notes.strips},
             {"minimal_cells", notes.minimal_cells},
-            {"unread_texels", notes.unread_texels}};
+            {"unread_texels", notes.unread_texels},
+            {"gutter_texels", notes.gutter_texels},
+            {"narrowed_gutters", notes.narrowed_gutters},
+            {"shared_texels", notes.shared_texels},
+            {"shared_triangles", notes.shared_triangles}};
 }
 
 Json times_json(const std::vector<StageTime>& times) {

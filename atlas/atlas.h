@@ -19,12 +19,21 @@ enum class Overscan { nearest, bilinear };
 /// What a pair's share of a quad atlas follows: nothing, its area, its longest edge squared, or the
 /// predicted error of lookups. The other kinds have their weight in their name.
 enum class AtlasWeight { equal, area, length, error };
+/// How a quad atlas finds clusters: by bisecting the pairs' coordinates, or the graph of their
+/// neighbourhoods.
+enum class AtlasPartition { rcb, graph };
+/// Whether the two triangles of a quad atlas's pair meet on the block's diagonal, or lie apart with
+/// overscan between them where they would meet in a kink: for outputs of more than 8 bits.
+enum class Diagonals { shared, overscan };
 
 struct AtlasOptions {
     AtlasKind kind = AtlasKind::area;
     Overscan overscan = Overscan::bilinear;
     std::uint32_t size = 1024;  ///< N: the texture is exactly N x N texels; quad: a power of two
-    AtlasWeight weight = AtlasWeight::error;  ///< quad only
+    AtlasWeight weight = AtlasWeight::error;         ///< quad only
+    AtlasPartition partition = AtlasPartition::rcb;  ///< quad only
+    std::uint32_t gutter = 0;  ///< quad with bilinear overscan: texels round each block's triangles
+    Diagonals diagonals = Diagonals::shared;  ///< quad with bilinear overscan
     bool operator==(const AtlasOptions&) const = default;
 };
 
@@ -46,6 +55,9 @@ struct Block {
     std::uint8_t lower_corner = 0, upper_corner = 0;  ///< corners of the triangles at right angles
     bool rising = false;                              ///< mirrored in x; the triangles are not
     bool fills_up = false;  ///< a single: texels it does not read show it turned by 180 degrees
+    /// Texels on all four sides that go on with the triangles; legs lie inside.
+    std::uint32_t gutter = 0;
+    bool shares_texel = false;  ///< lies on the one texel of a block before, which shows that one
 
     /// One texel wide or high with corners on texel centres: its triangles have no area there.
     bool collapsed() const { return leg_x == 0 || leg_y == 0; }
@@ -61,6 +73,10 @@ struct LayoutNotes {
     std::uint64_t minimal_cells = 0;     ///< triangles in the narrowest cell possible: leg_x = 1;
                                          ///< quad: in blocks one texel wide or high
     std::uint64_t unread_texels = 0;     ///< quad: texels of singles that no lookup reads
+    std::uint64_t gutter_texels = 0;     ///< quad: texels in gutters
+    std::uint64_t narrowed_gutters = 0;  ///< quad: blocks too small for the gutter asked for
+    std::uint64_t shared_texels = 0;     ///< quad: texels that stand for several pairs or singles
+    std::uint64_t shared_triangles = 0;  ///< quad: triangles on those texels
 };
 
 struct Atlas {
@@ -75,16 +91,18 @@ struct Atlas {
 };
 
 /// Packs the mesh. Pure and deterministic: the same mesh gives the same bytes.
-/// Throws Error(runtime) with the size that would do when the texture cannot hold the mesh, and
-/// Error(usage) for a size no texture has, or quad cannot halve.
+/// Throws Error(runtime) with the size that would do when the texture cannot hold the mesh (quad
+/// holds any), and Error(usage) for a size no texture has, or quad cannot halve.
 Atlas layout_atlas(const Mesh& mesh, const Connectivity& connectivity, const AtlasOptions& options);
 
-/// Smallest N that layout_atlas accepts for a mesh of this many triangles, whatever their
-/// connectivity.
+/// Smallest N that gives every triangle of so many texels of its own, whatever their connectivity.
+/// Strips are refused below what they need; in a quad atlas pairs then share texels.
 std::uint32_t smallest_size(std::size_t triangles, const AtlasOptions& options);
 
 std::string_view to_string(AtlasKind kind);
 std::string_view to_string(Overscan overscan);
 std::string_view to_string(AtlasWeight weight);
+std::string_view to_string(AtlasPartition partition);
+std::string_view to_string(Diagonals diagonals);
 
 }  // namespace burl

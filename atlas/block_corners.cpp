@@ -32,7 +32,7 @@ std::array<Vec2d, 3> pulled_in(const std::array<Vec2d, 3>& triangle) {
 
 BlockCorners upright_corners(const Block& block, Overscan mode, bool joins_right) {
     const Vec2d legs{block.leg_x, block.leg_y};
-    Vec2d low{block.x, block.y};
+    Vec2d low{block.x + block.gutter, block.y + block.gutter};
     if (mode == Overscan::bilinear) {
         low += Vec2d{block.joins_left ? -0.5 : 0.5, 0.5};
         return right_triangles(low, low + legs, block.overscan);
@@ -79,6 +79,10 @@ BlockCorners mirrored(const BlockCorners& corners, const Block& block) {
 }  // namespace
 
 BlockCorners block_corners(const Block& block, Overscan mode, bool joins_right) {
+    if (block.shares_texel) {
+        const Vec2d middle{block.x + 0.5, block.y + 0.5};
+        return {{middle, middle, middle}, {middle, middle, middle}};
+    }
     const BlockCorners corners = upright_corners(block, mode, joins_right);
     return block.rising ? mirrored(corners, block) : corners;
 }

@@ -23,6 +23,29 @@ Vec3d normal(const Mesh& mesh, std::uint32_t t) {
     return length > 0.0 ? n / length : Vec3d(0.0);
 }
 
+/// One of METIS's partitioners, which all take the same arguments.
+std::vector<std::uint32_t> parts_of(const DualGraph& graph, std::uint32_t parts, int seed,
+                                    decltype(&METIS_PartGraphKway) partitioner) {
+    std::vector<std::uint32_t> result(graph.nodes(), 0);
+    if (parts < 2 || graph.nodes() < 2 || graph.targets.empty()) return result;
+    static_assert(sizeof(idx_t) == sizeof(std::int32_t));
+    DualGraph copy = graph;  // METIS takes pointers to what it may change
+    auto nodes = static_cast<idx_t>(graph.nodes());
+    idx_t constraints = 1, count = static_cast<idx_t>(parts), cut = 0;
+    std::array<idx_t, METIS_NOPTIONS> options{};
+    METIS_SetDefaultOptions(options.data());
+    options[METIS_OPTION_SEED] = seed;
+    std::vector<idx_t> part(graph.nodes(), 0);
+    static std::mutex one_at_a_time;
+    const std::scoped_lock lock(one_at_a_time);
+    const int status = partitioner(&nodes, &constraints, copy.begin.data(), copy.targets.data(),
+                                   copy.node_weights.data(), nullptr, copy.edge_weights.data(),
+                                   &count, nullptr, nullptr, options.data(), &cut, part.data());
+    if (status != METIS_OK) return result;
+    for (std::size_t i = 0; i < part.size(); ++i) result[i] = static_cast<std::uint32_t>(part[i]);
+    return result;
+}
+
 }  // namespace
 
 double dihedral_cosine(const Mesh& mesh, std::uint32_t t, std::uint32_t neighbour) {
@@ -68,25 +91,11 @@ DualGraph dual_graph(const Mesh& mesh, const Connectivity& connectivity,
 }
 
 std::vector<std::uint32_t> partition_graph(const DualGraph& graph, std::uint32_t parts, int seed) {
-    std::vector<std::uint32_t> result(graph.nodes(), 0);
-    if (parts < 2 || graph.nodes() < 2 || graph.targets.empty()) return result;
-    static_assert(sizeof(idx_t) == sizeof(std::int32_t));
-    DualGraph copy = graph;  // METIS takes pointers to what it may change
-    auto nodes = static_cast<idx_t>(graph.nodes());
-    idx_t constraints = 1, count = static_cast<idx_t>(parts), cut = 0;
-    std::array<idx_t, METIS_NOPTIONS> options{};
-    METIS_SetDefaultOptions(options.data());
-    options[METIS_OPTION_SEED] = seed;
-    std::vector<idx_t> part(graph.nodes(), 0);
-    static std::mutex one_at_a_time;
-    const std::scoped_lock lock(one_at_a_time);
-    const int status =
-        METIS_PartGraphKway(&nodes, &constraints, copy.begin.data(), copy.targets.data(),
-                            copy.node_weights.data(), nullptr, copy.edge_weights.data(), &count,
-                            nullptr, nullptr, options.data(), &cut, part.data());
-    if (status != METIS_OK) return result;
-    for (std::size_t i = 0; i < part.size(); ++i) result[i] = static_cast<std::uint32_t>(part[i]);
-    return result;
+    return parts_of(graph, parts, seed, METIS_PartGraphKway);
+}
+
+std::vector<std::uint32_t> bisect_graph(const DualGraph& graph, int seed) {
+    return parts_of(graph, 2, seed, METIS_PartGraphRecursive);
 }
 
 }  // namespace burl

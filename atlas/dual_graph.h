@@ -35,4 +35,7 @@ DualGraph dual_graph(const Mesh& mesh, const Connectivity& connectivity,
 /// and seed give the same parts, whatever other threads do.
 std::vector<std::uint32_t> partition_graph(const DualGraph& graph, std::uint32_t parts, int seed);
 
+/// The same with two parts of equal weight to about 0.1 %, where partition_graph allows 3 %.
+std::vector<std::uint32_t> bisect_graph(const DualGraph& graph, int seed);
+
 }  // namespace burl

@@ -5,7 +5,6 @@
 #include <bit>
 #include <cmath>
 #include <numeric>
-#include <optional>
 
 #include "atlas/atlas.h"
 #include "atlas/block_corners.h"
@@ -140,10 +139,7 @@ Error does_not_fit(const Mesh& mesh, const AtlasOptions& options) {
 Atlas layout_atlas(const Mesh& mesh, const Connectivity& connectivity,
                    const AtlasOptions& options) {
     check_size(options);
-    if (options.kind == AtlasKind::quad) {
-        if (std::optional<Atlas> atlas = layout_quad(mesh, connectivity, options)) return *atlas;
-        throw does_not_fit(mesh, options);
-    }
+    if (options.kind == AtlasKind::quad) return layout_quad(mesh, connectivity, options);
     const Likeness likeness;
     const std::vector<float> weights = triangle_weights(mesh, options.kind);
     const std::vector<std::int32_t> opposite = opposite_half_edges(mesh, connectivity);
@@ -206,6 +202,14 @@ std::string_view to_string(AtlasWeight weight) {
             return "error";
     }
     return "";
+}
+
+std::string_view to_string(AtlasPartition partition) {
+    return partition == AtlasPartition::rcb ? "rcb" : "graph";
+}
+
+std::string_view to_string(Diagonals diagonals) {
+    return diagonals == Diagonals::shared ? "shared" : "overscan";
 }
 
 std::string_view to_string(Overscan overscan) {

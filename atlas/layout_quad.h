@@ -3,15 +3,12 @@
 // surface clusters, so that the square is full, every texel is a valid sample and a texel of a
 // level mixes blocks only where a block is smaller than it, and then only neighbours in the tree
 // (Carr & Hart 2001, section 4.3).
-#include <optional>
-
 #include "atlas/atlas.h"
 
 namespace burl {
 
-/// Nothing when the mesh has more pairs and singles than the texture texels. options.size is a
-/// power of two. Pure and deterministic; use layout_atlas.
-std::optional<Atlas> layout_quad(const Mesh& mesh, const Connectivity& connectivity,
-                                 const AtlasOptions& options);
+/// options.size is a power of two. Holds any mesh: gutters narrow first, then blocks become single
+/// texels, which in the end stand for several pairs. Pure and deterministic; use layout_atlas.
+Atlas layout_quad(const Mesh& mesh, const Connectivity& connectivity, const AtlasOptions& options);
 
 }  // namespace burl

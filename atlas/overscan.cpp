@@ -32,10 +32,28 @@ std::int64_t collapsed_columns(const Block& block, std::int64_t j) {
     return 2 * j <= std::int64_t{block.leg_y} ? 1 : 0;
 }
 
+std::int64_t floor_divide(std::int64_t a, std::int64_t b) {
+    return a >= 0 ? a / b : -((b - 1 - a) / b);
+}
+
+/// Columns of row j, counted from the block's side, of a bilinear block with a gutter: the diagonal
+/// goes on through it, and so does a single, which leaves as much beyond its hypotenuse.
+std::int64_t gutter_columns(const Block& block, std::int64_t j) {
+    const std::int64_t sx = block.leg_x, sy = block.leg_y, g = block.gutter;
+    if (block.shares_hypotenuse) return g + floor_divide(sx * (sy - (j - g)), sy) + 1;
+    if (block.overscan > 0) {
+        const std::int64_t row = std::clamp<std::int64_t>(j - g, 0, sy);
+        return g + std::min(sx, (sx * sy + sx + sy - row * sx - 1) / sy) + 1;
+    }
+    const std::int64_t beyond = (1 + g) * (sx + sy);
+    return g + std::min(sx + g, floor_divide(sx * sy + beyond - (j - g) * sx - 1, sy)) + 1;
+}
+
 /// Columns of row j, counted from the texel at the right angle, whose texel `lower` owns.
 std::int64_t lower_columns(const Block& block, Overscan mode, std::int64_t j) {
     const std::int64_t sx = block.leg_x, sy = block.leg_y;
     if (block.collapsed()) return collapsed_columns(block, j);
+    if (block.gutter > 0) return gutter_columns(block, j);
     if (mode == Overscan::bilinear) {
         if (block.shares_hypotenuse) return sx * (sy - j) / sy + 1;
         return std::min(sx, (sx * sy + sx + sy - j * sx - 1) / sy) + 1;

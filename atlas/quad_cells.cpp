@@ -118,6 +118,18 @@ Vec3d centre(const Mesh& mesh, const QuadCell& cell, double scale) {
     return 0.25 * (sum + scale * mesh.positions[upper[cell.upper_corner]]);
 }
 
+double kink(const Mesh& mesh, const QuadCell& cell, double scale) {
+    const auto corner = [&](std::int32_t face, std::size_t k) {
+        return scale * mesh.positions[mesh.triangles[std::size_t(face)][k % 3]];
+    };
+    const Vec3d a = corner(cell.lower, cell.lower_corner + 1u),
+                b = corner(cell.lower, cell.lower_corner + 2u);
+    const Vec3d off =
+        corner(cell.lower, cell.lower_corner) - a + (corner(cell.upper, cell.upper_corner) - b);
+    const double diagonal = glm::distance(a, b);
+    return diagonal > 0.0 ? glm::length(off) / diagonal : 0.0;
+}
+
 }  // namespace
 
 std::vector<QuadCell> make_quad_cells(const Mesh& mesh, std::span<const std::int32_t> opposite,
@@ -142,6 +154,7 @@ std::vector<QuadCell> make_quad_cells(const Mesh& mesh, std::span<const std::int
             cell.upper = o / 3;
             cell.upper_corner = static_cast<std::uint8_t>((o + 2) % 3);
             extent.add(sides[std::size_t(o / 3)], cell.upper_corner);
+            cell.kink = kink(mesh, cell, scale);
         }
         cell.centre = centre(mesh, cell, scale);
         cell.demand = demand(extent, weight);

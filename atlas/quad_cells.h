@@ -20,6 +20,9 @@ struct QuadCell {
     Vec3d centre{0.0};                                ///< mean of the three or four corners
     double demand = 0.0;                              ///< texels wanted, in any common unit
     double aspect = 1.0;                              ///< width / height that serves it best
+    /// How far the pair is from a parallelogram, whose two maps agree: the distance of the
+    /// diagonals' middles over half the diagonal on which they meet.
+    double kink = 0.0;
     /// Squared error of bilinear lookup with legs of sx and sy texels, in any common unit:
     /// error[0] / sx^4 + error[1] / (sx^2 sy^2) + error[2] / sy^4.
     std::array<double, 3> error{};

@@ -4,15 +4,24 @@
 #include <cmath>
 #include <numeric>
 
+#include "atlas/overscan.h"
+
 namespace burl {
 
 namespace {
 
 constexpr std::size_t few_items = 24;  // up to here all three axes are tried
 
-/// sqrt of texels per unit of demand, so that blocks sized for it, a border texel each way
-/// included, fill the texture: n + b q + a q^2 = texels, with legs q sqrt(demand aspect^+-1).
-double texels_scale(std::span<const QuadCell> cells, double texels, Overscan overscan) {
+/// Texels that a block of the mean size has beyond its legs.
+double mean_border(std::size_t cells, const AtlasOptions& options) {
+    const double side = options.size / std::sqrt(double(std::max<std::size_t>(cells, 1)));
+    const auto block = static_cast<std::uint32_t>(std::max(1.0, side));
+    return border_texels(options.overscan) + 2.0 * quad_gutter(options, block, block);
+}
+
+/// sqrt of texels per unit of demand, so that blocks sized for it, their borders included, fill the
+/// texture: n border^2 + b border q + a q^2 = texels, with legs q sqrt(demand aspect^+-1).
+double texels_scale(std::span<const QuadCell> cells, double texels, double border) {
     double a = 0.0, b = 0.0;
     for (const QuadCell& cell : cells) {
         const double root = std::sqrt(cell.aspect);
@@ -20,16 +29,14 @@ double texels_scale(std::span<const QuadCell> cells, double texels, Overscan ove
         b += std::sqrt(cell.demand) * (root + 1.0 / root);
     }
     if (!(a > 0.0)) return 0.0;
-    if (overscan == Overscan::nearest) return std::sqrt(texels / a);
-    const double spare = std::max(0.0, texels - double(cells.size()));
+    b *= border;
+    const double spare = std::max(0.0, texels - border * border * double(cells.size()));
     return spare > 0.0 ? 2.0 * spare / (b + std::sqrt(b * b + 4.0 * a * spare)) : 0.0;
 }
 
-double texels_wanted(const QuadCell& cell, double q, Overscan overscan) {
-    const double inner = q * q * cell.demand;
-    if (overscan == Overscan::nearest) return inner;
-    const double root = std::sqrt(cell.aspect);
-    return inner + std::sqrt(inner) * (root + 1.0 / root) + 1.0;
+double texels_wanted(const QuadCell& cell, double q, double border) {
+    const double inner = q * q * cell.demand, root = std::sqrt(cell.aspect);
+    return inner + border * std::sqrt(inner) * (root + 1.0 / root) + border * border;
 }
 
 struct ByKey {
@@ -122,9 +129,16 @@ std::size_t halve_many(std::span<QuadItem> items, std::size_t least, std::size_t
 
 }  // namespace
 
-std::vector<QuadItem> quad_items(std::span<const QuadCell> cells, std::uint32_t size,
-                                 Overscan overscan) {
-    const double q = texels_scale(cells, double(size) * double(size), overscan);
+std::uint32_t quad_gutter(const AtlasOptions& options, std::uint32_t width, std::uint32_t height) {
+    if (options.overscan == Overscan::nearest) return 0;
+    std::uint32_t gutter = options.gutter;
+    while (8 * gutter > std::min(width, height)) gutter /= 2;
+    return gutter;
+}
+
+std::vector<QuadItem> quad_items(std::span<const QuadCell> cells, const AtlasOptions& options) {
+    const double border = mean_border(cells.size(), options);
+    const double q = texels_scale(cells, double(options.size) * double(options.size), border);
     std::vector<QuadItem> items(cells.size());
     if (cells.empty()) return items;
     Vec3d low = cells[0].centre, high = low;
@@ -137,7 +151,7 @@ std::vector<QuadItem> quad_items(std::span<const QuadCell> cells, std::uint32_t 
     const double steps = longest > 0.0 ? 0x1p24 / longest : 0.0;
     for (std::size_t i = 0; i < cells.size(); ++i) {
         const Vec3d key = glm::floor(steps * (cells[i].centre - low));
-        const double texels = texels_wanted(cells[i], q, overscan);
+        const double texels = texels_wanted(cells[i], q, border);
         items[i] = {{std::uint32_t(key.x), std::uint32_t(key.y), std::uint32_t(key.z)},
                     static_cast<std::uint32_t>(i),
                     static_cast<std::uint64_t>(std::ldexp(texels, 20))};
@@ -145,11 +159,9 @@ std::vector<QuadItem> quad_items(std::span<const QuadCell> cells, std::uint32_t 
     return items;
 }
 
-std::size_t halve(std::span<QuadItem> items, std::size_t most) {
-    most = std::min(most, items.size() - 1);
-    const std::size_t least = items.size() - most;
-    return items.size() <= few_items ? halve_few(items, least, most)
-                                     : halve_many(items, least, most);
+std::size_t halve_by_place(std::span<QuadItem> items, const HalfBounds& bounds) {
+    return items.size() <= few_items ? halve_few(items, bounds.least, bounds.most)
+                                     : halve_many(items, bounds.least, bounds.most);
 }
 
 }  // namespace burl

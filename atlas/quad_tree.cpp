@@ -8,14 +8,17 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <utility>
 
-#include "atlas/quad_order.h"
+#include "atlas/overscan.h"
 
 namespace burl {
 
 namespace {
 
 constexpr int most_aspect = 16;
+constexpr std::uint32_t most_log_side = 14;
+static_assert(max_atlas_size == 1u << most_log_side);
 constexpr double infinite = std::numeric_limits<double>::infinity();
 // Long nodes are bad for levels above their blocks; 0.01 to 0.1 all do.
 constexpr double squareness_penalty = 0.03;
@@ -49,15 +52,8 @@ struct Place {
 
 class Tree {
   public:
-    Tree(std::span<const QuadCell> cells, std::vector<QuadItem> items, Overscan overscan)
-        : cells_(cells), items_(std::move(items)), nodes_(2 * items_.size()) {
-        for (std::size_t log = 0; log < inverse_squares_.size(); ++log) {
-            const double side = std::ldexp(1.0, int(log));
-            // One texel on its own shows the middle.
-            const double leg = overscan == Overscan::nearest ? side : std::max(0.5, side - 1.0);
-            inverse_squares_[log] = 1.0 / (leg * leg);
-        }
-    }
+    Tree(std::span<const QuadCell> cells, std::vector<QuadItem> items, const AtlasOptions& options,
+         const Halve& halve);
     /// Halves the items down to single ones. `depth` bounds the aspects that can occur.
     Costs build(std::size_t node, std::size_t first, std::size_t count, int log_texels, int depth);
     void place(std::size_t node, std::size_t first, std::size_t count, const Place& at,
@@ -66,16 +62,34 @@ class Tree {
   private:
     double leaf_cost(const QuadCell& cell, int log_width, int log_height, bool turned) const;
     Costs leaf_costs(std::size_t item, int log_texels, int reach) const;
+    void place_together(std::size_t first, std::size_t count, const Place& at,
+                        std::vector<QuadLeaf>& leaves) const;
 
     std::span<const QuadCell> cells_;
     std::vector<QuadItem> items_;
+    const Halve& halve_;
     std::vector<Node> nodes_;
-    std::array<double, 32> inverse_squares_{};
+    /// 1 / leg^2 by log2 of the side along the leg and of the other side.
+    std::array<std::array<double, most_log_side + 1>, most_log_side + 1> inverse_squares_{};
 };
 
+Tree::Tree(std::span<const QuadCell> cells, std::vector<QuadItem> items,
+           const AtlasOptions& options, const Halve& halve)
+    : cells_(cells), items_(std::move(items)), halve_(halve), nodes_(2 * items_.size()) {
+    for (std::uint32_t log = 0; log <= most_log_side; ++log)
+        for (std::uint32_t other = 0; other <= most_log_side; ++other) {
+            const double border = border_texels(options.overscan) +
+                                  2.0 * quad_gutter(options, 1u << log, 1u << other);
+            // One texel on its own shows the middle.
+            const double leg = std::max(0.5, double(1u << log) - border);
+            inverse_squares_[log][other] = 1.0 / (leg * leg);
+        }
+}
+
 double Tree::leaf_cost(const QuadCell& cell, int log_width, int log_height, bool turned) const {
-    const double x = inverse_squares_[std::size_t(turned ? log_height : log_width)];
-    const double y = inverse_squares_[std::size_t(turned ? log_width : log_height)];
+    const auto w = std::size_t(turned ? log_height : log_width);
+    const auto h = std::size_t(turned ? log_width : log_height);
+    const double x = inverse_squares_[w][h], y = inverse_squares_[h][w];
     return cell.error[0] * x * x + cell.error[1] * x * y + cell.error[2] * y * y;
 }
 
@@ -91,12 +105,20 @@ Costs Tree::leaf_costs(std::size_t item, int log_texels, int reach) const {
     return costs;
 }
 
+/// As long as there are texels for all items none may lack one; else no texel may lack an item.
+HalfBounds half_bounds(std::size_t items, std::size_t texels) {
+    const std::size_t half = texels / 2;
+    if (items > texels) return {half, items - half};
+    const std::size_t most = std::min(half, items - 1);
+    return {items - most, most};
+}
+
 Costs Tree::build(std::size_t node, std::size_t first, std::size_t count, int log_texels,
                   int depth) {
     const int reach = std::min({depth, log_texels, most_aspect});
-    if (count == 1) return leaf_costs(first, log_texels, reach);
+    if (count == 1 || log_texels == 0) return leaf_costs(first, log_texels, reach);
     const std::size_t half =
-        halve({items_.data() + first, count}, std::size_t{1} << (log_texels - 1));
+        halve_({items_.data() + first, count}, half_bounds(count, std::size_t{1} << log_texels));
     nodes_[node].first_half = static_cast<std::uint32_t>(half);
     const Costs a = build(node + 1, first, half, log_texels - 1, depth + 1);
     const Costs b = build(node + 2 * half, first + half, count - half, log_texels - 1, depth + 1);
@@ -113,9 +135,35 @@ Costs Tree::build(std::size_t node, std::size_t first, std::size_t count, int lo
     return costs;
 }
 
+/// Several items on one texel, the one nearest to their middle first.
+void Tree::place_together(std::size_t first, std::size_t count, const Place& at,
+                          std::vector<QuadLeaf>& leaves) const {
+    const std::span<const QuadItem> items{items_.data() + first, count};
+    const auto place_of = [](const QuadItem& i) { return Vec3d(i.key[0], i.key[1], i.key[2]); };
+    Vec3d middle{0.0};
+    double weight = 0.0;
+    for (const QuadItem& item : items) {
+        const double own = double(item.weight) + 1.0;
+        middle += own * place_of(item);
+        weight += own;
+    }
+    middle /= weight;
+    const auto rank = [&](const QuadItem& item) {
+        const Vec3d off = place_of(item) - middle;
+        return std::pair(glm::dot(off, off), item.cell);
+    };
+    std::vector<std::pair<double, std::uint32_t>> ranks;
+    for (const QuadItem& item : items) ranks.push_back(rank(item));
+    std::sort(ranks.begin(), ranks.end());
+    for (std::size_t i = 0; i < count; ++i)
+        leaves.push_back({ranks[i].second, at.x, at.y, 1, 1, false, i > 0});
+}
+
 void Tree::place(std::size_t node, std::size_t first, std::size_t count, const Place& at,
                  std::vector<QuadLeaf>& leaves) const {
     const int aspect = at.log_width - at.log_height;
+    if (count > 1 && at.log_width + at.log_height == 0)
+        return place_together(first, count, at, leaves);
     if (count == 1) {
         const QuadItem& item = items_[first];
         const QuadCell& cell = cells_[item.cell];
@@ -136,13 +184,13 @@ void Tree::place(std::size_t node, std::size_t first, std::size_t count, const P
 
 }  // namespace
 
-std::vector<QuadLeaf> plan_quad_tree(std::span<const QuadCell> cells, std::uint32_t size,
-                                     Overscan overscan) {
+std::vector<QuadLeaf> plan_quad_tree(std::span<const QuadCell> cells, const AtlasOptions& options,
+                                     const Halve& halve) {
     std::vector<QuadLeaf> leaves;
     if (cells.empty()) return leaves;
     leaves.reserve(cells.size());
-    const int log_size = std::bit_width(size) - 1;
-    Tree tree(cells, quad_items(cells, size, overscan), overscan);
+    const int log_size = std::bit_width(options.size) - 1;
+    Tree tree(cells, quad_items(cells, options), options, halve);
     tree.build(0, 0, cells.size(), 2 * log_size, 0);
     tree.place(0, 0, cells.size(), {0, 0, log_size, log_size}, leaves);
     return leaves;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "atlas/quad_cells.h"
+#include "atlas/quad_order.h"
 
 namespace burl {
 
@@ -16,10 +17,13 @@ struct QuadLeaf {
     std::uint32_t cell = 0;
     std::uint32_t x = 0, y = 0, width = 0, height = 0;
     bool turned = false;
+    bool shares_texel = false;  ///< on the one texel of a leaf before, which stands for both
 };
 
-/// Leaves in the tree's order. `size` is a power of two, and there are at most size^2 cells.
-std::vector<QuadLeaf> plan_quad_tree(std::span<const QuadCell> cells, std::uint32_t size,
-                                     Overscan overscan);
+/// Leaves in the tree's order; options.size is a power of two. When there are more cells than
+/// texels, all blocks are single texels, and cells that one of them stands for follow the one
+/// nearest to their middle.
+std::vector<QuadLeaf> plan_quad_tree(std::span<const QuadCell> cells, const AtlasOptions& options,
+                                     const Halve& halve);
 
 }  // namespace burl

@@ -101,7 +101,8 @@ std::vector<BlockSpans> left_to_right(const Atlas& atlas, std::size_t triangles)
     blocks.reserve(atlas.blocks.size());
     auto rest = static_cast<std::uint32_t>(triangles);
     for (const Block& block : atlas.blocks)
-        blocks.push_back({&block, block.fills_up && !block.collapsed() ? rest++ : 0});
+        if (!block.shares_texel)
+            blocks.push_back({&block, block.fills_up && !block.collapsed() ? rest++ : 0});
     const auto before = [](const BlockSpans& a, const BlockSpans& b) {
         return a.block->x < b.block->x;
     };

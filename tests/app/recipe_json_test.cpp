@@ -49,7 +49,7 @@ TEST(Recipe, EverythingIsOptional) {
 TEST(Recipe, ReadsEveryKey) {
     const Recipe recipe = parse_recipe(R"({"burl": 1, "name": "n",
         "atlas": {"kind": "length", "size": 333, "overscan": "nearest",
-                  "weight": "area"},
+                  "weight": "area", "partition": "graph", "gutter": 3, "diagonals": "overscan"},
         "solid": {"space": "object", "scale": 0.25},
         "texture": {"node": "color_map", "wrap": "clamp", "stops": [[0.25, "#102030"], [1, "#FFfe00"]],
           "input": {"node": "field",
@@ -62,7 +62,9 @@ TEST(Recipe, ReadsEveryKey) {
                                        "r.json");
     Recipe expected;
     expected.name = "n";
-    expected.atlas = {AtlasKind::length, Overscan::nearest, 333, AtlasWeight::area};
+    expected.atlas = {AtlasKind::length,  Overscan::nearest,     333,
+                      AtlasWeight::area,  AtlasPartition::graph, 3,
+                      Diagonals::overscan};
     expected.solid = {SolidSpace::object, 0.25};
     expected.texture.colors = {Wrap::clamp, {{0.25, {16, 32, 48}}, {1.0, {255, 254, 0}}}};
     expected.texture.quadric = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10};
