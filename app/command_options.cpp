@@ -19,7 +19,7 @@ void RecipeOptions::add_recipe(CLI::App& verb) {
 }
 
 void RecipeOptions::add_atlas(CLI::App& verb) {
-    verb.add_option("-a,--atlas", kind, "Atlas: uniform, area, length or quad");
+    verb.add_option("-a,--atlas", kind, "Atlas: uniform, area, length, quad or patch");
     verb.add_option("--overscan", overscan, "Lookup the atlas is made for: nearest or bilinear");
     verb.add_option("--weight", weight,
                     "What a pair's share of a quad atlas follows: equal, area, length or error");
@@ -28,6 +28,7 @@ void RecipeOptions::add_atlas(CLI::App& verb) {
     verb.add_option("--gutter", gutter, "Texels that a quad atlas leaves round every pair");
     verb.add_option("--diagonals", diagonals,
                     "Pairs of a quad atlas: shared, or with overscan for more than 8 bits");
+    verb.add_option("--tries", tries, "Partitions a patch atlas is chosen from, 1 to 6");
     verb.add_option("-s,--size", size, "Side N of the N x N texture, in texels");
 }
 
@@ -39,6 +40,7 @@ Recipe RecipeOptions::load() const {
     if (partition) edits.push_back("atlas.partition=" + *partition);
     if (gutter) edits.push_back("atlas.gutter=" + *gutter);
     if (diagonals) edits.push_back("atlas.diagonals=" + *diagonals);
+    if (tries) edits.push_back("atlas.tries=" + *tries);
     if (size) edits.push_back("atlas.size=" + *size);
     if (filter) edits.push_back("filter=" + *filter);
     return load_recipe(recipe, edits);

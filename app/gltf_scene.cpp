@@ -18,6 +18,7 @@ enum Gl {  // the few OpenGL constants the format is written in
     gl_float = 5126,
     gl_nearest = 9728,
     gl_linear = 9729,
+    gl_linear_mipmap_linear = 9987,
     gl_clamp_to_edge = 33071,
     gl_array_buffer = 34962,
     gl_element_array_buffer = 34963,
@@ -170,10 +171,12 @@ Json asset(const GltfContent& content) {
             {"extras", {{"burl", std::move(burl)}}}};
 }
 
-Json sampler(Overscan overscan) {
-    const int filter = overscan == Overscan::nearest ? gl_nearest : gl_linear;
+/// Only patches have borders so few that any viewer's own MIP levels may be looked up.
+Json sampler(const AtlasOptions& atlas) {
+    const int filter = atlas.overscan == Overscan::nearest ? gl_nearest : gl_linear;
+    const bool levels = atlas.kind == AtlasKind::patch && filter == gl_linear;
     return {{"magFilter", filter},
-            {"minFilter", filter},
+            {"minFilter", levels ? int(gl_linear_mipmap_linear) : filter},
             {"wrapS", int(gl_clamp_to_edge)},
             {"wrapT", int(gl_clamp_to_edge)}};
 }
@@ -213,7 +216,7 @@ GltfScene build_gltf_scene(const GltfContent& content) {
     }
     scene.json["materials"] = Json::array({material()});
     scene.json["textures"] = Json::array({{{"sampler", 0}, {"source", 0}}});
-    scene.json["samplers"] = Json::array({sampler(content.atlas.overscan)});
+    scene.json["samplers"] = Json::array({sampler(content.atlas)});
     return scene;
 }
 

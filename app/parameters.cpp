@@ -19,7 +19,7 @@ constexpr Parameter quadric_parameter(std::string_view path, std::string_view ti
 constexpr std::array table{
     Parameter{"burl", integer, 1, 1, 1, 1, "", "1", "", "version of this format"},
     Parameter{"name", text, 0, 0, 0, 1, "", "\"\"", "", "what the texture is called"},
-    Parameter{"atlas.kind", choice, 0, 0, 0, 1, "", "\"area\"", "uniform|area|length|quad",
+    Parameter{"atlas.kind", choice, 0, 0, 0, 1, "", "\"patch\"", "uniform|area|length|quad|patch",
               "how triangles are packed"},
     Parameter{"atlas.size", integer, 1, 16384, 256, 1, "texels", "1024", "",
               "width and height of the texture; quad: a power of two"},
@@ -36,6 +36,8 @@ constexpr std::array table{
     Parameter{"atlas.diagonals", choice, 0, 0, 0, 1, "", "\"shared\"", "shared|overscan",
               "quad, bilinear: whether pairs meet on the diagonal, or lie apart where they would "
               "meet in a kink"},
+    Parameter{"atlas.tries", integer, 1, 6, 1, 1, "", "1", "",
+              "partitions a patch atlas is chosen from; the other kinds ignore it"},
     Parameter{"solid.space", choice, 0, 0, 0, 1, "", "\"unit\"", "unit|object",
               "unit: the mesh's box centred, longest side 1; object: the file's coordinates"},
     Parameter{"solid.scale", number, 1e-6, 1e6, 0.1, 1, "", "1", "",

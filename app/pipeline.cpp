@@ -30,20 +30,20 @@ const Connectivity& Pipeline::connectivity() {
     return *connectivity_;
 }
 
-const Atlas& Pipeline::atlas() {
+const MeshAtlas& Pipeline::mesh_atlas() {
     if (!atlas_) {
         const Connectivity& edges = connectivity();
-        atlas_ = timed("layout", [&] { return layout_atlas(mesh_, edges, recipe_.atlas); });
+        atlas_ = timed("layout", [&] { return build_atlas(mesh_, edges, recipe_.atlas); });
     }
     return *atlas_;
 }
 
 const SolidAtlas& Pipeline::solid() {
     if (!solid_) {
-        const Atlas& layout = atlas();
+        const MeshAtlas& layout = mesh_atlas();
         solid_ = timed("spans", [&] {
             const Affine3 map = solid_from_mesh(mesh_, recipe_.solid.space);
-            return rasterize(mesh_, layout, map_positions(mesh_, map));
+            return rasterize(mesh_, layout, map_positions(layout.mesh(mesh_), map));
         });
     }
     return *solid_;

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "app/recipe.h"
-#include "atlas/metrics.h"
+#include "atlas/mesh_atlas.h"
 
 namespace burl {
 
@@ -31,9 +31,12 @@ class Pipeline {
     void set_threads(int threads) { threads_ = threads; }
 
     const Mesh& mesh() const { return mesh_; }
+    /// The mesh whose triangles the atlas places: what is exported.
+    const Mesh& atlas_mesh() { return mesh_atlas().mesh(mesh_); }
     const Recipe& recipe() const { return recipe_; }
     const Connectivity& connectivity();
-    const Atlas& atlas();
+    const MeshAtlas& mesh_atlas();
+    const Atlas& atlas() { return mesh_atlas().atlas(); }
     const SolidAtlas& solid();
     /// The texture; one of Rgb8, Rgb16 and RgbF.
     template <class Pixel>
@@ -49,7 +52,7 @@ class Pipeline {
     Recipe recipe_;
     int threads_ = 0;
     std::optional<Connectivity> connectivity_;
-    std::optional<Atlas> atlas_;
+    std::optional<MeshAtlas> atlas_;
     std::optional<SolidAtlas> solid_;
     std::vector<StageTime> times_;
 };

@@ -12,7 +12,7 @@ namespace burl {
 namespace {
 
 // In the order of the enumerators.
-constexpr std::array atlas_kinds{"uniform", "area", "length", "quad"};
+constexpr std::array atlas_kinds{"uniform", "area", "length", "quad", "patch"};
 constexpr std::array atlas_weights{"equal", "area", "length", "error"};
 constexpr std::array partitions{"rcb", "graph"};
 constexpr std::array diagonals{"shared", "overscan"};
@@ -47,6 +47,7 @@ Recipe recipe_from_json(const Json& json) {
     read(atlas, "diagonals", diagonals, recipe.atlas.diagonals);
     if (atlas.contains("gutter"))
         recipe.atlas.gutter = std::uint32_t(atlas["gutter"].get<double>());
+    if (atlas.contains("tries")) recipe.atlas.tries = int(atlas["tries"].get<double>());
     if (atlas.contains("size")) recipe.atlas.size = std::uint32_t(atlas["size"].get<double>());
     const Json& solid = part("solid");
     read(solid, "space", spaces, recipe.solid.space);
@@ -100,7 +101,8 @@ std::string to_json(const Recipe& recipe) {
           {"weight", name_of(atlas_weights, recipe.atlas.weight)},
           {"partition", name_of(partitions, recipe.atlas.partition)},
           {"gutter", recipe.atlas.gutter},
-          {"diagonals", name_of(diagonals, recipe.atlas.diagonals)}}},
+          {"diagonals", name_of(diagonals, recipe.atlas.diagonals)},
+          {"tries", recipe.atlas.tries}}},
         {"solid", {{"space", name_of(spaces, recipe.solid.space)}, {"scale", recipe.solid.scale}}},
         {"texture", texture_to_json(recipe.texture)},
         {"filter", name_of(filters, recipe.filter)}};

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/pipeline.h"
+#include "atlas/metrics.h"
 
 namespace burl {
 

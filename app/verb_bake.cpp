@@ -45,7 +45,7 @@ void warn_if_starved(const Pipeline& pipeline) {
 }
 
 Json bake_json(const BakeCommand& command, Pipeline& pipeline, Json seconds) {
-    const AtlasMetrics metrics = measure(pipeline.mesh(), pipeline.atlas(), pipeline.solid());
+    const AtlasMetrics metrics = measure(pipeline.atlas_mesh(), pipeline.atlas(), pipeline.solid());
     return {{"input", command.mesh},
             {"outputs", output_paths(command.out)},
             {"recipe", Json::parse(to_json(pipeline.recipe()))},
@@ -89,7 +89,7 @@ void run_bake(const BakeCommand& command) {
     ExportOptions options;
     options.crease_degrees = command.crease;
     options.recipe_json = to_json(recipe);
-    export_scene(command.out, pipeline.mesh(), pipeline.atlas(), image, options);
+    export_scene(command.out, pipeline.atlas_mesh(), pipeline.atlas(), image, options);
     Json seconds = {{"read", reading}};
     seconds.update(times_json(pipeline.times()));
     seconds["write"] = seconds_since(writing);

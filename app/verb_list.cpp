@@ -51,7 +51,8 @@ std::vector<Entry> entries_of(const std::string& what) {
         return {{"uniform", "every triangle the same shape (Carr & Hart 4.1)"},
                 {"area", "triangles sized by their area (Carr & Hart 4.2)"},
                 {"length", "triangles sized by their longest edge (Carr & Hart 4.2)"},
-                {"quad", "pairs in a balanced quadtree of surface clusters (Carr & Hart 4.3)"}};
+                {"quad", "pairs in a balanced quadtree of surface clusters (Carr & Hart 4.3)"},
+                {"patch", "few patches on full rectangles, for any lookup (the default)"}};
     }
     if (what == "noises") {
         return {{"value", "interpolated lattice values; fade linear, smooth or quintic"},

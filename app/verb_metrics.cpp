@@ -9,6 +9,7 @@
 #include "app/metrics_report.h"
 #include "app/verbs.h"
 #include "atlas/error.h"
+#include "atlas/refined_points.h"
 #include "atlas/uv_atlas.h"
 #include "procedural/metric_marble.h"
 
@@ -42,10 +43,9 @@ class Measuring {
           pipeline_(command.meshes.load(command.mesh)),
           edges_(mesh_edges(mesh(), pipeline_.connectivity())) {
         if (!command.levels) return;
-        normalised_ = normalised(mesh());
         TruthOptions options;
         options.size = recipe_.atlas.size;
-        truth_ = surface_truth(normalised_, metric_marble, options);
+        truth_ = surface_truth(normalised(mesh()), metric_marble, options);
     }
 
     const Mesh& mesh() const { return pipeline_.mesh(); }
@@ -54,32 +54,53 @@ class Measuring {
     MeasuredAtlas our_atlas(AtlasKind kind) {
         recipe_.atlas.kind = kind;
         pipeline_.set_recipe(recipe_);
-        return measured(std::string(to_string(kind)), pipeline_.atlas(), rasterize);
+        const MeshAtlas& atlas = pipeline_.mesh_atlas();
+        const auto points_of = [&](const Mesh& surface, const Atlas&, const auto& positions) {
+            return rasterize(surface, atlas, positions);
+        };
+        const std::string name(to_string(kind));
+        if (!atlas.patches())
+            return measured(name, mesh(), edges_, atlas.atlas(), truth_, points_of);
+        const Mesh& refined = pipeline_.atlas_mesh();
+        return measured(name, refined, mesh_edges(refined, build_connectivity(refined)),
+                        atlas.atlas(), refined_truth(atlas), points_of);
     }
 
     MeasuredAtlas uv_atlas() {
-        return measured("uv", atlas_from_uvs(mesh(), connectivity(), recipe_.atlas.size),
+        return measured("uv", mesh(), edges_,
+                        atlas_from_uvs(mesh(), connectivity(), recipe_.atlas.size), truth_,
                         rasterize_uvs);
     }
 
   private:
+    std::optional<SurfaceTruth> refined_truth(const MeshAtlas& atlas) const {
+        std::optional<SurfaceTruth> truth = truth_;
+        if (!truth) return truth;
+        truth->points = refined_points(mesh(), atlas, std::move(truth->points));
+        truth->level_points = refined_points(mesh(), atlas, std::move(truth->level_points));
+        return truth;
+    }
+
+    /// `surface` is the mesh whose triangles the atlas places; the truth's points lie on it.
     template <class Rasterize>
-    MeasuredAtlas measured(std::string name, const Atlas& atlas, Rasterize&& points_of) {
-        const SolidAtlas solid = points_of(mesh(), atlas, mesh().positions);
-        MeasuredAtlas result{std::move(name), atlas, measure_atlas(mesh(), atlas, solid, edges_),
+    MeasuredAtlas measured(std::string name, const Mesh& surface,
+                           const std::vector<MeshEdge>& edges, const Atlas& atlas,
+                           const std::optional<SurfaceTruth>& truth, Rasterize&& points_of) const {
+        const SolidAtlas solid = points_of(surface, atlas, surface.positions);
+        MeasuredAtlas result{std::move(name), atlas, measure_atlas(surface, atlas, solid, edges),
                              std::nullopt};
-        if (truth_)
+        if (truth) {
+            const Mesh unit = normalised(surface);
             result.lookups = measure_lookups(
-                normalised_, atlas,
-                fill_texture(points_of(normalised_, atlas, normalised_.positions), metric_marble),
-                edges_, *truth_);
+                unit, atlas, fill_texture(points_of(unit, atlas, unit.positions), metric_marble),
+                edges, *truth);
+        }
         return result;
     }
 
     Recipe recipe_;
     Pipeline pipeline_;
     std::vector<MeshEdge> edges_;
-    Mesh normalised_;
     std::optional<SurfaceTruth> truth_;
 };
 
@@ -91,6 +112,7 @@ std::vector<AtlasKind> kinds_asked(const MetricsCommand& command, const Recipe& 
     } else {
         fmt::print(stderr, "quad is left out: its size must be a power of two\n");
     }
+    kinds.push_back(AtlasKind::patch);
     return kinds;
 }
 
@@ -140,7 +162,7 @@ void add_metrics(CLI::App& program) {
         ->required();
     command->recipe.add_recipe(*verb);
     command->recipe.add_atlas(*verb);
-    verb->get_option("--atlas")->description("Atlas: uniform, area, length, quad, or all");
+    verb->get_option("--atlas")->description("Atlas: uniform, area, length, quad, patch, or all");
     verb->add_flag("--uv", command->uv,
                    "Measure the file's own texture coordinates (the default for a file that has "
                    "them when no --atlas is asked)");

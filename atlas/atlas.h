@@ -12,9 +12,9 @@
 
 namespace burl {
 
-/// The strips of the paper's sections 4.1 and 4.2, and `quad`: pairs in a quadtree
-/// (docs/atlases.md).
-enum class AtlasKind { uniform, area, length, quad };
+/// The strips of the paper's sections 4.1 and 4.2, `quad`: pairs in a quadtree (docs/atlases.md),
+/// and `patch`: few patches on rectangles (docs/patch-atlas.md).
+enum class AtlasKind { uniform, area, length, quad, patch };
 enum class Overscan { nearest, bilinear };
 /// What a pair's share of a quad atlas follows: nothing, its area, its longest edge squared, or the
 /// predicted error of lookups. The other kinds have their weight in their name.
@@ -27,13 +27,14 @@ enum class AtlasPartition { rcb, graph };
 enum class Diagonals { shared, overscan };
 
 struct AtlasOptions {
-    AtlasKind kind = AtlasKind::area;
+    AtlasKind kind = AtlasKind::patch;
     Overscan overscan = Overscan::bilinear;
     std::uint32_t size = 1024;  ///< N: the texture is exactly N x N texels; quad: a power of two
     AtlasWeight weight = AtlasWeight::error;         ///< quad only
     AtlasPartition partition = AtlasPartition::rcb;  ///< quad only
     std::uint32_t gutter = 0;  ///< quad with bilinear overscan: texels round each block's triangles
     Diagonals diagonals = Diagonals::shared;  ///< quad with bilinear overscan
+    int tries = 1;  ///< patch: partitions to choose from, 1 to 6, and two along creases if any
     bool operator==(const AtlasOptions&) const = default;
 };
 
@@ -90,10 +91,14 @@ struct Atlas {
     LayoutNotes notes;
 };
 
-/// Packs the mesh. Pure and deterministic: the same mesh gives the same bytes.
+/// Packs the mesh into blocks; for `patch` use build_atlas (atlas/mesh_atlas.h). Pure and
+/// deterministic: the same mesh gives the same bytes.
 /// Throws Error(runtime) with the size that would do when the texture cannot hold the mesh (quad
 /// holds any), and Error(usage) for a size no texture has, or quad cannot halve.
 Atlas layout_atlas(const Mesh& mesh, const Connectivity& connectivity, const AtlasOptions& options);
+
+/// Throws Error(usage) for a size no texture has, or quad cannot halve.
+void check_size(const AtlasOptions& options);
 
 /// Smallest N that gives every triangle of so many texels of its own, whatever their connectivity.
 /// Strips are refused below what they need; in a quad atlas pairs then share texels.

@@ -110,19 +110,6 @@ LayoutNotes layout_notes(const Atlas& atlas) {
     return notes;
 }
 
-void check_size(const AtlasOptions& options) {
-    if (options.size < 1 || options.size > max_atlas_size)
-        throw Error(ExitCode::usage, fmt::format("a texture of {0} x {0} texels cannot be made; "
-                                                 "use --size with a number from 1 to {1}",
-                                                 options.size, max_atlas_size));
-    if (options.kind != AtlasKind::quad || std::has_single_bit(options.size)) return;
-    throw Error(
-        ExitCode::usage,
-        fmt::format("the quad atlas halves its texture down to single texels, which {0} x "
-                    "{0} texels do not allow; use --size {1} or {2}",
-                    options.size, std::bit_floor(options.size), std::bit_ceil(options.size)));
-}
-
 Error does_not_fit(const Mesh& mesh, const AtlasOptions& options) {
     const std::string name = mesh.name.empty() ? "the mesh" : mesh.name;
     const std::string problem = fmt::format(
@@ -135,6 +122,19 @@ Error does_not_fit(const Mesh& mesh, const AtlasOptions& options) {
 }
 
 }  // namespace
+
+void check_size(const AtlasOptions& options) {
+    if (options.size < 1 || options.size > max_atlas_size)
+        throw Error(ExitCode::usage, fmt::format("a texture of {0} x {0} texels cannot be made; "
+                                                 "use --size with a number from 1 to {1}",
+                                                 options.size, max_atlas_size));
+    if (options.kind != AtlasKind::quad || std::has_single_bit(options.size)) return;
+    throw Error(
+        ExitCode::usage,
+        fmt::format("the quad atlas halves its texture down to single texels, which {0} x "
+                    "{0} texels do not allow; use --size {1} or {2}",
+                    options.size, std::bit_floor(options.size), std::bit_ceil(options.size)));
+}
 
 Atlas layout_atlas(const Mesh& mesh, const Connectivity& connectivity,
                    const AtlasOptions& options) {
@@ -166,8 +166,8 @@ Atlas layout_atlas(const Mesh& mesh, const Connectivity& connectivity,
 
 std::uint32_t smallest_size(std::size_t triangles, const AtlasOptions& options) {
     // One triangle alone takes one texel step each way: 2 x 2 texels with corners on centres. In a
-    // quad atlas one texel holds a triangle.
-    const bool quad = options.kind == AtlasKind::quad;
+    // quad atlas one texel holds a triangle; patches give way to it.
+    const bool quad = options.kind == AtlasKind::quad || options.kind == AtlasKind::patch;
     const std::uint64_t cell = quad ? 1 : 1 + border_texels(options.overscan);
     auto side = static_cast<std::uint64_t>(std::sqrt(static_cast<double>(triangles)));
     while (side * side < triangles) ++side;
@@ -186,6 +186,8 @@ std::string_view to_string(AtlasKind kind) {
             return "length";
         case AtlasKind::quad:
             return "quad";
+        case AtlasKind::patch:
+            return "patch";
     }
     return "";
 }

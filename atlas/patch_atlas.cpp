@@ -6,8 +6,6 @@
 
 #include <tbb/parallel_for.h>
 
-#include "atlas/error.h"
-
 namespace burl {
 namespace {
 
@@ -76,7 +74,7 @@ bool divides_well(const Mesh& mesh, const Regions& regions) {
 }
 
 Candidate best_candidate(const Mesh& mesh, const Connectivity& connectivity,
-                         const PatchAtlasOptions& options, int& looked_at) {
+                         const AtlasOptions& options, int& looked_at) {
     Candidate best;
     const auto consider = [&](const Regions& regions, const Try& attempt) {
         ++looked_at;
@@ -138,20 +136,16 @@ void place_corners(PatchAtlas& result) {
 
 }  // namespace
 
-PatchAtlas build_patch_atlas(const Mesh& mesh, const Connectivity& connectivity,
-                             const PatchAtlasOptions& options) {
+std::optional<PatchAtlas> build_patch_atlas(const Mesh& mesh, const Connectivity& connectivity,
+                                            const AtlasOptions& options) {
     PatchAtlas result;
     Candidate best = best_candidate(mesh, connectivity, options, result.candidates);
-    if (!std::isfinite(best.cost))
-        throw Error(ExitCode::runtime,
-                    fmt::format("a texture of {0} x {0} texels is too small for the {1} patches of "
-                                "this mesh: use a larger --size",
-                                options.size, best.maps.patches.size()));
+    if (!std::isfinite(best.cost)) return std::nullopt;
     refit(best);
     result.maps = std::move(best.maps);
     result.layout = std::move(best.layout);
     result.refined = refine_mesh(mesh, result.maps);
-    result.atlas.options.size = options.size;
+    result.atlas.options = options;
     result.atlas.notes.texels_total = std::uint64_t{options.size} * options.size;
     place_corners(result);
     return result;

@@ -10,12 +10,6 @@
 
 namespace burl {
 
-struct PatchAtlasOptions {
-    std::uint32_t size = 1024;  ///< N
-    int tries = 1;              ///< partitions to choose from, 1 to 6, and two along creases if any
-    bool operator==(const PatchAtlasOptions&) const = default;
-};
-
 struct PatchAtlas {
     RefinedMesh refined;  ///< what is exported: the mesh with the middles of chords
     Atlas atlas;          ///< corners and charts of the refined mesh's triangles; no blocks
@@ -25,10 +19,10 @@ struct PatchAtlas {
 };
 
 /// Pure and deterministic. Triangles that no map was found for (they have no area) are placed on a
-/// point of their own patch neighbours, or at texel (0,0). Throws Error(runtime) when the texture
-/// cannot hold the patches.
-PatchAtlas build_patch_atlas(const Mesh& mesh, const Connectivity& connectivity,
-                             const PatchAtlasOptions& options = {});
+/// point of their own patch neighbours, or at texel (0,0). Nothing when the texture cannot hold the
+/// patches. Of the options, size and tries matter.
+std::optional<PatchAtlas> build_patch_atlas(const Mesh& mesh, const Connectivity& connectivity,
+                                            const AtlasOptions& options = {});
 
 /// The solid points of all texels. `positions` are the refined mesh's points in the space wanted.
 /// Inner texels show the triangle at their centre; gutters continue the block by odd reflection,

@@ -231,7 +231,7 @@ TEST_F(GlRenderTest, BakedFileLooksLikeTheGroundTruth) {
                       orbit_camera({}, bounding_sphere(pipeline.mesh()), options.size), options);
     const ImageDiff diff = diff_images(baked, truth, {.ignore = background_srgb});
     EXPECT_GT(diff.pixels, 4000u);
-    EXPECT_GT(diff.psnr_db, 48.0);
+    EXPECT_GT(diff.psnr_db, 46.0);
     // With the texture turned by half a period it must not match.
     recipe.texture.quadric.j += 0.5;
     EXPECT_LT(diff_images(baked, render_direct(pipeline.mesh(), recipe, camera, options),

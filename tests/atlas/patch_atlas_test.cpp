@@ -1,6 +1,6 @@
 // The patch atlas from mesh to texels: every texel has one owner, inner texels show what lies at
 // their centre, gutters reflect it, and the refined mesh is the same surface.
-#include "atlas/patch_atlas.h"
+#include "atlas/refined_points.h"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ struct Built {
     SolidAtlas solid;
     Built(Mesh m, std::uint32_t size)
         : mesh(std::move(m)),
-          atlas(build_patch_atlas(mesh, build_connectivity(mesh), {.size = size})),
+          atlas(*build_patch_atlas(mesh, build_connectivity(mesh), {.size = size})),
           solid(rasterize_patches(atlas, atlas.refined.mesh.positions)) {}
 
     Vec3d texel(std::size_t x, std::size_t y) const {
@@ -198,9 +198,35 @@ TEST(PatchAtlas, SameBitsAtPowersOfTwo) {
     EXPECT_EQ(a.atlas.layout.blocks, b.atlas.layout.blocks);
 }
 
-TEST(PatchAtlas, SaysWhenTheTextureIsTooSmall) {
+TEST(PatchAtlas, PointsKeepTheirPlacesOnTheRefinedMesh) {
+    for (const auto& [name, mesh] : meshes()) {
+        SCOPED_TRACE(name);
+        const MeshAtlas atlas = build_atlas(mesh, build_connectivity(mesh), {.size = 256});
+        ASSERT_TRUE(atlas.patches());
+        const std::vector<SurfacePoint> points = area_uniform_points(mesh, 3000, 1);
+        const std::vector<SurfacePoint> moved = refined_points(mesh, atlas, points);
+        ASSERT_EQ(moved.size(), points.size());
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            EXPECT_LT(
+                glm::distance(position(atlas.mesh(mesh), moved[i]), position(mesh, points[i])),
+                1e-12);
+            EXPECT_GT(std::min({moved[i].weights.x, moved[i].weights.y, moved[i].weights.z}),
+                      -1e-12);
+        }
+    }
+}
+
+TEST(PatchAtlas, GivesWayToPairsWhereItDoesNotFit) {
     const Mesh mesh = made::soup(61, 1);
-    EXPECT_THROW(build_patch_atlas(mesh, build_connectivity(mesh), {.size = 8}), Error);
+    const MeshAtlas atlas = build_atlas(mesh, build_connectivity(mesh), {.size = 8});
+    EXPECT_FALSE(atlas.patches());
+    EXPECT_EQ(atlas.atlas().options.kind, AtlasKind::quad);
+    EXPECT_EQ(&atlas.mesh(mesh), &mesh);
+}
+
+TEST(PatchAtlas, NothingWhenTheTextureIsTooSmall) {
+    const Mesh mesh = made::soup(61, 1);
+    EXPECT_FALSE(build_patch_atlas(mesh, build_connectivity(mesh), {.size = 8}));
 }
 
 TEST(PatchRefine, SameSurfaceWithoutTJunctions) {
