@@ -62,7 +62,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadCase{"SizeZero", "m.obj", square, "--size 0", 1, "size"},
         BadCase{"SizeHuge", "m.obj", square, "--size 100000", 1, "size"},
         BadCase{"SizeNoNumber", "m.obj", square, "--size 0x0", 1, "size"},
-        BadCase{"SizeTooSmall", "m.obj", square, "--size 1", 4, "--size"},
+        BadCase{"SizeTooSmall", "m.obj", square, "--size 1 --atlas area", 4, "--size"},
         BadCase{"UnknownAtlas", "m.obj", square, "--atlas aria", 1, "area"},
         BadCase{"UnknownPreset", "m.obj", square, "--recipe marbel", 1, "marble"},
         BadCase{"UnknownKey", "m.obj", square, "--set texture.input.nose.0.gain=1", 1, "noise"},

@@ -219,7 +219,7 @@ TEST_F(GlRenderTest, BakedFileLooksLikeTheGroundTruth) {
     recipe.atlas.size = 512;
     Pipeline pipeline(sphere_mesh(12, 24));
     pipeline.set_recipe(recipe);
-    export_scene(folder / "sphere.glb", pipeline.mesh(), pipeline.atlas(),
+    export_scene(folder / "sphere.glb", pipeline.atlas_mesh(), pipeline.atlas(),
                  pipeline.synthesize<Rgb8>());
     const Scene scene = load_scene(folder / "sphere.glb");
 
