@@ -15,7 +15,8 @@ namespace burl {
 struct RecipeOptions {
     std::string recipe = "marble";
     std::vector<std::string> settings;
-    std::optional<std::string> kind, overscan, weight, tries, partition, gutter, diagonals, filter, size;
+    std::optional<std::string> kind, overscan, weight, tries, partition, gutter, diagonals, filter,
+        size;
 
     void add_recipe(CLI::App& verb);
     void add_atlas(CLI::App& verb);
