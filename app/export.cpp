@@ -14,6 +14,7 @@
 #include "app/export_gltf.h"
 #include "app/export_obj.h"
 #include "app/image_io.h"
+#include "app/level_names.h"
 #include "app/normals.h"
 #include "atlas/error.h"
 
@@ -116,29 +117,65 @@ Image<RgbF> linear_of(const BakedImage& image) {
     return to_linear(std::get<Image<Rgb16>>(image));
 }
 
+std::vector<std::vector<std::uint8_t>> level_pngs(const ExportOptions& options) {
+    std::vector<std::vector<std::uint8_t>> pngs;
+    for (const BakedImage& level : options.levels) pngs.push_back(png_of(level));
+    return pngs;
+}
+
+/// NAME.png and NAME.1.png, NAME.2.png, ...; all or none.
+void export_png(const std::string& path, const BakedImage& image, const ExportOptions& options) {
+    std::vector<AtomicFile> files;
+    files.reserve(1 + options.levels.size());
+    for (std::size_t l = 1; l <= options.levels.size(); ++l)
+        files.emplace_back(fs::path(path).replace_extension(level_extension(l)).string())
+            .write(png_of(options.levels[l - 1]));
+    files.emplace_back(path).write(png_of(image));
+    commit_together(files);
+}
+
+Image<RgbF> float_of(const BakedImage& image) {
+    if (const auto* linear = std::get_if<Image<RgbF>>(&image)) return *linear;
+    return linear_of(image);
+}
+
+/// One file with all levels in it.
+void export_exr_levels(const std::string& path, const BakedImage& image,
+                       const ExportOptions& options) {
+    std::vector<Image<RgbF>> levels{float_of(image)};
+    for (const BakedImage& level : options.levels) levels.push_back(float_of(level));
+    write_exr_levels(path, levels, options.exr_depth);
+}
+
 void export_mesh(const std::string& path, Format format, const Mesh& mesh, const Atlas& atlas,
                  const BakedImage& image, const ExportOptions& options) {
     const std::vector<std::uint8_t> png = png_of(image);
     const std::vector<Vec3f> normals = corner_normals(mesh, options.crease_degrees);
-    if (format == Format::obj) return write_obj(path, mesh, atlas, normals, png);
+    const std::vector<std::vector<std::uint8_t>> levels = level_pngs(options);
+    if (format == Format::obj) return write_obj(path, mesh, atlas, normals, png, levels);
     const std::vector<PartVertices> vertices = export_vertices(mesh, atlas, normals);
-    const GltfContent content{mesh, vertices, atlas.options, png, options.recipe_json};
+    const GltfContent content{mesh, vertices, atlas.options, png, levels, options.recipe_json};
     format == Format::glb ? write_glb(path, content) : write_gltf(path, content);
 }
 
 }  // namespace
 
-std::vector<std::string> output_paths(const std::string& out_path) {
+std::vector<std::string> output_paths(const std::string& out_path, std::uint32_t levels) {
     std::vector<std::string> paths{out_path};
     for (const char* extension : format_of(out_path).beside) {
         if (!extension) continue;
         paths.push_back(fs::path(out_path).replace_extension(extension).string());
     }
+    const Format format = format_of(out_path).format;
+    if (format == Format::glb || format == Format::exr) levels = 0;
+    for (std::uint32_t l = 1; l <= levels; ++l)
+        paths.push_back(fs::path(out_path).replace_extension(level_extension(l)).string());
     return paths;
 }
 
-void check_output(const std::string& out_path, const std::string& input_path) {
-    const std::vector<std::string> paths = output_paths(out_path);
+void check_output(const std::string& out_path, const std::string& input_path,
+                  std::uint32_t levels) {
+    const std::vector<std::string> paths = output_paths(out_path, levels);
     check_folder(out_path);
     for (const std::string& path : paths) check_file(path, input_path);
 }
@@ -171,9 +208,10 @@ void export_scene(const std::string& out_path, const Mesh& mesh, const Atlas& at
     const Format format = format_of(out_path).format;
     switch (format) {
         case Format::png:
-            write_file(out_path, png_of(image));
+            export_png(out_path, image, options);
             break;
         case Format::exr:
+            if (!options.levels.empty()) return export_exr_levels(out_path, image, options);
             // Not through linear_of: a copy of 16384 x 16384 floats is 3 GB.
             if (const auto* linear = std::get_if<Image<RgbF>>(&image)) {
                 write_exr(out_path, *linear, options.exr_depth);

@@ -23,20 +23,23 @@ struct ExportOptions {
     double crease_degrees = 40.0;         ///< for computed normals (app/normals.h)
     ExrDepth exr_depth = ExrDepth::half;  ///< .exr only
     std::string recipe_json;              ///< kept in the glTF's asset.extras; may be empty
+    std::vector<BakedImage> levels{};     ///< MIP levels 1, 2, ... (atlas/block_levels.h)
 };
 
 /// Refuses an output before any work starts: the extension is one of .glb, .gltf, .obj, .png, .exr
 /// (any case; else Error(usage) listing them), and the folder exists and is writable, no file to be
 /// written is a folder, and none is the file at `input_path` (else Error(io)).
-void check_output(const std::string& out_path, const std::string& input_path = {});
+void check_output(const std::string& out_path, const std::string& input_path = {},
+                  std::uint32_t levels = 0);
 
 /// The same for a picture or report: its name ends in `extension` (in lower case; empty: any), its
 /// folder is writable, and it is none of the `taken` files, which are read or written otherwise.
 void check_side_output(const std::string& path, std::string_view extension,
                        std::span<const std::string> taken);
 
-/// Every file export_scene writes, the one named first: "a.obj" gives a.obj, a.mtl and a.png.
-std::vector<std::string> output_paths(const std::string& out_path);
+/// Every file export_scene writes, the one named first: "a.obj" gives a.obj, a.mtl and a.png, and
+/// with MIP levels a.1.png, a.2.png, ...; .glb and .exr hold their levels themselves.
+std::vector<std::string> output_paths(const std::string& out_path, std::uint32_t levels = 0);
 
 /// Which image export_scene wants for this file: float for .exr, 16 bits where `depth` is 16, else
 /// 8. Depth is 8 or 16 (for .exr it is not looked at).

@@ -6,6 +6,7 @@
 
 #include "app/atomic_file.h"
 #include "app/gltf_scene.h"
+#include "app/level_names.h"
 #include "atlas/error.h"
 
 namespace burl {
@@ -43,8 +44,12 @@ void write_words(AtomicFile& file, std::initializer_list<std::uint64_t> words) {
 
 void write_glb(const std::string& path, const GltfContent& content) {
     GltfScene scene = build_gltf_scene(content);
-    const std::size_t view = add_buffer_view(scene, content.png);
-    scene.json["images"] = Json::array({{{"bufferView", view}, {"mimeType", "image/png"}}});
+    const auto add_image = [&](std::span<const std::uint8_t> png) {
+        const std::size_t view = add_buffer_view(scene, png);
+        scene.json["images"].push_back({{"bufferView", view}, {"mimeType", "image/png"}});
+    };
+    add_image(content.png);
+    for (const std::vector<std::uint8_t>& level : content.levels) add_image(level);
     scene.json["buffers"] = Json::array({{{"byteLength", scene.binary.size()}}});
     std::string json = dump(scene.json, -1);
     json.resize((json.size() + 3) / 4 * 4, ' ');
@@ -74,14 +79,20 @@ void write_gltf(const std::string& path, const GltfContent& content) {
     const auto uri = [&](const char* extension) {
         return percent_encoded(beside(extension).filename().string());
     };
-    scene.json["images"] = Json::array({{{"uri", uri(".png")}, {"mimeType", "image/png"}}});
+    std::vector<AtomicFile> files;
+    files.reserve(3 + content.levels.size());
+    const auto add_image = [&](const std::string& extension, std::span<const std::uint8_t> png) {
+        scene.json["images"].push_back(
+            {{"uri", uri(extension.c_str())}, {"mimeType", "image/png"}});
+        files.emplace_back(beside(extension.c_str()).string()).write(png);
+    };
+    add_image(".png", content.png);
+    for (std::size_t l = 1; l <= content.levels.size(); ++l)
+        add_image(level_extension(l), content.levels[l - 1]);
     scene.json["buffers"] =
         Json::array({{{"uri", uri(".bin")}, {"byteLength", scene.binary.size()}}});
 
-    std::vector<AtomicFile> files;
-    files.reserve(3);
     files.emplace_back(beside(".bin").string()).write(scene.binary);
-    files.emplace_back(beside(".png").string()).write(content.png);
     files.emplace_back(path).write(dump(scene.json, 2) + "\n");
     commit_together(files);
 }

@@ -18,13 +18,15 @@ struct GltfContent {
     std::span<const PartVertices> vertices;
     const AtlasOptions& atlas;
     std::span<const std::uint8_t> png;
-    std::string recipe_json;  ///< for asset.extras; may be empty
+    std::span<const std::vector<std::uint8_t>> levels;  ///< PNGs of MIP levels 1, 2, ...
+    std::string recipe_json;                            ///< for asset.extras; may be empty
 };
 
 /// One file with everything in it. Throws Error: io, or unsupported beyond 4 GiB.
 void write_glb(const std::string& path, const GltfContent& content);
 
-/// PATH, the buffer beside it in NAME.bin and the texture in NAME.png; all or none. Throws
+/// PATH, the buffer beside it in NAME.bin, the texture in NAME.png and MIP level l in NAME.l.png;
+/// all or none. Throws
 /// Error(io).
 void write_gltf(const std::string& path, const GltfContent& content);
 

@@ -10,6 +10,7 @@
 #include <fmt/compile.h>
 
 #include "app/atomic_file.h"
+#include "app/level_names.h"
 #include "app/node_transform.h"
 #include "app/unique_rows.h"
 #include "atlas/error.h"
@@ -162,7 +163,8 @@ Text obj_text(const Mesh& mesh, const Atlas& atlas, std::span<const Vec3f> norma
 }  // namespace
 
 void write_obj(const std::string& path, const Mesh& mesh, const Atlas& atlas,
-               std::span<const Vec3f> normals, std::span<const std::uint8_t> png) {
+               std::span<const Vec3f> normals, std::span<const std::uint8_t> png,
+               std::span<const std::vector<std::uint8_t>> levels) {
     const auto beside = [&](const char* extension) {
         return std::filesystem::path(path).replace_extension(extension);
     };
@@ -170,7 +172,9 @@ void write_obj(const std::string& path, const Mesh& mesh, const Atlas& atlas,
     const std::string png_name = beside(".png").filename().string();
     const Text text = obj_text(mesh, atlas, normals, mtl_name);
     std::vector<AtomicFile> files;
-    files.reserve(3);
+    files.reserve(3 + levels.size());
+    for (std::size_t l = 1; l <= levels.size(); ++l)
+        files.emplace_back(beside(level_extension(l).c_str()).string()).write(levels[l - 1]);
     files.emplace_back(beside(".png").string()).write(png);
     files.emplace_back(beside(".mtl").string())
         .write(fmt::format("newmtl solid_texture\nKa 0 0 0\nKd 1 1 1\nKs 0 0 0\nillum 1\n"

@@ -48,6 +48,25 @@ double safe_scale(const Box3& box) {
     return std::abs(exponent) <= 60 ? 1.0 : std::ldexp(1.0, exponent);
 }
 
+/// Per triangle the number of its block; only of quad atlases.
+std::vector<std::uint32_t> blocks_of_triangles(const Atlas& atlas) {
+    std::vector<std::uint32_t> result;
+    if (atlas.options.kind != AtlasKind::quad) return result;
+    result.resize(atlas.corners.size());
+    for (std::uint32_t b = 0; b < atlas.blocks.size(); ++b) {
+        const Block& block = atlas.blocks[b];
+        result[std::size_t(block.lower)] = b;
+        if (block.upper >= 0) result[std::size_t(block.upper)] = b;
+    }
+    return result;
+}
+
+std::array<float, 4> rectangle_of(const Atlas& atlas, const Block& block) {
+    const auto size = float(atlas.options.size);
+    return {float(block.x) / size, float(block.y) / size, float(block.x + block.width) / size,
+            float(block.y + block.height) / size};
+}
+
 void unpack(const Mesh& mesh, const Vertices& vertices, PartVertices& out) {
     for (const Vertices::Row& row : vertices.rows()) {
         const Vec3d p = (mesh.positions[row[0]] - out.centre) / out.scale;
@@ -59,7 +78,7 @@ void unpack(const Mesh& mesh, const Vertices& vertices, PartVertices& out) {
 }
 
 PartVertices part_vertices(const Mesh& mesh, const Atlas& atlas, std::span<const Vec3f> normals,
-                           std::size_t index) {
+                           std::span<const std::uint32_t> blocks, std::size_t index) {
     const Part& part = mesh.parts[index];
     const Box3 box = box_of(mesh, part);
     PartVertices out;
@@ -73,6 +92,9 @@ PartVertices part_vertices(const Mesh& mesh, const Atlas& atlas, std::span<const
         for (std::size_t k = 0; k < 3; ++k) {
             out.indices.push_back(
                 vertices.insert(vertex_row(mesh, atlas, normals[3 * t + k], t, k)));
+            // Blocks do not touch at corners, so a vertex has one.
+            if (!blocks.empty() && out.blocks.size() < vertices.rows().size())
+                out.blocks.push_back(rectangle_of(atlas, atlas.blocks[blocks[t]]));
         }
     }
     unpack(mesh, vertices, out);
@@ -84,9 +106,10 @@ PartVertices part_vertices(const Mesh& mesh, const Atlas& atlas, std::span<const
 std::vector<PartVertices> export_vertices(const Mesh& mesh, const Atlas& atlas,
                                           std::span<const Vec3f> normals) {
     std::vector<PartVertices> parts;
+    const std::vector<std::uint32_t> blocks = blocks_of_triangles(atlas);
     for (std::size_t i = 0; i < mesh.parts.size(); ++i) {
         if (mesh.parts[i].triangle_count > 0) {
-            parts.push_back(part_vertices(mesh, atlas, normals, i));
+            parts.push_back(part_vertices(mesh, atlas, normals, blocks, i));
         }
     }
     return parts;

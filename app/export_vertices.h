@@ -20,7 +20,10 @@ struct PartVertices {
     std::vector<Vec3f> positions;
     std::vector<Vec3f> normals;             ///< unit length
     std::vector<std::array<float, 2>> uvs;  ///< corners / N, v = 0 at image row 0
-    std::vector<std::uint32_t> indices;     ///< three per triangle, in the mesh's order
+    /// Of quad atlases: the block a vertex lies in, as texture coordinates low u, low v, high u,
+    /// high v. A lookup of a MIP level that is clamped to it shows nothing of other blocks.
+    std::vector<std::array<float, 4>> blocks;
+    std::vector<std::uint32_t> indices;  ///< three per triangle, in the mesh's order
 };
 
 /// One entry per part that has triangles. `normals` are per corner (app/normals.h).

@@ -9,6 +9,7 @@
 #include <ImfHeader.h>
 #include <ImfIO.h>
 #include <ImfOutputFile.h>
+#include <ImfTiledOutputFile.h>
 
 #include "app/atomic_file.h"
 #include "atlas/error.h"
@@ -36,8 +37,7 @@ class MemoryStream : public Imf::OStream {
 };
 
 template <class Component>
-void write_pixels(Imf::OutputFile& file, const Rgb<Component>* pixels, std::size_t width,
-                  std::size_t height, Imf::PixelType type) {
+Imf::FrameBuffer frame_of(const Rgb<Component>* pixels, std::size_t width, Imf::PixelType type) {
     // OpenEXR's slices take char* although they are only read here.
     auto* base = const_cast<char*>(reinterpret_cast<const char*>(pixels));
     constexpr std::size_t step = sizeof(Rgb<Component>);
@@ -46,8 +46,21 @@ void write_pixels(Imf::OutputFile& file, const Rgb<Component>* pixels, std::size
     for (std::size_t c = 0; c < 3; ++c) {
         frame.insert(names[c], Imf::Slice(type, base + c * sizeof(Component), step, step * width));
     }
-    file.setFrameBuffer(frame);
+    return frame;
+}
+
+template <class Component>
+void write_pixels(Imf::OutputFile& file, const Rgb<Component>* pixels, std::size_t width,
+                  std::size_t height, Imf::PixelType type) {
+    file.setFrameBuffer(frame_of(pixels, width, type));
     file.writePixels(int(height));
+}
+
+template <class Component>
+void write_level(Imf::TiledOutputFile& file, int level, const Rgb<Component>* pixels,
+                 std::size_t width, Imf::PixelType type) {
+    file.setFrameBuffer(frame_of(pixels, width, type));
+    file.writeTiles(0, file.numXTiles(level) - 1, 0, file.numYTiles(level) - 1, level);
 }
 
 std::vector<Rgb<Imath::half>> to_half(const Image<RgbF>& image) {
@@ -59,11 +72,33 @@ std::vector<Rgb<Imath::half>> to_half(const Image<RgbF>& image) {
     return pixels;
 }
 
-void encode_into(std::vector<std::uint8_t>& bytes, const Image<RgbF>& image, ExrDepth depth) {
-    const Imf::PixelType type = depth == ExrDepth::half ? Imf::HALF : Imf::FLOAT;
+Imf::Header header_of(const Image<RgbF>& image, Imf::PixelType type) {
     Imf::Header header(int(image.width()), int(image.height()));
     header.compression() = Imf::ZIP_COMPRESSION;
     for (const char* name : {"R", "G", "B"}) header.channels().insert(name, Imf::Channel(type));
+    return header;
+}
+
+void encode_levels_into(std::vector<std::uint8_t>& bytes, std::span<const Image<RgbF>> levels,
+                        ExrDepth depth) {
+    const Imf::PixelType type = depth == ExrDepth::half ? Imf::HALF : Imf::FLOAT;
+    Imf::Header header = header_of(levels[0], type);
+    header.setTileDescription({64, 64, Imf::MIPMAP_LEVELS, Imf::ROUND_DOWN});
+    MemoryStream stream(bytes);
+    Imf::TiledOutputFile file(stream, header);
+    for (int l = 0; l < file.numLevels(); ++l) {
+        const Image<RgbF>& image = levels[std::size_t(l)];
+        if (depth == ExrDepth::half) {
+            write_level(file, l, to_half(image).data(), image.width(), type);
+        } else {
+            write_level(file, l, image.pixels().data(), image.width(), type);
+        }
+    }
+}
+
+void encode_into(std::vector<std::uint8_t>& bytes, const Image<RgbF>& image, ExrDepth depth) {
+    const Imf::PixelType type = depth == ExrDepth::half ? Imf::HALF : Imf::FLOAT;
+    const Imf::Header header = header_of(image, type);
     MemoryStream stream(bytes);
     Imf::OutputFile file(stream, header);
     if (depth == ExrDepth::half) {
@@ -73,6 +108,12 @@ void encode_into(std::vector<std::uint8_t>& bytes, const Image<RgbF>& image, Exr
     }
 }
 
+Error not_encoded(const Image<RgbF>& image, const std::exception& e) {
+    return Error(ExitCode::runtime,
+                 fmt::format("the OpenEXR image of {} x {} could not be encoded: {}", image.width(),
+                             image.height(), e.what()));
+}
+
 }  // namespace
 
 std::vector<std::uint8_t> encode_exr(const Image<RgbF>& image, ExrDepth depth) {
@@ -80,15 +121,28 @@ std::vector<std::uint8_t> encode_exr(const Image<RgbF>& image, ExrDepth depth) {
     try {
         encode_into(bytes, image, depth);
     } catch (const std::exception& e) {
-        throw Error(ExitCode::runtime,
-                    fmt::format("the OpenEXR image of {} x {} could not be encoded: {}",
-                                image.width(), image.height(), e.what()));
+        throw not_encoded(image, e);
+    }
+    return bytes;
+}
+
+std::vector<std::uint8_t> encode_exr_levels(std::span<const Image<RgbF>> levels, ExrDepth depth) {
+    std::vector<std::uint8_t> bytes;
+    try {
+        encode_levels_into(bytes, levels, depth);
+    } catch (const std::exception& e) {
+        throw not_encoded(levels[0], e);
     }
     return bytes;
 }
 
 void write_exr(const std::string& path, const Image<RgbF>& image, ExrDepth depth) {
     write_file(path, encode_exr(image, depth));
+}
+
+void write_exr_levels(const std::string& path, std::span<const Image<RgbF>> levels,
+                      ExrDepth depth) {
+    write_file(path, encode_exr_levels(levels, depth));
 }
 
 }  // namespace burl

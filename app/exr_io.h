@@ -1,6 +1,7 @@
 #pragma once
 // OpenEXR output for float images: linear light, as the format wants it.
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -18,7 +19,14 @@ enum class ExrDepth {
 /// OpenEXR cannot encode it.
 std::vector<std::uint8_t> encode_exr(const Image<RgbF>& image, ExrDepth depth = ExrDepth::half);
 
+/// The same with MIP levels: `levels[l]` is level l, of max(1, floor(n / 2^l)) pixels a side; tiles
+/// of 64 x 64, MIPMAP_LEVELS rounded down. All levels down to 1 x 1 must be there.
+std::vector<std::uint8_t> encode_exr_levels(std::span<const Image<RgbF>> levels,
+                                            ExrDepth depth = ExrDepth::half);
+
 /// Writes the file whole or not at all. Throws Error(io).
 void write_exr(const std::string& path, const Image<RgbF>& image, ExrDepth depth = ExrDepth::half);
+void write_exr_levels(const std::string& path, std::span<const Image<RgbF>> levels,
+                      ExrDepth depth = ExrDepth::half);
 
 }  // namespace burl

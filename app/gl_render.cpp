@@ -18,7 +18,7 @@ constexpr int tile_samples = 2048;  // largest side of the float target: 64 MiB 
 struct Vertex {
     Vec3f position, normal;
     glm::vec2 uv;
-    Vec4f color;
+    Vec4f color, block;
 };
 
 /// A surface on the GPU. Positions are moved and scaled into [-1,1] so that float32 suffices
@@ -29,6 +29,7 @@ struct GpuSurface {
     GLsizei index_count = 0;
     Mat4d local_from_unit{1.0};
     SceneMaterial material;
+    bool in_blocks = false;  ///< lookups are clamped to the vertices' blocks
     std::vector<Mat4d> placements;
 };
 
@@ -49,6 +50,7 @@ std::vector<Vertex> pack_vertices(const Surface& surface, const Mat4d& frame) {
         vertices[i].normal = surface.normals[i];
         vertices[i].uv = surface.uvs.empty() ? glm::vec2(0.0f) : glm::vec2(surface.uvs[i]);
         vertices[i].color = surface.colors.empty() ? Vec4f(1.0f) : surface.colors[i];
+        vertices[i].block = surface.blocks.empty() ? Vec4f(0, 0, 1, 1) : surface.blocks[i];
     }
     return vertices;
 }
@@ -63,6 +65,7 @@ GpuSurface upload(const GladGLContext& gl, const Surface& surface) {
     GpuSurface gpu;
     gpu.material = surface.material;
     gpu.placements = surface.placements;
+    gpu.in_blocks = !surface.blocks.empty();
     gpu.local_from_unit = unit_frame(surface);
     gpu.index_count = GLsizei(3 * surface.triangles.size());
     const std::vector<Vertex> vertices = pack_vertices(surface, gpu.local_from_unit);
@@ -81,6 +84,7 @@ GpuSurface upload(const GladGLContext& gl, const Surface& surface) {
     set_attribute(gl, 1, 3, offsetof(Vertex, normal));
     set_attribute(gl, 2, 2, offsetof(Vertex, uv));
     set_attribute(gl, 3, 4, offsetof(Vertex, color));
+    set_attribute(gl, 4, 4, offsetof(Vertex, block));
     check_gl(gl, "uploading a surface");
     return gpu;
 }
@@ -97,13 +101,26 @@ GLint wrap_mode(TextureWrap wrap) {
     return GL_CLAMP_TO_EDGE;
 }
 
-void set_filter(const GladGLContext& gl, TextureFilter filter) {
+/// Rows lie without gaps.
+void upload_level(const GladGLContext& gl, GLint level, const Image<Rgb8>& image) {
+    gl.TexImage2D(GL_TEXTURE_2D, level, GL_SRGB8, GLsizei(image.width()), GLsizei(image.height()),
+                  0, GL_RGB, GL_UNSIGNED_BYTE, image.pixels().data());
+}
+
+/// Box means, and in their place the file's own levels as far as those go.
+void upload_levels(const GladGLContext& gl, std::span<const Image<Rgb8>> levels) {
+    gl.GenerateMipmap(GL_TEXTURE_2D);
+    for (std::size_t l = 1; l <= levels.size(); ++l) upload_level(gl, GLint(l), levels[l - 1]);
+}
+
+void set_filter(const GladGLContext& gl, TextureFilter filter,
+                std::span<const Image<Rgb8>> levels) {
     const bool nearest = filter == TextureFilter::nearest;
     const bool mip = filter == TextureFilter::mip;
     gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, nearest ? GL_NEAREST : GL_LINEAR);
     gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER,
                      nearest ? GL_NEAREST : (mip ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR));
-    if (mip) gl.GenerateMipmap(GL_TEXTURE_2D);
+    if (mip) upload_levels(gl, levels);
 }
 
 /// The image as an sRGB texture: lookups decode each texel to linear light before they filter.
@@ -120,11 +137,10 @@ GlTexture upload(const GladGLContext& gl, const SceneTexture& texture, TextureFi
     GlTexture result = make_texture(gl);
     gl.BindTexture(GL_TEXTURE_2D, result.get());
     gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    gl.TexImage2D(GL_TEXTURE_2D, 0, GL_SRGB8, GLsizei(image.width()), GLsizei(image.height()), 0,
-                  GL_RGB, GL_UNSIGNED_BYTE, image.pixels().data());
+    upload_level(gl, 0, image);
     gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, wrap_mode(texture.wrap_u));
     gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, wrap_mode(texture.wrap_v));
-    set_filter(gl, filter);
+    set_filter(gl, filter, texture.levels);
     check_gl(gl, fmt::format("uploading a texture of {}x{} texels", image.width(), image.height()));
     return result;
 }
@@ -163,6 +179,9 @@ class Drawing {
         for (const SceneTexture& texture : scene.textures) {
             textures_.push_back(upload(gl, texture, filter.value_or(texture.filter)));
         }
+        // Textures in blocks can be minified here, whatever the file asks other viewers to do.
+        if (!filter) minify_blocks(scene);
+        clamp_to_blocks_ = !filter || *filter == TextureFilter::mip;
         white_ = upload(gl, {Image<Rgb8>(1, 1, {255, 255, 255})}, TextureFilter::nearest);
         for (const Surface& surface : scene.surfaces) surfaces_.push_back(upload(gl, surface));
     }
@@ -193,6 +212,16 @@ class Drawing {
     }
 
   private:
+    void minify_blocks(const Scene& scene) {
+        for (const Surface& surface : scene.surfaces) {
+            const int number = surface.material.texture;
+            if (surface.blocks.empty() || number < 0) continue;
+            const SceneTexture& texture = scene.textures[std::size_t(number)];
+            if (texture.filter != TextureFilter::linear) continue;
+            textures_[std::size_t(number)] = upload(gl_, texture, TextureFilter::mip);
+        }
+    }
+
     void draw(const GpuSurface& surface, const Mat4d& eye_from_scene,
               const Mat4d& clip_from_eye) const {
         const SceneMaterial& material = surface.material;
@@ -200,6 +229,7 @@ class Drawing {
             material.texture < 0 ? white_ : textures_[std::size_t(material.texture)];
         gl_.BindTexture(GL_TEXTURE_2D, texture.get());
         gl_.Uniform4fv(program_.uniform("base_color_factor"), 1, &material.factor[0]);
+        gl_.Uniform1i(program_.uniform("in_blocks"), surface.in_blocks && clamp_to_blocks_ ? 1 : 0);
         gl_.BindVertexArray(surface.vertex_array.get());
         for (const Mat4d& placement : surface.placements) {
             const Mat4d eye_from_local = eye_from_scene * placement * surface.local_from_unit;
@@ -220,6 +250,7 @@ class Drawing {
     GlTexture white_;
     std::vector<GlTexture> textures_;
     std::vector<GpuSurface> surfaces_;
+    bool clamp_to_blocks_ = false;
 };
 
 }  // namespace

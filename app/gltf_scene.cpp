@@ -2,6 +2,7 @@
 #include "app/gltf_scene.h"
 
 #include <algorithm>
+#include <optional>
 #include <set>
 
 #include "app/node_transform.h"
@@ -76,11 +77,12 @@ std::size_t add_indices(GltfScene& scene, const std::vector<std::uint32_t>& indi
 /// Accessors of one part's arrays.
 struct PrimitiveIds {
     std::size_t position, normal, uv, indices;
+    std::optional<std::size_t> block;
 };
 
 std::size_t add_mesh(GltfScene& scene, const std::string& name, const PrimitiveIds& ids) {
-    const Json attributes{
-        {"POSITION", ids.position}, {"NORMAL", ids.normal}, {"TEXCOORD_0", ids.uv}};
+    Json attributes{{"POSITION", ids.position}, {"NORMAL", ids.normal}, {"TEXCOORD_0", ids.uv}};
+    if (ids.block) attributes["_BURL_BLOCK"] = *ids.block;
     const Json primitive{{"attributes", attributes}, {"indices", ids.indices}, {"material", 0}};
     return append(scene.json["meshes"], {{"name", name}, {"primitives", Json::array({primitive})}});
 }
@@ -127,11 +129,16 @@ PartVertices placed(const PartVertices& vertices, const Mat4d& placement) {
 }
 
 PrimitiveIds add_primitive(GltfScene& scene, const PartVertices& v) {
-    return {add_positions(scene, v.positions),
-            add_accessor(scene, as_bytes(v.normals), gl_array_buffer, gl_float, v.normals.size(),
-                         "VEC3"),
-            add_accessor(scene, as_bytes(v.uvs), gl_array_buffer, gl_float, v.uvs.size(), "VEC2"),
-            add_indices(scene, v.indices, v.positions.size())};
+    PrimitiveIds ids{
+        add_positions(scene, v.positions),
+        add_accessor(scene, as_bytes(v.normals), gl_array_buffer, gl_float, v.normals.size(),
+                     "VEC3"),
+        add_accessor(scene, as_bytes(v.uvs), gl_array_buffer, gl_float, v.uvs.size(), "VEC2"),
+        add_indices(scene, v.indices, v.positions.size()), std::nullopt};
+    if (!v.blocks.empty())
+        ids.block = add_accessor(scene, as_bytes(v.blocks), gl_array_buffer, gl_float,
+                                 v.blocks.size(), "VEC4");
+    return ids;
 }
 
 Mat4d centred(const Mat4d& placement, const PartVertices& v) {
@@ -215,7 +222,10 @@ GltfScene build_gltf_scene(const GltfContent& content) {
         add_part(scene, content.mesh.parts[vertices.part], fallback, vertices, names);
     }
     scene.json["materials"] = Json::array({material()});
-    scene.json["textures"] = Json::array({{{"sampler", 0}, {"source", 0}}});
+    Json texture{{"sampler", 0}, {"source", 0}};
+    for (std::size_t l = 1; l <= content.levels.size(); ++l)
+        texture["extras"]["burl_levels"].push_back(l);
+    scene.json["textures"] = Json::array({texture});
     scene.json["samplers"] = Json::array({sampler(content.atlas)});
     return scene;
 }

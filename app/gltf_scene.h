@@ -15,7 +15,8 @@ struct GltfScene {
 };
 
 /// Meshes (one per part, one primitive each), nodes (one per placement), material, sampler,
-/// texture; image 0 is left to the caller.
+/// texture; images are left to the caller: 0 is the texture, l its MIP level l. The texture's
+/// extras.burl_levels lists those.
 GltfScene build_gltf_scene(const GltfContent& content);
 
 /// Appends bytes at a multiple of 4 and returns the number of the new bufferView.

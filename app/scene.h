@@ -25,6 +25,8 @@ struct SceneTexture {
     Image<Rgb8> image;  ///< sRGB-encoded; row 0 is v = 0
     TextureFilter filter = TextureFilter::linear;
     TextureWrap wrap_u = TextureWrap::repeat, wrap_v = TextureWrap::repeat;
+    /// MIP levels 1, 2, ... the file brings; without any, box means are made where needed.
+    std::vector<Image<Rgb8>> levels{};
 };
 
 struct SceneMaterial {
@@ -38,6 +40,9 @@ struct Surface {
     std::vector<Vec3f> normals;    ///< one per position
     std::vector<Vec2d> uvs;        ///< one per position, or empty
     std::vector<Vec4f> colors;     ///< linear, one per position, or empty
+    /// Per position the part of the texture it may show (low u, low v, high u, high v), or empty:
+    /// lookups of every MIP level are clamped to it.
+    std::vector<Vec4f> blocks;
     std::vector<Triangle> triangles;
     SceneMaterial material;
     std::vector<Mat4d> placements{Mat4d(1.0)};  ///< scene from local

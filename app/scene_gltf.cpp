@@ -91,9 +91,22 @@ class GltfSceneLoader {
             surface.triangles.push_back(
                 {soup.corners[i], soup.corners[i + 1], soup.corners[i + 2]});
         }
+        set_blocks(surface, primitive);
         if (primitive.material >= 0) set_material(surface, primitive, where);
         if (surface.normals.empty()) make_flat(surface);
         scene_.surfaces.push_back(std::move(surface));
+    }
+
+    /// What Burl writes for quad atlases; anything else by that name is left alone.
+    void set_blocks(Surface& surface, const tinygltf::Primitive& primitive) const {
+        const auto found = primitive.attributes.find("_BURL_BLOCK");
+        if (found == primitive.attributes.end()) return;
+        const AccessorValues values = read_accessor(model_, found->second);
+        if (values.components != 4 || values.count() != surface.positions.size()) return;
+        for (std::size_t i = 0; i < values.count(); ++i) {
+            const double* v = values[i];
+            surface.blocks.emplace_back(float(v[0]), float(v[1]), float(v[2]), float(v[3]));
+        }
     }
 
     void set_material(Surface& surface, const tinygltf::Primitive& primitive,
@@ -145,6 +158,7 @@ class GltfSceneLoader {
         const tinygltf::Texture& source = model_.textures[std::size_t(number)];
         SceneTexture texture;
         texture.image = image(source.source);
+        add_levels(texture, source);
         if (source.sampler >= 0) {
             const tinygltf::Sampler& sampler = model_.samplers[std::size_t(source.sampler)];
             texture.filter = filter_of(sampler);
@@ -153,6 +167,24 @@ class GltfSceneLoader {
         }
         scene_.textures.push_back(std::move(texture));
         return entry->second;
+    }
+
+    /// Levels that Burl wrote beside the texture, as far as they fit it.
+    void add_levels(SceneTexture& texture, const tinygltf::Texture& source) {
+        if (!source.extras.IsObject() || !source.extras.Has("burl_levels")) return;
+        const tinygltf::Value& numbers = source.extras.Get("burl_levels");
+        std::size_t width = texture.image.width(), height = texture.image.height();
+        for (std::size_t i = 0; numbers.IsArray() && i < numbers.ArrayLen(); ++i) {
+            const tinygltf::Value& number = numbers.Get(int(i));
+            if (!number.IsInt() || number.GetNumberAsInt() < 0 ||
+                std::size_t(number.GetNumberAsInt()) >= model_.images.size())
+                return;
+            Image<Rgb8> level = image(number.GetNumberAsInt());
+            width = std::max<std::size_t>(1, width / 2);
+            height = std::max<std::size_t>(1, height / 2);
+            if (level.width() != width || level.height() != height) return;
+            texture.levels.push_back(std::move(level));
+        }
     }
 
     Image<Rgb8> image(int number) {
@@ -191,6 +223,7 @@ class GltfSceneLoader {
                 flat.normals.push_back(length > 0.0 ? Vec3f(n / length) : Vec3f(0.0f));
                 if (!surface.uvs.empty()) flat.uvs.push_back(surface.uvs[i]);
                 if (!surface.colors.empty()) flat.colors.push_back(surface.colors[i]);
+                if (!surface.blocks.empty()) flat.blocks.push_back(surface.blocks[i]);
             }
         }
         surface = std::move(flat);

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "app/bake_levels.h"
 #include "app/command_options.h"
 #include "app/export.h"
 #include "app/report.h"
@@ -19,6 +20,7 @@ struct BakeCommand {
     MeshOptions meshes;
     int threads = 0, depth = 8;
     double crease = 40.0;
+    std::string levels;
     bool json = false, quiet = false;
 };
 
@@ -34,6 +36,15 @@ BakedImage synthesize(Pipeline& pipeline, ImageKind kind) {
     return pipeline.synthesize<Rgb8>();
 }
 
+/// The texture in the kind the file wants; levels go into the options.
+BakedImage synthesize(Pipeline& pipeline, ImageKind kind, std::uint32_t levels,
+                      ExportOptions& options) {
+    if (levels == 0) return synthesize(pipeline, kind);
+    Image<RgbF> texture = pipeline.synthesize<RgbF>();
+    options.levels = bake_levels(pipeline, texture, levels, kind);
+    return convert_to(std::move(texture), kind);
+}
+
 /// Below 5 texels per triangle pair a texture holds little more than a colour per vertex would
 /// (DESIGN section 6).
 void warn_if_starved(const Pipeline& pipeline) {
@@ -44,13 +55,14 @@ void warn_if_starved(const Pipeline& pipeline) {
                      pipeline.mesh().name, n * n / pairs, int(std::ceil(std::sqrt(25.0 * pairs)))));
 }
 
-Json bake_json(const BakeCommand& command, Pipeline& pipeline, Json seconds) {
+Json bake_json(const BakeCommand& command, Pipeline& pipeline, std::size_t levels, Json seconds) {
     const AtlasMetrics metrics = measure(pipeline.atlas_mesh(), pipeline.atlas(), pipeline.solid());
     return {{"input", command.mesh},
-            {"outputs", output_paths(command.out)},
+            {"outputs", output_paths(command.out, std::uint32_t(levels))},
             {"recipe", Json::parse(to_json(pipeline.recipe()))},
             {"mesh", mesh_json(pipeline.mesh(), pipeline.connectivity())},
             {"atlas", metrics_json(pipeline.atlas(), metrics)},
+            {"mip_levels", levels},
             {"seconds", std::move(seconds)},
             {"versions", versions_json()}};
 }
@@ -65,9 +77,9 @@ void print_summary(const Json& report) {
         report["seconds"]["total"].get<double>());
 }
 
-void check_report(const BakeCommand& command) {
+void check_report(const BakeCommand& command, std::uint32_t levels) {
     if (command.report.empty() || command.report == "-") return;
-    std::vector<std::string> taken = output_paths(command.out);
+    std::vector<std::string> taken = output_paths(command.out, levels);
     taken.push_back(command.mesh);
     taken.push_back(command.recipe.recipe);
     check_side_output(command.report, "", taken);
@@ -75,18 +87,20 @@ void check_report(const BakeCommand& command) {
 
 void run_bake(const BakeCommand& command) {
     const auto start = Clock::now();
-    check_output(command.out, command.mesh);
-    check_report(command);
     const Recipe recipe = command.recipe.load();
+    const ImageKind kind = wanted_kind(command.out, command.depth);
+    const std::uint32_t levels = levels_asked(command.levels, recipe.atlas.size, kind);
+    check_output(command.out, command.mesh, levels);
+    check_report(command, levels);
     Pipeline pipeline(command.meshes.load(command.mesh));
     const double reading = seconds_since(start);
     pipeline.set_recipe(recipe);
     pipeline.set_threads(command.threads);
     pipeline.atlas();
     warn_if_starved(pipeline);
-    const BakedImage image = synthesize(pipeline, wanted_kind(command.out, command.depth));
-    const auto writing = Clock::now();
     ExportOptions options;
+    const BakedImage image = synthesize(pipeline, kind, levels, options);
+    const auto writing = Clock::now();
     options.crease_degrees = command.crease;
     options.recipe_json = to_json(recipe);
     export_scene(command.out, pipeline.atlas_mesh(), pipeline.atlas(), image, options);
@@ -94,7 +108,7 @@ void run_bake(const BakeCommand& command) {
     seconds.update(times_json(pipeline.times()));
     seconds["write"] = seconds_since(writing);
     seconds["total"] = seconds_since(start);
-    const Json report = bake_json(command, pipeline, std::move(seconds));
+    const Json report = bake_json(command, pipeline, options.levels.size(), std::move(seconds));
     if (!command.report.empty()) write_json(command.report, report);
     if (command.json) {
         write_json("-", report);
@@ -117,6 +131,8 @@ void add_bake(CLI::App& program) {
     command->recipe.add_atlas(*verb);
     verb->add_option("--filter", command->recipe.filter, "Texture filter: none");
     command->meshes.add(*verb);
+    verb->add_option("--levels", command->levels,
+                     "MIP levels to write besides the texture: a number, or all");
     verb->add_option("--depth", command->depth, "Bits per channel of .png textures")
         ->check(CLI::IsMember({8, 16}))
         ->capture_default_str();

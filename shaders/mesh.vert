@@ -4,6 +4,7 @@ layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in vec2 uv;
 layout(location = 3) in vec4 color;
+layout(location = 4) in vec4 block;
 
 uniform mat4 clip_from_local;
 uniform mat4 eye_from_local;
@@ -13,6 +14,7 @@ out vec3 eye_position;
 out vec3 eye_normal;
 out vec2 texture_uv;
 out vec4 vertex_color;
+flat out vec4 texture_block;
 
 void main() {
     gl_Position = clip_from_local * vec4(position, 1.0);
@@ -20,4 +22,5 @@ void main() {
     eye_normal = normal_from_local * normal;
     texture_uv = uv;
     vertex_color = color;
+    texture_block = block;
 }

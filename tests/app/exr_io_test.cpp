@@ -7,6 +7,7 @@
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
 #include <ImfInputFile.h>
+#include <ImfTiledInputFile.h>
 
 #include "tests/app/scratch_folder.h"
 
@@ -65,6 +66,30 @@ TEST(Exr, HalfIsWithinItsPrecision) {
             EXPECT_NEAR(back(x, y).g, image(x, y).g, image(x, y).g * tolerance + 1e-7f);
             EXPECT_NEAR(back(x, y).b, image(x, y).b, image(x, y).b * tolerance);
         }
+    }
+}
+
+TEST(Exr, LevelsComeBackBitForBit) {
+    const ScratchFolder folder;
+    const std::vector<Image<RgbF>> levels{ramp(100, 70), ramp(50, 35), ramp(25, 17), ramp(12, 8),
+                                          ramp(6, 4),    ramp(3, 2),   ramp(1, 1)};
+    write_exr_levels(folder / "a.exr", levels, ExrDepth::float_full);
+    Imf::TiledInputFile file((folder / "a.exr").c_str());
+    ASSERT_EQ(file.numLevels(), 7);
+    EXPECT_EQ(file.levelMode(), Imf::MIPMAP_LEVELS);
+    for (int l = 0; l < 7; ++l) {
+        const std::size_t width = levels[std::size_t(l)].width();
+        Image<RgbF> image(width, levels[std::size_t(l)].height());
+        ASSERT_EQ(file.levelWidth(l), int(width));
+        char* base = reinterpret_cast<char*>(&image(0, 0));
+        Imf::FrameBuffer frame;
+        const char* names[] = {"R", "G", "B"};
+        for (std::size_t c = 0; c < 3; ++c)
+            frame.insert(names[c],
+                         Imf::Slice(Imf::FLOAT, base + 4 * c, sizeof(RgbF), sizeof(RgbF) * width));
+        file.setFrameBuffer(frame);
+        file.readTiles(0, file.numXTiles(l) - 1, 0, file.numYTiles(l) - 1, l);
+        EXPECT_EQ(image, levels[std::size_t(l)]) << l;
     }
 }
 

@@ -263,5 +263,82 @@ TEST_F(GlRenderTest, FarFromTheOriginAndTinyLookTheSame) {
     EXPECT_GT(diff_images(plain, picture_of(Vec3d(0.0), 1e30)).psnr_db, 45.0);
 }
 
+/// Blocks in red where the middle of their first triangle lies at x > 0, else green.
+Image<RgbF> halves(const Mesh& mesh, const Atlas& atlas) {
+    Image<RgbF> image(atlas.options.size, atlas.options.size);
+    for (const Block& block : atlas.blocks) {
+        double x = 0.0;
+        for (const std::uint32_t p : mesh.triangles[std::size_t(block.lower)])
+            x += mesh.positions[p].x;
+        const RgbF color = x > 0.0 ? RgbF{1, 0, 0} : RgbF{0, 1, 0};
+        for (std::uint32_t y = block.y; y < block.y + block.height; ++y)
+            std::ranges::fill(image.row(y).subspan(block.x, block.width), color);
+    }
+    return image;
+}
+
+/// Pixels that are neither red nor green nor background.
+int mixed_pixels(const Image<Rgb8>& picture) {
+    int mixed = 0;
+    for (const Rgb8& p : picture.pixels())
+        mixed += p != background_srgb && p != Rgb8{255, 0, 0} && p != Rgb8{0, 255, 0};
+    return mixed;
+}
+
+/// A quad atlas scatters triangles; minified lookups that keep to their block show one triangle.
+TEST_F(GlRenderTest, MinifiedLookupsKeepToTheirBlock) {
+    const ScratchFolder folder;
+    const Mesh mesh = sphere_mesh(12, 24);
+    Recipe recipe = load_recipe("marble");
+    recipe.atlas.kind = AtlasKind::quad;
+    recipe.atlas.size = 1024;
+    Pipeline pipeline(mesh);
+    pipeline.set_recipe(recipe);
+    const Image<RgbF> texture = halves(pipeline.atlas_mesh(), pipeline.atlas());
+    export_scene(folder / "sphere.glb", pipeline.atlas_mesh(), pipeline.atlas(), texture);
+    const Scene scene = load_scene(folder / "sphere.glb");
+    ASSERT_EQ(scene.surfaces[0].blocks.size(), scene.surfaces[0].positions.size());
+    for (std::size_t i = 0; i < scene.surfaces[0].blocks.size(); ++i) {
+        const Vec4f& block = scene.surfaces[0].blocks[i];
+        const Vec2d& uv = scene.surfaces[0].uvs[i];
+        EXPECT_TRUE(uv.x > block.x && uv.y > block.y && uv.x < block.z && uv.y < block.w);
+    }
+    // A texture of 1024 texels in about 60 pixels: levels 4 and up.
+    const PictureOptions options{{80, 60}, false, 1};
+    const Camera camera = orbit_camera({}, bounding_sphere(scene), options.size);
+    const int kept = mixed_pixels(render_scene(*context, scene, camera, options));
+    Scene plain = scene;
+    plain.surfaces[0].blocks.clear();
+    const int crossed =
+        mixed_pixels(render_scene(*context, plain, camera, options, TextureFilter::mip));
+    EXPECT_GT(crossed, 100);
+    EXPECT_LT(kept, crossed / 5);  // blocks under one texel at the level looked up
+}
+
+TEST_F(GlRenderTest, LevelsOfTheFileAreLookedUp) {
+    const ScratchFolder folder;
+    Recipe recipe = load_recipe("marble");
+    recipe.atlas.size = 256;
+    Pipeline pipeline(sphere_mesh(12, 24));
+    pipeline.set_recipe(recipe);
+    // Level 0 is black, the others white: what is minified must come out white.
+    ExportOptions options;
+    for (std::size_t side = 128; side > 0; side /= 2)
+        options.levels.push_back(Image<Rgb8>(side, side, {255, 255, 255}));
+    export_scene(folder / "a.glb", pipeline.atlas_mesh(), pipeline.atlas(),
+                 Image<Rgb8>(256, 256, {0, 0, 0}), options);
+    const Scene scene = load_scene(folder / "a.glb");
+    ASSERT_EQ(scene.textures[0].levels.size(), 8u);
+    const PictureOptions picture{{40, 30}, false, 1};
+    const Camera camera = orbit_camera({}, bounding_sphere(scene), picture.size);
+    int white = 0, other = 0;
+    for (const Rgb8& p : render_scene(*context, scene, camera, picture).pixels()) {
+        white += p == Rgb8{255, 255, 255};
+        other += p != Rgb8{255, 255, 255} && p != background_srgb;
+    }
+    EXPECT_GT(white, 200);
+    EXPECT_LT(other, white / 10);  // pixels on silhouettes
+}
+
 }  // namespace
 }  // namespace burl

@@ -23,6 +23,31 @@ TEST(Program, BakesEveryOutputKind) {
         EXPECT_TRUE(fs::exists(scratch / beside)) << beside;
 }
 
+TEST(Program, WritesLevelsBesideOrIntoTheTexture) {
+    const Scratch scratch;
+    const std::string mesh = scratch.write("square.obj", square);
+    const auto bake = [&](const std::string& arguments) {
+        return run_burl(scratch, fmt::format("bake '{}' --size 64 {}", mesh, arguments));
+    };
+    const Outcome some = bake(fmt::format("--levels 2 --json -o '{}'", scratch / "a.png"));
+    ASSERT_EQ(some.exit_code, 0) << some.err;
+    EXPECT_EQ(nlohmann::json::parse(some.out)["outputs"].size(), 3u);
+    EXPECT_EQ(read_png(scratch / "a.1.png").width(), 32u);
+    EXPECT_EQ(read_png(scratch / "a.2.png").height(), 16u);
+    EXPECT_FALSE(fs::exists(scratch / "a.3.png"));
+    ASSERT_EQ(bake(fmt::format("--levels all -o '{}'", scratch / "b.obj")).exit_code, 0);
+    EXPECT_EQ(read_png(scratch / "b.6.png").width(), 1u);
+    ASSERT_EQ(bake(fmt::format("--levels 99 -o '{}'", scratch / "c.gltf")).exit_code, 0);
+    EXPECT_TRUE(fs::exists(scratch / "c.6.png"));
+    ASSERT_EQ(bake(fmt::format("--levels 1 -o '{}'", scratch / "d.exr")).exit_code, 0);
+    const Outcome strips =
+        bake(fmt::format("--levels all --atlas uniform -o '{}'", scratch / "e.png"));
+    EXPECT_EQ(strips.exit_code, 0);
+    EXPECT_NE(strips.err.find("quad"), std::string::npos) << strips.err;
+    EXPECT_EQ(bake(fmt::format("--levels many -o '{}'", scratch / "f.png")).exit_code, 1);
+    EXPECT_FALSE(fs::exists(scratch / "f.png"));
+}
+
 TEST(Program, TextureIsExactlyAsLargeAsAskedAndNotFlat) {
     const Scratch scratch;
     const std::string mesh = scratch.write("square.obj", square), png = scratch / "t.png";

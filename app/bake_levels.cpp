@@ -1,0 +1,52 @@
+#include "app/bake_levels.h"
+
+#include <algorithm>
+#include <bit>
+#include <charconv>
+
+#include "app/command_options.h"
+#include "app/convert_image.h"
+#include "atlas/block_levels.h"
+#include "atlas/error.h"
+
+namespace burl {
+
+std::uint32_t levels_asked(const std::string& text, std::uint32_t size, ImageKind kind) {
+    const std::uint32_t all = size == 0 ? 0u : std::uint32_t(std::bit_width(size)) - 1;
+    if (text.empty()) return 0;
+    std::uint32_t count = all;
+    if (text != "all") {
+        const char* end = text.data() + text.size();
+        const auto [stop, failure] = std::from_chars(text.data(), end, count);
+        if (failure != std::errc() || stop != end)
+            throw Error(ExitCode::usage,
+                        fmt::format("--levels {}: must be a number of MIP levels, or all", text));
+    }
+    return kind == ImageKind::rgb_float && count > 0 ? all : std::min(count, all);
+}
+
+BakedImage convert_to(Image<RgbF> image, ImageKind kind) {
+    if (kind == ImageKind::rgb16) return to_rgb16(image);
+    if (kind == ImageKind::rgb_float) return image;
+    return to_rgb8(image);
+}
+
+std::vector<BakedImage> bake_levels(Pipeline& pipeline, const Image<RgbF>& texture,
+                                    std::uint32_t levels, ImageKind kind) {
+    const MeshAtlas& atlas = pipeline.mesh_atlas();
+    if (const std::uint32_t last = last_level(atlas); levels > last) {
+        const bool all = kind == ImageKind::rgb_float;
+        warn(
+            fmt::format("{}: MIP levels above {} of the {} atlas mix unrelated triangles and {}; "
+                        "use --atlas quad or patch for more",
+                        pipeline.mesh().name, last, to_string(atlas.atlas().options.kind),
+                        all ? "are of little use" : "are left out"));
+        if (!all) levels = last;
+    }
+    std::vector<BakedImage> result;
+    for (Image<RgbF>& level : block_levels(atlas, texture, levels))
+        result.push_back(convert_to(std::move(level), kind));
+    return result;
+}
+
+}  // namespace burl

@@ -1,0 +1,27 @@
+#pragma once
+// MIP levels (Williams, "Pyramidal Parametrics", 1983) of an atlas's texture that mix blocks as
+// late and as little as the atlas allows: plain box means while every level texel lies in one
+// block, and above that means of the texels that show surface, so that gutters never count twice.
+#include <cstdint>
+#include <vector>
+
+#include "atlas/image.h"
+#include "atlas/mesh_atlas.h"
+
+namespace burl {
+
+/// The last level that is not only mixtures of unrelated triangles: for strips the one where the
+/// narrowest block is two texels wide, for quad and patch the 1 x 1 one.
+std::uint32_t last_level(const MeshAtlas& atlas);
+
+/// The last level at which no texel covers two blocks: log2(2g) for patches with gutters of g
+/// texels, 0 for strips, log2 of the narrowest block's side for quad.
+std::uint32_t last_pure_level(const MeshAtlas& atlas);
+
+/// Levels 1 to `levels` (at most down to 1 x 1) of a texture in linear light. Level l has
+/// max(1, floor(N / 2^l)) texels a side, as in OpenGL; sums are in double, texels rounded once per
+/// level.
+std::vector<Image<RgbF>> block_levels(const MeshAtlas& atlas, const Image<RgbF>& texture,
+                                      std::uint32_t levels);
+
+}  // namespace burl
