@@ -19,11 +19,11 @@ mkdir -p "$scratch"
 "$samples" "$scratch"
 if [ -n "$burl" ]; then
     for mesh in "$meshes"/*.obj "$meshes"/*.glb "$nasty"/*.obj; do
-        for atlas in uniform area length quad; do
+        for atlas in uniform area length quad patch; do
             for overscan in nearest bilinear; do
                 out=$scratch/$(basename "$mesh" | tr . _).$atlas.$overscan.glb
-                "$burl" bake "$mesh" -o "$out" --atlas $atlas --overscan $overscan --size 512 \
-                    >/dev/null || { echo "burl bake failed on $mesh, $atlas, $overscan"; exit 1; }
+                "$burl" bake "$mesh" -o "$out" --atlas $atlas --overscan $overscan --size 512 --levels 9 \
+                    >/dev/null 2>&1 || { echo "burl bake failed on $mesh, $atlas, $overscan"; exit 1; }
             done
         done
     done
