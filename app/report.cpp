@@ -57,6 +57,21 @@ Json metrics_json(const Atlas& atlas, const AtlasMetrics& metrics) {
             {"shared_triangles", notes.shared_triangles}};
 }
 
+Json patches_json(const PatchAtlas& atlas) {
+    const PatchMapNotes& notes = atlas.maps.notes;
+    return {{"patches", atlas.maps.patches.size()},
+            {"planar", notes.planar_patches},
+            {"gutter", atlas.layout.gutter},
+            {"predicted_stretch", atlas.layout.predicted_stretch},
+            {"partitions_tried", atlas.candidates},
+            {"extra_points", atlas.refined.extra_points},
+            {"tubes_slit", notes.tubes_slit},
+            {"socks_slit", notes.socks_slit},
+            {"holes_closed", notes.holes_closed},
+            {"regions_halved", notes.regions_halved},
+            {"unmapped_triangles", atlas.maps.unmapped.size()}};
+}
+
 Json times_json(const std::vector<StageTime>& times) {
     Json json = Json::object();
     for (const auto& [stage, seconds] : times) json[stage] = seconds;

@@ -19,6 +19,9 @@ Json mesh_json(const Mesh& mesh, const Connectivity& connectivity);
 Json metrics_json(const Atlas& atlas, const AtlasMetrics& metrics);
 
 /// Seconds per stage.
+/// What mapping and placing a patch atlas did.
+Json patches_json(const PatchAtlas& atlas);
+
 Json times_json(const std::vector<StageTime>& times);
 
 /// Version, library versions and SIMD level.

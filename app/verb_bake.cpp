@@ -57,11 +57,14 @@ void warn_if_starved(const Pipeline& pipeline) {
 
 Json bake_json(const BakeCommand& command, Pipeline& pipeline, std::size_t levels, Json seconds) {
     const AtlasMetrics metrics = measure(pipeline.atlas_mesh(), pipeline.atlas(), pipeline.solid());
+    Json atlas = metrics_json(pipeline.atlas(), metrics);
+    if (const PatchAtlas* patches = pipeline.mesh_atlas().patches())
+        atlas["patch"] = patches_json(*patches);
     return {{"input", command.mesh},
             {"outputs", output_paths(command.out, std::uint32_t(levels))},
             {"recipe", Json::parse(to_json(pipeline.recipe()))},
             {"mesh", mesh_json(pipeline.mesh(), pipeline.connectivity())},
-            {"atlas", metrics_json(pipeline.atlas(), metrics)},
+            {"atlas", std::move(atlas)},
             {"mip_levels", levels},
             {"seconds", std::move(seconds)},
             {"versions", versions_json()}};
