@@ -76,7 +76,7 @@ Regions regions_of(const Labels& labels) {
     return regions;
 }
 
-/// Merges pieces, smallest first, until none with a neighbour is smaller than `least` area.
+/// Merges pieces that are too small, smallest first, until none with a neighbour is left.
 class Merger {
   public:
     Merger(const Mesh& mesh, const Connectivity& connectivity, Labels& pieces) : pieces_(pieces) {
@@ -96,17 +96,20 @@ class Merger {
         }
     }
 
-    void run(double least) {
+    double area(std::uint32_t piece) const { return area_[piece]; }
+
+    template <class TooSmall>
+    void run(const TooSmall& too_small) {
         std::set<std::pair<double, std::uint32_t>> small;
         for (std::uint32_t p = 0; p < area_.size(); ++p)
-            if (area_[p] < least && !border_[p].empty()) small.emplace(area_[p], p);
+            if (too_small(p) && !border_[p].empty()) small.emplace(area_[p], p);
         while (!small.empty()) {
             const std::uint32_t p = small.begin()->second;
             small.erase(small.begin());
             const std::uint32_t to = neighbour_with_most_border(p);
             small.erase({area_[to], to});
             merge(p, to);
-            if (area_[to] < least && !border_[to].empty()) small.emplace(area_[to], to);
+            if (too_small(to) && !border_[to].empty()) small.emplace(area_[to], to);
         }
         for (std::uint32_t& piece : pieces_) {
             while (into_[piece] != piece) piece = into_[piece];
@@ -139,13 +142,19 @@ class Merger {
     std::vector<std::uint32_t> into_;
 };
 
+void merge_smaller_than(double least, const Mesh& mesh, const Connectivity& connectivity,
+                        Labels& pieces) {
+    Merger merger(mesh, connectivity, pieces);
+    merger.run([&](std::uint32_t p) { return merger.area(p) < least; });
+}
+
 Regions tidy_regions(const Mesh& mesh, const Connectivity& connectivity, Labels labels,
                      const PartitionOptions& options) {
     flip_ears(connectivity, labels);
     Labels pieces = connected_pieces(connectivity, labels);
     double area = 0.0;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) area += triangle_area(mesh, t);
-    Merger(mesh, connectivity, pieces).run(options.least_share * area / options.patches);
+    merge_smaller_than(options.least_share * area / options.patches, mesh, connectivity, pieces);
     return regions_of(pieces);
 }
 
@@ -197,7 +206,23 @@ Regions crease_regions(const Mesh& mesh, const Connectivity& connectivity, doubl
     Labels pieces = labels;
     double area = 0.0;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) area += triangle_area(mesh, t);
-    Merger(mesh, connectivity, pieces).run(options.least_share * area / options.patches);
+    merge_smaller_than(options.least_share * area / options.patches, mesh, connectivity, pieces);
+    return regions_of(pieces);
+}
+
+Regions regions_of_labels(const Mesh& mesh, const Connectivity& connectivity,
+                          std::vector<std::uint32_t> labels) {
+    flip_ears(connectivity, labels);
+    Labels pieces = connected_pieces(connectivity, labels);
+    Merger merger(mesh, connectivity, pieces);
+    std::map<std::uint32_t, std::uint32_t> largest;  // piece of each label
+    for (std::uint32_t t = 0; t < pieces.size(); ++t) {
+        const auto [place, fresh] = largest.emplace(labels[t], pieces[t]);
+        if (merger.area(pieces[t]) > merger.area(place->second)) place->second = pieces[t];
+    }
+    std::vector<bool> fragment(pieces.size(), true);
+    for (const auto& [label, piece] : largest) fragment[piece] = false;
+    merger.run([&](std::uint32_t p) { return fragment[p]; });
     return regions_of(pieces);
 }
 

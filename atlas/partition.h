@@ -30,6 +30,11 @@ Regions partition_mesh(const Mesh& mesh, const Connectivity& connectivity,
 Regions crease_regions(const Mesh& mesh, const Connectivity& connectivity, double degrees,
                        const PartitionOptions& options = {});
 
+/// Connected regions of the labels, one per triangle: ears flipped, and of each label's pieces all
+/// but the largest given to the neighbour they share most border with, if they have any.
+Regions regions_of_labels(const Mesh& mesh, const Connectivity& connectivity,
+                          std::vector<std::uint32_t> labels);
+
 /// Divides one connected region in two (or more connected pieces): along the dual graph, or across
 /// the longest extent where there are few triangles. Never returns `faces` undivided unless it is
 /// a single triangle. `local` as in dual_graph.

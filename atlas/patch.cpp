@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <numeric>
-#include <unordered_map>
 
 namespace burl {
 namespace {
@@ -49,6 +48,24 @@ HalfEdge next_on_border(const Patch& patch, HalfEdge h) {
     h = next_in_triangle(h);
     while (!patch.on_border(h)) h = next_in_triangle(patch.across(h));
     return h;
+}
+
+/// Numbers the vertices anew; per vertex what number it had.
+std::vector<std::uint32_t> number_vertices(Patch& patch) {
+    DisjointSets sets = corners_that_meet(patch);
+    std::vector<std::uint32_t> from;
+    std::vector<Triangle> numbered(patch.triangles.size());
+    for (HalfEdge c = 0; c < 3 * patch.triangles.size(); ++c) {
+        const std::uint32_t first = sets.find(c);
+        if (first == c) {
+            numbered[c / 3][c % 3] = static_cast<std::uint32_t>(from.size());
+            from.push_back(patch.start(c));
+        } else {
+            numbered[c / 3][c % 3] = numbered[first / 3][first % 3];
+        }
+    }
+    patch.triangles = std::move(numbered);
+    return from;
 }
 
 void order_loops(Patch& patch) {
@@ -97,21 +114,13 @@ HalfEdge Patch::across(HalfEdge h) const {
 }
 
 void rebuild_vertices(Patch& patch) {
-    DisjointSets sets = corners_that_meet(patch);
+    const std::vector<std::uint32_t> from = number_vertices(patch);
     std::vector<Vec3d> points;
     std::vector<VertexOrigin> origins;
-    std::vector<Triangle> numbered(patch.triangles.size());
-    for (HalfEdge c = 0; c < 3 * patch.triangles.size(); ++c) {
-        const std::uint32_t first = sets.find(c);
-        if (first == c) {
-            numbered[c / 3][c % 3] = static_cast<std::uint32_t>(points.size());
-            points.push_back(patch.points[patch.start(c)]);
-            origins.push_back(patch.origins[patch.start(c)]);
-        } else {
-            numbered[c / 3][c % 3] = numbered[first / 3][first % 3];
-        }
+    for (const std::uint32_t old : from) {
+        points.push_back(patch.points[old]);
+        origins.push_back(patch.origins[old]);
     }
-    patch.triangles = std::move(numbered);
     patch.points = std::move(points);
     patch.origins = std::move(origins);
     order_loops(patch);
@@ -122,24 +131,18 @@ Patch extract_patch(const Mesh& mesh, const Connectivity& connectivity,
     Patch patch;
     patch.faces.assign(faces.begin(), faces.end());
     for (std::size_t i = 0; i < faces.size(); ++i) local[faces[i]] = static_cast<std::int32_t>(i);
-    std::unordered_map<std::uint32_t, std::uint32_t> vertex_of_point;
     for (const std::uint32_t face : faces) {
         auto& sides = patch.neighbours.emplace_back(connectivity.neighbours[face]);
         for (std::int32_t& side : sides)
             if (side >= 0) side = local[static_cast<std::size_t>(side)];
-        Triangle& triangle = patch.triangles.emplace_back();
-        for (std::size_t k = 0; k < 3; ++k) {
-            const std::uint32_t point = mesh.triangles[face][k];
-            const auto [place, fresh] =
-                vertex_of_point.emplace(point, static_cast<std::uint32_t>(patch.points.size()));
-            triangle[k] = place->second;
-            if (!fresh) continue;
-            patch.points.push_back(mesh.positions[point]);
-            patch.origins.push_back({point, point});
-        }
+        patch.triangles.push_back(mesh.triangles[face]);
     }
     for (const std::uint32_t face : faces) local[face] = -1;
-    rebuild_vertices(patch);
+    for (const std::uint32_t point : number_vertices(patch)) {
+        patch.points.push_back(mesh.positions[point]);
+        patch.origins.push_back({point, point});
+    }
+    order_loops(patch);
     return patch;
 }
 

@@ -15,7 +15,7 @@ struct PatchAtlas {
     Atlas atlas;          ///< corners and charts of the refined mesh's triangles; no blocks
     PatchMaps maps;
     PatchLayout layout;
-    int candidates = 0;  ///< partitions looked at
+    int candidates = 0;  ///< divisions judged
 };
 
 /// Pure and deterministic. Triangles that no map was found for (they have no area) are placed on a

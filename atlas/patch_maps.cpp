@@ -1,10 +1,10 @@
-// A region is mapped by one task from start to end; its pieces, when it is halved, are mapped by
-// the same task. Tasks share nothing but the mesh.
+// A region is a task, and so is every piece it is halved into. Tasks share nothing but the mesh.
 #include "atlas/patch_maps.h"
 
 #include <algorithm>
-#include <numeric>
+#include <limits>
 
+#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
 #include "atlas/patch_cut.h"
@@ -29,52 +29,64 @@ void add(PatchMapNotes& sum, const PatchMapNotes& n) {
 class RegionMapper {
   public:
     RegionMapper(const Mesh& mesh, const Connectivity& connectivity, double mean_area,
-                 double most_distortion)
+                 const PatchMapOptions& options)
         : mesh_(mesh),
           connectivity_(connectivity),
           mean_area_(mean_area),
-          most_distortion_(most_distortion),
-          local_(mesh.triangles.size(), -1) {}
+          options_(options),
+          local_([&mesh] { return std::vector<std::int32_t>(mesh.triangles.size(), -1); }) {}
 
-    PatchMaps run(const std::vector<std::uint32_t>& region) {
-        std::vector<std::vector<std::uint32_t>> open{region};
-        while (!open.empty()) {
-            const auto faces = std::move(open.back());
-            open.pop_back();
-            Regions pieces = map_or_divide(faces);
-            std::reverse(pieces.begin(), pieces.end());
-            for (auto& piece : pieces) open.push_back(std::move(piece));
+    PatchMaps map_all(const Regions& regions) {
+        std::vector<PatchMaps> by_region(regions.size());
+        tbb::parallel_for(std::size_t(0), regions.size(),
+                          [&](std::size_t i) { by_region[i] = map_region(regions[i]); });
+        PatchMaps result;
+        for (PatchMaps& maps : by_region) {
+            std::move(maps.patches.begin(), maps.patches.end(), std::back_inserter(result.patches));
+            result.unmapped.insert(result.unmapped.end(), maps.unmapped.begin(),
+                                   maps.unmapped.end());
+            add(result.notes, maps.notes);
         }
-        return std::move(result_);
+        return result;
     }
 
   private:
+    PatchMaps map_region(const std::vector<std::uint32_t>& faces) {
+        PatchMaps result;
+        const Regions pieces = map_or_divide(faces, result);
+        if (pieces.empty()) return result;
+        PatchMaps of_pieces = map_all(pieces);
+        add(of_pieces.notes, result.notes);
+        return of_pieces;
+    }
+
     /// Maps the faces, or returns the pieces to map instead.
-    Regions map_or_divide(const std::vector<std::uint32_t>& faces) {
-        Patch patch = extract_patch(mesh_, connectivity_, faces, local_);
+    Regions map_or_divide(const std::vector<std::uint32_t>& faces, PatchMaps& result) {
+        std::vector<std::int32_t>& local = local_.local();
+        Patch patch = extract_patch(mesh_, connectivity_, faces, local);
         Regions components = component_faces(patch);
         if (components.size() > 1) return components;
-        const double area = area_of(patch);
+        const double limit = most_distortion(area_of(patch), faces.size());
         auto planar = map_planar(patch);
         const double planar_d = planar ? planar->stretch.distortion() : 1e300;
-        if (planar_d <= planar_at_once) return keep(std::move(patch), std::move(*planar));
+        if (planar_d <= planar_at_once) return keep(std::move(patch), std::move(*planar), result);
         std::optional<RectangleMap> map;
         Patch mapped = patch;
         PatchMapNotes notes;
-        if (make_disk(mapped, notes)) map = map_disk(mapped, area, notes);
+        if (make_disk(mapped, notes)) map = map_disk(mapped, limit, notes);
         const double d = map ? map->stretch.distortion() : 1e300;
         if (planar_d <= planar_at_most && !(d < rectangle_better * planar_d))
-            return keep(std::move(patch), std::move(*planar));
-        if (map && acceptable(d, area, faces.size())) {
-            add(result_.notes, notes);
-            return keep(std::move(mapped), std::move(*map));
+            return keep(std::move(patch), std::move(*planar), result);
+        if (map && d <= limit) {
+            add(result.notes, notes);
+            return keep(std::move(mapped), std::move(*map), result);
         }
         if (faces.size() > 1) {
-            ++result_.notes.regions_halved;
-            return bisect_region(mesh_, connectivity_, faces, local_);
+            ++result.notes.regions_halved;
+            return bisect_region(mesh_, connectivity_, faces, local);
         }
-        if (planar) return keep(std::move(patch), std::move(*planar));
-        result_.unmapped.insert(result_.unmapped.end(), faces.begin(), faces.end());
+        if (planar) return keep(std::move(patch), std::move(*planar), result);
+        result.unmapped.insert(result.unmapped.end(), faces.begin(), faces.end());
         return {};
     }
 
@@ -87,37 +99,39 @@ class RegionMapper {
         return topology_of(patch).is_disk();
     }
 
+    std::optional<RectangleMap> map_wanted(Patch& patch, double limit) const {
+        return map_onto_rectangle(patch, {.least_gain = options_.least_gain, .wanted = limit});
+    }
+
     /// The map of a disk; where it stretches too much and the patch is still whole, with a slit.
-    std::optional<RectangleMap> map_disk(Patch& patch, double area, PatchMapNotes& notes) const {
-        const Patch whole = patch;
-        auto map = map_onto_rectangle(patch);
+    std::optional<RectangleMap> map_disk(Patch& patch, double limit, PatchMapNotes& notes) const {
+        Patch slit = patch;
+        auto map = map_wanted(patch, limit);
         if (map) notes.extra_vertices = map->extra_vertices;
         const double d = map ? map->stretch.distortion() : 1e300;
-        if (map && acceptable(d, area, whole.triangles.size())) return map;
-        if (notes.holes_closed + notes.tubes_slit > 0) return map;
-        Patch slit = whole;
+        if (d <= limit || notes.holes_closed + notes.tubes_slit > 0) return map;
         if (!slit_sock(slit)) return map;
-        auto slit_map = map_onto_rectangle(slit);
+        auto slit_map = map_wanted(slit, limit);
         if (!slit_map) return map;
         const double slit_d = slit_map->stretch.distortion();
-        if (slit_d > sock_better * d || !acceptable(slit_d, area, whole.triangles.size()))
-            return map;
+        if (slit_d > sock_better * d || slit_d > limit) return map;
         notes.socks_slit = 1;
         notes.extra_vertices = slit_map->extra_vertices;
         patch = std::move(slit);
         return slit_map;
     }
 
-    /// Small patches are not worth halving unless they stretch so much that they waste the share
-    /// of a whole one.
-    bool acceptable(double distortion, double area, std::size_t faces) const {
-        return distortion <= most_distortion_ || faces <= 2 ||
-               (area < 0.25 * mean_area_ && area * distortion < mean_area_);
+    /// The distortion that is accepted: small patches are not worth halving unless they stretch so
+    /// much that they waste the share of a whole one.
+    double most_distortion(double area, std::size_t faces) const {
+        if (faces <= 2) return std::numeric_limits<double>::infinity();
+        if (!(area < 0.25 * mean_area_)) return options_.most_distortion;
+        return std::max(options_.most_distortion, mean_area_ / area);
     }
 
-    Regions keep(Patch patch, PlanarMap map) {
-        ++result_.notes.planar_patches;
-        MappedPatch& kept = result_.patches.emplace_back();
+    static Regions keep(Patch patch, PlanarMap map, PatchMaps& result) {
+        ++result.notes.planar_patches;
+        MappedPatch& kept = result.patches.emplace_back();
         kept.patch = std::move(patch);
         kept.uv = map.uv;
         kept.stretch = map.stretch;
@@ -125,8 +139,8 @@ class RegionMapper {
         return {};
     }
 
-    Regions keep(Patch patch, RectangleMap map) {
-        MappedPatch& kept = result_.patches.emplace_back();
+    static Regions keep(Patch patch, RectangleMap map, PatchMaps& result) {
+        MappedPatch& kept = result.patches.emplace_back();
         kept.patch = std::move(patch);
         kept.uv = map.uv;
         kept.stretch = map.stretch;
@@ -136,9 +150,9 @@ class RegionMapper {
 
     const Mesh& mesh_;
     const Connectivity& connectivity_;
-    double mean_area_, most_distortion_;
-    std::vector<std::int32_t> local_;
-    PatchMaps result_;
+    double mean_area_;
+    PatchMapOptions options_;
+    tbb::enumerable_thread_specific<std::vector<std::int32_t>> local_;
 };
 
 }  // namespace
@@ -147,18 +161,8 @@ PatchMaps map_regions(const Mesh& mesh, const Connectivity& connectivity, const 
                       const PatchMapOptions& options) {
     double area = 0.0;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) area += triangle_area(mesh, t);
-    std::vector<PatchMaps> by_region(regions.size());
-    tbb::parallel_for(std::size_t(0), regions.size(), [&](std::size_t i) {
-        by_region[i] =
-            RegionMapper(mesh, connectivity, area / options.patches, options.most_distortion)
-                .run(regions[i]);
-    });
-    PatchMaps result;
-    for (PatchMaps& maps : by_region) {
-        std::move(maps.patches.begin(), maps.patches.end(), std::back_inserter(result.patches));
-        result.unmapped.insert(result.unmapped.end(), maps.unmapped.begin(), maps.unmapped.end());
-        add(result.notes, maps.notes);
-    }
+    PatchMaps result =
+        RegionMapper(mesh, connectivity, area / options.patches, options).map_all(regions);
     std::sort(result.unmapped.begin(), result.unmapped.end());
     return result;
 }

@@ -13,7 +13,6 @@ namespace {
 
 constexpr std::size_t memory = 6;
 constexpr double keep_from_collapse = 0.8;  ///< longest step, as a share of that to a collapse
-constexpr double least_gain = 1e-7;         ///< relative; below it the descent has arrived
 
 using Field = std::vector<Vec2d>;
 
@@ -35,22 +34,24 @@ std::vector<bool> free_vertices(const std::vector<SideMask>& sides, unsigned hel
 
 class Descent {
   public:
-    Descent(const Patch& patch, RectangleMap& map, std::optional<double> aspect)
+    Descent(const Patch& patch, const WeightedEdges& edges, RectangleMap& map,
+            std::optional<double> aspect)
         : map_(map),
           aspect_(aspect),
           measure_(patch),
           free_u_(free_vertices(map.sides, 0b1010)),
           free_v_(free_vertices(map.sides, 0b0101)),
-          laplacian_u_(patch, free_u_),
-          laplacian_v_(patch, free_v_) {}
+          laplacian_u_(edges, free_u_),
+          laplacian_v_(edges, free_v_) {}
 
-    int run(int iterations) {
+    int run(const DescentOptions& options) {
         if (!laplacian_u_.factored() || !laplacian_v_.factored()) return 0;
         map_.stretch = measure_(map_.uv);
         if (!map_.stretch.finite()) return 0;
         Field gradient = gradient_here();
         int done = 0;
-        while (done < iterations) {
+        double gain_before = 0.0;
+        while (done < options.iterations) {
             const double before = energy(map_.stretch);
             const Field old_uv = map_.uv, old_gradient = gradient;
             if (!step_along(direction(gradient), gradient)) {
@@ -59,7 +60,10 @@ class Descent {
                 continue;
             }
             ++done;
-            if (before - energy(map_.stretch) < least_gain * before) break;
+            const double here = energy(map_.stretch), gain = before - here;
+            if (here <= options.wanted && gain < options.least_gain * before) break;
+            if (out_of_reach(here, std::max(gain, gain_before), done, options)) break;
+            gain_before = gain;
             gradient = gradient_here();
             remember(old_uv, old_gradient, gradient);
         }
@@ -71,6 +75,11 @@ class Descent {
         Field move, change;
         double inverse_product;
     };
+
+    /// Gains only get smaller once the first iterations are over.
+    static bool out_of_reach(double energy, double gain, int done, const DescentOptions& options) {
+        return done >= 4 && energy - options.wanted > gain * (options.iterations - done);
+    }
 
     double energy(const Stretch& s) const {
         const double area2 = s.area * s.area;
@@ -170,7 +179,12 @@ class Descent {
 }  // namespace
 
 int descend(const Patch& patch, RectangleMap& map, const DescentOptions& options) {
-    return Descent(patch, map, options.aspect).run(options.iterations);
+    return descend(patch, weighted_edges(patch), map, options);
+}
+
+int descend(const Patch& patch, const WeightedEdges& edges, RectangleMap& map,
+            const DescentOptions& options) {
+    return Descent(patch, edges, map, options.aspect).run(options);
 }
 
 }  // namespace burl

@@ -73,6 +73,19 @@ Stretch StretchMeasure::operator()(std::span<const Vec2d> uv) const {
     return result;
 }
 
+std::vector<double> StretchMeasure::of_triangles(std::span<const Vec2d> uv, double aspect) const {
+    std::vector<double> result;
+    result.reserve(triangles_.size());
+    for (const Flat& f : triangles_) {
+        const Vec2d a = uv[f.vertices[1]] - uv[f.vertices[0]];
+        const Vec2d b = uv[f.vertices[2]] - uv[f.vertices[0]];
+        const double det = cross(a, b);
+        const Vec2d du = (f.p1 * b.y - f.p2 * a.y) / det, dv = (f.p2 * a.x - f.p1 * b.x) / det;
+        result.push_back(std::sqrt(0.5 * (glm::dot(du, du) / aspect + glm::dot(dv, dv) * aspect)));
+    }
+    return result;
+}
+
 std::vector<Vec2d> StretchMeasure::gradient(std::span<const Vec2d> uv, double factor_x,
                                             double factor_y) const {
     std::vector<Vec2d> result(uv.size(), Vec2d(0.0));

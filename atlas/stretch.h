@@ -37,6 +37,10 @@ class StretchMeasure {
     /// uv: per vertex, in the unit square.
     Stretch operator()(std::span<const Vec2d> uv) const;
 
+    /// Per triangle how far the surface extends per step in the square, root mean square over all
+    /// directions of a rectangle with this aspect. No triangle may be flipped.
+    std::vector<double> of_triangles(std::span<const Vec2d> uv, double aspect) const;
+
     /// d(factor_x X + factor_y Y)/d(uv), per vertex. No triangle may be flipped.
     std::vector<Vec2d> gradient(std::span<const Vec2d> uv, double factor_x, double factor_y) const;
 

@@ -189,13 +189,70 @@ TEST(PatchAtlas, FlatMeshesAreExact) {
         }
 }
 
+Mesh moved(Mesh mesh, double scale, const Vec3d& by) {
+    for (Vec3d& p : mesh.positions) p = scale * (p + by);
+    return mesh;
+}
+
+PatchAtlas small_atlas(const Mesh& mesh) {
+    return *build_patch_atlas(mesh, build_connectivity(mesh), {.size = 256, .tries = 2});
+}
+
 TEST(PatchAtlas, SameBitsAtPowersOfTwo) {
-    const Mesh mesh = made::ring(40, 20);
-    Mesh scaled = mesh;
-    for (Vec3d& p : scaled.positions) p *= 0x1p12;
-    const Built a(mesh, 256), b(scaled, 256);
-    EXPECT_EQ(a.atlas.atlas.corners, b.atlas.atlas.corners);
-    EXPECT_EQ(a.atlas.layout.blocks, b.atlas.layout.blocks);
+    for (const auto& [name, mesh] : meshes()) {
+        SCOPED_TRACE(name);
+        const PatchAtlas a = small_atlas(mesh);
+        const PatchAtlas b = small_atlas(moved(mesh, 0x1p-20, Vec3d(0.0)));
+        EXPECT_EQ(a.atlas.corners, b.atlas.corners);
+        EXPECT_EQ(a.layout.blocks, b.layout.blocks);
+        EXPECT_EQ(a.refined.mesh.triangles, b.refined.mesh.triangles);
+    }
+}
+
+TEST(PatchAtlas, ScaleAndPlaceDoNotMatter) {
+    for (const Mesh& mesh : {made::ring(24, 12), made::ball(3)}) {
+        const PatchAtlas a = small_atlas(mesh);
+        const double side = bounding_box(mesh).longest_side();
+        for (const double scale : {1e-6, 7.7e5}) {
+            const PatchAtlas b = small_atlas(moved(mesh, scale, Vec3d(0.0)));
+            ASSERT_EQ(a.layout.blocks, b.layout.blocks);
+            ASSERT_EQ(a.refined.mesh.triangles, b.refined.mesh.triangles);
+            for (std::size_t t = 0; t < a.atlas.corners.size(); ++t)
+                for (std::size_t k = 0; k < 3; ++k)
+                    EXPECT_LT(glm::distance(a.atlas.corners[t][k], b.atlas.corners[t][k]), 1e-3);
+        }
+        for (const double by : {-3.3, 1e6}) {
+            const PatchAtlas b = small_atlas(moved(mesh, 1.0, Vec3d(by * side)));
+            EXPECT_EQ(a.maps.patches.size(), b.maps.patches.size()) << by;
+            EXPECT_NEAR(b.layout.predicted_stretch / a.layout.predicted_stretch, 1.0, 0.02) << by;
+        }
+    }
+}
+
+TEST(PatchAtlas, MapsAreOfTheMeshItself) {
+    for (const auto& [name, mesh] : meshes()) {
+        SCOPED_TRACE(name);
+        const Mesh large = moved(mesh, 37.5, {1.0, -2.0, 0.25});
+        const PatchAtlas atlas =
+            *build_patch_atlas(large, build_connectivity(large), {.size = 256, .tries = 1});
+        double area = 0.0;
+        for (const MappedPatch& mapped : atlas.maps.patches) {
+            for (std::size_t v = 0; v < mapped.patch.points.size(); ++v) {
+                const VertexOrigin& o = mapped.patch.origins[v];
+                if (o == VertexOrigin{}) continue;
+                EXPECT_EQ(mapped.patch.points[v],
+                          0.5 * large.positions[o.a] + 0.5 * large.positions[o.b]);
+            }
+            area += area_of(mapped.patch);
+            const Stretch now = StretchMeasure(mapped.patch)(mapped.uv);
+            if (name == "nasty" || mapped.planar) continue;
+            EXPECT_NEAR(now.distortion() / mapped.stretch.distortion(), 1.0, 1e-3);
+            EXPECT_NEAR(now.x / mapped.stretch.x, 1.0, 1e-3);
+        }
+        double all = 0.0;
+        for (std::size_t t = 0; t < large.triangles.size(); ++t) all += triangle_area(large, t);
+        EXPECT_NEAR(area, all, 1e-6 * all);
+    }
 }
 
 TEST(PatchAtlas, PointsKeepTheirPlacesOnTheRefinedMesh) {

@@ -29,7 +29,7 @@ TEST(RectangleMap, FlatRectangleIsItsOwnMap) {
         const auto map = map_onto_rectangle(patch);
         ASSERT_TRUE(map);
         made::expect_fills_square(patch, map->uv);
-        // D is quadratic about its minimum: points are within 1e-4 of their place, as below.
+        // D is quadratic about its minimum: points are within 3e-4 of their place, as below.
         EXPECT_NEAR(map->stretch.distortion(), 1.0, 1e-7);
         // Affine: (u,v) is (x/width, y) up to a quarter turn of the square.
         const std::uint32_t first = patch.start(patch.loops[0][map->corners[0]]);
@@ -39,7 +39,7 @@ TEST(RectangleMap, FlatRectangleIsItsOwnMap) {
         const Vec3d v = patch.points[fourth] - patch.points[first];
         for (std::size_t i = 0; i < patch.points.size(); ++i) {
             const Vec3d p = patch.points[first] + map->uv[i].x * u + map->uv[i].y * v;
-            EXPECT_LT(glm::length(p - patch.points[i]), 1e-4) << i;
+            EXPECT_LT(glm::length(p - patch.points[i]), 3e-4) << i;
         }
     }
 }
@@ -81,15 +81,15 @@ TEST(RectangleMap, BorderStaysOnItsSides) {
 TEST(RectangleMap, DescentNeverRaisesTheEnergy) {
     for (const std::uint32_t seed : {60u, 61u, 62u}) {
         Patch patch = made::random_disk(seed, 150);
-        const auto corners = find_corners(patch);
-        ASSERT_TRUE(corners);
-        split_chords(patch, side_masks(patch, *corners));
-        auto map = harmonic_map(patch, *corners);
+        const auto choice = search_corners(patch);
+        ASSERT_TRUE(choice);
+        split_chords(patch, side_masks(patch, choice->corners));
+        auto map = harmonic_map(patch, choice->corners);
         ASSERT_TRUE(map);
         const double start = map->stretch.distortion();
         double before = start;
         for (int i = 0; i < 12; ++i) {
-            descend(patch, *map, {.iterations = 1, .aspect = {}});
+            descend(patch, *map, {.iterations = 1});
             EXPECT_LE(map->stretch.distortion(), before);
             before = map->stretch.distortion();
         }
@@ -104,10 +104,32 @@ TEST(RectangleMap, DescentNeverRaisesTheEnergy) {
     }
 }
 
+TEST(RectangleMap, RelaxingLowersTheStretchAndKeepsTheBorder) {
+    for (const std::uint32_t seed : {60u, 61u, 62u}) {
+        Patch patch = made::random_disk(seed, 150);
+        const auto choice = search_corners(patch);
+        ASSERT_TRUE(choice);
+        split_chords(patch, side_masks(patch, choice->corners));
+        auto map = harmonic_map(patch, choice->corners);
+        ASSERT_TRUE(map);
+        const RectangleMap start = *map;
+        relax(patch, weighted_edges(patch), *map);
+        EXPECT_LT(map->stretch.distortion(), start.stretch.distortion());
+        EXPECT_EQ(map->stretch.distortion(), StretchMeasure(patch)(map->uv).distortion());
+        for (const HalfEdge h : patch.loops[0])
+            EXPECT_EQ(map->uv[patch.start(h)], start.uv[patch.start(h)]);
+        made::expect_fills_square(patch, map->uv);
+    }
+    // What cannot be repaired is not descended on.
+    Patch disk = made::random_disk(60, 150);
+    EXPECT_FALSE(map_onto_rectangle(disk, {.wanted = 1.0001}));
+    EXPECT_EQ(disk.triangles.size(), 150u);
+}
+
 TEST(RectangleMap, DescentFindsAMinimum) {
     // At a minimum no vertex can move for the better; with few iterations it could still.
     Patch patch = made::random_disk(70, 100);
-    auto map = map_onto_rectangle(patch, {.iterations = 400, .aspect = {}});
+    auto map = map_onto_rectangle(patch, {.iterations = 400});
     ASSERT_TRUE(map);
     const StretchMeasure measure(patch);
     const double best = map->stretch.distortion();

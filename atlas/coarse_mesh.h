@@ -1,0 +1,23 @@
+#pragma once
+// A mesh with fewer triangles to try partitions on, and the way a division of it comes back to the
+// mesh it was made from.
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "atlas/connectivity.h"
+#include "atlas/mesh.h"
+
+namespace burl {
+
+struct CoarseMesh {
+    Mesh mesh;  ///< positions and triangles alone
+    Connectivity connectivity;
+    std::vector<std::uint32_t> nearest;  ///< per triangle of the fine mesh: a coarse one near it
+};
+
+/// At most `triangles` triangles, or as many more as edge_collapse leaves. Pure, deterministic,
+/// linear.
+CoarseMesh coarsen(const Mesh& mesh, const Connectivity& connectivity, std::size_t triangles);
+
+}  // namespace burl

@@ -1,0 +1,174 @@
+// Candidates share nothing but the mesh and are judged in parallel; the first of equally good ones
+// wins.
+#include "atlas/patch_candidates.h"
+
+#include <algorithm>
+#include <array>
+
+#include <tbb/parallel_for.h>
+
+#include "atlas/coarse_mesh.h"
+
+namespace burl {
+namespace {
+
+struct Try {
+    PartitionOptions partition;
+    double most_distortion = 1.4;
+};
+
+/// Numbers of patches, seeds and limits that do well on different meshes.
+constexpr std::array<Try, 6> tries_in_order{
+    {{{6, 1}, 1.4}, {{5, 4}, 1.3}, {{6, 2}, 1.3}, {{4, 1}, 1.3}, {{8, 1}, 1.4}, {{4, 2}, 1.5}}};
+constexpr std::array<double, 2> crease_degrees{30.0, 15.0};
+
+constexpr double judging_gain = 0.003;  ///< descents of candidates stop early
+constexpr int judging_layouts = 8, last_layouts = 32;
+/// Partitions of a mesh with more triangles are judged on a coarse one with about so many.
+constexpr std::size_t judged_as_it_is = 24000, judged_triangles = 12000;
+/// How much more than on the coarse mesh a division may stretch on the fine one.
+constexpr double carried_slack = 1.1;
+
+/// A division to judge: one of the tries, or along creases.
+struct Plan {
+    Try attempt;
+    Regions creases;  ///< empty for a partition
+};
+
+struct Judged {
+    PatchCandidate candidate;
+    Try attempt;
+};
+
+PatchDemand demand_of(const MappedPatch& mapped) {
+    PatchDemand demand;
+    demand.stretch = mapped.stretch;
+    for (std::size_t t = 0; t < mapped.patch.triangles.size(); ++t) {
+        if (mapped.patch.faces[t] == not_in_mesh) continue;
+        const double area = area_of(mapped.patch, t);
+        demand.area += area;
+        for (const std::uint32_t v : mapped.patch.triangles[t])
+            demand.centre += area / 3.0 * mapped.patch.points[v];
+    }
+    if (demand.area > 0.0) demand.centre /= demand.area;
+    return demand;
+}
+
+std::uint32_t wanted_gutter(std::uint32_t size) {
+    return std::max(size / 128, 1u);
+}
+
+void lay_out(PatchCandidate& candidate, std::uint32_t size, int layouts) {
+    std::vector<PatchDemand> demands;
+    for (const MappedPatch& mapped : candidate.maps.patches) demands.push_back(demand_of(mapped));
+    auto layout =
+        layout_patches(demands, {.size = size, .gutter = wanted_gutter(size), .tries = layouts});
+    candidate.cost = std::numeric_limits<double>::infinity();
+    if (!layout) return;
+    candidate.cost = layout->predicted_stretch * (1.0 + 0.002 * double(demands.size())) *
+                     (layout->gutter < wanted_gutter(size) ? 1.5 : 1.0);
+    candidate.layout = std::move(*layout);
+}
+
+/// Creases are worth a try where they divide the surface into some large parts.
+bool divides_well(const Mesh& mesh, const Regions& regions) {
+    double all = 0.0, largest = 0.0;
+    std::vector<double> areas;
+    for (const auto& region : regions) {
+        double area = 0.0;
+        for (const std::uint32_t face : region) area += triangle_area(mesh, face);
+        areas.push_back(area);
+        all += area;
+        largest = std::max(largest, area);
+    }
+    return largest <= 0.6 * all &&
+           std::count_if(areas.begin(), areas.end(), [&](double a) { return a > 0.02 * all; }) >= 4;
+}
+
+PatchMapOptions judging_options(const Try& attempt) {
+    return {.patches = attempt.partition.patches,
+            .most_distortion = attempt.most_distortion,
+            .least_gain = judging_gain};
+}
+
+/// The tries asked for, then creases where they divide the mesh well.
+std::vector<Plan> plans(const Mesh& mesh, const Connectivity& connectivity, int tries) {
+    std::vector<Plan> result;
+    for (int i = 0; i < std::clamp(tries, 1, int(tries_in_order.size())); ++i)
+        result.push_back({tries_in_order[std::size_t(i)], {}});
+    for (const double degrees : crease_degrees) {
+        Regions creases = crease_regions(mesh, connectivity, degrees, tries_in_order[0].partition);
+        if (divides_well(mesh, creases) && creases != result.back().creases)
+            result.push_back({tries_in_order[0], std::move(creases)});
+    }
+    return result;
+}
+
+PatchCandidate judge(const Mesh& mesh, const Connectivity& connectivity, const Plan& plan,
+                     std::uint32_t size) {
+    PatchCandidate candidate;
+    candidate.maps = map_regions(mesh, connectivity,
+                                 plan.creases.empty()
+                                     ? partition_mesh(mesh, connectivity, plan.attempt.partition)
+                                     : plan.creases,
+                                 judging_options(plan.attempt));
+    lay_out(candidate, size, judging_layouts);
+    return candidate;
+}
+
+Judged best_of_all(const Mesh& mesh, const Connectivity& connectivity, std::uint32_t size,
+                   int tries) {
+    const std::vector<Plan> all = plans(mesh, connectivity, tries);
+    std::vector<PatchCandidate> candidates(all.size());
+    tbb::parallel_for(std::size_t(0), all.size(), [&](std::size_t i) {
+        candidates[i] = judge(mesh, connectivity, all[i], size);
+    });
+    std::size_t best = 0;
+    for (std::size_t i = 1; i < candidates.size(); ++i)
+        if (candidates[i].cost < candidates[best].cost) best = i;
+    candidates[best].looked_at = static_cast<int>(candidates.size());
+    return {std::move(candidates[best]), all[best].attempt};
+}
+
+/// The fine mesh's maps for the division that was best on the coarse one.
+PatchMaps carry_over(const Mesh& mesh, const Connectivity& connectivity, const CoarseMesh& coarse,
+                     const Judged& best) {
+    const auto& patches = best.candidate.maps.patches;
+    std::vector<std::uint32_t> patch_of(coarse.mesh.triangles.size(),
+                                        static_cast<std::uint32_t>(patches.size()));
+    for (std::uint32_t p = 0; p < patches.size(); ++p)
+        for (const std::uint32_t face : patches[p].patch.faces)
+            if (face != not_in_mesh) patch_of[face] = p;
+    std::vector<std::uint32_t> labels;
+    for (const std::uint32_t face : coarse.nearest) labels.push_back(patch_of[face]);
+    PatchMapOptions options = judging_options(best.attempt);
+    options.most_distortion *= carried_slack;
+    return map_regions(mesh, connectivity, regions_of_labels(mesh, connectivity, std::move(labels)),
+                       options);
+}
+
+PatchCandidate best_division(const Mesh& mesh, const Connectivity& connectivity, std::uint32_t size,
+                             int tries) {
+    if (mesh.triangles.size() > judged_as_it_is) {
+        const CoarseMesh coarse = coarsen(mesh, connectivity, judged_triangles);
+        if (2 * coarse.mesh.triangles.size() <= mesh.triangles.size()) {
+            const Judged best = best_of_all(coarse.mesh, coarse.connectivity, size, tries);
+            PatchCandidate result;
+            result.looked_at = best.candidate.looked_at;
+            result.maps = carry_over(mesh, connectivity, coarse, best);
+            return result;
+        }
+    }
+    return best_of_all(mesh, connectivity, size, tries).candidate;
+}
+
+}  // namespace
+
+PatchCandidate best_candidate(const Mesh& mesh, const Connectivity& connectivity,
+                              std::uint32_t size, int tries) {
+    PatchCandidate best = best_division(mesh, connectivity, size, tries);
+    lay_out(best, size, last_layouts);
+    return best;
+}
+
+}  // namespace burl
