@@ -24,10 +24,10 @@ struct BenchRow {
 /// One warm-up of each, then `repeats` rounds.
 std::vector<BenchRow> run_paired(const std::vector<BenchCase>& cases, int repeats);
 
-/// Names of the suites.
+/// Names of the suites that bench_suite has; `burl bench atlas` is app/bench_atlas.h.
 const std::vector<std::string>& bench_suites();
 
-/// The cases of a suite at a size (faces for mesh_io and atlas, texels per side for synthesis); 0
+/// The cases of a suite at a size (faces for mesh_io, texels per side for synthesis); 0
 /// takes the suite's own.
 std::vector<BenchCase> bench_suite(const std::string& suite, std::size_t size);
 

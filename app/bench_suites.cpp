@@ -1,14 +1,13 @@
-// The suites of `burl bench`. They make their own torus, so that a figure needs no file and can be
-// repeated anywhere.
+// The suites of `burl bench` whose cases are timed one by one; `atlas` is app/bench_atlas.
 #include <filesystem>
 #include <fstream>
 #include <memory>
-#include <numbers>
 
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include "app/bench.h"
+#include "app/bench_meshes.h"
 #include "app/pipeline.h"
 #include "atlas/mesh_io.h"
 #include "atlas/mesh_readers.h"
@@ -19,28 +18,6 @@ namespace burl {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A torus of about `faces` triangles: a grid twice as long as wide, closed both ways.
-Mesh torus(std::size_t faces) {
-    const auto rings = std::uint32_t(std::max(3.0, std::sqrt(double(faces))));
-    const auto sides = std::uint32_t(std::max<std::size_t>(3, faces / 2 / rings));
-    Mesh mesh;
-    mesh.name = "torus";
-    const double turn = 2.0 * std::numbers::pi;
-    for (std::uint32_t i = 0; i < rings; ++i) {
-        for (std::uint32_t j = 0; j < sides; ++j) {
-            const double u = turn * i / rings, v = turn * j / sides, radius = 2.0 + std::cos(v);
-            mesh.positions.emplace_back(radius * std::cos(u), std::sin(v), radius * std::sin(u));
-            const std::uint32_t a = i * sides + j, b = i * sides + (j + 1) % sides;
-            const std::uint32_t c = (i + 1) % rings * sides + j,
-                                d = (i + 1) % rings * sides + (j + 1) % sides;
-            mesh.triangles.push_back({a, b, d});
-            mesh.triangles.push_back({a, d, c});
-        }
-    }
-    mesh.parts.push_back({"torus", 0, std::uint32_t(mesh.triangles.size())});
-    return mesh;
-}
 
 /// A folder for the files a suite reads, gone with the suite.
 struct TemporaryFolder {
@@ -93,24 +70,6 @@ std::vector<BenchCase> mesh_io_suite(std::size_t faces) {
             {"connectivity", count, "face", [read] { build_connectivity(*read); }}};
 }
 
-std::vector<BenchCase> atlas_suite(std::size_t faces) {
-    auto mesh = std::make_shared<Mesh>(torus(faces == 0 ? 100'000 : faces));
-    auto edges = std::make_shared<Connectivity>(build_connectivity(*mesh));
-    std::vector<BenchCase> cases;
-    for (const AtlasKind kind :
-         {AtlasKind::uniform, AtlasKind::area, AtlasKind::length, AtlasKind::quad}) {
-        const AtlasOptions options{kind, Overscan::bilinear, 4096};
-        cases.push_back({fmt::format("layout {} 4096", to_string(kind)),
-                         double(mesh->triangles.size()), "face",
-                         [mesh, edges, options] { layout_atlas(*mesh, *edges, options); }});
-    }
-    auto atlas = std::make_shared<Atlas>(
-        layout_atlas(*mesh, *edges, {AtlasKind::area, Overscan::bilinear, 4096}));
-    cases.push_back({"rasterize area 4096", double(mesh->triangles.size()), "face",
-                     [mesh, atlas] { rasterize(*mesh, *atlas, mesh->positions); }});
-    return cases;
-}
-
 std::vector<BenchCase> synthesis_suite(std::size_t side) {
     const std::size_t n = side == 0 ? 1024 : side;
     std::vector<BenchCase> cases;
@@ -134,13 +93,12 @@ std::vector<BenchCase> synthesis_suite(std::size_t side) {
 }  // namespace
 
 const std::vector<std::string>& bench_suites() {
-    static const std::vector<std::string> names{"mesh_io", "atlas", "synthesis"};
+    static const std::vector<std::string> names{"mesh_io", "synthesis"};
     return names;
 }
 
 std::vector<BenchCase> bench_suite(const std::string& suite, std::size_t size) {
     if (suite == "mesh_io") return mesh_io_suite(size);
-    if (suite == "atlas") return atlas_suite(size);
     return synthesis_suite(size);
 }
 

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "app/bench.h"
+#include "app/bench_atlas.h"
 #include "app/export.h"
 #include "app/report.h"
 #include "app/verbs.h"
@@ -14,7 +15,7 @@ struct BenchCommand {
     std::string suite, out;
     std::size_t size = 0;
     int repeats = 5;
-    bool json = false;
+    bool large = false, json = false;
 };
 
 Json row_json(const BenchRow& row) {
@@ -27,21 +28,83 @@ Json row_json(const BenchRow& row) {
             {"ns_per_unit", row.ns_per_unit()}};
 }
 
+/// To the file asked for, and to stdout.
+void write_report(const BenchCommand& command, const Json& rows) {
+    const Json report = {{"suite", command.suite},
+                         {"repeats", command.repeats},
+                         {"rows", rows},
+                         {"versions", versions_json()}};
+    if (!command.out.empty()) write_json(command.out, report);
+    if (command.json) write_json("-", report);
+}
+
+Json atlas_json(const AtlasBench& bench) {
+    Json stages = Json::array();
+    for (const StageBench& stage : bench.stages)
+        stages.push_back({{"stage", stage.stage},
+                          {"seconds_one_thread", stage.one_thread},
+                          {"seconds_all_threads", stage.all_threads},
+                          {"us_per_face", stage.one_thread * 1e6 / double(bench.faces)},
+                          {"times_faster", stage.one_thread / stage.all_threads}});
+    return {{"kind", bench.kind},
+            {"faces", bench.faces},
+            {"size", bench.size},
+            {"stages", stages},
+            {"coverage", bench.coverage},
+            {"psnr", bench.psnr},
+            {"rmse_levels_1_to_3", bench.rmse}};
+}
+
+/// One line: its layout and spans, and its quality.
+void print_atlas(const AtlasBench& bench) {
+    const double us = 1e6 / double(bench.faces);
+    const StageBench &layout = bench.stage("layout"), &spans = bench.stage("spans");
+    fmt::print("  {:<8} {:>11.3f} {:>8.3f} {:>7.2f} {:>8.3f} {:>9.3f} {:>6.1f}", bench.kind,
+               layout.one_thread * 1e3, layout.one_thread * us,
+               layout.one_thread / layout.all_threads, spans.one_thread * us, bench.coverage,
+               bench.psnr);
+    for (const double rmse : bench.rmse) fmt::print(" {:>7.4f}", rmse);
+    for (const StageBench& stage : bench.stages)
+        if (stage.part_of_layout) fmt::print("  {} {:.3f}", stage.stage, stage.one_thread * us);
+    fmt::print("\n");
+}
+
+void print_atlases(const std::vector<AtlasBench>& rows) {
+    std::size_t faces = 0;
+    for (const AtlasBench& row : rows) {
+        if (row.faces != faces)
+            fmt::print(
+                "{}{} faces, {} x {} texels, connectivity {:.3f} us/face\n"
+                "  {:<8} {:>11} {:>8} {:>7} {:>8} {:>9} {:>6} {:>7} {:>7} {:>7}\n",
+                faces == 0 ? "" : "\n", row.faces, row.size, row.size,
+                row.stage("connectivity").one_thread * 1e6 / double(row.faces), "atlas",
+                "layout ms", "us/face", "faster", "spans", "coverage", "L0 dB", "L1", "L2", "L3");
+        faces = row.faces;
+        print_atlas(row);
+    }
+}
+
+void run_atlas_bench(const BenchCommand& command) {
+    std::vector<std::size_t> faces{1'000, 10'000, 100'000};
+    if (command.large) faces.push_back(1'000'000);
+    if (command.size > 0) faces = {command.size};
+    const std::vector<AtlasBench> rows = bench_atlases(faces, command.repeats);
+    Json list = Json::array();
+    for (const AtlasBench& row : rows) list.push_back(atlas_json(row));
+    write_report(command, list);
+    if (command.json) return;
+    print_atlases(rows);
+}
+
 void run_bench(const BenchCommand& command) {
     if (!command.out.empty()) check_side_output(command.out, "", {});
+    if (command.suite == "atlas") return run_atlas_bench(command);
     const std::vector<BenchRow> rows =
         run_paired(bench_suite(command.suite, command.size), command.repeats);
     Json list = Json::array();
     for (const BenchRow& row : rows) list.push_back(row_json(row));
-    const Json report = {{"suite", command.suite},
-                         {"repeats", command.repeats},
-                         {"rows", list},
-                         {"versions", versions_json()}};
-    if (!command.out.empty()) write_json(command.out, report);
-    if (command.json) {
-        write_json("-", report);
-        return;
-    }
+    write_report(command, list);
+    if (command.json) return;
     fmt::print("{:<36} {:>12} {:>12} {:>12} {:>14}\n", command.suite, "median ms", "lowest",
                "highest", "ns/unit");
     for (const BenchRow& row : rows) {
@@ -56,15 +119,19 @@ void run_bench(const BenchCommand& command) {
 void add_bench(CLI::App& program) {
     auto* verb = program.add_subcommand("bench", "Time a suite; medians of paired runs");
     auto command = std::make_shared<BenchCommand>();
+    std::vector<std::string> suites = bench_suites();
+    suites.emplace_back("atlas");
     verb->add_option("suite", command->suite, "mesh_io, atlas or synthesis")
         ->required()
-        ->check(CLI::IsMember(bench_suites()));
+        ->check(CLI::IsMember(suites));
     verb->add_option("--size", command->size,
-                     "Faces (mesh_io, atlas) or texels per side (synthesis)")
+                     "Faces (mesh_io, atlas) or texels per side (synthesis); atlas: 1,000 to "
+                     "100,000 unless one number is given")
         ->check(CLI::Range(std::size_t{2}, std::size_t{10'000'000}));
     verb->add_option("--repeats", command->repeats, "Counted rounds")
         ->check(CLI::Range(1, 1000))
         ->capture_default_str();
+    verb->add_flag("--large", command->large, "atlas: also 1,000,000 faces, some minutes");
     verb->add_flag("--json", command->json, "Print JSON on stdout");
     verb->add_option("-o,--output", command->out, "Also write the JSON to this file");
     verb->callback([command] { run_bench(*command); });

@@ -1,0 +1,76 @@
+// The benchmark's meshes are what they say, and the atlas suite measures what other code measures.
+#include "app/bench_atlas.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "app/bench_meshes.h"
+#include "atlas/metrics.h"
+
+namespace burl {
+namespace {
+
+TEST(BenchMeshes, AreClosedAndRunOneWayRound) {
+    for (const std::size_t faces : {12u, 300u, 5000u}) {
+        const Mesh sphere = bumpy_sphere(faces), ring = torus(faces);
+        for (const Mesh& mesh : {sphere, ring}) {
+            const Connectivity edges = build_connectivity(mesh);
+            EXPECT_EQ(edges.boundary_edges, 0u) << mesh.name;
+            EXPECT_EQ(edges.split_faces, 0u) << mesh.name;
+            EXPECT_EQ(edges.shells, 1u) << mesh.name;
+            const auto euler = std::int64_t(mesh.positions.size() + mesh.triangles.size()) -
+                               std::int64_t(edges.interior_edges);
+            EXPECT_EQ(euler, mesh.name == "torus" ? 0 : 2);
+            EXPECT_EQ(mesh.parts.at(0).triangle_count, mesh.triangles.size());
+        }
+        EXPECT_NEAR(double(sphere.triangles.size()) / double(faces), 1.0, 0.25);
+        double volume = 0.0;
+        for (const auto& [a, b, c] : sphere.triangles)
+            volume += glm::dot(sphere.positions[a],
+                               glm::cross(sphere.positions[b], sphere.positions[c])) /
+                      6.0;
+        EXPECT_GT(volume, 0.2) << "normals point outwards";
+        EXPECT_LT(volume, 1.5);
+    }
+}
+
+TEST(BenchAtlases, TextureHoldsTwentyFiveToAHundredTexelsAPair) {
+    EXPECT_EQ(bench_texture(1'000'000), 4096u);
+    for (const std::size_t faces : {10u, 1000u, 31415u, 2'000'000u}) {
+        const double texels = std::pow(double(bench_texture(faces)), 2) / (0.5 * double(faces));
+        EXPECT_GE(texels, 25.0);
+        EXPECT_LT(texels, 105.0);
+    }
+}
+
+TEST(BenchAtlases, AllKindsSideBySide) {
+    const std::vector<AtlasBench> rows = bench_atlases(std::vector<std::size_t>{300, 700}, 1, 500);
+    ASSERT_EQ(rows.size(), 10u);
+    const std::vector<std::string> kinds{"uniform", "area", "length", "quad", "patch"};
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const AtlasBench& row = rows[i];
+        EXPECT_EQ(row.kind, kinds[i % 5]);
+        EXPECT_EQ(row.faces, i < 5 ? 300u : 768u);
+        for (const char* name : {"connectivity", "layout", "spans"}) {
+            EXPECT_GT(row.stage(name).one_thread, 0.0);
+            EXPECT_GT(row.stage(name).all_threads, 0.0);
+        }
+        EXPECT_EQ(row.stages.size(), row.kind == "quad" ? 5u : 3u);
+        ASSERT_EQ(row.rmse.size(), 3u);
+        // A level shows less than the texture itself, and more than its mean alone (.35).
+        for (const double rmse : row.rmse) {
+            EXPECT_GT(rmse, 1e-4);
+            EXPECT_LT(rmse, 0.3);
+        }
+        EXPECT_GT(row.psnr, -20.0 * std::log10(row.rmse[2]));
+    }
+    const Mesh mesh = bumpy_sphere(300);
+    const Atlas quad = layout_atlas(mesh, build_connectivity(mesh),
+                                    {AtlasKind::quad, Overscan::bilinear, rows[3].size});
+    EXPECT_EQ(rows[3].coverage,
+              measure(mesh, quad, rasterize(mesh, quad, mesh.positions)).coverage);
+}
+
+}  // namespace
+}  // namespace burl
