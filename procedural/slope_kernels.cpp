@@ -1,0 +1,160 @@
+#include "procedural/slope_kernels.h"
+
+// This file is compiled once per instruction set.
+// clang-format off
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "procedural/slope_kernels.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+// clang-format on
+
+#include "procedural/noise_corners-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace burl {
+namespace HWY_NAMESPACE {
+
+/// What a texel's step does to the value at a corner itself: nothing for value noise.
+template <class Corner>
+struct CornerSlope {
+    static constexpr bool any = true;
+};
+template <>
+struct CornerSlope<ValueCorner> {
+    static constexpr bool any = false;
+};
+
+/// One vector of texels: eight times the noise, and its changes along u and v. Corners are
+/// interpolated as EightfoldNoise does, so that values have the same bits.
+template <class Corner, class FadeFunction>
+HWY_ATTR HWY_INLINE void NoiseAndSlopes(Bit seed, const LatticeBatch& batch,
+                                        const DirectionBatch& directions, std::size_t j,
+                                        Float& noise, Float& slope_u, Float& slope_v) {
+    const Floats d;
+    const Bits bits;
+    const Corner corner;
+    const FadeFunction fade;
+    const auto cell = [&](int axis) HWY_ATTR {
+        return hn::BitCast(bits, hn::Load(Ints(), batch.cells[axis] + j));
+    };
+    const Float x = hn::Load(d, batch.places[0] + j), y = hn::Load(d, batch.places[1] + j),
+                z = hn::Load(d, batch.places[2] + j);
+    const Float half = hn::Set(d, 0.5f);
+    const Float x0 = hn::Add(x, half), y0 = hn::Add(y, half), z0 = hn::Add(z, half);
+    const Float x1 = hn::Sub(x, half), y1 = hn::Sub(y, half), z1 = hn::Sub(z, half);
+    const Float tx = hn::Add(x, x), ty = hn::Add(y, y), tz = hn::Add(z, z);
+    const Float fx = fade(tx), fy = fade(ty), fz = fade(tz);
+    const Float ux = hn::Load(d, directions.along_u[0] + j);
+    const Float uy = hn::Load(d, directions.along_u[1] + j);
+    const Float uz = hn::Load(d, directions.along_u[2] + j);
+    const Float vx = hn::Load(d, directions.along_v[0] + j);
+    const Float vy = hn::Load(d, directions.along_v[1] + j);
+    const Float vz = hn::Load(d, directions.along_v[2] + j);
+
+    const Bit next_x = hn::Set(bits, LatticeHash::prime_x);
+    const Bit next_y = hn::Set(bits, LatticeHash::prime_y);
+    const Bit next_z = hn::Set(bits, LatticeHash::prime_z);
+    const Bit hx = hn::Add(hn::Mul(cell(0), next_x), seed);
+    const Bit h00 = hn::Add(hx, hn::Mul(cell(1), next_y)), h10 = hn::Add(h00, next_x);
+    const Bit h01 = hn::Add(h00, next_y), h11 = hn::Add(h10, next_y);
+
+    // The four corners of a plane: interpolated, its differences along x and y, and the corners'
+    // own changes, interpolated.
+    const auto plane = [&](Bit hz, Float dz, Float& value, Float& dx, Float& dy, Float& du,
+                           Float& dv) HWY_ATTR {
+        const Bit ha = Mix(hn::Add(h00, hz)), hb = Mix(hn::Add(h10, hz));
+        const Bit he = Mix(hn::Add(h01, hz)), hf = Mix(hn::Add(h11, hz));
+        const Float a = corner(ha, x0, y0, dz), b = corner(hb, x1, y0, dz);
+        const Float e = corner(he, x0, y1, dz), f = corner(hf, x1, y1, dz);
+        const Float low = TwiceLerp(fx, a, b), high = TwiceLerp(fx, e, f);
+        value = TwiceLerp(fy, low, high);
+        dx = TwiceLerp(fy, hn::Sub(b, a), hn::Sub(f, e));
+        dy = hn::Sub(high, low);
+        du = dv = hn::Zero(d);
+        if constexpr (CornerSlope<Corner>::any) {
+            du = TwiceLerp(fy, TwiceLerp(fx, corner(ha, ux, uy, uz), corner(hb, ux, uy, uz)),
+                           TwiceLerp(fx, corner(he, ux, uy, uz), corner(hf, ux, uy, uz)));
+            dv = TwiceLerp(fy, TwiceLerp(fx, corner(ha, vx, vy, vz), corner(hb, vx, vy, vz)),
+                           TwiceLerp(fx, corner(he, vx, vy, vz), corner(hf, vx, vy, vz)));
+        }
+    };
+    Float low, low_x, low_y, low_u, low_v, high, high_x, high_y, high_u, high_v;
+    const Bit hz = hn::Mul(cell(2), next_z);
+    plane(hz, z0, low, low_x, low_y, low_u, low_v);
+    plane(hn::Add(hz, next_z), z1, high, high_x, high_y, high_u, high_v);
+    noise = TwiceLerp(fz, low, high);
+    // d(fade)/d(place) is twice the slope, t being twice the place.
+    const Float gx = hn::Mul(TwiceLerp(fz, low_x, high_x), hn::Add(fade.Slope(tx), fade.Slope(tx)));
+    const Float gy = hn::Mul(TwiceLerp(fz, low_y, high_y), hn::Add(fade.Slope(ty), fade.Slope(ty)));
+    const Float gz = hn::Mul(hn::Sub(high, low), hn::Add(fade.Slope(tz), fade.Slope(tz)));
+    const auto along = [&](Float dx, Float dy, Float dz) HWY_ATTR {
+        return hn::Add(hn::Add(hn::Mul(gx, dx), hn::Mul(gy, dy)), hn::Mul(gz, dz));
+    };
+    slope_u = hn::Add(along(ux, uy, uz), TwiceLerp(fz, low_u, high_u));
+    slope_v = hn::Add(along(vx, vy, vz), TwiceLerp(fz, low_v, high_v));
+}
+
+template <class Corner, class FadeFunction>
+HWY_ATTR void AddNoiseAndSlopesOf(std::uint32_t seed, double scale, const LatticeBatch& batch,
+                                  const DirectionBatch& directions, std::size_t count, double* sums,
+                                  SlopeBatch& slopes) {
+    const Floats d;
+    const Doubles doubles;
+    HWY_ALIGN float noise[batch_capacity + batch_padding];
+    const Bit seeds = hn::Set(Bits(), seed * LatticeHash::prime_seed);
+    const Float slope_scale = hn::Set(d, float(scale));
+    for (std::size_t j = 0; j < count; j += hn::Lanes(d)) {
+        Float n, u, v;
+        NoiseAndSlopes<Corner, FadeFunction>(seeds, batch, directions, j, n, u, v);
+        hn::Store(n, d, noise + j);
+        const auto add = [&](Float slope, float* sum) HWY_ATTR {
+            hn::Store(hn::Add(hn::Load(d, sum), hn::Mul(slope, slope_scale)), d, sum);
+        };
+        add(u, slopes.u + j);
+        add(v, slopes.v + j);
+    }
+    const auto scales = hn::Set(doubles, scale);
+    for (std::size_t j = 0; j < count; j += hn::Lanes(doubles)) {
+        const auto n = hn::PromoteTo(doubles, hn::Load(HalfFloats(), noise + j));
+        hn::StoreU(hn::Add(hn::LoadU(doubles, sums + j), hn::Mul(n, scales)), doubles, sums + j);
+    }
+}
+
+HWY_ATTR void AddNoiseAndSlopes(NoiseKind kind, Fade fade, std::uint32_t seed, double scale,
+                                const LatticeBatch& batch, const DirectionBatch& directions,
+                                std::size_t count, double* sums, SlopeBatch& slopes) {
+    if (kind == NoiseKind::perlin)
+        return AddNoiseAndSlopesOf<PerlinCorner, QuinticFade>(seed, scale * 0x1p-3, batch,
+                                                              directions, count, sums, slopes);
+    const double value_scale = scale * 0x1p-26;
+    switch (fade) {
+        case Fade::linear:
+            return AddNoiseAndSlopesOf<ValueCorner, LinearFade>(seed, value_scale, batch,
+                                                                directions, count, sums, slopes);
+        case Fade::smooth:
+            return AddNoiseAndSlopesOf<ValueCorner, SmoothFade>(seed, value_scale, batch,
+                                                                directions, count, sums, slopes);
+        case Fade::quintic:
+            return AddNoiseAndSlopesOf<ValueCorner, QuinticFade>(seed, value_scale, batch,
+                                                                 directions, count, sums, slopes);
+    }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace burl
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace burl {
+
+HWY_EXPORT(AddNoiseAndSlopes);
+
+void add_noise_and_slopes(NoiseKind kind, Fade fade, std::uint32_t seed, double scale,
+                          const LatticeBatch& batch, const DirectionBatch& directions,
+                          std::size_t count, double* sums, SlopeBatch& slopes) {
+    HWY_DYNAMIC_DISPATCH(AddNoiseAndSlopes)
+    (kind, fade, seed, scale, batch, directions, count, sums, slopes);
+}
+
+}  // namespace burl
+#endif
