@@ -36,7 +36,7 @@ constexpr std::array table{
     Parameter{"atlas.diagonals", choice, 0, 0, 0, 1, "", "\"shared\"", "shared|overscan",
               "quad, bilinear: whether pairs meet on the diagonal, or lie apart where they would "
               "meet in a kink"},
-    Parameter{"atlas.tries", integer, 1, 6, 1, 1, "", "1", "",
+    Parameter{"atlas.tries", integer, 1, 6, 1, 1, "", "4", "",
               "partitions a patch atlas is chosen from; the other kinds ignore it"},
     Parameter{"solid.space", choice, 0, 0, 0, 1, "", "\"unit\"", "unit|object",
               "unit: the mesh's box centred, longest side 1; object: the file's coordinates"},

@@ -34,7 +34,7 @@ struct AtlasOptions {
     AtlasPartition partition = AtlasPartition::rcb;  ///< quad only
     std::uint32_t gutter = 0;  ///< quad with bilinear overscan: texels round each block's triangles
     Diagonals diagonals = Diagonals::shared;  ///< quad with bilinear overscan
-    int tries = 1;  ///< patch: partitions to choose from, 1 to 6, and two along creases if any
+    int tries = 4;  ///< patch: partitions to choose from, 1 to 6, and two along creases if any
     bool operator==(const AtlasOptions&) const = default;
 };
 
