@@ -8,6 +8,7 @@
 #include <tbb/global_control.h>
 
 #include "app/bench_meshes.h"
+#include "app/metric_texture.h"
 #include "atlas/lookup_errors.h"
 #include "atlas/metrics.h"
 #include "atlas/pairing.h"
@@ -48,7 +49,8 @@ struct Subject {
         options.points = points;
         options.level_points = points;
         options.levels = 3;
-        truth = surface_truth(mesh, metric_marble, options);
+        options.grazing_levels = 0;
+        truth = surface_truth(mesh, grey(metric_marble), options);
     }
 
     Mesh mesh;
@@ -92,8 +94,8 @@ void add_quality(AtlasBench& bench, const Subject& subject, const MeshAtlas& atl
     truth.points = refined_points(subject.mesh, atlas, std::move(truth.points));
     truth.level_points = refined_points(subject.mesh, atlas, std::move(truth.level_points));
     const LookupErrors errors =
-        measure_lookups(mesh, atlas.atlas(), fill_texture(solid, metric_marble),
-                        mesh_edges(mesh, build_connectivity(mesh)), truth);
+        measure_lookups(mesh, atlas.atlas(), fill_texture(solid, grey(metric_marble)),
+                        mesh_edges(mesh, build_connectivity(mesh)), truth, in_8bit_srgb());
     bench.psnr = errors.psnr;
     for (std::size_t l = 1; l < errors.levels.size(); ++l)
         bench.rmse.push_back(errors.levels[l].rmse);

@@ -44,17 +44,32 @@ void print_lookups(const MeasuredAtlas& m) {
     if (!m.lookups) return;
     const LookupErrors& errors = *m.lookups;
     fmt::print(
-        "\n{}: metric-marble, {:.2f} dB ({:.2f} dB in 8 bits), seam over interior error {:.2f} "
+        "\n{}: {}, {:.2f} dB ({:.2f} dB in 8 bits), seam over interior error {:.2f} "
         "({:.1f} % of points near a seam)\n",
-        m.name, errors.psnr, errors.psnr_8bit, seam_ratio(errors), 100.0 * errors.seam_points);
-    fmt::print("{:<8} {:>9} {:>9} {:>9} {:>9} {:>9} {:>11}\n", "level", "rmse", "8 bits",
-               "truth +-", "mismatch", "foreign", "other chart");
+        m.name, m.texture, errors.psnr, errors.psnr_8bit, seam_ratio(errors),
+        100.0 * errors.seam_points);
+    fmt::print("{:<6} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>11}\n", "level", "rmse",
+               "8 bits", "truth +-", "8:1", "8:1 8bit", "mismatch", "foreign", "other chart");
     for (const LevelError& e : errors.levels)
-        fmt::print("L{:<7} {:>9.5f} {:>9.5f} {:>9.5f} {:>9.5f} {:>9.4f} {:>11.4f}\n", e.level,
-                   e.rmse, e.rmse_8bit, e.truth_noise, e.mismatch, e.foreign, e.other_chart);
+        fmt::print("L{:<5} {:>9.5f} {:>9.5f} {:>9.5f} {:>9} {:>9} {:>9.5f} {:>9.4f} {:>11.4f}\n",
+                   e.level, e.rmse, e.rmse_8bit, e.truth_noise,
+                   e.grazing ? fmt::format("{:.5f}", e.grazing->rmse) : "-",
+                   e.grazing ? fmt::format("{:.5f}", e.grazing->rmse_8bit) : "-", e.mismatch,
+                   e.foreign, e.other_chart);
 }
 
-Json lookups_json(const LookupErrors& errors) {
+Json grazing_json(const LookupErrors& errors) {
+    Json levels = Json::array();
+    for (const LevelError& e : errors.levels)
+        if (e.grazing)
+            levels.push_back({{"level", e.level},
+                              {"rmse", e.grazing->rmse},
+                              {"rmse_8bit", e.grazing->rmse_8bit},
+                              {"truth_noise", e.grazing->truth_noise}});
+    return levels;
+}
+
+Json lookups_json(const std::string& texture, const LookupErrors& errors) {
     Json levels = Json::array();
     for (const LevelError& e : errors.levels)
         levels.push_back({{"level", e.level},
@@ -64,14 +79,15 @@ Json lookups_json(const LookupErrors& errors) {
                           {"mismatch", e.mismatch},
                           {"foreign", e.foreign},
                           {"other_chart", e.other_chart}});
-    return {{"texture", "metric-marble"},
+    return {{"texture", texture},
             {"psnr", errors.psnr},
             {"psnr_8bit", errors.psnr_8bit},
             {"seam_rmse", errors.seam_rmse},
             {"interior_rmse", errors.interior_rmse},
             {"seam_over_interior", seam_ratio(errors)},
             {"seam_points", errors.seam_points},
-            {"levels", levels}};
+            {"levels", levels},
+            {"grazing_8_to_1", grazing_json(errors)}};
 }
 
 }  // namespace
@@ -94,7 +110,7 @@ Json measured_json(const MeasuredAtlas& m) {
     json["mirrored_area"] = shape.mirrored;
     json["flipped"] = shape.flipped;
     json["vanished"] = shape.vanished;
-    if (m.lookups) json["lookups"] = lookups_json(*m.lookups);
+    if (m.lookups) json["lookups"] = lookups_json(m.texture, *m.lookups);
     return json;
 }
 

@@ -15,7 +15,8 @@ struct MeasuredAtlas {
     std::string name;
     Atlas atlas;
     AtlasMeasures measures;
-    std::optional<LookupErrors> lookups;  ///< of metric-marble
+    std::string texture;  ///< what was looked up
+    std::optional<LookupErrors> lookups;
 };
 
 Json measured_json(const MeasuredAtlas& measured);

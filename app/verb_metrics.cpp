@@ -6,12 +6,12 @@
 #include <fmt/format.h>
 
 #include "app/command_options.h"
+#include "app/metric_texture.h"
 #include "app/metrics_report.h"
 #include "app/verbs.h"
 #include "atlas/error.h"
 #include "atlas/refined_points.h"
 #include "atlas/uv_atlas.h"
-#include "procedural/metric_marble.h"
 
 namespace burl {
 
@@ -19,20 +19,16 @@ namespace {
 
 struct MetricsCommand {
     std::string mesh;
+    std::string texture, fill = "extrapolate";
     RecipeOptions recipe;
     MeshOptions meshes;
     bool uv = false, levels = false, json = false;
 };
 
-/// The mesh as metric-marble wants it: the box's middle in the origin, its half diagonal 1.
-Mesh normalised(const Mesh& mesh) {
-    Mesh result = mesh;
-    const Affine3 to_unit = solid_from_mesh(mesh, SolidSpace::unit);  // longest side 1: no overflow
-    result.positions = map_positions(mesh, to_unit);
-    const double half_diagonal = 0.5 * glm::length(bounding_box(result).size());
-    if (half_diagonal > 0.0)
-        for (Vec3d& p : result.positions) p /= half_diagonal;
-    return result;
+/// By the names --fill takes.
+GapFill gap_fill(const std::string& name) {
+    if (name == "black") return GapFill::black;
+    return name == "nearest" ? GapFill::nearest : GapFill::extrapolate;
 }
 
 /// What is measured: the mesh, and one atlas after another.
@@ -41,11 +37,15 @@ class Measuring {
     Measuring(const MetricsCommand& command, Recipe recipe)
         : recipe_(std::move(recipe)),
           pipeline_(command.meshes.load(command.mesh)),
-          edges_(mesh_edges(mesh(), pipeline_.connectivity())) {
+          edges_(mesh_edges(mesh(), pipeline_.connectivity())),
+          texture_(command.texture == metric_marble_name ? metric_marble_texture()
+                                                         : recipe_texture(recipe_, mesh())),
+          fill_(gap_fill(command.fill)) {
         if (!command.levels) return;
         TruthOptions options;
         options.size = recipe_.atlas.size;
-        truth_ = surface_truth(normalised(mesh()), metric_marble, options);
+        options.detail = texture_.detail;
+        truth_ = surface_truth(normalised(mesh()), texture_.color, options);
     }
 
     const Mesh& mesh() const { return pipeline_.mesh(); }
@@ -78,6 +78,7 @@ class Measuring {
         if (!truth) return truth;
         truth->points = refined_points(mesh(), atlas, std::move(truth->points));
         truth->level_points = refined_points(mesh(), atlas, std::move(truth->level_points));
+        truth->grazing.points = refined_points(mesh(), atlas, std::move(truth->grazing.points));
         return truth;
     }
 
@@ -88,12 +89,12 @@ class Measuring {
                            const std::optional<SurfaceTruth>& truth, Rasterize&& points_of) const {
         const SolidAtlas solid = points_of(surface, atlas, surface.positions);
         MeasuredAtlas result{std::move(name), atlas, measure_atlas(surface, atlas, solid, edges),
-                             std::nullopt};
+                             texture_.name, std::nullopt};
         if (truth) {
             const Mesh unit = normalised(surface);
-            result.lookups = measure_lookups(
-                unit, atlas, fill_texture(points_of(unit, atlas, unit.positions), metric_marble),
-                edges, *truth);
+            const TextureValues values =
+                fill_texture(points_of(unit, atlas, unit.positions), texture_.color, fill_);
+            result.lookups = measure_lookups(unit, atlas, values, edges, *truth, in_8bit_srgb());
         }
         return result;
     }
@@ -101,6 +102,8 @@ class Measuring {
     Recipe recipe_;
     Pipeline pipeline_;
     std::vector<MeshEdge> edges_;
+    MetricTexture texture_;
+    GapFill fill_;
     std::optional<SurfaceTruth> truth_;
 };
 
@@ -168,9 +171,24 @@ void add_metrics(CLI::App& program) {
                    "them when no --atlas is asked)");
     command->meshes.add(*verb);
     verb->add_flag("--levels", command->levels,
-                   "Also measure lookups of metric-marble: error per MIP level, seams, bleeding");
+                   "Also measure lookups: error per MIP level, seams, bleeding");
+    auto* texture =
+        verb->add_option("--texture", command->texture,
+                         "What is looked up: metric-marble, or the recipe's texture (default: the "
+                         "recipe's if --recipe is given)");
+    texture->check(CLI::IsMember({metric_marble_name, "recipe"}));
+    verb->add_option("--fill", command->fill,
+                     "Texels that show no triangle: extrapolate (the surface goes on for two "
+                     "texels), nearest (copied) or black")
+        ->check(CLI::IsMember({"extrapolate", "nearest", "black"}))
+        ->capture_default_str();
     verb->add_flag("--json", command->json, "Print JSON");
-    verb->callback([command] { run_metrics(*command); });
+    verb->callback([command, verb, texture] {
+        if (texture->count() == 0)
+            command->texture =
+                verb->get_option("--recipe")->count() > 0 ? "recipe" : metric_marble_name;
+        run_metrics(*command);
+    });
 }
 
 }  // namespace burl

@@ -30,12 +30,12 @@ inline BilinearTaps bilinear_taps(const Vec2d& at, std::size_t width, std::size_
     return taps;
 }
 
-inline double bilinear(const Image<float>& image, const Vec2d& at) {
+inline Vec3d bilinear(const Image<Vec3f>& image, const Vec2d& at) {
     const BilinearTaps t = bilinear_taps(at, image.width(), image.height());
-    double sum = 0.0;
+    Vec3d sum(0.0);
     for (std::size_t j : {0u, 1u})
         for (std::size_t i : {0u, 1u})
-            sum += t.weight_x[i] * t.weight_y[j] * double(image(t.x[i], t.y[j]));
+            sum += t.weight_x[i] * t.weight_y[j] * Vec3d(image(t.x[i], t.y[j]));
     return sum;
 }
 

@@ -1,5 +1,8 @@
 #pragma once
-// The errors a viewer sees: lookups of a texture against what the surface shows there.
+// The errors a viewer sees: lookups of a texture against what the surface shows there. Errors of
+// colours are root mean squares over the channels.
+#include <functional>
+#include <optional>
 #include <vector>
 
 #include "atlas/metric_charts.h"
@@ -9,7 +12,12 @@
 
 namespace burl {
 
-/// Plain bilinear lookups in one level; 8-bit is the same after rounding texels to 1/255.
+/// Anisotropic lookups of footprints eight times as long as wide (atlas/anisotropic.h).
+struct GrazingError {
+    double rmse = 0.0, rmse_8bit = 0.0, truth_noise = 0.0;
+};
+
+/// Plain bilinear lookups in one level.
 struct LevelError {
     std::uint32_t level = 0;
     double rmse = 0.0, rmse_8bit = 0.0;  ///< level 0: at all points; others: at the level points
@@ -20,6 +28,7 @@ struct LevelError {
     /// Mean share of lookup weight on texels of another chart or of none; on texels that hold
     /// another chart's value (a texel of no chart holds that of the nearest one).
     double foreign = 0.0, other_chart = 0.0;
+    std::optional<GrazingError> grazing;  ///< of the levels that the truth has it for
 };
 
 struct LookupErrors {
@@ -30,8 +39,13 @@ struct LookupErrors {
     std::vector<LevelError> levels;      ///< from level 0
 };
 
-/// `truth` of the same mesh, the same f as in `texture` and a size as large.
+/// What is left of a linear value after storing it; both are in [0, 1].
+using StoredValue = std::function<double(double)>;
+
+/// `truth` of the same mesh, the same f as in `texture` and a size as large. Each level is the box
+/// mean of the one before, for the figures in 8 bits as `in_8bit` stored it.
 LookupErrors measure_lookups(const Mesh& mesh, const Atlas& atlas, const TextureValues& texture,
-                             std::span<const MeshEdge> edges, const SurfaceTruth& truth);
+                             std::span<const MeshEdge> edges, const SurfaceTruth& truth,
+                             const StoredValue& in_8bit);
 
 }  // namespace burl

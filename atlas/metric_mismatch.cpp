@@ -4,6 +4,7 @@
 
 #include "atlas/bilinear.h"
 #include "atlas/random_unit.h"
+#include "atlas/surface_mean.h"
 
 namespace burl {
 
@@ -45,13 +46,12 @@ SeamPoints seam_points(const Mesh& mesh, const Atlas& atlas, std::span<const Mes
     return points;
 }
 
-double mismatch(const SeamPoints& points, const Image<float>& level, std::uint32_t size) {
+double mismatch(const SeamPoints& points, const Image<Vec3f>& level, std::uint32_t size) {
     if (points.places.empty()) return 0.0;
     const double scale = double(level.width()) / size;
     double squares = 0.0;
     for (const auto& [a, b] : points.places) {
-        const double difference = bilinear(level, a * scale) - bilinear(level, b * scale);
-        squares += difference * difference;
+        squares += mean_square(bilinear(level, a * scale) - bilinear(level, b * scale));
     }
     return std::sqrt(points.share * squares / double(points.places.size()));
 }

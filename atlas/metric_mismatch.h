@@ -19,6 +19,6 @@ SeamPoints seam_points(const Mesh& mesh, const Atlas& atlas, std::span<const Mes
                        std::size_t count, std::uint64_t seed);
 
 /// RMS difference over all edges between two triangles: sqrt(share) times that over `points`.
-double mismatch(const SeamPoints& points, const Image<float>& level, std::uint32_t size);
+double mismatch(const SeamPoints& points, const Image<Vec3f>& level, std::uint32_t size);
 
 }  // namespace burl

@@ -68,11 +68,11 @@ std::vector<char> cells_near(const CellGrid& grid, const Mesh& mesh,
 struct IndexedSamples {
     std::vector<std::uint32_t> cells;  ///< ascending
     std::vector<SurfaceSample> samples;
-    std::vector<double> values;
+    std::vector<Vec3d> values;
 };
 
 IndexedSamples index_samples(const CellGrid& grid, std::vector<SurfaceSample> samples,
-                             const SolidFunction& f) {
+                             const SolidColor& f) {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> order(samples.size());
     tbb::parallel_for(std::size_t{0}, samples.size(), [&](std::size_t i) {
         order[i] = {grid.cell_of(samples[i].point), std::uint32_t(i)};
@@ -95,10 +95,13 @@ struct Kernel {
     const IndexedSamples& index;
     const std::vector<Vec3d>& normals;
     double sigma = 1.0;
+    double shorten = 0.0;  ///< 1 - 1 / stretch^2: what the long directions' squares lose
 
     /// The mean, or `otherwise` where no sample is near.
-    double mean(const Vec3d& at, std::uint32_t triangle, double otherwise) const {
-        double sum = 0.0, total = 0.0;
+    Vec3d mean(const Vec3d& at, std::uint32_t triangle, const Vec3d& across,
+               const Vec3d& otherwise) const {
+        Vec3d sum(0.0);
+        double total = 0.0;
         const double falloff = -0.5 / (sigma * sigma);
         const double reach = gaussian_cut * gaussian_cut * sigma * sigma;
         grid.visit_runs(grid.cell_of(at), [&](std::uint32_t middle) {
@@ -107,7 +110,8 @@ struct Kernel {
                  i < index.cells.size() && index.cells[i] <= middle + 1; ++i) {
                 const SurfaceSample& sample = index.samples[i];
                 const Vec3d d = sample.point - at;
-                const double squared = glm::dot(d, d);
+                const double v = glm::dot(d, across), straight = glm::dot(d, d);
+                const double squared = straight - shorten * (straight - v * v);
                 if (squared > reach || !(glm::dot(normals[sample.triangle], normals[triangle]) > 0))
                     continue;
                 const double weight = sample.area * std::exp(falloff * squared);
@@ -121,21 +125,24 @@ struct Kernel {
 
 }  // namespace
 
-std::vector<double> surface_means(const Mesh& mesh, const SolidFunction& f,
-                                  std::span<const SurfacePoint> points, double sigma, double detail,
-                                  std::uint64_t seed) {
-    const CellGrid grid(bounding_box(mesh), gaussian_cut * sigma);
+std::vector<Vec3d> surface_means(const Mesh& mesh, const SolidColor& f,
+                                 std::span<const SurfacePoint> points, double sigma, double detail,
+                                 std::uint64_t seed, const Elongation& elongation) {
+    const double stretch = elongation.stretch;
+    const CellGrid grid(bounding_box(mesh), gaussian_cut * stretch * sigma);
     const std::vector<char> near = cells_near(grid, mesh, points);
     const auto wanted = [&](const Vec3d& p) { return near[grid.cell_of(p)] != 0; };
-    const double edge = std::min(piece * sigma, std::max(detail, sigma / 4.0));
+    // As many pieces to a long footprint as to a round one.
+    const double edge = std::min(piece * sigma, std::max(detail, std::sqrt(stretch) * sigma / 4.0));
     const IndexedSamples index = index_samples(grid, sample_surface(mesh, edge, seed, wanted), f);
     std::vector<Vec3d> normals(mesh.triangles.size());
     for (std::uint32_t t = 0; t < normals.size(); ++t) normals[t] = face_normal(mesh, t);
-    const Kernel kernel{grid, index, normals, sigma};
-    std::vector<double> means(points.size());
+    const Kernel kernel{grid, index, normals, sigma, 1.0 - 1.0 / (stretch * stretch)};
+    std::vector<Vec3d> means(points.size());
     tbb::parallel_for(std::size_t{0}, points.size(), [&](std::size_t i) {
         const Vec3d at = position(mesh, points[i]);
-        means[i] = kernel.mean(at, points[i].triangle, f(at));
+        const Vec3d across = elongation.across.empty() ? Vec3d(0.0) : elongation.across[i];
+        means[i] = kernel.mean(at, points[i].triangle, across, f(at));
     });
     return means;
 }

@@ -3,6 +3,8 @@
 // envelope: gaps are short).
 #include "atlas/texture_values.h"
 
+#include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <utility>
 
@@ -14,12 +16,15 @@ namespace {
 
 constexpr std::uint32_t no_row = std::numeric_limits<std::uint32_t>::max();
 
-void fill_row(const SolidAtlas& solid, const SolidFunction& f, std::size_t y,
-              TextureValues& texture) {
+constexpr std::int64_t reach = 2;  // texels a map is continued by
+
+void fill_row(const SolidAtlas& solid, const SolidColor& f, std::size_t y, TextureValues& texture,
+              Image<std::uint32_t>& maps) {
     for (const Span& span : solid.row(y))
         for (std::uint32_t x = span.x; x < span.x + span.count; ++x) {
-            texture.values(x, y) = float(f(solid.maps[span.map](x, std::int64_t(y))));
+            texture.values(x, y) = Vec3f(f(solid.maps[span.map](x, std::int64_t(y))));
             texture.owner(x, y) = solid.triangle_of(span.map);
+            maps(x, y) = span.map;
         }
 }
 
@@ -63,22 +68,37 @@ std::pair<std::size_t, std::uint32_t> nearest_owned(const Image<std::uint32_t>& 
     return best;
 }
 
+/// The owned texel's map at the texel nearest to (x, y) that it is continued to.
+Vec3f continued(const SolidAtlas& solid, const SolidColor& f, std::uint32_t map,
+                std::array<std::int64_t, 2> owned, std::array<std::int64_t, 2> texel) {
+    for (std::size_t axis : {0u, 1u})
+        texel[axis] = std::clamp(texel[axis], owned[axis] - reach, owned[axis] + reach);
+    return Vec3f(f(solid.maps[map](texel[0], texel[1])));
+}
+
 }  // namespace
 
-TextureValues fill_texture(const SolidAtlas& solid, const SolidFunction& f) {
+TextureValues fill_texture(const SolidAtlas& solid, const SolidColor& f, GapFill fill) {
     const std::size_t size = solid.size;
     TextureValues texture{
-        Image<float>(size, size), Image<std::uint32_t>(size, size, no_triangle), {}};
-    tbb::parallel_for(std::size_t{0}, size, [&](std::size_t y) { fill_row(solid, f, y, texture); });
+        Image<Vec3f>(size, size, Vec3f(0.0f)), Image<std::uint32_t>(size, size, no_triangle), {}};
+    Image<std::uint32_t> maps(size, size);
+    tbb::parallel_for(std::size_t{0}, size,
+                      [&](std::size_t y) { fill_row(solid, f, y, texture, maps); });
     texture.shown = texture.owner;
+    if (fill == GapFill::black) return texture;
     const Image<std::uint32_t> rows = nearest_rows(texture.owner);
     tbb::parallel_for(std::size_t{0}, size, [&](std::size_t y) {
         for (std::size_t x = 0; x < size; ++x) {
             if (texture.owner(x, y) != no_triangle) continue;
             const auto [column, row] = nearest_owned(rows, x, y);
             if (row == no_row) continue;
-            texture.values(x, y) = texture.values(column, row);  // owned texels are not written
-            texture.shown(x, y) = texture.owner(column, row);
+            texture.shown(x, y) = texture.owner(column, row);  // owned texels are not written
+            texture.values(x, y) = fill == GapFill::nearest
+                                       ? texture.values(column, row)
+                                       : continued(solid, f, maps(column, row),
+                                                   {std::int64_t(column), std::int64_t(row)},
+                                                   {std::int64_t(x), std::int64_t(y)});
         }
     });
     return texture;

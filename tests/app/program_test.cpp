@@ -134,6 +134,38 @@ TEST(Program, MeasuresLookupsOfEveryLevel) {
         }
         before = level["rmse"].get<double>();
     }
+    const auto& grazing = lookups["grazing_8_to_1"];
+    ASSERT_EQ(grazing.size(), 1u);  // further levels have less than 32 texels a side
+    EXPECT_EQ(grazing[0]["level"], 1);
+    EXPECT_GT(grazing[0]["rmse"], 0.0);
+    EXPECT_NE(grazing[0]["rmse_8bit"], grazing[0]["rmse"]);
+    EXPECT_LT(grazing[0]["truth_noise"], 0.01);
+}
+
+TEST(Program, MeasuresLookupsOfAnyTexture) {
+    const Scratch scratch;
+    const std::string mesh = scratch.write("square.obj", square);
+    // Grey grows with height alone: bilinear lookups and levels are all but exact.
+    const std::string recipe =
+        scratch.write("ramp.json",
+                      R"({"name": "ramp", "texture": {"node": "color_map", "wrap": "clamp",
+            "stops": [[0, "#000000"], [1, "#ffffff"]],
+            "input": {"node": "field", "quadric": {"G": 0.25, "J": 0.5}}}})");
+    const auto lookups = [&](const std::string& arguments) {
+        const Outcome outcome = run_burl(
+            scratch, fmt::format("metrics '{}' --size 4 --atlas uniform --levels --json {}", mesh,
+                                 arguments));
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        return nlohmann::json::parse(outcome.out)["atlases"][0]["lookups"];
+    };
+    const auto ramp = lookups(fmt::format("--recipe '{}'", recipe)), plain = lookups("");
+    EXPECT_EQ(ramp["texture"], "ramp");
+    EXPECT_EQ(plain["texture"], "metric-marble");
+    EXPECT_GT(ramp["psnr"].get<double>(), 100.0);
+    EXPECT_LT(plain["psnr"].get<double>(), 40.0);
+    EXPECT_TRUE(plain["grazing_8_to_1"].empty());
+    EXPECT_EQ(run_burl(scratch, fmt::format("metrics '{}' --texture wood", mesh)).exit_code, 1);
+    EXPECT_EQ(run_burl(scratch, fmt::format("metrics '{}' --fill pink", mesh)).exit_code, 1);
 }
 
 TEST(Program, HelpVersionAndLists) {

@@ -22,9 +22,17 @@ TruthOptions few(std::uint32_t size) {
     options.size = size;
     options.points = 5000;
     options.level_points = 1000;
+    options.grazing_points = 500;
     options.levels = 4;
     return options;
 }
+
+/// Rounds linear values to 1/255.
+double to_255(double value) {
+    return std::round(value * 255.0) / 255.0;
+}
+
+using Function = std::function<double(const Vec3d&)>;
 
 /// The unit square mapped by place(point), with everything measured at 64 x 64 texels.
 struct Square {
@@ -35,15 +43,21 @@ struct Square {
     LookupErrors errors;
 
     template <class Place>
-    Square(const SolidFunction& f, Place place) {
+    Square(const Function& value, Place place, GapFill fill = GapFill::nearest) {
+        const SolidColor f = grey(value);
         for (std::size_t t = 0; t < 2; ++t)
             for (const std::uint32_t p : mesh.triangles[t])
                 mesh.corners.uvs.push_back(place(t, mesh.positions[p]));
         const Connectivity connectivity = made::neighbours_by_brute_force(mesh);
         edges = mesh_edges(mesh, connectivity);
         atlas = atlas_from_uvs(mesh, connectivity, 64);
-        texture = fill_texture(rasterize_uvs(mesh, atlas, mesh.positions), f);
-        errors = measure_lookups(mesh, atlas, texture, edges, surface_truth(mesh, f, few(64)));
+        texture = fill_texture(rasterize_uvs(mesh, atlas, mesh.positions), f, fill);
+        errors = measured(texture, surface_truth(mesh, f, few(64)));
+    }
+
+    LookupErrors measured(const TextureValues& values, const SurfaceTruth& truth,
+                          const StoredValue& in_8bit = to_255) const {
+        return measure_lookups(mesh, atlas, values, edges, truth, in_8bit);
     }
 };
 
@@ -60,13 +74,15 @@ double linear(const Vec3d& p) {
 }
 
 TEST(Bilinear, InterpolatesAndClamps) {
-    Image<float> image(3, 2);
+    Image<Vec3f> image(3, 2);
     for (std::size_t y = 0; y < 2; ++y)
-        for (std::size_t x = 0; x < 3; ++x) image(x, y) = float(x) + 10.0f * float(y);
-    EXPECT_EQ(bilinear(image, {1.5, 0.5}), 1.0);
-    EXPECT_DOUBLE_EQ(bilinear(image, {1.25, 0.75}), 0.75 + 2.5);
-    EXPECT_EQ(bilinear(image, {-5.0, 9.0}), 10.0);
-    EXPECT_EQ(bilinear(image, {3.0, 0.0}), 2.0);
+        for (std::size_t x = 0; x < 3; ++x)
+            image(x, y) = Vec3f(float(x) + 10.0f * float(y), 1.0f, -float(x));
+    EXPECT_EQ(bilinear(image, {1.5, 0.5}), Vec3d(1.0, 1.0, -1.0));
+    EXPECT_DOUBLE_EQ(bilinear(image, {1.25, 0.75}).x, 0.75 + 2.5);
+    EXPECT_DOUBLE_EQ(bilinear(image, {1.25, 0.75}).z, -0.75);
+    EXPECT_EQ(bilinear(image, {-5.0, 9.0}).x, 10.0);
+    EXPECT_EQ(bilinear(image, {3.0, 0.0}).x, 2.0);
 }
 
 // Bilinear lookup reproduces a linear function, but for float's rounding and the half texel of
@@ -93,16 +109,15 @@ TEST(LookupErrors, MismatchAcrossASeamIsItsOffset) {
     Square square(linear, apart);
     for (std::size_t y = 0; y < 64; ++y)
         for (std::size_t x = 0; x < 64; ++x)
-            square.texture.values(x, y) = square.texture.shown(x, y) == 0 ? 0.5f : 0.6f;
+            square.texture.values(x, y) = Vec3f(square.texture.shown(x, y) == 0 ? 0.5f : 0.6f);
     const SeamPoints points = seam_points(square.mesh, square.atlas, square.edges, 1000, 1);
     EXPECT_EQ(points.places.size(), 1000u);
     EXPECT_EQ(points.share, 1.0);
     EXPECT_NEAR(mismatch(points, square.texture.values, 64), 2.0 * offset, 0.01);
     // Half of a texture shifted: the RMS error is the shift.
+    const SolidColor middle = grey([](const Vec3d&) { return 0.55; });
     const LookupErrors errors =
-        measure_lookups(square.mesh, square.atlas, square.texture, square.edges,
-                        surface_truth(
-                            square.mesh, [](const Vec3d&) { return 0.55; }, few(64)));
+        square.measured(square.texture, surface_truth(square.mesh, middle, few(64)));
     EXPECT_NEAR(errors.levels[0].rmse, offset, 0.002);
     EXPECT_NEAR(errors.psnr, -20.0 * std::log10(offset), 0.3);
 }
@@ -132,6 +147,72 @@ TEST(TextureValues, CopyTheNearestOwnedTexel) {
                             square.texture.values(i, j) == square.texture.values(x, y);
             EXPECT_TRUE(found) << x << " " << y;
         }
+}
+
+// The surface of the nearest triangle goes on for two texels; further out nothing changes.
+TEST(TextureValues, ContinueTheSurfaceOrLeaveItBlack) {
+    const Square square(linear, apart, GapFill::extrapolate), black(linear, apart, GapFill::black);
+    const auto& owner = square.texture.owner;
+    for (std::size_t y = 0; y < 64; ++y)
+        for (std::size_t x = 0; x < 64; ++x) {
+            const std::uint32_t shown = square.texture.shown(x, y);
+            ASSERT_NE(shown, no_triangle);
+            if (owner(x, y) != no_triangle) continue;
+            EXPECT_EQ(black.texture.values(x, y), Vec3f(0.0f));
+            EXPECT_EQ(black.texture.shown(x, y), no_triangle);
+            bool near = false;
+            for (std::size_t j = std::max<std::size_t>(y, 1) - 1; j <= std::min(y + 1, 63ul); ++j)
+                for (std::size_t i = std::max<std::size_t>(x, 1) - 1; i <= std::min(x + 1, 63ul);
+                     ++i)
+                    near = near || owner(i, j) == shown;
+            const Vec2d uv = (Vec2d(double(x), double(y)) + 0.5) / 64.0 -
+                             Vec2d(0.05 + (shown == 0 ? 0.25 : 0.0), 0.05);
+            const double expected = linear(Vec3d(2.0 * uv, 0.0));
+            if (near) {
+                EXPECT_NEAR(square.texture.values(x, y).x, expected, 1e-6) << x << " " << y;
+            }
+            EXPECT_LT(square.texture.values(x, y).x, 0.75f);  // f is 0.1 to 0.7 on the square
+            EXPECT_GT(square.texture.values(x, y).x, 0.05f);
+        }
+}
+
+// Half of a texel's surroundings belongs to nobody: a black one shows.
+TEST(LookupErrors, BlackGapsShowAtSeams) {
+    const Square filled(linear, apart, GapFill::extrapolate), black(linear, apart, GapFill::black);
+    EXPECT_LT(filled.errors.levels[0].rmse, 1e-6);  // a linear function goes on exactly
+    EXPECT_GT(black.errors.levels[0].rmse, 0.01);
+    EXPECT_GT(black.errors.seam_rmse, 100.0 * black.errors.interior_rmse);
+}
+
+// Each level is made of what the level before was stored as.
+TEST(LookupErrors, RoundedLevelsFollowTheRoundedTexture) {
+    const Square square([](const Vec3d&) { return 0.4; }, whole);
+    const SurfaceTruth truth =
+        surface_truth(square.mesh, grey([](const Vec3d&) { return 0.4; }), few(64));
+    const LookupErrors coarse =
+        square.measured(square.texture, truth, [](double v) { return v < 0.5 ? 0.0 : 1.0; });
+    const LookupErrors add =
+        square.measured(square.texture, truth, [](double v) { return v + 0.01; });
+    for (std::size_t l = 0; l < coarse.levels.size(); ++l) {
+        EXPECT_LT(coarse.levels[l].rmse, 1e-6);
+        EXPECT_NEAR(coarse.levels[l].rmse_8bit, 0.4, 1e-6);
+        EXPECT_NEAR(add.levels[l].rmse_8bit, 0.01 * double(l + 1), 1e-6);
+    }
+    EXPECT_NEAR(coarse.psnr_8bit, -20.0 * std::log10(0.4), 1e-3);
+    EXPECT_NEAR(coarse.levels[1].grazing->rmse_8bit, 0.4, 1e-6);
+}
+
+// An error in one of three channels counts for a third of its square.
+TEST(LookupErrors, OfColoursAreMeansOverTheChannels) {
+    Square square([](const Vec3d&) { return 0.5; }, whole);
+    for (std::size_t y = 0; y < 64; ++y)
+        for (std::size_t x = 0; x < 64; ++x) square.texture.values(x, y).y += 0.3f;
+    const SurfaceTruth truth =
+        surface_truth(square.mesh, grey([](const Vec3d&) { return 0.5; }), few(64));
+    const LookupErrors errors = square.measured(square.texture, truth);
+    for (const LevelError& level : errors.levels)
+        EXPECT_NEAR(level.rmse, 0.3 / std::sqrt(3.0), 1e-6);
+    EXPECT_NEAR(errors.levels[1].grazing->rmse, 0.3 / std::sqrt(3.0), 1e-6);
 }
 
 TEST(ForeignShare, IsTheWeightOnOtherTexels) {
@@ -194,6 +275,12 @@ TEST(LookupErrors, AreTheSameForEveryThreadCount) {
     EXPECT_EQ(one.seam_rmse, many.seam_rmse);
     for (std::size_t l = 0; l < one.levels.size(); ++l) {
         EXPECT_EQ(one.levels[l].rmse, many.levels[l].rmse);
+        EXPECT_EQ(one.levels[l].rmse_8bit, many.levels[l].rmse_8bit);
+        ASSERT_EQ(one.levels[l].grazing.has_value(), many.levels[l].grazing.has_value());
+        if (one.levels[l].grazing) {
+            EXPECT_EQ(one.levels[l].grazing->rmse, many.levels[l].grazing->rmse);
+            EXPECT_EQ(one.levels[l].grazing->truth_noise, many.levels[l].grazing->truth_noise);
+        }
         EXPECT_EQ(one.levels[l].truth_noise, many.levels[l].truth_noise);
         EXPECT_EQ(one.levels[l].foreign, many.levels[l].foreign);
     }

@@ -8,6 +8,7 @@
 
 #include "atlas/surface_samples.h"
 #include "atlas/surface_truth.h"
+#include "tests/atlas/kept_wave.h"
 #include "tests/atlas/made_meshes.h"
 
 namespace burl {
@@ -58,13 +59,13 @@ TEST(SurfaceSamples, PiecesAddUpToTheSurface) {
 // The Gaussian mean of a linear function on a plane is the function, away from the border.
 TEST(SurfaceMean, OfALinearFunctionIsTheFunction) {
     const Mesh mesh = made::square();
-    const SolidFunction f = [](const Vec3d& p) { return 3.0 * p.x - 2.0 * p.y + 0.5; };
+    const SolidColor f = grey([](const Vec3d& p) { return 3.0 * p.x - 2.0 * p.y + 0.5; });
     for (const double sigma : {0.005, 0.02, 0.1}) {
         const auto points = inner_points(mesh, gaussian_cut * sigma);
         const auto means = surface_means(mesh, f, points, sigma, detail, 1);
         double squares = 0.0;
         for (std::size_t i = 0; i < points.size(); ++i)
-            squares += std::pow(means[i] - f(position(mesh, points[i])), 2);
+            squares += mean_square(means[i] - f(position(mesh, points[i])));
         // One sigma away f differs by 3.6 sigma.
         EXPECT_LT(std::sqrt(squares / double(points.size())), 0.1 * sigma) << sigma;
     }
@@ -74,21 +75,64 @@ TEST(SurfaceMean, OfALinearFunctionIsTheFunction) {
 TEST(SurfaceMean, DampsAWaveAsTheGaussianDoes) {
     const Mesh mesh = made::square();
     const double sigma = 0.03, k = 1.0 / sigma;
-    const SolidFunction f = [k](const Vec3d& p) { return std::cos(k * p.x); };
+    const SolidColor f = grey([k](const Vec3d& p) { return std::cos(k * p.x); });
     const auto points = inner_points(mesh, gaussian_cut * sigma);
     const auto means = surface_means(mesh, f, points, sigma, 0.3 * sigma, 1);
-    // The kept share by a sum over the disk in sigmas.
-    double kept = 0.0, total = 0.0;
-    for (double x = -2.595; x < 2.6; x += 0.01)
-        for (double y = -2.595; y < 2.6; y += 0.01) {
-            const double r = x * x + y * y;
-            if (r > gaussian_cut * gaussian_cut) continue;
-            kept += std::exp(-0.5 * r) * std::cos(x);
-            total += std::exp(-0.5 * r);
-        }
-    EXPECT_NEAR(kept / total, std::exp(-0.5), 0.03);
+    const double kept = made::kept_by_gaussian(1.0, gaussian_cut);
+    EXPECT_NEAR(kept, std::exp(-0.5), 0.04);
     for (std::size_t i = 0; i < points.size(); ++i)
-        EXPECT_NEAR(means[i], kept / total * f(position(mesh, points[i])), 0.01);
+        EXPECT_NEAR(means[i].x, kept * f(position(mesh, points[i])).x, 0.01);
+}
+
+// Eight times as long as wide: a wave along it is damped as by eight sigmas, one across as by one,
+// one at an angle as by both.
+TEST(SurfaceMean, DampsAWaveByTheElongatedFootprint) {
+    const Mesh mesh = made::square();
+    const double sigma = 0.01, stretch = 8.0, k = 1.0 / (stretch * sigma);
+    const SolidColor f = [k](const Vec3d& p) {
+        return Vec3d(std::cos(k * p.x), std::cos(k * p.y), std::cos(k * (p.x + p.y) / 8.0));
+    };
+    const auto points = inner_points(mesh, gaussian_cut * stretch * sigma);
+    ASSERT_GT(points.size(), 100u);
+    const std::vector<Vec3d> across(points.size(), Vec3d(0.0, 1.0, 0.0));
+    const auto means = surface_means(mesh, f, points, sigma, sigma, 1, Elongation{stretch, across});
+    const double along = made::kept_by_gaussian(1.0, gaussian_cut);
+    const double narrow = made::kept_by_gaussian(1.0 / stretch, gaussian_cut);
+    const double slanted = made::kept_by_gaussian(std::hypot(1.0, 1.0 / 8.0) / 8.0, gaussian_cut);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const Vec3d here = f(position(mesh, points[i]));
+        EXPECT_NEAR(means[i].x, along * here.x, 0.01);
+        EXPECT_NEAR(means[i].y, narrow * here.y, 0.01);
+        EXPECT_NEAR(means[i].z, slanted * here.z, 0.01);
+    }
+}
+
+// The axes lie in the triangle's plane and turn evenly.
+TEST(SurfaceTruth, GrazingFootprintsPointAnywhereInThePlane) {
+    const Mesh mesh = made::mesh_of({{0, 0, 0}, {3, 0, 4}, {0, 2, 0}}, {{0, 1, 2}});
+    TruthOptions options;
+    options.size = 128;
+    options.points = 10;
+    options.level_points = 10;
+    options.grazing_points = 1000;
+    options.detail = 0.2;
+    const SurfaceTruth truth = surface_truth(mesh, grey([](const Vec3d&) { return 0.5; }), options);
+    ASSERT_EQ(truth.grazing.levels.size(), 2u);  // the third level has 16 texels a side
+    ASSERT_EQ(truth.grazing.axes.size(), 1000u);
+    const Vec3d normal = face_normal(mesh, 0);
+    double squares = 0.0, mixed = 0.0;
+    for (const FootprintAxes& axes : truth.grazing.axes) {
+        EXPECT_NEAR(glm::length(axes.along), 1.0, 1e-12);
+        EXPECT_NEAR(glm::length(axes.across), 1.0, 1e-12);
+        EXPECT_NEAR(glm::dot(axes.along, axes.across), 0.0, 1e-12);
+        EXPECT_NEAR(glm::dot(axes.along, normal), 0.0, 1e-12);
+        EXPECT_NEAR(glm::dot(axes.across, normal), 0.0, 1e-12);
+        squares += axes.along.y * axes.along.y / 1000.0;
+        mixed += axes.along.y * axes.across.y / 1000.0;
+    }
+    EXPECT_NEAR(squares, 0.5, 0.05);
+    EXPECT_NEAR(mixed, 0.0, 0.05);
+    for (const Vec3d& mean : truth.grazing.levels[0].means) EXPECT_NEAR(mean.x, 0.5, 1e-12);
 }
 
 TEST(SurfaceMean, LeavesOutTheOtherSideOfASheet) {
@@ -101,20 +145,20 @@ TEST(SurfaceMean, LeavesOutTheOtherSideOfASheet) {
                                {1, 1, 0.001},
                                {0, 1, 0.001}},
                               {{0, 2, 1}, {0, 3, 2}, {4, 5, 6}, {4, 6, 7}});
-    const SolidFunction top = [](const Vec3d& p) { return p.z > 0.0005 ? 1.0 : 0.0; };
+    const SolidColor top = grey([](const Vec3d& p) { return p.z > 0.0005 ? 1.0 : 0.0; });
     const auto points = area_uniform_points(mesh, 200, 2);
     const auto means = surface_means(mesh, top, points, 0.05, detail, 1);
     for (std::size_t i = 0; i < points.size(); ++i)
-        EXPECT_EQ(means[i], points[i].triangle < 2 ? 0.0 : 1.0);
+        EXPECT_EQ(means[i].x, points[i].triangle < 2 ? 0.0 : 1.0);
     for (Triangle& t : mesh.triangles)  // turned the same way both count
         if (t[0] == 0) std::swap(t[1], t[2]);
     const auto both = surface_means(mesh, top, points, 0.05, detail, 1);
-    for (const double mean : both) EXPECT_NEAR(mean, 0.5, 0.05);
+    for (const Vec3d& mean : both) EXPECT_NEAR(mean.x, 0.5, 0.05);
 }
 
 TEST(SurfaceTruth, NoiseIsTheErrorOfTheTruth) {
     Mesh mesh = made::square();
-    const SolidFunction f = [](const Vec3d& p) { return 3.0 * p.x; };
+    const SolidColor f = grey([](const Vec3d& p) { return 3.0 * p.x; });
     TruthOptions options;
     options.size = 64;
     options.level_points = 3000;
@@ -129,7 +173,7 @@ TEST(SurfaceTruth, NoiseIsTheErrorOfTheTruth) {
         for (std::size_t i = 0; i < truth.level_points.size(); ++i) {
             const Vec3d at = position(mesh, truth.level_points[i]);
             if (std::min({at.x, at.y, 1 - at.x, 1 - at.y}) < gaussian_cut * sigma) continue;
-            squares += std::pow(truth.levels[l - 1].means[i] - f(at), 2);
+            squares += mean_square(truth.levels[l - 1].means[i] - f(at));
             count += 1.0;
         }
         const double error = std::sqrt(squares / count), noise = truth.levels[l - 1].noise;
