@@ -5,6 +5,7 @@
 
 #include "app/schema_tree.h"
 #include "atlas/error.h"
+#include "procedural/noise_spec.h"
 
 namespace burl {
 
@@ -192,11 +193,47 @@ Found check_stops(const Json& recipe) {
     return {};
 }
 
+/// Why a noise term cannot repeat as asked, without its path; empty if it can.
+std::string period_problem(const Json& term) {
+    const auto number = [&term](const char* key, double otherwise) {
+        return term.contains(key) ? term[key].get<double>() : otherwise;
+    };
+    const double lacunarity = number("lacunarity", 2.0);
+    const bool simplex = term.value("kind", "value") == "simplex";
+    for (const Json& item : term["period"]) {
+        const double period = item.get<double>();
+        if (period != std::floor(period)) return "must be whole numbers of cells";
+        if (period == 0.0) continue;
+        if (simplex && std::fmod(period, 3.0) != 0.0) return "must be multiples of 3 for simplex";
+        if (lacunarity != std::floor(lacunarity)) return "needs a whole lacunarity";
+        if (period * std::pow(lacunarity, number("octaves", 1.0) - 1.0) > double(largest_period))
+            return fmt::format("exceeds {} cells in the last octave; use fewer octaves",
+                               largest_period);
+    }
+    return {};
+}
+
+Found check_periods(const Json& recipe) {
+    const Json::json_pointer pointer("/texture/input/noise");
+    if (!recipe.contains(pointer)) return {};
+    for (std::size_t i = 0; i < recipe[pointer].size(); ++i) {
+        const Json& term = recipe[pointer][i];
+        if (!term.contains("period")) continue;
+        const std::string sentence = period_problem(term);
+        if (sentence.empty()) continue;
+        const std::string path = fmt::format("texture.input.noise.{}.period", i);
+        return RecipeProblem{path,
+                             fmt::format("{} is {}, {}", path, shown(term["period"]), sentence)};
+    }
+    return {};
+}
+
 }  // namespace
 
 std::optional<RecipeProblem> find_problem(const Json& recipe) {
     if (Found found = check(build_schema(), recipe, "")) return found;
-    return check_stops(recipe);
+    if (Found found = check_stops(recipe)) return found;
+    return check_periods(recipe);
 }
 
 }  // namespace burl

@@ -5,6 +5,7 @@
 #include "app/parameters.h"
 #include "app/report.h"
 #include "app/verbs.h"
+#include "procedural/noise_names.h"
 
 namespace burl {
 
@@ -55,8 +56,10 @@ std::vector<Entry> entries_of(const std::string& what) {
                 {"patch", "few patches on full rectangles, for any lookup (the default)"}};
     }
     if (what == "noises") {
-        return {{"value", "interpolated lattice values; fade linear, smooth or quintic"},
-                {"perlin", "improved Perlin gradient noise (2002)"}};
+        std::vector<Entry> entries;
+        for (const auto& kind : noise_kinds)
+            entries.push_back({std::string(kind.name), std::string(kind.text)});
+        return entries;
     }
     return {{"color_map", "colour stops over a field, index repeated or clamped"},
             {"field", "quadric plus noise terms (Hart et al. 1999, equation 1)"}};

@@ -4,23 +4,46 @@
 // block share their value with another), then Wellons' two-multiply mixer "lowbias32" without its
 // last xorshift, which would only reach bits that are not used. All in 32-bit unsigned integers, so
 // a shader computes the same bits.
+#include <array>
+#include <cstddef>
 #include <cstdint>
 
 namespace burl {
 
 struct LatticeHash {
     static constexpr std::uint32_t prime_x = 0x8da6b343u, prime_y = 0xd8163841u,
-                                   prime_z = 0xcb1ab31fu, prime_seed = 0x9e3779b1u;
+                                   prime_z = 0xcb1ab31fu, prime_w = 0xc2b2ae3du,
+                                   prime_seed = 0x9e3779b1u;
     static constexpr std::uint32_t multiplier_1 = 0x7feb352du, multiplier_2 = 0x846ca68bu;
 
-    /// Random bits of lattice point (i,j,k); the high bits are the good ones.
-    static constexpr std::uint32_t bits(std::uint32_t i, std::uint32_t j, std::uint32_t k,
-                                        std::uint32_t seed) {
-        std::uint32_t h = i * prime_x + j * prime_y + k * prime_z + seed * prime_seed;
+    static constexpr std::uint32_t mix(std::uint32_t h) {
         h ^= h >> 16;
         h *= multiplier_1;
         h ^= h >> 15;
         return h * multiplier_2;
+    }
+
+    /// Random bits of a lattice point of up to four coordinates, those left out being 0; the high
+    /// bits are the good ones.
+    template <std::size_t N>
+    static constexpr std::uint32_t bits(const std::array<std::uint32_t, N>& index,
+                                        std::uint32_t seed) {
+        static_assert(N <= 4);
+        constexpr std::array primes{prime_x, prime_y, prime_z, prime_w};
+        std::uint32_t h = seed * prime_seed;
+        for (std::size_t axis = 0; axis < N; ++axis) h += index[axis] * primes[axis];
+        return mix(h);
+    }
+
+    static constexpr std::uint32_t bits(std::uint32_t i, std::uint32_t j, std::uint32_t k,
+                                        std::uint32_t seed) {
+        return bits(std::array{i, j, k}, seed);
+    }
+
+    /// Where a seed moves a noise whose random numbers are a fixed table of period 256: 0..255;
+    /// seed 0 leaves it in its place.
+    static constexpr std::uint32_t shift(std::uint32_t seed, std::size_t axis) {
+        return seed == 0 ? 0 : mix(seed * prime_seed + std::uint32_t(axis) * prime_x) >> 24;
     }
 };
 

@@ -10,7 +10,4 @@ namespace burl {
 /// `s` is relative to the middle of the mesh's box, in half diagonals of the box.
 double metric_marble(const Vec3d& s);
 
-/// Improved noise with the published permutation, in float64.
-double published_perlin_noise(const Vec3d& p);
-
 }  // namespace burl

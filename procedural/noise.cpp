@@ -1,15 +1,92 @@
 #include "procedural/noise.h"
 
+#include "procedural/perlin1985.h"
+#include "procedural/perlin_noise.h"
+#include "procedural/random_cells.h"
+#include "procedural/simplex_noise.h"
+#include "procedural/value_noise.h"
+#include "procedural/worley_noise.h"
+
 namespace burl {
 
-double evaluate_noise(NoiseKind kind, Fade fade, std::uint32_t seed, const Vec3d& p) {
-    if (kind == NoiseKind::perlin)
-        return perlin_noise(p, [seed](std::uint32_t i, std::uint32_t j, std::uint32_t k) {
-            return lattice_gradient(i, j, k, seed);
-        });
-    return value_noise(p, fade, [seed](std::uint32_t i, std::uint32_t j, std::uint32_t k) {
-        return lattice_value(i, j, k, seed);
-    });
+namespace {
+
+template <std::size_t N>
+Period<N> leading(const Period<4>& period) {
+    Period<N> result;
+    for (std::size_t axis = 0; axis < N; ++axis) result[axis] = period[axis];
+    return result;
+}
+
+template <template <class, std::size_t> class Sample, class Real, std::size_t N>
+Sample<Real, N> interpolated(const NoiseSpec& noise, const Point<N>& p) {
+    const Period<N> period = leading<N>(noise.period);
+    const std::uint32_t seed = noise.seed;
+    if constexpr (has_dimensions(NoiseKind::perlin, N)) {
+        if (noise.kind == NoiseKind::perlin)
+            return perlin_noise<Sample, Real>(
+                p, period, [seed](const auto& index) { return lattice_gradient(index, seed); });
+        if (noise.kind == NoiseKind::perlin2002)
+            return perlin_noise<Sample, Real>(
+                p, period, [seed](const auto& index) { return published_gradient(index, seed); });
+    }
+    if constexpr (has_dimensions(NoiseKind::perlin1985, N))
+        if (noise.kind == NoiseKind::perlin1985)
+            return perlin1985_noise<Sample, Real>(p, seed, period);
+    if (noise.kind == NoiseKind::value)
+        return value_noise<Sample, Real>(p, noise.fade, seed, period);
+    return {};
+}
+
+}  // namespace
+
+template <class Real, std::size_t N>
+NoiseSample<Real, N> sample_noise(const NoiseSpec& noise, const Point<N>& p) {
+    const Period<N> period = leading<N>(noise.period);
+    switch (noise.kind) {
+        case NoiseKind::simplex:
+            if constexpr (has_dimensions(NoiseKind::simplex, N))
+                return simplex_noise<Real>(
+                    p, noise.seed, N == 3 ? noise.radius2 : SimplexShape<N>::radius2, period);
+            return {};
+        case NoiseKind::worley:
+            return worley_noise<Real>(p, noise.feature, noise.seed, period);
+        case NoiseKind::cell:
+            return cell_noise<Real>(p, noise.seed, period);
+        case NoiseKind::white:
+            return white_noise<Real>(p, noise.seed, period);
+        default:
+            return interpolated<NoiseSample, Real>(noise, p);
+    }
+}
+
+template <class Real, std::size_t N>
+Real noise_value(const NoiseSpec& noise, const Point<N>& p) {
+    return is_interpolated(noise.kind) ? interpolated<NoiseValue, Real>(noise, p).value
+                                       : sample_noise<Real>(noise, p).value;
+}
+
+template NoiseSample<float, 1> sample_noise(const NoiseSpec&, const Point<1>&);
+template NoiseSample<float, 2> sample_noise(const NoiseSpec&, const Point<2>&);
+template NoiseSample<float, 3> sample_noise(const NoiseSpec&, const Point<3>&);
+template NoiseSample<float, 4> sample_noise(const NoiseSpec&, const Point<4>&);
+template NoiseSample<double, 1> sample_noise(const NoiseSpec&, const Point<1>&);
+template NoiseSample<double, 2> sample_noise(const NoiseSpec&, const Point<2>&);
+template NoiseSample<double, 3> sample_noise(const NoiseSpec&, const Point<3>&);
+template NoiseSample<double, 4> sample_noise(const NoiseSpec&, const Point<4>&);
+
+template float noise_value(const NoiseSpec&, const Point<3>&);
+template double noise_value(const NoiseSpec&, const Point<3>&);
+
+double evaluate_noise(const NoiseSpec& noise, const Vec3d& p) {
+    return noise_value<double>(noise, Point<3>{p.x, p.y, p.z});
+}
+
+double published_perlin_noise(const Vec3d& p) {
+    return perlin_noise<NoiseValue, double>(
+               Point<3>{p.x, p.y, p.z}, {},
+               [](const auto& index) { return published_gradient(index, 0); })
+        .value;
 }
 
 }  // namespace burl

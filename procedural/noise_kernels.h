@@ -44,7 +44,8 @@ struct LatticeBatch {
 /// lattice_limit; the lines' counts add up to at most batch_capacity.
 void split_lattice_lines(std::span<const LatticeLine> lines, LatticeBatch& batch);
 
-/// sums[j] += scale * n_seed(texel j), n in [-1,1] as evaluate_noise has it. The noise's own error
+/// sums[j] += scale * n_seed(texel j), n the value of sample_noise, of kind `value` or `perlin`
+/// only: for the same cell and place the same bits as its float32 path. The noise's own error
 /// against float64, for the same cell and place, is at most 2.0e-7 (1 + |n|) for value noise and
 /// 2.5e-7 (1 + |n|) for Perlin's (measured over 2.5e7 random places: 1.7e-7 and 2.4e-7; rms 3e-8).
 void add_noise(NoiseKind kind, Fade fade, std::uint32_t seed, double scale,

@@ -4,17 +4,17 @@
 #include <span>
 #include <vector>
 
+#include "procedural/noise.h"
 #include "procedural/texture.h"
 
 namespace burl {
 
-/// One octave: offset + scale * n_seed(lattice_from_solid(s)) with n in [-1,1].
+/// One octave: offset + scale * shape(n(lattice_from_solid(s))), n as sample_noise has it.
 struct Octave {
-    NoiseKind kind = NoiseKind::value;
-    Fade fade = Fade::smooth;
-    std::uint32_t seed = 0;
+    NoiseSpec noise;
+    OctaveShape shape = OctaveShape::plain;
     double scale = 0.0;
-    double offset = 0.0;  ///< of range `unit`: half the amplitude
+    double offset = 0.0;  ///< what range `unit` or `signed` adds
     Affine3 lattice_from_solid;
 };
 
@@ -23,6 +23,17 @@ std::vector<Octave> expand_octaves(const Texture& texture);
 
 /// f(s) in float64 from octaves that were expanded before: evaluate_field for many points.
 double evaluate_field(const Quadric& quadric, std::span<const Octave> octaves, const Vec3d& s);
+
+/// f and its gradient with respect to s.
+struct FieldSample {
+    double value = 0.0;
+    Vec3d gradient{0.0};
+};
+
+/// f(s) with its gradient, eq. (10) to (12): q in float64, noise in Real (float as a bake has it,
+/// or double), the sum in float64.
+template <class Real>
+FieldSample sample_field(const Quadric& quadric, std::span<const Octave> octaves, const Vec3d& s);
 
 /// q(s), eq. (3).
 double evaluate_quadric(const Quadric& q, const Vec3d& s);

@@ -34,6 +34,24 @@ struct Batch {
     alignas(64) std::int32_t entries[batch_capacity + batch_padding];
 };
 
+/// Whether add_noise knows the octave's noise.
+bool has_kernel(const Octave& octave) {
+    const NoiseSpec& noise = octave.noise;
+    return (noise.kind == NoiseKind::value || noise.kind == NoiseKind::perlin) &&
+           noise.period == Period<4>{} && octave.shape == OctaveShape::plain;
+}
+
+/// Texel by texel in float32, for the other noises: adds the octave to batch.field.
+void add_scalar_noise(const Octave& octave, Batch& batch) {
+    double* sum = batch.field;
+    for (const LatticeLine& line : batch.lines)
+        for (std::size_t j = 0; j < line.count; ++j) {
+            const Vec3d p = line.start + (line.first + double(j)) * line.step;
+            const float n = noise_value<float, 3>(octave.noise, {p.x, p.y, p.z});
+            *sum++ += octave.scale * double(shaped(octave.shape, n));
+        }
+}
+
 /// The texture's field prepared for batches. Every texel is computed from its own span's start and
 /// its distance from it, so the batches' limits leave no trace.
 class FieldSampler {
@@ -48,9 +66,13 @@ class FieldSampler {
         fill_quadric(batch);
         for (const Octave& octave : octaves_) {
             fill_lines(octave.lattice_from_solid, batch);
+            if (!has_kernel(octave)) {
+                add_scalar_noise(octave, batch);
+                continue;
+            }
             split_lattice_lines(batch.lines, batch.lattice);
-            add_noise(octave.kind, octave.fade, octave.seed, octave.scale, batch.lattice,
-                      batch.count, batch.field);
+            add_noise(octave.noise.kind, octave.noise.fade, octave.noise.seed, octave.scale,
+                      batch.lattice, batch.count, batch.field);
         }
     }
 

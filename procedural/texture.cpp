@@ -1,5 +1,7 @@
 #include "procedural/texture.h"
 
+#include <algorithm>
+
 #include "procedural/noise.h"
 #include "procedural/octaves.h"
 
@@ -24,17 +26,48 @@ Affine3 first_octave_map(const NoiseTerm& term) {
     return map;
 }
 
+NoiseRange natural_range(const NoiseTerm& term) {
+    const bool positive = is_distance(term.kind) || term.shape != OctaveShape::plain;
+    return positive || term.kind == NoiseKind::value ? NoiseRange::unit : NoiseRange::bipolar;
+}
+
+/// Octave with amplitude a of a term, without its noise.
+Octave scaled_octave(const NoiseTerm& term, double a) {
+    const bool unit = term.range.value_or(natural_range(term)) == NoiseRange::unit;
+    const bool positive = is_distance(term.kind) || term.shape != OctaveShape::plain;
+    Octave octave;
+    octave.shape = term.shape;
+    if (positive) {
+        octave.scale = unit ? a : 2.0 * a;
+        octave.offset = unit ? 0.0 : -a;
+    } else {
+        octave.scale = unit ? 0.5 * a : a;
+        octave.offset = unit ? 0.5 * a : 0.0;
+    }
+    return octave;
+}
+
+/// The period of an octave in its own cells.
+Period<4> octave_period(const NoiseTerm& term, double frequency) {
+    Period<4> period{};
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        period[axis] =
+            std::uint32_t(std::min(term.period[axis] * frequency, double(largest_period)));
+    return period;
+}
+
 void append_octaves(const NoiseTerm& term, std::vector<Octave>& octaves) {
-    const NoiseRange natural =
-        term.kind == NoiseKind::value ? NoiseRange::unit : NoiseRange::bipolar;
-    const bool unit = term.range.value_or(natural) == NoiseRange::unit;
     const Affine3 first = first_octave_map(term);
     double amplitude = term.amplitude, frequency = 1.0;
+    if (term.normalized) amplitude /= octave_weights(term.gain, term.octaves);
     for (std::uint32_t k = 0; k < term.octaves; ++k) {
-        if (amplitude != 0.0)
-            octaves.push_back({term.kind, term.fade, term.seed + k,
-                               unit ? 0.5 * amplitude : amplitude, unit ? 0.5 * amplitude : 0.0,
-                               Affine3{frequency * first.linear, first.offset}});
+        if (amplitude != 0.0) {
+            Octave octave = scaled_octave(term, amplitude);
+            octave.noise = {term.kind,    term.fade,     term.feature,
+                            term.radius2, term.seed + k, octave_period(term, frequency)};
+            octave.lattice_from_solid = {frequency * first.linear, first.offset};
+            octaves.push_back(octave);
+        }
         amplitude *= term.gain;
         frequency *= term.lacunarity;
     }
@@ -60,12 +93,28 @@ Vec3d half_gradient(const Quadric& q, const Vec3d& s) {
 double evaluate_field(const Quadric& quadric, std::span<const Octave> octaves, const Vec3d& s) {
     double f = evaluate_quadric(quadric, s);
     for (const Octave& octave : octaves) {
-        const Vec3d p = octave.lattice_from_solid(s);
-        f +=
-            octave.offset + octave.scale * evaluate_noise(octave.kind, octave.fade, octave.seed, p);
+        const double n = evaluate_noise(octave.noise, octave.lattice_from_solid(s));
+        f += octave.offset + octave.scale * shaped(octave.shape, n);
     }
     return f;
 }
+
+template <class Real>
+FieldSample sample_field(const Quadric& quadric, std::span<const Octave> octaves, const Vec3d& s) {
+    FieldSample f{evaluate_quadric(quadric, s), 2.0 * half_gradient(quadric, s)};
+    for (const Octave& octave : octaves) {
+        const Vec3d p = octave.lattice_from_solid(s);
+        const auto n = shaped(octave.shape, sample_noise<Real, 3>(octave.noise, {p.x, p.y, p.z}));
+        f.value += octave.offset + octave.scale * double(n.value);
+        // The transposed map takes gradients back to the solid, eq. (12).
+        f.gradient += octave.scale * (Vec3d(n.gradient[0], n.gradient[1], n.gradient[2]) *
+                                      octave.lattice_from_solid.linear);
+    }
+    return f;
+}
+
+template FieldSample sample_field<float>(const Quadric&, std::span<const Octave>, const Vec3d&);
+template FieldSample sample_field<double>(const Quadric&, std::span<const Octave>, const Vec3d&);
 
 double evaluate_field(const Texture& texture, const Vec3d& s) {
     return evaluate_field(texture.quadric, expand_octaves(texture), s);

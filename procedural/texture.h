@@ -9,6 +9,8 @@
 
 #include "atlas/vec.h"
 #include "procedural/color_map.h"
+#include "procedural/fractal_sum.h"
+#include "procedural/noise_spec.h"
 
 namespace burl {
 
@@ -18,17 +20,23 @@ struct Quadric {
     bool operator==(const Quadric&) const = default;
 };
 
-enum class NoiseKind { value, perlin };
-enum class Fade { linear, smooth, quintic };
 enum class NoiseRange { unit, bipolar };  ///< [0,1] or [-1,1]; "unit" and "signed" in JSON
 
 /// One noise term: octave k adds amplitude * gain^k * n_{seed+k}(lacunarity^k F s + phase), k =
 /// 0..octaves-1, where F is diag(frequency). `matrix` (row-major 3x4) replaces frequency and phase:
-/// F is its 3x3 part, phase its last column.
+/// F is its 3x3 part, phase its last column. With a `shape`, n is replaced by |n| or (1 - |n|)^2.
 struct NoiseTerm {
     NoiseKind kind = NoiseKind::value;
-    Fade fade = Fade::smooth;         ///< value noise only; Perlin's is quintic
-    std::optional<NoiseRange> range;  ///< default: unit for value, signed for perlin
+    Fade fade = Fade::smooth;  ///< value noise only
+    WorleyFeature feature = WorleyFeature::f1;
+    double radius2 = 0.6;  ///< simplex noise only
+    /// In cells of the first octave, 0 for none; lacunarity must then be whole and has_period hold.
+    Period<3> period{};
+    OctaveShape shape = OctaveShape::plain;
+    bool normalized = false;  ///< amplitudes divided by sum_k gain^k
+    /// Default: unit for what is not negative by itself and for value noise, signed for the others.
+    /// What is not negative is taken as it is for `unit`, and as 2 n - 1 for `signed`.
+    std::optional<NoiseRange> range;
     double amplitude = 1.0;
     Vec3d frequency{1.0};
     Vec3d phase{0.0};

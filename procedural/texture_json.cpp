@@ -1,8 +1,8 @@
 #include "procedural/texture_json.h"
 
-#include <utility>
-
 #include <fmt/format.h>
+
+#include "procedural/noise_names.h"
 
 namespace burl {
 
@@ -10,26 +10,24 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-template <class T>
-using Names = std::initializer_list<std::pair<const char*, T>>;
+constexpr std::array wraps{Named{"repeat", Wrap::repeat}, Named{"clamp", Wrap::clamp}};
+constexpr std::array ranges{Named{"unit", NoiseRange::unit}, Named{"signed", NoiseRange::bipolar}};
+constexpr std::array weights{Named{"raw", false}, Named{"normalized", true}};
 
-constexpr Names<Wrap> wraps{{"repeat", Wrap::repeat}, {"clamp", Wrap::clamp}};
-constexpr Names<NoiseKind> kinds{{"value", NoiseKind::value}, {"perlin", NoiseKind::perlin}};
-constexpr Names<Fade> fades{
-    {"linear", Fade::linear}, {"smooth", Fade::smooth}, {"quintic", Fade::quintic}};
-constexpr Names<NoiseRange> ranges{{"unit", NoiseRange::unit}, {"signed", NoiseRange::bipolar}};
+template <class T, std::size_t N>
+using Names = std::array<Named<T>, N>;
 
-template <class T>
-T value_of(const Names<T>& names, const std::string& name, T otherwise) {
-    for (const auto& [known, value] : names)
-        if (name == known) return value;
+template <class T, std::size_t N>
+T value_of(const Names<T, N>& names, const std::string& name, T otherwise) {
+    for (const auto& known : names)
+        if (name == known.name) return known.value;
     return otherwise;
 }
 
-template <class T>
-const char* name_of(const Names<T>& names, T value) {
-    for (const auto& [name, known] : names)
-        if (value == known) return name;
+template <class T, std::size_t N>
+std::string_view name_of(const Names<T, N>& names, T value) {
+    for (const auto& known : names)
+        if (value == known.value) return known.name;
     return "";
 }
 
@@ -49,8 +47,14 @@ void read(const Json& json, const char* key, Vec3d& target) {
     for (int axis = 0; axis < 3; ++axis) target[axis] = json[key][std::size_t(axis)].get<double>();
 }
 
-template <class T>
-void read(const Json& json, const char* key, const Names<T>& names, T& target) {
+void read(const Json& json, const char* key, Period<3>& target) {
+    if (!json.contains(key)) return;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        target[axis] = std::uint32_t(json[key][axis].get<double>());
+}
+
+template <class T, std::size_t N>
+void read(const Json& json, const char* key, const Names<T, N>& names, T& target) {
     if (json.contains(key)) target = value_of(names, json[key].get<std::string>(), target);
 }
 
@@ -68,8 +72,13 @@ void for_each_coefficient(QuadricType& q, Function&& function) {
 
 NoiseTerm noise_from_json(const Json& json) {
     NoiseTerm term;
-    read(json, "kind", kinds, term.kind);
-    read(json, "fade", fades, term.fade);
+    read(json, "kind", noise_kinds, term.kind);
+    read(json, "fade", fade_names, term.fade);
+    read(json, "feature", feature_names, term.feature);
+    read(json, "radius2", term.radius2);
+    read(json, "period", term.period);
+    read(json, "sum", sum_names, term.shape);
+    read(json, "weights", weights, term.normalized);
     if (json.contains("range"))
         term.range = value_of(ranges, json["range"].get<std::string>(), NoiseRange::unit);
     read(json, "amplitude", term.amplitude);
@@ -86,9 +95,14 @@ NoiseTerm noise_from_json(const Json& json) {
 Json noise_to_json(const NoiseTerm& term) {
     const NoiseTerm defaults;
     Json json;
-    json["kind"] = name_of(kinds, term.kind);
+    json["kind"] = name_of(noise_kinds, term.kind);
     if (term.kind == NoiseKind::value || term.fade != defaults.fade)
-        json["fade"] = name_of(fades, term.fade);
+        json["fade"] = name_of(fade_names, term.fade);
+    if (term.feature != defaults.feature) json["feature"] = name_of(feature_names, term.feature);
+    if (term.radius2 != defaults.radius2) json["radius2"] = term.radius2;
+    if (term.period != defaults.period) json["period"] = term.period;
+    if (term.shape != defaults.shape) json["sum"] = name_of(sum_names, term.shape);
+    if (term.normalized) json["weights"] = name_of(weights, term.normalized);
     if (term.range) json["range"] = name_of(ranges, *term.range);
     json["amplitude"] = term.amplitude;
     if (!term.matrix || term.frequency != defaults.frequency)

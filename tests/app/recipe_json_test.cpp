@@ -99,7 +99,9 @@ Recipe random_recipe(std::mt19937& random) {
     } while (random() % 4);
     for (auto count = random() % 4; count > 0; --count) {
         NoiseTerm& term = recipe.texture.noise.emplace_back();
-        term.kind = NoiseKind(random() % 2), term.fade = Fade(random() % 3);
+        term.kind = NoiseKind(random() % 8), term.fade = Fade(random() % 3);
+        term.feature = WorleyFeature(random() % 3), term.shape = OctaveShape(random() % 3);
+        term.radius2 = random() % 2 ? 0.6 : 0.5, term.normalized = random() % 2;
         if (random() % 2) term.range = NoiseRange(random() % 2);
         term.amplitude = number(random), term.seed = std::uint32_t(random());
         if (random() % 2) term.frequency = vector();
@@ -110,6 +112,10 @@ Recipe random_recipe(std::mt19937& random) {
         }
         term.octaves = 1 + std::uint32_t(random() % 24);
         term.lacunarity = 0.5 + unit(random), term.gain = 2.0 * unit(random);
+        if (random() % 3 == 0) {
+            term.period = {3u * std::uint32_t(random() % 9), 0, 6};
+            term.lacunarity = 2.0;
+        }
     }
     return recipe;
 }
@@ -125,6 +131,26 @@ TEST(Recipe, SurvivesJsonThereAndBack) {
         const Recipe recipe = parse_recipe(std::string(file.content), std::string(file.name));
         EXPECT_EQ(parse_recipe(to_json(recipe), "again"), recipe) << file.name;
     }
+}
+
+TEST(Recipe, PeriodsMustFitTheLattice) {
+    const auto wrong = [](const std::string& term) -> std::string {
+        try {
+            parse_recipe(R"({"texture": {"input": {"noise": [)" + term + "]}}}", "r.json");
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code(), ExitCode::invalid_file);
+            return error.what();
+        }
+        return "";
+    };
+    EXPECT_EQ(wrong(R"({"period": [4, 0, 3], "octaves": 8})"), "");
+    EXPECT_EQ(wrong(R"({"kind": "simplex", "period": [3, 0, 6]})"), "");
+    EXPECT_THAT(wrong(R"({"period": [4, 0.5, 3]})"),
+                HasSubstr("noise.0.period is [4,0.5,3], must be whole"));
+    EXPECT_THAT(wrong(R"({"period": [4, 0, 3], "lacunarity": 1.9})"),
+                HasSubstr("whole lacunarity"));
+    EXPECT_THAT(wrong(R"({"kind": "simplex", "period": [4, 0, 3]})"), HasSubstr("multiples of 3"));
+    EXPECT_THAT(wrong(R"({"period": [1000000, 0, 3], "octaves": 24})"), HasSubstr("fewer octaves"));
 }
 
 TEST(Recipe, SyntaxErrorsNameTheLine) {

@@ -35,7 +35,7 @@ double largest_error(NoiseKind kind, Fade fade, int batches) {
             Vec3d p;
             for (int axis = 0; axis < 3; ++axis)
                 p[axis] = batch->cells[axis][j] + 0.5 + double(batch->places[axis][j]);
-            const double exact = evaluate_noise(kind, fade, seed, p);
+            const double exact = evaluate_noise({.kind = kind, .fade = fade, .seed = seed}, p);
             worst = std::max(worst, std::abs(sums[j] - exact) / (1.0 + std::abs(exact)));
         }
     }
@@ -47,6 +47,31 @@ TEST(NoiseKernels, StayWithinTheirStatedErrors) {
     EXPECT_LT(largest_error(NoiseKind::value, Fade::smooth, 400), 2.0e-7);
     EXPECT_LT(largest_error(NoiseKind::value, Fade::quintic, 400), 2.0e-7);
     EXPECT_LT(largest_error(NoiseKind::perlin, Fade::quintic, 400), 2.5e-7);
+}
+
+TEST(NoiseKernels, GiveTheBitsOfTheScalarFloatPath) {
+    const auto batch = std::make_unique<LatticeBatch>();
+    std::mt19937 random(12);
+    for (int i = 0; i < 20; ++i) {
+        randomize(*batch, random);
+        const NoiseSpec noise{i % 4 == 3 ? NoiseKind::perlin : NoiseKind::value,
+                              Fade(i % 3),
+                              {},
+                              0.6,
+                              std::uint32_t(random())};
+        std::vector<double> sums(batch_capacity + batch_padding, 0.0);
+        add_noise(noise.kind, noise.fade, noise.seed, 1.0, *batch, batch_capacity, sums.data());
+        for (std::size_t j = 0; j < batch_capacity; ++j) {
+            Point<3> p;
+            bool upper_face = false;  // belongs to the next cell for the scalar path
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                p[axis] = batch->cells[axis][j] + 0.5 + double(batch->places[axis][j]);
+                upper_face = upper_face || batch->places[axis][j] == 0.5f;
+            }
+            if (upper_face) continue;
+            ASSERT_EQ(sums[j], double(sample_noise<float>(noise, p).value)) << i << " " << j;
+        }
+    }
 }
 
 TEST(NoiseKernels, AddScaledNoiseToWhatIsThere) {

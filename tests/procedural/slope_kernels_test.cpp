@@ -57,8 +57,8 @@ std::unique_ptr<Case> random_case(double reach) {
 
 double slope(const Kernel& k, const Vec3d& p, const Vec3d& direction) {
     const double h = 1e-5;
-    return (evaluate_noise(k.kind, k.fade, 7, p + h * direction) -
-            evaluate_noise(k.kind, k.fade, 7, p - h * direction)) /
+    const NoiseSpec noise{.kind = k.kind, .fade = k.fade, .seed = 7};
+    return (evaluate_noise(noise, p + h * direction) - evaluate_noise(noise, p - h * direction)) /
            (2.0 * h);
 }
 

@@ -8,6 +8,7 @@
 #include "procedural/noise.h"
 #include "procedural/noise_kernels.h"
 #include "procedural/srgb.h"
+#include "tests/procedural/noise_cases.h"
 #include "tests/procedural/synthetic_atlas.h"
 
 namespace burl {
@@ -149,6 +150,33 @@ TEST(Synthesis, GivesTheSameBytesForEveryThreadCount) {
             EXPECT_EQ(synthesize_rgb8(solid, texture, scaled(1.0), threads), colors);
         }
     }
+}
+
+TEST(Synthesis, EveryNoiseIsTheReferencesForEveryThreadCount) {
+    const tbb::global_control more(tbb::global_control::max_allowed_parallelism, 8);
+    const SolidAtlas solid = SyntheticAtlas{60, 13, 100.0, 0.07, true}.make(4);
+    for (const auto& [name, noise] : test::noise_cases(3))
+        for (const OctaveShape shape :
+             {OctaveShape::plain, OctaveShape::absolute, OctaveShape::ridged}) {
+            Texture texture = marble();
+            texture.quadric = {};
+            NoiseTerm& term = texture.noise[0];
+            term.kind = noise.kind, term.fade = noise.fade, term.feature = noise.feature;
+            term.radius2 = noise.radius2, term.shape = shape;
+            term.amplitude = 1.0, term.octaves = 2, term.period = {0, 6, 300};
+            const Image<float> field = synthesize_field(solid, texture, scaled(1.0), 1);
+            for (const int threads : {2, 7})
+                EXPECT_EQ(synthesize_field(solid, texture, scaled(1.0), threads), field) << name;
+            // Octaves weigh 1 and 1/2, noises err by 5e-7, ridges by twice that.
+            double worst = 0.0;
+            for (std::size_t y = 0; y < solid.size; ++y)
+                for (const Span& span : solid.row(y))
+                    for (std::size_t x = span.x; x < span.x + span.count; ++x) {
+                        const Vec3d s = solid.maps[span.map](std::int64_t(x), std::int64_t(y));
+                        worst = std::max(worst, std::abs(field(x, y) - evaluate_field(texture, s)));
+                    }
+            EXPECT_LT(worst, 2e-6) << name << " " << int(shape);
+        }
 }
 
 /// Restricts Highway to one instruction set while it lives.

@@ -8,7 +8,8 @@ namespace burl {
 namespace {
 
 double unit_value(std::uint32_t seed, const Vec3d& p) {
-    return 0.5 * (1.0 + evaluate_noise(NoiseKind::value, Fade::smooth, seed, p));
+    return 0.5 * (1.0 + evaluate_noise(
+                            {.kind = NoiseKind::value, .fade = Fade::smooth, .seed = seed}, p));
 }
 
 TEST(Field, QuadricIsTheExpandedPolynomial) {

@@ -1,0 +1,63 @@
+#pragma once
+// Which noise is meant: a plain comparable value that recipes, the command line and tests share.
+// docs/noise.md defines every kind.
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+namespace burl {
+
+enum class NoiseKind { value, perlin, perlin2002, perlin1985, simplex, worley, cell, white };
+enum class Fade { linear, smooth, quintic };
+enum class WorleyFeature { f1, f2, f2_f1 };
+
+/// Periods per axis in cells; 0 is none.
+template <std::size_t N>
+using Period = std::array<std::uint32_t, N>;
+inline constexpr std::uint32_t largest_period = 1u << 30;
+
+struct NoiseSpec {
+    NoiseKind kind = NoiseKind::value;
+    Fade fade = Fade::smooth;                   ///< value noise only
+    WorleyFeature feature = WorleyFeature::f1;  ///< Worley's only
+    double radius2 = 0.6;                       ///< 3-D simplex only: squared radius, in (0, 0.6]
+    std::uint32_t seed = 0;
+    Period<4> period{};  ///< each at most largest_period
+    bool operator==(const NoiseSpec&) const = default;
+};
+
+/// Whether the kind is defined for points of so many coordinates.
+constexpr bool has_dimensions(NoiseKind kind, std::size_t dimensions) {
+    switch (kind) {
+        case NoiseKind::perlin:
+        case NoiseKind::perlin2002:
+            return dimensions == 3 || dimensions == 4;
+        case NoiseKind::perlin1985:
+            return dimensions >= 1 && dimensions <= 3;
+        case NoiseKind::simplex:
+            return dimensions >= 2 && dimensions <= 4;
+        default:
+            return dimensions >= 1 && dimensions <= 4;
+    }
+}
+
+/// Whether the noise can repeat after so many cells along an axis. Simplices tile a box only in
+/// three dimensions, where a whole number of them fits into every third cell.
+constexpr bool has_period(NoiseKind kind, std::size_t dimensions, std::uint32_t period) {
+    if (period > largest_period) return false;
+    return period == 0 || kind != NoiseKind::simplex || (dimensions == 3 && period % 3 == 0);
+}
+
+/// Whether the noise blends what the corners of a cubic cell give.
+constexpr bool is_interpolated(NoiseKind kind) {
+    return kind == NoiseKind::value || kind == NoiseKind::perlin || kind == NoiseKind::perlin2002 ||
+           kind == NoiseKind::perlin1985;
+}
+
+/// Whether the noise is a distance, 0 or more, instead of a number on both sides of 0.
+constexpr bool is_distance(NoiseKind kind) {
+    return kind == NoiseKind::worley;
+}
+
+}  // namespace burl
