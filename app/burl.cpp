@@ -68,6 +68,7 @@ int run(int argc, char** argv) {
     burl::add_diff(program);
     burl::add_metrics(program);
     burl::add_bench(program);
+    burl::add_eval(program);
     burl::add_list(program);
     try {
         program.parse(argc, argv);

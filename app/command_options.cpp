@@ -13,6 +13,10 @@ namespace burl {
 void RecipeOptions::add_recipe(CLI::App& verb) {
     verb.add_option("-r,--recipe", recipe, "Preset name or recipe file (.json)")
         ->capture_default_str();
+    add_settings(verb);
+}
+
+void RecipeOptions::add_settings(CLI::App& verb) {
     verb.add_option("--set", settings, "Edit of the recipe, PATH=VALUE; may be repeated")
         ->allow_extra_args(false)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);

@@ -19,6 +19,8 @@ struct RecipeOptions {
         size;
 
     void add_recipe(CLI::App& verb);
+    /// --set alone, for verbs that take the recipe as an argument.
+    void add_settings(CLI::App& verb);
     void add_atlas(CLI::App& verb);
     /// The recipe with all edits applied; throws Error as load_recipe does.
     Recipe load() const;

@@ -10,6 +10,7 @@ void add_render(CLI::App& program);
 void add_diff(CLI::App& program);
 void add_metrics(CLI::App& program);
 void add_bench(CLI::App& program);
+void add_eval(CLI::App& program);
 void add_list(CLI::App& program);
 
 }  // namespace burl

@@ -170,7 +170,7 @@ TEST(Program, MeasuresLookupsOfAnyTexture) {
 
 TEST(Program, HelpVersionAndLists) {
     const Scratch scratch;
-    for (const char* verb : {"", "bake", "render", "diff", "metrics", "bench", "list"}) {
+    for (const char* verb : {"", "bake", "render", "diff", "metrics", "bench", "eval", "list"}) {
         const Outcome outcome = run_burl(scratch, fmt::format("{} --help", verb));
         EXPECT_EQ(outcome.exit_code, 0) << verb;
         EXPECT_NE(outcome.out.find("--help"), std::string::npos) << verb;
