@@ -14,38 +14,6 @@ namespace {
 
 constexpr int most_steps = 64;
 
-/// Neighbours by the vertices of edges; an edge that does not have exactly one triangle on each
-/// side is a border.
-Connectivity connect(const std::vector<Triangle>& triangles) {
-    struct Side {
-        std::uint32_t low, high, triangle;
-        bool rising;
-        std::size_t k;
-    };
-    std::vector<Side> sides;
-    for (std::uint32_t t = 0; t < triangles.size(); ++t)
-        for (std::size_t k = 0; k < 3; ++k) {
-            const std::uint32_t a = triangles[t][k], b = triangles[t][(k + 1) % 3];
-            sides.push_back({std::min(a, b), std::max(a, b), t, a < b, k});
-        }
-    std::sort(sides.begin(), sides.end(), [](const Side& x, const Side& y) {
-        return std::tie(x.low, x.high, x.triangle, x.k) < std::tie(y.low, y.high, y.triangle, y.k);
-    });
-    Connectivity result;
-    result.neighbours.assign(triangles.size(), {-1, -1, -1});
-    for (std::size_t i = 0, end = 0; i < sides.size(); i = end) {
-        while (end < sides.size() && sides[end].low == sides[i].low &&
-               sides[end].high == sides[i].high)
-            ++end;
-        if (end - i != 2 || sides[i].rising == sides[i + 1].rising) continue;
-        result.neighbours[sides[i].triangle][sides[i].k] =
-            static_cast<std::int32_t>(sides[i + 1].triangle);
-        result.neighbours[sides[i + 1].triangle][sides[i + 1].k] =
-            static_cast<std::int32_t>(sides[i].triangle);
-    }
-    return result;
-}
-
 Vec3d centroid(const Mesh& mesh, const Triangle& t) {
     return (mesh.positions[t[0]] + mesh.positions[t[1]] + mesh.positions[t[2]]) / 3.0;
 }
@@ -90,6 +58,36 @@ std::uint32_t walk_to(const CoarseMesh& coarse, std::uint32_t from, const Vec3d&
 
 }  // namespace
 
+Connectivity connect_by_vertices(const std::vector<Triangle>& triangles) {
+    struct Side {
+        std::uint32_t low, high, triangle;
+        bool rising;
+        std::size_t k;
+    };
+    std::vector<Side> sides;
+    for (std::uint32_t t = 0; t < triangles.size(); ++t)
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::uint32_t a = triangles[t][k], b = triangles[t][(k + 1) % 3];
+            sides.push_back({std::min(a, b), std::max(a, b), t, a < b, k});
+        }
+    std::sort(sides.begin(), sides.end(), [](const Side& x, const Side& y) {
+        return std::tie(x.low, x.high, x.triangle, x.k) < std::tie(y.low, y.high, y.triangle, y.k);
+    });
+    Connectivity result;
+    result.neighbours.assign(triangles.size(), {-1, -1, -1});
+    for (std::size_t i = 0, end = 0; i < sides.size(); i = end) {
+        while (end < sides.size() && sides[end].low == sides[i].low &&
+               sides[end].high == sides[i].high)
+            ++end;
+        if (end - i != 2 || sides[i].rising == sides[i + 1].rising) continue;
+        result.neighbours[sides[i].triangle][sides[i].k] =
+            static_cast<std::int32_t>(sides[i + 1].triangle);
+        result.neighbours[sides[i + 1].triangle][sides[i + 1].k] =
+            static_cast<std::int32_t>(sides[i].triangle);
+    }
+    return result;
+}
+
 CoarseMesh coarsen(const Mesh& mesh, const Connectivity& connectivity, std::size_t triangles) {
     std::vector<std::uint32_t> faces(mesh.triangles.size());
     std::iota(faces.begin(), faces.end(), 0u);
@@ -108,7 +106,7 @@ CoarseMesh coarsen(const Mesh& mesh, const Connectivity& connectivity, std::size
         }
         coarse.mesh.triangles.push_back(t);
     }
-    coarse.connectivity = connect(coarse.mesh.triangles);
+    coarse.connectivity = connect_by_vertices(coarse.mesh.triangles);
     std::vector<std::uint32_t> position(faces.size(), 0);
     for (std::uint32_t i = 0; i < left.which.size(); ++i) position[left.which[i]] = i;
     for (std::uint32_t t = 0; t < faces.size(); ++t)

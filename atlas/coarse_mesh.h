@@ -16,6 +16,10 @@ struct CoarseMesh {
     std::vector<std::uint32_t> nearest;  ///< per triangle of the fine mesh: a coarse one near it
 };
 
+/// Neighbours by the vertices of edges; an edge that does not have exactly one triangle on each
+/// side is a border.
+Connectivity connect_by_vertices(const std::vector<Triangle>& triangles);
+
 /// At most `triangles` triangles, or as many more as edge_collapse leaves. Pure, deterministic,
 /// linear.
 CoarseMesh coarsen(const Mesh& mesh, const Connectivity& connectivity, std::size_t triangles);

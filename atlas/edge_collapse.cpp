@@ -22,8 +22,12 @@ double shape(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& normal
 
 class Collapser {
   public:
-    Collapser(std::span<const Vec3d> points, std::span<const Triangle> triangles)
-        : points_(points), triangles_(triangles.begin(), triangles.end()) {
+    Collapser(std::span<const Vec3d> points, std::span<const Triangle> triangles,
+              std::vector<bool> closed)
+        : points_(points),
+          triangles_(triangles.begin(), triangles.end()),
+          closed_(std::move(closed)) {
+        closed_.resize(points.size(), false);
         alive_.resize(triangles_.size());
         std::iota(alive_.begin(), alive_.end(), 0u);
         result_.heir = alive_;
@@ -60,7 +64,7 @@ class Collapser {
                 order.emplace_back(area[v], v);
         std::sort(order.begin(), order.end());
         locked_.assign(points_.size(), false);
-        grown_.assign(points_.size(), false);
+        grown_ = closed_;
         std::size_t left = alive_.size();
         for (const auto& [size, v] : order) {
             if (left <= most) break;
@@ -179,8 +183,9 @@ class Collapser {
     std::vector<Triangle> triangles_;
     std::vector<std::uint32_t> alive_;
     std::vector<std::uint32_t> begin_, of_vertex_;  ///< as of the round's start
+    std::vector<bool> closed_;                      ///< per vertex: never one to draw others into
     std::vector<bool> locked_;  ///< per vertex: its ring has lost a vertex in this round
-    std::vector<bool> grown_;   ///< per vertex: a neighbour was drawn into it in this round
+    std::vector<bool> grown_;   ///< per vertex: closed, or drawn into in this round
     std::vector<std::uint32_t> ring_, star_;
     CollapsedMesh result_;
 };
@@ -188,8 +193,8 @@ class Collapser {
 }  // namespace
 
 CollapsedMesh collapse_edges(std::span<const Vec3d> points, std::span<const Triangle> triangles,
-                             std::size_t most) {
-    return Collapser(points, triangles).run(most);
+                             std::size_t most, std::vector<bool> closed) {
+    return Collapser(points, triangles, std::move(closed)).run(most);
 }
 
 }  // namespace burl

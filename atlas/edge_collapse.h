@@ -28,8 +28,9 @@ struct CollapsedMesh {
 
 /// Collapses until no more than `most` triangles are left, or no vertex can go without turning a
 /// triangle by more than about 25 degrees. Every vertex's triangles must be one fan or umbrella, as
-/// those of a Patch are.
+/// those of a Patch are. Nothing is drawn into a vertex marked in `closed` (one entry per point, or
+/// none at all).
 CollapsedMesh collapse_edges(std::span<const Vec3d> points, std::span<const Triangle> triangles,
-                             std::size_t most);
+                             std::size_t most, std::vector<bool> closed = {});
 
 }  // namespace burl

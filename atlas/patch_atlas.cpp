@@ -5,6 +5,7 @@
 
 #include <tbb/parallel_for.h>
 
+#include "atlas/coarse_map.h"
 #include "atlas/patch_candidates.h"
 #include "atlas/patch_frame.h"
 
@@ -19,10 +20,11 @@ void refit(PatchCandidate& candidate) {
     tbb::parallel_for(std::size_t(0), candidate.maps.patches.size(), [&](std::size_t i) {
         MappedPatch& mapped = candidate.maps.patches[i];
         if (!mapped.rectangle) return;
-        descend(mapped.patch, *mapped.rectangle,
+        fit_map(mapped.patch, *mapped.rectangle,
                 {.iterations = refit_iterations,
                  .aspect = candidate.layout.blocks[i].aspect(),
                  .least_gain = refit_gain});
+        mapped.rectangle->coarse.reset();
         mapped.uv = mapped.rectangle->uv;
         mapped.stretch = mapped.rectangle->stretch;
     });

@@ -29,8 +29,11 @@ constexpr double per_patch = 0.005;
 constexpr int judging_layouts = 8, last_layouts = 32;
 /// Partitions of a mesh with more triangles are judged on a coarse one with about so many.
 constexpr std::size_t judged_as_it_is = 24000, judged_triangles = 12000;
-/// How much more than on the coarse mesh a division may stretch on the fine one.
-constexpr double carried_slack = 1.1;
+/// How much more than on the coarse mesh a division may stretch on the fine one. Where that has
+/// very many triangles its detail stretches a map whatever the division, and halving would not
+/// help.
+constexpr double carried_slack = 1.1, detail_tolerance = 1.25;
+constexpr std::size_t much_detail = 16;  ///< times the triangles judged
 
 /// A division to judge: one of the tries, or along creases.
 struct Plan {
@@ -68,8 +71,7 @@ void lay_out(PatchCandidate& candidate, std::uint32_t size, int layouts) {
         layout_patches(demands, {.size = size, .gutter = wanted_gutter(size), .tries = layouts});
     candidate.cost = std::numeric_limits<double>::infinity();
     if (!layout) return;
-    candidate.cost = layout->predicted_stretch * (1.0 + per_patch * double(demands.size())) *
-                     (layout->gutter < wanted_gutter(size) ? 1.5 : 1.0);
+    candidate.cost = layout->cost() * (1.0 + per_patch * double(demands.size()));
     candidate.layout = std::move(*layout);
 }
 
@@ -146,6 +148,8 @@ PatchMaps carry_over(const Mesh& mesh, const Connectivity& connectivity, const C
     for (const std::uint32_t face : coarse.nearest) labels.push_back(patch_of[face]);
     PatchMapOptions options = judging_options(best.attempt);
     options.most_distortion *= carried_slack;
+    if (mesh.triangles.size() > much_detail * coarse.mesh.triangles.size())
+        options.tolerance = detail_tolerance;
     return map_regions(mesh, connectivity, regions_of_labels(mesh, connectivity, std::move(labels)),
                        options);
 }

@@ -10,7 +10,8 @@ namespace burl {
 struct PatchCandidate {
     PatchMaps maps;      ///< descended on as far as judging needs
     PatchLayout layout;  ///< empty when the patches do not fit
-    /// S1 (1 + 0.005 patches), 1.5 times that with a halved gutter; infinite when nothing fits.
+    /// S1 (1 + 0.005 patches), 1.5 times that for every time the gutter was halved; infinite when
+    /// nothing fits.
     double cost = 0.0;
     int looked_at = 1;  ///< divisions judged
 };

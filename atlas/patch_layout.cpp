@@ -1,136 +1,114 @@
-// The tree halves the demand recursively along the longest extent of the patches' centres. A node's
-// rectangle is divided in proportion to its halves' demand, in either direction and rounded to
-// either cell; every combination is tried while there are few patches (a balanced tree of n leaves
-// has about n^2 of them to look at per direction), else the longer side is divided.
+// A node's rectangle is divided in proportion to its halves' texels, in either direction and
+// rounded to either cell. Which of the four is best the tree's costs estimate; where only few
+// patches are below, all are tried.
 #include "atlas/patch_layout.h"
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
-#include <numeric>
 #include <random>
+
+#include "atlas/patch_tree.h"
 
 namespace burl {
 namespace {
 
-constexpr std::size_t few_patches = 12, some_patches = 64;
+constexpr std::size_t few_patches = 8;
+constexpr double no_room = std::numeric_limits<double>::infinity();
+/// Trees tried times patches: with many patches trees differ little.
+constexpr std::size_t most_leaves = 4096;
 
 struct CellRectangle {
     std::uint32_t x = 0, y = 0, width = 0, height = 0;
+    bool operator==(const CellRectangle&) const = default;
 };
 
-struct Node {
-    double demand = 0.0;
-    std::size_t leaves = 1;
-    std::int32_t patch = -1;
-    std::unique_ptr<Node> first, second;
-};
-
-std::unique_ptr<Node> build_tree(std::span<const PatchDemand> patches,
-                                 const std::vector<Vec3d>& centres,
-                                 std::span<std::uint32_t> members) {
-    auto node = std::make_unique<Node>();
-    node->leaves = members.size();
-    Vec3d low(std::numeric_limits<double>::max()), high = -low;
-    for (const std::uint32_t p : members) {
-        node->demand += texel_demand(patches[p]);
-        low = glm::min(low, centres[p]);
-        high = glm::max(high, centres[p]);
-    }
-    if (members.size() == 1) {
-        node->patch = static_cast<std::int32_t>(members[0]);
-        return node;
-    }
-    const Vec3d size = high - low;
-    const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-    std::sort(members.begin(), members.end(), [&](std::uint32_t a, std::uint32_t b) {
-        return centres[a][axis] != centres[b][axis] ? centres[a][axis] < centres[b][axis] : a < b;
-    });
-    std::size_t half = 1;
-    for (double sum = texel_demand(patches[members[0]]); half + 1 < members.size(); ++half) {
-        const double next = texel_demand(patches[members[half]]);
-        if (sum + 0.5 * next > 0.5 * node->demand) break;
-        sum += next;
-    }
-    node->first = build_tree(patches, centres, members.first(half));
-    node->second = build_tree(patches, centres, members.subspan(half));
-    return node;
-}
-
+/// The tree's rectangles on the square's cells.
 class Treemap {
   public:
-    Treemap(std::span<const PatchDemand> patches, std::uint32_t size, std::uint32_t gutter)
+    Treemap(std::span<const PatchDemand> patches, std::vector<PatchNode> nodes, std::uint32_t size,
+            std::uint32_t gutter)
         : patches_(patches),
+          nodes_(std::move(nodes)),
           size_(size),
           gutter_(gutter),
-          cell_(2 * std::max(gutter, 1u)),
+          cell_(cell_texels(gutter)),
           cells_(std::max(size / cell_, 1u)) {}
 
-    bool can_hold(std::size_t count) const { return std::size_t{cells_} * cells_ >= count; }
-
     /// Sum of X/w^2 + Y/h^2 over the patches; infinite when they do not fit.
-    double cost(const Node& tree) const { return cost(tree, {0, 0, cells_, cells_}); }
-
-    void place(const Node& tree, std::vector<PatchBlock>& blocks) const {
-        place(tree, {0, 0, cells_, cells_}, blocks);
+    double place(std::vector<PatchBlock>& blocks) const {
+        blocks.resize(patches_.size());
+        return place(nodes_.back(), {0, 0, cells_, cells_}, blocks);
     }
 
   private:
     struct Division {
-        double cost = std::numeric_limits<double>::infinity();
+        double cost = no_room;
         CellRectangle first, second;
     };
     struct Leaf {
-        double cost = std::numeric_limits<double>::infinity();
+        double cost = no_room;
         PatchBlock block;
     };
 
-    double cost(const Node& node, const CellRectangle& r) const {
-        if (std::size_t{r.width} * r.height < node.leaves)
-            return std::numeric_limits<double>::infinity();
+    double place(const PatchNode& node, const CellRectangle& r,
+                 std::vector<PatchBlock>& blocks) const {
+        if (std::size_t{r.width} * r.height < node.leaves) return no_room;
+        if (node.patch >= 0) {
+            const Leaf here = leaf(node, r);
+            blocks[std::size_t(node.patch)] = here.block;
+            return here.cost;
+        }
+        const Division division = best_division(node, r);
+        if (!(division.cost < no_room)) return no_room;
+        return place(nodes_[node.first], division.first, blocks) +
+               place(nodes_[node.second], division.second, blocks);
+    }
+
+    /// The cost of the best divisions all the way down.
+    double exact_cost(const PatchNode& node, const CellRectangle& r) const {
+        if (std::size_t{r.width} * r.height < node.leaves) return no_room;
         return node.patch >= 0 ? leaf(node, r).cost : best_division(node, r).cost;
     }
 
-    void place(const Node& node, const CellRectangle& r, std::vector<PatchBlock>& blocks) const {
-        if (node.patch >= 0) {
-            blocks[std::size_t(node.patch)] = leaf(node, r).block;
-            return;
-        }
-        const Division division = best_division(node, r);
-        place(*node.first, division.first, blocks);
-        place(*node.second, division.second, blocks);
+    double cost_below(const PatchNode& whole, const PatchNode& node, const CellRectangle& r) const {
+        return whole.leaves <= few_patches
+                   ? exact_cost(node, r)
+                   : node.estimate(double(r.width) * cell_, double(r.height) * cell_);
     }
 
-    Division best_division(const Node& node, const CellRectangle& r) const {
+    Division best_division(const PatchNode& node, const CellRectangle& r) const {
         Division best;
-        for (const bool across : {r.width >= r.height, r.width < r.height}) {
-            if ((across ? r.width : r.height) < 2) continue;
+        for (const bool across : {r.width >= r.height, r.width < r.height})
             try_divisions(node, r, across, best);
-            if (node.leaves > some_patches && std::isfinite(best.cost)) break;
-        }
         return best;
     }
 
-    void try_divisions(const Node& node, const CellRectangle& r, bool across,
+    /// Tries those that leave a cell for every patch.
+    void try_divisions(const PatchNode& node, const CellRectangle& r, bool across,
                        Division& best) const {
-        const std::uint32_t whole = across ? r.width : r.height;
-        const double share = whole * (node.first->demand / node.demand);
-        const double nearest = std::round(share), other = 2.0 * std::floor(share) + 1.0 - nearest;
-        for (const double rounded : {nearest, other}) {
-            const auto part =
-                static_cast<std::uint32_t>(std::clamp(rounded, 1.0, double(whole - 1)));
+        const PatchNode &first = nodes_[node.first], &second = nodes_[node.second];
+        const std::uint32_t whole = across ? r.width : r.height,
+                            other = across ? r.height : r.width;
+        const auto lines = [&](std::size_t leaves) { return double((leaves + other - 1) / other); };
+        const double least = lines(first.leaves), most = whole - lines(second.leaves);
+        if (most < least) return;
+        const double share = whole * (first.texels / node.texels);
+        const double nearest = std::round(share), beside = 2.0 * std::floor(share) + 1.0 - nearest;
+        for (const double rounded : {nearest, beside}) {
+            const auto part = static_cast<std::uint32_t>(std::clamp(rounded, least, most));
             Division division{0.0, r, r};
             (across ? division.first.width : division.first.height) = part;
             (across ? division.second.width : division.second.height) = whole - part;
             (across ? division.second.x : division.second.y) += part;
-            division.cost = cost(*node.first, division.first);
-            if (division.cost < best.cost) division.cost += cost(*node.second, division.second);
+            if (division.first == best.first) continue;
+            division.cost = cost_below(node, first, division.first);
+            if (division.cost < best.cost)
+                division.cost += cost_below(node, second, division.second);
             if (division.cost < best.cost) best = division;
-            if (node.leaves > few_patches) return;
         }
     }
 
-    Leaf leaf(const Node& node, const CellRectangle& r) const {
+    Leaf leaf(const PatchNode& node, const CellRectangle& r) const {
         const auto texel = [&](std::uint32_t cell) {
             return cell == cells_ ? size_ : cell * cell_;
         };
@@ -151,6 +129,7 @@ class Treemap {
     }
 
     std::span<const PatchDemand> patches_;
+    std::vector<PatchNode> nodes_;
     std::uint32_t size_, gutter_, cell_, cells_;
 };
 
@@ -169,6 +148,31 @@ std::vector<Vec3d> turned_centres(std::span<const PatchDemand> patches, int turn
     return centres;
 }
 
+/// The best of some trees with this gutter, its stretch the plain sum; infinite if none fits.
+PatchLayout best_treemap(std::span<const PatchDemand> patches, std::uint32_t size,
+                         std::uint32_t gutter, int tries) {
+    PatchLayout best;
+    best.gutter = gutter;
+    best.predicted_stretch = no_room;
+    const std::vector<PatchNode> leaves =
+        patch_leaves(patches, block_texels(patches, size, gutter), gutter);
+    std::vector<PatchBlock> blocks;
+    for (int turn = 0; turn < tries; ++turn) {
+        const Treemap treemap(patches, build_patch_tree(leaves, turned_centres(patches, turn)),
+                              size, gutter);
+        const double stretch = treemap.place(blocks);
+        if (!(stretch < best.predicted_stretch)) continue;
+        best.predicted_stretch = stretch;
+        best.blocks = blocks;
+    }
+    return best;
+}
+
+bool has_cells(std::size_t patches, std::uint32_t size, std::uint32_t gutter) {
+    const std::size_t cells = std::max(size / cell_texels(gutter), 1u);
+    return cells * cells >= patches;
+}
+
 }  // namespace
 
 Vec2d PatchBlock::place(const Vec2d& uv) const {
@@ -180,35 +184,29 @@ double PatchBlock::aspect() const {
     return turned ? double(rows()) / columns() : double(columns()) / rows();
 }
 
-double texel_demand(const PatchDemand& patch) {
-    const Stretch& s = patch.stretch;
-    return std::cbrt(std::sqrt(s.x / s.area) * std::sqrt(s.y / s.area) * std::sqrt(s.x) *
-                     std::sqrt(s.y));
-}
-
 std::optional<PatchLayout> layout_patches(std::span<const PatchDemand> patches,
                                           const PatchLayoutOptions& options) {
     if (patches.empty() || options.size < 2) return std::nullopt;
     double area = 0.0;
     for (const PatchDemand& patch : patches) area += patch.area;
     const double ideal = 2.0 * area * area / (double(options.size) * options.size);
+    const int most = static_cast<int>(std::max<std::size_t>(most_leaves / patches.size(), 1));
+    std::optional<PatchLayout> best;
+    double penalty = 1.0;
     for (std::uint32_t gutter = options.gutter.value_or(std::max(options.size / 128, 1u));;
-         gutter /= 2) {
-        const Treemap treemap(patches, options.size, gutter);
-        PatchLayout best;
-        best.predicted_stretch = std::numeric_limits<double>::infinity();
-        for (int turn = 0; turn < options.tries && treemap.can_hold(patches.size()); ++turn) {
-            std::vector<std::uint32_t> members(patches.size());
-            std::iota(members.begin(), members.end(), 0u);
-            const auto tree = build_tree(patches, turned_centres(patches, turn), members);
-            const double stretch = treemap.cost(*tree) / ideal;
-            if (!(stretch < best.predicted_stretch)) continue;
-            best = {std::vector<PatchBlock>(patches.size()), gutter, stretch};
-            treemap.place(*tree, best.blocks);
+         gutter /= 2, penalty *= halved_gutter) {
+        // The predicted stretch is at least 1, whatever the gutter.
+        if (best && penalty >= best->cost()) break;
+        if (has_cells(patches.size(), options.size, gutter)) {
+            PatchLayout layout =
+                best_treemap(patches, options.size, gutter, std::min(options.tries, most));
+            layout.predicted_stretch /= ideal;
+            layout.penalty = penalty;
+            if (layout.cost() < (best ? best->cost() : no_room)) best = std::move(layout);
         }
-        if (std::isfinite(best.predicted_stretch)) return best;
-        if (gutter == 0) return std::nullopt;
+        if (gutter == 0) break;
     }
+    return best;
 }
 
 }  // namespace burl

@@ -7,6 +7,7 @@
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
+#include "atlas/coarse_map.h"
 #include "atlas/patch_cut.h"
 
 namespace burl {
@@ -77,7 +78,7 @@ class RegionMapper {
         const double d = map ? map->stretch.distortion() : 1e300;
         if (planar_d <= planar_at_most && !(d < rectangle_better * planar_d))
             return keep(std::move(patch), std::move(*planar), result);
-        if (map && d <= limit) {
+        if (map && d <= options_.tolerance * limit) {
             add(result.notes, notes);
             return keep(std::move(mapped), std::move(*map), result);
         }
@@ -100,21 +101,20 @@ class RegionMapper {
     }
 
     std::optional<RectangleMap> map_wanted(Patch& patch, double limit) const {
-        return map_onto_rectangle(patch, {.least_gain = options_.least_gain, .wanted = limit});
+        return map_patch(patch, {.least_gain = options_.least_gain, .wanted = limit});
     }
 
     /// The map of a disk; where it stretches too much and the patch is still whole, with a slit.
     std::optional<RectangleMap> map_disk(Patch& patch, double limit, PatchMapNotes& notes) const {
         Patch slit = patch;
-        auto map = map_wanted(patch, limit);
+        auto map = map_wanted(patch, options_.tolerance * limit);
         if (map) notes.extra_vertices = map->extra_vertices;
         const double d = map ? map->stretch.distortion() : 1e300;
         if (d <= limit || notes.holes_closed + notes.tubes_slit > 0) return map;
         if (!slit_sock(slit)) return map;
-        auto slit_map = map_wanted(slit, limit);
-        if (!slit_map) return map;
-        const double slit_d = slit_map->stretch.distortion();
-        if (slit_d > sock_better * d || slit_d > limit) return map;
+        const double wanted = std::min(options_.tolerance * limit, sock_better * d);
+        auto slit_map = map_wanted(slit, wanted);
+        if (!slit_map || slit_map->stretch.distortion() > wanted) return map;
         notes.socks_slit = 1;
         notes.extra_vertices = slit_map->extra_vertices;
         patch = std::move(slit);

@@ -24,6 +24,8 @@ struct MappedPatch {
 struct PatchMapOptions {
     std::uint32_t patches = 6;     ///< as asked of the partition: sets what counts as small
     double most_distortion = 1.4;  ///< D above this is slit or halved
+    /// D up to this times that is accepted where a slit does not help either.
+    double tolerance = 1.0;
     /// Descents stop where they gain less than this share of D in an iteration: 0.003 does for
     /// judging a partition, whose maps are fitted to their blocks later anyway.
     double least_gain = 1e-4;

@@ -5,6 +5,7 @@
 // L-BFGS (Nocedal, "Updating quasi-Newton matrices with limited storage", 1980) with the Laplacian
 // as its first guess of the Hessian.
 #include <limits>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -15,12 +16,15 @@
 
 namespace burl {
 
+struct CoarseMap;  // coarse_map.h
+
 struct RectangleMap {
     Corners corners{};
     std::vector<SideMask> sides;  ///< per vertex: v = 0, u = 1, v = 1, u = 0
     std::vector<Vec2d> uv;        ///< per vertex, in the unit square
     Stretch stretch;
-    std::uint32_t extra_vertices = 0;  ///< middles of chords, the patch's last vertices
+    std::uint32_t extra_vertices = 0;         ///< middles of chords, the patch's last vertices
+    std::shared_ptr<const CoarseMap> coarse;  ///< that it was carried over from, for a large patch
 };
 
 struct DescentOptions {

@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <numeric>
 #include <random>
+
+#include "atlas/patch_tree.h"
 
 namespace burl {
 namespace {
@@ -107,6 +110,53 @@ TEST(PatchLayout, HalvesTheGutterUntilPatchesFit) {
     expect_tiles(*layout, 64);
     EXPECT_FALSE(layout_patches(patches, {.size = 16, .gutter = 8, .tries = 2}));
     EXPECT_FALSE(layout_patches({}, {}));
+}
+
+TEST(PatchBudget, BlocksFillTheSquareWithInnerTexelsInProportion) {
+    for (const std::size_t count : {1u, 5u, 200u})
+        for (const std::uint32_t gutter : {0u, 2u, 8u}) {
+            const auto patches = random_patches(count, 7);
+            const auto texels = block_texels(patches, 1024, gutter);
+            EXPECT_NEAR(std::accumulate(texels.begin(), texels.end(), 0.0), 1024.0 * 1024.0, 1.0);
+            // Undo the gutter and the border of a block that is as wide as its patch wants.
+            double least = 1e300, most = 0.0;
+            for (std::size_t i = 0; i < count; ++i) {
+                const double a = patches[i].stretch.best_aspect(), g = 1.0 + 2.0 * gutter;
+                // (s sqrt(a) + g) (s / sqrt(a) + g) = texels, for s
+                const double b = g * (std::sqrt(a) + 1.0 / std::sqrt(a)), c = g * g - texels[i];
+                const double s = 0.5 * (-b + std::sqrt(b * b - 4.0 * c));
+                least = std::min(least, s * s / texel_demand(patches[i]));
+                most = std::max(most, s * s / texel_demand(patches[i]));
+            }
+            EXPECT_NEAR(most / least, 1.0, 1e-6) << count << ' ' << gutter;
+        }
+}
+
+TEST(PatchTree, KnowsWhatDivisionsCost) {
+    // Two flat squares side by side on 64 x 32 texels get 32 x 32 each, 31 steps; on 32 x 64 too.
+    const std::vector<PatchDemand> two{flat(1.0, 1.0), flat(1.0, 1.0, {1, 0, 0})};
+    const std::vector<double> texels{1024.0, 1024.0};
+    const std::vector<Vec3d> centres{two[0].centre, two[1].centre};
+    const auto nodes = build_patch_tree(patch_leaves(two, texels, 0), centres);
+    ASSERT_EQ(nodes.size(), 3u);
+    const double alone = 2.0 / (31.0 * 31.0);
+    EXPECT_NEAR(nodes[0].estimate(32.0, 32.0), alone, 1e-12);
+    EXPECT_EQ(nodes[2].leaves, 2u);
+    const double squareness = 1.02;  // of the estimate, for one octave
+    EXPECT_NEAR(nodes[2].estimate(64.0, 32.0), 2.0 * alone * squareness, 1e-12);
+    EXPECT_NEAR(nodes[2].estimate(32.0, 64.0), 2.0 * alone * squareness, 1e-12);
+    EXPECT_GT(nodes[2].estimate(256.0, 8.0), 2.0 * nodes[2].estimate(64.0, 32.0));
+}
+
+TEST(PatchLayout, ManyPatchesKeepNearTheirBudget) {
+    const auto patches = random_patches(1500, 21);
+    const auto layout = layout_patches(patches, {.size = 1024, .gutter = {}, .tries = 8});
+    ASSERT_TRUE(layout);
+    expect_tiles(*layout, 1024);
+    // 700 texels each with gutters as wide as at 12 patches would waste most of them.
+    EXPECT_LT(layout->gutter, 8u);
+    EXPECT_GE(layout->gutter, 1u);
+    EXPECT_LT(layout->predicted_stretch, 3.0);
 }
 
 TEST(PatchLayout, SameEveryTime) {
