@@ -54,7 +54,17 @@ Json metrics_json(const Atlas& atlas, const AtlasMetrics& metrics) {
             {"gutter_texels", notes.gutter_texels},
             {"narrowed_gutters", notes.narrowed_gutters},
             {"shared_texels", notes.shared_texels},
-            {"shared_triangles", notes.shared_triangles}};
+            {"shared_triangles", notes.shared_triangles},
+            {"fallback", notes.fallback}};
+}
+
+Json capacity_json(const Capacity& capacity) {
+    return {{"texels_per_triangle", capacity.texels_per_triangle},
+            {"suffices", capacity.suffices()},
+            {"vertex_colours_better", capacity.vertex_colours_better()},
+            {"size_for_25", capacity.good_size},
+            {"size_for_5", capacity.least_size},
+            {"holding_size", capacity.holding_size}};
 }
 
 Json patches_json(const PatchAtlas& atlas) {

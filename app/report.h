@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/pipeline.h"
+#include "atlas/capacity.h"
 #include "atlas/metrics.h"
 
 namespace burl {
@@ -18,10 +19,13 @@ Json mesh_json(const Mesh& mesh, const Connectivity& connectivity);
 /// Coverage, relative scale, density percentiles (DESIGN names) and the layout's own counts.
 Json metrics_json(const Atlas& atlas, const AtlasMetrics& metrics);
 
-/// Seconds per stage.
+/// Texels per triangle and what sizes would do; sizes that no texture has are 0.
+Json capacity_json(const Capacity& capacity);
+
 /// What mapping and placing a patch atlas did.
 Json patches_json(const PatchAtlas& atlas);
 
+/// Seconds per stage.
 Json times_json(const std::vector<StageTime>& times);
 
 /// Version, library versions and SIMD level.

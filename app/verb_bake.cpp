@@ -1,6 +1,5 @@
 // `burl bake`: a mesh without UVs in, a textured scene out (the whole pipeline, headless).
 #include <chrono>
-#include <cmath>
 
 #include <fmt/format.h>
 
@@ -45,14 +44,16 @@ BakedImage synthesize(Pipeline& pipeline, ImageKind kind, std::uint32_t levels,
     return convert_to(std::move(texture), kind);
 }
 
-/// Below 5 texels per triangle pair a texture holds little more than a colour per vertex would
-/// (DESIGN section 6).
+/// Said before any work starts (DESIGN section 6).
 void warn_if_starved(const Pipeline& pipeline) {
-    const double n = pipeline.recipe().atlas.size,
-                 pairs = double(pipeline.mesh().triangles.size()) / 2;
-    if (pairs <= 0 || n * n / pairs >= 5.0) return;
-    warn(fmt::format("{}: only {:.1f} texels per pair of triangles; --size {} would give 25",
-                     pipeline.mesh().name, n * n / pairs, int(std::ceil(std::sqrt(25.0 * pairs)))));
+    const std::string problem =
+        shortage(capacity(pipeline.mesh().triangles.size(), pipeline.recipe().atlas));
+    if (!problem.empty()) warn(fmt::format("{}: {}", pipeline.mesh().name, problem));
+}
+
+void tell_fallback(Pipeline& pipeline) {
+    const std::string& why = pipeline.atlas().notes.fallback;
+    if (!why.empty()) warn(fmt::format("{}: {}", pipeline.mesh().name, why));
 }
 
 Json bake_json(const BakeCommand& command, Pipeline& pipeline, std::size_t levels, Json seconds) {
@@ -65,6 +66,8 @@ Json bake_json(const BakeCommand& command, Pipeline& pipeline, std::size_t level
             {"recipe", Json::parse(to_json(pipeline.recipe()))},
             {"mesh", mesh_json(pipeline.mesh(), pipeline.connectivity())},
             {"atlas", std::move(atlas)},
+            {"capacity",
+             capacity_json(capacity(pipeline.mesh().triangles.size(), pipeline.recipe().atlas))},
             {"mip_levels", levels},
             {"seconds", std::move(seconds)},
             {"versions", versions_json()}};
@@ -99,8 +102,8 @@ void run_bake(const BakeCommand& command) {
     const double reading = seconds_since(start);
     pipeline.set_recipe(recipe);
     pipeline.set_threads(command.threads);
-    pipeline.atlas();
     warn_if_starved(pipeline);
+    tell_fallback(pipeline);
     ExportOptions options;
     const BakedImage image = synthesize(pipeline, kind, levels, options);
     const auto writing = Clock::now();

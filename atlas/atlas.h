@@ -4,6 +4,7 @@
 // centre at (i+0.5, j+0.5), row 0 is v = 0.
 #include <array>
 #include <cstdint>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -78,6 +79,7 @@ struct LayoutNotes {
     std::uint64_t narrowed_gutters = 0;  ///< quad: blocks too small for the gutter asked for
     std::uint64_t shared_texels = 0;     ///< quad: texels that stand for several pairs or singles
     std::uint64_t shared_triangles = 0;  ///< quad: triangles on those texels
+    std::string fallback;  ///< why the kind is not the one asked for, one sentence; else empty
 };
 
 struct Atlas {

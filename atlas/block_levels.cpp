@@ -84,7 +84,9 @@ std::uint32_t last_pure_level(const MeshAtlas& atlas) {
         return std::min(log2_floor(aligned),
                         static_cast<std::uint32_t>(std::countr_zero(layout.options.size)));
     }
-    return layout.options.kind == AtlasKind::quad ? log2_floor(narrowest_block(layout)) : 0;
+    if (layout.options.kind != AtlasKind::quad) return 0;
+    return std::min(log2_floor(narrowest_block(layout)),
+                    static_cast<std::uint32_t>(std::countr_zero(layout.options.size)));
 }
 
 std::vector<Image<RgbF>> block_levels(const MeshAtlas& atlas, const Image<RgbF>& texture,

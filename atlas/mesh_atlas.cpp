@@ -2,9 +2,36 @@
 
 #include <bit>
 
-#include "atlas/error.h"
+#include <fmt/format.h>
+
+#include "atlas/capacity.h"
 
 namespace burl {
+
+namespace {
+
+/// Pairs in place of patches.
+Atlas layout_pairs(const Mesh& mesh, const Connectivity& connectivity, const AtlasOptions& options,
+                   const std::string& why) {
+    const std::uint32_t size = options.size, square = std::bit_floor(size);
+    AtlasOptions pairs = options;
+    pairs.kind = AtlasKind::area;
+    const bool strips = 2 * std::uint64_t{square} * square < std::uint64_t{size} * size &&
+                        smallest_size(mesh.triangles.size(), pairs) <= size;
+    if (!strips) {
+        pairs.kind = AtlasKind::quad;
+        pairs.size = square;
+    }
+    Atlas atlas = layout_atlas(mesh, connectivity, pairs);
+    atlas.options.size = size;
+    atlas.notes.texels_total = std::uint64_t{size} * size;
+    atlas.notes.fallback = fmt::format("{}: {} atlas instead", why, to_string(pairs.kind));
+    if (!strips && square < size)
+        atlas.notes.fallback += fmt::format(", in {0} x {0} of its texels", square);
+    return atlas;
+}
+
+}  // namespace
 
 const Atlas& MeshAtlas::atlas() const {
     if (const PatchAtlas* patched = patches()) return patched->atlas;
@@ -21,11 +48,14 @@ MeshAtlas build_atlas(const Mesh& mesh, const Connectivity& connectivity,
     if (options.kind != AtlasKind::patch)
         return MeshAtlas(layout_atlas(mesh, connectivity, options));
     check_size(options);
+    const std::string no_patches = why_no_patches(connectivity, options.size);
+    if (!no_patches.empty())
+        return MeshAtlas(layout_pairs(mesh, connectivity, options, no_patches));
     if (auto patches = build_patch_atlas(mesh, connectivity, options))
         return MeshAtlas(std::move(*patches));
-    AtlasOptions pairs = options;
-    pairs.kind = std::has_single_bit(options.size) ? AtlasKind::quad : AtlasKind::area;
-    return MeshAtlas(layout_atlas(mesh, connectivity, pairs));
+    return MeshAtlas(
+        layout_pairs(mesh, connectivity, options,
+                     fmt::format("the patches do not fit {0} x {0} texels", options.size)));
 }
 
 SolidAtlas rasterize(const Mesh& input, const MeshAtlas& atlas, std::span<const Vec3d> positions) {

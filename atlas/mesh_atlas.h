@@ -22,8 +22,11 @@ class MeshAtlas {
     std::variant<Atlas, PatchAtlas> form_;
 };
 
-/// Packs the mesh, as layout_atlas does for strips and quad. Where patches do not fit, pairs take
-/// their place: quad, or area where the size is not a power of two; atlas().options.kind says so.
+/// Packs the mesh, as layout_atlas does for strips and quad. Where patches do not fit, or the mesh
+/// is mostly loose pieces (capacity.h), pairs take their place: quad, in the largest square with a
+/// power of two in the texture's corner, or area where that square is less than half the texture
+/// and strips fit. atlas().options.kind says which, atlas().notes.fallback why. Never fails for
+/// patch, whatever the size.
 MeshAtlas build_atlas(const Mesh& mesh, const Connectivity& connectivity,
                       const AtlasOptions& options);
 
