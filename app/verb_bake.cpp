@@ -102,8 +102,12 @@ void run_bake(const BakeCommand& command) {
     const double reading = seconds_since(start);
     pipeline.set_recipe(recipe);
     pipeline.set_threads(command.threads);
-    warn_if_starved(pipeline);
+    // Strips may not hold the mesh at all, which is then the one thing to say.
+    const bool strips =
+        recipe.atlas.kind != AtlasKind::patch && recipe.atlas.kind != AtlasKind::quad;
+    if (!strips) warn_if_starved(pipeline);
     tell_fallback(pipeline);
+    if (strips) warn_if_starved(pipeline);
     ExportOptions options;
     const BakedImage image = synthesize(pipeline, kind, levels, options);
     const auto writing = Clock::now();

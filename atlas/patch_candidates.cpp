@@ -26,9 +26,11 @@ constexpr double judging_gain = 0.003;  ///< descents of candidates stop early
 /// Predicted stretch does not see borders, which blur the upper levels: each patch counts this
 /// much.
 constexpr double per_patch = 0.005;
-constexpr int judging_layouts = 8, last_layouts = 32;
+constexpr int judging_layouts = 16, last_layouts = 96;
+/// How many of the divisions judged are placed with care, and carried over from a coarse mesh.
+constexpr std::size_t last_choices = 2;
 /// Partitions of a mesh with more triangles are judged on a coarse one with about so many.
-constexpr std::size_t judged_as_it_is = 24000, judged_triangles = 12000;
+constexpr std::size_t judged_as_it_is = 80000, judged_triangles = 24000;
 /// How much more than on the coarse mesh a division may stretch on the fine one. Where that has
 /// very many triangles its detail stretches a map whatever the division, and halving would not
 /// help.
@@ -121,24 +123,26 @@ PatchCandidate judge(const Mesh& mesh, const Connectivity& connectivity, const P
     return candidate;
 }
 
-Judged best_of_all(const Mesh& mesh, const Connectivity& connectivity, std::uint32_t size,
-                   int tries) {
+/// The divisions of least cost, best first: at most `most`.
+std::vector<Judged> best_of_all(const Mesh& mesh, const Connectivity& connectivity,
+                                std::uint32_t size, int tries, std::size_t most) {
     const std::vector<Plan> all = plans(mesh, connectivity, tries);
-    std::vector<PatchCandidate> candidates(all.size());
+    std::vector<Judged> judged(all.size());
     tbb::parallel_for(std::size_t(0), all.size(), [&](std::size_t i) {
-        candidates[i] = judge(mesh, connectivity, all[i], size);
+        judged[i] = {judge(mesh, connectivity, all[i], size), all[i].attempt};
+        judged[i].candidate.looked_at = static_cast<int>(all.size());
     });
-    std::size_t best = 0;
-    for (std::size_t i = 1; i < candidates.size(); ++i)
-        if (candidates[i].cost < candidates[best].cost) best = i;
-    candidates[best].looked_at = static_cast<int>(candidates.size());
-    return {std::move(candidates[best]), all[best].attempt};
+    std::stable_sort(judged.begin(), judged.end(), [](const Judged& a, const Judged& b) {
+        return a.candidate.cost < b.candidate.cost;
+    });
+    judged.resize(std::min(judged.size(), most));
+    return judged;
 }
 
 /// The fine mesh's maps for the division that was best on the coarse one.
 PatchMaps carry_over(const Mesh& mesh, const Connectivity& connectivity, const CoarseMesh& coarse,
-                     const Judged& best) {
-    const auto& patches = best.candidate.maps.patches;
+                     const PatchCandidate& best, const Try& attempt) {
+    const auto& patches = best.maps.patches;
     std::vector<std::uint32_t> patch_of(coarse.mesh.triangles.size(),
                                         static_cast<std::uint32_t>(patches.size()));
     for (std::uint32_t p = 0; p < patches.size(); ++p)
@@ -146,7 +150,7 @@ PatchMaps carry_over(const Mesh& mesh, const Connectivity& connectivity, const C
             if (face != not_in_mesh) patch_of[face] = p;
     std::vector<std::uint32_t> labels;
     for (const std::uint32_t face : coarse.nearest) labels.push_back(patch_of[face]);
-    PatchMapOptions options = judging_options(best.attempt);
+    PatchMapOptions options = judging_options(attempt);
     options.most_distortion *= carried_slack;
     if (mesh.triangles.size() > much_detail * coarse.mesh.triangles.size())
         options.tolerance = detail_tolerance;
@@ -154,28 +158,37 @@ PatchMaps carry_over(const Mesh& mesh, const Connectivity& connectivity, const C
                        options);
 }
 
-PatchCandidate best_division(const Mesh& mesh, const Connectivity& connectivity, std::uint32_t size,
-                             int tries) {
-    if (mesh.triangles.size() > judged_as_it_is) {
-        const CoarseMesh coarse = coarsen(mesh, connectivity, judged_triangles);
-        if (2 * coarse.mesh.triangles.size() <= mesh.triangles.size()) {
-            const Judged best = best_of_all(coarse.mesh, coarse.connectivity, size, tries);
-            PatchCandidate result;
-            result.looked_at = best.candidate.looked_at;
-            result.maps = carry_over(mesh, connectivity, coarse, best);
-            return result;
-        }
-    }
-    return best_of_all(mesh, connectivity, size, tries).candidate;
+/// The best divisions of the mesh itself, or those of a coarse one carried over.
+std::vector<PatchCandidate> best_divisions(const Mesh& mesh, const Connectivity& connectivity,
+                                           std::uint32_t size, int tries) {
+    const std::size_t most = std::min<std::size_t>(static_cast<std::size_t>(tries), last_choices);
+    std::optional<CoarseMesh> coarse;
+    if (mesh.triangles.size() > judged_as_it_is)
+        coarse = coarsen(mesh, connectivity, judged_triangles);
+    const bool judge_coarse = coarse && 2 * coarse->mesh.triangles.size() <= mesh.triangles.size();
+    std::vector<Judged> best =
+        judge_coarse ? best_of_all(coarse->mesh, coarse->connectivity, size, tries, most)
+                     : best_of_all(mesh, connectivity, size, tries, most);
+    std::vector<PatchCandidate> result(best.size());
+    tbb::parallel_for(std::size_t(0), best.size(), [&](std::size_t i) {
+        result[i] = std::move(best[i].candidate);
+        if (!judge_coarse) return;
+        PatchMaps maps = carry_over(mesh, connectivity, *coarse, result[i], best[i].attempt);
+        result[i].maps = std::move(maps);
+    });
+    return result;
 }
 
 }  // namespace
 
 PatchCandidate best_candidate(const Mesh& mesh, const Connectivity& connectivity,
                               std::uint32_t size, int tries) {
-    PatchCandidate best = best_division(mesh, connectivity, size, tries);
-    lay_out(best, size, last_layouts);
-    return best;
+    std::vector<PatchCandidate> best = best_divisions(mesh, connectivity, size, std::max(tries, 1));
+    tbb::parallel_for(std::size_t(0), best.size(),
+                      [&](std::size_t i) { lay_out(best[i], size, last_layouts); });
+    return std::move(*std::min_element(
+        best.begin(), best.end(),
+        [](const PatchCandidate& a, const PatchCandidate& b) { return a.cost < b.cost; }));
 }
 
 }  // namespace burl

@@ -4,6 +4,7 @@
 #include "atlas/patch_layout.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 
@@ -15,7 +16,7 @@ namespace {
 constexpr std::size_t few_patches = 8;
 constexpr double no_room = std::numeric_limits<double>::infinity();
 /// Trees tried times patches: with many patches trees differ little.
-constexpr std::size_t most_leaves = 4096;
+constexpr std::size_t most_leaves = 1024;
 
 struct CellRectangle {
     std::uint32_t x = 0, y = 0, width = 0, height = 0;
@@ -154,12 +155,17 @@ PatchLayout best_treemap(std::span<const PatchDemand> patches, std::uint32_t siz
     PatchLayout best;
     best.gutter = gutter;
     best.predicted_stretch = no_room;
-    const std::vector<PatchNode> leaves =
-        patch_leaves(patches, block_texels(patches, size, gutter), gutter);
+    // With gutters in the budget small patches gain, without them large ones; either may pack
+    // better.
+    const std::array<std::vector<PatchNode>, 2> leaves{
+        patch_leaves(patches, block_texels(patches, size, gutter), gutter),
+        patch_leaves(patches, block_texels(patches, size, 0), gutter)};
     std::vector<PatchBlock> blocks;
     for (int turn = 0; turn < tries; ++turn) {
-        const Treemap treemap(patches, build_patch_tree(leaves, turned_centres(patches, turn)),
-                              size, gutter);
+        const Treemap treemap(
+            patches,
+            build_patch_tree(leaves[std::size_t(turn) % 2], turned_centres(patches, turn / 2)),
+            size, gutter);
         const double stretch = treemap.place(blocks);
         if (!(stretch < best.predicted_stretch)) continue;
         best.predicted_stretch = stretch;
