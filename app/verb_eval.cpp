@@ -1,19 +1,18 @@
 // `burl eval`: value, gradient and colour of a recipe, or of one noise, at given points, in float64
 // and float32 side by side: the way anyone checks the textures from outside.
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <optional>
+#include <string_view>
 
 #include <fmt/format.h>
 
 #include "app/command_options.h"
-#include "app/noise_options.h"
-#include "app/point_file.h"
+#include "app/evaluate_points.h"
 #include "app/report.h"
 #include "app/verbs.h"
 #include "atlas/error.h"
-#include "procedural/color_table.h"
-#include "procedural/octaves.h"
 #include "procedural/srgb.h"
 #include "procedural/texture_json.h"
 
@@ -24,78 +23,22 @@ namespace {
 struct EvalCommand {
     RecipeOptions recipe;
     NoiseOptions noise;
-    std::string points;
+    std::string points, fixed;
     bool json = false;
 };
 
-/// What one precision gives at a point.
-struct Evaluation {
-    double value = 0.0;
-    std::vector<double> gradient;  ///< as many components as the points have coordinates
-    std::optional<Vec3d> color;    ///< linear light
-};
-
-struct BothPrecisions {
-    Evaluation float64, float32;
-};
-
-template <class Real, std::size_t N>
-Evaluation evaluate_noise_at(const NoiseOptions& noise, const std::array<double, 4>& point) {
-    Point<N> p;
-    std::copy_n(point.begin(), N, p.begin());
-    const NoiseSample<Real, N> n = sample_noise<Real>(noise, p);
-    return {double(n.value), {n.gradient.begin(), n.gradient.end()}, {}};
-}
-
-template <std::size_t N>
-std::vector<BothPrecisions> evaluate_noise(const NoiseOptions& noise, const PointFile& file) {
-    std::vector<BothPrecisions> results;
-    for (const auto& point : file.points)
-        results.push_back({evaluate_noise_at<double, N>(noise, point),
-                           evaluate_noise_at<float, N>(noise, point)});
-    return results;
-}
-
-std::vector<BothPrecisions> evaluate_noise(NoiseOptions noise, const PointFile& file) {
-    noise.resolve(file.dimensions);
-    switch (file.dimensions) {
-        case 1:
-            return evaluate_noise<1>(noise, file);
-        case 2:
-            return evaluate_noise<2>(noise, file);
-        case 3:
-            return evaluate_noise<3>(noise, file);
-        default:
-            return evaluate_noise<4>(noise, file);
-    }
-}
-
-/// Noise in Real, the sum in float64, the result in Real again, as a bake has it. The gradient is
-/// with respect to the point in solid space, before the recipe's scale.
-template <class Real>
-Evaluation evaluate_recipe_at(const Recipe& recipe, std::span<const Octave> octaves,
-                              const PreparedColorMap& colors, const Vec3d& point) {
-    const Affine3 map = texture_from_solid(recipe);
-    const FieldSample f = sample_field<Real>(recipe.texture.quadric, octaves, map(point));
-    const Vec3d gradient = f.gradient * map.linear, color = colors(f.value);
-    const auto rounded = [](double x) { return double(Real(x)); };
-    return {rounded(f.value),
-            {rounded(gradient.x), rounded(gradient.y), rounded(gradient.z)},
-            Vec3d(rounded(color.x), rounded(color.y), rounded(color.z))};
-}
-
-std::vector<BothPrecisions> evaluate_recipe(const Recipe& recipe, const PointFile& file) {
-    if (file.dimensions != 3)
-        throw Error(
-            ExitCode::usage,
-            fmt::format("a recipe needs points x,y,z; these have {} coordinates", file.dimensions));
-    const std::vector<Octave> octaves = expand_octaves(recipe.texture);
-    const PreparedColorMap colors(recipe.texture.colors);
-    std::vector<BothPrecisions> results;
-    for (const auto& [x, y, z, w] : file.points)
-        results.push_back({evaluate_recipe_at<double>(recipe, octaves, colors, {x, y, z}),
-                           evaluate_recipe_at<float>(recipe, octaves, colors, {x, y, z})});
-    return results;
+/// "8.8".
+FixedFormat parse_format(const std::string& text) {
+    FixedFormat format;
+    const char* const last = text.data() + text.size();
+    const auto integer = std::from_chars(text.data(), last, format.integer_bits);
+    const bool dot = integer.ec == std::errc() && integer.ptr != last && *integer.ptr == '.';
+    const auto fraction = std::from_chars(dot ? integer.ptr + 1 : last, last, format.fraction_bits);
+    if (!dot || fraction.ec != std::errc() || fraction.ptr != last || format.integer_bits < 1 ||
+        format.integer_bits > 16 || format.fraction_bits < 2 || format.fraction_bits > 16)
+        throw Error(ExitCode::usage,
+                    "--fixed takes bits before and after the point, 1 to 16 and 2 to 16, as 8.8");
+    return format;
 }
 
 std::string srgb_text(const Vec3d& linear) {
@@ -106,7 +49,8 @@ std::string srgb_text(const Vec3d& linear) {
 }
 
 Json evaluation_json(const Evaluation& one) {
-    Json json{{"value", one.value}, {"gradient", one.gradient}};
+    Json json{{"value", one.value}};
+    if (!one.gradient.empty()) json["gradient"] = one.gradient;
     if (one.color) {
         json["color"] = {one.color->x, one.color->y, one.color->z};
         json["srgb"] = srgb_text(*one.color);
@@ -114,50 +58,68 @@ Json evaluation_json(const Evaluation& one) {
     return json;
 }
 
-Json results_json(const PointFile& file, const std::vector<BothPrecisions>& results) {
-    Json points = Json::array();
-    double value = 0.0, gradient = 0.0;
-    for (std::size_t i = 0; i < results.size(); ++i) {
-        const auto& [float64, float32] = results[i];
-        const auto& point = file.points[i];
-        points.push_back(
-            {{"point",
-              std::vector<double>(point.begin(), point.begin() + std::ptrdiff_t(file.dimensions))},
-             {"float64", evaluation_json(float64)},
-             {"float32", evaluation_json(float32)}});
-        value = std::max(value, std::abs(float64.value - float32.value));
-        for (std::size_t axis = 0; axis < file.dimensions; ++axis)
-            gradient =
-                std::max(gradient, std::abs(float64.gradient[axis] - float32.gradient[axis]));
+Json point_json(const std::array<double, 4>& point, std::size_t dimensions,
+                const PointResult& result) {
+    Json json{
+        {"point", std::vector<double>(point.begin(), point.begin() + std::ptrdiff_t(dimensions))},
+        {"float64", evaluation_json(result.float64)},
+        {"float32", evaluation_json(result.float32)}};
+    if (result.fixed) json["fixed"] = evaluation_json(*result.fixed);
+    return json;
+}
+
+/// Largest differences from float64.
+Json differences_json(const std::vector<PointResult>& results) {
+    double value = 0.0, gradient = 0.0, fixed = 0.0;
+    for (const PointResult& r : results) {
+        value = std::max(value, std::abs(r.float64.value - r.float32.value));
+        for (std::size_t i = 0; i < r.float64.gradient.size(); ++i)
+            gradient = std::max(gradient, std::abs(r.float64.gradient[i] - r.float32.gradient[i]));
+        if (r.fixed) fixed = std::max(fixed, std::abs(r.float64.value - r.fixed->value));
     }
-    return {{"points", points}, {"largest_difference", {{"value", value}, {"gradient", gradient}}}};
+    Json json{{"value", value}, {"gradient", gradient}};
+    if (results.front().fixed) json["fixed_value"] = fixed;
+    return json;
+}
+
+Json results_json(const PointFile& file, const std::vector<PointResult>& results) {
+    Json points = Json::array();
+    for (std::size_t i = 0; i < results.size(); ++i)
+        points.push_back(point_json(file.points[i], file.dimensions, results[i]));
+    return {{"points", points}, {"largest_difference", differences_json(results)}};
+}
+
+/// Names of the columns of one precision.
+std::string column_names(const Evaluation& one, std::string_view axes, std::string_view suffix) {
+    std::string names = fmt::format(",value{}", suffix);
+    for (std::size_t i = 0; i < one.gradient.size(); ++i)
+        names += fmt::format(",d{}{}", axes[i], suffix);
+    if (one.color) names += fmt::format(",red{0},green{0},blue{0},srgb{0}", suffix);
+    return names;
+}
+
+std::string columns(const Evaluation& one, int digits) {
+    std::string text = fmt::format(",{:.{}g}", one.value, digits);
+    for (const double slope : one.gradient) text += fmt::format(",{:.{}g}", slope, digits);
+    if (one.color)
+        text += fmt::format(",{:.{}g},{:.{}g},{:.{}g},{}", one.color->x, digits, one.color->y,
+                            digits, one.color->z, digits, srgb_text(*one.color));
+    return text;
 }
 
 /// A table with a line of names; 17 and 9 digits tell every float64 and float32.
-void print_table(const PointFile& file, const std::vector<BothPrecisions>& results) {
-    constexpr std::string_view axes = "xyzw";
-    const std::string_view used = axes.substr(0, file.dimensions);
-    const bool colored = results.front().float64.color.has_value();
-    std::string line = fmt::format("{}", fmt::join(used, ","));
-    for (const char* suffix : {"", "32"}) {
-        line += fmt::format(",value{}", suffix);
-        for (const char axis : used) line += fmt::format(",d{}{}", axis, suffix);
-        if (colored) line += fmt::format(",red{0},green{0},blue{0},srgb{0}", suffix);
-    }
-    fmt::print("{}\n", line);
+void print_table(const PointFile& file, const std::vector<PointResult>& results) {
+    const std::string_view axes = std::string_view("xyzw").substr(0, file.dimensions);
+    const PointResult& first = results.front();
+    fmt::print("{}{}{}{}\n", fmt::join(axes, ","), column_names(first.float64, axes, ""),
+               column_names(first.float32, axes, "32"),
+               first.fixed ? column_names(*first.fixed, axes, "_fixed") : "");
     for (std::size_t i = 0; i < results.size(); ++i) {
-        line.clear();
+        std::string line;
         for (std::size_t axis = 0; axis < file.dimensions; ++axis)
             line += fmt::format("{}{:.17g}", axis == 0 ? "" : ",", file.points[i][axis]);
-        for (const auto& [one, digits] :
-             {std::pair{&results[i].float64, 17}, {&results[i].float32, 9}}) {
-            line += fmt::format(",{:.{}g}", one->value, digits);
-            for (const double slope : one->gradient) line += fmt::format(",{:.{}g}", slope, digits);
-            if (one->color)
-                line +=
-                    fmt::format(",{:.{}g},{:.{}g},{:.{}g},{}", one->color->x, digits, one->color->y,
-                                digits, one->color->z, digits, srgb_text(*one->color));
-        }
+        line += columns(results[i].float64, 17) + columns(results[i].float32, 9);
+        if (results[i].fixed) line += columns(*results[i].fixed, 17);
         fmt::print("{}\n", line);
     }
 }
@@ -167,12 +129,14 @@ void run_eval(const EvalCommand& command, bool recipe_given) {
         throw Error(ExitCode::usage, "name either a recipe or, with --noise, one noise");
     if (!recipe_given && !command.recipe.settings.empty())
         throw Error(ExitCode::usage, "--set edits recipes; a noise has options of its own");
+    std::optional<FixedFormat> format;
+    if (!command.fixed.empty()) format = parse_format(command.fixed);
     // The points last: a wrong recipe should not need them.
     std::optional<Recipe> recipe;
     if (recipe_given) recipe = command.recipe.load();
     const PointFile file = read_points(command.points);
-    const std::vector<BothPrecisions> results =
-        recipe ? evaluate_recipe(*recipe, file) : evaluate_noise(command.noise, file);
+    const std::vector<PointResult> results = recipe ? evaluate_points(*recipe, file, format)
+                                                    : evaluate_points(command.noise, file, format);
     if (command.json)
         write_json("-", results_json(file, results));
     else
@@ -190,6 +154,8 @@ void add_eval(CLI::App& program) {
     command->recipe.add_settings(*verb);
     verb->add_option("--points", command->points, "Points, lines of x,y,z (.csv)")->required();
     command->noise.add(*verb);
+    verb->add_option("--fixed", command->fixed,
+                     "Also in fixed point with I.F bits, such as 8.8 (value and perlin noise)");
     verb->add_flag("--json", command->json, "Print JSON");
     verb->callback([command, recipe] { run_eval(*command, recipe->count() > 0); });
 }
