@@ -11,12 +11,12 @@
 #include <utility>
 
 #include "atlas/overscan.h"
+#include "atlas/quad_arrangement.h"
 
 namespace burl {
 
 namespace {
 
-constexpr int most_aspect = 16;
 constexpr std::uint32_t most_log_side = 14;
 static_assert(max_atlas_size == 1u << most_log_side);
 constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -27,27 +27,14 @@ constexpr double squareness_penalty = 0.03;
 class Costs {
   public:
     Costs() { costs_.fill(infinite); }
-    double& operator[](int aspect) { return costs_[std::size_t(aspect + most_aspect)]; }
+    double& operator[](int aspect) { return costs_[std::size_t(aspect + most_quad_aspect)]; }
     double at(int aspect) const {
-        const bool known = std::abs(aspect) <= most_aspect;
-        return known ? costs_[std::size_t(aspect + most_aspect)] : infinite;
+        const bool known = std::abs(aspect) <= most_quad_aspect;
+        return known ? costs_[std::size_t(aspect + most_quad_aspect)] : infinite;
     }
 
   private:
-    std::array<double, 2 * most_aspect + 1> costs_;
-};
-
-/// Nodes are numbered in preorder: a node's halves are node + 1 and node + 2 * (items of the
-/// first).
-struct Node {
-    std::uint64_t upright = 0;  ///< bit aspect + most_aspect: halved in height, not in width
-    std::uint32_t first_half = 0;
-};
-
-/// A node's place: 2^log_width x 2^log_height texels.
-struct Place {
-    std::uint32_t x = 0, y = 0;
-    int log_width = 0, log_height = 0;
+    std::array<double, 2 * most_quad_aspect + 1> costs_;
 };
 
 class Tree {
@@ -56,26 +43,43 @@ class Tree {
          const Halve& halve);
     /// Halves the items down to single ones. `depth` bounds the aspects that can occur.
     Costs build(std::size_t node, std::size_t first, std::size_t count, int log_texels, int depth);
-    void place(std::size_t node, std::size_t first, std::size_t count, const Place& at,
-               std::vector<QuadLeaf>& leaves) const;
+    /// After build: the leaves, neighbours on the surface side by side where that is possible.
+    std::vector<QuadLeaf> leaves(int log_size) const;
 
   private:
     double leaf_cost(const QuadCell& cell, int log_width, int log_height, bool turned) const;
     Costs leaf_costs(std::size_t item, int log_texels, int reach) const;
-    void place_together(std::size_t first, std::size_t count, const Place& at,
+    void place(const QuadSpot& spot, std::vector<QuadLeaf>& leaves) const;
+    void place_together(std::span<const QuadItem> items, const QuadPlace& at,
                         std::vector<QuadLeaf>& leaves) const;
 
     std::span<const QuadCell> cells_;
     std::vector<QuadItem> items_;
     const Halve& halve_;
-    std::vector<Node> nodes_;
+    std::vector<QuadNode> nodes_;
     /// 1 / leg^2 by log2 of the side along the leg and of the other side.
     std::array<std::array<double, most_log_side + 1>, most_log_side + 1> inverse_squares_{};
 };
 
+Vec3d place_of(const QuadItem& item) {
+    return {item.key[0], item.key[1], item.key[2]};
+}
+
+/// By weight; no item counts for nothing.
+Vec3d middle(std::span<const QuadItem> items) {
+    Vec3d sum{0.0};
+    double weight = 0.0;
+    for (const QuadItem& item : items) {
+        const double own = double(item.weight) + 1.0;
+        sum += own * place_of(item);
+        weight += own;
+    }
+    return sum / weight;
+}
+
 Tree::Tree(std::span<const QuadCell> cells, std::vector<QuadItem> items,
            const AtlasOptions& options, const Halve& halve)
-    : cells_(cells), items_(std::move(items)), halve_(halve), nodes_(2 * items_.size()) {
+    : cells_(cells), items_(std::move(items)), halve_(halve), nodes_(2 * items_.size() - 1) {
     for (std::uint32_t log = 0; log <= most_log_side; ++log)
         for (std::uint32_t other = 0; other <= most_log_side; ++other) {
             const double border = border_texels(options.overscan) +
@@ -115,11 +119,14 @@ HalfBounds half_bounds(std::size_t items, std::size_t texels) {
 
 Costs Tree::build(std::size_t node, std::size_t first, std::size_t count, int log_texels,
                   int depth) {
-    const int reach = std::min({depth, log_texels, most_aspect});
+    const int reach = std::min({depth, log_texels, most_quad_aspect});
+    nodes_[node].first = static_cast<std::uint32_t>(first);
+    nodes_[node].count = static_cast<std::uint32_t>(count);
+    nodes_[node].centre = middle({items_.data() + first, count});
     if (count == 1 || log_texels == 0) return leaf_costs(first, log_texels, reach);
     const std::size_t half =
         halve_({items_.data() + first, count}, half_bounds(count, std::size_t{1} << log_texels));
-    nodes_[node].first_half = static_cast<std::uint32_t>(half);
+    nodes_[node].half = static_cast<std::uint32_t>(half);
     const Costs a = build(node + 1, first, half, log_texels - 1, depth + 1);
     const Costs b = build(node + 2 * half, first + half, count - half, log_texels - 1, depth + 1);
     Costs costs;
@@ -128,7 +135,7 @@ Costs Tree::build(std::size_t node, std::size_t first, std::size_t count, int lo
         const double in_width = a.at(aspect - 1) + b.at(aspect - 1);
         const double in_height = a.at(aspect + 1) + b.at(aspect + 1);
         if (in_height < in_width)
-            nodes_[node].upright |= std::uint64_t{1} << (aspect + most_aspect);
+            nodes_[node].upright |= std::uint64_t{1} << (aspect + most_quad_aspect);
         costs[aspect] = std::min(in_width, in_height) *
                         (1.0 + squareness_penalty * std::max(0, std::abs(aspect) - 1));
     }
@@ -136,64 +143,46 @@ Costs Tree::build(std::size_t node, std::size_t first, std::size_t count, int lo
 }
 
 /// Several items on one texel, the one nearest to their middle first.
-void Tree::place_together(std::size_t first, std::size_t count, const Place& at,
+void Tree::place_together(std::span<const QuadItem> items, const QuadPlace& at,
                           std::vector<QuadLeaf>& leaves) const {
-    const std::span<const QuadItem> items{items_.data() + first, count};
-    const auto place_of = [](const QuadItem& i) { return Vec3d(i.key[0], i.key[1], i.key[2]); };
-    Vec3d middle{0.0};
-    double weight = 0.0;
-    for (const QuadItem& item : items) {
-        const double own = double(item.weight) + 1.0;
-        middle += own * place_of(item);
-        weight += own;
-    }
-    middle /= weight;
-    const auto rank = [&](const QuadItem& item) {
-        const Vec3d off = place_of(item) - middle;
-        return std::pair(glm::dot(off, off), item.cell);
-    };
+    const Vec3d centre = middle(items);
     std::vector<std::pair<double, std::uint32_t>> ranks;
-    for (const QuadItem& item : items) ranks.push_back(rank(item));
+    for (const QuadItem& item : items) {
+        const Vec3d off = place_of(item) - centre;
+        ranks.emplace_back(glm::dot(off, off), item.cell);
+    }
     std::sort(ranks.begin(), ranks.end());
-    for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t i = 0; i < ranks.size(); ++i)
         leaves.push_back({ranks[i].second, at.x, at.y, 1, 1, false, i > 0});
 }
 
-void Tree::place(std::size_t node, std::size_t first, std::size_t count, const Place& at,
-                 std::vector<QuadLeaf>& leaves) const {
-    const int aspect = at.log_width - at.log_height;
-    if (count > 1 && at.log_width + at.log_height == 0)
-        return place_together(first, count, at, leaves);
-    if (count == 1) {
-        const QuadItem& item = items_[first];
-        const QuadCell& cell = cells_[item.cell];
-        const bool turned = leaf_cost(cell, at.log_width, at.log_height, true) <
-                            leaf_cost(cell, at.log_width, at.log_height, false);
-        leaves.push_back({item.cell, at.x, at.y, 1u << at.log_width, 1u << at.log_height, turned});
-        return;
-    }
-    const std::size_t half = nodes_[node].first_half;
-    Place a = at;
-    const bool upright = (nodes_[node].upright >> (aspect + most_aspect) & 1) != 0;
-    upright ? --a.log_height : --a.log_width;
-    Place b = a;
-    upright ? b.y += 1u << a.log_height : b.x += 1u << a.log_width;
-    place(node + 1, first, half, a, leaves);
-    place(node + 2 * half, first + half, count - half, b, leaves);
+void Tree::place(const QuadSpot& spot, std::vector<QuadLeaf>& leaves) const {
+    const QuadNode& node = nodes_[spot.node];
+    const QuadPlace& at = spot.at;
+    const std::span<const QuadItem> items{items_.data() + node.first, node.count};
+    if (items.size() > 1) return place_together(items, at, leaves);
+    const QuadCell& cell = cells_[items[0].cell];
+    const bool turned = leaf_cost(cell, at.log_width, at.log_height, true) <
+                        leaf_cost(cell, at.log_width, at.log_height, false);
+    leaves.push_back({items[0].cell, at.x, at.y, 1u << at.log_width, 1u << at.log_height, turned});
+}
+
+std::vector<QuadLeaf> Tree::leaves(int log_size) const {
+    std::vector<QuadLeaf> leaves;
+    leaves.reserve(items_.size());
+    for (const QuadSpot& spot : arrange(nodes_, log_size)) place(spot, leaves);
+    return leaves;
 }
 
 }  // namespace
 
 std::vector<QuadLeaf> plan_quad_tree(std::span<const QuadCell> cells, const AtlasOptions& options,
                                      const Halve& halve) {
-    std::vector<QuadLeaf> leaves;
-    if (cells.empty()) return leaves;
-    leaves.reserve(cells.size());
+    if (cells.empty()) return {};
     const int log_size = std::bit_width(options.size) - 1;
     Tree tree(cells, quad_items(cells, options), options, halve);
     tree.build(0, 0, cells.size(), 2 * log_size, 0);
-    tree.place(0, 0, cells.size(), {0, 0, log_size, log_size}, leaves);
-    return leaves;
+    return tree.leaves(log_size);
 }
 
 }  // namespace burl
