@@ -9,6 +9,7 @@
 #include "atlas/quad_cells.h"
 #include "atlas/quad_graph.h"
 #include "atlas/quad_tree.h"
+#include "atlas/quad_turns.h"
 
 namespace burl {
 
@@ -45,6 +46,10 @@ Block make_block(const QuadLeaf& leaf, const QuadCell& cell, const AtlasOptions&
     block.upper = cell.upper;
     block.lower_corner = cell.lower_corner;
     block.upper_corner = cell.upper_corner;
+    if (leaf.exchanged) {
+        std::swap(block.lower, block.upper);
+        std::swap(block.lower_corner, block.upper_corner);
+    }
     block.shares_hypotenuse = cell.upper >= 0;
     block.fills_up = cell.upper < 0;
     block.rising = leaf.turned;
@@ -132,7 +137,9 @@ Atlas layout_quad(const Mesh& mesh, const Connectivity& connectivity, const Atla
     atlas.corners.resize(mesh.triangles.size());
     atlas.charts.resize(mesh.triangles.size());
     atlas.blocks.reserve(cells.size());
-    for (const QuadLeaf& leaf : plan(mesh, opposite, cells, options)) {
+    std::vector<QuadLeaf> leaves = plan(mesh, opposite, cells, options);
+    if (leaves.size() <= atlas.notes.texels_total) turn_to_neighbours(leaves, cells, mesh);
+    for (const QuadLeaf& leaf : leaves) {
         atlas.blocks.push_back(make_block(leaf, cells[leaf.cell], options));
         place_block(atlas, atlas.blocks.back());
         note_block(atlas.notes, atlas.blocks.back(), options);

@@ -1,6 +1,6 @@
 // Exchanging the halves a and b changes the sum of squared distances to neighbours by a multiple
-// of (a - b) . sum (low - high), low and high being what lies beside the two places, so the sign of
-// one scalar product decides.
+// of (a - b) . (sum (low - m) - sum (high - m)), low and high being what lies beside the two places
+// and m = (a + b) / 2, so the sign of one scalar product decides.
 #include "atlas/quad_arrangement.h"
 
 #include <algorithm>
@@ -11,21 +11,19 @@ namespace burl {
 namespace {
 
 constexpr int sweeps = 2;  // per level; later ones see what the neighbours have decided
-constexpr std::uint32_t none = ~0u;
-
-enum Side : std::size_t { left, right, below, above };
+constexpr std::array<QuadSide, 4> all_sides{quad_left, quad_right, quad_below, quad_above};
 
 /// A node at its place on the current level of the tree.
 struct Spot {
     QuadSpot spot;
-    std::array<std::uint32_t, 4> beside{none, none, none, none};  ///< spots at the sides' middles
-    bool exchanged = false;                                       ///< the second half comes first
+    bool exchanged = false;  ///< the second half comes first
 };
 
 class Level {
   public:
     Level(std::span<const QuadNode> nodes, int log_size) : nodes_(nodes) {
-        spots_.push_back({{0, {0, 0, log_size, log_size}}, {none, none, none, none}, false});
+        spots_.push_back(
+            {{0, {0, 0, log_size, log_size}, {no_spot, no_spot, no_spot, no_spot}}, false});
     }
 
     bool has_nodes() const {
@@ -57,7 +55,7 @@ class Level {
     std::uint32_t half(const Spot& s, bool high) const {
         return s.spot.node + (high == s.exchanged ? 1 : 2 * node_of(s).half);
     }
-    Vec3d beside(const Spot& s, Side side, const Vec2d& at) const;
+    Vec3d beside(const Spot& s, QuadSide side, const Vec2d& at) const;
     void decide(Spot& s) const;
 
     std::span<const QuadNode> nodes_;
@@ -83,48 +81,51 @@ QuadPlace half_place(QuadPlace at, bool upright, bool high) {
 }
 
 /// The point a little outside the middle of a side.
-Vec2d outside(const QuadPlace& at, Side side) {
+Vec2d outside(const QuadPlace& at, QuadSide side) {
     constexpr double little = 0.25;
     const Vec2d low(at.x, at.y), size(width(at), height(at));
     switch (side) {
-        case left:
+        case quad_left:
             return {low.x - little, low.y + 0.5 * size.y};
-        case right:
+        case quad_right:
             return {low.x + size.x + little, low.y + 0.5 * size.y};
-        case below:
+        case quad_below:
             return {low.x + 0.5 * size.x, low.y - little};
-        case above:
+        case quad_above:
             break;
     }
     return {low.x + 0.5 * size.x, low.y + size.y + little};
 }
 
 /// Centre of what lies at that point, beside that side.
-Vec3d Level::beside(const Spot& s, Side side, const Vec2d& at) const {
-    const Spot& other = spots_[s.beside[side]];
+Vec3d Level::beside(const Spot& s, QuadSide side, const Vec2d& at) const {
+    const Spot& other = spots_[s.spot.beside[side]];
     if (is_leaf(other)) return node_of(other).centre;
     return nodes_[half(other, is_high(other.spot.at, upright(other), at))].centre;
 }
 
 void Level::decide(Spot& s) const {
     const bool up = upright(s);
+    const Vec3d a = nodes_[s.spot.node + 1].centre,
+                b = nodes_[s.spot.node + 2 * node_of(s).half].centre, middle = 0.5 * (a + b);
+    const QuadPlace& at = s.spot.at;
     Vec3d pull{0.0};
-    for (const Side side : {left, right, below, above}) {
-        if (s.beside[side] == none) continue;
-        const bool along = (side == below || side == above) == up;  // one half lies at this side
-        if (along) {
-            const double length = up ? width(s.spot.at) : height(s.spot.at);
-            const Vec3d there = beside(s, side, outside(s.spot.at, side));
-            pull += (side == left || side == below ? length : -length) * there;
-        } else {
-            const double length = 0.5 * (up ? height(s.spot.at) : width(s.spot.at));
-            for (const bool high : {false, true})
-                pull += (high ? -length : length) *
-                        beside(s, side, outside(half_place(s.spot.at, up, high), side));
+    for (const QuadSide side : all_sides) {
+        if (s.spot.beside[side] == no_spot) continue;
+        const bool ends_here = (side == quad_below || side == quad_above) == up;  // one half does
+        if (ends_here) {
+            const double length = up ? width(at) : height(at);
+            const Vec3d off = beside(s, side, outside(at, side)) - middle;
+            pull += (side == quad_left || side == quad_below ? length : -length) * off;
+            continue;
+        }
+        const double length = 0.5 * (up ? height(at) : width(at));
+        for (const bool high : {false, true}) {
+            const Vec2d there = outside(half_place(at, up, high), side);
+            pull += (high ? -length : length) * (beside(s, side, there) - middle);
         }
     }
-    const std::uint32_t a = s.spot.node + 1, b = s.spot.node + 2 * node_of(s).half;
-    s.exchanged = glm::dot(nodes_[a].centre - nodes_[b].centre, pull) < 0.0;
+    s.exchanged = glm::dot(a - b, pull) < 0.0;
 }
 
 Level Level::halved() const {
@@ -146,13 +147,17 @@ Level Level::halved() const {
         for (const bool high : {false, true}) {
             if (leaf && high) break;
             Spot part;
-            part.spot = leaf ? s.spot : QuadSpot{half(s, high), half_place(s.spot.at, up, high)};
-            for (const Side side : {left, right, below, above})
-                if (s.beside[side] != none)
-                    part.beside[side] = number_at(s.beside[side], outside(part.spot.at, side));
+            part.spot = leaf ? s.spot
+                             : QuadSpot{half(s, high),
+                                        half_place(s.spot.at, up, high),
+                                        {no_spot, no_spot, no_spot, no_spot}};
+            for (const QuadSide side : all_sides)
+                if (s.spot.beside[side] != no_spot)
+                    part.spot.beside[side] =
+                        number_at(s.spot.beside[side], outside(part.spot.at, side));
             if (!leaf)
-                part.beside[up ? (high ? below : above) : (high ? left : right)] =
-                    begin[i] + (high ? 0 : 1);
+                part.spot.beside[up ? (high ? quad_below : quad_above)
+                                    : (high ? quad_left : quad_right)] = begin[i] + (high ? 0 : 1);
             next.spots_.push_back(part);
         }
     }

@@ -27,9 +27,14 @@ struct QuadPlace {
     int log_width = 0, log_height = 0;
 };
 
+enum QuadSide : std::size_t { quad_left, quad_right, quad_below, quad_above };
+inline constexpr std::uint32_t no_spot = UINT32_MAX;
+
 struct QuadSpot {
     std::uint32_t node = 0;
     QuadPlace at;
+    /// Numbers of the spots at the middles of the sides, by QuadSide; no_spot at the square's ends.
+    std::array<std::uint32_t, 4> beside{no_spot, no_spot, no_spot, no_spot};
 };
 
 /// The leaves of nodes[0] in a square of 2^log_size texels a side, in the order of the tree. Level

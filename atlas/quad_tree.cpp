@@ -20,6 +20,8 @@ namespace {
 constexpr std::uint32_t most_log_side = 14;
 static_assert(max_atlas_size == 1u << most_log_side);
 constexpr double infinite = std::numeric_limits<double>::infinity();
+// Within this factor a block may be turned for its neighbours' sake.
+constexpr double equal_errors = 1.02;
 // Long nodes are bad for levels above their blocks; 0.01 to 0.1 all do.
 constexpr double squareness_penalty = 0.03;
 
@@ -162,9 +164,13 @@ void Tree::place(const QuadSpot& spot, std::vector<QuadLeaf>& leaves) const {
     const std::span<const QuadItem> items{items_.data() + node.first, node.count};
     if (items.size() > 1) return place_together(items, at, leaves);
     const QuadCell& cell = cells_[items[0].cell];
-    const bool turned = leaf_cost(cell, at.log_width, at.log_height, true) <
-                        leaf_cost(cell, at.log_width, at.log_height, false);
-    leaves.push_back({items[0].cell, at.x, at.y, 1u << at.log_width, 1u << at.log_height, turned});
+    const double upright = leaf_cost(cell, at.log_width, at.log_height, false),
+                 turned = leaf_cost(cell, at.log_width, at.log_height, true);
+    QuadLeaf leaf{items[0].cell,   at.x, at.y, 1u << at.log_width, 1u << at.log_height,
+                  turned < upright};
+    leaf.may_turn = std::max(upright, turned) <= equal_errors * std::min(upright, turned);
+    leaf.beside = spot.beside;
+    leaves.push_back(leaf);
 }
 
 std::vector<QuadLeaf> Tree::leaves(int log_size) const {

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "atlas/quad_arrangement.h"
 #include "atlas/quad_cells.h"
 #include "atlas/quad_order.h"
 
@@ -18,6 +19,11 @@ struct QuadLeaf {
     std::uint32_t x = 0, y = 0, width = 0, height = 0;
     bool turned = false;
     bool shares_texel = false;  ///< on the one texel of a leaf before, which stands for both
+    bool exchanged = false;     ///< the lower triangle is the cell's upper one
+    bool may_turn = false;      ///< turned or not makes no difference
+    /// Numbers of the leaves at the middles of the sides, by QuadSide; no_spot where there is none
+    /// (and everywhere when leaves share texels).
+    std::array<std::uint32_t, 4> beside{no_spot, no_spot, no_spot, no_spot};
 };
 
 /// Leaves in the tree's order; options.size is a power of two. When there are more cells than
