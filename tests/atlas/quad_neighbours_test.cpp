@@ -143,9 +143,9 @@ Atlas in_random_order(const Atlas& atlas, std::uint32_t seed) {
 }
 
 LookupErrors lookups(const Mesh& mesh, const Atlas& atlas, const SurfaceTruth& truth) {
-    return measure_lookups(mesh, atlas,
-                           fill_texture(rasterize(mesh, atlas, mesh.positions), metric_marble),
-                           mesh_edges(mesh, made::neighbours_by_brute_force(mesh)), truth);
+    return measure_lookups(
+        mesh, atlas, fill_texture(rasterize(mesh, atlas, mesh.positions), grey(metric_marble)),
+        mesh_edges(mesh, made::neighbours_by_brute_force(mesh)), truth);
 }
 
 // The paper's figure 8, as lookups of metric-marble: 16 texels a pair, the levels above the
@@ -158,7 +158,7 @@ TEST(QuadOrder, RandomOrderLosesWhatTheTreeKeeps) {
     options.level_points = 1500;
     options.levels = 5;
     options.size = 512;
-    const SurfaceTruth truth = surface_truth(mesh, metric_marble, options);
+    const SurfaceTruth truth = surface_truth(mesh, grey(metric_marble), options);
     const Atlas atlas = layout(mesh, options.size);
     const LookupErrors tree = lookups(mesh, atlas, truth),
                        random = lookups(mesh, in_random_order(atlas, 1), truth);
