@@ -45,7 +45,7 @@ std::vector<std::string> output_paths(const std::string& out_path, std::uint32_t
 /// 8. Depth is 8 or 16 (for .exr it is not looked at).
 ImageKind wanted_kind(const std::string& out_path, int depth);
 
-/// Writes everything or nothing (app/atomic_file.h). `image` is N x N with N = atlas.options.size;
+/// Writes everything or nothing (app/atomic_file.h). `image` is as large as atlas.extent();
 /// another kind than the wanted one is converted (float is clamped and sRGB-encoded; 8 and 16 bits
 /// are decoded for .exr). Throws Error: as check_output, and io when a write fails.
 void export_scene(const std::string& out_path, const Mesh& mesh, const Atlas& atlas,

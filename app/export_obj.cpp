@@ -53,10 +53,10 @@ CornerLines corner_lines(const Atlas& atlas, std::span<const Vec3f> normals) {
     CornerLines out;
     UniqueRows<4> uv_rows(normals.size() / 2);
     UniqueRows<3> normal_rows(normals.size() / 2);
-    const auto size = double(atlas.options.size);
+    const Vec2d size = atlas.extent();
     for (std::size_t c = 0; c < normals.size(); ++c) {
         const Vec2d& texel = atlas.corners[c / 3][c % 3];
-        const Vec2d uv(texel.x / size, (size - texel.y) / size);
+        const Vec2d uv(texel.x / size.x, (size.y - texel.y) / size.y);
         const auto u = words(uv.x), v = words(uv.y);
         const std::size_t known = uv_rows.rows().size();
         out.uv.push_back(1 + uv_rows.insert({u[0], u[1], v[0], v[1]}));

@@ -18,7 +18,7 @@ std::uint32_t bits(float value) {
 
 Vertices::Row vertex_row(const Mesh& mesh, const Atlas& atlas, const Vec3f& n, std::size_t t,
                          std::size_t k) {
-    const Vec2d uv = atlas.corners[t][k] / double(atlas.options.size);
+    const Vec2d uv = atlas.corners[t][k] / atlas.extent();
     return {mesh.triangles[t][k],
             bits(float(uv.x)),
             bits(float(uv.y)),
@@ -62,9 +62,9 @@ std::vector<std::uint32_t> blocks_of_triangles(const Atlas& atlas) {
 }
 
 std::array<float, 4> rectangle_of(const Atlas& atlas, const Block& block) {
-    const auto size = float(atlas.options.size);
-    return {float(block.x) / size, float(block.y) / size, float(block.x + block.width) / size,
-            float(block.y + block.height) / size};
+    const Vec2d size = atlas.extent(), low = Vec2d(block.x, block.y) / size,
+                high = Vec2d(block.x + block.width, block.y + block.height) / size;
+    return {float(low.x), float(low.y), float(high.x), float(high.y)};
 }
 
 void unpack(const Mesh& mesh, const Vertices& vertices, PartVertices& out) {

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "app/bake_compress.h"
 #include "app/bake_levels.h"
 #include "app/command_options.h"
 #include "app/export.h"
@@ -20,6 +21,7 @@ struct BakeCommand {
     int threads = 0, depth = 8;
     double crease = 40.0;
     std::string levels;
+    std::optional<double> compress;
     bool json = false, quiet = false;
 };
 
@@ -98,6 +100,7 @@ void run_bake(const BakeCommand& command) {
     const std::uint32_t levels = levels_asked(command.levels, recipe.atlas.size, kind);
     check_output(command.out, command.mesh, levels);
     check_report(command, levels);
+    check_compress(command.compress, recipe.atlas.kind);
     Pipeline pipeline(command.meshes.load(command.mesh));
     const double reading = seconds_since(start);
     pipeline.set_recipe(recipe);
@@ -109,21 +112,24 @@ void run_bake(const BakeCommand& command) {
     tell_fallback(pipeline);
     if (strips) warn_if_starved(pipeline);
     ExportOptions options;
-    const BakedImage image = synthesize(pipeline, kind, levels, options);
+    const BakedAtlas baked = compressed_bake(
+        pipeline.atlas(), synthesize(pipeline, kind, levels, options), command.compress);
     const auto writing = Clock::now();
     options.crease_degrees = command.crease;
     options.recipe_json = to_json(recipe);
-    export_scene(command.out, pipeline.atlas_mesh(), pipeline.atlas(), image, options);
+    export_scene(command.out, pipeline.atlas_mesh(), baked.atlas, baked.image, options);
     Json seconds = {{"read", reading}};
     seconds.update(times_json(pipeline.times()));
     seconds["write"] = seconds_since(writing);
     seconds["total"] = seconds_since(start);
-    const Json report = bake_json(command, pipeline, options.levels.size(), std::move(seconds));
+    Json report = bake_json(command, pipeline, options.levels.size(), std::move(seconds));
+    if (baked.compressed) report["compressed"] = compress_json(baked);
     if (!command.report.empty()) write_json(command.report, report);
     if (command.json) {
         write_json("-", report);
     } else if (!command.quiet && command.report != "-") {
         print_summary(report);
+        if (baked.compressed) print_compressed(baked);
     }
 }
 
@@ -143,6 +149,11 @@ void add_bake(CLI::App& program) {
     command->meshes.add(*verb);
     verb->add_option("--levels", command->levels,
                      "MIP levels to write besides the texture: a number, or all");
+    verb->add_option("--compress", command->compress,
+                     "Quad atlas: blocks that differ by no more than this (0 to 1, full scale) "
+                     "share a place, and the texture shrinks")
+        ->check(in_range(0.0, 1.0))
+        ->excludes("--levels");
     verb->add_option("--depth", command->depth, "Bits per channel of .png textures")
         ->check(CLI::IsMember({8, 16}))
         ->capture_default_str();

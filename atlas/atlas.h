@@ -91,6 +91,12 @@ struct Atlas {
     std::uint32_t chart_count = 0;
     std::vector<Block> blocks;
     LayoutNotes notes;
+    /// Of a compressed texture (atlas/compress_blocks.h), in texels; 0: options.size both ways.
+    std::uint32_t width = 0, height = 0;
+
+    Vec2d extent() const {
+        return width == 0 ? Vec2d(options.size) : Vec2d(double(width), double(height));
+    }
 };
 
 /// Packs the mesh into blocks; for `patch` use build_atlas (atlas/mesh_atlas.h). Pure and

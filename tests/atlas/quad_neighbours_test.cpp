@@ -145,7 +145,8 @@ Atlas in_random_order(const Atlas& atlas, std::uint32_t seed) {
 LookupErrors lookups(const Mesh& mesh, const Atlas& atlas, const SurfaceTruth& truth) {
     return measure_lookups(
         mesh, atlas, fill_texture(rasterize(mesh, atlas, mesh.positions), grey(metric_marble)),
-        mesh_edges(mesh, made::neighbours_by_brute_force(mesh)), truth);
+        mesh_edges(mesh, made::neighbours_by_brute_force(mesh)), truth,
+        [](double value) { return value; });
 }
 
 // The paper's figure 8, as lookups of metric-marble: 16 texels a pair, the levels above the
@@ -154,8 +155,8 @@ TEST(QuadOrder, RandomOrderLosesWhatTheTreeKeeps) {
     Mesh mesh = made::ball(6);
     for (Vec3d& p : mesh.positions) p /= std::sqrt(3.0);
     TruthOptions options;
-    options.points = 1000;
-    options.level_points = 1500;
+    options.points = 200;
+    options.level_points = 600;
     options.levels = 5;
     options.size = 512;
     const SurfaceTruth truth = surface_truth(mesh, grey(metric_marble), options);
