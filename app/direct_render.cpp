@@ -33,7 +33,7 @@ std::vector<std::vector<std::uint32_t>> sort_into_bands(const std::vector<Screen
 struct Surface {
     const Mesh& mesh;
     std::span<const Vec3f> normals;
-    const SurfaceColor& color;
+    const PointColor& color;
     const Camera& camera;
     bool lit;
 };
@@ -50,7 +50,7 @@ Vec3d shade(const Surface& surface, const ScreenTriangle& t, const Vec3d& weight
         point += weight * surface.mesh.positions[surface.mesh.triangles[t.triangle][k]];
         normal += weight * Vec3d(surface.normals[3 * std::size_t(t.triangle) + k]);
     }
-    const Vec3d color = surface.color(point);
+    const Vec3d color = surface.color({t.triangle, weights});
     if (!surface.lit) return color;
     const Vec3d scene_point = Vec3d(*t.placement * Vec4d(point, 1.0));
     const Vec3d scene_normal = cofactors(Mat3d(*t.placement)) * normal;
@@ -62,6 +62,12 @@ Vec3d shade(const Surface& surface, const ScreenTriangle& t, const Vec3d& weight
 Image<Rgb8> render_surface(const Mesh& mesh, std::span<const Vec3f> normals,
                            const SurfaceColor& color, const Camera& camera,
                            const PictureOptions& options) {
+    const PointColor at = [&](const SurfacePoint& point) { return color(position(mesh, point)); };
+    return render_points(mesh, normals, at, camera, options);
+}
+
+Image<Rgb8> render_points(const Mesh& mesh, std::span<const Vec3f> normals, const PointColor& color,
+                          const Camera& camera, const PictureOptions& options) {
     const int n = options.supersample;
     const PictureSize samples{options.size.width * n, options.size.height * n};
     const auto triangles = screen_triangles(mesh, camera, samples);

@@ -10,11 +10,15 @@
 #include "app/shading.h"
 #include "atlas/image.h"
 #include "atlas/mesh.h"
+#include "atlas/surface_points.h"
 
 namespace burl {
 
 /// Linear-light colour of a point of the mesh, in mesh coordinates. Called from several threads.
 using SurfaceColor = std::function<Vec3d(const Vec3d& mesh_point)>;
+
+/// Linear-light colour of a point of a triangle. Called from several threads.
+using PointColor = std::function<Vec3d(const SurfacePoint& point)>;
 
 /// Draws every placement of every part; a placement shows the colours of the first one.
 /// `normals`: per triangle corner, 3 * triangle count entries, in mesh coordinates.
@@ -22,6 +26,9 @@ using SurfaceColor = std::function<Vec3d(const Vec3d& mesh_point)>;
 Image<Rgb8> render_surface(const Mesh& mesh, std::span<const Vec3f> normals,
                            const SurfaceColor& color, const Camera& camera,
                            const PictureOptions& options);
+
+Image<Rgb8> render_points(const Mesh& mesh, std::span<const Vec3f> normals, const PointColor& color,
+                          const Camera& camera, const PictureOptions& options);
 
 /// The mesh with the recipe's texture; normals are the mesh's own, else those an export would have
 /// (angle-weighted, creases above `crease_degrees`).

@@ -110,6 +110,7 @@ Json measured_json(const MeasuredAtlas& m) {
     json["mirrored_area"] = shape.mirrored;
     json["flipped"] = shape.flipped;
     json["vanished"] = shape.vanished;
+    json["images"] = m.images;
     if (m.lookups) json["lookups"] = lookups_json(m.texture, *m.lookups);
     return json;
 }

@@ -17,6 +17,7 @@ struct MeasuredAtlas {
     AtlasMeasures measures;
     std::string texture;  ///< what was looked up
     std::optional<LookupErrors> lookups;
+    std::vector<std::string> images;  ///< files drawn
 };
 
 Json measured_json(const MeasuredAtlas& measured);

@@ -6,7 +6,9 @@
 #include <fmt/format.h>
 
 #include "app/command_options.h"
+#include "app/image_io.h"
 #include "app/metric_texture.h"
+#include "app/metrics_pictures.h"
 #include "app/metrics_report.h"
 #include "app/verbs.h"
 #include "atlas/error.h"
@@ -22,6 +24,8 @@ struct MetricsCommand {
     std::string texture, fill = "extrapolate";
     RecipeOptions recipe;
     MeshOptions meshes;
+    std::string image;  // prefix of pictures; empty: none
+    std::optional<std::string> view;
     bool uv = false, levels = false, json = false;
 };
 
@@ -40,7 +44,9 @@ class Measuring {
           edges_(mesh_edges(mesh(), pipeline_.connectivity())),
           texture_(command.texture == metric_marble_name ? metric_marble_texture()
                                                          : recipe_texture(recipe_, mesh())),
-          fill_(gap_fill(command.fill)) {
+          fill_(gap_fill(command.fill)),
+          image_(command.image),
+          view_(command.view ? parse_view(*command.view) : View{}) {
         if (!command.levels) return;
         TruthOptions options;
         options.size = recipe_.atlas.size;
@@ -88,15 +94,30 @@ class Measuring {
                            const std::vector<MeshEdge>& edges, const Atlas& atlas,
                            const std::optional<SurfaceTruth>& truth, Rasterize&& points_of) const {
         const SolidAtlas solid = points_of(surface, atlas, surface.positions);
-        MeasuredAtlas result{std::move(name), atlas, measure_atlas(surface, atlas, solid, edges),
-                             texture_.name, std::nullopt};
-        if (truth) {
-            const Mesh unit = normalised(surface);
-            const TextureValues values =
-                fill_texture(points_of(unit, atlas, unit.positions), texture_.color, fill_);
+        MeasuredAtlas result{
+            std::move(name), atlas,        measure_atlas(surface, atlas, solid, edges),
+            texture_.name,   std::nullopt, {}};
+        if (!truth && image_.empty()) return result;
+        const Mesh unit = normalised(surface);
+        const TextureValues values =
+            fill_texture(points_of(unit, atlas, unit.positions), texture_.color, fill_);
+        if (truth)
             result.lookups = measure_lookups(unit, atlas, values, edges, *truth, in_8bit_srgb());
-        }
+        if (!image_.empty())
+            draw({surface, atlas, solid, view_}, measure_charts(surface, atlas, edges), values,
+                 result);
         return result;
+    }
+
+    void draw(const PicturedAtlas& what, const ChartMetrics& charts, const TextureValues& values,
+              MeasuredAtlas& measured) const {
+        const auto write = [&](const char* topic, const Image<Rgb8>& picture) {
+            measured.images.push_back(fmt::format("{}-{}-{}.png", image_, measured.name, topic));
+            write_png(measured.images.back(), picture);
+        };
+        write("charts", charts_picture(what, charts.of_triangle));
+        write("scale", scale_picture(what));
+        write("levels", levels_picture(what, values));
     }
 
     Recipe recipe_;
@@ -104,6 +125,8 @@ class Measuring {
     std::vector<MeshEdge> edges_;
     MetricTexture texture_;
     GapFill fill_;
+    std::string image_;
+    View view_;
     std::optional<SurfaceTruth> truth_;
 };
 
@@ -182,6 +205,10 @@ void add_metrics(CLI::App& program) {
                      "texels), nearest (copied) or black")
         ->check(CLI::IsMember({"extrapolate", "nearest", "black"}))
         ->capture_default_str();
+    verb->add_option("--image", command->image,
+                     "Draw PREFIX-ATLAS-charts.png, -scale.png and -levels.png");
+    verb->add_option("--view", command->view,
+                     "Where --image looks from: AZ,EL,DIST as in burl render (default 30,20,3.5)");
     verb->add_flag("--json", command->json, "Print JSON");
     verb->callback([command, verb, texture] {
         if (texture->count() == 0)

@@ -168,6 +168,22 @@ TEST(Program, MeasuresLookupsOfAnyTexture) {
     EXPECT_EQ(run_burl(scratch, fmt::format("metrics '{}' --fill pink", mesh)).exit_code, 1);
 }
 
+TEST(Program, DrawsPicturesOfWhatItMeasures) {
+    const Scratch scratch;
+    const std::string mesh = scratch.write("square.obj", square);
+    const Outcome outcome = run_burl(
+        scratch, fmt::format("metrics '{}' --size 32 --json --image '{}'", mesh, scratch / "s"));
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const auto images = nlohmann::json::parse(outcome.out)["atlases"][0]["images"];
+    ASSERT_EQ(images.size(), 3u);
+    for (const char* topic : {"charts", "scale", "levels"})
+        EXPECT_GT(read_png(scratch / fmt::format("s-patch-{}.png", topic)).width(), 256u);
+    const Outcome nowhere = run_burl(
+        scratch, fmt::format("metrics '{}' --size 32 --image '{}'", mesh, scratch / "no/s"));
+    EXPECT_EQ(nowhere.exit_code, 2);
+    expect_one_sentence(nowhere.err);
+}
+
 TEST(Program, HelpVersionAndLists) {
     const Scratch scratch;
     for (const char* verb : {"", "bake", "render", "diff", "metrics", "bench", "eval", "list"}) {
