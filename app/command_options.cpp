@@ -10,6 +10,21 @@
 
 namespace burl {
 
+namespace {
+
+/// KIND, or supersample:N.
+void append_filter(const std::string& text, std::vector<std::string>& edits) {
+    const std::size_t colon = text.find(':');
+    edits.push_back("filter.kind=" + text.substr(0, colon));
+    if (colon == std::string::npos) return;
+    if (!text.starts_with("supersample:"))
+        throw Error(ExitCode::usage,
+                    fmt::format("--filter {}: only supersample takes a number of samples", text));
+    edits.push_back("filter.samples=" + text.substr(colon + 1));
+}
+
+}  // namespace
+
 void RecipeOptions::add_recipe(CLI::App& verb) {
     verb.add_option("-r,--recipe", recipe, "Preset name or recipe file (.json)")
         ->capture_default_str();
@@ -46,7 +61,7 @@ Recipe RecipeOptions::load() const {
     if (diagonals) edits.push_back("atlas.diagonals=" + *diagonals);
     if (tries) edits.push_back("atlas.tries=" + *tries);
     if (size) edits.push_back("atlas.size=" + *size);
-    if (filter) edits.push_back("filter=" + *filter);
+    if (filter) append_filter(*filter, edits);
     return load_recipe(recipe, edits);
 }
 

@@ -95,8 +95,13 @@ constexpr std::array table{
               "frequency ratio from one octave to the next"},
     Parameter{"texture.input.noise.*.gain", number, 0, 2, 0.05, 1, "", "0.5", "",
               "amplitude ratio from one octave to the next"},
-    Parameter{"filter", choice, 0, 0, 0, 1, "", "\"none\"", "none",
+    Parameter{"filter.kind", choice, 0, 0, 0, 1, "", "\"none\"",
+              "none|table-mip|table-sat|table-sat3|exact|trapezoid|trapezoid2|supersample",
               "how a texel's area is averaged"},
+    Parameter{"filter.samples", integer, 1, 1024, 1, 1, "", "16", "",
+              "supersample: places per texel; squares are spread best"},
+    Parameter{"filter.octaves", choice, 0, 0, 0, 1, "", "\"keep\"", "keep|fade",
+              "fade: octaves finer than a texel are left out, the last one in part"},
 };
 
 /// Levenshtein's distance: insertions, deletions and replacements of single characters.

@@ -52,13 +52,16 @@ const SolidAtlas& Pipeline::solid() {
 namespace {
 
 Image<Rgb8> fill(const SolidAtlas& solid, const Recipe& recipe, int threads, Rgb8) {
-    return synthesize_rgb8(solid, recipe.texture, texture_from_solid(recipe), threads);
+    return synthesize_rgb8(solid, recipe.texture, texture_from_solid(recipe), threads,
+                           recipe.filter);
 }
 Image<Rgb16> fill(const SolidAtlas& solid, const Recipe& recipe, int threads, Rgb16) {
-    return synthesize_rgb16(solid, recipe.texture, texture_from_solid(recipe), threads);
+    return synthesize_rgb16(solid, recipe.texture, texture_from_solid(recipe), threads,
+                            recipe.filter);
 }
 Image<RgbF> fill(const SolidAtlas& solid, const Recipe& recipe, int threads, RgbF) {
-    return synthesize_rgbf(solid, recipe.texture, texture_from_solid(recipe), threads);
+    return synthesize_rgbf(solid, recipe.texture, texture_from_solid(recipe), threads,
+                           recipe.filter);
 }
 
 }  // namespace

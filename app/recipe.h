@@ -7,11 +7,10 @@
 
 #include "atlas/atlas.h"
 #include "atlas/solid_atlas.h"
+#include "procedural/filter.h"
 #include "procedural/texture.h"
 
 namespace burl {
-
-enum class Filter { none };
 
 struct SolidOptions {
     SolidSpace space = SolidSpace::unit;
@@ -24,7 +23,7 @@ struct Recipe {
     AtlasOptions atlas;
     SolidOptions solid;
     Texture texture;
-    Filter filter = Filter::none;
+    Filter filter;
     bool operator==(const Recipe&) const = default;
 };
 

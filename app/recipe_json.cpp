@@ -18,7 +18,9 @@ constexpr std::array partitions{"rcb", "graph"};
 constexpr std::array diagonals{"shared", "overscan"};
 constexpr std::array overscans{"nearest", "bilinear"};
 constexpr std::array spaces{"unit", "object"};
-constexpr std::array filters{"none"};
+constexpr std::array filters{"none",  "table-mip", "table-sat",  "table-sat3",
+                             "exact", "trapezoid", "trapezoid2", "supersample"};
+constexpr std::array filter_octaves{"keep", "fade"};
 
 template <class Enum, class Names>
 void read(const Json& json, const char* key, const Names& names, Enum& target) {
@@ -53,7 +55,10 @@ Recipe recipe_from_json(const Json& json) {
     read(solid, "space", spaces, recipe.solid.space);
     if (solid.contains("scale")) recipe.solid.scale = solid["scale"].get<double>();
     recipe.texture = texture_from_json(part("texture"));
-    read(json, "filter", filters, recipe.filter);
+    const Json& filter = part("filter");
+    read(filter, "kind", filters, recipe.filter.kind);
+    if (filter.contains("samples")) recipe.filter.samples = int(filter["samples"].get<double>());
+    read(filter, "octaves", filter_octaves, recipe.filter.band_limit);
     return recipe;
 }
 
@@ -105,7 +110,10 @@ std::string to_json(const Recipe& recipe) {
           {"tries", recipe.atlas.tries}}},
         {"solid", {{"space", name_of(spaces, recipe.solid.space)}, {"scale", recipe.solid.scale}}},
         {"texture", texture_to_json(recipe.texture)},
-        {"filter", name_of(filters, recipe.filter)}};
+        {"filter",
+         {{"kind", name_of(filters, recipe.filter.kind)},
+          {"samples", recipe.filter.samples},
+          {"octaves", name_of(filter_octaves, recipe.filter.band_limit)}}}};
     return print_json(json);
 }
 

@@ -145,7 +145,9 @@ void add_bake(CLI::App& program) {
         ->required();
     command->recipe.add_recipe(*verb);
     command->recipe.add_atlas(*verb);
-    verb->add_option("--filter", command->recipe.filter, "Texture filter: none");
+    verb->add_option("--filter", command->recipe.filter,
+                     "Texel filter: none, table-mip, table-sat, table-sat3, exact, trapezoid, "
+                     "trapezoid2 or supersample:N");
     command->meshes.add(*verb);
     verb->add_option("--levels", command->levels,
                      "MIP levels to write besides the texture: a number, or all");

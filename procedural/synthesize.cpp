@@ -9,120 +9,58 @@
 #include <tbb/task_arena.h>
 
 #include "procedural/color_table.h"
-#include "procedural/noise.h"
-#include "procedural/noise_kernels.h"
-#include "procedural/octaves.h"
+#include "procedural/field_sampler.h"
+#include "procedural/filtered_colors.h"
+#include "procedural/sample_pattern.h"
 
 namespace burl {
 
 namespace {
 
-/// Consecutive texels of one row of the image and the line of solid coordinates they show.
-struct Piece {
-    std::size_t x = 0, y = 0;
-    LatticeLine solid;
-};
-
-/// What a thread works with: pieces of several spans packed into one stream of texels.
-struct Batch {
-    std::vector<Piece> pieces;
-    std::size_t count = 0;
-    std::vector<LatticeLine> lines;
-    std::vector<ParabolaLine> parabolas;
-    LatticeBatch lattice;
-    alignas(64) double field[batch_capacity + batch_padding];
+struct Batch : FieldBatch {
     alignas(64) std::int32_t entries[batch_capacity + batch_padding];
+    std::vector<double> middle, mean;  ///< of several samples of a texel
+    std::vector<Vec3d> colors;
 };
 
-/// Whether add_noise knows the octave's noise.
-bool has_kernel(const Octave& octave) {
-    const NoiseSpec& noise = octave.noise;
-    return (noise.kind == NoiseKind::value || noise.kind == NoiseKind::perlin) &&
-           noise.period == Period<4>{} && octave.shape == OctaveShape::plain;
-}
-
-/// Texel by texel in float32, for the other noises: adds the octave to batch.field.
-void add_scalar_noise(const Octave& octave, Batch& batch) {
-    double* sum = batch.field;
-    for (const LatticeLine& line : batch.lines)
-        for (std::size_t j = 0; j < line.count; ++j) {
-            const Vec3d p = line.start + (line.first + double(j)) * line.step;
-            const float n = noise_value<float, 3>(octave.noise, {p.x, p.y, p.z});
-            *sum++ += octave.scale * double(shaped(octave.shape, n));
-        }
-}
-
-/// The texture's field prepared for batches. Every texel is computed from its own span's start and
-/// its distance from it, so the batches' limits leave no trace.
-class FieldSampler {
-  public:
-    explicit FieldSampler(const Texture& texture)
-        : quadric_(texture.quadric), octaves_(expand_octaves(texture)) {
-        for (const Octave& octave : octaves_) constant_ += octave.offset;
+/// Linear light to a pixel.
+template <class Pixel>
+struct Encoder;
+template <class Channel>
+struct SrgbPixelEncoder {
+    SrgbEncoder<Channel> encode;
+    auto operator()(const Vec3d& linear) const {
+        return Rgb<Channel>{encode(linear.x), encode(linear.y), encode(linear.z)};
     }
-
-    /// batch.field = f of the texels of batch.pieces.
-    void operator()(Batch& batch) const {
-        fill_quadric(batch);
-        for (const Octave& octave : octaves_) {
-            fill_lines(octave.lattice_from_solid, batch);
-            if (!has_kernel(octave)) {
-                add_scalar_noise(octave, batch);
-                continue;
-            }
-            split_lattice_lines(batch.lines, batch.lattice);
-            add_noise(octave.noise.kind, octave.noise.fade, octave.noise.seed, octave.scale,
-                      batch.lattice, batch.count, batch.field);
-        }
+};
+template <>
+struct Encoder<Rgb8> : SrgbPixelEncoder<std::uint8_t> {};
+template <>
+struct Encoder<Rgb16> : SrgbPixelEncoder<std::uint16_t> {};
+template <>
+struct Encoder<RgbF> {
+    RgbF operator()(const Vec3d& linear) const {
+        return {float(linear.x), float(linear.y), float(linear.z)};
     }
-
-  private:
-    /// The quadric along a line is a parabola; the noise's constant parts come with it.
-    void fill_quadric(Batch& batch) const {
-        batch.parabolas.clear();
-        for (const Piece& piece : batch.pieces) {
-            const auto& [start, step, first, count] = piece.solid;
-            const Vec3d direction = half_gradient(quadric_, step) - half_gradient(quadric_, {});
-            batch.parabolas.push_back({evaluate_quadric(quadric_, start) + constant_,
-                                       2.0 * glm::dot(half_gradient(quadric_, start), step),
-                                       glm::dot(step, direction), first, count});
-        }
-        fill_parabolas(batch.parabolas, batch.field);
-    }
-
-    static void fill_lines(const Affine3& map, Batch& batch) {
-        batch.lines.clear();
-        for (const Piece& piece : batch.pieces) {
-            LatticeLine line{map(piece.solid.start), map.linear * piece.solid.step,
-                             piece.solid.first, piece.solid.count};
-            const double last = line.first + double(line.count);
-            for (int axis = 0; axis < 3; ++axis) {
-                const double reach = std::abs(line.start[axis]) + last * std::abs(line.step[axis]);
-                if (!(reach < lattice_limit)) line.start[axis] = line.step[axis] = 0.0;
-            }
-            batch.lines.push_back(line);
-        }
-    }
-
-    Quadric quadric_;
-    std::vector<Octave> octaves_;
-    double constant_ = 0.0;
 };
 
-/// Colours (or copies) the field values of a piece; `at` is the piece's first texel in the batch.
+// Shaders: prepare() samples a batch, pixel() gives one of its texels.
+
 class FieldCopy {
   public:
     using Pixel = float;
-    void prepare(Batch&) const {}
+    void prepare(const FieldSampler& sampler, Batch& batch) const { sampler.values(batch); }
     float pixel(const Batch& batch, std::size_t at) const { return float(batch.field[at]); }
     float background(double f) const { return float(f); }
 };
 
+/// Colours at texel centres in 8 bits, by table.
 class Color8 {
   public:
     using Pixel = Rgb8;
     explicit Color8(const ColorMap& map) : table_(map) {}
-    void prepare(Batch& batch) const {
+    void prepare(const FieldSampler& sampler, Batch& batch) const {
+        sampler.values(batch);
         index_colors(table_.wrap(), batch.field, batch.count, ColorTable8::entry_count,
                      batch.entries);
     }
@@ -135,43 +73,114 @@ class Color8 {
     ColorTable8 table_;
 };
 
-class Color16 {
+/// Colours at texel centres.
+template <class P>
+class PointColor {
   public:
-    using Pixel = Rgb16;
-    explicit Color16(const ColorMap& map) : map_(map) {}
-    void prepare(Batch&) const {}
-    Rgb16 pixel(const Batch& batch, std::size_t at) const { return background(batch.field[at]); }
-    Rgb16 background(double f) const {
-        const Vec3d linear = map_(f);
-        return {encode_(linear.x), encode_(linear.y), encode_(linear.z)};
-    }
+    using Pixel = P;
+    explicit PointColor(const ColorMap& map) : map_(map) {}
+    void prepare(const FieldSampler& sampler, Batch& batch) const { sampler.values(batch); }
+    P pixel(const Batch& batch, std::size_t at) const { return background(batch.field[at]); }
+    P background(double f) const { return encode_(map_(f)); }
 
   private:
     PreparedColorMap map_;
-    SrgbEncoder<std::uint16_t> encode_;
+    Encoder<P> encode_;
 };
 
-class ColorF {
+/// The map averaged over what f takes on in a texel, to first order.
+template <class P>
+class FilteredColor {
   public:
-    using Pixel = RgbF;
-    explicit ColorF(const ColorMap& map) : map_(map) {}
-    void prepare(Batch&) const {}
-    RgbF pixel(const Batch& batch, std::size_t at) const { return background(batch.field[at]); }
-    RgbF background(double f) const {
-        const Vec3d linear = map_(f);
-        return {float(linear.x), float(linear.y), float(linear.z)};
+    using Pixel = P;
+    FilteredColor(const ColorMap& map, FilterKind kind)
+        : second_order_(kind == FilterKind::trapezoid2), filtered_(map, kind), point_(map) {}
+
+    void prepare(const FieldSampler& sampler, Batch& batch) const {
+        sampler.values_and_slopes(batch);
+        if (second_order_) add_curvature(sampler, batch);
     }
+    P pixel(const Batch& batch, std::size_t at) const {
+        return encode_(
+            filtered_(batch.field[at], double(batch.slopes.u[at]), double(batch.slopes.v[at])));
+    }
+    P background(double f) const { return point_.background(f); }
 
   private:
+    /// The mean of f over the texel is f + (f_uu + f_vv) / 24 to second order. The second
+    /// derivatives are differences of f at the middles of the texel's sides, which see what is
+    /// smaller than the texel better than derivatives at its centre would.
+    static void add_curvature(const FieldSampler& sampler, Batch& batch) {
+        constexpr float sides[4][2] = {{0.5f, 0.0f}, {-0.5f, 0.0f}, {0.0f, 0.5f}, {0.0f, -0.5f}};
+        batch.middle.assign(batch.field, batch.field + batch.count);
+        batch.mean.assign(batch.count, 0.0);
+        for (const auto& side : sides) {
+            std::fill_n(batch.offset_u, batch.count, side[0]);
+            std::fill_n(batch.offset_v, batch.count, side[1]);
+            sampler.values_at_offsets(batch);
+            for (std::size_t j = 0; j < batch.count; ++j)
+                batch.mean[j] += (batch.field[j] - batch.middle[j]) / 6.0;
+        }
+        for (std::size_t j = 0; j < batch.count; ++j)
+            batch.field[j] = batch.middle[j] + batch.mean[j];
+    }
+
+    bool second_order_;
+    FilteredColors filtered_;
+    PointColor<P> point_;
+    Encoder<P> encode_;
+};
+
+/// Colours of several places in the texel, weighted.
+template <class P>
+class SupersampledColor {
+  public:
+    using Pixel = P;
+    SupersampledColor(const ColorMap& map, int samples)
+        : pattern_(samples), map_(map), point_(map) {}
+
+    void prepare(const FieldSampler& sampler, Batch& batch) const {
+        batch.colors.assign(batch.count, Vec3d(0.0));
+        batch.middle.assign(batch.count, 0.0);
+        for (int i = 0; i < pattern_.samples(); ++i) {
+            place(i, batch);
+            sampler.values_at_offsets(batch);
+            for (std::size_t j = 0; j < batch.count; ++j) {
+                const double u = double(batch.offset_u[j]), v = double(batch.offset_v[j]);
+                const double weight = gaussian_weight(u, v);
+                batch.colors[j] += weight * map_(batch.field[j]);
+                batch.middle[j] += weight;
+            }
+        }
+    }
+    P pixel(const Batch& batch, std::size_t at) const {
+        return encode_(batch.colors[at] / batch.middle[at]);
+    }
+    P background(double f) const { return point_.background(f); }
+
+  private:
+    void place(int sample, Batch& batch) const {
+        std::size_t at = 0;
+        for (const Piece& piece : batch.pieces)
+            for (std::size_t j = 0; j < piece.solid.count; ++j, ++at) {
+                const auto [u, v] =
+                    pattern_(sample, std::uint32_t(piece.x + j), std::uint32_t(piece.y));
+                batch.offset_u[at] = u;
+                batch.offset_v[at] = v;
+            }
+    }
+
+    SamplePattern pattern_;
     PreparedColorMap map_;
+    PointColor<P> point_;
+    Encoder<P> encode_;
 };
 
 template <class Shader>
 void flush(Batch& batch, const FieldSampler& sampler, const Shader& shader,
            Image<typename Shader::Pixel>& image) {
     if (batch.count == 0) return;
-    sampler(batch);
-    shader.prepare(batch);
+    shader.prepare(sampler, batch);
     std::size_t at = 0;
     for (const Piece& piece : batch.pieces) {
         auto* pixels = &image(piece.x, piece.y);
@@ -194,8 +203,10 @@ void synthesize_rows(const SolidAtlas& solid, const Affine3& map, const FieldSam
             for (std::size_t done = 0; done < span.count;) {
                 const std::size_t count =
                     std::min(span.count - done, batch_capacity - batch->count);
-                batch->pieces.push_back(
-                    {span.x + done, y, {line.start, line.step, double(done), count}});
+                batch->pieces.push_back({span.x + done,
+                                         y,
+                                         {line.start, line.step, double(done), count},
+                                         map.linear * texel.step_y});
                 batch->count += count;
                 done += count;
                 if (batch->count == batch_capacity) flush(*batch, sampler, shader, image);
@@ -207,9 +218,10 @@ void synthesize_rows(const SolidAtlas& solid, const Affine3& map, const FieldSam
 
 template <class Shader>
 Image<typename Shader::Pixel> synthesize(const SolidAtlas& solid, const Texture& texture,
-                                         const Affine3& map, int threads, const Shader& shader) {
+                                         const Affine3& map, const Filter& filter, int threads,
+                                         const Shader& shader) {
     Image<typename Shader::Pixel> image(solid.size, solid.size, shader.background(0.0));
-    const FieldSampler sampler(texture);
+    const FieldSampler sampler(texture, filter.band_limit);
     // Enough rows to fill a few batches; the grain decides only who works, not what comes out.
     const std::size_t grain = std::max<std::size_t>(1, 8 * batch_capacity / (solid.size + 1));
     const auto most =
@@ -224,26 +236,42 @@ Image<typename Shader::Pixel> synthesize(const SolidAtlas& solid, const Texture&
     return image;
 }
 
+template <class Pixel, class PointShader>
+Image<Pixel> synthesize_colors(const SolidAtlas& solid, const Texture& texture, const Affine3& map,
+                               const Filter& filter, int threads) {
+    const ColorMap& colors = texture.colors;
+    const auto run = [&](const auto& shader) {
+        return synthesize(solid, texture, map, filter, threads, shader);
+    };
+    if (filter.kind == FilterKind::none) return run(PointShader(colors));
+    if (filter.kind == FilterKind::supersample)
+        return run(SupersampledColor<Pixel>(colors, filter.samples));
+    return run(FilteredColor<Pixel>(colors, filter.kind));
+}
+
 }  // namespace
 
 Image<Rgb8> synthesize_rgb8(const SolidAtlas& solid, const Texture& texture,
-                            const Affine3& texture_from_atlas, int threads) {
-    return synthesize(solid, texture, texture_from_atlas, threads, Color8(texture.colors));
+                            const Affine3& texture_from_atlas, int threads, const Filter& filter) {
+    return synthesize_colors<Rgb8, Color8>(solid, texture, texture_from_atlas, filter, threads);
 }
 
 Image<Rgb16> synthesize_rgb16(const SolidAtlas& solid, const Texture& texture,
-                              const Affine3& texture_from_atlas, int threads) {
-    return synthesize(solid, texture, texture_from_atlas, threads, Color16(texture.colors));
+                              const Affine3& texture_from_atlas, int threads,
+                              const Filter& filter) {
+    return synthesize_colors<Rgb16, PointColor<Rgb16>>(solid, texture, texture_from_atlas, filter,
+                                                       threads);
 }
 
 Image<RgbF> synthesize_rgbf(const SolidAtlas& solid, const Texture& texture,
-                            const Affine3& texture_from_atlas, int threads) {
-    return synthesize(solid, texture, texture_from_atlas, threads, ColorF(texture.colors));
+                            const Affine3& texture_from_atlas, int threads, const Filter& filter) {
+    return synthesize_colors<RgbF, PointColor<RgbF>>(solid, texture, texture_from_atlas, filter,
+                                                     threads);
 }
 
 Image<float> synthesize_field(const SolidAtlas& solid, const Texture& texture,
                               const Affine3& texture_from_atlas, int threads) {
-    return synthesize(solid, texture, texture_from_atlas, threads, FieldCopy());
+    return synthesize(solid, texture, texture_from_atlas, {}, threads, FieldCopy());
 }
 
 }  // namespace burl

@@ -4,6 +4,7 @@
 // the thread count.
 #include "atlas/image.h"
 #include "atlas/solid_atlas.h"
+#include "procedural/filter.h"
 #include "procedural/texture.h"
 
 namespace burl {
@@ -11,11 +12,14 @@ namespace burl {
 /// `texture_from_atlas` maps the SolidAtlas's space to the texture's solid coordinates (the
 /// recipe's scale). `threads` 0 means all. Texels outside every span get the colour of field 0.
 Image<Rgb8> synthesize_rgb8(const SolidAtlas& solid, const Texture& texture,
-                            const Affine3& texture_from_atlas, int threads);
+                            const Affine3& texture_from_atlas, int threads,
+                            const Filter& filter = {});
 Image<Rgb16> synthesize_rgb16(const SolidAtlas& solid, const Texture& texture,
-                              const Affine3& texture_from_atlas, int threads);
+                              const Affine3& texture_from_atlas, int threads,
+                              const Filter& filter = {});
 Image<RgbF> synthesize_rgbf(const SolidAtlas& solid, const Texture& texture,
-                            const Affine3& texture_from_atlas, int threads);
+                            const Affine3& texture_from_atlas, int threads,
+                            const Filter& filter = {});
 
 /// The field itself, for tests and error measurements.
 Image<float> synthesize_field(const SolidAtlas& solid, const Texture& texture,

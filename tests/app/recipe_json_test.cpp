@@ -58,7 +58,7 @@ TEST(Recipe, ReadsEveryKey) {
                        "frequency": [1, 2, 3], "phase": [4, 5, 6], "seed": 4294967295,
                        "octaves": 24, "lacunarity": 1.5, "gain": 0.75},
                       {"matrix": [1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12], "range": "unit"}]}},
-        "filter": "none"})",
+        "filter": {"kind": "supersample", "samples": 9, "octaves": "fade"}})",
                                        "r.json");
     Recipe expected;
     expected.name = "n";
@@ -77,6 +77,7 @@ TEST(Recipe, ReadsEveryKey) {
     second.matrix = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12};
     second.range = NoiseRange::unit;
     expected.texture.noise = {first, second};
+    expected.filter = {FilterKind::supersample, 9, true};
     EXPECT_EQ(recipe, expected);
 }
 
@@ -88,6 +89,7 @@ Recipe random_recipe(std::mt19937& random) {
     recipe.atlas = {AtlasKind(random() % 4), Overscan(random() % 2),
                     1 + std::uint32_t(random() % 16384), AtlasWeight(random() % 4)};
     recipe.solid = {SolidSpace(random() % 2), 1e-3 + unit(random)};
+    recipe.filter = {FilterKind(random() % 8), 1 + int(random() % 1024), random() % 2 == 0};
     if (random() % 2) recipe.texture.quadric.f = number(random);
     if (random() % 2) recipe.texture.quadric.j = number(random);
     recipe.texture.colors.wrap = Wrap(random() % 2);

@@ -1,0 +1,20 @@
+#pragma once
+// Leaving out the octaves that a texel cannot show, with a fade (pbrt's rule for its fractal sums:
+// n = clamp(-1 - log2(len2) / 2, 0, max) octaves, the last faded by smoothstep(0.3, 0.7)).
+#include <algorithm>
+#include <cmath>
+
+#include "atlas/vec.h"
+
+namespace burl {
+
+/// Weight in [0,1] of an octave in whose lattice coordinates the texel's sides are `along_u` and
+/// `along_v`: 1 while the longer one is up to a quarter of a cell, 0 from half a cell on.
+inline double band_weight(const Vec3d& along_u, const Vec3d& along_v) {
+    const double squared = std::max(glm::dot(along_u, along_u), glm::dot(along_v, along_v));
+    const double octaves_left = -1.0 - 0.5 * std::log2(squared);
+    const double x = std::clamp((octaves_left - 0.3) / 0.4, 0.0, 1.0);
+    return x * x * (3.0 - 2.0 * x);
+}
+
+}  // namespace burl

@@ -1,0 +1,26 @@
+#pragma once
+// The colour map averaged over texels, by any of the filters that work on the map alone.
+#include <variant>
+
+#include "procedural/color_mip.h"
+#include "procedural/color_sums.h"
+#include "procedural/filter.h"
+#include "procedural/map_filter.h"
+
+namespace burl {
+
+class FilteredColors {
+  public:
+    /// `kind`: not none and not supersample, which need no averages of the map.
+    FilteredColors(const ColorMap& map, FilterKind kind);
+
+    /// Mean of the map, linear light, where f changes by `slope_u` and `slope_v` across the texel.
+    /// Filters of one width take the box of the same variance, sqrt(slope_u^2 + slope_v^2).
+    Vec3d operator()(double f, double slope_u, double slope_v) const;
+
+  private:
+    bool both_axes_;
+    std::variant<MapPieces, ColorMip, ColorSums> map_;
+};
+
+}  // namespace burl
