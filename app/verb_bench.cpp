@@ -3,6 +3,7 @@
 
 #include "app/bench.h"
 #include "app/bench_atlas.h"
+#include "app/bench_filter.h"
 #include "app/export.h"
 #include "app/report.h"
 #include "app/verbs.h"
@@ -96,9 +97,32 @@ void run_atlas_bench(const BenchCommand& command) {
     print_atlases(rows);
 }
 
+Json filter_json(const FilterBench& row) {
+    return {{"texture", row.texture},         {"footprint_cells", row.footprint},
+            {"filter", row.filter},           {"rmse", row.rmse},
+            {"truth_noise", row.truth_noise}, {"ns_per_texel", row.ns_per_texel},
+            {"times_none", row.cost}};
+}
+
+void run_filter_bench(const BenchCommand& command) {
+    const std::vector<FilterBench> rows =
+        bench_filters(command.repeats, command.size == 0 ? 256 : command.size);
+    Json list = Json::array();
+    for (const FilterBench& row : rows) list.push_back(filter_json(row));
+    write_report(command, list);
+    if (command.json) return;
+    fmt::print("{:<10} {:>9} {:<16} {:>9} {:>11} {:>9} {:>10}\n", "texture", "footprint", "filter",
+               "RMSE", "truth noise", "ns/texel", "times none");
+    for (const FilterBench& row : rows)
+        fmt::print("{:<10} {:>9.3f} {:<16} {:>9.6f} {:>11.6f} {:>9.1f} {:>10.2f}\n", row.texture,
+                   row.footprint, row.filter, row.rmse, row.truth_noise, row.ns_per_texel,
+                   row.cost);
+}
+
 void run_bench(const BenchCommand& command) {
     if (!command.out.empty()) check_side_output(command.out, "", {});
     if (command.suite == "atlas") return run_atlas_bench(command);
+    if (command.suite == "filter") return run_filter_bench(command);
     const std::vector<BenchRow> rows =
         run_paired(bench_suite(command.suite, command.size), command.repeats);
     Json list = Json::array();
@@ -120,13 +144,14 @@ void add_bench(CLI::App& program) {
     auto* verb = program.add_subcommand("bench", "Time a suite; medians of paired runs");
     auto command = std::make_shared<BenchCommand>();
     std::vector<std::string> suites = bench_suites();
-    suites.emplace_back("atlas");
-    verb->add_option("suite", command->suite, "mesh_io, atlas or synthesis")
+    suites.insert(suites.end(), {"atlas", "filter"});
+    verb->add_option("suite", command->suite, "mesh_io, atlas, synthesis or filter")
         ->required()
         ->check(CLI::IsMember(suites));
-    verb->add_option("--size", command->size,
-                     "Faces (mesh_io, atlas) or texels per side (synthesis); atlas: 1,000 to "
-                     "100,000 unless one number is given")
+    verb->add_option(
+            "--size", command->size,
+            "Faces (mesh_io, atlas) or texels per side (synthesis, filter); atlas: 1,000 to "
+            "100,000 unless one number is given")
         ->check(CLI::Range(std::size_t{2}, std::size_t{10'000'000}));
     verb->add_option("--repeats", command->repeats, "Counted rounds")
         ->check(CLI::Range(1, 1000))

@@ -20,7 +20,8 @@ std::variant<MapPieces, ColorMip, ColorSums> prepared(const ColorMap& map, Filte
 }  // namespace
 
 FilteredColors::FilteredColors(const ColorMap& map, FilterKind kind)
-    : both_axes_(kind == FilterKind::trapezoid || kind == FilterKind::trapezoid2),
+    : wrap_(map.wrap),
+      both_axes_(kind == FilterKind::trapezoid || kind == FilterKind::trapezoid2),
       map_(prepared(map, kind)) {}
 
 Vec3d FilteredColors::operator()(double f, double slope_u, double slope_v) const {

@@ -18,7 +18,12 @@ class FilteredColors {
     /// Filters of one width take the box of the same variance, sqrt(slope_u^2 + slope_v^2).
     Vec3d operator()(double f, double slope_u, double slope_v) const;
 
+    /// Whether it is the map's exact mean, and so the colour itself where the map is straight.
+    bool exact() const { return std::holds_alternative<MapPieces>(map_); }
+    Wrap wrap() const { return wrap_; }
+
   private:
+    Wrap wrap_;
     bool both_axes_;
     std::variant<MapPieces, ColorMip, ColorSums> map_;
 };

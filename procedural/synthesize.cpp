@@ -8,6 +8,7 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include "procedural/break_distance.h"
 #include "procedural/color_table.h"
 #include "procedural/field_sampler.h"
 #include "procedural/filtered_colors.h"
@@ -19,6 +20,7 @@ namespace {
 
 struct Batch : FieldBatch {
     alignas(64) std::int32_t entries[batch_capacity + batch_padding];
+    alignas(64) std::int32_t distances[batch_capacity + batch_padding];
     std::vector<double> middle, mean;  ///< of several samples of a texel
     std::vector<Vec3d> colors;
 };
@@ -61,6 +63,9 @@ class Color8 {
     explicit Color8(const ColorMap& map) : table_(map) {}
     void prepare(const FieldSampler& sampler, Batch& batch) const {
         sampler.values(batch);
+        prepare_colors(batch);
+    }
+    void prepare_colors(Batch& batch) const {
         index_colors(table_.wrap(), batch.field, batch.count, ColorTable8::entry_count,
                      batch.entries);
     }
@@ -80,6 +85,7 @@ class PointColor {
     using Pixel = P;
     explicit PointColor(const ColorMap& map) : map_(map) {}
     void prepare(const FieldSampler& sampler, Batch& batch) const { sampler.values(batch); }
+    void prepare_colors(Batch&) const {}
     P pixel(const Batch& batch, std::size_t at) const { return background(batch.field[at]); }
     P background(double f) const { return encode_(map_(f)); }
 
@@ -88,23 +94,30 @@ class PointColor {
     Encoder<P> encode_;
 };
 
-/// The map averaged over what f takes on in a texel, to first order.
-template <class P>
+/// The map averaged over what f takes on in a texel, to first order. `Point` colours the texels
+/// over which the map is straight.
+template <class Point>
 class FilteredColor {
   public:
-    using Pixel = P;
+    using Pixel = typename Point::Pixel;
     FilteredColor(const ColorMap& map, FilterKind kind)
-        : second_order_(kind == FilterKind::trapezoid2), filtered_(map, kind), point_(map) {}
+        : kind_(kind), filtered_(map, kind), distance_(MapPieces(map)), point_(map) {}
 
     void prepare(const FieldSampler& sampler, Batch& batch) const {
         sampler.values_and_slopes(batch);
-        if (second_order_) add_curvature(sampler, batch);
+        if (kind_ == FilterKind::trapezoid2) add_curvature(sampler, batch);
+        point_.prepare_colors(batch);
+        index_colors(filtered_.wrap(), batch.field, batch.count, BreakDistance::entry_count,
+                     batch.distances);
     }
-    P pixel(const Batch& batch, std::size_t at) const {
-        return encode_(
-            filtered_(batch.field[at], double(batch.slopes.u[at]), double(batch.slopes.v[at])));
+    Pixel pixel(const Batch& batch, std::size_t at) const {
+        const double u = double(batch.slopes.u[at]), v = double(batch.slopes.v[at]);
+        if (filtered_.exact() && distance_.straight(std::uint32_t(batch.distances[at]),
+                                                    0.5 * (std::abs(u) + std::abs(v))))
+            return point_.pixel(batch, at);
+        return encode_(filtered_(batch.field[at], u, v));
     }
-    P background(double f) const { return point_.background(f); }
+    Pixel background(double f) const { return point_.background(f); }
 
   private:
     /// The mean of f over the texel is f + (f_uu + f_vv) / 24 to second order. The second
@@ -125,10 +138,11 @@ class FilteredColor {
             batch.field[j] = batch.middle[j] + batch.mean[j];
     }
 
-    bool second_order_;
+    FilterKind kind_;
     FilteredColors filtered_;
-    PointColor<P> point_;
-    Encoder<P> encode_;
+    BreakDistance distance_;
+    Point point_;
+    Encoder<Pixel> encode_;
 };
 
 /// Colours of several places in the texel, weighted.
@@ -246,7 +260,7 @@ Image<Pixel> synthesize_colors(const SolidAtlas& solid, const Texture& texture, 
     if (filter.kind == FilterKind::none) return run(PointShader(colors));
     if (filter.kind == FilterKind::supersample)
         return run(SupersampledColor<Pixel>(colors, filter.samples));
-    return run(FilteredColor<Pixel>(colors, filter.kind));
+    return run(FilteredColor<PointShader>(colors, filter.kind));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "procedural/band_limit.h"
+#include "procedural/break_distance.h"
 #include "procedural/color_table.h"
 #include "procedural/octaves.h"
 #include "procedural/synthesize.h"
@@ -166,6 +167,36 @@ TEST(FilterSynthesis, SameBytesForEveryThreadCount) {
         const Image<Rgb16> one = synthesize_rgb16(solid, texture, {}, 1, filter);
         for (const int threads : {2, 5})
             EXPECT_EQ(synthesize_rgb16(solid, texture, {}, threads, filter), one) << kind;
+    }
+}
+
+TEST(BreakDistance, IsThatToTheNearestBreakAndNoMore) {
+    std::mt19937 random(9);
+    std::uniform_real_distribution<double> uniform(0.0, 1.0);
+    for (const Wrap wrap : {Wrap::repeat, Wrap::clamp}) {
+        ColorMap map = zebra();
+        map.wrap = wrap;
+        map.stops.insert(map.stops.begin() + 1, {0.21, {9, 9, 9}});
+        const MapPieces pieces(map);
+        const BreakDistance distance(pieces);
+        for (int i = 0; i < 2000; ++i) {
+            const double f = 3.0 * uniform(random) - 1.0, half = std::exp2(-8.0 * uniform(random));
+            double nearest = 2.0;
+            for (const MapBreak& b : pieces.breaks())
+                for (double period = -3.0; period <= 3.0; ++period)
+                    if (wrap == Wrap::repeat || period == 0.0)
+                        nearest = std::min(nearest, std::abs(f - b.position - period));
+            const auto entry = std::uint32_t(map_index(wrap, f) * BreakDistance::entry_count);
+            if (half >= nearest) {
+                EXPECT_FALSE(distance.straight(entry, half)) << f;
+            }
+            // Beyond the ends of a clamped map the entry at the end speaks for all.
+            if (f < 0.0 || f > 1.0) continue;
+            const double slack = 2.0 / BreakDistance::entry_count;
+            if (half + slack < std::min(nearest, 1.0)) {
+                EXPECT_TRUE(distance.straight(entry, half)) << f;
+            }
+        }
     }
 }
 

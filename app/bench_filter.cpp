@@ -1,0 +1,183 @@
+// All textures are looked at through oblique planes, with texels 0.7 times as high as wide.
+#include "app/bench_filter.h"
+
+#include <cmath>
+#include <memory>
+#include <random>
+
+#include <fmt/format.h>
+
+#include "app/bench.h"
+#include "app/recipe.h"
+#include "procedural/octaves.h"
+#include "procedural/synthesize.h"
+
+namespace burl {
+
+namespace {
+
+constexpr std::uint32_t block = 8, blocks = 8, fine = 64, texels = block * blocks;
+constexpr double footprints[] = {1.0 / 32, 0.1, 0.25, 1.0};
+
+struct NamedFilter {
+    std::string name;
+    Filter filter;
+};
+
+std::vector<NamedFilter> filters() {
+    using enum FilterKind;
+    return {{"none", {none, 1, false}},
+            {"table-mip", {table_mip, 1, false}},
+            {"table-sat", {table_sat, 1, false}},
+            {"table-sat3", {table_sat3, 1, false}},
+            {"exact", {exact, 1, false}},
+            {"trapezoid", {trapezoid, 1, false}},
+            {"trapezoid2", {trapezoid2, 1, false}},
+            {"trapezoid, fade", {trapezoid, 1, true}},
+            {"supersample:16", {supersample, 16, false}}};
+}
+
+/// Cells per unit of the solid of the finest octave.
+double finest_frequency(const Texture& texture) {
+    double finest = 0.0;
+    for (const Octave& octave : expand_octaves(texture))
+        for (int axis = 0; axis < 3; ++axis)
+            finest = std::max(finest, glm::length(octave.lattice_from_solid.linear[axis]));
+    return finest > 0.0 ? finest : 50.0;
+}
+
+TexelMap plane(const Vec3d& origin, double side) {
+    const Vec3d u(0.8, 0.36, 0.48), v(-0.6, 0.48, 0.64);  // orthogonal unit vectors
+    return {origin, side * u, 0.7 * side * v, 0, 0};
+}
+
+/// across x across squares of side x side texels, each with a map of its own.
+SolidAtlas squares(const std::vector<TexelMap>& maps, std::uint32_t across, std::uint32_t side) {
+    SolidAtlas solid;
+    solid.size = across * side;
+    solid.maps = maps;
+    for (std::uint32_t i = 0; i < maps.size(); ++i) {
+        solid.maps[i].anchor_x = std::int32_t(i % across * side);
+        solid.maps[i].anchor_y = std::int32_t(i / across * side);
+    }
+    for (std::uint32_t y = 0; y < solid.size; ++y) {
+        solid.row_begin.push_back(solid.spans.size());
+        for (std::uint32_t x = 0; x < across; ++x)
+            solid.spans.push_back({x * side, side, y / side * across + x});
+    }
+    solid.row_begin.push_back(solid.spans.size());
+    return solid;
+}
+
+/// The texel's mean and what else its 64 x 64 samples tell.
+struct TexelTruth {
+    Vec3d mean{0.0}, grid{0.0}, jittered{0.0};
+    Vec3d halves{0.0};  ///< difference of the means of two interleaved halves
+};
+
+Vec3d as_vector(const RgbF& c) {
+    return {c.r, c.g, c.b};
+}
+
+/// `samples`: 64 x 64 of the texel, in the middles of equal parts.
+TexelTruth summed(const Image<RgbF>& samples, std::size_t x, std::size_t y, std::mt19937& random) {
+    TexelTruth truth;
+    constexpr std::size_t stratum = fine / 4;
+    for (std::size_t j = 0; j < fine; ++j)
+        for (std::size_t i = 0; i < fine; ++i) {
+            const Vec3d color = as_vector(samples(x * fine + i, y * fine + j));
+            truth.mean += color / double(fine * fine);
+            truth.halves += ((i + j) % 2 == 0 ? color : -color) / double(fine * fine / 2);
+        }
+    const auto at = [&](std::size_t k, std::size_t i, std::size_t j) {
+        return as_vector(samples(x * fine + k % 4 * stratum + i, y * fine + k / 4 * stratum + j));
+    };
+    for (std::size_t k = 0; k < 16; ++k) {
+        // A stratum's middle is a corner of four samples.
+        const std::size_t m = stratum / 2;
+        truth.grid +=
+            (at(k, m, m) + at(k, m - 1, m - 1) + at(k, m, m - 1) + at(k, m - 1, m)) / 64.0;
+        truth.jittered += at(k, random() % stratum, random() % stratum) / 16.0;
+    }
+    return truth;
+}
+
+std::vector<TexelTruth> truths(const std::vector<TexelMap>& maps, const Texture& texture) {
+    std::vector<TexelTruth> result(texels * texels);
+    std::mt19937 random(7);
+    for (std::size_t m = 0; m < maps.size(); ++m) {
+        TexelMap map = maps[m];
+        map.origin += (0.5 / fine - 0.5) * (map.step_x + map.step_y);
+        map.step_x /= fine;
+        map.step_y /= fine;
+        const Image<RgbF> samples =
+            synthesize_rgbf(squares({map}, 1, block * fine), texture, {}, 0);
+        for (std::size_t y = 0; y < block; ++y)
+            for (std::size_t x = 0; x < block; ++x)
+                result[(m / blocks * block + y) * texels + m % blocks * block + x] =
+                    summed(samples, x, y, random);
+    }
+    return result;
+}
+
+double rms(const std::vector<TexelTruth>& truth, const std::function<Vec3d(std::size_t)>& error) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < truth.size(); ++i) {
+        const Vec3d e = error(i);
+        sum += glm::dot(e, e);
+    }
+    return std::sqrt(sum / (3.0 * double(truth.size())));
+}
+
+/// Times of all filters on one large square.
+std::vector<BenchRow> timed(const Texture& texture, double side, std::size_t across, int repeats) {
+    const auto solid = std::make_shared<SolidAtlas>(
+        squares({plane({0.3, 0.2, 0.1}, side)}, 1, std::uint32_t(across)));
+    std::vector<BenchCase> cases;
+    for (const NamedFilter& f : filters())
+        cases.push_back({f.name, double(across * across), "texel",
+                         [=] { synthesize_rgb8(*solid, texture, {}, 1, f.filter); }});
+    return run_paired(cases, repeats);
+}
+
+void add_rows(std::vector<FilterBench>& rows, const std::string& name, double footprint,
+              int repeats, std::size_t across) {
+    const Recipe recipe = load_recipe(name);
+    const double side = footprint / finest_frequency(recipe.texture);
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> place(-1.0, 1.0);
+    std::vector<TexelMap> maps;
+    for (std::uint32_t i = 0; i < blocks * blocks; ++i)
+        maps.push_back(plane({place(random), place(random), place(random)}, side));
+    const std::vector<TexelTruth> truth = truths(maps, recipe.texture);
+    // Two halves differ by twice the error of their common mean, were their errors independent.
+    const double noise = 0.5 * rms(truth, [&](std::size_t i) { return truth[i].halves; });
+    const std::vector<BenchRow> times = timed(recipe.texture, side, across, repeats);
+    const SolidAtlas solid = squares(maps, blocks, block);
+    for (std::size_t k = 0; k < times.size(); ++k) {
+        const Image<RgbF> image =
+            synthesize_rgbf(solid, recipe.texture, {}, 0, filters()[k].filter);
+        const double rmse =
+            rms(truth, [&](std::size_t i) { return as_vector(image.pixels()[i]) - truth[i].mean; });
+        rows.push_back({name, footprint, times[k].name, rmse, noise, times[k].ns_per_unit(),
+                        times[k].median / times[0].median});
+    }
+    const auto samples = [&](const char* filter, Vec3d TexelTruth::*mean) {
+        const double rmse =
+            rms(truth, [&](std::size_t i) { return truth[i].*mean - truth[i].mean; });
+        rows.push_back({name, footprint, filter, rmse, noise, 0.0, 16.0});
+    };
+    samples("grid:16", &TexelTruth::grid);
+    samples("jitter:16", &TexelTruth::jittered);
+}
+
+}  // namespace
+
+std::vector<FilterBench> bench_filters(int repeats, std::size_t side) {
+    std::vector<FilterBench> rows;
+    for (const char* name : {"wood", "marble", "clouds", "planet", "zoneplate"})
+        for (const double footprint : footprints) add_rows(rows, name, footprint, repeats, side);
+    return rows;
+}
+
+}  // namespace burl
