@@ -109,59 +109,6 @@ TEST(Noise, WrapsTheLatticeAndIgnoresHopelessCoordinates) {
                                  {0.0, 0.7, 0.1}));
 }
 
-// Statistics of the lattice, about a block of 64^3 points: a standard deviation is 1/512.
-
-std::vector<double> lattice_block(std::uint32_t size, std::uint32_t seed) {
-    std::vector<double> values;
-    for (std::uint32_t k = 0; k < size; ++k)
-        for (std::uint32_t j = 0; j < size; ++j)
-            for (std::uint32_t i = 0; i < size; ++i)
-                values.push_back(lattice_value(i - size / 2, j - size / 2, k - size / 2, seed));
-    return values;
-}
-
-TEST(LatticeValues, AreUniform) {
-    for (const std::uint32_t seed : {0u, 1u, 12345u}) {
-        std::array<int, 64> histogram{};
-        for (const double v : lattice_block(64, seed)) {
-            ASSERT_TRUE(v >= -1.0 && v < 1.0);
-            ++histogram[std::size_t((v + 1.0) * 32.0)];
-        }
-        const double expected = 64.0 * 64 * 64 / 64;
-        double chi_squared = 0.0;
-        for (const int n : histogram) chi_squared += (n - expected) * (n - expected) / expected;
-        // 63 degrees of freedom: mean 63, standard deviation 11.2.
-        EXPECT_LT(chi_squared, 63 + 5 * 11.2);
-    }
-}
-
-TEST(LatticeValues, AreUncorrelatedBetweenNeighboursAndSeeds) {
-    constexpr std::uint32_t size = 64;
-    for (const std::uint32_t seed : {0u, 7u}) {
-        const std::vector<double> block = lattice_block(size, seed);
-        const std::vector<double> next = lattice_block(size, seed + 1);
-        const double variance = std::inner_product(block.begin(), block.end(), block.begin(), 0.0);
-        EXPECT_NEAR(variance / double(block.size()), 1.0 / 3.0, 0.005);
-        for (const std::size_t lag :
-             {1u, 2u, 3u, 64u, 65u, 63u, 128u, 4096u, 4097u, 4161u, 8192u}) {
-            double sum = 0.0;
-            for (std::size_t i = 0; i + lag < block.size(); ++i) sum += block[i] * block[i + lag];
-            EXPECT_LT(std::abs(sum / variance), 5.0 / 512) << "lag " << lag;
-        }
-        const double across = std::inner_product(block.begin(), block.end(), next.begin(), 0.0);
-        EXPECT_LT(std::abs(across / variance), 5.0 / 512);
-    }
-}
-
-TEST(LatticeValues, DifferAllOverABlock) {
-    std::vector<std::uint32_t> bits;
-    for (std::uint32_t k = 0; k < 48; ++k)
-        for (std::uint32_t j = 0; j < 48; ++j)
-            for (std::uint32_t i = 0; i < 48; ++i) bits.push_back(LatticeHash::bits(i, j, k, 0));
-    std::sort(bits.begin(), bits.end());
-    EXPECT_EQ(std::adjacent_find(bits.begin(), bits.end()), bits.end());
-}
-
 TEST(LatticeGradients, AreEquallyFrequent) {
     std::array<int, 16> histogram{};
     for (std::uint32_t k = 0; k < 40; ++k)
