@@ -7,8 +7,8 @@
 #include <tbb/parallel_for.h>
 
 #include "app/normals.h"
+#include "app/texture_color.h"
 #include "app/visibility.h"
-#include "procedural/octaves.h"
 
 namespace burl {
 
@@ -103,11 +103,9 @@ Image<Rgb8> render_direct(const Mesh& mesh, const Recipe& recipe, const Camera& 
                           const PictureOptions& options, double crease_degrees) {
     const std::vector<Vec3f> normals = corner_normals(mesh, crease_degrees);
     const Affine3 texture_from_point = texture_from_mesh(recipe, mesh);
-    const std::vector<Octave> octaves = expand_octaves(recipe.texture);
+    const TextureColor color_at = texture_color(recipe);
     const SurfaceColor color = [&](const Vec3d& point) {
-        const Vec3d s = texture_from_point(point);
-        return evaluate_color(recipe.texture.colors,
-                              evaluate_field(recipe.texture.quadric, octaves, s));
+        return color_at(texture_from_point(point));
     };
     return render_surface(mesh, normals, color, camera, options);
 }

@@ -5,6 +5,7 @@
 
 #include "atlas/error.h"
 #include "procedural/color_table.h"
+#include "procedural/graph_evaluator.h"
 #include "procedural/octaves.h"
 
 namespace burl {
@@ -88,6 +89,34 @@ Evaluation evaluate_fixed(const PreparedRecipe& recipe, const FixedFormat& forma
     return {f, {}, recipe.colors(f)};
 }
 
+/// A graph is evaluated in float64 alone, and its result rounded. A colour's value is its luminance
+/// (ITU-R BT.709).
+PointResult evaluate_graph(const GraphEvaluator& evaluate, GraphEvaluator::Scratch& scratch,
+                           const Affine3& map, const Vec3d& point) {
+    const Vec3d s = map(point);
+    GraphSample sample;
+    evaluate({&s, 1}, {}, scratch, {&sample, 1});
+    const auto& c = sample.channels;
+    const Dual value =
+        sample.wire == Wire::number ? c[0] : 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2];
+    const Vec3d gradient = value.slope * map.linear, color = sample.color();
+    const auto as = [&](auto rounded) -> Evaluation {
+        return {rounded(value.value),
+                {rounded(gradient.x), rounded(gradient.y), rounded(gradient.z)},
+                Vec3d(rounded(color.x), rounded(color.y), rounded(color.z))};
+    };
+    return {as([](double x) { return x; }), as([](double x) { return double(float(x)); }), {}};
+}
+
+std::vector<PointResult> evaluate_graph(const Recipe& recipe, const PointFile& file) {
+    const GraphEvaluator evaluate(recipe.graph);
+    GraphEvaluator::Scratch scratch = evaluate.make_scratch();
+    std::vector<PointResult> results;
+    for (const auto& [x, y, z, w] : file.points)
+        results.push_back(evaluate_graph(evaluate, scratch, texture_from_solid(recipe), {x, y, z}));
+    return results;
+}
+
 }  // namespace
 
 std::vector<PointResult> evaluate_points(NoiseOptions noise, const PointFile& file,
@@ -109,6 +138,8 @@ std::vector<PointResult> evaluate_points(const Recipe& recipe, const PointFile& 
         throw Error(
             ExitCode::usage,
             fmt::format("a recipe needs points x,y,z; these have {} coordinates", file.dimensions));
+    if (!recipe.graph.empty() && format) refuse_fixed_point();
+    if (!recipe.graph.empty()) return evaluate_graph(recipe, file);
     const PreparedRecipe prepared{recipe.texture.quadric, expand_octaves(recipe.texture),
                                   PreparedColorMap(recipe.texture.colors),
                                   texture_from_solid(recipe)};

@@ -29,7 +29,8 @@ std::vector<PointResult> evaluate_points(NoiseOptions noise, const PointFile& fi
 /// f, its gradient with respect to the point in solid space (before the recipe's scale) and the
 /// colour. float32: noise in float32 and the sum in float64, as a bake has it, then rounded. Fixed:
 /// noise in fixed point, the rest in float64. Throws Error(usage) for points that are not x,y,z and
-/// for noises without fixed point.
+/// for noises without fixed point. Graphs: float64, and that rounded; of a colour the luminance; no
+/// fixed point.
 std::vector<PointResult> evaluate_points(const Recipe& recipe, const PointFile& file,
                                          const std::optional<FixedFormat>& format);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "app/texture_color.h"
 #include "procedural/metric_marble.h"
 #include "procedural/octaves.h"
 #include "procedural/srgb.h"
@@ -13,6 +14,7 @@ namespace {
 
 constexpr double coarsest_detail = 1.0 / 40;
 constexpr double detail_of_cell = 0.4;
+constexpr double graph_detail = 1.0 / 200;
 
 double half_diagonal(std::span<const Vec3d> positions) {
     Vec3d low = positions[0], high = positions[0];
@@ -60,13 +62,12 @@ MetricTexture metric_marble_texture() {
 
 MetricTexture recipe_texture(const Recipe& recipe, const Mesh& mesh) {
     const Affine3 map = texture_from_normalised(recipe, mesh);
-    std::vector<Octave> octaves = expand_octaves(recipe.texture);
-    const double frequency = highest_frequency(octaves, map);
+    const double frequency = highest_frequency(expand_octaves(recipe.texture), map);
     MetricTexture texture{recipe.name, {}, coarsest_detail};
     if (frequency > 0.0) texture.detail = std::min(coarsest_detail, detail_of_cell / frequency);
-    texture.color = [map, octaves = std::move(octaves), quadric = recipe.texture.quadric,
-                     colors = recipe.texture.colors](const Vec3d& point) {
-        return evaluate_color(colors, evaluate_field(quadric, octaves, map(point)));
+    if (!recipe.graph.empty()) texture.detail = graph_detail;
+    texture.color = [map, color = texture_color(recipe)](const Vec3d& point) {
+        return color(map(point));
     };
     return texture;
 }

@@ -19,7 +19,8 @@ inline constexpr const char* metric_marble_name = "metric-marble";
 MetricTexture metric_marble_texture();
 
 /// The recipe's texture where its own scale and space put it on `mesh`. Detail is 0.4 of the
-/// shortest lattice cell of its noise, as it is for metric-marble, and at most 1/40.
+/// shortest lattice cell of its noise, as it is for metric-marble, and at most 1/40; of a graph,
+/// whose nodes may be anything, 1/200.
 MetricTexture recipe_texture(const Recipe& recipe, const Mesh& mesh);
 
 /// The mesh with the box's middle in the origin and its half diagonal 1.

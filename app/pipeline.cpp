@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "procedural/synthesize.h"
+#include "procedural/synthesize_graph.h"
 
 namespace burl {
 
@@ -52,14 +53,23 @@ const SolidAtlas& Pipeline::solid() {
 namespace {
 
 Image<Rgb8> fill(const SolidAtlas& solid, const Recipe& recipe, int threads, Rgb8) {
+    if (!recipe.graph.empty())
+        return synthesize_graph_rgb8(solid, recipe.graph, texture_from_solid(recipe), recipe.filter,
+                                     threads);
     return synthesize_rgb8(solid, recipe.texture, texture_from_solid(recipe), threads,
                            recipe.filter);
 }
 Image<Rgb16> fill(const SolidAtlas& solid, const Recipe& recipe, int threads, Rgb16) {
+    if (!recipe.graph.empty())
+        return synthesize_graph_rgb16(solid, recipe.graph, texture_from_solid(recipe),
+                                      recipe.filter, threads);
     return synthesize_rgb16(solid, recipe.texture, texture_from_solid(recipe), threads,
                             recipe.filter);
 }
 Image<RgbF> fill(const SolidAtlas& solid, const Recipe& recipe, int threads, RgbF) {
+    if (!recipe.graph.empty())
+        return synthesize_graph_rgbf(solid, recipe.graph, texture_from_solid(recipe), recipe.filter,
+                                     threads);
     return synthesize_rgbf(solid, recipe.texture, texture_from_solid(recipe), threads,
                            recipe.filter);
 }

@@ -8,7 +8,7 @@
 #include "atlas/atlas.h"
 #include "atlas/solid_atlas.h"
 #include "procedural/filter.h"
-#include "procedural/texture.h"
+#include "procedural/graph.h"
 
 namespace burl {
 
@@ -22,7 +22,8 @@ struct Recipe {
     std::string name;
     AtlasOptions atlas;
     SolidOptions solid;
-    Texture texture;
+    Texture texture;     ///< of the 1999 model, which bakes fastest
+    TextureGraph graph;  ///< any other texture; empty: `texture` counts
     Filter filter;
     bool operator==(const Recipe&) const = default;
 };

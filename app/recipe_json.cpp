@@ -5,6 +5,7 @@
 #include "app/recipe_check.h"
 #include "app/recipe_settings.h"
 #include "atlas/error.h"
+#include "procedural/graph_json.h"
 #include "procedural/texture_json.h"
 
 namespace burl {
@@ -54,7 +55,10 @@ Recipe recipe_from_json(const Json& json) {
     const Json& solid = part("solid");
     read(solid, "space", spaces, recipe.solid.space);
     if (solid.contains("scale")) recipe.solid.scale = solid["scale"].get<double>();
-    recipe.texture = texture_from_json(part("texture"));
+    if (is_graph(part("texture")))
+        recipe.graph = graph_from_json(part("texture"));
+    else
+        recipe.texture = texture_from_json(part("texture"));
     const Json& filter = part("filter");
     read(filter, "kind", filters, recipe.filter.kind);
     if (filter.contains("samples")) recipe.filter.samples = int(filter["samples"].get<double>());
@@ -109,7 +113,8 @@ std::string to_json(const Recipe& recipe) {
           {"diagonals", name_of(diagonals, recipe.atlas.diagonals)},
           {"tries", recipe.atlas.tries}}},
         {"solid", {{"space", name_of(spaces, recipe.solid.space)}, {"scale", recipe.solid.scale}}},
-        {"texture", texture_to_json(recipe.texture)},
+        {"texture",
+         recipe.graph.empty() ? texture_to_json(recipe.texture) : graph_to_json(recipe.graph)},
         {"filter",
          {{"kind", name_of(filters, recipe.filter.kind)},
           {"samples", recipe.filter.samples},

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <charconv>
+#include <span>
 
 #include "app/schema_tree.h"
 #include "atlas/error.h"
+#include "procedural/graph_json.h"
 
 namespace burl {
 
@@ -92,6 +94,21 @@ Json parse_value(const std::string& text, const SchemaNode& node) {
     return value;
 }
 
+/// A key of a texture graph: paths follow the JSON itself, and what is no key of its node is found
+/// when the whole recipe is checked.
+Json& graph_place(Json& texture, std::span<const std::string_view> parts, std::string_view path) {
+    Json* place = &texture;
+    for (const std::string_view part : parts) {
+        if (place->is_array() && is_index(part)) {
+            place = &array_item(*place, part, path);
+            continue;
+        }
+        if (!place->is_object()) *place = Json::object();
+        place = &(*place)[std::string(part)];
+    }
+    return *place;
+}
+
 }  // namespace
 
 std::string apply_setting(Json& recipe, const std::string& setting) {
@@ -106,6 +123,13 @@ std::string apply_setting(Json& recipe, const std::string& setting) {
     Json edited = recipe;
     Json* place = &edited;
     const auto parts = split_path(path);
+    if (parts.size() > 1 && parts[0] == "texture" && recipe.contains("texture") &&
+        is_graph(recipe["texture"])) {
+        graph_place(edited["texture"], std::span(parts).subspan(1), path) =
+            parse_value(setting.substr(equals + 1), {});
+        recipe = std::move(edited);
+        return path;
+    }
     for (std::size_t i = 0; i < parts.size(); ++i) {
         if (node->parameter && node->parameter->type == ParameterType::numbers &&
             i + 1 == parts.size()) {

@@ -13,12 +13,18 @@ namespace burl {
 /// "*"), a tuple (children "0", "1", ...) or an object.
 struct SchemaNode {
     const Parameter* parameter = nullptr;
+    bool elsewhere = false;  ///< what is below is checked elsewhere
     std::vector<std::pair<std::string_view, std::unique_ptr<SchemaNode>>> children;
 
     const SchemaNode* child(std::string_view key) const {
         for (const auto& [name, node] : children)
             if (name == key) return node.get();
         return nullptr;
+    }
+    std::vector<std::string_view> keys() const {
+        std::vector<std::string_view> names;
+        for (const auto& [name, node] : children) names.push_back(name);
+        return names;
     }
     bool is_array() const { return children.size() == 1 && children[0].first == "*"; }
     bool is_tuple() const { return !children.empty() && children[0].first == "0"; }

@@ -5,6 +5,7 @@
 #include "app/parameters.h"
 #include "app/report.h"
 #include "app/verbs.h"
+#include "procedural/graph_table.h"
 #include "procedural/noise_names.h"
 
 namespace burl {
@@ -37,6 +38,17 @@ std::string describe(const Parameter& p) {
     return fmt::format("{}: {}", text, p.tip);
 }
 
+/// "number from a, b: what it does".
+std::string describe(const NodeType& type) {
+    std::vector<std::string_view> keys;
+    for (const NodeInput& input : type.inputs()) keys.push_back(input.key);
+    for (const Parameter& parameter : type.parameters()) keys.push_back(parameter.path);
+    if (type.name == "constant") keys.push_back("value");
+    if (type.name == "color_map") keys.insert(keys.end(), {"wrap", "stops"});
+    if (type.name == "field") keys.insert(keys.end(), {"quadric", "noise"});
+    return fmt::format("{}{}{}", fmt::join(keys, ", "), keys.empty() ? "" : ": ", type.text);
+}
+
 std::vector<Entry> parameter_entries() {
     std::vector<Entry> entries;
     for (const Parameter& parameter : parameters()) {
@@ -61,8 +73,10 @@ std::vector<Entry> entries_of(const std::string& what) {
             entries.push_back({std::string(kind.name), std::string(kind.text)});
         return entries;
     }
-    return {{"color_map", "colour stops over a field, index repeated or clamped"},
-            {"field", "quadric plus noise terms (Hart et al. 1999, equation 1)"}};
+    std::vector<Entry> entries;
+    for (const NodeType& type : graph_table())
+        entries.push_back({std::string(type.name), describe(type)});
+    return entries;
 }
 
 void print_entries(const std::string& what, bool json) {

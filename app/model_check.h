@@ -1,0 +1,15 @@
+#pragma once
+// Checks the two nodes of the 1999 model, colour map and field, wherever in a texture they stand.
+#include "app/schema_check.h"
+
+namespace burl {
+
+/// A color_map's `wrap` and `stops`; `schema` is build_schema()'s.
+std::optional<RecipeProblem> find_map_problem(const SchemaNode& schema, const Json& map,
+                                              const std::string& path);
+
+/// A field as a whole.
+std::optional<RecipeProblem> find_field_problem(const SchemaNode& schema, const Json& field,
+                                                const std::string& path);
+
+}  // namespace burl

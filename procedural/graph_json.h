@@ -1,0 +1,21 @@
+#pragma once
+// A texture graph as JSON (docs/nodes.md): a tree of nodes, each an object with its name under
+// "node", its inputs and its parameters. A number, or a colour "#rrggbb" or "#rrggbbaa", stands for
+// a constant node.
+#include <nlohmann/json.hpp>
+
+#include "procedural/graph.h"
+
+namespace burl {
+
+/// Whether a recipe's "texture" is anything but a color_map over a field, which texture_json.h
+/// reads.
+bool is_graph(const nlohmann::ordered_json& texture);
+
+/// Reads a recipe's "texture", which must have been checked: nodes, keys, types, ranges, depth.
+TextureGraph graph_from_json(const nlohmann::ordered_json& texture);
+
+/// JSON that graph_from_json reads back to an equal graph.
+nlohmann::ordered_json graph_to_json(const TextureGraph& graph);
+
+}  // namespace burl

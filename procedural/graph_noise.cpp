@@ -1,0 +1,212 @@
+// The irregular textures: the field of the 1999 model, and those of pbrt after Chuang's slides
+// (2008). Octaves that a sample cannot show fade out by pbrt's rule.
+#include "procedural/box_means.h"
+#include "procedural/graph_nodes.h"
+#include "procedural/mean_noise.h"
+
+namespace burl::nodes {
+
+namespace {
+
+using Sample = NoiseSample<double, 3>;
+
+/// n(p) with p's slopes carried through.
+Dual noise_at(const NoiseSpec& noise, const DualPoint& p) {
+    const Sample n = sample_noise<double, 3>(noise, {p.x.value, p.y.value, p.z.value});
+    return {n.value,
+            n.gradient[0] * p.x.slope + n.gradient[1] * p.y.slope + n.gradient[2] * p.z.slope};
+}
+
+DualPoint scaled(double factor, const DualPoint& p) {
+    return {factor * p.x, factor * p.y, factor * p.z};
+}
+
+NoiseSpec noise_of(const NodeCall& call) {
+    NoiseSpec noise;
+    noise.kind = NoiseKind(int(call.parameter("kind")));
+    noise.seed = std::uint32_t(call.parameter("seed"));
+    return noise;
+}
+
+/// sum_k gain^k n_{seed+k}(lacunarity^k p), or of |n|.
+struct OctaveSum {
+    NoiseSpec noise;
+    double octaves = 1.0, lacunarity = 2.0, gain = 0.5;
+    bool absolute = false;
+
+    static OctaveSum of(const NodeCall& call, bool absolute_values) {
+        return {noise_of(call), call.parameter("octaves"), call.parameter("lacunarity"),
+                call.parameter("gain"), absolute_values};
+    }
+
+    /// pbrt's n = clamp(-1 - log2(step^2) / 2, 0, octaves), for any lacunarity: octave k stays
+    /// while the sample covers less than half a cell of it.
+    double visible(double step) const {
+        const double grows = std::log2(lacunarity);
+        if (!(step > 0.0) || !(grows > 0.0)) return octaves;
+        return std::clamp((-1.0 - std::log2(step)) / grows, 0.0, octaves);
+    }
+
+    /// `step`: length by which p moves across the sample. The last visible octave fades by
+    /// smoothstep(0.3, 0.7); of |n|, what has faded leaves its mean behind.
+    Dual operator()(const DualPoint& p, double step) const {
+        const double kept = visible(step);
+        Dual sum;
+        double weight = 1.0, frequency = 1.0;
+        NoiseSpec octave = noise;
+        for (double k = 0.0; k < octaves; ++k, ++octave.seed) {
+            const double fade = dual_smoothstep(0.3, 0.7, std::min(kept - k, 1.0)).value;
+            const double left = absolute ? mean_absolute(noise.kind) : mean_value(noise.kind);
+            if (fade > 0.0) {
+                const Dual n = noise_at(octave, scaled(frequency, p));
+                sum = sum + weight * fade * (absolute ? dual_abs(n) : n);
+            }
+            if (fade < 1.0) sum = sum + weight * (1.0 - fade) * left;
+            weight *= gain;
+            frequency *= lacunarity;
+        }
+        return sum;
+    }
+};
+
+/// The longer of the point's two moves across the sample.
+double step_of(const NodeCall& call, const DualPoint& p, std::size_t i) {
+    const Vec3d u(call.along_u(p.x, i), call.along_u(p.y, i), call.along_u(p.z, i));
+    const Vec3d v(call.along_v(p.x, i), call.along_v(p.y, i), call.along_v(p.z, i));
+    return std::max(glm::length(u), glm::length(v));
+}
+
+/// What pbrt's marble runs through: linear RGB control points of a spline, brightened by 1.5.
+constexpr std::array<std::array<double, 3>, 9> marble_colors{{{.58, .58, .6},
+                                                              {.58, .58, .6},
+                                                              {.58, .58, .6},
+                                                              {.5, .5, .5},
+                                                              {.6, .59, .58},
+                                                              {.58, .58, .6},
+                                                              {.58, .58, .6},
+                                                              {.2, .2, .33},
+                                                              {.58, .58, .6}}};
+
+/// Weights of four neighbouring control points at u in [0,1]: Bernstein's (pbrt, which jumps from
+/// one four to the next) or those of the uniform cubic B-spline (which does not).
+std::array<Dual, 4> spline_weights(bool smooth, const Dual& u) {
+    const Dual v = 1.0 - u;
+    if (!smooth) return {v * v * v, 3.0 * u * v * v, 3.0 * u * u * v, u * u * u};
+    const Dual a = v * v * v, d = u * u * u;
+    const Dual b = 4.0 - 6.0 * u * u + 3.0 * d, c = 4.0 - 6.0 * v * v + 3.0 * a;
+    return {1.0 / 6.0 * a, 1.0 / 6.0 * b, 1.0 / 6.0 * c, 1.0 / 6.0 * d};
+}
+
+/// The colour at t in [0,1].
+std::array<Dual, 3> marble_color(bool smooth, const Dual& t) {
+    constexpr double segments = double(marble_colors.size() - 3);
+    const double first = std::clamp(std::floor(t.value * segments), 0.0, segments - 1.0);
+    const auto weights = spline_weights(smooth, segments * t - first);
+    std::array<Dual, 3> color;
+    for (std::size_t c = 0; c < 3; ++c)
+        for (std::size_t k = 0; k < 4; ++k)
+            color[c] = color[c] + 1.5 * marble_colors[std::size_t(first) + k][c] * weights[k];
+    return color;
+}
+
+}  // namespace
+
+void field(const NodeCall& call) {
+    const Quadric& quadric = call.graph->textures[call.node->texture].quadric;
+    for_each_point(call, [&](std::size_t i) {
+        const DualPoint p = call.point(i);
+        const Vec3d s(p.x.value, p.y.value, p.z.value);
+        const FieldSample f = sample_field<double>(quadric, call.prepared->octaves, s);
+        return Dual(f.value,
+                    f.gradient.x * p.x.slope + f.gradient.y * p.y.slope + f.gradient.z * p.z.slope);
+    });
+}
+
+void fbm(const NodeCall& call) {
+    const OctaveSum sum = OctaveSum::of(call, false);
+    for_each_point(call, [&](std::size_t i) {
+        const DualPoint p = call.point(i);
+        return sum(p, step_of(call, p, i));
+    });
+}
+
+void wrinkled(const NodeCall& call) {
+    const OctaveSum sum = OctaveSum::of(call, true);
+    for_each_point(call, [&](std::size_t i) {
+        const DualPoint p = call.point(i);
+        return sum(p, step_of(call, p, i));
+    });
+}
+
+void windy(const NodeCall& call) {
+    const OctaveSum waves = OctaveSum::of(call, false);
+    OctaveSum wind = waves;
+    wind.octaves = 3.0;
+    for_each_point(call, [&](std::size_t i) {
+        const DualPoint p = call.point(i);
+        const double step = step_of(call, p, i);
+        return dual_abs(wind(scaled(0.1, p), 0.1 * step)) * waves(p, step);
+    });
+}
+
+void marble(const NodeCall& call) {
+    const OctaveSum sum = OctaveSum::of(call, false);
+    const double scale = call.parameter("scale"), variation = call.parameter("variation");
+    const bool smooth = call.parameter("spline") == 1.0;
+    for (std::size_t i = 0; i < call.count(); ++i) {
+        const DualPoint p = scaled(scale, call.point(i));
+        const Dual vein = p.y + variation * sum(p, step_of(call, p, i));
+        const auto color = marble_color(smooth, 0.5 + 0.5 * dual_sin(vein));
+        for (std::size_t c = 0; c < 3; ++c) call.out[c].set(i, color[c]);
+        call.out[3].set(i, 1.0);
+    }
+}
+
+void bumps(const NodeCall& call) {
+    const NoiseSpec noise = noise_of(call);
+    const Vec3d frequency = call.vector("frequency");
+    const double threshold = call.parameter("threshold");
+    blend_inputs(call, [&](std::size_t i) {
+        const DualPoint p = call.point(i);
+        const DualPoint q{frequency.x * p.x, frequency.y * p.y, frequency.z * p.z};
+        const Dual n = noise_at(noise, q);
+        const Dual above = (is_distance(noise.kind) ? n : 0.5 + 0.5 * n) - threshold;
+        return box_step(above, call.box_width(above, i));
+    });
+}
+
+void dots(const NodeCall& call) {
+    NoiseSpec noise;
+    noise.kind = NoiseKind::cell;
+    noise.seed = std::uint32_t(call.parameter("seed"));
+    noise.period = {std::uint32_t(call.parameter("period_u")),
+                    std::uint32_t(call.parameter("period_v"))};
+    const double radius = call.parameter("radius"), shift = 0.5 - radius;
+    blend_inputs(call, [&](std::size_t i) -> Dual {
+        const DualPoint p = call.point(i);
+        const double s = std::floor(p.x.value + 0.5), t = std::floor(p.y.value + 0.5);
+        const auto random = [&](double u, double v) {
+            return shift * sample_noise<double, 3>(noise, {s + u, t + v, 0.5}).value;
+        };
+        if (!(random(0.5, 0.5) >= 0.0)) return 0.0;
+        const Dual away = dual_length(p.x - (s + random(1.5, 2.8)), p.y - (t + random(4.5, 9.8)));
+        const Dual inside = radius - away;
+        return box_step(inside, call.box_width(inside, i));
+    });
+}
+
+void warp(const NodeCall& call) {
+    const double strength = call.parameter("strength");
+    std::array<OctaveSum, 3> moves;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        moves[axis] = OctaveSum::of(call, false);
+        moves[axis].noise.seed += std::uint32_t(axis) << 16;
+    }
+    map_points(call, [&](std::size_t i, const DualPoint& p) -> DualPoint {
+        const double step = step_of(call, p, i);
+        return {p.x + strength * moves[0](p, step), p.y + strength * moves[1](p, step),
+                p.z + strength * moves[2](p, step)};
+    });
+}
+
+}  // namespace burl::nodes

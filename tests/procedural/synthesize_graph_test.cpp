@@ -1,0 +1,96 @@
+#include "procedural/synthesize_graph.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "graph_cases.h"
+#include "procedural/srgb.h"
+#include "synthetic_atlas.h"
+
+namespace burl {
+namespace {
+
+const char* const busy = R"({"node": "layer_over", "top": {"node": "scale", "a": "#ffffff80",
+    "b": {"node": "checkerboard_3d", "aa": "supersample"}},
+    "base": {"node": "color_map", "stops": [[0, "#000000"], [1, "#ff8040"]],
+    "input": {"node": "warp", "input": {"node": "add", "a": {"node": "wrinkled"},
+    "b": {"node": "dots"}}}}})";
+
+TEST(GraphEvaluator, BatchesEqualSinglePoints) {
+    const std::vector<Vec3d> points = random_points(700, 5.0, 2);
+    const std::vector<Footprint> footprints(points.size(), {{0.02, 0.01, 0}, {0, -0.03, 0.01}});
+    for (const GraphCase& graph : graph_cases) {
+        const GraphEvaluator evaluate(graph_of(graph.json));
+        GraphEvaluator::Scratch scratch = evaluate.make_scratch(), other = evaluate.make_scratch();
+        std::vector<GraphSample> all(points.size());
+        evaluate(points, footprints, scratch, all);
+        for (std::size_t i = 0; i < points.size(); i += 23) {
+            GraphSample one;
+            evaluate({&points[i], 1}, {&footprints[i], 1}, other, {&one, 1});
+            for (std::size_t c = 0; c < 4; ++c) {
+                EXPECT_EQ(one.channels[c].value, all[i].channels[c].value) << graph.node;
+                EXPECT_EQ(one.channels[c].slope, all[i].channels[c].slope) << graph.node;
+            }
+        }
+    }
+}
+
+TEST(SynthesizeGraph, BytesDoNotDependOnThreads) {
+    const SolidAtlas solid = SyntheticAtlas{}.make(3);
+    const TextureGraph graph = graph_of(busy);
+    for (const Filter filter :
+         {Filter{}, Filter{FilterKind::trapezoid}, Filter{FilterKind::supersample, 5}}) {
+        const auto one = synthesize_graph_rgb8(solid, graph, {}, filter, 1);
+        const auto precise = synthesize_graph_rgbf(solid, graph, {}, filter, 1);
+        for (const int threads : {2, 3, 0}) {
+            EXPECT_EQ(synthesize_graph_rgb8(solid, graph, {}, filter, threads), one);
+            EXPECT_EQ(synthesize_graph_rgbf(solid, graph, {}, filter, threads), precise);
+        }
+    }
+}
+
+TEST(SynthesizeGraph, FillsTexelsWithTheirOwnPoints) {
+    const SolidAtlas solid = SyntheticAtlas{}.make(5);
+    const TextureGraph graph = graph_of(busy);
+    const GraphEvaluator evaluate(graph);
+    const Affine3 map{Mat3d(3.0), Vec3d(0.1, 0.2, 0.3)};
+    const auto points = synthesize_graph_rgbf(solid, graph, map, Filter{}, 2);
+    const auto areas = synthesize_graph_rgb16(solid, graph, map, Filter{FilterKind::trapezoid}, 2);
+    const SrgbEncoder<std::uint16_t> encode;
+    int owned = 0;
+    for (std::size_t y = 0; y < solid.size; y += 3)
+        for (const Span& span : solid.row(y)) {
+            const TexelMap& texel = solid.maps[span.map];
+            const Vec3d p = map(texel(span.x, std::int64_t(y)));
+            EXPECT_EQ(points(span.x, y).g, float(evaluate(p).color().y));
+            const Footprint footprint{3.0 * texel.step_x, 3.0 * texel.step_y};
+            EXPECT_EQ(areas(span.x, y).r, encode(evaluate(p, footprint).color().x));
+            ++owned;
+        }
+    EXPECT_GT(owned, 50);
+    // What no triangle owns has the colour at the origin.
+    SolidAtlas bare;
+    bare.size = 2;
+    bare.row_begin = {0, 0, 0};
+    EXPECT_EQ(synthesize_graph_rgbf(bare, graph, map, Filter{}, 1)(1, 1).r,
+              float(evaluate(Vec3d(0.0)).color().x));
+}
+
+TEST(SynthesizeGraph, SupersamplingApproachesWhatNodesKnow) {
+    // Stripes a quarter of a texel to four texels wide: the box's mean against many samples.
+    const SolidAtlas solid = SyntheticAtlas{64, 16, 0.0, 0.3, false}.make(7);
+    const TextureGraph graph = graph_of(R"({"node": "stripes", "period": 0.4})");
+    const auto nodes = synthesize_graph_rgbf(solid, graph, {}, {FilterKind::trapezoid}, 2);
+    const auto many = synthesize_graph_rgbf(solid, graph, {}, {FilterKind::supersample, 64}, 2);
+    const auto one = synthesize_graph_rgbf(solid, graph, {}, {}, 2);
+    double error = 0.0, unfiltered = 0.0;
+    for (std::size_t i = 0; i < many.pixels().size(); ++i) {
+        error += std::pow(nodes.pixels()[i].r - many.pixels()[i].r, 2);
+        unfiltered += std::pow(one.pixels()[i].r - many.pixels()[i].r, 2);
+    }
+    EXPECT_LT(std::sqrt(error / unfiltered), 0.25);
+}
+
+}  // namespace
+}  // namespace burl
