@@ -117,11 +117,14 @@ class GraphChecker {
         for (const Parameter& parameter : type.parameters()) known.push_back(parameter.path);
         if (type.name == "color_map") known.insert(known.end(), {"wrap", "stops"});
         if (Found found = check_names(known, node, path)) return found;
-        for (const Parameter& parameter : type.parameters())
-            if (node.contains(parameter.path))
-                if (Found found = check_leaf(parameter, node[std::string(parameter.path)],
-                                             join_path(path, parameter.path)))
-                    return found;
+        for (const Parameter& parameter : type.parameters()) {
+            const std::string key(parameter.path), parameter_path = join_path(path, key);
+            if (node.contains(key)) {
+                if (Found found = check_leaf(parameter, node[key], parameter_path)) return found;
+            } else if (parameter.default_value.empty()) {
+                return RecipeProblem{parameter_path, parameter_path + " is missing"};
+            }
+        }
         return {};
     }
 

@@ -37,7 +37,7 @@ Affine3 texture_from_mesh(const Recipe& recipe, const Mesh& mesh);
 /// Parses recipe JSON; `origin` names it in messages. `settings` are "path=value" edits applied to
 /// the JSON first, such as "texture.input.noise.0.amplitude=0.7". Unknown keys, wrong types and
 /// values out of range are Error(invalid_file) (usage for `settings`) naming the key and the
-/// nearest known one.
+/// nearest known one. Images a texture names are read from origin's folder on.
 Recipe parse_recipe(const std::string& json, const std::string& origin,
                     const std::vector<std::string>& settings = {});
 

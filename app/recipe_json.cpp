@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <array>
+#include <filesystem>
 
+#include "app/image_io.h"
 #include "app/recipe.h"
 #include "app/recipe_check.h"
 #include "app/recipe_settings.h"
@@ -35,7 +37,24 @@ const char* name_of(const Names& names, Enum value) {
     return names[std::size_t(value)];
 }
 
-Recipe recipe_from_json(const Json& json) {
+/// A MIP pyramid of this side takes 1 GB.
+constexpr std::size_t largest_image_side = 8192;
+
+/// Reads images relative to the folder of the recipe's file, if it has one.
+ImageReader image_reader(const std::string& origin) {
+    return [folder = std::filesystem::path(origin).parent_path()](const std::string& file) {
+        const std::string path = (folder / file).string();
+        Image<Rgb8> image = read_png(path);
+        if (std::max(image.width(), image.height()) > largest_image_side)
+            throw invalid_file(path, 0,
+                               fmt::format("the image has {} x {} pixels; textures take at most {} "
+                                           "a side, so scale it down",
+                                           image.width(), image.height(), largest_image_side));
+        return image;
+    };
+}
+
+Recipe recipe_from_json(const Json& json, const std::string& origin) {
     Recipe recipe;
     const Json none = Json::object();
     const auto part = [&](const char* key) -> const Json& {
@@ -56,7 +75,7 @@ Recipe recipe_from_json(const Json& json) {
     read(solid, "space", spaces, recipe.solid.space);
     if (solid.contains("scale")) recipe.solid.scale = solid["scale"].get<double>();
     if (is_graph(part("texture")))
-        recipe.graph = graph_from_json(part("texture"));
+        recipe.graph = graph_from_json(part("texture"), image_reader(origin));
     else
         recipe.texture = texture_from_json(part("texture"));
     const Json& filter = part("filter");
@@ -96,7 +115,7 @@ Recipe parse_recipe(const std::string& json, const std::string& origin,
     Json tree = parse_json_text(json, origin);
     if (const auto problem = find_problem(tree)) throw invalid_file(origin, 0, problem->sentence);
     if (!settings.empty()) apply_settings(tree, settings);
-    return recipe_from_json(tree);
+    return recipe_from_json(tree, origin);
 }
 
 std::string to_json(const Recipe& recipe) {

@@ -3,8 +3,11 @@
 // more than a colour map over a field. A plain comparable value: nodes in an order in which every
 // node comes after those it reads, so that evaluating them one after the other needs no recursion.
 #include <cstdint>
+#include <memory>
+#include <string>
 #include <vector>
 
+#include "procedural/mip_image.h"
 #include "procedural/texture.h"
 
 namespace burl {
@@ -22,13 +25,24 @@ struct GraphNode {
     std::vector<std::uint32_t> inputs;   ///< nodes, in the table's order
     std::vector<double> parameters;      ///< in the table's order; a choice is its index
     std::uint32_t texture = no_texture;  ///< into TextureGraph::textures: of color_map and field
+    std::uint32_t image = no_texture;    ///< into TextureGraph::images: of image
     bool operator==(const GraphNode&) const = default;
+};
+
+/// A file and what was read from it.
+struct GraphImage {
+    std::string file;  ///< as the recipe names it
+    std::shared_ptr<const MipImage> pixels;
+    bool operator==(const GraphImage& other) const {
+        return file == other.file && *pixels == *other.pixels;
+    }
 };
 
 struct TextureGraph {
     /// nodes[0] is the solid point, the last one the result; empty: no graph.
     std::vector<GraphNode> nodes;
     std::vector<Texture> textures;
+    std::vector<GraphImage> images;
 
     bool empty() const { return nodes.empty(); }
     bool operator==(const TextureGraph&) const = default;

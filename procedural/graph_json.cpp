@@ -40,6 +40,7 @@ std::string_view choice_word(std::string_view choices, double index) {
 }
 
 void append_parameter(const Parameter& parameter, const Json& value, std::vector<double>& all) {
+    if (parameter.type == ParameterType::text) return;  // not a number
     if (parameter.type == ParameterType::choice)
         all.push_back(choice_index(parameter.choices, value.get<std::string>()));
     else if (parameter.type == ParameterType::numbers)
@@ -58,8 +59,10 @@ Json parameter_json(const Parameter& parameter, const double* values) {
 /// Adds nodes inputs first.
 class GraphReader {
   public:
+    explicit GraphReader(const ImageReader& read_image) : read_image_(read_image) {}
+
     TextureGraph read(const Json& texture) {
-        graph_.nodes.push_back({0, Wire::point, 0, {}, {}, no_texture});
+        graph_.nodes.push_back({0, Wire::point, 0, {}, {}, no_texture, no_texture});
         read_node(texture, 0);
         return std::move(graph_);
     }
@@ -71,7 +74,8 @@ class GraphReader {
     }
 
     std::uint32_t read_constant(const Json& value, std::uint32_t place) {
-        GraphNode node{index_of(*find_node("constant")), Wire::number, place, {}, {}, no_texture};
+        GraphNode node{
+            index_of(*find_node("constant")), Wire::number, place, {}, {}, no_texture, no_texture};
         if (value.is_number()) {
             node.parameters = {value.get<double>()};
         } else {
@@ -96,6 +100,18 @@ class GraphReader {
         return std::uint32_t(graph_.textures.size() - 1);
     }
 
+    std::uint32_t read_image(const NodeType& type, const Json& json) {
+        if (type.name != "image") return no_texture;
+        const std::string file = json["file"].get<std::string>();
+        const std::string wrap = json.value("wrap", "repeat");
+        const ImageWrap beyond = wrap == "black"   ? ImageWrap::black
+                                 : wrap == "clamp" ? ImageWrap::clamp
+                                                   : ImageWrap::repeat;
+        graph_.images.push_back(
+            {file, std::make_shared<const MipImage>(read_image_(file), beyond)});
+        return std::uint32_t(graph_.images.size() - 1);
+    }
+
     Wire wire_of(const NodeType& type, const std::vector<std::uint32_t>& inputs) const {
         if (type.result == NodeResult::number) return Wire::number;
         if (type.result == NodeResult::color) return Wire::color;
@@ -109,7 +125,7 @@ class GraphReader {
         if (!json.is_object()) return read_constant(json, place);
         const NodeType& type = node_type(json);
         if (type.name == "constant") return read_constant(json["value"], place);
-        GraphNode node{index_of(type), Wire::point, place, {}, {}, no_texture};
+        GraphNode node{index_of(type), Wire::point, place, {}, {}, no_texture, no_texture};
         for (const Parameter& parameter : type.parameters())
             append_parameter(parameter,
                              json.contains(parameter.path) ? json[std::string(parameter.path)]
@@ -125,9 +141,11 @@ class GraphReader {
                                             place));
         node.wire = wire_of(type, node.inputs);
         node.texture = read_texture(type, json);
+        node.image = read_image(type, json);
         return push(std::move(node));
     }
 
+    const ImageReader& read_image_;
     TextureGraph graph_;
 };
 
@@ -178,6 +196,10 @@ class GraphWriter {
         }
         std::size_t at = 0;
         for (const Parameter& parameter : type.parameters()) {
+            if (parameter.type == ParameterType::text) {
+                json[std::string(parameter.path)] = graph_.images[node.image].file;
+                continue;
+            }
             json[std::string(parameter.path)] = parameter_json(parameter, &node.parameters[at]);
             at += parameter.count;
         }
@@ -201,8 +223,8 @@ bool is_graph(const Json& texture) {
     return texture.contains("input") && !is_node(texture["input"], "field");
 }
 
-TextureGraph graph_from_json(const Json& texture) {
-    return GraphReader().read(texture);
+TextureGraph graph_from_json(const Json& texture, const ImageReader& read_image) {
+    return GraphReader(read_image).read(texture);
 }
 
 Json graph_to_json(const TextureGraph& graph) {

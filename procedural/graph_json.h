@@ -2,6 +2,8 @@
 // A texture graph as JSON (docs/nodes.md): a tree of nodes, each an object with its name under
 // "node", its inputs and its parameters. A number, or a colour "#rrggbb" or "#rrggbbaa", stands for
 // a constant node.
+#include <functional>
+
 #include <nlohmann/json.hpp>
 
 #include "procedural/graph.h"
@@ -12,8 +14,13 @@ namespace burl {
 /// reads.
 bool is_graph(const nlohmann::ordered_json& texture);
 
+/// Reads an image by the name a recipe gives it.
+using ImageReader = std::function<Image<Rgb8>(const std::string& file)>;
+
 /// Reads a recipe's "texture", which must have been checked: nodes, keys, types, ranges, depth.
-TextureGraph graph_from_json(const nlohmann::ordered_json& texture);
+/// `read_image` must be given where it has images; what it throws goes on.
+TextureGraph graph_from_json(const nlohmann::ordered_json& texture,
+                             const ImageReader& read_image = {});
 
 /// JSON that graph_from_json reads back to an equal graph.
 nlohmann::ordered_json graph_to_json(const TextureGraph& graph);

@@ -46,6 +46,9 @@ void warp(const NodeCall& call);
 void color_map(const NodeCall& call);
 void layer_over(const NodeCall& call);
 
+// graph_image.cpp
+void image(const NodeCall& call);
+
 // graph_mappings.cpp
 void transform(const NodeCall& call);
 void map_uv(const NodeCall& call);

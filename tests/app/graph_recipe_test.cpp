@@ -8,11 +8,13 @@
 #include <gtest/gtest.h>
 
 #include "app/embedded.h"
+#include "app/image_io.h"
 #include "app/parameters.h"
 #include "app/recipe.h"
 #include "atlas/error.h"
 #include "procedural/graph_json.h"
 #include "procedural/graph_table.h"
+#include "tests/app/scratch_folder.h"
 #include "tests/procedural/graph_cases.h"
 
 namespace burl {
@@ -20,8 +22,18 @@ namespace {
 
 using testing::HasSubstr;
 
+/// Name of a recipe in a folder that has the image the cases name.
+const std::string& origin() {
+    static const ScratchFolder folder;
+    static const std::string path = [] {
+        write_png(folder / "image.png", case_image(""));
+        return folder / "r";
+    }();
+    return path;
+}
+
 Recipe with_texture(const std::string& texture, const std::vector<std::string>& settings = {}) {
-    return parse_recipe("{\"texture\": " + texture + "}", "r", settings);
+    return parse_recipe("{\"texture\": " + texture + "}", origin(), settings);
 }
 
 std::string wrong(const std::string& texture) {
@@ -51,7 +63,7 @@ TEST(GraphRecipe, EveryNodeIsReadAndWrittenBack) {
         const Recipe recipe = with_texture(std::string(graph.json));
         ASSERT_FALSE(recipe.graph.empty()) << graph.node;
         EXPECT_EQ(recipe.graph, graph_of(graph.json)) << graph.node;
-        EXPECT_EQ(parse_recipe(to_json(recipe), "again"), recipe) << to_json(recipe);
+        EXPECT_EQ(parse_recipe(to_json(recipe), origin()), recipe) << to_json(recipe);
     }
 }
 
@@ -63,8 +75,11 @@ TEST(GraphRecipe, DefaultsAreTheTables) {
             if (input.fallback.empty()) plain += fmt::format(", \"{}\": {}", input.key, value);
             full += fmt::format(", \"{}\": {}", input.key, value);
         }
+        if (type.name == "image") plain += ", \"file\": \"image.png\"";
         for (const Parameter& parameter : type.parameters())
-            full += fmt::format(", \"{}\": {}", parameter.path, parameter.default_value);
+            full += fmt::format(
+                ", \"{}\": {}", parameter.path,
+                parameter.default_value.empty() ? "\"image.png\"" : parameter.default_value);
         if (type.name == "constant") plain += ", \"value\": 3", full += ", \"value\": 3";
         const Recipe recipe = with_texture(plain + "}");
         EXPECT_EQ(recipe, with_texture(full + "}")) << type.name;
@@ -122,6 +137,26 @@ TEST(GraphRecipe, WrongNodesGetOneSentenceWithTheirPath) {
     EXPECT_THAT(wrong(R"({"node": "stripes", "direction": [1, 2, "x"]})"),
                 HasSubstr("texture.direction.2 is \"x\""));
     EXPECT_THAT(wrong(R"({"node": "stripes", "period": 0})"), HasSubstr("texture.period is 0"));
+}
+
+TEST(GraphRecipe, ImagesAreReadBesideTheRecipe) {
+    EXPECT_THAT(wrong(R"({"node": "image"})"), HasSubstr("texture.file is missing"));
+    EXPECT_THAT(wrong(R"({"node": "image", "file": 3})"), HasSubstr("texture.file is 3"));
+    const ScratchFolder folder;
+    const auto broken = [&](const std::string& file) -> std::string {
+        try {
+            parse_recipe(R"({"texture": {"node": "image", "file": ")" + file + "\"}}",
+                         folder / "r");
+        } catch (const Error& error) {
+            return error.what();
+        }
+        return "accepted";
+    };
+    EXPECT_THAT(broken("none.png"), HasSubstr("none.png"));
+    std::ofstream(folder / "text.png") << "no image";
+    EXPECT_THAT(broken("text.png"), HasSubstr("text.png"));
+    write_png(folder / "long.png", Image<Rgb8>(8193, 1));
+    EXPECT_THAT(broken("long.png"), HasSubstr("at most 8192"));
 }
 
 TEST(GraphRecipe, TheModelsNodesAreCheckedInside) {
@@ -231,6 +266,7 @@ TEST(NodePage, NamesEveryInputAndParameterAsTheTableDoes) {
                              quoted(input.fallback), "", std::string(input.tip)});
         for (const Parameter& p : type.parameters()) {
             std::string range = fmt::format("{} to {}", p.low, p.high);
+            if (p.type == ParameterType::text) range = "any";
             if (p.type == ParameterType::choice) {
                 range.clear();
                 for (const std::string_view word : split_choices(p.choices))

@@ -45,6 +45,8 @@ inline constexpr std::array graph_cases{
     GraphCase{"layer_over", R"({"node": "layer_over", "top": "#80ff4080",
         "base": {"node": "scale", "a": "#ff0000c0", "b": {"node": "fbm"}},
         "opacity": {"node": "smoothstep", "input": {"node": "coordinate"}}})"},
+    GraphCase{"image", R"({"node": "map_uv", "scale": [0.3, 0.2],
+        "input": {"node": "image", "file": "image.png", "lookup": "ewa"}})"},
     GraphCase{"uv", R"({"node": "uv"})"},
     GraphCase{"checkerboard", R"({"node": "checkerboard", "a": {"node": "fbm"}, "b": "#ff8000"})"},
     GraphCase{"checkerboard_3d",
@@ -81,8 +83,18 @@ inline constexpr std::array graph_cases{
     GraphCase{"map_planar", R"({"node": "map_planar", "vs": [1, 0.5, -2], "vt": [0, 1, 1],
         "offset": [0.25, 4], "input": {"node": "fbm", "octaves": 2}})"}};
 
+/// What every image of a case is.
+inline Image<Rgb8> case_image(const std::string&) {
+    std::mt19937 random(3);
+    Image<Rgb8> image(12, 16);
+    for (std::size_t y = 0; y < image.height(); ++y)
+        for (Rgb8& c : image.row(y))
+            c = {std::uint8_t(random()), std::uint8_t(random()), std::uint8_t(random())};
+    return image;
+}
+
 inline TextureGraph graph_of(std::string_view json) {
-    return graph_from_json(nlohmann::ordered_json::parse(json));
+    return graph_from_json(nlohmann::ordered_json::parse(json), case_image);
 }
 
 /// One channel at one point.

@@ -94,6 +94,8 @@ TEST(GraphGradient, AgreesWithDifferencesOfMeans) {
           R"({"node": "stripes", "direction": [1, 2, -1]})", R"({"node": "uv"})",
           R"({"node": "ramp", "direction": [1, 2, -1]})",
           R"({"node": "sine", "direction": [1, 2, -1]})", R"({"node": "fbm", "octaves": 4})",
+          R"({"node": "image", "file": "image.png"})",
+          R"({"node": "image", "file": "image.png", "lookup": "ewa"})",
           R"({"node": "wrinkled", "octaves": 4})", R"({"node": "windy", "octaves": 4})",
           R"({"node": "marble", "octaves": 4, "spline": "bspline"})"})
         EXPECT_LT(worst_error(json, footprint), 1e-5) << json;

@@ -68,6 +68,22 @@ TEST(GraphValues, ColoursAreLinearLightTimesAlpha) {
     EXPECT_DOUBLE_EQ(mixed.channels[3].value, 0.5);
 }
 
+TEST(GraphValues, ImagesAreLookedUpByTheFootprint) {
+    const MipImage image(case_image(""), ImageWrap::clamp);
+    const std::string node =
+        R"({"node": "image", "file": "image.png", "wrap": "clamp", "lookup": )";
+    const TextureGraph trilinear = graph_of(node + "\"trilinear\"}");
+    const TextureGraph ewa = graph_of(node + "\"ewa\", \"anisotropy\": 3}");
+    const Footprint footprint{{0.1, 0.02, 5}, {-0.03, 0.2, 7}};
+    for (const Vec3d& p : random_points(50, 1.2, 21)) {
+        EXPECT_EQ(GraphEvaluator(trilinear)(p).color(), image.bilinear(0, p.x, p.y).color);
+        EXPECT_EQ(GraphEvaluator(trilinear)(p, footprint).color(),
+                  image.trilinear(p.x, p.y, 0.4).color);
+        EXPECT_EQ(GraphEvaluator(ewa)(p, footprint).color(),
+                  image.ewa(p.x, p.y, {0.1, 0.02}, {-0.03, 0.2}, 3).color);
+    }
+}
+
 TEST(GraphValues, LayersFollowPorterAndDuff) {
     const auto over = [](const char* opacity) {
         return GraphEvaluator(graph_of(std::string(R"({"node": "layer_over", "top": "#ffffff80",
