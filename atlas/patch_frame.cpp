@@ -31,20 +31,25 @@ void place_vertices(Patch& patch, const Mesh& mesh) {
         if (rim[v] > 0.0) patch.points[v] /= rim[v];
 }
 
-/// The rectangle round the patch along the map's directions.
+/// The rectangle round the patch along the map's directions. Where it has no height, as a triangle
+/// without area that only the unit frame's rounding gave some, places stay as the map has them.
 void project_anew(MappedPatch& mapped) {
     PlanarMap& plane = *mapped.planar;
     const Vec3d u = glm::normalize(plane.along_u), v = glm::normalize(plane.along_v);
     const Vec3d& first = mapped.patch.points[0];
     Vec2d low(0.0), high(0.0);
-    for (std::size_t i = 0; i < mapped.uv.size(); ++i) {
-        const Vec3d p = mapped.patch.points[i] - first;
-        plane.uv[i] = {glm::dot(p, u), glm::dot(p, v)};
-        low = glm::min(low, plane.uv[i]);
-        high = glm::max(high, plane.uv[i]);
+    std::vector<Vec2d> flat;
+    for (const Vec3d& point : mapped.patch.points) {
+        flat.emplace_back(glm::dot(point - first, u), glm::dot(point - first, v));
+        low = glm::min(low, flat.back());
+        high = glm::max(high, flat.back());
     }
     const Vec2d size = high - low;
-    for (Vec2d& q : plane.uv) q = (q - low) / size;
+    for (int axis = 0; axis < 2; ++axis) {
+        if (!(size[axis] > 0.0)) continue;
+        for (std::size_t i = 0; i < flat.size(); ++i)
+            plane.uv[i][axis] = (flat[i][axis] - low[axis]) / size[axis];
+    }
     plane.origin = first + low.x * u + low.y * v;
     plane.along_u = size.x * u;
     plane.along_v = size.y * v;

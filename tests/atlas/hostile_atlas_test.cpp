@@ -1,5 +1,6 @@
 // Odd meshes in textures too small for them: an atlas there always is, no texel has two owners, no
 // triangle is turned over or lies on another, and those without area in the texture are counted.
+#include <cmath>
 #include <filesystem>
 
 #include <gtest/gtest.h>
@@ -8,6 +9,7 @@
 #include "atlas/mesh_io.h"
 #include "atlas/metric_shape.h"
 #include "atlas/metric_texels.h"
+#include "atlas/patch_frame.h"
 #include "made_patches.h"
 
 namespace burl {
@@ -52,6 +54,8 @@ void expect_sound(const Mesh& mesh, const MeshAtlas& made, std::uint32_t size) {
     const Mesh& surface = made.mesh(mesh);
     ASSERT_EQ(atlas.options.size, size);
     ASSERT_EQ(atlas.corners.size(), surface.triangles.size());
+    for (const auto& corners : atlas.corners)
+        for (const Vec2d& corner : corners) EXPECT_TRUE(std::isfinite(corner.x + corner.y));
     const std::size_t owned = owned_texels(rasterize(mesh, made, surface.positions));
     const bool fills = made.patches() || std::has_single_bit(size);
     EXPECT_GT(owned, 0u);
@@ -62,6 +66,25 @@ void expect_sound(const Mesh& mesh, const MeshAtlas& made, std::uint32_t size) {
     const ShapeMetrics shape = measure_shape(surface, atlas, atlas.charts, atlas.chart_count);
     EXPECT_EQ(shape.flipped, 0u);
     EXPECT_LE(shape.vanished, counted_without_area(made));
+}
+
+/// A triangle on a line may have got an area by rounding alone, and lose it with the mesh's own
+/// points.
+TEST(HostileAtlas, PlanesThatLoseTheirHeightKeepTheirPlaces) {
+    const Patch bent =
+        made::whole(made::mesh_of({{0, 0, 0}, {2, 0, 0}, {1, 1e-7, 0}}, {{0, 1, 2}}));
+    MappedPatch mapped;
+    mapped.patch = bent;
+    mapped.planar = map_planar(bent);
+    ASSERT_TRUE(mapped.planar);
+    mapped.uv = mapped.planar->uv;
+    PatchMaps maps;
+    maps.patches.push_back(mapped);
+    to_mesh_frame(maps, made::mesh_of({{0, 0, 0}, {2, 0, 0}, {1, 0, 0}}, {{0, 1, 2}}));
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_NEAR(maps.patches[0].uv[i].x, mapped.uv[i].x, 1e-6);
+        EXPECT_NEAR(maps.patches[0].uv[i].y, mapped.uv[i].y, 1e-6);
+    }
 }
 
 TEST(HostileAtlas, EveryMeshHasAnAtlasOfEverySize) {
