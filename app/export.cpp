@@ -198,6 +198,11 @@ void check_side_output(const std::string& path, std::string_view extension,
     }
 }
 
+bool holds_mesh(const std::string& out_path) {
+    const Format format = format_of(out_path).format;
+    return format != Format::png && format != Format::exr;
+}
+
 ImageKind wanted_kind(const std::string& out_path, int depth) {
     if (format_of(out_path).format == Format::exr) return ImageKind::rgb_float;
     return depth == 16 ? ImageKind::rgb16 : ImageKind::rgb8;

@@ -41,6 +41,10 @@ void check_side_output(const std::string& path, std::string_view extension,
 /// with MIP levels a.1.png, a.2.png, ...; .glb and .exr hold their levels themselves.
 std::vector<std::string> output_paths(const std::string& out_path, std::uint32_t levels = 0);
 
+/// Whether the file is the mesh with its texture, not the texture alone. Throws Error(usage) for an
+/// unknown extension.
+bool holds_mesh(const std::string& out_path);
+
 /// Which image export_scene wants for this file: float for .exr, 16 bits where `depth` is 16, else
 /// 8. Depth is 8 or 16 (for .exr it is not looked at).
 ImageKind wanted_kind(const std::string& out_path, int depth);

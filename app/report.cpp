@@ -84,7 +84,7 @@ Json patches_json(const PatchAtlas& atlas) {
 
 Json times_json(const std::vector<StageTime>& times) {
     Json json = Json::object();
-    for (const auto& [stage, seconds] : times) json[stage] = seconds;
+    for (const auto& [stage, seconds] : times) json[stage] = json.value(stage, 0.0) + seconds;
     return json;
 }
 

@@ -25,7 +25,7 @@ Json capacity_json(const Capacity& capacity);
 /// What mapping and placing a patch atlas did.
 Json patches_json(const PatchAtlas& atlas);
 
-/// Seconds per stage.
+/// Seconds per stage, of all its runs.
 Json times_json(const std::vector<StageTime>& times);
 
 /// Version, library versions and SIMD level.

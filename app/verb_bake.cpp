@@ -3,12 +3,14 @@
 
 #include <fmt/format.h>
 
+#include "app/animation.h"
 #include "app/bake_compress.h"
 #include "app/bake_levels.h"
 #include "app/command_options.h"
 #include "app/export.h"
 #include "app/report.h"
 #include "app/verbs.h"
+#include "atlas/error.h"
 
 namespace burl {
 
@@ -17,6 +19,7 @@ namespace {
 struct BakeCommand {
     std::string mesh, out, report;
     RecipeOptions recipe;
+    AnimationOptions animation;
     MeshOptions meshes;
     int threads = 0, depth = 8;
     double crease = 40.0;
@@ -58,13 +61,21 @@ void tell_fallback(Pipeline& pipeline) {
     if (!why.empty()) warn(fmt::format("{}: {}", pipeline.mesh().name, why));
 }
 
+/// Every file that will be written.
+std::vector<std::string> all_outputs(const BakeCommand& command, std::uint32_t levels) {
+    std::vector<std::string> outputs;
+    for (const std::string& path : frame_paths(command.out, command.animation))
+        for (std::string& file : output_paths(path, levels)) outputs.push_back(std::move(file));
+    return outputs;
+}
+
 Json bake_json(const BakeCommand& command, Pipeline& pipeline, std::size_t levels, Json seconds) {
     const AtlasMetrics metrics = measure(pipeline.atlas_mesh(), pipeline.atlas(), pipeline.solid());
     Json atlas = metrics_json(pipeline.atlas(), metrics);
     if (const PatchAtlas* patches = pipeline.mesh_atlas().patches())
         atlas["patch"] = patches_json(*patches);
     return {{"input", command.mesh},
-            {"outputs", output_paths(command.out, std::uint32_t(levels))},
+            {"outputs", all_outputs(command, std::uint32_t(levels))},
             {"recipe", Json::parse(to_json(pipeline.recipe()))},
             {"mesh", mesh_json(pipeline.mesh(), pipeline.connectivity())},
             {"atlas", std::move(atlas)},
@@ -77,53 +88,95 @@ Json bake_json(const BakeCommand& command, Pipeline& pipeline, std::size_t level
 
 void print_summary(const Json& report) {
     const Json& atlas = report["atlas"];
+    const Json& outputs = report["outputs"];
+    std::string name = outputs.front().get<std::string>();
+    if (report.contains("animation")) name += " to " + outputs.back().get<std::string>();
     fmt::print(
         "{}: {} triangles, {} atlas {} x {}, coverage {:.1f} %, relative scale {:.2f}, {:.2f} s\n",
-        report["outputs"][0].get<std::string>(), report["mesh"]["triangles"].get<std::uint64_t>(),
-        atlas["kind"].get<std::string>(), atlas["size"].get<int>(), atlas["size"].get<int>(),
-        100.0 * atlas["coverage"].get<double>(), atlas["relative_scale"].get<double>(),
-        report["seconds"]["total"].get<double>());
+        name, report["mesh"]["triangles"].get<std::uint64_t>(), atlas["kind"].get<std::string>(),
+        atlas["size"].get<int>(), atlas["size"].get<int>(), 100.0 * atlas["coverage"].get<double>(),
+        atlas["relative_scale"].get<double>(), report["seconds"]["total"].get<double>());
 }
 
 void check_report(const BakeCommand& command, std::uint32_t levels) {
     if (command.report.empty() || command.report == "-") return;
-    std::vector<std::string> taken = output_paths(command.out, levels);
+    std::vector<std::string> taken = all_outputs(command, levels);
     taken.push_back(command.mesh);
     taken.push_back(command.recipe.recipe);
     check_side_output(command.report, "", taken);
 }
 
-void run_bake(const BakeCommand& command) {
-    const auto start = Clock::now();
-    const Recipe recipe = command.recipe.load();
-    const ImageKind kind = wanted_kind(command.out, command.depth);
-    const std::uint32_t levels = levels_asked(command.levels, recipe.atlas.size, kind);
-    check_output(command.out, command.mesh, levels);
+/// Everything that the command line can be wrong about, before any work starts.
+void check_command(const BakeCommand& command, const Recipe& recipe, std::uint32_t levels) {
+    if (command.animation.asked() && holds_mesh(command.out))
+        throw Error(ExitCode::usage,
+                    fmt::format("{}: --animate writes textures alone, .png or .exr; bake the mesh "
+                                "once without --animate: its texture coordinates fit every frame",
+                                command.out));
+    for (const std::string& path : frame_paths(command.out, command.animation))
+        check_output(path, command.mesh, levels);
     check_report(command, levels);
     check_compress(command.compress, recipe.atlas.kind);
-    Pipeline pipeline(command.meshes.load(command.mesh));
-    const double reading = seconds_since(start);
-    pipeline.set_recipe(recipe);
-    pipeline.set_threads(command.threads);
-    // Strips may not hold the mesh at all, which is then the one thing to say.
-    const bool strips =
-        recipe.atlas.kind != AtlasKind::patch && recipe.atlas.kind != AtlasKind::quad;
+}
+
+/// Strips may not hold the mesh at all, which is then the one thing to say.
+void lay_out(Pipeline& pipeline) {
+    const AtlasKind kind = pipeline.recipe().atlas.kind;
+    const bool strips = kind != AtlasKind::patch && kind != AtlasKind::quad;
     if (!strips) warn_if_starved(pipeline);
     tell_fallback(pipeline);
     if (strips) warn_if_starved(pipeline);
+}
+
+struct Written {
+    BakedAtlas baked;
+    std::size_t levels = 0;
+    double seconds = 0.0;
+};
+
+/// The pipeline's recipe as a texture in its file.
+Written write_texture(const BakeCommand& command, Pipeline& pipeline, const std::string& path,
+                      ImageKind kind, std::uint32_t levels) {
     ExportOptions options;
-    const BakedAtlas baked = compressed_bake(
-        pipeline.atlas(), synthesize(pipeline, kind, levels, options), command.compress);
+    Written written{compressed_bake(pipeline.atlas(), synthesize(pipeline, kind, levels, options),
+                                    command.compress)};
     const auto writing = Clock::now();
     options.crease_degrees = command.crease;
-    options.recipe_json = to_json(recipe);
-    export_scene(command.out, pipeline.atlas_mesh(), baked.atlas, baked.image, options);
+    options.recipe_json = to_json(pipeline.recipe());
+    export_scene(path, pipeline.atlas_mesh(), written.baked.atlas, written.baked.image, options);
+    written.levels = options.levels.size();
+    written.seconds = seconds_since(writing);
+    return written;
+}
+
+void run_bake(const BakeCommand& command) {
+    const auto start = Clock::now();
+    const ImageKind kind = wanted_kind(command.out, command.depth);
+    const std::vector<std::string> paths = frame_paths(command.out, command.animation);
+    const std::vector<Recipe> recipes = frame_recipes(command.recipe, command.animation);
+    const std::uint32_t levels = levels_asked(command.levels, recipes[0].atlas.size, kind);
+    check_command(command, recipes[0], levels);
+    Pipeline pipeline(command.meshes.load(command.mesh));
+    const double reading = seconds_since(start);
+    pipeline.set_recipe(recipes[0]);
+    pipeline.set_threads(command.threads);
+    lay_out(pipeline);
+    Written written;
+    double writing = 0.0;
+    for (std::size_t i = 0; i < paths.size(); ++i) {
+        pipeline.set_recipe(recipes[i]);
+        written = write_texture(command, pipeline, paths[i], kind, levels);
+        writing += written.seconds;
+    }
     Json seconds = {{"read", reading}};
     seconds.update(times_json(pipeline.times()));
-    seconds["write"] = seconds_since(writing);
+    seconds["write"] = writing;
     seconds["total"] = seconds_since(start);
-    Json report = bake_json(command, pipeline, options.levels.size(), std::move(seconds));
+    pipeline.set_recipe(recipes[0]);
+    Json report = bake_json(command, pipeline, written.levels, std::move(seconds));
+    const BakedAtlas& baked = written.baked;
     if (baked.compressed) report["compressed"] = compress_json(baked);
+    if (command.animation.asked()) report["animation"] = command.animation.keys;
     if (!command.report.empty()) write_json(command.report, report);
     if (command.json) {
         write_json("-", report);
@@ -145,6 +198,7 @@ void add_bake(CLI::App& program) {
         ->required();
     command->recipe.add_recipe(*verb);
     command->recipe.add_atlas(*verb);
+    command->animation.add(*verb);
     verb->add_option("--filter", command->recipe.filter,
                      "Texel filter: none, table-mip, table-sat, table-sat3, exact, trapezoid, "
                      "trapezoid2 or supersample:N");
@@ -156,6 +210,8 @@ void add_bake(CLI::App& program) {
                      "share a place, and the texture shrinks")
         ->check(in_range(0.0, 1.0))
         ->excludes("--levels");
+    for (const char* option : {"--levels", "--compress"})
+        verb->get_option("--animate")->excludes(verb->get_option(option));
     verb->add_option("--depth", command->depth, "Bits per channel of .png textures")
         ->check(CLI::IsMember({8, 16}))
         ->capture_default_str();

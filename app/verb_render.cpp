@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "app/animation.h"
 #include "app/command_options.h"
 #include "app/direct_render.h"
 #include "app/export.h"
@@ -22,6 +23,7 @@ struct RenderCommand {
     std::string input, out, filter;
     std::optional<std::string> view, size;
     RecipeOptions recipe;
+    AnimationOptions animation;
     MeshOptions meshes;
     PictureOptions picture;
     double crease = 40.0;
@@ -41,19 +43,26 @@ Image<Rgb8> draw_scene(const RenderCommand& command, const View& view) {
     return render_scene(*context, scene, camera, command.picture, filter);
 }
 
-Image<Rgb8> draw_truth(const RenderCommand& command, const View& view) {
-    const Recipe recipe = command.recipe.load();
+/// One picture, or one per frame.
+void draw_truth(const RenderCommand& command, const View& view,
+                const std::vector<std::string>& paths) {
+    const std::vector<Recipe> recipes = frame_recipes(command.recipe, command.animation);
     const Mesh mesh = command.meshes.load(command.input);
     const Camera camera = orbit_camera(view, bounding_sphere(mesh), command.picture.size);
-    return render_direct(mesh, recipe, camera, command.picture, command.crease);
+    for (std::size_t i = 0; i < paths.size(); ++i)
+        write_png(paths[i],
+                  render_direct(mesh, recipes[i], camera, command.picture, command.crease));
 }
 
 void run_render(RenderCommand command) {
-    check_side_output(command.out, ".png", std::array{command.input, command.recipe.recipe});
+    const std::vector<std::string> paths = frame_paths(command.out, command.animation);
+    for (const std::string& path : paths)
+        check_side_output(path, ".png", std::array{command.input, command.recipe.recipe});
     const View view = command.view ? parse_view(*command.view) : View{};
     if (command.size) command.picture.size = parse_picture_size(*command.size);
     command.picture.lit = !command.unlit;
-    write_png(command.out, command.direct ? draw_truth(command, view) : draw_scene(command, view));
+    if (command.direct) return draw_truth(command, view, paths);
+    write_png(command.out, draw_scene(command, view));
 }
 
 }  // namespace
@@ -82,7 +91,9 @@ void add_render(CLI::App& program) {
         "Evaluate the recipe's texture in float64 for every sample: the ground truth");
     direct->excludes(filter);
     command->recipe.add_recipe(*verb);
-    for (const char* option : {"--recipe", "--set"}) verb->get_option(option)->needs(direct);
+    command->animation.add(*verb);
+    for (const char* option : {"--recipe", "--set", "--animate"})
+        verb->get_option(option)->needs(direct);
     verb->add_option("--crease", command->crease,
                      "Angle in degrees above which computed normals split (--direct)")
         ->check(in_range(0.0, 180.0))

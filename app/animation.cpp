@@ -1,0 +1,155 @@
+#include "app/animation.h"
+
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <string_view>
+
+#include "app/schema_tree.h"
+#include "atlas/error.h"
+
+namespace burl {
+
+namespace {
+
+constexpr int most_frames = 9999;
+
+bool parse_number(std::string_view text, double& number) {
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    return error == std::errc() && end == text.data() + text.size() && std::isfinite(number);
+}
+
+bool is_index(std::string_view part) {
+    return !part.empty() && part.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
+/// The parameter that a path with indices means, or one of whose numbers it means; null where the
+/// table has none, which is for load_recipe to say.
+const Parameter* find_parameter(std::string_view path, bool& item) {
+    const SchemaNode schema = build_schema();
+    const SchemaNode* node = &schema;
+    item = false;
+    const auto parts = split_path(path);
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        if (node->parameter) {  // only an index into several numbers may follow
+            item = node->parameter->type == ParameterType::numbers && i + 1 == parts.size();
+            return item ? node->parameter : nullptr;
+        }
+        node = node->child(node->is_array() && is_index(parts[i]) ? "*" : parts[i]);
+        if (!node) return nullptr;
+    }
+    return node->parameter;
+}
+
+void check_path(Key& key, const std::string& text) {
+    if (key.path.starts_with("atlas."))
+        throw Error(ExitCode::usage,
+                    fmt::format("--animate {}: all frames share one atlas, so nothing of it can "
+                                "change over time",
+                                text));
+    bool item = false;
+    const Parameter* parameter = find_parameter(key.path, item);
+    if (!parameter) return;
+    if (parameter->type == ParameterType::numbers && !item)
+        throw Error(ExitCode::usage,
+                    fmt::format("--animate {}: {} is {} numbers; animate one of them, such as "
+                                "{}.0=FROM:TO",
+                                text, key.path, parameter->count, key.path));
+    key.whole = parameter->type == ParameterType::integer;
+    if (key.whole || item || parameter->type == ParameterType::number) return;
+    throw Error(ExitCode::usage, fmt::format("--animate {}: {} is a {}, only numbers can be "
+                                             "animated (`burl list parameters`)",
+                                             text, key.path, to_string(parameter->type)));
+}
+
+/// load() names --set in what it throws about an edit.
+Recipe load_frame(const RecipeOptions& options, int frame) {
+    try {
+        return options.load();
+    } catch (const Error& error) {
+        std::string sentence = error.what();
+        constexpr std::string_view set = "--set";
+        if (!sentence.starts_with(set)) throw;
+        sentence.replace(0, set.size(), "--animate");
+        throw Error(error.code(), fmt::format("{} (frame {})", sentence, frame + 1));
+    }
+}
+
+}  // namespace
+
+void AnimationOptions::add(CLI::App& verb) {
+    auto* animate = verb.add_option("--animate", keys,
+                                    "A number of the recipe over time, PATH=FROM:TO; may be "
+                                    "repeated; writes OUT.0001.png, OUT.0002.png, ...");
+    animate->allow_extra_args(false)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    auto* count = verb.add_option("--frames", frames, "Frames of the animation");
+    count->check(CLI::Range(2, most_frames))->needs(animate);
+    animate->needs(count);
+    verb.add_flag("--loop", loop, "The frame after the last one is the first: TO is never reached")
+        ->needs(animate);
+}
+
+Key parse_key(const std::string& text) {
+    const std::size_t equals = text.find('='), colon = text.find(':', equals);
+    Key key;
+    if (equals == std::string::npos || equals == 0 || colon == std::string::npos)
+        throw Error(ExitCode::usage,
+                    fmt::format("--animate: \"{}\" must have the form PATH=FROM:TO", text));
+    key.path = text.substr(0, equals);
+    const std::string_view values = text;
+    const std::string_view from = values.substr(equals + 1, colon - equals - 1);
+    const std::string_view to = values.substr(colon + 1);
+    check_path(key, text);
+    if (!parse_number(from, key.from) || !parse_number(to, key.to))
+        throw Error(ExitCode::usage,
+                    fmt::format("--animate {}: FROM and TO must be numbers, but they are \"{}\" "
+                                "and \"{}\"",
+                                text, from, to));
+    return key;
+}
+
+double value_at(const Key& key, int i, int n, bool loop) {
+    const double t = double(i) / double(loop ? n : n - 1);
+    const double value = (1.0 - t) * key.from + t * key.to;
+    return key.whole ? std::round(value) : value;
+}
+
+std::vector<Recipe> frame_recipes(const RecipeOptions& options, const AnimationOptions& animation) {
+    std::vector<Recipe> recipes{options.load()};
+    if (!animation.asked()) return recipes;
+    recipes.clear();
+    std::vector<Key> keys;
+    for (const std::string& text : animation.keys) {
+        const Key key = parse_key(text);
+        for (const Key& other : keys)
+            if (other.path == key.path)
+                throw Error(ExitCode::usage, fmt::format("--animate: {} is given twice", key.path));
+        keys.push_back(key);
+    }
+    for (int i = 0; i < animation.frames; ++i) {
+        RecipeOptions frame = options;
+        for (const Key& key : keys)
+            frame.settings.push_back(
+                fmt::format("{}={}", key.path, value_at(key, i, animation.frames, animation.loop)));
+        recipes.push_back(load_frame(frame, i));
+    }
+    return recipes;
+}
+
+std::string frame_path(const std::string& out_path, std::size_t number) {
+    const std::filesystem::path path(out_path);
+    return std::filesystem::path(path)
+        .replace_extension(fmt::format(".{:04}{}", number, path.extension().string()))
+        .string();
+}
+
+std::vector<std::string> frame_paths(const std::string& out_path,
+                                     const AnimationOptions& animation) {
+    if (!animation.asked()) return {out_path};
+    std::vector<std::string> paths;
+    for (std::size_t i = 1; i <= std::size_t(animation.frames); ++i)
+        paths.push_back(frame_path(out_path, i));
+    return paths;
+}
+
+}  // namespace burl

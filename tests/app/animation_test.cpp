@@ -1,0 +1,202 @@
+// Frames of an animation against bakes and pictures of single recipes, and what is refused before
+// anything is written.
+#include "app/animation.h"
+
+#include <algorithm>
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include "app/pipeline.h"
+#include "atlas/error.h"
+#include "tests/app/run_program.h"
+#include "tests/app/sample_scene.h"
+
+namespace burl::test {
+namespace {
+
+const char* const square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
+const std::string amplitude = "texture.input.noise.0.amplitude";
+const std::string phase = "texture.input.noise.0.phase.2";
+
+TEST(Animation, GoesLinearlyAndExactlyFromOneEndToTheOther) {
+    const Key key{"x", 0.1, 0.7, false}, whole{"x", 1, 4, true};
+    EXPECT_EQ(value_at(key, 0, 7, false), 0.1);
+    EXPECT_EQ(value_at(key, 6, 7, false), 0.7);
+    for (int i = 0; i < 7; ++i) EXPECT_NEAR(value_at(key, i, 7, false), 0.1 + 0.1 * i, 1e-15);
+    for (int i = 0; i < 6; ++i) EXPECT_NEAR(value_at(key, i, 6, true), 0.1 + 0.1 * i, 1e-15);
+    for (int i = 0; i < 10; ++i)
+        EXPECT_EQ(value_at(whole, i, 10, false), 1 + std::round(double(i) / 3)) << i;
+}
+
+TEST(Animation, NumbersItsFiles) {
+    EXPECT_EQ(frame_path("a/b.c/out.png", 1), "a/b.c/out.0001.png");
+    EXPECT_EQ(frame_path("out.v2.EXR", 9999), "out.v2.9999.EXR");
+    EXPECT_EQ(frame_paths("o.png", {}), std::vector<std::string>{"o.png"});
+    EXPECT_EQ(frame_paths("o.png", {{"x=0:1"}, 12, false}).back(), "o.0012.png");
+}
+
+TEST(Animation, SetsEveryKeyInEveryFrameAndNothingElse) {
+    RecipeOptions options;
+    options.recipe = "fire";
+    options.settings = {"texture.input.noise.0.octaves=2"};
+    const auto recipes =
+        frame_recipes(options, {{phase + "=0:-3", "solid.scale=1:2", "texture.stops.1.0=0.1:0.4",
+                                 "texture.input.noise.0.seed=5:8"},
+                                4,
+                                false});
+    ASSERT_EQ(recipes.size(), 4u);
+    for (int i = 0; i < 4; ++i) {
+        const Recipe expected = load_recipe(
+            "fire", {"texture.input.noise.0.octaves=2", fmt::format("{}={}", phase, -i),
+                     fmt::format("solid.scale={}", value_at({"", 1, 2}, i, 4, false)),
+                     fmt::format("texture.stops.1.0={}", value_at({"", 0.1, 0.4}, i, 4, false)),
+                     fmt::format("texture.input.noise.0.seed={}", 5 + i)});
+        EXPECT_EQ(recipes[std::size_t(i)], expected) << i;
+    }
+}
+
+TEST(Animation, LaysTheMeshOutOnce) {
+    RecipeOptions options;
+    options.settings = {"atlas.size=64"};
+    Pipeline pipeline(cube_mesh());
+    for (const Recipe& recipe : frame_recipes(options, {{amplitude + "=0:1"}, 5, false})) {
+        pipeline.set_recipe(recipe);
+        pipeline.synthesize<Rgb8>();
+    }
+    const auto runs = [&](const std::string& stage) {
+        return std::count_if(pipeline.times().begin(), pipeline.times().end(),
+                             [&](const StageTime& time) { return time.stage == stage; });
+    };
+    EXPECT_EQ(runs("layout"), 1);
+    EXPECT_EQ(runs("spans"), 1);
+    EXPECT_EQ(runs("synthesis"), 5);
+}
+
+TEST(Animation, LoopsWithPeriodicNoise) {
+    // As docs/usage.md says: period 2, three octaves, so the phase must move by 2 * 2^2 cells.
+    const std::vector<std::string> periodic{"texture.input.noise.0.period=[2,2,2]",
+                                            "texture.input.noise.0.octaves=3"};
+    const auto field = [&](int cells, const Vec3d& s) {
+        std::vector<std::string> settings = periodic;
+        settings.push_back(fmt::format("{}={}", phase, cells));
+        return evaluate_field(load_recipe("fire", settings).texture, s);
+    };
+    for (int i = 0; i < 20; ++i) {
+        const Vec3d s(0.37 * i, 0.1, -0.23 * i);
+        EXPECT_NEAR(field(8, s), field(0, s), 1e-12);
+        EXPECT_GT(std::abs(field(4, s) - field(0, s)), 1e-6);
+    }
+}
+
+class AnimatedBake : public testing::Test {
+  protected:
+    Outcome burl(const std::string& arguments) {
+        return run_burl(scratch, fmt::format("{} --size 64", arguments));
+    }
+    /// The file that a bake of its own gives.
+    std::string single(const std::string& out, const std::string& options) {
+        EXPECT_EQ(burl(fmt::format("bake '{}' -o '{}' {}", mesh, scratch / out, options)).exit_code,
+                  0);
+        return slurp(scratch / out);
+    }
+
+    const Scratch scratch;
+    const std::string mesh = scratch.write("m.obj", square);
+};
+
+TEST_F(AnimatedBake, GivesTheBytesOfSingleBakesForEveryThreadCount) {
+    const std::vector<std::string> expected{single("0.png", "--set " + amplitude + "=0"),
+                                            single("1.png", "--set " + amplitude + "=0.25"),
+                                            single("2.png", "--set " + amplitude + "=0.5")};
+    EXPECT_NE(expected[0], expected[1]);
+    EXPECT_NE(expected[1], expected[2]);
+    const std::size_t before = scratch.files();
+    for (const int threads : {1, 3}) {
+        const Outcome outcome =
+            burl(fmt::format("bake '{}' -o '{}' --animate {}=0:0.5 --frames 3 -j {}", mesh,
+                             scratch / fmt::format("j{}.png", threads), amplitude, threads));
+        ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+        EXPECT_THAT(outcome.out, testing::HasSubstr(".0001.png to "));
+        for (std::size_t i = 0; i < 3; ++i)
+            EXPECT_EQ(slurp(scratch / fmt::format("j{}.000{}.png", threads, i + 1)), expected[i]);
+    }
+    EXPECT_EQ(scratch.files(), before + 6);
+}
+
+TEST_F(AnimatedBake, LoopsAndReportsItsFiles) {
+    const Outcome outcome = burl(
+        fmt::format("bake '{}' -o '{}' --recipe fire --animate {}=0:4 --frames 4 --loop --json",
+                    mesh, scratch / "f.exr", phase));
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const auto report = nlohmann::json::parse(outcome.out);
+    EXPECT_EQ(report["outputs"].size(), 4u);
+    EXPECT_EQ(report["outputs"][3].get<std::string>(), scratch / "f.0004.exr");
+    EXPECT_EQ(report["animation"].size(), 1u);
+    EXPECT_EQ(slurp(scratch / "f.0004.exr"),
+              single("s.exr", "--recipe fire --set " + phase + "=3"));
+}
+
+TEST_F(AnimatedBake, RefusesWithOneSentenceAndWritesNothing) {
+    fs::create_directory(scratch / "blocked.0002.png");
+    const std::string good = "--animate solid.scale=1:2 --frames 3";
+    const struct {
+        std::string out, options;
+        int exit_code;
+        std::string hint;
+    } cases[] = {
+        {"a.png", "--animate gain=0:1 --frames 3", 1, "noise.0.gain"},
+        {"a.png", "--animate solid.scal=1:2 --frames 3", 1, "--animate: there is no parameter"},
+        {"a.png", "--animate solid.scale --frames 3", 1, "PATH=FROM:TO"},
+        {"a.png", "--animate solid.scale=1 --frames 3", 1, "PATH=FROM:TO"},
+        {"a.png", "--animate solid.scale=1:two --frames 3", 1, "two"},
+        {"a.png", "--animate solid.scale=nan:2 --frames 3", 1, "numbers"},
+        {"a.png", "--animate solid.scale=1: --frames 3", 1, "numbers"},
+        {"a.png", "--animate solid.scale=1:-1 --frames 3", 1, "(frame 2)"},
+        {"a.png", "--animate texture.wrap=0:1 --frames 3", 1, "choice"},
+        {"a.png", "--animate texture.stops.0.1=0:1 --frames 3", 1, "color"},
+        {"a.png", "--animate texture.input.noise.0.phase=0:1 --frames 3", 1, "phase.0=FROM:TO"},
+        {"a.png", "--animate texture.input.noise.0.phase.7=0:1 --frames 3", 1, "0 to 2"},
+        {"a.png", "--animate atlas.size=64:128 --frames 3", 1, "share one atlas"},
+        {"a.png", "--animate texture.stops.0.0=0:1 --frames 3", 1, "(frame 2)"},
+        {"a.png", good + " --animate solid.scale=3:4", 1, "twice"},
+        {"a.png", "--animate solid.scale=1:2", 1, "--frames"},
+        {"a.png", "--frames 3", 1, "--animate"},
+        {"a.png", "--loop", 1, "--animate"},
+        {"a.png", "--animate solid.scale=1:2 --frames 1", 1, "--frames"},
+        {"a.png", "--animate solid.scale=1:2 --frames 10000", 1, "--frames"},
+        {"a.png", good + " --levels 2", 1, "--levels"},
+        {"a.glb", good, 1, "once without --animate"},
+        {"blocked.png", good, 2, "blocked.0002.png"},
+    };
+    const std::size_t before = scratch.files();
+    for (const auto& bad : cases) {
+        const Outcome outcome =
+            burl(fmt::format("bake '{}' -o '{}' {}", mesh, scratch / bad.out, bad.options));
+        EXPECT_EQ(outcome.exit_code, bad.exit_code) << bad.options << outcome.err;
+        EXPECT_THAT(outcome.err, testing::HasSubstr(bad.hint)) << bad.options;
+        expect_one_sentence(outcome.err);
+        EXPECT_EQ(scratch.files(), before) << bad.options;
+    }
+}
+
+TEST(AnimatedPicture, EndsWithThePicturesOfSingleRecipes) {
+    const Scratch scratch;
+    const std::string mesh = scratch.write("m.obj", square);
+    const auto render = [&](const std::string& out, const std::string& options) {
+        const Outcome outcome =
+            run_burl(scratch, fmt::format("render --direct '{}' -o '{}' --size 48x32 {}", mesh,
+                                          scratch / out, options));
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        return slurp(scratch / out);
+    };
+    render("a.png", "--animate " + amplitude + "=0:0.5 --frames 3");
+    EXPECT_FALSE(fs::exists(scratch / "a.png"));
+    for (const auto& [frame, value] : {std::pair(1, 0.0), std::pair(2, 0.25), std::pair(3, 0.5)})
+        EXPECT_EQ(slurp(scratch / fmt::format("a.000{}.png", frame)),
+                  render("b.png", fmt::format("--set {}={}", amplitude, value)));
+    EXPECT_NE(slurp(scratch / "a.0001.png"), slurp(scratch / "a.0003.png"));
+}
+
+}  // namespace
+}  // namespace burl::test
