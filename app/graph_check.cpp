@@ -43,6 +43,12 @@ RecipeProblem unknown_node(const Json& name, const std::string& path) {
                                               : fmt::format("; did you mean \"{}\"?", nearest))};
 }
 
+/// The beginning and the end of a path that is too long to read.
+std::string shortened(const std::string& path) {
+    if (path.size() <= 60) return path;
+    return fmt::format("{}...{}", path.substr(0, 36), path.substr(path.size() - 20));
+}
+
 /// Recurses no deeper than max_graph_depth, however deep the JSON is.
 class GraphChecker {
   public:
@@ -50,14 +56,13 @@ class GraphChecker {
     Found check_input(const Json& value, const std::string& path, Wire wanted, std::size_t depth,
                       Wire& given) {
         if (++nodes_ > max_graph_nodes)
-            return RecipeProblem{
-                path, fmt::format("the texture has more than {} nodes, counting constants; draw "
-                                  "less",
-                                  max_graph_nodes)};
+            return RecipeProblem{path, fmt::format("{}: the texture has more than {} nodes, "
+                                                   "counting constants; draw less",
+                                                   shortened(path), max_graph_nodes)};
         if (depth >= max_graph_depth)
-            return RecipeProblem{path, fmt::format("the texture nests nodes more than {} deep; "
-                                                   "use fewer levels",
-                                                   max_graph_depth)};
+            return RecipeProblem{path, fmt::format("{}: nodes are nested more than {} deep; use "
+                                                   "fewer levels",
+                                                   shortened(path), max_graph_depth)};
         given = Wire::number;
         if (is_color(value)) given = Wire::color;
         if (value.is_object()) {
