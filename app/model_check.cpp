@@ -1,5 +1,6 @@
 #include "app/model_check.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -49,16 +50,32 @@ std::string period_problem(const Json& term) {
     return {};
 }
 
-Found check_periods(const Json& field, const std::string& field_path) {
+/// Why a noise term cannot have a time, without its path; empty if it can.
+std::string time_problem(const Json& term) {
+    const std::string kind = term.value("kind", "value");
+    if (kind == "perlin1985") return "but perlin1985 noise has no fourth dimension; use perlin";
+    const bool still = !term.contains("period") ||
+                       std::all_of(term["period"].begin(), term["period"].end(),
+                                   [](const Json& cells) { return cells.get<double>() == 0.0; });
+    if (kind == "simplex" && !(still && term.value("time_period", 0.0) == 0.0))
+        return "but simplex noise in four dimensions has no period; use perlin";
+    return "";
+}
+
+/// Periods and times are such as the term's kind can have.
+Found check_noise(const Json& field, const std::string& field_path) {
     if (!field.contains("noise")) return {};
     for (std::size_t i = 0; i < field["noise"].size(); ++i) {
         const Json& term = field["noise"][i];
-        if (!term.contains("period")) continue;
-        const std::string sentence = period_problem(term);
-        if (sentence.empty()) continue;
-        const std::string path = fmt::format("{}.noise.{}.period", field_path, i);
-        return RecipeProblem{path,
-                             fmt::format("{} is {}, {}", path, shown(term["period"]), sentence)};
+        for (const auto& [key, problem] :
+             {std::pair("period", &period_problem), std::pair("time", &time_problem)}) {
+            if (!term.contains(key)) continue;
+            const std::string sentence = problem(term);
+            if (sentence.empty()) continue;
+            const std::string path = fmt::format("{}.noise.{}.{}", field_path, i, key);
+            return RecipeProblem{path,
+                                 fmt::format("{} is {}, {}", path, shown(term[key]), sentence)};
+        }
     }
     return {};
 }
@@ -78,7 +95,7 @@ Found find_map_problem(const SchemaNode& schema, const Json& map, const std::str
 Found find_field_problem(const SchemaNode& schema, const Json& field, const std::string& path) {
     if (Found found = check_value(*schema.child("texture")->child("input"), field, path))
         return found;
-    return check_periods(field, path);
+    return check_noise(field, path);
 }
 
 }  // namespace burl

@@ -73,6 +73,11 @@ constexpr std::array table{
               "squared radius of the kernels; simplex only, continuous up to 0.5"},
     Parameter{"texture.input.noise.*.period", numbers, 0, 1073741824, 1, 3, "cells", "[0,0,0]", "",
               "whole cells of the first octave after which the noise repeats; 0: never"},
+    Parameter{"texture.input.noise.*.time", number, -1e9, 1e9, 0.1, 1, "cells", "", "",
+              "fourth lattice coordinate, the same in every octave; left out: noise of three "
+              "dimensions"},
+    Parameter{"texture.input.noise.*.time_period", integer, 0, 1073741824, 1, 1, "cells", "0", "",
+              "whole cells along time after which the noise repeats; 0: never"},
     Parameter{"texture.input.noise.*.sum", choice, 0, 0, 0, 1, "", "\"fbm\"",
               "fbm|turbulence|ridged", "what octaves add: n, |n| or (1 - |n|)^2"},
     Parameter{"texture.input.noise.*.weights", choice, 0, 0, 0, 1, "", "\"raw\"", "raw|normalized",

@@ -16,7 +16,7 @@ namespace {
 bool has_kernel(const Octave& octave) {
     const NoiseSpec& noise = octave.noise;
     return (noise.kind == NoiseKind::value || noise.kind == NoiseKind::perlin) &&
-           noise.period == Period<4>{} && octave.shape == OctaveShape::plain;
+           noise.period == Period<4>{} && !noise.time && octave.shape == OctaveShape::plain;
 }
 
 /// The pieces in an octave's lattice coordinates. What leaves the lattice stays at its origin.

@@ -60,7 +60,7 @@ Integer corner_height(const NoiseSpec& noise, unsigned bits,
 
 bool has_fixed_point(const NoiseSpec& noise) {
     return (noise.kind == NoiseKind::value || noise.kind == NoiseKind::perlin) &&
-           noise.period == Period<4>{};
+           noise.period == Period<4>{} && !noise.time;
 }
 
 double fixed_noise(const NoiseSpec& noise, const FixedFormat& format, const Vec3d& p) {

@@ -15,7 +15,7 @@ struct FixedFormat {
     bool operator==(const FixedFormat&) const = default;
 };
 
-/// Whether fixed_noise knows the noise: `value` and `perlin` without a period of its own.
+/// Whether fixed_noise knows the noise: `value` and `perlin` without period and time.
 bool has_fixed_point(const NoiseSpec& noise);
 
 /// n(p), a multiple of 2^-F. Differs from float64 (with the period 2^I) by at most 10 units of 2^-F

@@ -42,6 +42,11 @@ Sample<Real, N> interpolated(const NoiseSpec& noise, const Point<N>& p) {
 
 template <class Real, std::size_t N>
 NoiseSample<Real, N> sample_noise(const NoiseSpec& noise, const Point<N>& p) {
+    if constexpr (N == 3)
+        if (noise.time) {
+            const auto n = sample_noise<Real, 4>(noise, {p[0], p[1], p[2], *noise.time});
+            return {n.value, {n.gradient[0], n.gradient[1], n.gradient[2]}};
+        }
     const Period<N> period = leading<N>(noise.period);
     switch (noise.kind) {
         case NoiseKind::simplex:
@@ -62,6 +67,8 @@ NoiseSample<Real, N> sample_noise(const NoiseSpec& noise, const Point<N>& p) {
 
 template <class Real, std::size_t N>
 Real noise_value(const NoiseSpec& noise, const Point<N>& p) {
+    if constexpr (N == 3)
+        if (noise.time) return noise_value<Real, 4>(noise, {p[0], p[1], p[2], *noise.time});
     return is_interpolated(noise.kind) ? interpolated<NoiseValue, Real>(noise, p).value
                                        : sample_noise<Real>(noise, p).value;
 }

@@ -8,7 +8,8 @@
 namespace burl {
 
 /// Value and gradient at a point in lattice coordinates. Real is float or double, N 1 to 4;
-/// has_dimensions and has_period must hold, and what they exclude gives 0.
+/// has_dimensions and has_period must hold, and what they exclude gives 0. With a time, points of
+/// three coordinates look at the noise of four, and the slope along time is left out.
 template <class Real, std::size_t N>
 NoiseSample<Real, N> sample_noise(const NoiseSpec& noise, const Point<N>& p);
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 
 namespace burl {
@@ -24,6 +25,8 @@ struct NoiseSpec {
     double radius2 = 0.6;                       ///< 3-D simplex only: squared radius, in (0, 0.6]
     std::uint32_t seed = 0;
     Period<4> period{};  ///< each at most largest_period
+    /// Fourth coordinate of points that have three, for kinds defined in four dimensions.
+    std::optional<double> time{};
     bool operator==(const NoiseSpec&) const = default;
 };
 

@@ -49,7 +49,7 @@ Octave scaled_octave(const NoiseTerm& term, double a) {
 
 /// The period of an octave in its own cells.
 Period<4> octave_period(const NoiseTerm& term, double frequency) {
-    Period<4> period{};
+    Period<4> period{0, 0, 0, term.time_period};
     for (std::size_t axis = 0; axis < 3; ++axis)
         period[axis] =
             std::uint32_t(std::min(term.period[axis] * frequency, double(largest_period)));
@@ -64,7 +64,8 @@ void append_octaves(const NoiseTerm& term, std::vector<Octave>& octaves) {
         if (amplitude != 0.0) {
             Octave octave = scaled_octave(term, amplitude);
             octave.noise = {term.kind,    term.fade,     term.feature,
-                            term.radius2, term.seed + k, octave_period(term, frequency)};
+                            term.radius2, term.seed + k, octave_period(term, frequency),
+                            term.time};
             octave.lattice_from_solid = {frequency * first.linear, first.offset};
             octaves.push_back(octave);
         }

@@ -32,6 +32,8 @@ struct NoiseTerm {
     double radius2 = 0.6;  ///< simplex noise only
     /// In cells of the first octave, 0 for none; lacunarity must then be whole and has_period hold.
     Period<3> period{};
+    std::optional<double> time;     ///< fourth lattice coordinate, the same in every octave
+    std::uint32_t time_period = 0;  ///< in cells along time, 0 for none
     OctaveShape shape = OctaveShape::plain;
     bool normalized = false;  ///< amplitudes divided by sum_k gain^k
     /// Default: unit for what is not negative by itself and for value noise, signed for the others.

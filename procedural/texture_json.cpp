@@ -77,6 +77,8 @@ NoiseTerm noise_from_json(const Json& json) {
     read(json, "feature", feature_names, term.feature);
     read(json, "radius2", term.radius2);
     read(json, "period", term.period);
+    if (json.contains("time")) term.time = json["time"].get<double>();
+    read(json, "time_period", term.time_period);
     read(json, "sum", sum_names, term.shape);
     read(json, "weights", weights, term.normalized);
     if (json.contains("range"))
@@ -101,6 +103,8 @@ Json noise_to_json(const NoiseTerm& term) {
     if (term.feature != defaults.feature) json["feature"] = name_of(feature_names, term.feature);
     if (term.radius2 != defaults.radius2) json["radius2"] = term.radius2;
     if (term.period != defaults.period) json["period"] = term.period;
+    if (term.time) json["time"] = *term.time;
+    if (term.time_period != defaults.time_period) json["time_period"] = term.time_period;
     if (term.shape != defaults.shape) json["sum"] = name_of(sum_names, term.shape);
     if (term.normalized) json["weights"] = name_of(weights, term.normalized);
     if (term.range) json["range"] = name_of(ranges, *term.range);

@@ -9,6 +9,7 @@
 
 #include "app/pipeline.h"
 #include "atlas/error.h"
+#include "procedural/octaves.h"
 #include "tests/app/run_program.h"
 #include "tests/app/sample_scene.h"
 
@@ -56,6 +57,19 @@ TEST(Animation, SetsEveryKeyInEveryFrameAndNothingElse) {
     }
 }
 
+TEST(Animation, MovesNumbersOfATextureGraph) {
+    const Scratch scratch;
+    RecipeOptions options;
+    options.recipe =
+        scratch.write("g.json", R"({"texture": {"node": "scale", "a": "#ff8040", "b": 0.7}})");
+    const auto recipes = frame_recipes(options, {{"texture.b=0:1"}, 3, false});
+    for (int i = 0; i < 3; ++i)
+        EXPECT_EQ(recipes.at(std::size_t(i)),
+                  load_recipe(options.recipe, {fmt::format("texture.b={}", 0.5 * i)}));
+    EXPECT_NE(recipes[0], recipes[2]);
+    EXPECT_THROW(frame_recipes(options, {{"texture.bb=1:3"}, 3, false}), Error);
+}
+
 TEST(Animation, LaysTheMeshOutOnce) {
     RecipeOptions options;
     options.settings = {"atlas.size=64"};
@@ -87,6 +101,37 @@ TEST(Animation, LoopsWithPeriodicNoise) {
         EXPECT_NEAR(field(8, s), field(0, s), 1e-12);
         EXPECT_GT(std::abs(field(4, s) - field(0, s)), 1e-6);
     }
+}
+
+TEST(Animation, TimeIsTheFourthCoordinateOfEveryOctave) {
+    const auto recipe = [](const std::string& time) {
+        return load_recipe("clouds", {"texture.input.noise.0.time=" + time,
+                                      "texture.input.noise.0.time_period=4"});
+    };
+    for (int i = 0; i < 20; ++i) {
+        const Vec3d s(0.3711 * i + 0.0313, 0.1017, 0.0417 - 0.2319 * i);
+        double sum = 0.0, a = 0.25, frequency = 2.0;  // half the amplitudes: unit range
+        for (std::uint32_t k = 0; k < 4; ++k, a *= 0.5, frequency *= 2.0) {
+            NoiseSpec noise{.seed = k};
+            noise.period[3] = 4;
+            sum += a + a * sample_noise<double, 4>(
+                               noise, {frequency * s.x, frequency * s.y, frequency * s.z, 1.3})
+                               .value;
+        }
+        EXPECT_NEAR(evaluate_field(recipe("1.3").texture, s), sum, 1e-13);
+        EXPECT_EQ(evaluate_field(recipe("0.5").texture, s),
+                  evaluate_field(recipe("4.5").texture, s));
+        const auto octaves = expand_octaves(recipe("1.3").texture);
+        const FieldSample f = sample_field<double>({}, octaves, s);
+        for (int axis = 0; axis < 3; ++axis) {
+            Vec3d h(0.0);
+            h[axis] = 1e-6;
+            const double slope =
+                (evaluate_field({}, octaves, s + h) - evaluate_field({}, octaves, s - h)) / 2e-6;
+            EXPECT_NEAR(f.gradient[axis], slope, 1e-6);
+        }
+    }
+    EXPECT_EQ(parse_recipe(to_json(recipe("1.3")), "again"), recipe("1.3"));
 }
 
 class AnimatedBake : public testing::Test {
@@ -137,6 +182,18 @@ TEST_F(AnimatedBake, LoopsAndReportsItsFiles) {
               single("s.exr", "--recipe fire --set " + phase + "=3"));
 }
 
+TEST_F(AnimatedBake, ComesBackToItsFirstFrameAfterThePeriodOfTime) {
+    const std::string time = "texture.input.noise.0.time";
+    const Outcome outcome =
+        burl(fmt::format("bake '{}' -o '{}' --set {}_period=3 --animate {}=0:3 --frames 5", mesh,
+                         scratch / "t.png", time, time));
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(slurp(scratch / "t.0001.png"), slurp(scratch / "t.0005.png"));
+    EXPECT_NE(slurp(scratch / "t.0001.png"), slurp(scratch / "t.0002.png"));
+    EXPECT_EQ(slurp(scratch / "t.0003.png"),
+              single("s.png", fmt::format("--set {}_period=3 --set {}=1.5 -j 1", time, time)));
+}
+
 TEST_F(AnimatedBake, RefusesWithOneSentenceAndWritesNothing) {
     fs::create_directory(scratch / "blocked.0002.png");
     const std::string good = "--animate solid.scale=1:2 --frames 3";
@@ -153,6 +210,14 @@ TEST_F(AnimatedBake, RefusesWithOneSentenceAndWritesNothing) {
         {"a.png", "--animate solid.scale=nan:2 --frames 3", 1, "numbers"},
         {"a.png", "--animate solid.scale=1: --frames 3", 1, "numbers"},
         {"a.png", "--animate solid.scale=1:-1 --frames 3", 1, "(frame 2)"},
+        {"a.png",
+         "--animate texture.input.noise.0.time=0:1 --frames 3 --set "
+         "texture.input.noise.0.kind=perlin1985",
+         1, "perlin1985"},
+        {"a.png",
+         "--animate texture.input.noise.0.time=0:3 --frames 3 --set "
+         "texture.input.noise.0.kind=simplex --set texture.input.noise.0.time_period=3",
+         1, "no period"},
         {"a.png", "--animate texture.wrap=0:1 --frames 3", 1, "choice"},
         {"a.png", "--animate texture.stops.0.1=0:1 --frames 3", 1, "color"},
         {"a.png", "--animate texture.input.noise.0.phase=0:1 --frames 3", 1, "phase.0=FROM:TO"},

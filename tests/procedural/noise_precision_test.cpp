@@ -148,6 +148,19 @@ TEST(NoiseStatistics, StayWithinTheirBoundsInOtherDimensions) {
     EXPECT_LE(std::max(-line.low, line.high), 0.5);
 }
 
+TEST(NoiseStatistics, ValueNoiseVariesLessWithEveryDimension) {
+    // 1/3 times the mean of w^2 + (1 - w)^2 for every axis, by integrating the fade w.
+    for (const auto& [fade, factor] : {std::pair{Fade::linear, 2.0 / 3.0},
+                                       {Fade::smooth, 26.0 / 35.0},
+                                       {Fade::quintic, 181.0 / 231.0}})
+        test::for_each_dimension([&, f = fade, per_axis = factor](auto dimensions) {
+            constexpr std::size_t n = decltype(dimensions)::value;
+            const double stated = std::pow(per_axis, double(n)) / 3.0;
+            const Statistics s = statistics<n>({.kind = NoiseKind::value, .fade = f}, 20000);
+            EXPECT_NEAR(s.variance, stated, 0.05 * stated) << n;
+        });
+}
+
 /// Largest value that kernels or slopes with the best of all gradients could add up to at a place:
 /// the bounds above must not be exceeded by what another seed draws.
 TEST(NoiseStatistics, PerlinsBoundIsReachedByTheBestGradients) {
