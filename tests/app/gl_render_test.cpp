@@ -332,7 +332,8 @@ TEST_F(GlRenderTest, LevelsOfTheFileAreLookedUp) {
     const PictureOptions picture{{40, 30}, false, 1};
     const Camera camera = orbit_camera({}, bounding_sphere(scene), picture.size);
     int white = 0, other = 0;
-    for (const Rgb8& p : render_scene(*context, scene, camera, picture).pixels()) {
+    const Image<Rgb8> rendered = render_scene(*context, scene, camera, picture);
+    for (const Rgb8& p : rendered.pixels()) {
         white += p == Rgb8{255, 255, 255};
         other += p != Rgb8{255, 255, 255} && p != background_srgb;
     }
