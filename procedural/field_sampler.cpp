@@ -22,18 +22,25 @@ bool has_kernel(const Octave& octave) {
 /// The pieces in an octave's lattice coordinates. What leaves the lattice stays at its origin.
 void fill_lines(const Affine3& map, FieldBatch& batch) {
     batch.lines.clear();
-    batch.downs.clear();
     for (const Piece& piece : batch.pieces) {
         LatticeLine line{map(piece.solid.start), map.linear * piece.solid.step, piece.solid.first,
                          piece.solid.count};
-        Vec3d down = map.linear * piece.down;
         const double last = line.first + double(line.count);
         for (int axis = 0; axis < 3; ++axis) {
             const double reach = std::abs(line.start[axis]) + last * std::abs(line.step[axis]);
             if (!(reach < lattice_limit)) line.start[axis] = line.step[axis] = 0.0;
-            if (!(std::abs(down[axis]) < lattice_limit)) down[axis] = 0.0;
         }
         batch.lines.push_back(line);
+    }
+}
+
+/// The pieces' steps to the next row in an octave's lattice coordinates.
+void fill_downs(const Affine3& map, FieldBatch& batch) {
+    batch.downs.clear();
+    for (const Piece& piece : batch.pieces) {
+        Vec3d down = map.linear * piece.down;
+        for (int axis = 0; axis < 3; ++axis)
+            if (!(std::abs(down[axis]) < lattice_limit)) down[axis] = 0.0;
         batch.downs.push_back(down);
     }
 }
@@ -90,6 +97,31 @@ void add_scalar_slopes(const Octave& octave, FieldBatch& batch, double* sums, Sl
         slopes.u[at] += float(octave.scale * glm::dot(gradient, batch.lines[i].step));
         slopes.v[at] += float(octave.scale * glm::dot(gradient, batch.downs[i]));
     });
+}
+
+/// Adds the octave of batch.lines to sums and, if wanted, slopes.
+void add_octave(const Octave& octave, FieldBatch& batch, bool with_slopes, bool offsets,
+                double* sums, SlopeBatch& slopes) {
+    const NoiseSpec& noise = octave.noise;
+    if (!has_kernel(octave))
+        return with_slopes ? add_scalar_slopes(octave, batch, sums, slopes)
+                           : add_scalar_noise(octave, batch, offsets, sums);
+    offsets ? split_at_offsets(batch) : split_lattice_lines(batch.lines, batch.lattice);
+    if (!with_slopes)
+        return add_noise(noise.kind, noise.fade, noise.seed, octave.scale, batch.lattice,
+                         batch.count, sums);
+    fill_directions(batch);
+    add_noise_and_slopes(noise.kind, noise.fade, noise.seed, octave.scale, batch.lattice,
+                         batch.directions, batch.count, sums, slopes);
+}
+
+/// The pieces' shares of the octave of batch.lines and batch.downs; false where all have all of it.
+bool fill_weights(FieldBatch& batch) {
+    batch.weights.clear();
+    for (std::size_t i = 0; i < batch.lines.size(); ++i)
+        batch.weights.push_back(band_weight(batch.lines[i].step, batch.downs[i]));
+    return std::any_of(batch.weights.begin(), batch.weights.end(),
+                       [](double w) { return w < 1.0; });
 }
 
 /// Mean of an octave's noise, offset left out, from 12^3 points in as many cells, none of them a
@@ -175,29 +207,6 @@ void FieldSampler::fill_quadric_at_offsets(FieldBatch& batch) const {
         }
 }
 
-void FieldSampler::fill_weights(FieldBatch& batch) const {
-    batch.weights.assign(batch.lines.size(), 1.0);
-    if (!band_limit_) return;
-    for (std::size_t i = 0; i < batch.lines.size(); ++i)
-        batch.weights[i] = band_weight(batch.lines[i].step, batch.downs[i]);
-}
-
-/// Adds the octave of batch.lines to sums and, if wanted, slopes.
-static void add_octave(const Octave& octave, FieldBatch& batch, bool with_slopes, bool offsets,
-                       double* sums, SlopeBatch& slopes) {
-    const NoiseSpec& noise = octave.noise;
-    if (!has_kernel(octave))
-        return with_slopes ? add_scalar_slopes(octave, batch, sums, slopes)
-                           : add_scalar_noise(octave, batch, offsets, sums);
-    offsets ? split_at_offsets(batch) : split_lattice_lines(batch.lines, batch.lattice);
-    if (!with_slopes)
-        return add_noise(noise.kind, noise.fade, noise.seed, octave.scale, batch.lattice,
-                         batch.count, sums);
-    fill_directions(batch);
-    add_noise_and_slopes(noise.kind, noise.fade, noise.seed, octave.scale, batch.lattice,
-                         batch.directions, batch.count, sums, slopes);
-}
-
 /// An octave of which some pieces get a part only: what is 1 adds the same bits as unweighted.
 void FieldSampler::add_weighted(std::size_t octave, FieldBatch& batch, Wanted wanted) const {
     const bool slopes = wanted == Wanted::slopes;
@@ -225,10 +234,9 @@ void FieldSampler::sample(FieldBatch& batch, Wanted wanted) const {
     fill_quadric(batch, wanted);
     for (std::size_t k = 0; k < octaves_.size(); ++k) {
         fill_lines(octaves_[k].lattice_from_solid, batch);
-        fill_weights(batch);
-        const bool whole = std::all_of(batch.weights.begin(), batch.weights.end(),
-                                       [](double w) { return w == 1.0; });
-        if (!whole) {
+        if (wanted != Wanted::values || band_limit_)
+            fill_downs(octaves_[k].lattice_from_solid, batch);
+        if (band_limit_ && fill_weights(batch)) {
             add_weighted(k, batch, wanted);
             continue;
         }

@@ -58,7 +58,6 @@ class FieldSampler {
     void fill_quadric(FieldBatch& batch, Wanted wanted) const;
     void fill_quadric_slopes(FieldBatch& batch) const;
     void fill_quadric_at_offsets(FieldBatch& batch) const;
-    void fill_weights(FieldBatch& batch) const;
     void add_weighted(std::size_t octave, FieldBatch& batch, Wanted wanted) const;
 
     Quadric quadric_;
