@@ -6,8 +6,7 @@
 namespace burl {
 
 Vec3d background_linear() {
-    return {srgb_decode(background_srgb.r / 255.0), srgb_decode(background_srgb.g / 255.0),
-            srgb_decode(background_srgb.b / 255.0)};
+    return linear_light(background_srgb);
 }
 
 double headlight(const Vec3d& normal, const Vec3d& to_eye) {

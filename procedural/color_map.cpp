@@ -6,15 +6,6 @@
 
 namespace burl {
 
-namespace {
-
-Vec3d to_linear(const Rgb8& color) {
-    return {srgb_decode(color.r / 255.0), srgb_decode(color.g / 255.0),
-            srgb_decode(color.b / 255.0)};
-}
-
-}  // namespace
-
 Vec3d evaluate_color(const ColorMap& map, double f) {
     if (map.stops.empty()) return Vec3d(0.0);
     const double t = map_index(map.wrap, f);
@@ -33,7 +24,8 @@ Vec3d evaluate_color(const ColorMap& map, double f) {
     if (map.wrap == Wrap::clamp && t >= map.stops.back().position) after = map.stops.back();
     const double width = after.position - before.position;
     const double weight = width > 0.0 ? (t - before.position) / width : 0.0;
-    return to_linear(before.color) + weight * (to_linear(after.color) - to_linear(before.color));
+    return linear_light(before.color) +
+           weight * (linear_light(after.color) - linear_light(before.color));
 }
 
 }  // namespace burl

@@ -13,10 +13,7 @@ PreparedColorMap::PreparedColorMap(const ColorMap& map) : wrap_(map.wrap) {
     stops.insert(stops.begin(), low);
     stops.push_back(high);
     for (const ColorStop& stop : stops)
-        segments_.push_back({stop.position,
-                             {srgb_decode(stop.color.r / 255.0), srgb_decode(stop.color.g / 255.0),
-                              srgb_decode(stop.color.b / 255.0)},
-                             Vec3d(0.0)});
+        segments_.push_back({stop.position, linear_light(stop.color), Vec3d(0.0)});
     for (std::size_t i = 0; i + 1 < segments_.size(); ++i) {
         const double width = segments_[i + 1].position - segments_[i].position;
         if (width > 0.0) segments_[i].slope = (segments_[i + 1].color - segments_[i].color) / width;

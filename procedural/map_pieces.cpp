@@ -11,11 +11,6 @@ namespace burl {
 
 namespace {
 
-Vec3d linear_light(const Rgb8& color) {
-    return {srgb_decode(color.r / 255.0), srgb_decode(color.g / 255.0),
-            srgb_decode(color.b / 255.0)};
-}
-
 /// The stops with one more on either side, so that [0,1] is covered: the next period's, or the end
 /// colours again.
 std::vector<ColorStop> covering_stops(const ColorMap& map) {

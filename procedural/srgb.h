@@ -6,10 +6,16 @@
 #include <limits>
 #include <vector>
 
+#include "atlas/image.h"
+#include "atlas/vec.h"
+
 namespace burl {
 
 /// Linear light of an encoded value, both in [0,1].
 double srgb_decode(double encoded);
+
+/// Linear light of a colour, channels in [0,1].
+Vec3d linear_light(const Rgb8& color);
 
 /// Encoded value of linear light, both in [0,1].
 double srgb_encode(double linear);
