@@ -75,6 +75,24 @@ HWY_ATTR HWY_INLINE Bit Mix(Bit h) {
     return hn::Mul(h, hn::Set(d, LatticeHash::multiplier_2));
 }
 
+/// Hashes of the cells' lower four corners in z, not mixed yet; the upper four's are prime_z
+/// higher.
+HWY_ATTR HWY_INLINE void CornerHashes(Bit seed, const LatticeBatch& batch, std::size_t j, Bit& h00,
+                                      Bit& h10, Bit& h01, Bit& h11) {
+    const Bits bits;
+    const Bit next_x = hn::Set(bits, LatticeHash::prime_x);
+    const Bit next_y = hn::Set(bits, LatticeHash::prime_y);
+    const auto cell = [&](int axis) HWY_ATTR {
+        return hn::BitCast(bits, hn::Load(Ints(), batch.cells[axis] + j));
+    };
+    const Bit hx = hn::Add(hn::Mul(cell(0), next_x), seed);
+    const Bit hz = hn::Mul(cell(2), hn::Set(bits, LatticeHash::prime_z));
+    h00 = hn::Add(hn::Add(hx, hn::Mul(cell(1), next_y)), hz);
+    h10 = hn::Add(h00, next_x);
+    h01 = hn::Add(h00, next_y);
+    h11 = hn::Add(h10, next_y);
+}
+
 /// 2^23 times the lattice value.
 struct ValueCorner {
     HWY_ATTR HWY_INLINE Float operator()(Bit h, Float, Float, Float) const {

@@ -57,12 +57,8 @@ HWY_ATTR void SplitLatticeLines(std::span<const LatticeLine> lines, LatticeBatch
 template <class Corner, class FadeFunction>
 HWY_ATTR HWY_INLINE Float EightfoldNoise(Bit seed, const LatticeBatch& batch, std::size_t j) {
     const Floats d;
-    const Bits bits;
     const Corner corner;
     const FadeFunction fade;
-    const auto cell = [&](int axis) HWY_ATTR {
-        return hn::BitCast(bits, hn::Load(Ints(), batch.cells[axis] + j));
-    };
     const Float x = hn::Load(d, batch.places[0] + j), y = hn::Load(d, batch.places[1] + j),
                 z = hn::Load(d, batch.places[2] + j);
     const Float half = hn::Set(d, 0.5f);
@@ -70,12 +66,8 @@ HWY_ATTR HWY_INLINE Float EightfoldNoise(Bit seed, const LatticeBatch& batch, st
     const Float x1 = hn::Sub(x, half), y1 = hn::Sub(y, half), z1 = hn::Sub(z, half);
     const Float fx = fade(hn::Add(x, x)), fy = fade(hn::Add(y, y)), fz = fade(hn::Add(z, z));
 
-    const Bit next_x = hn::Set(bits, LatticeHash::prime_x);
-    const Bit next_y = hn::Set(bits, LatticeHash::prime_y);
-    const Bit hx = hn::Add(hn::Mul(cell(0), next_x), seed);
-    const Bit h00 = hn::Add(hx, hn::Mul(cell(1), next_y)), h10 = hn::Add(h00, next_x);
-    const Bit h01 = hn::Add(h00, next_y), h11 = hn::Add(h10, next_y);
-
+    Bit h00, h10, h01, h11;
+    CornerHashes(seed, batch, j, h00, h10, h01, h11);
     const auto plane = [&](Bit hz, Float dz) HWY_ATTR {
         const Float a = corner(Mix(hn::Add(h00, hz)), x0, y0, dz);
         const Float b = corner(Mix(hn::Add(h10, hz)), x1, y0, dz);
@@ -84,10 +76,8 @@ HWY_ATTR HWY_INLINE Float EightfoldNoise(Bit seed, const LatticeBatch& batch, st
         const Float f = corner(Mix(hn::Add(h11, hz)), x1, y1, dz);
         return TwiceLerp(fy, low, TwiceLerp(fx, e, f));
     };
-    const Bit next_z = hn::Set(bits, LatticeHash::prime_z);
-    const Bit hz = hn::Mul(cell(2), next_z);
-    const Float low = plane(hz, z0);
-    return TwiceLerp(fz, low, plane(hn::Add(hz, next_z), z1));
+    const Float low = plane(hn::Zero(Bits()), z0);
+    return TwiceLerp(fz, low, plane(hn::Set(Bits(), LatticeHash::prime_z), z1));
 }
 
 template <class Corner, class FadeFunction>

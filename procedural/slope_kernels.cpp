@@ -31,12 +31,8 @@ HWY_ATTR HWY_INLINE void NoiseAndSlopes(Bit seed, const LatticeBatch& batch,
                                         const DirectionBatch& directions, std::size_t j,
                                         Float& noise, Float& slope_u, Float& slope_v) {
     const Floats d;
-    const Bits bits;
     const Corner corner;
     const FadeFunction fade;
-    const auto cell = [&](int axis) HWY_ATTR {
-        return hn::BitCast(bits, hn::Load(Ints(), batch.cells[axis] + j));
-    };
     const Float x = hn::Load(d, batch.places[0] + j), y = hn::Load(d, batch.places[1] + j),
                 z = hn::Load(d, batch.places[2] + j);
     const Float half = hn::Set(d, 0.5f);
@@ -44,19 +40,13 @@ HWY_ATTR HWY_INLINE void NoiseAndSlopes(Bit seed, const LatticeBatch& batch,
     const Float x1 = hn::Sub(x, half), y1 = hn::Sub(y, half), z1 = hn::Sub(z, half);
     const Float tx = hn::Add(x, x), ty = hn::Add(y, y), tz = hn::Add(z, z);
     const Float fx = fade(tx), fy = fade(ty), fz = fade(tz);
-    const Float ux = hn::Load(d, directions.along_u[0] + j);
-    const Float uy = hn::Load(d, directions.along_u[1] + j);
-    const Float uz = hn::Load(d, directions.along_u[2] + j);
-    const Float vx = hn::Load(d, directions.along_v[0] + j);
-    const Float vy = hn::Load(d, directions.along_v[1] + j);
-    const Float vz = hn::Load(d, directions.along_v[2] + j);
-
-    const Bit next_x = hn::Set(bits, LatticeHash::prime_x);
-    const Bit next_y = hn::Set(bits, LatticeHash::prime_y);
-    const Bit next_z = hn::Set(bits, LatticeHash::prime_z);
-    const Bit hx = hn::Add(hn::Mul(cell(0), next_x), seed);
-    const Bit h00 = hn::Add(hx, hn::Mul(cell(1), next_y)), h10 = hn::Add(h00, next_x);
-    const Bit h01 = hn::Add(h00, next_y), h11 = hn::Add(h10, next_y);
+    const auto& along_u = directions.along_u;
+    const auto& along_v = directions.along_v;
+    const Float ux = hn::Load(d, along_u[0] + j), vx = hn::Load(d, along_v[0] + j),
+                uy = hn::Load(d, along_u[1] + j), vy = hn::Load(d, along_v[1] + j),
+                uz = hn::Load(d, along_u[2] + j), vz = hn::Load(d, along_v[2] + j);
+    Bit h00, h10, h01, h11;
+    CornerHashes(seed, batch, j, h00, h10, h01, h11);
 
     // The four corners of a plane: interpolated, its differences along x and y, and the corners'
     // own changes, interpolated.
@@ -79,9 +69,8 @@ HWY_ATTR HWY_INLINE void NoiseAndSlopes(Bit seed, const LatticeBatch& batch,
         }
     };
     Float low, low_x, low_y, low_u, low_v, high, high_x, high_y, high_u, high_v;
-    const Bit hz = hn::Mul(cell(2), next_z);
-    plane(hz, z0, low, low_x, low_y, low_u, low_v);
-    plane(hn::Add(hz, next_z), z1, high, high_x, high_y, high_u, high_v);
+    plane(hn::Zero(Bits()), z0, low, low_x, low_y, low_u, low_v);
+    plane(hn::Set(Bits(), LatticeHash::prime_z), z1, high, high_x, high_y, high_u, high_v);
     noise = TwiceLerp(fz, low, high);
     // d(fade)/d(place) is twice the slope, t being twice the place.
     const Float gx = hn::Mul(TwiceLerp(fz, low_x, high_x), hn::Add(fade.Slope(tx), fade.Slope(tx)));
