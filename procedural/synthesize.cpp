@@ -3,15 +3,12 @@
 #include <algorithm>
 #include <memory>
 
-#include <tbb/blocked_range.h>
-#include <tbb/global_control.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include "procedural/break_distance.h"
 #include "procedural/color_table.h"
 #include "procedural/field_sampler.h"
 #include "procedural/filtered_colors.h"
+#include "procedural/pixel_encoder.h"
+#include "procedural/row_tasks.h"
 #include "procedural/sample_pattern.h"
 
 namespace burl {
@@ -23,27 +20,6 @@ struct Batch : FieldBatch {
     alignas(64) std::int32_t distances[batch_capacity + batch_padding];
     std::vector<double> middle, mean;  ///< of several samples of a texel
     std::vector<Vec3d> colors;
-};
-
-/// Linear light to a pixel.
-template <class Pixel>
-struct Encoder;
-template <class Channel>
-struct SrgbPixelEncoder {
-    SrgbEncoder<Channel> encode;
-    auto operator()(const Vec3d& linear) const {
-        return Rgb<Channel>{encode(linear.x), encode(linear.y), encode(linear.z)};
-    }
-};
-template <>
-struct Encoder<Rgb8> : SrgbPixelEncoder<std::uint8_t> {};
-template <>
-struct Encoder<Rgb16> : SrgbPixelEncoder<std::uint16_t> {};
-template <>
-struct Encoder<RgbF> {
-    RgbF operator()(const Vec3d& linear) const {
-        return {float(linear.x), float(linear.y), float(linear.z)};
-    }
 };
 
 // Shaders: prepare() samples a batch, pixel() gives one of its texels.
@@ -91,7 +67,7 @@ class PointColor {
 
   private:
     PreparedColorMap map_;
-    Encoder<P> encode_;
+    PixelEncoder<P> encode_;
 };
 
 /// The map averaged over what f takes on in a texel, to first order. `Point` colours the texels
@@ -106,6 +82,7 @@ class FilteredColor {
     void prepare(const FieldSampler& sampler, Batch& batch) const {
         sampler.values_and_slopes(batch);
         if (kind_ == FilterKind::trapezoid2) add_curvature(sampler, batch);
+        if (!filtered_.exact()) return;
         point_.prepare_colors(batch);
         index_colors(filtered_.wrap(), batch.field, batch.count, BreakDistance::entry_count,
                      batch.distances);
@@ -142,7 +119,7 @@ class FilteredColor {
     FilteredColors filtered_;
     BreakDistance distance_;
     Point point_;
-    Encoder<Pixel> encode_;
+    PixelEncoder<Pixel> encode_;
 };
 
 /// Colours of several places in the texel, weighted.
@@ -187,7 +164,7 @@ class SupersampledColor {
     SamplePattern pattern_;
     PreparedColorMap map_;
     PointColor<P> point_;
-    Encoder<P> encode_;
+    PixelEncoder<P> encode_;
 };
 
 template <class Shader>
@@ -207,7 +184,7 @@ void flush(Batch& batch, const FieldSampler& sampler, const Shader& shader,
 
 template <class Shader>
 void synthesize_rows(const SolidAtlas& solid, const Affine3& map, const FieldSampler& sampler,
-                     const Shader& shader, tbb::blocked_range<std::size_t> rows,
+                     const Shader& shader, const RowRange& rows,
                      Image<typename Shader::Pixel>& image) {
     const auto batch = std::make_unique<Batch>();
     for (std::size_t y = rows.begin(); y != rows.end(); ++y) {
@@ -236,16 +213,8 @@ Image<typename Shader::Pixel> synthesize(const SolidAtlas& solid, const Texture&
                                          const Shader& shader) {
     Image<typename Shader::Pixel> image(solid.size, solid.size, shader.background(0.0));
     const FieldSampler sampler(texture, filter.band_limit);
-    // Enough rows to fill a few batches; the grain decides only who works, not what comes out.
-    const std::size_t grain = std::max<std::size_t>(1, 8 * batch_capacity / (solid.size + 1));
-    const auto most =
-        tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
-    tbb::task_arena arena(threads > 0 ? std::min(threads, int(most)) : tbb::task_arena::automatic);
-    arena.execute([&] {
-        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, solid.size, grain),
-                          [&](const tbb::blocked_range<std::size_t>& rows) {
-                              synthesize_rows(solid, map, sampler, shader, rows, image);
-                          });
+    for_row_ranges(solid.size, 8 * batch_capacity, threads, [&](const RowRange& rows) {
+        synthesize_rows(solid, map, sampler, shader, rows, image);
     });
     return image;
 }

@@ -3,34 +3,14 @@
 #include <algorithm>
 #include <utility>
 
-#include <tbb/blocked_range.h>
-#include <tbb/global_control.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include "procedural/graph_evaluator.h"
+#include "procedural/pixel_encoder.h"
+#include "procedural/row_tasks.h"
 #include "procedural/sample_pattern.h"
-#include "procedural/srgb.h"
 
 namespace burl {
 
 namespace {
-
-/// Linear light as the image stores it.
-template <class Code>
-class Encoded {
-  public:
-    using Pixel = Rgb<Code>;
-    Pixel operator()(const Vec3d& c) const { return {encode_(c.x), encode_(c.y), encode_(c.z)}; }
-
-  private:
-    SrgbEncoder<Code> encode_;
-};
-
-struct Linear {
-    using Pixel = RgbF;
-    Pixel operator()(const Vec3d& c) const { return {float(c.x), float(c.y), float(c.z)}; }
-};
 
 /// A texel's point and its steps to the next column and row, in texture coordinates.
 struct TexelPlace {
@@ -40,15 +20,15 @@ struct TexelPlace {
 };
 
 /// Texels of one thread on their way through the evaluator, each as one sample or several.
-template <class Store>
+template <class Pixel>
 class TexelQueue {
   public:
-    TexelQueue(const GraphEvaluator& evaluate, const Filter& filter, const Store& store,
-               Image<typename Store::Pixel>& image)
+    TexelQueue(const GraphEvaluator& evaluate, const Filter& filter,
+               const PixelEncoder<Pixel>& encode, Image<Pixel>& image)
         : evaluate_(evaluate),
           kind_(filter.kind),
           pattern_(kind_ == FilterKind::supersample ? filter.samples : 1),
-          store_(store),
+          encode_(encode),
           image_(image),
           scratch_(evaluate.make_scratch()) {}
 
@@ -75,7 +55,7 @@ class TexelQueue {
                 sum += weight * (sample++)->color();
                 weights += weight;
             }
-            image_(texel.x, texel.y) = store_(sum / weights);
+            image_(texel.x, texel.y) = encode_(sum / weights);
         }
         texels_.clear();
         points_.clear();
@@ -94,8 +74,8 @@ class TexelQueue {
     const GraphEvaluator& evaluate_;
     FilterKind kind_;
     SamplePattern pattern_;
-    const Store& store_;
-    Image<typename Store::Pixel>& image_;
+    const PixelEncoder<Pixel>& encode_;
+    Image<Pixel>& image_;
     GraphEvaluator::Scratch scratch_;
     std::vector<TexelPlace> texels_;
     std::vector<Vec3d> points_;
@@ -103,9 +83,9 @@ class TexelQueue {
     std::vector<GraphSample> samples_;
 };
 
-template <class Store>
-void synthesize_rows(const SolidAtlas& solid, const Affine3& map,
-                     tbb::blocked_range<std::size_t> rows, TexelQueue<Store> queue) {
+template <class Pixel>
+void synthesize_rows(const SolidAtlas& solid, const Affine3& map, const RowRange& rows,
+                     TexelQueue<Pixel> queue) {
     for (std::size_t y = rows.begin(); y != rows.end(); ++y)
         for (const Span& span : solid.row(y)) {
             const TexelMap& texel = solid.maps[span.map];
@@ -116,23 +96,14 @@ void synthesize_rows(const SolidAtlas& solid, const Affine3& map,
     queue.flush();
 }
 
-template <class Store>
-Image<typename Store::Pixel> synthesize(const SolidAtlas& solid, const TextureGraph& graph,
-                                        const Affine3& map, const Filter& filter, int threads) {
-    const Store store;
+template <class Pixel>
+Image<Pixel> synthesize(const SolidAtlas& solid, const TextureGraph& graph, const Affine3& map,
+                        const Filter& filter, int threads) {
+    const PixelEncoder<Pixel> encode{};
     const GraphEvaluator evaluate(graph);
-    Image<typename Store::Pixel> image(solid.size, solid.size, store(evaluate(Vec3d(0.0)).color()));
-    // Enough rows to fill a few batches; the grain decides only who works, not what comes out.
-    const std::size_t grain = std::max<std::size_t>(1, 16 * graph_batch_size / (solid.size + 1));
-    const auto most =
-        tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
-    tbb::task_arena arena(threads > 0 ? std::min(threads, int(most)) : tbb::task_arena::automatic);
-    arena.execute([&] {
-        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, solid.size, grain),
-                          [&](const tbb::blocked_range<std::size_t>& rows) {
-                              synthesize_rows(solid, map, rows,
-                                              TexelQueue<Store>(evaluate, filter, store, image));
-                          });
+    Image<Pixel> image(solid.size, solid.size, encode(evaluate(Vec3d(0.0)).color()));
+    for_row_ranges(solid.size, 16 * graph_batch_size, threads, [&](const RowRange& rows) {
+        synthesize_rows(solid, map, rows, TexelQueue<Pixel>(evaluate, filter, encode, image));
     });
     return image;
 }
@@ -141,17 +112,17 @@ Image<typename Store::Pixel> synthesize(const SolidAtlas& solid, const TextureGr
 
 Image<Rgb8> synthesize_graph_rgb8(const SolidAtlas& solid, const TextureGraph& graph,
                                   const Affine3& map, const Filter& filter, int threads) {
-    return synthesize<Encoded<std::uint8_t>>(solid, graph, map, filter, threads);
+    return synthesize<Rgb8>(solid, graph, map, filter, threads);
 }
 
 Image<Rgb16> synthesize_graph_rgb16(const SolidAtlas& solid, const TextureGraph& graph,
                                     const Affine3& map, const Filter& filter, int threads) {
-    return synthesize<Encoded<std::uint16_t>>(solid, graph, map, filter, threads);
+    return synthesize<Rgb16>(solid, graph, map, filter, threads);
 }
 
 Image<RgbF> synthesize_graph_rgbf(const SolidAtlas& solid, const TextureGraph& graph,
                                   const Affine3& map, const Filter& filter, int threads) {
-    return synthesize<Linear>(solid, graph, map, filter, threads);
+    return synthesize<RgbF>(solid, graph, map, filter, threads);
 }
 
 }  // namespace burl
