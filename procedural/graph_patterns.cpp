@@ -5,6 +5,7 @@
 
 #include "procedural/box_means.h"
 #include "procedural/graph_nodes.h"
+#include "procedural/sample_pattern.h"
 
 namespace burl::nodes {
 
@@ -72,7 +73,7 @@ class Checkers {
             for (std::size_t axis = 0; axis < 3; ++axis)
                 q[axis] =
                     p[axis].value + du * call_.along_u(p[axis], i) + dv * call_.along_v(p[axis], i);
-            const double weight = std::exp(-2.0 * (du * du + dv * dv));
+            const double weight = gaussian_weight(du, dv);
             sum += weight * odd(q);
             weights += weight;
         }
