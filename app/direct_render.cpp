@@ -7,7 +7,6 @@
 #include <tbb/parallel_for.h>
 
 #include "app/normals.h"
-#include "app/texture_color.h"
 #include "app/visibility.h"
 
 namespace burl {
@@ -34,6 +33,7 @@ struct Surface {
     const Mesh& mesh;
     std::span<const Vec3f> normals;
     const PointColor& color;
+    const SurfaceNormal& bumped;
     const Camera& camera;
     bool lit;
 };
@@ -52,9 +52,12 @@ Vec3d shade(const Surface& surface, const ScreenTriangle& t, const Vec3d& weight
     }
     const Vec3d color = surface.color({t.triangle, weights});
     if (!surface.lit) return color;
-    const Vec3d scene_point = Vec3d(*t.placement * Vec4d(point, 1.0));
-    const Vec3d scene_normal = cofactors(Mat3d(*t.placement)) * normal;
-    return color * headlight(scene_normal, surface.camera.eye - scene_point);
+    const Mat3d to_scene = cofactors(Mat3d(*t.placement));
+    const Vec3d to_eye = surface.camera.eye - Vec3d(*t.placement * Vec4d(point, 1.0));
+    if (!surface.bumped || normal == Vec3d(0.0))
+        return color * headlight(to_scene * normal, to_eye);
+    const Vec3d bumped = surface.bumped(point, glm::normalize(normal));
+    return color * headlight(to_scene * normal, to_scene * bumped, to_eye);
 }
 
 }  // namespace
@@ -67,12 +70,13 @@ Image<Rgb8> render_surface(const Mesh& mesh, std::span<const Vec3f> normals,
 }
 
 Image<Rgb8> render_points(const Mesh& mesh, std::span<const Vec3f> normals, const PointColor& color,
-                          const Camera& camera, const PictureOptions& options) {
+                          const Camera& camera, const PictureOptions& options,
+                          const SurfaceNormal& bumped) {
     const int n = options.supersample;
     const PictureSize samples{options.size.width * n, options.size.height * n};
     const auto triangles = screen_triangles(mesh, camera, samples);
     const auto bands = sort_into_bands(triangles, samples.height, band_rows * n);
-    const Surface surface{mesh, normals, color, camera, options.lit};
+    const Surface surface{mesh, normals, color, bumped, camera, options.lit};
     const Vec3d back = background_linear();
     const RgbF background{float(back.x), float(back.y), float(back.z)};
 
@@ -104,10 +108,10 @@ Image<Rgb8> render_direct(const Mesh& mesh, const Recipe& recipe, const Camera& 
     const std::vector<Vec3f> normals = corner_normals(mesh, crease_degrees);
     const Affine3 texture_from_point = texture_from_mesh(recipe, mesh);
     const TextureColor color_at = texture_color(recipe);
-    const SurfaceColor color = [&](const Vec3d& point) {
-        return color_at(texture_from_point(point));
+    const PointColor color = [&](const SurfacePoint& point) {
+        return color_at(texture_from_point(position(mesh, point)));
     };
-    return render_surface(mesh, normals, color, camera, options);
+    return render_points(mesh, normals, color, camera, options, bumped_normals(recipe, mesh));
 }
 
 }  // namespace burl

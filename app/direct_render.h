@@ -8,6 +8,7 @@
 #include "app/camera.h"
 #include "app/recipe.h"
 #include "app/shading.h"
+#include "app/texture_color.h"
 #include "atlas/image.h"
 #include "atlas/mesh.h"
 #include "atlas/surface_points.h"
@@ -27,11 +28,13 @@ Image<Rgb8> render_surface(const Mesh& mesh, std::span<const Vec3f> normals,
                            const SurfaceColor& color, const Camera& camera,
                            const PictureOptions& options);
 
+/// `bumped` gives the normals to shade with from the interpolated ones; empty: those themselves.
 Image<Rgb8> render_points(const Mesh& mesh, std::span<const Vec3f> normals, const PointColor& color,
-                          const Camera& camera, const PictureOptions& options);
+                          const Camera& camera, const PictureOptions& options,
+                          const SurfaceNormal& bumped = {});
 
-/// The mesh with the recipe's texture; normals are the mesh's own, else those an export would have
-/// (angle-weighted, creases above `crease_degrees`).
+/// The mesh with the recipe's texture and bumps; normals are the mesh's own, else those an export
+/// would have (angle-weighted, creases above `crease_degrees`).
 Image<Rgb8> render_direct(const Mesh& mesh, const Recipe& recipe, const Camera& camera,
                           const PictureOptions& options, double crease_degrees = 40.0);
 

@@ -165,4 +165,9 @@ Found find_graph_problem(const Json& texture, const std::string& path) {
     return GraphChecker().check_input(texture, path, Wire::color, 0, given);
 }
 
+Found find_scalar_problem(const Json& input, const std::string& path) {
+    Wire given = Wire::number;
+    return GraphChecker().check_input(input, path, Wire::number, 1, given);
+}
+
 }  // namespace burl

@@ -8,4 +8,7 @@ namespace burl {
 /// The first thing that is wrong with a recipe's "texture" that is a graph, if any.
 std::optional<RecipeProblem> find_graph_problem(const Json& texture, const std::string& path);
 
+/// The same for a graph that must give a number; it may be a number itself.
+std::optional<RecipeProblem> find_scalar_problem(const Json& input, const std::string& path);
+
 }  // namespace burl

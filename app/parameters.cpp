@@ -100,6 +100,8 @@ constexpr std::array table{
               "frequency ratio from one octave to the next"},
     Parameter{"texture.input.noise.*.gain", number, 0, 2, 0.05, 1, "", "0.5", "",
               "amplitude ratio from one octave to the next"},
+    Parameter{"bump.height", number, -1e6, 1e6, 0.001, 1, "solid units", "0.01", "",
+              "rise of the surface where bump.input grows by 1; solid.scale does not change it"},
     Parameter{"filter.kind", choice, 0, 0, 0, 1, "", "\"none\"",
               "none|table-mip|table-sat|table-sat3|exact|trapezoid|trapezoid2|supersample",
               "how a texel's area is averaged"},

@@ -38,6 +38,11 @@ Affine3 texture_from_mesh(const Recipe& recipe, const Mesh& mesh) {
     return texture_from_solid(recipe).after(solid_from_mesh(mesh, recipe.solid.space));
 }
 
+double solid_units(const Mesh& mesh, SolidSpace space) {
+    // Uniform and upright: one entry of the diagonal says it all.
+    return solid_from_mesh(mesh, space).linear[0][0];
+}
+
 Recipe load_recipe(const std::string& path_or_preset, const std::vector<std::string>& settings) {
     for (const EmbeddedFile& file : embedded_recipes())
         if (preset_name(file) == path_or_preset)

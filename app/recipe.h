@@ -7,6 +7,7 @@
 
 #include "atlas/atlas.h"
 #include "atlas/solid_atlas.h"
+#include "procedural/bump.h"
 #include "procedural/filter.h"
 #include "procedural/graph.h"
 
@@ -24,6 +25,7 @@ struct Recipe {
     SolidOptions solid;
     Texture texture;     ///< of the 1999 model, which bakes fastest
     TextureGraph graph;  ///< any other texture; empty: `texture` counts
+    Bump bump;
     Filter filter;
     bool operator==(const Recipe&) const = default;
 };
@@ -33,6 +35,9 @@ Affine3 texture_from_solid(const Recipe& recipe);
 
 /// Map from the mesh's coordinates to the texture's coordinates s.
 Affine3 texture_from_mesh(const Recipe& recipe, const Mesh& mesh);
+
+/// How many solid units (before the scale) a unit of the mesh is.
+double solid_units(const Mesh& mesh, SolidSpace space);
 
 /// Parses recipe JSON; `origin` names it in messages. `settings` are "path=value" edits applied to
 /// the JSON first, such as "texture.input.noise.0.amplitude=0.7". Unknown keys, wrong types and

@@ -18,9 +18,16 @@ SchemaNode schema_without_texture() {
     return schema;
 }
 
-}  // namespace
+/// The recipe has been checked against the schema.
+Found find_bump_problem(const Json& recipe) {
+    if (!recipe.contains("bump")) return {};
+    if (!recipe["bump"].contains("input"))
+        return RecipeProblem{"bump.input",
+                             "bump.input is missing, must be a node that gives a number"};
+    return find_scalar_problem(recipe["bump"]["input"], "bump.input");
+}
 
-Found find_problem(const Json& recipe) {
+Found find_texture_problem(const Json& recipe) {
     const Json none = Json::object();
     const Json& texture =
         recipe.is_object() && recipe.contains("texture") ? recipe["texture"] : none;
@@ -33,6 +40,13 @@ Found find_problem(const Json& recipe) {
     if (Found found = find_map_problem(schema, texture, "texture")) return found;
     return texture.contains("input") ? find_field_problem(schema, texture["input"], "texture.input")
                                      : Found();
+}
+
+}  // namespace
+
+Found find_problem(const Json& recipe) {
+    if (Found found = find_texture_problem(recipe)) return found;
+    return find_bump_problem(recipe);
 }
 
 }  // namespace burl

@@ -78,6 +78,10 @@ Recipe recipe_from_json(const Json& json, const std::string& origin) {
         recipe.graph = graph_from_json(part("texture"), image_reader(origin));
     else
         recipe.texture = texture_from_json(part("texture"));
+    const Json& bump = part("bump");
+    if (bump.contains("input"))
+        recipe.bump.input = graph_from_json(bump["input"], image_reader(origin));
+    if (bump.contains("height")) recipe.bump.height = bump["height"].get<double>();
     const Json& filter = part("filter");
     read(filter, "kind", filters, recipe.filter.kind);
     if (filter.contains("samples")) recipe.filter.samples = int(filter["samples"].get<double>());
@@ -119,7 +123,7 @@ Recipe parse_recipe(const std::string& json, const std::string& origin,
 }
 
 std::string to_json(const Recipe& recipe) {
-    const Json json{
+    Json json{
         {"burl", 1},
         {"name", recipe.name},
         {"atlas",
@@ -138,6 +142,9 @@ std::string to_json(const Recipe& recipe) {
          {{"kind", name_of(filters, recipe.filter.kind)},
           {"samples", recipe.filter.samples},
           {"octaves", name_of(filter_octaves, recipe.filter.band_limit)}}}};
+    if (!recipe.bump.empty())
+        json["bump"] = {{"height", recipe.bump.height},
+                        {"input", graph_to_json(recipe.bump.input)}};
     return print_json(json);
 }
 

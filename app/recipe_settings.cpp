@@ -94,10 +94,17 @@ Json parse_value(const std::string& text, const SchemaNode& node) {
     return value;
 }
 
+/// Whether a path leads to a key of a texture graph.
+bool lies_in_graph(const Json& recipe, std::span<const std::string_view> parts) {
+    if (parts.size() < 2) return false;
+    if (parts[0] == "bump") return parts[1] == "input";
+    return parts[0] == "texture" && recipe.contains("texture") && is_graph(recipe["texture"]);
+}
+
 /// A key of a texture graph: paths follow the JSON itself, and what is no key of its node is found
 /// when the whole recipe is checked.
-Json& graph_place(Json& texture, std::span<const std::string_view> parts, std::string_view path) {
-    Json* place = &texture;
+Json& graph_place(Json& recipe, std::span<const std::string_view> parts, std::string_view path) {
+    Json* place = &recipe;
     for (const std::string_view part : parts) {
         if (place->is_array() && is_index(part)) {
             place = &array_item(*place, part, path);
@@ -123,10 +130,8 @@ std::string apply_setting(Json& recipe, const std::string& setting) {
     Json edited = recipe;
     Json* place = &edited;
     const auto parts = split_path(path);
-    if (parts.size() > 1 && parts[0] == "texture" && recipe.contains("texture") &&
-        is_graph(recipe["texture"])) {
-        graph_place(edited["texture"], std::span(parts).subspan(1), path) =
-            parse_value(setting.substr(equals + 1), {});
+    if (lies_in_graph(recipe, parts)) {
+        graph_place(edited, parts, path) = parse_value(setting.substr(equals + 1), {});
         recipe = std::move(edited);
         return path;
     }

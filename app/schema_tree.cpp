@@ -14,17 +14,25 @@ std::vector<std::string_view> split_path(std::string_view path) {
     return parts;
 }
 
+namespace {
+
+/// The node at a path, made if there is none yet.
+SchemaNode& place(SchemaNode& root, std::string_view path) {
+    SchemaNode* node = &root;
+    for (const std::string_view part : split_path(path)) {
+        if (!node->child(part)) node->children.emplace_back(part, std::make_unique<SchemaNode>());
+        node = const_cast<SchemaNode*>(node->child(part));
+    }
+    return *node;
+}
+
+}  // namespace
+
 SchemaNode build_schema() {
     SchemaNode root;
-    for (const Parameter& parameter : parameters()) {
-        SchemaNode* node = &root;
-        for (const std::string_view part : split_path(parameter.path)) {
-            if (!node->child(part))
-                node->children.emplace_back(part, std::make_unique<SchemaNode>());
-            node = const_cast<SchemaNode*>(node->child(part));
-        }
-        node->parameter = &parameter;
-    }
+    for (const Parameter& parameter : parameters())
+        place(root, parameter.path).parameter = &parameter;
+    place(root, "bump.input").elsewhere = true;  // a graph (graph_check.h)
     return root;
 }
 

@@ -10,9 +10,14 @@ Vec3d background_linear() {
 }
 
 double headlight(const Vec3d& normal, const Vec3d& to_eye) {
-    const double lengths = glm::length(normal) * glm::length(to_eye);
-    const double cosine = lengths > 0.0 ? std::abs(glm::dot(normal, to_eye)) / lengths : 1.0;
-    return ambient + (1.0 - ambient) * std::min(cosine, 1.0);
+    return headlight(normal, normal, to_eye);
+}
+
+double headlight(const Vec3d& normal, const Vec3d& bumped, const Vec3d& to_eye) {
+    const double lengths = glm::length(bumped) * glm::length(to_eye);
+    const double towards = glm::dot(normal, to_eye) < 0.0 ? -1.0 : 1.0;
+    const double cosine = lengths > 0.0 ? towards * glm::dot(bumped, to_eye) / lengths : 1.0;
+    return ambient + (1.0 - ambient) * std::clamp(cosine, 0.0, 1.0);
 }
 
 void resolve_samples(const Image<RgbF>& samples, int supersample,

@@ -30,6 +30,10 @@ inline constexpr double ambient = 0.25;  ///< the headlight gives the rest, 1 - 
 /// `normal` and `to_eye` need not be unit vectors; a zero normal counts as facing the eye.
 double headlight(const Vec3d& normal, const Vec3d& to_eye);
 
+/// The same with a bumped normal in place of n, on the side of the surface that n says is seen:
+/// ambient alone where the bumped one faces away from it.
+double headlight(const Vec3d& normal, const Vec3d& bumped, const Vec3d& to_eye);
+
 /// Averages supersample x supersample blocks of linear-light samples, encodes them and stores them
 /// in `picture` with their corner at pixel (x, y). The sample image's sides are multiples of
 /// `supersample` >= 1.

@@ -3,37 +3,31 @@
 #include <memory>
 #include <utility>
 
-#include <tbb/enumerable_thread_specific.h>
-
-#include "procedural/graph_evaluator.h"
+#include "app/graph_sampler.h"
 #include "procedural/octaves.h"
 
 namespace burl {
 
-namespace {
-
-/// Arrays of each thread for the evaluator, which are too large to make anew for every point.
-struct GraphColor {
-    explicit GraphColor(const TextureGraph& graph)
-        : evaluate(graph), scratch([this] { return evaluate.make_scratch(); }) {}
-
-    GraphEvaluator evaluate;
-    tbb::enumerable_thread_specific<GraphEvaluator::Scratch> scratch;
-};
-
-}  // namespace
-
 TextureColor texture_color(const Recipe& recipe) {
     if (!recipe.graph.empty()) {
-        return [graph = std::make_shared<GraphColor>(recipe.graph)](const Vec3d& s) {
-            GraphSample sample;
-            graph->evaluate({&s, 1}, {}, graph->scratch.local(), {&sample, 1});
-            return sample.color();
+        return [graph = std::make_shared<GraphSampler>(recipe.graph)](const Vec3d& s) {
+            return (*graph)(s).color();
         };
     }
     return [octaves = expand_octaves(recipe.texture), quadric = recipe.texture.quadric,
             colors = recipe.texture.colors](const Vec3d& s) {
         return evaluate_color(colors, evaluate_field(quadric, octaves, s));
+    };
+}
+
+SurfaceNormal bumped_normals(const Recipe& recipe, const Mesh& mesh) {
+    if (recipe.bump.empty()) return {};
+    const Affine3 map = texture_from_mesh(recipe, mesh);
+    const double height = recipe.bump.height / solid_units(mesh, recipe.solid.space);
+    return [graph = std::make_shared<GraphSampler>(recipe.bump.input), map, height](
+               const Vec3d& point, const Vec3d& normal) {
+        const Dual node = (*graph)(map(point)).channels[0];
+        return bumped_normal(normal, height_gradient(node, height, map.linear));
     };
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-// The recipe's texture as a function, in float64 and unfiltered: what pictures and measures hold
-// bakes against.
+// The recipe's texture as functions of a point, in float64 and unfiltered: what pictures and
+// measures hold bakes against.
 #include <functional>
 
 #include "app/recipe.h"
@@ -11,5 +11,12 @@ namespace burl {
 using TextureColor = std::function<Vec3d(const Vec3d& s)>;
 
 TextureColor texture_color(const Recipe& recipe);
+
+/// The normal to shade with at a point with a unit normal, both of the mesh at rest, in its own
+/// coordinates. May be called from several threads at once.
+using SurfaceNormal = std::function<Vec3d(const Vec3d& mesh_point, const Vec3d& normal)>;
+
+/// Normals with the recipe's bumps; empty without any.
+SurfaceNormal bumped_normals(const Recipe& recipe, const Mesh& mesh);
 
 }  // namespace burl

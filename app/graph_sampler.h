@@ -1,0 +1,27 @@
+#pragma once
+// A texture graph as a function of one point, for callers on several threads.
+#include <tbb/enumerable_thread_specific.h>
+
+#include "procedural/graph_evaluator.h"
+
+namespace burl {
+
+/// Keeps arrays for every thread: they are too large to make anew for every point.
+class GraphSampler {
+  public:
+    explicit GraphSampler(const TextureGraph& graph)
+        : evaluate_(graph), scratch_([this] { return evaluate_.make_scratch(); }) {}
+
+    /// Unfiltered. May be called from several threads at once.
+    GraphSample operator()(const Vec3d& s) {
+        GraphSample sample;
+        evaluate_({&s, 1}, {}, scratch_.local(), {&sample, 1});
+        return sample;
+    }
+
+  private:
+    GraphEvaluator evaluate_;
+    tbb::enumerable_thread_specific<GraphEvaluator::Scratch> scratch_;
+};
+
+}  // namespace burl
