@@ -1,0 +1,81 @@
+#pragma once
+// Running a polynomial through the whole numbers with additions alone, as Kameya & Hart's
+// "Bresenham Noise" runs its cubic (eq. 16 to 22), for any degree. The first differences come from
+// the polynomial's coefficients by Stirling numbers of the second kind, never from samples:
+// differences of d + 1 neighbouring samples are what rounding left of them, and the sums amplify
+// it.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+
+namespace burl {
+
+/// Coefficients c_k of x^k, or differences D_m, from the constant on.
+template <std::size_t degree>
+using Powers = std::array<double, degree + 1>;
+
+inline constexpr std::size_t largest_degree = 15;
+
+/// surjections[k][m] = m! S(k, m), by which x^k = sum_m surjections[k][m] binomial(x, m). All are
+/// below 2^53.
+inline constexpr auto surjections = [] {
+    std::array<std::array<double, largest_degree + 1>, largest_degree + 1> table{};
+    table[0][0] = 1.0;
+    for (std::size_t k = 1; k <= largest_degree; ++k)
+        for (std::size_t m = 1; m <= k; ++m)
+            table[k][m] = double(m) * (table[k - 1][m] + table[k - 1][m - 1]);
+    return table;
+}();
+
+/// The differences at 0 of a polynomial: p(j) = sum_m D_m binomial(j, m), eq. (21).
+template <std::size_t size>
+constexpr std::array<double, size> differences_at_zero(const std::array<double, size>& powers) {
+    static_assert(size <= largest_degree + 1);
+    std::array<double, size> differences{};
+    differences[0] = powers[0];
+    for (std::size_t m = 1; m < size; ++m)
+        // From the smallest coefficient on.
+        for (std::size_t k = size; k-- > m;) differences[m] += surjections[k][m] * powers[k];
+    return differences;
+}
+
+/// The value and its differences at one whole number after the other. Number is float, double or
+/// std::int64_t, which counts in units of 2^-`fraction_bits`: |value| must then stay below
+/// 2^(63 - fraction_bits), |differences| too at the start.
+template <class Number, std::size_t degree>
+class ForwardDifferences {
+  public:
+    explicit ForwardDifferences(const Powers<degree>& differences, int fraction_bits = 60) {
+        if constexpr (fixed) unit_ = std::ldexp(1.0, -fraction_bits);
+        for (std::size_t m = 0; m <= degree; ++m) order_[m] = encoded(differences[m]);
+    }
+
+    double value() const {
+        if constexpr (fixed) return unit_ * double(std::int64_t(order_[0]));
+        return double(order_[0]);
+    }
+    /// On to the next whole number: `degree` additions, eq. (22).
+    void step() {
+        for (std::size_t m = 0; m < degree; ++m) order_[m] += order_[m + 1];
+    }
+
+  private:
+    static constexpr bool fixed = std::integral<Number>;
+    /// Sums of unsigned integers wrap, so it does not matter whether a high difference overflows.
+    using Stored = std::conditional_t<fixed, std::uint64_t, Number>;
+
+    Stored encoded(double x) const {
+        if constexpr (!fixed) return Number(x);
+        constexpr double most = 0x1p62;
+        const double units = std::isnan(x) ? 0.0 : std::clamp(x / unit_, -most, most);
+        return Stored(std::int64_t(units + std::copysign(0.5, units)));
+    }
+
+    std::array<Stored, degree + 1> order_;
+    double unit_ = 1.0;
+};
+
+}  // namespace burl

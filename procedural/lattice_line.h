@@ -1,0 +1,28 @@
+#pragma once
+// A scan line of the solid in the lattice coordinates of an octave.
+#include <algorithm>
+#include <cmath>
+
+#include "procedural/lattice_site.h"
+#include "procedural/noise_kernels.h"
+
+namespace burl {
+
+/// A coordinate that leaves the lattice stays at its origin.
+inline LatticeLine lattice_line(const Affine3& lattice_from_solid, const LatticeLine& solid) {
+    LatticeLine line{lattice_from_solid(solid.start), lattice_from_solid.linear * solid.step,
+                     solid.first, solid.count};
+    const double last = line.first + double(line.count);
+    for (int axis = 0; axis < 3; ++axis) {
+        const double reach = std::abs(line.start[axis]) + last * std::abs(line.step[axis]);
+        if (!(reach < lattice_limit)) line.start[axis] = line.step[axis] = 0.0;
+    }
+    return line;
+}
+
+/// Cells per texel along the axis on which the line moves fastest.
+inline double fastest_step(const LatticeLine& line) {
+    return std::max({std::abs(line.step.x), std::abs(line.step.y), std::abs(line.step.z)});
+}
+
+}  // namespace burl
