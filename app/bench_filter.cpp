@@ -11,6 +11,7 @@
 #include "app/recipe.h"
 #include "procedural/octaves.h"
 #include "procedural/synthesize.h"
+#include "procedural/synthesize_graph.h"
 
 namespace burl {
 
@@ -19,23 +20,18 @@ namespace {
 constexpr std::uint32_t block = 8, blocks = 8, fine = 64, texels = block * blocks;
 constexpr double footprints[] = {1.0 / 32, 0.1, 0.25, 1.0};
 
-struct NamedFilter {
-    std::string name;
-    Filter filter;
+/// A texture with the filter under test; the first of a subject's has none.
+struct NamedRecipe {
+    std::string filter;
+    Recipe recipe;
 };
 
-std::vector<NamedFilter> filters() {
-    using enum FilterKind;
-    return {{"none", {none, 1, false}},
-            {"table-mip", {table_mip, 1, false}},
-            {"table-sat", {table_sat, 1, false}},
-            {"table-sat3", {table_sat3, 1, false}},
-            {"exact", {exact, 1, false}},
-            {"trapezoid", {trapezoid, 1, false}},
-            {"trapezoid2", {trapezoid2, 1, false}},
-            {"trapezoid, fade", {trapezoid, 1, true}},
-            {"supersample:16", {supersample, 16, false}}};
-}
+struct Subject {
+    std::string texture;
+    double frequency = 1.0;  ///< finest cells per unit of the solid
+    double reach = 1.0;      ///< how far from the origin texels are
+    std::vector<NamedRecipe> recipes;
+};
 
 /// Cells per unit of the solid of the finest octave.
 double finest_frequency(const Texture& texture) {
@@ -44,6 +40,58 @@ double finest_frequency(const Texture& texture) {
         for (int axis = 0; axis < 3; ++axis)
             finest = std::max(finest, glm::length(octave.lattice_from_solid.linear[axis]));
     return finest > 0.0 ? finest : 50.0;
+}
+
+Subject preset(const char* name) {
+    using enum FilterKind;
+    Recipe recipe = load_recipe(name);
+    Subject subject{name, finest_frequency(recipe.texture), 1.0, {}};
+    const auto add = [&](const char* filter_name, const Filter& filter) {
+        recipe.filter = filter;
+        subject.recipes.push_back({filter_name, recipe});
+    };
+    add("none", {none, 1, false});
+    add("table-mip", {table_mip, 1, false});
+    add("table-sat", {table_sat, 1, false});
+    add("table-sat3", {table_sat3, 1, false});
+    add("exact", {exact, 1, false});
+    add("trapezoid", {trapezoid, 1, false});
+    add("trapezoid2", {trapezoid2, 1, false});
+    add("trapezoid, fade", {trapezoid, 1, true});
+    add("supersample:16", {supersample, 16, false});
+    return subject;
+}
+
+/// A checkerboard by each of its node's own forms and by samples of the whole texture.
+Subject checkers(const char* node) {
+    Subject subject{node, 1.0, 16.0, {}};
+    const auto add = [&](const char* name, const char* form, FilterKind kind) {
+        const std::string json =
+            fmt::format(R"({{"burl": 1, "texture": {{"node": "{}", "aa": "{}"}}}})", node, form);
+        Recipe recipe = parse_recipe(json, node);
+        recipe.filter.kind = kind;
+        subject.recipes.push_back({name, recipe});
+    };
+    add("none", "none", FilterKind::none);
+    add("closed_form", "closed_form", FilterKind::trapezoid);
+    add("trapezoid", "trapezoid", FilterKind::trapezoid);
+    add("node's samples", "supersample", FilterKind::trapezoid);
+    add("supersample:16", "none", FilterKind::supersample);
+    return subject;
+}
+
+Image<RgbF> colors(const SolidAtlas& solid, const Recipe& recipe) {
+    if (!recipe.graph.empty())
+        return synthesize_graph_rgbf(solid, recipe.graph, {}, recipe.filter, 0);
+    return synthesize_rgbf(solid, recipe.texture, {}, 0, recipe.filter);
+}
+
+/// On one thread, in 8 bits.
+void bake(const SolidAtlas& solid, const Recipe& recipe) {
+    if (!recipe.graph.empty())
+        synthesize_graph_rgb8(solid, recipe.graph, {}, recipe.filter, 1);
+    else
+        synthesize_rgb8(solid, recipe.texture, {}, 1, recipe.filter);
 }
 
 TexelMap plane(const Vec3d& origin, double side) {
@@ -102,7 +150,7 @@ TexelTruth summed(const Image<RgbF>& samples, std::size_t x, std::size_t y, std:
     return truth;
 }
 
-std::vector<TexelTruth> truths(const std::vector<TexelMap>& maps, const Texture& texture) {
+std::vector<TexelTruth> truths(const std::vector<TexelMap>& maps, const Recipe& point) {
     std::vector<TexelTruth> result(texels * texels);
     std::mt19937 random(7);
     for (std::size_t m = 0; m < maps.size(); ++m) {
@@ -110,8 +158,7 @@ std::vector<TexelTruth> truths(const std::vector<TexelMap>& maps, const Texture&
         map.origin += (0.5 / fine - 0.5) * (map.step_x + map.step_y);
         map.step_x /= fine;
         map.step_y /= fine;
-        const Image<RgbF> samples =
-            synthesize_rgbf(squares({map}, 1, block * fine), texture, {}, 0);
+        const Image<RgbF> samples = colors(squares({map}, 1, block * fine), point);
         for (std::size_t y = 0; y < block; ++y)
             for (std::size_t x = 0; x < block; ++x)
                 result[(m / blocks * block + y) * texels + m % blocks * block + x] =
@@ -130,42 +177,45 @@ double rms(const std::vector<TexelTruth>& truth, const std::function<Vec3d(std::
 }
 
 /// Times of all filters on one large square.
-std::vector<BenchRow> timed(const Texture& texture, double side, std::size_t across, int repeats) {
+std::vector<BenchRow> timed(const Subject& subject, double side, std::size_t across, int repeats) {
     const auto solid = std::make_shared<SolidAtlas>(
         squares({plane({0.3, 0.2, 0.1}, side)}, 1, std::uint32_t(across)));
     std::vector<BenchCase> cases;
-    for (const NamedFilter& f : filters())
-        cases.push_back({f.name, double(across * across), "texel",
-                         [=] { synthesize_rgb8(*solid, texture, {}, 1, f.filter); }});
+    for (const NamedRecipe& r : subject.recipes)
+        cases.push_back(
+            {r.filter, double(across * across), "texel", [=] { bake(*solid, r.recipe); }});
     return run_paired(cases, repeats);
 }
 
-void add_rows(std::vector<FilterBench>& rows, const std::string& name, double footprint,
-              int repeats, std::size_t across) {
-    const Recipe recipe = load_recipe(name);
-    const double side = footprint / finest_frequency(recipe.texture);
+std::vector<TexelMap> random_planes(const Subject& subject, double side) {
     std::mt19937 random(3);
-    std::uniform_real_distribution<double> place(-1.0, 1.0);
+    std::uniform_real_distribution<double> place(-subject.reach, subject.reach);
     std::vector<TexelMap> maps;
     for (std::uint32_t i = 0; i < blocks * blocks; ++i)
         maps.push_back(plane({place(random), place(random), place(random)}, side));
-    const std::vector<TexelTruth> truth = truths(maps, recipe.texture);
+    return maps;
+}
+
+void add_rows(std::vector<FilterBench>& rows, const Subject& subject, double footprint, int repeats,
+              std::size_t across) {
+    const double side = footprint / subject.frequency;
+    const std::vector<TexelMap> maps = random_planes(subject, side);
+    const std::vector<TexelTruth> truth = truths(maps, subject.recipes.front().recipe);
     // Two halves differ by twice the error of their common mean, were their errors independent.
     const double noise = 0.5 * rms(truth, [&](std::size_t i) { return truth[i].halves; });
-    const std::vector<BenchRow> times = timed(recipe.texture, side, across, repeats);
+    const std::vector<BenchRow> times = timed(subject, side, across, repeats);
     const SolidAtlas solid = squares(maps, blocks, block);
     for (std::size_t k = 0; k < times.size(); ++k) {
-        const Image<RgbF> image =
-            synthesize_rgbf(solid, recipe.texture, {}, 0, filters()[k].filter);
+        const Image<RgbF> image = colors(solid, subject.recipes[k].recipe);
         const double rmse =
             rms(truth, [&](std::size_t i) { return as_vector(image.pixels()[i]) - truth[i].mean; });
-        rows.push_back({name, footprint, times[k].name, rmse, noise, times[k].ns_per_unit(),
-                        times[k].median / times[0].median});
+        rows.push_back({subject.texture, footprint, times[k].name, rmse, noise,
+                        times[k].ns_per_unit(), times[k].median / times[0].median});
     }
     const auto samples = [&](const char* filter, Vec3d TexelTruth::*mean) {
         const double rmse =
             rms(truth, [&](std::size_t i) { return truth[i].*mean - truth[i].mean; });
-        rows.push_back({name, footprint, filter, rmse, noise, 0.0, 16.0});
+        rows.push_back({subject.texture, footprint, filter, rmse, noise, 0.0, 16.0});
     };
     samples("grid:16", &TexelTruth::grid);
     samples("jitter:16", &TexelTruth::jittered);
@@ -174,9 +224,13 @@ void add_rows(std::vector<FilterBench>& rows, const std::string& name, double fo
 }  // namespace
 
 std::vector<FilterBench> bench_filters(int repeats, std::size_t side) {
-    std::vector<FilterBench> rows;
+    std::vector<Subject> subjects;
     for (const char* name : {"wood", "marble", "clouds", "planet", "zoneplate"})
-        for (const double footprint : footprints) add_rows(rows, name, footprint, repeats, side);
+        subjects.push_back(preset(name));
+    for (const char* node : {"checkerboard", "checkerboard_3d"}) subjects.push_back(checkers(node));
+    std::vector<FilterBench> rows;
+    for (const Subject& subject : subjects)
+        for (const double footprint : footprints) add_rows(rows, subject, footprint, repeats, side);
     return rows;
 }
 

@@ -10,10 +10,11 @@
 namespace burl {
 
 struct FilterBench {
-    std::string texture;  ///< preset
-    double footprint;     ///< texel side in cells of the finest octave (zone plate: in 1/50)
-    std::string filter;   ///< as --filter has it; "grid:16" and "jitter:16" are unweighted samples
-    double rmse = 0.0;    ///< against the mean of the texel, linear light, all channels
+    std::string texture;        ///< preset, or node of a checkerboard
+    double footprint;           ///< texel side in cells, of the finest octave (zone plate: in 1/50)
+    std::string filter;         ///< as --filter has it, or a checkerboard's own form; "grid:16" and
+                                ///< "jitter:16" are unweighted samples
+    double rmse = 0.0;          ///< against the mean of the texel, linear light, all channels
     double truth_noise = 0.0;   ///< of that mean itself, RMS
     double ns_per_texel = 0.0;  ///< median, one thread; 0 for grid and jitter
     double cost = 0.0;          ///< over that of `none` in the same rounds; 16 for grid and jitter

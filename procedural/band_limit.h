@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "atlas/vec.h"
+#include "procedural/octaves.h"
 
 namespace burl {
 
@@ -16,5 +17,9 @@ inline double band_weight(const Vec3d& along_u, const Vec3d& along_v) {
     const double x = std::clamp((octaves_left - 0.3) / 0.4, 0.0, 1.0);
     return x * x * (3.0 - 2.0 * x);
 }
+
+/// Mean of an octave's noise, offset left out, from 12^3 points in as many cells, none of them a
+/// lattice point. Signed noises have the mean 0 by their symmetry.
+double octave_mean(const Octave& octave);
 
 }  // namespace burl

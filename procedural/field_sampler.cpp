@@ -124,31 +124,13 @@ bool fill_weights(FieldBatch& batch) {
                        [](double w) { return w < 1.0; });
 }
 
-/// Mean of an octave's noise, offset left out, from 12^3 points in as many cells, none of them a
-/// lattice point. Signed noises have the mean 0 by their symmetry.
-double mean_of(const Octave& octave) {
-    const bool symmetric = octave.shape == OctaveShape::plain && !is_distance(octave.noise.kind);
-    if (symmetric) return 0.0;
-    constexpr int side = 12;
-    double sum = 0.0;
-    for (int i = 0; i < side * side * side; ++i) {
-        const double x = i % side, y = i / side % side, z = i / (side * side);
-        // Multiples of three irrational numbers, so that places are spread over the cell.
-        const Point<3> p{x + std::fmod(0.5 + i * 0.8191725134, 1.0),
-                         y + std::fmod(0.5 + i * 0.6710436067, 1.0),
-                         z + std::fmod(0.5 + i * 0.5497004779, 1.0)};
-        sum += shaped(octave.shape, sample_noise<double, 3>(octave.noise, p)).value;
-    }
-    return octave.scale * sum / (side * side * side);
-}
-
 }  // namespace
 
 FieldSampler::FieldSampler(const Texture& texture, bool band_limit)
     : quadric_(texture.quadric), octaves_(expand_octaves(texture)), band_limit_(band_limit) {
     for (const Octave& octave : octaves_) constant_ += octave.offset;
     if (band_limit)
-        for (const Octave& octave : octaves_) means_.push_back(mean_of(octave));
+        for (const Octave& octave : octaves_) means_.push_back(octave_mean(octave));
 }
 
 void FieldSampler::values(FieldBatch& batch) const {

@@ -11,7 +11,7 @@ namespace burl {
 
 class FilteredColors {
   public:
-    /// `kind`: not none and not supersample, which need no averages of the map.
+    /// none and supersample, which need no averages of the map, count as exact.
     FilteredColors(const ColorMap& map, FilterKind kind);
 
     /// Mean of the map, linear light, where f changes by `slope_u` and `slope_v` across the texel.

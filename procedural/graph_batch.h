@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "procedural/dual.h"
+#include "procedural/filtered_colors.h"
 #include "procedural/graph.h"
-#include "procedural/map_pieces.h"
 #include "procedural/octaves.h"
 
 namespace burl {
@@ -36,8 +36,10 @@ struct Footprint {
 
 /// What is worked out once per graph for one node.
 struct PreparedNode {
-    std::vector<Octave> octaves;    ///< field
-    std::vector<MapPieces> pieces;  ///< color_map: one
+    std::vector<Octave> octaves;         ///< field
+    std::vector<double> means;           ///< field: of each octave, where octaves fade
+    std::vector<MapPieces> pieces;       ///< color_map: one
+    std::vector<FilteredColors> colors;  ///< color_map: one
 };
 
 struct DualPoint {

@@ -1,17 +1,17 @@
 // Colours: the map of the 1999 model over any number, filtered exactly by the number's gradient,
 // and Porter and Duff's "over" (1984).
 #include "procedural/graph_nodes.h"
-#include "procedural/map_filter.h"
 
 namespace burl::nodes {
 
 void color_map(const NodeCall& call) {
     const MapPieces& map = call.prepared->pieces.front();
+    const FilteredColors& mean = call.prepared->colors.front();
     for (std::size_t i = 0; i < call.count(); ++i) {
         const Dual f = call.input(0, i);
-        const auto widths = FilterWidths::of(call.along_u(f, i), call.along_v(f, i));
-        const double x = std::isfinite(f.value) ? f.value : 0.0, width = widths.box();
-        const Vec3d color = trapezoid_filtered(map, x, widths);
+        const double u = call.along_u(f, i), v = call.along_v(f, i);
+        const double x = std::isfinite(f.value) ? f.value : 0.0, width = std::hypot(u, v);
+        const Vec3d color = mean(x, u, v);
         Vec3d derivative = map.extended(x, x + 1.0) - map.extended(x, x);
         if (width > 1e-6)
             derivative = (map.extended(x + 0.5 * width, x + 0.5 * width) -

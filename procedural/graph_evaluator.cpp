@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "procedural/band_limit.h"
 #include "procedural/graph_table.h"
 
 namespace burl {
@@ -19,7 +20,7 @@ Vec3d NodeCall::vector(std::string_view key) const {
     return {parameter(key, 0), parameter(key, 1), parameter(key, 2)};
 }
 
-GraphEvaluator::GraphEvaluator(const TextureGraph& graph) : graph_(graph) {
+GraphEvaluator::GraphEvaluator(const TextureGraph& graph, const Filter& filter) : graph_(graph) {
     for (const GraphNode& node : graph_.nodes) {
         first_channel_.push_back(channel_count_);
         channel_count_ += std::size_t(node.wire);
@@ -27,7 +28,12 @@ GraphEvaluator::GraphEvaluator(const TextureGraph& graph) : graph_(graph) {
         if (node.texture == no_texture) continue;
         const Texture& texture = graph_.textures[node.texture];
         prepared.octaves = expand_octaves(texture);
-        if (node.wire == Wire::color) prepared.pieces.emplace_back(texture.colors);
+        if (filter.band_limit)
+            for (const Octave& octave : prepared.octaves)
+                prepared.means.push_back(octave_mean(octave));
+        if (node.wire != Wire::color) continue;
+        prepared.pieces.emplace_back(texture.colors);
+        prepared.colors.emplace_back(texture.colors, filter.kind);
     }
 }
 

@@ -28,8 +28,10 @@ class GraphEvaluator {
     /// The arrays of one thread; any number of batches.
     using Scratch = std::vector<Channel>;
 
-    /// The graph must be valid (graph_from_json makes only such) and not empty.
-    explicit GraphEvaluator(const TextureGraph& graph);
+    /// The graph must be valid (graph_from_json makes only such) and not empty. `filter` decides
+    /// how color_map and field average over footprints (docs/nodes.md).
+    explicit GraphEvaluator(const TextureGraph& graph,
+                            const Filter& filter = {FilterKind::trapezoid});
 
     Scratch make_scratch() const { return Scratch(channel_count_); }
 

@@ -1,5 +1,6 @@
 // The irregular textures: the field of the 1999 model, and those of pbrt after Chuang's slides
 // (2008). Octaves that a sample cannot show fade out by pbrt's rule.
+#include "procedural/band_limit.h"
 #include "procedural/box_means.h"
 #include "procedural/graph_nodes.h"
 #include "procedural/mean_noise.h"
@@ -69,11 +70,33 @@ struct OctaveSum {
     }
 };
 
+/// How far the point moves for a step in the solid.
+Vec3d moved_along(const DualPoint& p, const Vec3d& step) {
+    return {glm::dot(p.x.slope, step), glm::dot(p.y.slope, step), glm::dot(p.z.slope, step)};
+}
+
 /// The longer of the point's two moves across the sample.
 double step_of(const NodeCall& call, const DualPoint& p, std::size_t i) {
-    const Vec3d u(call.along_u(p.x, i), call.along_u(p.y, i), call.along_u(p.z, i));
-    const Vec3d v(call.along_v(p.x, i), call.along_v(p.y, i), call.along_v(p.z, i));
-    return std::max(glm::length(u), glm::length(v));
+    return std::max(glm::length(moved_along(p, call.footprints[i].u)),
+                    glm::length(moved_along(p, call.footprints[i].v)));
+}
+
+/// The field at p without the octaves that the sample cannot show; their means stay.
+FieldSample faded_field(const NodeCall& call, const Quadric& quadric, const DualPoint& p,
+                        std::size_t i) {
+    const Vec3d s(p.x.value, p.y.value, p.z.value);
+    const Vec3d u = moved_along(p, call.footprints[i].u), v = moved_along(p, call.footprints[i].v);
+    FieldSample f = sample_field<double>(quadric, {}, s);
+    for (std::size_t k = 0; k < call.prepared->octaves.size(); ++k) {
+        const Octave& octave = call.prepared->octaves[k];
+        const Mat3d& lattice = octave.lattice_from_solid.linear;
+        const double weight = band_weight(lattice * u, lattice * v);
+        const FieldSample n = sample_field<double>({}, {&octave, 1}, s);
+        f.value += weight * (n.value - octave.offset) + octave.offset +
+                   (1.0 - weight) * call.prepared->means[k];
+        f.gradient += weight * n.gradient;
+    }
+    return f;
 }
 
 /// What pbrt's marble runs through: linear RGB control points of a spline, brightened by 1.5.
@@ -116,7 +139,9 @@ void field(const NodeCall& call) {
     for_each_point(call, [&](std::size_t i) {
         const DualPoint p = call.point(i);
         const Vec3d s(p.x.value, p.y.value, p.z.value);
-        const FieldSample f = sample_field<double>(quadric, call.prepared->octaves, s);
+        const FieldSample f = call.prepared->means.empty()
+                                  ? sample_field<double>(quadric, call.prepared->octaves, s)
+                                  : faded_field(call, quadric, p, i);
         return Dual(f.value,
                     f.gradient.x * p.x.slope + f.gradient.y * p.y.slope + f.gradient.z * p.z.slope);
     });

@@ -2,9 +2,11 @@
 // smooth, so their means over a sample follow from its gradient (box_means.h).
 #include <bit>
 #include <numbers>
+#include <optional>
 
 #include "procedural/box_means.h"
 #include "procedural/graph_nodes.h"
+#include "procedural/map_filter.h"
 #include "procedural/sample_pattern.h"
 
 namespace burl::nodes {
@@ -13,7 +15,7 @@ namespace {
 
 constexpr int strata = 4;  // a side, as in pbrt
 
-enum class Antialiasing { none, closed_form, supersample };
+enum class Antialiasing { none, closed_form, supersample, trapezoid };
 
 /// A number in [0,1) from a point and a stratum of the sample: the same in every run and thread.
 double jitter(const DualPoint& p, std::uint32_t stratum) {
@@ -34,12 +36,15 @@ template <std::size_t N>
 class Checkers {
   public:
     explicit Checkers(const NodeCall& call)
-        : call_(call), antialiasing_(Antialiasing(int(call.parameter("aa")))) {}
+        : call_(call), antialiasing_(Antialiasing(int(call.parameter("aa")))) {
+        if (antialiasing_ == Antialiasing::trapezoid) stripes_.emplace(two_stripes());
+    }
 
     Dual operator()(std::size_t i) const {
         const DualPoint point = call_.point(i);
         const std::array<Dual, 3> p{point.x, point.y, point.z};
         if (antialiasing_ == Antialiasing::closed_form) return closed_form(p, i);
+        if (antialiasing_ == Antialiasing::trapezoid) return trapezoid(p, i);
         if (antialiasing_ == Antialiasing::supersample) return supersample(point, p, i);
         return odd({p[0].value, p[1].value, p[2].value});
     }
@@ -64,6 +69,29 @@ class Checkers {
         return 0.5 - 0.5 * sign;
     }
 
+    /// An even and an odd cell as a colour map over half the coordinate.
+    static ColorMap two_stripes() {
+        const Rgb8 black{0, 0, 0}, white{255, 255, 255};
+        return {Wrap::repeat, {{0.0, black}, {0.5, black}, {0.5, white}, {1.0, white}}};
+    }
+
+    /// The same product, each axis averaged over both of its moves across the sample, exactly:
+    /// right wherever the sample holds edges of one axis only, and where each side of it moves
+    /// along one.
+    Dual trapezoid(const std::array<Dual, 3>& p, std::size_t i) const {
+        Dual sign = 1.0;
+        for (std::size_t axis = 0; axis < N; ++axis) {
+            const Dual half = 0.5 * p[axis];
+            const auto widths = FilterWidths::of(call_.along_u(half, i), call_.along_v(half, i));
+            const Dual box = box_odd(p[axis], 2.0 * (widths.wide + widths.narrow));
+            const bool edge = box.value > 0.0 && box.value < 1.0;
+            const double share =
+                edge ? trapezoid_filtered(*stripes_, half.value, widths).x : box.value;
+            sign = sign * (1.0 - 2.0 * Dual(share, box.slope));
+        }
+        return 0.5 - 0.5 * sign;
+    }
+
     double supersample(const DualPoint& point, const std::array<Dual, 3>& p, std::size_t i) const {
         double sum = 0.0, weights = 0.0;
         for (std::uint32_t stratum = 0; stratum < strata * strata; ++stratum) {
@@ -82,6 +110,7 @@ class Checkers {
 
     const NodeCall& call_;
     Antialiasing antialiasing_;
+    std::optional<MapPieces> stripes_;
 };
 
 /// The coordinate along `direction`, in periods.

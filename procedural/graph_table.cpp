@@ -62,8 +62,9 @@ constexpr Inputs two_sides{any("a", "where the pattern is 0", "0"),
 constexpr Inputs moved{any("input", "what is evaluated at the point made here")};
 
 constexpr Parameters checker_parameters{
-    one_of("aa", "\"closed_form\"", "none|closed_form|supersample",
-           "none, the share of b in a box, or 4 x 4 stratified samples")};
+    one_of("aa", "\"closed_form\"", "none|closed_form|supersample|trapezoid",
+           "none, pbrt's share of b in a box, its 4 x 4 stratified samples, or the share over the "
+           "texel's two sides")};
 constexpr Parameters along_parameters{
     several("direction", 3, "[1,0,0]", "the point's component along it counts"),
     real("period", 1e-6, 1e6, "1", "length after which a cell ends")};

@@ -100,7 +100,7 @@ template <class Pixel>
 Image<Pixel> synthesize(const SolidAtlas& solid, const TextureGraph& graph, const Affine3& map,
                         const Filter& filter, int threads) {
     const PixelEncoder<Pixel> encode{};
-    const GraphEvaluator evaluate(graph);
+    const GraphEvaluator evaluate(graph, filter);
     Image<Pixel> image(solid.size, solid.size, encode(evaluate(Vec3d(0.0)).color()));
     for_row_ranges(solid.size, 16 * graph_batch_size, threads, [&](const RowRange& rows) {
         synthesize_rows(solid, map, rows, TexelQueue<Pixel>(evaluate, filter, encode, image));

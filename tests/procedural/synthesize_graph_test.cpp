@@ -6,6 +6,7 @@
 
 #include "graph_cases.h"
 #include "procedural/srgb.h"
+#include "procedural/synthesize.h"
 #include "synthetic_atlas.h"
 
 namespace burl {
@@ -75,6 +76,44 @@ TEST(SynthesizeGraph, FillsTexelsWithTheirOwnPoints) {
     bare.row_begin = {0, 0, 0};
     EXPECT_EQ(synthesize_graph_rgbf(bare, graph, map, Filter{}, 1)(1, 1).r,
               float(evaluate(Vec3d(0.0)).color().x));
+}
+
+double largest_difference(const Image<RgbF>& a, const Image<RgbF>& b) {
+    double largest = 0.0;
+    for (std::size_t i = 0; i < a.pixels().size(); ++i) {
+        const RgbF &p = a.pixels()[i], &q = b.pixels()[i];
+        for (const float d : {p.r - q.r, p.g - q.g, p.b - q.b})
+            largest = std::max(largest, std::abs(double(d)));
+    }
+    return largest;
+}
+
+TEST(SynthesizeGraph, AMapOverAFieldFiltersAsItDoesOutsideOfAGraph) {
+    // As a node of a larger graph, inside `mix`, and as the two that have kernels of their own.
+    const std::string map = R"({"node": "color_map", "wrap": "clamp",
+        "stops": [[0, "#102030"], [0.4, "#f0e0d0"], [0.4, "#4080c0"], [1, "#102030"]],
+        "input": {"node": "field", "quadric": {"D": 0.8},
+                  "noise": [{"kind": "value", "frequency": [3, 3, 3], "octaves": 4,
+                             "amplitude": 0.5}]}})";
+    const TextureGraph graph = graph_of(R"({"node": "mix", "amount": 1, "b": )" + map + "}");
+    ASSERT_EQ(graph.textures.size(), 2u);  // of color_map and of field
+    Texture texture = graph.textures[0];
+    for (const Texture& part : graph.textures) {
+        if (!part.noise.empty()) texture.noise = part.noise, texture.quadric = part.quadric;
+        if (!part.colors.stops.empty()) texture.colors = part.colors;
+    }
+    const SolidAtlas solid = SyntheticAtlas{64, 16, 0.0, 0.05, false}.make(11);
+    using enum FilterKind;
+    const auto points = synthesize_rgbf(solid, texture, {}, 1);
+    for (const FilterKind kind : {table_mip, table_sat, table_sat3, exact, trapezoid})
+        for (const bool fade : {false, true}) {
+            const Filter filter{kind, 1, fade};
+            const auto field = synthesize_rgbf(solid, texture, {}, 1, filter);
+            EXPECT_LT(largest_difference(synthesize_graph_rgbf(solid, graph, {}, filter, 1), field),
+                      1e-4)
+                << int(kind);
+            EXPECT_GT(largest_difference(points, field), 0.1);
+        }
 }
 
 TEST(SynthesizeGraph, SupersamplingApproachesWhatNodesKnow) {
