@@ -1,5 +1,6 @@
 #include "app/command_options.h"
 
+#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <utility>
@@ -21,6 +22,14 @@ void append_filter(const std::string& text, std::vector<std::string>& edits) {
         throw Error(ExitCode::usage,
                     fmt::format("--filter {}: only supersample takes a number of samples", text));
     edits.push_back("filter.samples=" + text.substr(colon + 1));
+}
+
+void append_precision(const std::string& text, std::vector<std::string>& edits) {
+    const FixedFormat format = parse_precision(text).format;
+    edits.push_back("precision.kind=" + text.substr(0, text.find(':')));
+    if (!text.starts_with("fixed")) return;
+    edits.push_back(fmt::format("precision.integer_bits={}", format.integer_bits));
+    edits.push_back(fmt::format("precision.fraction_bits={}", format.fraction_bits));
 }
 
 }  // namespace
@@ -51,6 +60,14 @@ void RecipeOptions::add_atlas(CLI::App& verb) {
     verb.add_option("-s,--size", size, "Side N of the N x N texture, in texels");
 }
 
+void RecipeOptions::add_precision(CLI::App& verb, const std::string& otherwise) {
+    verb.add_option("--precision", precision,
+                    fmt::format("Arithmetic of the texture: float32, float64, or fixed:I.F, "
+                                "integers with I bits before the point and F after it; left out: "
+                                "the recipe's, or else {}",
+                                otherwise));
+}
+
 Recipe RecipeOptions::load() const {
     std::vector<std::string> edits = settings;
     if (kind) edits.push_back("atlas.kind=" + *kind);
@@ -62,7 +79,29 @@ Recipe RecipeOptions::load() const {
     if (tries) edits.push_back("atlas.tries=" + *tries);
     if (size) edits.push_back("atlas.size=" + *size);
     if (filter) append_filter(*filter, edits);
+    if (precision) append_precision(*precision, edits);
     return load_recipe(recipe, edits);
+}
+
+Precision parse_precision(const std::string& text) {
+    if (text == "float32") return {PrecisionKind::float32, {}};
+    if (text == "float64") return {PrecisionKind::float64, {}};
+    Precision precision{PrecisionKind::fixed, {}};
+    auto& [integer, fraction] = precision.format;
+    const std::string_view begin = "fixed:";
+    const char *const first = text.data() + std::min(begin.size(), text.size()), *const last =
+                                                                                     text.data() +
+                                                                                     text.size();
+    const auto before = std::from_chars(first, last, integer);
+    const bool dot = before.ec == std::errc() && before.ptr != last && *before.ptr == '.';
+    const auto after = std::from_chars(dot ? before.ptr + 1 : last, last, fraction);
+    if (!text.starts_with(begin) || !dot || after.ec != std::errc() || after.ptr != last ||
+        integer < 1 || integer > 16 || fraction < 2 || fraction > 16)
+        throw Error(ExitCode::usage,
+                    fmt::format("--precision {}: must be float32, float64, or fixed:I.F with 1 to "
+                                "16 bits before the point and 2 to 16 after it, as fixed:8.8",
+                                text));
+    return precision;
 }
 
 void MeshOptions::add(CLI::App& verb) {

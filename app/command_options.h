@@ -16,15 +16,20 @@ struct RecipeOptions {
     std::string recipe = "marble";
     std::vector<std::string> settings;
     std::optional<std::string> kind, overscan, weight, tries, partition, gutter, diagonals, filter,
-        size;
+        precision, size;
 
     void add_recipe(CLI::App& verb);
     /// --set alone, for verbs that take the recipe as an argument.
     void add_settings(CLI::App& verb);
     void add_atlas(CLI::App& verb);
+    /// --precision, with what is computed if it is left out.
+    void add_precision(CLI::App& verb, const std::string& otherwise);
     /// The recipe with all edits applied; throws Error as load_recipe does.
     Recipe load() const;
 };
+
+/// "float32", "float64" or "fixed:8.8"; throws Error(usage) for anything else.
+Precision parse_precision(const std::string& text);
 
 /// --weld and --unshare-instances.
 struct MeshOptions {

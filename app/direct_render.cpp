@@ -107,7 +107,7 @@ Image<Rgb8> render_direct(const Mesh& mesh, const Recipe& recipe, const Camera& 
                           const PictureOptions& options, double crease_degrees) {
     const std::vector<Vec3f> normals = corner_normals(mesh, crease_degrees);
     const Affine3 texture_from_point = texture_from_mesh(recipe, mesh);
-    const TextureColor color_at = texture_color(recipe);
+    const TextureColor color_at = texture_color(recipe, recipe.precision);
     const PointColor color = [&](const SurfacePoint& point) {
         return color_at(texture_from_point(position(mesh, point)));
     };

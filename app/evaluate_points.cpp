@@ -2,20 +2,17 @@
 
 #include <algorithm>
 #include <span>
+#include <utility>
 
 #include "atlas/error.h"
 #include "procedural/color_table.h"
+#include "procedural/fixed_field.h"
 #include "procedural/graph_evaluator.h"
 #include "procedural/octaves.h"
 
 namespace burl {
 
 namespace {
-
-[[noreturn]] void refuse_fixed_point() {
-    throw Error(ExitCode::usage,
-                "--fixed is for value and perlin noise in 3 dimensions, without period or warp");
-}
 
 template <class Real, std::size_t N>
 Evaluation evaluate_at(const NoiseOptions& noise, const std::array<double, 4>& point) {
@@ -30,7 +27,7 @@ std::vector<PointResult> evaluate_all(const NoiseOptions& noise, const PointFile
     std::vector<PointResult> results;
     for (const auto& point : file.points)
         results.push_back(
-            {evaluate_at<double, N>(noise, point), evaluate_at<float, N>(noise, point), {}});
+            {evaluate_at<double, N>(noise, point), evaluate_at<float, N>(noise, point)});
     return results;
 }
 
@@ -47,17 +44,17 @@ std::vector<PointResult> evaluate_all(const NoiseOptions& noise, const PointFile
     }
 }
 
-/// The sum of octaves with their noise in fixed point.
-double fixed_sum(const NoiseOptions& options, const FixedFormat& format, const Point<3>& p) {
-    return fractal_sum<double>(
-               options.fractal, p,
-               [&](std::uint32_t k, const Point<3>& q) {
-                   NoiseSpec octave = options.noise;
-                   octave.seed += k;
-                   const Vec3d place(q[0], q[1], q[2]);
-                   return NoiseSample<double, 3>{fixed_noise(octave, format, place), {}};
-               })
-        .value;
+/// The sum of octaves as the noise of a texture.
+Texture texture_of(const NoiseOptions& options) {
+    NoiseTerm term;
+    term.kind = options.noise.kind, term.fade = options.noise.fade, term.seed = options.noise.seed;
+    term.shape = options.fractal.shape, term.normalized = options.fractal.normalized;
+    term.octaves = options.fractal.octaves, term.gain = options.fractal.gain;
+    term.lacunarity = options.fractal.lacunarity;
+    term.range = term.shape == OctaveShape::plain ? NoiseRange::bipolar : NoiseRange::unit;
+    Texture texture;
+    texture.noise = {term};
+    return texture;
 }
 
 /// A recipe prepared for many points.
@@ -78,14 +75,9 @@ Evaluation evaluate_at(const PreparedRecipe& recipe, const Vec3d& point) {
             Vec3d(rounded(color.x), rounded(color.y), rounded(color.z))};
 }
 
-Evaluation evaluate_fixed(const PreparedRecipe& recipe, const FixedFormat& format,
+Evaluation evaluate_fixed(const PreparedRecipe& recipe, const FixedField& field,
                           const Vec3d& point) {
-    const Vec3d s = recipe.map(point);
-    double f = evaluate_quadric(recipe.quadric, s);
-    for (const Octave& octave : recipe.octaves) {
-        const double n = fixed_noise(octave.noise, format, octave.lattice_from_solid(s));
-        f += octave.offset + octave.scale * shaped(octave.shape, n);
-    }
+    const double f = field(recipe.map(point));
     return {f, {}, recipe.colors(f)};
 }
 
@@ -105,7 +97,7 @@ PointResult evaluate_graph(const GraphEvaluator& evaluate, GraphEvaluator::Scrat
                 {rounded(gradient.x), rounded(gradient.y), rounded(gradient.z)},
                 Vec3d(rounded(color.x), rounded(color.y), rounded(color.z))};
     };
-    return {as([](double x) { return x; }), as([](double x) { return double(float(x)); }), {}};
+    return {as([](double x) { return x; }), as([](double x) { return double(float(x)); })};
 }
 
 std::vector<PointResult> evaluate_graph(const Recipe& recipe, const PointFile& file) {
@@ -117,42 +109,57 @@ std::vector<PointResult> evaluate_graph(const Recipe& recipe, const PointFile& f
     return results;
 }
 
-}  // namespace
-
-std::vector<PointResult> evaluate_points(NoiseOptions noise, const PointFile& file,
-                                         const std::optional<FixedFormat>& format) {
-    noise.resolve(file.dimensions);
-    if (format && (file.dimensions != 3 || noise.warp != 0.0 || !has_fixed_point(noise.noise)))
-        refuse_fixed_point();
-    std::vector<PointResult> results = evaluate_all(noise, file);
-    for (std::size_t i = 0; format && i < results.size(); ++i) {
-        const auto& [x, y, z, w] = file.points[i];
-        results[i].fixed = Evaluation{fixed_sum(noise, *format, {x, y, z}), {}, {}};
-    }
-    return results;
-}
-
-std::vector<PointResult> evaluate_points(const Recipe& recipe, const PointFile& file,
-                                         const std::optional<FixedFormat>& format) {
-    if (file.dimensions != 3)
-        throw Error(
-            ExitCode::usage,
-            fmt::format("a recipe needs points x,y,z; these have {} coordinates", file.dimensions));
-    if (!recipe.graph.empty() && format) refuse_fixed_point();
-    if (!recipe.graph.empty()) return evaluate_graph(recipe, file);
+std::vector<PointResult> evaluate_model(const Recipe& recipe, const PointFile& file) {
     const PreparedRecipe prepared{recipe.texture.quadric, expand_octaves(recipe.texture),
                                   PreparedColorMap(recipe.texture.colors),
                                   texture_from_solid(recipe)};
-    const auto has_none = [](const Octave& octave) { return !has_fixed_point(octave.noise); };
-    if (format && std::any_of(prepared.octaves.begin(), prepared.octaves.end(), has_none))
-        refuse_fixed_point();
+    std::optional<FixedField> fixed;
+    if (recipe.precision.kind == PrecisionKind::fixed)
+        fixed.emplace(recipe.texture, recipe.precision.format);
     std::vector<PointResult> results;
     for (const auto& [x, y, z, w] : file.points) {
         const Vec3d point(x, y, z);
         results.push_back(
-            {evaluate_at<double>(prepared, point), evaluate_at<float>(prepared, point), {}});
-        if (format) results.back().fixed = evaluate_fixed(prepared, *format, point);
+            {evaluate_at<double>(prepared, point), fixed ? evaluate_fixed(prepared, *fixed, point)
+                                                         : evaluate_at<float>(prepared, point)});
     }
+    return results;
+}
+
+/// The other precision would be float64 again.
+std::vector<PointResult> only_float64(std::vector<PointResult> results) {
+    for (PointResult& result : results) result.other.reset();
+    return results;
+}
+
+}  // namespace
+
+std::vector<PointResult> evaluate_points(NoiseOptions noise, const PointFile& file,
+                                         const Precision& precision) {
+    noise.resolve(file.dimensions);
+    std::vector<PointResult> results = evaluate_all(noise, file);
+    if (precision.kind == PrecisionKind::float64) return only_float64(std::move(results));
+    if (precision.kind != PrecisionKind::fixed) return results;
+    if (file.dimensions != 3 || noise.warp != 0.0 || !has_fixed_point(noise.noise))
+        throw Error(ExitCode::usage,
+                    "--precision fixed is for value and perlin noise in 3 dimensions, without "
+                    "period or warp");
+    const FixedField field(texture_of(noise), precision.format);
+    for (std::size_t i = 0; i < results.size(); ++i) {
+        const auto& [x, y, z, w] = file.points[i];
+        results[i].other = Evaluation{field({x, y, z}), {}, {}};
+    }
+    return results;
+}
+
+std::vector<PointResult> evaluate_points(const Recipe& recipe, const PointFile& file) {
+    if (file.dimensions != 3)
+        throw Error(
+            ExitCode::usage,
+            fmt::format("a recipe needs points x,y,z; these have {} coordinates", file.dimensions));
+    std::vector<PointResult> results =
+        recipe.graph.empty() ? evaluate_model(recipe, file) : evaluate_graph(recipe, file);
+    if (recipe.precision.kind == PrecisionKind::float64) return only_float64(std::move(results));
     return results;
 }
 

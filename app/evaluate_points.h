@@ -1,12 +1,12 @@
 #pragma once
-// What `burl eval` prints: recipes and noises at given points, in every precision there is.
+// What `burl eval` prints: recipes and noises at given points, in float64 and another precision.
 #include <optional>
 #include <vector>
 
 #include "app/noise_options.h"
 #include "app/point_file.h"
 #include "app/recipe.h"
-#include "procedural/fixed_noise.h"
+#include "procedural/precision.h"
 
 namespace burl {
 
@@ -18,20 +18,18 @@ struct Evaluation {
 };
 
 struct PointResult {
-    Evaluation float64, float32;
-    std::optional<Evaluation> fixed;  ///< where a format was asked for
+    Evaluation float64;
+    std::optional<Evaluation> other;  ///< float32 unless another precision is asked for
 };
 
-/// Throws Error(usage) for dimensions, periods and formats that the noise does not have.
+/// Throws Error(usage) for dimensions, periods and precisions that the noise does not have.
 std::vector<PointResult> evaluate_points(NoiseOptions noise, const PointFile& file,
-                                         const std::optional<FixedFormat>& format);
+                                         const Precision& precision);
 
 /// f, its gradient with respect to the point in solid space (before the recipe's scale) and the
-/// colour. float32: noise in float32 and the sum in float64, as a bake has it, then rounded. Fixed:
-/// noise in fixed point, the rest in float64. Throws Error(usage) for points that are not x,y,z and
-/// for noises without fixed point. Graphs: float64, and that rounded; of a colour the luminance; no
-/// fixed point.
-std::vector<PointResult> evaluate_points(const Recipe& recipe, const PointFile& file,
-                                         const std::optional<FixedFormat>& format);
+/// colour, in the recipe's precision besides float64. float32: noise in float32 and the sum in
+/// float64, as a bake has it, then rounded. Throws Error(usage) for points that are not x,y,z.
+/// Graphs: float64, and that rounded; of a colour the luminance.
+std::vector<PointResult> evaluate_points(const Recipe& recipe, const PointFile& file);
 
 }  // namespace burl

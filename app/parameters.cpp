@@ -109,6 +109,13 @@ constexpr std::array table{
               "supersample: places per texel; squares are spread best"},
     Parameter{"filter.octaves", choice, 0, 0, 0, 1, "", "\"keep\"", "keep|fade",
               "fade: octaves finer than a texel are left out, the last one in part"},
+    Parameter{
+        "precision.kind", choice, 0, 0, 0, 1, "", "", "float32|float64|fixed",
+        "arithmetic of the texture; left out: float32 for bakes, float64 for render --direct"},
+    Parameter{"precision.integer_bits", integer, 1, 16, 1, 1, "bits", "8", "",
+              "fixed: bits before the point, the sign's among them"},
+    Parameter{"precision.fraction_bits", integer, 2, 16, 1, 1, "bits", "8", "",
+              "fixed: bits after the point"},
 };
 
 /// Levenshtein's distance: insertions, deletions and replacements of single characters.

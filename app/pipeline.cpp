@@ -4,6 +4,7 @@
 
 #include "procedural/synthesize.h"
 #include "procedural/synthesize_graph.h"
+#include "procedural/synthesize_texels.h"
 
 namespace burl {
 
@@ -74,12 +75,23 @@ Image<RgbF> fill(const SolidAtlas& solid, const Recipe& recipe, int threads, Rgb
                            recipe.filter);
 }
 
+/// Graphs are computed in float64 as they are.
+bool goes_texel_by_texel(const Recipe& recipe) {
+    return recipe.graph.empty() &&
+           recipe.precision.kind.value_or(PrecisionKind::float32) != PrecisionKind::float32;
+}
+
 }  // namespace
 
 template <class Pixel>
 Image<Pixel> Pipeline::synthesize() {
     const SolidAtlas& points = solid();
-    return timed("synthesis", [&] { return fill(points, recipe_, threads_, Pixel{}); });
+    return timed("synthesis", [&] {
+        if (goes_texel_by_texel(recipe_))
+            return synthesize_texels<Pixel>(points, recipe_.texture, texture_from_solid(recipe_),
+                                            recipe_.precision, recipe_.filter, threads_);
+        return fill(points, recipe_, threads_, Pixel{});
+    });
 }
 
 template Image<Rgb8> Pipeline::synthesize();

@@ -10,6 +10,7 @@
 #include "procedural/bump.h"
 #include "procedural/filter.h"
 #include "procedural/graph.h"
+#include "procedural/precision.h"
 
 namespace burl {
 
@@ -27,6 +28,7 @@ struct Recipe {
     TextureGraph graph;  ///< any other texture; empty: `texture` counts
     Bump bump;
     Filter filter;
+    Precision precision;
     bool operator==(const Recipe&) const = default;
 };
 

@@ -2,6 +2,7 @@
 
 #include "app/graph_check.h"
 #include "app/model_check.h"
+#include "app/precision_check.h"
 #include "procedural/graph_json.h"
 
 namespace burl {
@@ -33,13 +34,16 @@ Found find_texture_problem(const Json& recipe) {
         recipe.is_object() && recipe.contains("texture") ? recipe["texture"] : none;
     if (is_graph(texture)) {
         if (Found found = check_value(schema_without_texture(), recipe, "")) return found;
-        return find_graph_problem(texture, "texture");
+        if (Found found = find_graph_problem(texture, "texture")) return found;
+        return find_precision_problem(recipe);
     }
     const SchemaNode schema = build_schema();
     if (Found found = check_value(schema, recipe, "")) return found;
     if (Found found = find_map_problem(schema, texture, "texture")) return found;
-    return texture.contains("input") ? find_field_problem(schema, texture["input"], "texture.input")
-                                     : Found();
+    if (texture.contains("input"))
+        if (Found found = find_field_problem(schema, texture["input"], "texture.input"))
+            return found;
+    return find_precision_problem(recipe);
 }
 
 }  // namespace

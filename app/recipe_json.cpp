@@ -24,6 +24,7 @@ constexpr std::array spaces{"unit", "object"};
 constexpr std::array filters{"none",  "table-mip", "table-sat",  "table-sat3",
                              "exact", "trapezoid", "trapezoid2", "supersample"};
 constexpr std::array filter_octaves{"keep", "fade"};
+constexpr std::array precisions{"float32", "float64", "fixed"};
 
 template <class Enum, class Names>
 void read(const Json& json, const char* key, const Names& names, Enum& target) {
@@ -52,6 +53,25 @@ ImageReader image_reader(const std::string& origin) {
                                            image.width(), image.height(), largest_image_side));
         return image;
     };
+}
+
+Precision precision_from_json(const Json& json) {
+    Precision precision;
+    if (json.contains("kind")) read(json, "kind", precisions, precision.kind.emplace());
+    const auto read_bits = [&](const char* key, unsigned& bits) {
+        if (json.contains(key)) bits = unsigned(json[key].get<double>());
+    };
+    read_bits("integer_bits", precision.format.integer_bits);
+    read_bits("fraction_bits", precision.format.fraction_bits);
+    return precision;
+}
+
+Json precision_to_json(const Precision& precision) {
+    Json json = Json::object();
+    if (precision.kind) json["kind"] = name_of(precisions, *precision.kind);
+    json["integer_bits"] = precision.format.integer_bits;
+    json["fraction_bits"] = precision.format.fraction_bits;
+    return json;
 }
 
 Recipe recipe_from_json(const Json& json, const std::string& origin) {
@@ -86,6 +106,7 @@ Recipe recipe_from_json(const Json& json, const std::string& origin) {
     read(filter, "kind", filters, recipe.filter.kind);
     if (filter.contains("samples")) recipe.filter.samples = int(filter["samples"].get<double>());
     read(filter, "octaves", filter_octaves, recipe.filter.band_limit);
+    recipe.precision = precision_from_json(part("precision"));
     return recipe;
 }
 
@@ -141,7 +162,8 @@ std::string to_json(const Recipe& recipe) {
         {"filter",
          {{"kind", name_of(filters, recipe.filter.kind)},
           {"samples", recipe.filter.samples},
-          {"octaves", name_of(filter_octaves, recipe.filter.band_limit)}}}};
+          {"octaves", name_of(filter_octaves, recipe.filter.band_limit)}}},
+        {"precision", precision_to_json(recipe.precision)}};
     if (!recipe.bump.empty())
         json["bump"] = {{"height", recipe.bump.height},
                         {"input", graph_to_json(recipe.bump.input)}};

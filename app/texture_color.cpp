@@ -4,16 +4,27 @@
 #include <utility>
 
 #include "app/graph_sampler.h"
+#include "procedural/fixed_field.h"
 #include "procedural/octaves.h"
 
 namespace burl {
 
-TextureColor texture_color(const Recipe& recipe) {
+TextureColor texture_color(const Recipe& recipe, const Precision& precision) {
     if (!recipe.graph.empty()) {
         return [graph = std::make_shared<GraphSampler>(recipe.graph)](const Vec3d& s) {
             return (*graph)(s).color();
         };
     }
+    if (precision.kind == PrecisionKind::fixed)
+        return [field = FixedField(recipe.texture, precision.format),
+                colors = recipe.texture.colors](const Vec3d& s) {
+            return evaluate_color(colors, field(s));
+        };
+    if (precision.kind == PrecisionKind::float32)
+        return [octaves = expand_octaves(recipe.texture), quadric = recipe.texture.quadric,
+                colors = recipe.texture.colors](const Vec3d& s) {
+            return evaluate_color(colors, sample_field<float>(quadric, octaves, s).value);
+        };
     return [octaves = expand_octaves(recipe.texture), quadric = recipe.texture.quadric,
             colors = recipe.texture.colors](const Vec3d& s) {
         return evaluate_color(colors, evaluate_field(quadric, octaves, s));

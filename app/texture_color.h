@@ -1,6 +1,6 @@
 #pragma once
-// The recipe's texture as functions of a point, in float64 and unfiltered: what pictures and
-// measures hold bakes against.
+// The recipe's texture as functions of a point, unfiltered: in float64 what pictures and measures
+// hold bakes against.
 #include <functional>
 
 #include "app/recipe.h"
@@ -10,7 +10,8 @@ namespace burl {
 /// Linear-light colour at texture coordinates s. May be called from several threads at once.
 using TextureColor = std::function<Vec3d(const Vec3d& s)>;
 
-TextureColor texture_color(const Recipe& recipe);
+/// In float64, whatever the recipe says, or another precision. Graphs have float64 alone.
+TextureColor texture_color(const Recipe& recipe, const Precision& precision = {});
 
 /// The normal to shade with at a point with a unit normal, both of the mesh at rest, in its own
 /// coordinates. May be called from several threads at once.

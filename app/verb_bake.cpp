@@ -202,6 +202,7 @@ void add_bake(CLI::App& program) {
     verb->add_option("--filter", command->recipe.filter,
                      "Texel filter: none, table-mip, table-sat, table-sat3, exact, trapezoid, "
                      "trapezoid2 or supersample:N");
+    command->recipe.add_precision(*verb, "float32");
     command->meshes.add(*verb);
     verb->add_option("--levels", command->levels,
                      "MIP levels to write besides the texture: a number, or all");

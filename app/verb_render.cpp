@@ -88,11 +88,12 @@ void add_render(CLI::App& program) {
         ->capture_default_str();
     auto* direct = verb->add_flag(
         "--direct", command->direct,
-        "Evaluate the recipe's texture in float64 for every sample: the ground truth");
+        "Evaluate the recipe's texture for every sample, in float64: the ground truth");
     direct->excludes(filter);
     command->recipe.add_recipe(*verb);
+    command->recipe.add_precision(*verb, "float64");
     command->animation.add(*verb);
-    for (const char* option : {"--recipe", "--set", "--animate"})
+    for (const char* option : {"--recipe", "--set", "--precision", "--animate"})
         verb->get_option(option)->needs(direct);
     verb->add_option("--crease", command->crease,
                      "Angle in degrees above which computed normals split (--direct)")

@@ -1,6 +1,6 @@
 #include "procedural/fixed_noise.h"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 
 #include "procedural/lattice_site.h"
@@ -10,23 +10,12 @@ namespace burl {
 
 namespace {
 
-using Integer = std::int64_t;
+using Integer = FixedInteger;
 
-/// A lattice coordinate cut to the format: its cell, the next one, and the fraction in units.
-struct FixedCoordinate {
-    std::array<std::uint32_t, 2> cells{};
-    Integer fraction = 0;
-};
-
-FixedCoordinate cut(double x, const FixedFormat& format) {
-    if (!(std::abs(x) < lattice_limit)) x = 0.0;
-    const Integer period = Integer(1) << format.integer_bits;
-    // Only the fraction is scaled, so large coordinates cannot overflow.
-    const double cell = std::floor(x), fraction = std::ldexp(x - cell, int(format.fraction_bits));
-    const Integer i = positive_remainder(Integer(cell), period);
-    const Integer largest = (Integer(1) << format.fraction_bits) - 1;
-    return {{std::uint32_t(i), std::uint32_t((i + 1) % period)},
-            std::min(Integer(fraction), largest)};
+/// i modulo 2^I, in [-2^(I-1), 2^(I-1)): as a lattice index the same point as in float64 there.
+Integer wrapped_cell(Integer i, const FixedFormat& format) {
+    const Integer period = Integer(1) << format.integer_bits, half = period / 2;
+    return positive_remainder(i + half, period) - half;
 }
 
 /// The upper corner's weight at x, both in units of 2^-bits.
@@ -63,27 +52,57 @@ bool has_fixed_point(const NoiseSpec& noise) {
            noise.period == Period<4>{} && !noise.time;
 }
 
-double fixed_noise(const NoiseSpec& noise, const FixedFormat& format, const Vec3d& p) {
+FixedInteger fixed_coordinate(double x, const FixedFormat& format) {
+    if (!(std::abs(x) < lattice_limit)) return 0;
+    // Only the fraction is scaled, so large coordinates cannot overflow.
+    const double cell = std::floor(x), fraction = std::ldexp(x - cell, int(format.fraction_bits));
+    const Integer one = Integer(1) << format.fraction_bits;
+    return wrapped_cell(Integer(cell), format) * one + std::min(Integer(fraction), one - 1);
+}
+
+FixedInteger wrapped_units(double units, const FixedFormat& format) {
+    const double range = std::ldexp(1.0, int(format.integer_bits + format.fraction_bits));
+    const double rest = std::fmod(std::floor(units), range);
+    if (!(std::abs(rest) < range)) return 0;  // not finite
+    if (rest >= 0.5 * range) return Integer(rest - range);
+    return Integer(rest < -0.5 * range ? rest + range : rest);
+}
+
+FixedInteger fixed_noise_units(const NoiseSpec& noise, const FixedFormat& format,
+                               const std::array<FixedInteger, 3>& p) {
     const unsigned bits = format.fraction_bits;
     const Fade fade = noise.kind == NoiseKind::value ? noise.fade : Fade::quintic;
-    const std::array<FixedCoordinate, 3> x{cut(p.x, format), cut(p.y, format), cut(p.z, format)};
+    std::array<Integer, 3> fraction;
+    std::array<std::array<std::uint32_t, 2>, 3> cells;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const Integer cell = p[axis] >> bits;
+        fraction[axis] = p[axis] - (cell << bits);
+        cells[axis] = {std::uint32_t(cell), std::uint32_t(wrapped_cell(cell + 1, format))};
+    }
     std::array<Integer, 8> heights;
     for (std::size_t c = 0; c < 8; ++c) {
         std::array<std::uint32_t, 3> index;
         std::array<Integer, 3> offset;
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const std::size_t upper = c >> axis & 1;
-            index[axis] = x[axis].cells[upper];
-            offset[axis] = x[axis].fraction - (Integer(upper) << bits);
+            index[axis] = cells[axis][upper];
+            offset[axis] = fraction[axis] - (Integer(upper) << bits);
         }
         heights[c] = corner_height(noise, bits, index, offset);
     }
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        const Integer weight = fixed_fade(fade, x[axis].fraction, bits);
+        const Integer weight = fixed_fade(fade, fraction[axis], bits);
         for (std::size_t c = 0; c < std::size_t(4) >> axis; ++c)
             heights[c] = heights[2 * c] + (weight * (heights[2 * c + 1] - heights[2 * c]) >> bits);
     }
-    return std::ldexp(double(heights[0]), -int(bits));
+    return heights[0];
+}
+
+double fixed_noise(const NoiseSpec& noise, const FixedFormat& format, const Vec3d& p) {
+    const std::array<FixedInteger, 3> units{fixed_coordinate(p.x, format),
+                                            fixed_coordinate(p.y, format),
+                                            fixed_coordinate(p.z, format)};
+    return std::ldexp(double(fixed_noise_units(noise, format, units)), -int(format.fraction_bits));
 }
 
 }  // namespace burl

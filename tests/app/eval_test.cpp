@@ -116,18 +116,24 @@ TEST(Eval, AddsFixedPointWhereAsked) {
     const std::string points = "0.3,0.7,-1.2\n";
     const FixedFormat format{8, 6};
     const NoiseSpec noise{.kind = NoiseKind::value, .seed = 3};
-    const Json one = eval_json(scratch, points, "--noise value --seed 3 --fixed 8.6");
+    const Json one = eval_json(scratch, points, "--noise value --seed 3 --precision fixed:8.6");
     EXPECT_EQ(one["points"][0]["fixed"]["value"].get<double>(),
               fixed_noise(noise, format, {0.3, 0.7, -1.2}));
-    const Json wood = eval_json(scratch, "0.3,0.7,1.2\n", "wood --fixed 8.12");
-    const double difference = wood["largest_difference"]["fixed_value"].get<double>();
+    const Json wood = eval_json(scratch, "0.3,0.7,1.2\n", "wood --precision fixed:8.12");
+    const double difference = wood["largest_difference"]["value"].get<double>();
     EXPECT_LT(difference, 20.0 / 4096);
     EXPECT_GT(difference, 0.0);
     EXPECT_EQ(wood["points"][0]["fixed"]["srgb"].get<std::string>().size(), 7u);
     const std::string path = scratch.write("p.csv", points);
-    const Outcome table =
-        run_burl(scratch, fmt::format("eval --noise value --fixed 8.8 --points '{}'", path));
-    EXPECT_NE(table.out.find(",dz32,value_fixed\n"), std::string::npos) << table.out;
+    const Outcome table = run_burl(
+        scratch, fmt::format("eval --noise value --precision fixed:8.8 --points '{}'", path));
+    EXPECT_NE(table.out.find(",dz,value_fixed\n"), std::string::npos) << table.out;
+    const Json exact = eval_json(scratch, points, "wood --precision float64");
+    EXPECT_EQ(exact["points"][0].size(), 2u);  // the point and float64
+    const Json sum =
+        eval_json(scratch, points, "--noise perlin --octaves 3 --precision fixed:8.14");
+    EXPECT_LT(sum["largest_difference"]["value"].get<double>(), 100.0 * 0x1p-14);
+    EXPECT_GT(sum["largest_difference"]["value"].get<double>(), 0.0);
 }
 
 struct BadEval {
@@ -158,11 +164,12 @@ TEST(Eval, RefusesWhatItCannotDoInOneSentence) {
           {"1,2,3\n", "--noise valu", 1, "valu"},
           {"1,2,3\n", "--noise value --octaves 25", 1, "octaves"},
           {"1,2,3\n", "--noise value --set name=a", 1, "--set"},
-          {"1,2,3\n", "--noise value --fixed 8", 1, "as 8.8"},
-          {"1,2,3\n", "--noise value --fixed 8.17", 1, "as 8.8"},
-          {"1,2,3\n", "--noise worley --fixed 8.8", 1, "value and perlin"},
-          {"1,2\n", "--noise value --fixed 8.8", 1, "3 dimensions"},
-          {"1,2,3\n", "marble --set texture.input.noise.0.kind=cell --fixed 8.8", 1, "perlin"},
+          {"1,2,3\n", "--noise value --precision fixed:8", 1, "as fixed:8.8"},
+          {"1,2,3\n", "--noise value --precision fixed:8.17", 1, "as fixed:8.8"},
+          {"1,2,3\n", "--noise worley --precision fixed:8.8", 1, "value and perlin"},
+          {"1,2\n", "--noise value --precision fixed:8.8", 1, "3 dimensions"},
+          {"1,2,3\n", "marble --set texture.input.noise.0.kind=cell --precision fixed:8.8", 1,
+           "perlin"},
           {"1,2,3\n", "marble --noise value", 1, "either"},
           {"1,2,3\n", "", 1, "either"},
           {"1,2,3\n", "no_such_recipe", 1, "no_such_recipe"}}) {

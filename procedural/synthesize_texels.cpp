@@ -1,0 +1,179 @@
+#include "procedural/synthesize_texels.h"
+
+#include <optional>
+
+#include "procedural/band_limit.h"
+#include "procedural/color_table.h"
+#include "procedural/filtered_colors.h"
+#include "procedural/fixed_field.h"
+#include "procedural/pixel_encoder.h"
+#include "procedural/row_tasks.h"
+#include "procedural/sample_pattern.h"
+
+namespace burl {
+
+namespace {
+
+/// A texel's steps to the next column and row, in texture coordinates.
+struct TexelSteps {
+    Vec3d u{0.0}, v{0.0};
+};
+
+struct Texel {
+    std::uint32_t x = 0, y = 0;
+    Vec3d point{0.0};
+    TexelSteps steps;
+};
+
+/// f in float64.
+class ExactField {
+  public:
+    ExactField(const Texture& texture, bool band_limit)
+        : quadric_(texture.quadric), octaves_(expand_octaves(texture)) {
+        for (const Octave& octave : octaves_)
+            if (band_limit) means_.push_back(octave_mean(octave));
+    }
+
+    double operator()(const Vec3d& s) const { return evaluate_field(quadric_, octaves_, s); }
+    FieldSample sample(const Vec3d& s) const { return sample_field<double>(quadric_, octaves_, s); }
+
+    bool band_limited() const { return !means_.empty(); }
+    /// The field with what texels of this size show of every octave, and the mean of the rest.
+    ExactField seen_by(const TexelSteps& steps) const {
+        ExactField field = *this;
+        field.octaves_.clear();
+        for (std::size_t k = 0; k < octaves_.size(); ++k) {
+            Octave octave = octaves_[k];
+            const Mat3d& map = octave.lattice_from_solid.linear;
+            const double weight = band_weight(map * steps.u, map * steps.v);
+            field.quadric_.j += (1.0 - weight) * means_[k];
+            octave.scale *= weight;
+            if (weight > 0.0)
+                field.octaves_.push_back(octave);
+            else
+                field.quadric_.j += octave.offset;
+        }
+        return field;
+    }
+
+  private:
+    Quadric quadric_;
+    std::vector<Octave> octaves_;
+    std::vector<double> means_;  ///< of octaves that may be left out
+};
+
+const FixedField& seen_by(const FixedField& field, const TexelSteps&, std::optional<FixedField>&) {
+    return field;
+}
+
+const ExactField& seen_by(const ExactField& field, const TexelSteps& steps,
+                          std::optional<ExactField>& limited) {
+    return field.band_limited() ? limited.emplace(field.seen_by(steps)) : field;
+}
+
+/// pixel(field, texel) for every texel that a span owns.
+template <class Pixel, class Field, class Shade>
+Image<Pixel> fill(const SolidAtlas& solid, const Affine3& map, int threads, const Field& whole,
+                  const Pixel& background, const Shade& pixel) {
+    constexpr std::size_t texels_per_task = 1024;
+    Image<Pixel> image(solid.size, solid.size, background);
+    for_row_ranges(solid.size, texels_per_task, threads, [&](const RowRange& rows) {
+        std::optional<Field> limited;
+        for (std::size_t y = rows.begin(); y != rows.end(); ++y)
+            for (const Span& span : solid.row(y)) {
+                const TexelMap& texel = solid.maps[span.map];
+                const TexelSteps steps{map.linear * texel.step_x, map.linear * texel.step_y};
+                const Field& field = seen_by(whole, steps, limited);
+                for (std::uint32_t x = span.x; x < span.x + span.count; ++x)
+                    image(x, y) = pixel(
+                        field, Texel{x, std::uint32_t(y), map(texel(x, std::int64_t(y))), steps});
+            }
+    });
+    return image;
+}
+
+/// Colours of several places in the texel, weighted.
+template <class Field>
+Vec3d supersampled(const PreparedColorMap& map, const SamplePattern& pattern, const Field& field,
+                   const Texel& texel) {
+    Vec3d sum(0.0);
+    double weights = 0.0;
+    for (int i = 0; i < pattern.samples(); ++i) {
+        const auto [a, b] = pattern(i, texel.x, texel.y);
+        const double u = double(a), v = double(b), weight = gaussian_weight(u, v);
+        sum += weight * map(field(texel.point + u * texel.steps.u + v * texel.steps.v));
+        weights += weight;
+    }
+    return sum / weights;
+}
+
+/// The mean of f over the texel to second order, from its values at the middles of its sides.
+double curved_mean(const ExactField& field, const Texel& texel, double middle) {
+    double mean = middle;
+    for (const Vec3d& step : {texel.steps.u, texel.steps.v})
+        for (const double side : {0.5, -0.5})
+            mean += (field(texel.point + side * step) - middle) / 6.0;
+    return mean;
+}
+
+template <class Pixel, class Field>
+Image<Pixel> sampled_colors(const SolidAtlas& solid, const ColorMap& colors, const Affine3& map,
+                            const Filter& filter, int threads, const Field& field) {
+    const PreparedColorMap color(colors);
+    const PixelEncoder<Pixel> encode;
+    const Pixel background = encode(color(0.0));
+    if (filter.kind == FilterKind::supersample) {
+        const SamplePattern pattern(filter.samples);
+        return fill(solid, map, threads, field, background, [&](const Field& f, const Texel& t) {
+            return encode(supersampled(color, pattern, f, t));
+        });
+    }
+    return fill(solid, map, threads, field, background,
+                [&](const Field& f, const Texel& t) { return encode(color(f(t.point))); });
+}
+
+template <class Pixel>
+Image<Pixel> filtered_colors(const SolidAtlas& solid, const ColorMap& colors, const Affine3& map,
+                             const Filter& filter, int threads, const ExactField& field) {
+    const FilteredColors color(colors, filter.kind);
+    const PixelEncoder<Pixel> encode;
+    const bool curved = filter.kind == FilterKind::trapezoid2;
+    return fill(solid, map, threads, field, encode(PreparedColorMap(colors)(0.0)),
+                [&](const ExactField& f, const Texel& t) {
+                    const FieldSample sample = f.sample(t.point);
+                    const double mean = curved ? curved_mean(f, t, sample.value) : sample.value;
+                    return encode(color(mean, glm::dot(sample.gradient, t.steps.u),
+                                        glm::dot(sample.gradient, t.steps.v)));
+                });
+}
+
+}  // namespace
+
+template <class Pixel>
+Image<Pixel> synthesize_texels(const SolidAtlas& solid, const Texture& texture, const Affine3& map,
+                               const Precision& precision, const Filter& filter, int threads) {
+    if (precision.kind == PrecisionKind::fixed)
+        return sampled_colors<Pixel>(solid, texture.colors, map, filter, threads,
+                                     FixedField(texture, precision.format));
+    const ExactField field(texture, filter.band_limit);
+    if (filter.kind == FilterKind::none || filter.kind == FilterKind::supersample)
+        return sampled_colors<Pixel>(solid, texture.colors, map, filter, threads, field);
+    return filtered_colors<Pixel>(solid, texture.colors, map, filter, threads, field);
+}
+
+template Image<Rgb8> synthesize_texels(const SolidAtlas&, const Texture&, const Affine3&,
+                                       const Precision&, const Filter&, int);
+template Image<Rgb16> synthesize_texels(const SolidAtlas&, const Texture&, const Affine3&,
+                                        const Precision&, const Filter&, int);
+template Image<RgbF> synthesize_texels(const SolidAtlas&, const Texture&, const Affine3&,
+                                       const Precision&, const Filter&, int);
+
+Image<double> field_of_texels(const SolidAtlas& solid, const Texture& texture, const Affine3& map,
+                              const Precision& precision, int threads) {
+    const auto value = [](const auto& field, const Texel& t) { return field(t.point); };
+    if (precision.kind == PrecisionKind::fixed)
+        return fill(solid, map, threads, FixedField(texture, precision.format), 0.0, value);
+    return fill(solid, map, threads, ExactField(texture, false), 0.0, value);
+}
+
+}  // namespace burl

@@ -1,0 +1,26 @@
+#pragma once
+// Fills an atlas with the texture texel by texel in another arithmetic than the fast path's: in
+// float64, the reference evaluation of the same definition, filters included, or in fixed point.
+// Slow, but on all threads; the bytes do not depend on their number.
+#include "atlas/image.h"
+#include "atlas/solid_atlas.h"
+#include "procedural/filter.h"
+#include "procedural/precision.h"
+#include "procedural/texture.h"
+
+namespace burl {
+
+/// As synthesize_rgb8 and its like (synthesize.h), for Rgb8, Rgb16 and RgbF. precision.kind must be
+/// float64 or fixed; for the latter has_fixed_point(texture) must hold, and the filter be `none` or
+/// `supersample` with all octaves.
+template <class Pixel>
+Image<Pixel> synthesize_texels(const SolidAtlas& solid, const Texture& texture,
+                               const Affine3& texture_from_atlas, const Precision& precision,
+                               const Filter& filter, int threads);
+
+/// The field itself, in any of the two precisions; 0 outside every span.
+Image<double> field_of_texels(const SolidAtlas& solid, const Texture& texture,
+                              const Affine3& texture_from_atlas, const Precision& precision,
+                              int threads);
+
+}  // namespace burl
