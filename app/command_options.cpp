@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "app/sample_meshes.h"
 #include "atlas/error.h"
 
 namespace burl {
@@ -112,7 +113,7 @@ void MeshOptions::add(CLI::App& verb) {
 }
 
 Mesh MeshOptions::load(const std::string& path) const {
-    Mesh mesh = read_mesh(path, read);
+    Mesh mesh = is_sample_mesh(path) ? sample_mesh(path, read) : read_mesh(path, read);
     print_notes(path, mesh.notes);
     return mesh;
 }

@@ -36,7 +36,8 @@ struct MeshOptions {
     ReadOptions read;
 
     void add(CLI::App& verb);
-    /// Reads the mesh and prints what reading noticed on stderr.
+    /// Reads the mesh, or makes the sample ("sample:teapot"), and prints what reading noticed on
+    /// stderr.
     Mesh load(const std::string& path) const;
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include <tbb/parallel_for.h>
@@ -30,11 +31,9 @@ std::vector<std::vector<std::uint32_t>> sort_into_bands(const std::vector<Screen
 }
 
 struct Surface {
-    const Mesh& mesh;
-    std::span<const Vec3f> normals;
-    const PointColor& color;
-    const SurfaceNormal& bumped;
+    const DirectScene& scene;
     const Camera& camera;
+    const SampleRays& rays;
     bool lit;
 };
 
@@ -43,21 +42,71 @@ Mat3d cofactors(const Mat3d& m) {
     return {glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1])};
 }
 
-Vec3d shade(const Surface& surface, const ScreenTriangle& t, const Vec3d& weights) {
+/// The mesh's colour at sample (x, y), which `t` covers.
+Vec3d shade(const Surface& surface, const ScreenTriangle& t, int x, int y) {
+    const Mesh& mesh = surface.scene.mesh;
+    const Vec3d weights = barycentrics(t, x, y);
+    const auto steps = barycentric_steps(t, x, y, weights);
     Vec3d point(0.0), normal(0.0);
+    Footprint covered;
     for (std::size_t k = 0; k < 3; ++k) {
-        const double weight = weights[int(k)];
-        point += weight * surface.mesh.positions[surface.mesh.triangles[t.triangle][k]];
-        normal += weight * Vec3d(surface.normals[3 * std::size_t(t.triangle) + k]);
+        const Vec3d& corner = mesh.positions[mesh.triangles[t.triangle][k]];
+        point += weights[int(k)] * corner;
+        covered.u += steps[0][int(k)] * corner;
+        covered.v += steps[1][int(k)] * corner;
+        normal += weights[int(k)] * Vec3d(surface.scene.normals[3 * std::size_t(t.triangle) + k]);
     }
-    const Vec3d color = surface.color({t.triangle, weights});
+    const Vec3d color = surface.scene.color({t.triangle, weights}, covered);
     if (!surface.lit) return color;
     const Mat3d to_scene = cofactors(Mat3d(*t.placement));
     const Vec3d to_eye = surface.camera.eye - Vec3d(*t.placement * Vec4d(point, 1.0));
-    if (!surface.bumped || normal == Vec3d(0.0))
+    if (!surface.scene.bumped || normal == Vec3d(0.0))
         return color * headlight(to_scene * normal, to_eye);
-    const Vec3d bumped = surface.bumped(point, glm::normalize(normal));
+    const Vec3d bumped = surface.scene.bumped(point, glm::normalize(normal));
     return color * headlight(to_scene * normal, to_scene * bumped, to_eye);
+}
+
+struct LayerHit {
+    const PlaneLayer* layer;
+    PlaneHit at;
+};
+
+/// The planes that sample (x, y) meets before `depth`, nearest first.
+void find_planes(const Surface& surface, int x, int y, double depth, std::vector<LayerHit>& hits) {
+    hits.clear();
+    for (const PlaneLayer& layer : surface.scene.planes) {
+        const auto hit = meet(surface.rays, x, y, layer.plane);
+        if (hit && hit->depth < depth) hits.push_back({&layer, *hit});
+    }
+    std::stable_sort(hits.begin(), hits.end(),
+                     [](const LayerHit& a, const LayerHit& b) { return a.at.depth < b.at.depth; });
+}
+
+/// The planes over each other, and over `behind` as far as they are transparent.
+Vec3d covered_by(const Surface& surface, std::span<const LayerHit> hits, const Vec3d& behind) {
+    Vec3d sum(0.0);
+    double shows = 1.0;
+    for (const LayerHit& hit : hits) {
+        const Vec4d color = hit.layer->color(hit.at.point, hit.at.steps);
+        const double light =
+            surface.lit ? headlight(hit.layer->plane.normal, surface.camera.eye - hit.at.point)
+                        : 1.0;
+        sum += shows * light * Vec3d(color);
+        shows *= 1.0 - color.w;
+        if (!(shows > 0.0)) return sum;
+    }
+    return sum + shows * behind;
+}
+
+/// What sample (x, y) shows; `visible`: the triangle there, or nothing_visible.
+Vec3d sample_color(const Surface& surface, std::span<const ScreenTriangle> triangles,
+                   std::uint32_t visible, int x, int y, std::vector<LayerHit>& hits) {
+    const ScreenTriangle* t = visible == nothing_visible ? nullptr : &triangles[visible];
+    const double depth =
+        t ? depth_of(*t, surface.camera, x, y) : std::numeric_limits<double>::infinity();
+    find_planes(surface, x, y, depth, hits);
+    const Vec3d behind = t ? shade(surface, *t, x, y) : background_linear();
+    return covered_by(surface, hits, behind);
 }
 
 }  // namespace
@@ -72,13 +121,20 @@ Image<Rgb8> render_surface(const Mesh& mesh, std::span<const Vec3f> normals,
 Image<Rgb8> render_points(const Mesh& mesh, std::span<const Vec3f> normals, const PointColor& color,
                           const Camera& camera, const PictureOptions& options,
                           const SurfaceNormal& bumped) {
+    const SampleColor at = [&](const SurfacePoint& point, const Footprint&) {
+        return color(point);
+    };
+    return render_samples({mesh, normals, at, bumped, {}}, camera, options);
+}
+
+Image<Rgb8> render_samples(const DirectScene& scene, const Camera& camera,
+                           const PictureOptions& options) {
     const int n = options.supersample;
     const PictureSize samples{options.size.width * n, options.size.height * n};
-    const auto triangles = screen_triangles(mesh, camera, samples);
+    const auto triangles = screen_triangles(scene.mesh, camera, samples);
     const auto bands = sort_into_bands(triangles, samples.height, band_rows * n);
-    const Surface surface{mesh, normals, color, bumped, camera, options.lit};
-    const Vec3d back = background_linear();
-    const RgbF background{float(back.x), float(back.y), float(back.z)};
+    const SampleRays rays(camera, samples);
+    const Surface surface{scene, camera, rays, options.lit};
 
     const SrgbEncoder<std::uint8_t> encode;
     Image<Rgb8> picture(std::size_t(options.size.width), std::size_t(options.size.height));
@@ -87,14 +143,13 @@ Image<Rgb8> render_points(const Mesh& mesh, std::span<const Vec3f> normals, cons
         const int rows = std::min(band_rows * n, samples.height - first_row);
         const auto visible =
             visible_triangles(triangles, bands[band], camera, samples.width, first_row, rows);
-        Image<RgbF> drawn(std::size_t(samples.width), std::size_t(rows), background);
+        Image<RgbF> drawn(std::size_t(samples.width), std::size_t(rows));
+        std::vector<LayerHit> hits;
         for (int j = 0; j < rows; ++j) {
             for (int i = 0; i < samples.width; ++i) {
                 const auto x = std::size_t(i), y = std::size_t(j);
                 const std::uint32_t index = visible[y * drawn.width() + x];
-                if (index == nothing_visible) continue;
-                const ScreenTriangle& t = triangles[index];
-                const Vec3d c = shade(surface, t, barycentrics(t, i, first_row + j));
+                const Vec3d c = sample_color(surface, triangles, index, i, first_row + j, hits);
                 drawn(x, y) = {float(c.x), float(c.y), float(c.z)};
             }
         }

@@ -6,7 +6,8 @@
 #include <span>
 
 #include "app/camera.h"
-#include "app/recipe.h"
+#include "app/filtered_color.h"
+#include "app/infinite_plane.h"
 #include "app/shading.h"
 #include "app/texture_color.h"
 #include "atlas/image.h"
@@ -32,6 +33,29 @@ Image<Rgb8> render_surface(const Mesh& mesh, std::span<const Vec3f> normals,
 Image<Rgb8> render_points(const Mesh& mesh, std::span<const Vec3f> normals, const PointColor& color,
                           const Camera& camera, const PictureOptions& options,
                           const SurfaceNormal& bumped = {});
+
+/// Linear-light colour of what a sample covers: a point of a triangle, which moves by `steps` (mesh
+/// coordinates) from one sample to the next. Called from several threads.
+using SampleColor = std::function<Vec3d(const SurfacePoint& point, const Footprint& steps)>;
+
+/// A plane to the horizon and its colours at points of the scene; where their alpha is below 1 one
+/// sees what lies behind.
+struct PlaneLayer {
+    Plane plane;
+    FilteredColor color;
+};
+
+struct DirectScene {
+    const Mesh& mesh;  ///< may be without triangles
+    std::span<const Vec3f> normals;
+    SampleColor color;
+    SurfaceNormal bumped;  ///< normals to shade with from the interpolated ones; empty: those
+    std::span<const PlaneLayer> planes;
+};
+
+/// Mesh and planes, nearer ones over farther ones. Bit-identical for every thread count.
+Image<Rgb8> render_samples(const DirectScene& scene, const Camera& camera,
+                           const PictureOptions& options);
 
 /// The mesh with the recipe's texture and bumps; normals are the mesh's own, else those an export
 /// would have (angle-weighted, creases above `crease_degrees`).

@@ -1,6 +1,6 @@
 #pragma once
-// Text files compiled into the program (shaders, preset recipes), so that a copied binary needs
-// nothing beside it.
+// Text files compiled into the program (shaders, preset recipes, sample meshes), so that a copied
+// binary needs nothing beside it.
 #include <span>
 #include <string_view>
 
@@ -12,6 +12,7 @@ struct EmbeddedFile {
 };
 
 std::span<const EmbeddedFile> embedded_recipes();  ///< assets/recipes/*.json
+std::span<const EmbeddedFile> embedded_meshes();   ///< the sample meshes, *.obj
 std::span<const EmbeddedFile> embedded_shaders();  ///< shaders/*.vert, *.frag, *.glsl
 
 }  // namespace burl

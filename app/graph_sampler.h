@@ -9,13 +9,14 @@ namespace burl {
 /// Keeps arrays for every thread: they are too large to make anew for every point.
 class GraphSampler {
   public:
-    explicit GraphSampler(const TextureGraph& graph)
-        : evaluate_(graph), scratch_([this] { return evaluate_.make_scratch(); }) {}
+    /// `filter` as GraphEvaluator takes it.
+    explicit GraphSampler(const TextureGraph& graph, const Filter& filter = {FilterKind::trapezoid})
+        : evaluate_(graph, filter), scratch_([this] { return evaluate_.make_scratch(); }) {}
 
-    /// Unfiltered. May be called from several threads at once.
-    GraphSample operator()(const Vec3d& s) {
+    /// Unfiltered where the footprint is 0. May be called from several threads at once.
+    GraphSample operator()(const Vec3d& s, const Footprint& footprint = {}) {
         GraphSample sample;
-        evaluate_({&s, 1}, {}, scratch_.local(), {&sample, 1});
+        evaluate_({&s, 1}, {&footprint, 1}, scratch_.local(), {&sample, 1});
         return sample;
     }
 

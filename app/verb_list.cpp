@@ -4,6 +4,7 @@
 #include "app/embedded.h"
 #include "app/parameters.h"
 #include "app/report.h"
+#include "app/sample_meshes.h"
 #include "app/verbs.h"
 #include "procedural/graph_table.h"
 #include "procedural/noise_names.h"
@@ -60,6 +61,12 @@ std::vector<Entry> parameter_entries() {
 std::vector<Entry> entries_of(const std::string& what) {
     if (what == "recipes") return recipe_entries();
     if (what == "parameters") return parameter_entries();
+    if (what == "meshes") {
+        std::vector<Entry> entries;
+        for (const std::string& name : sample_mesh_names())
+            entries.push_back({fmt::format("sample:{}", name), "a mesh the program brings"});
+        return entries;
+    }
     if (what == "atlases") {
         return {{"uniform", "every triangle the same shape (Carr & Hart 4.1)"},
                 {"area", "triangles sized by their area (Carr & Hart 4.2)"},
@@ -94,13 +101,13 @@ void print_entries(const std::string& what, bool json) {
 }  // namespace
 
 void add_list(CLI::App& program) {
-    auto* verb =
-        program.add_subcommand("list", "List recipes, atlases, noises, nodes or parameters");
+    auto* verb = program.add_subcommand(
+        "list", "List recipes, meshes, atlases, noises, nodes or parameters");
     auto what = std::make_shared<std::string>();
     auto json = std::make_shared<bool>(false);
-    verb->add_option("what", *what, "recipes, atlases, noises, nodes or parameters")
+    verb->add_option("what", *what, "recipes, meshes, atlases, noises, nodes or parameters")
         ->required()
-        ->check(CLI::IsMember({"recipes", "atlases", "noises", "nodes", "parameters"}));
+        ->check(CLI::IsMember({"recipes", "meshes", "atlases", "noises", "nodes", "parameters"}));
     verb->add_flag("--json", *json, "Print JSON");
     verb->callback([what, json] { print_entries(*what, *json); });
 }

@@ -132,4 +132,17 @@ Vec3d barycentrics(const ScreenTriangle& triangle, int x, int y) {
     return b / (b.x + b.y + b.z);
 }
 
+std::array<Vec3d, 2> barycentric_steps(const ScreenTriangle& triangle, int x, int y,
+                                       const Vec3d& weights) {
+    const auto& e = triangle.edges;
+    const Vec3d sum = e[0] + e[1] + e[2];
+    const double w = at(sum, x + 0.5, y + 0.5);
+    return {(Vec3d(e[0].x, e[1].x, e[2].x) - sum.x * weights) / w,
+            (Vec3d(e[0].y, e[1].y, e[2].y) - sum.y * weights) / w};
+}
+
+double depth_of(const ScreenTriangle& triangle, const Camera& camera, int x, int y) {
+    return camera.far_distance / at(triangle.inverse_depth, x + 0.5, y + 0.5);
+}
+
 }  // namespace burl

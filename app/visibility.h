@@ -43,4 +43,12 @@ std::vector<std::uint32_t> visible_triangles(std::span<const ScreenTriangle> tri
 /// it.
 Vec3d barycentrics(const ScreenTriangle& triangle, int x, int y);
 
+/// By how much they change from one sample to the next, to first order: to the right (x) and
+/// downwards (y); `at` are the barycentrics of sample (x, y).
+std::array<Vec3d, 2> barycentric_steps(const ScreenTriangle& triangle, int x, int y,
+                                       const Vec3d& at);
+
+/// Distance of sample (x, y) along the view axis.
+double depth_of(const ScreenTriangle& triangle, const Camera& camera, int x, int y);
+
 }  // namespace burl

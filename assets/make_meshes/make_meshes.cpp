@@ -29,6 +29,7 @@ void write_all(const Folder& folder) {
     folder.write("teapot.obj", obj_text(burl::make_teapot()));
     folder.write("king.obj", obj_text(burl::make_king()));
     folder.write("icosphere.obj", obj_text(burl::make_icosphere()));
+    folder.write("cube.obj", obj_text(burl::make_cube()));
     folder.write("cad_part.obj", obj_text(burl::make_cad_part()));
     folder.write("torus.obj", obj_text(torus));
     folder.write("torus.off", off_text(torus));

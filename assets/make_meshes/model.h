@@ -45,6 +45,9 @@ Model make_torus(int around = 64, int across = 32);
 /// Unit sphere: an icosahedron whose triangles were split into four `levels` times.
 Model make_icosphere(int levels = 4);
 
+/// Cube from -1 to 1.
+Model make_cube();
+
 /// A plate with rounded corners, filleted edges and two holes through it: genus 2, thin long
 /// triangles.
 Model make_cad_part(int fillet_segments = 6);
