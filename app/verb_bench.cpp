@@ -4,6 +4,7 @@
 #include "app/bench.h"
 #include "app/bench_atlas.h"
 #include "app/bench_filter.h"
+#include "app/bench_precision.h"
 #include "app/export.h"
 #include "app/report.h"
 #include "app/verbs.h"
@@ -119,10 +120,40 @@ void run_filter_bench(const BenchCommand& command) {
                    row.cost);
 }
 
+Json precision_json(const PrecisionBench& row) {
+    Json json{{"texture", row.texture},     {"precision", row.precision},
+              {"max_error", row.max_error}, {"rms_error", row.rms_error},
+              {"psnr", row.psnr},           {"ns_per_texel", row.ns_per_texel}};
+    if (row.coordinate_rms_error > 0.0) {
+        json["coordinate_rms_error"] = row.coordinate_rms_error;
+        json["coordinate_psnr"] = row.coordinate_psnr;
+    }
+    return json;
+}
+
+void run_precision_bench(const BenchCommand& command) {
+    const std::vector<PrecisionBench> rows =
+        bench_precision(command.repeats, command.size == 0 ? 512 : command.size);
+    Json list = Json::array();
+    for (const PrecisionBench& row : rows) list.push_back(precision_json(row));
+    write_report(command, list);
+    if (command.json) return;
+    fmt::print("{:<8} {:<11} {:>10} {:>10} {:>7} {:>9}   {}\n", "texture", "precision", "max error",
+               "RMS error", "PSNR", "ns/texel", "coordinates alone: RMS, PSNR");
+    for (const PrecisionBench& row : rows) {
+        fmt::print("{:<8} {:<11} {:>10.3g} {:>10.3g} {:>7.2f} {:>9.1f}", row.texture, row.precision,
+                   row.max_error, row.rms_error, row.psnr, row.ns_per_texel);
+        if (row.coordinate_rms_error > 0.0)
+            fmt::print(" {:>10.3g} {:>7.2f}", row.coordinate_rms_error, row.coordinate_psnr);
+        fmt::print("\n");
+    }
+}
+
 void run_bench(const BenchCommand& command) {
     if (!command.out.empty()) check_side_output(command.out, "", {});
     if (command.suite == "atlas") return run_atlas_bench(command);
     if (command.suite == "filter") return run_filter_bench(command);
+    if (command.suite == "precision") return run_precision_bench(command);
     const std::vector<BenchRow> rows =
         run_paired(bench_suite(command.suite, command.size), command.repeats);
     Json list = Json::array();
@@ -144,14 +175,14 @@ void add_bench(CLI::App& program) {
     auto* verb = program.add_subcommand("bench", "Time a suite; medians of paired runs");
     auto command = std::make_shared<BenchCommand>();
     std::vector<std::string> suites = bench_suites();
-    suites.insert(suites.end(), {"atlas", "filter"});
-    verb->add_option("suite", command->suite, "mesh_io, atlas, synthesis or filter")
+    suites.insert(suites.end(), {"atlas", "filter", "precision"});
+    verb->add_option("suite", command->suite, "mesh_io, atlas, synthesis, filter or precision")
         ->required()
         ->check(CLI::IsMember(suites));
-    verb->add_option(
-            "--size", command->size,
-            "Faces (mesh_io, atlas) or texels per side (synthesis, filter); atlas: 1,000 to "
-            "100,000 unless one number is given")
+    verb->add_option("--size", command->size,
+                     "Faces (mesh_io, atlas) or texels per side (synthesis, filter, precision); "
+                     "atlas: 1,000 to "
+                     "100,000 unless one number is given")
         ->check(CLI::Range(std::size_t{2}, std::size_t{10'000'000}));
     verb->add_option("--repeats", command->repeats, "Counted rounds")
         ->check(CLI::Range(1, 1000))

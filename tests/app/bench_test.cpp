@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "app/bench_meshes.h"
+#include "app/bench_precision.h"
 #include "atlas/metrics.h"
 
 namespace burl {
@@ -70,6 +71,30 @@ TEST(BenchAtlases, AllKindsSideBySide) {
                                     {AtlasKind::quad, Overscan::bilinear, rows[3].size});
     EXPECT_EQ(rows[3].coverage,
               measure(mesh, quad, rasterize(mesh, quad, mesh.positions)).coverage);
+}
+
+TEST(BenchPrecision, HalvesTheErrorWithEveryBit) {
+    const std::vector<PrecisionBench> rows = bench_precision(1, 64);
+    ASSERT_EQ(rows.size(), 28u);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const PrecisionBench& row = rows[i];
+        EXPECT_EQ(row.texture, i < 14 ? "wood" : "marble");
+        EXPECT_GT(row.ns_per_texel, 0.0);
+        if (row.precision == "float64") {
+            EXPECT_EQ(row.max_error, 0.0);
+        } else if (row.precision == "float32") {
+            EXPECT_LT(row.max_error, 2e-6);
+            EXPECT_GT(row.max_error, 1e-9);
+        } else {
+            EXPECT_LE(row.rms_error, row.max_error);
+            EXPECT_LT(row.coordinate_rms_error, row.rms_error) << row.precision;
+        }
+        if (row.precision == "fixed:8.12") {  // after 16 and 14
+            EXPECT_NEAR(rows[i].rms_error / rows[i - 2].rms_error, 16.0, 1.6);
+            EXPECT_NEAR(rows[i].coordinate_rms_error / rows[i - 2].coordinate_rms_error, 16.0, 1.6);
+            EXPECT_NEAR(rows[i - 2].psnr - rows[i].psnr, 12.0, 3.0);
+        }
+    }
 }
 
 }  // namespace
