@@ -16,6 +16,7 @@
 #include "app/image_io.h"
 #include "app/level_names.h"
 #include "app/normals.h"
+#include "app/tangents.h"
 #include "atlas/error.h"
 
 namespace burl {
@@ -123,10 +124,19 @@ std::vector<std::vector<std::uint8_t>> level_pngs(const ExportOptions& options) 
     return pngs;
 }
 
+/// PNG content of the normal map; empty without one.
+std::vector<std::uint8_t> normal_png(const ExportOptions& options) {
+    if (!options.normals) return {};
+    return std::visit(
+        [](const auto& image) { return encode_png(image, default_png_level, PngContent::data); },
+        options.normals->image);
+}
+
 /// NAME.png and NAME.1.png, NAME.2.png, ...; all or none.
 void export_png(const std::string& path, const BakedImage& image, const ExportOptions& options) {
     std::vector<AtomicFile> files;
-    files.reserve(1 + options.levels.size());
+    files.reserve(2 + options.levels.size());
+    if (options.normals) files.emplace_back(normal_map_path(path)).write(normal_png(options));
     for (std::size_t l = 1; l <= options.levels.size(); ++l)
         files.emplace_back(fs::path(path).replace_extension(level_extension(l)).string())
             .write(png_of(options.levels[l - 1]));
@@ -139,12 +149,27 @@ Image<RgbF> float_of(const BakedImage& image) {
     return linear_of(image);
 }
 
-/// One file with all levels in it.
-void export_exr_levels(const std::string& path, const BakedImage& image,
-                       const ExportOptions& options) {
-    std::vector<Image<RgbF>> levels{float_of(image)};
-    for (const BakedImage& level : options.levels) levels.push_back(float_of(level));
-    write_exr_levels(path, levels, options.exr_depth);
+/// One file, with all levels in it.
+void write_exr_file(const std::string& path, const BakedImage& image,
+                    const ExportOptions& options) {
+    if (!options.levels.empty()) {
+        std::vector<Image<RgbF>> levels{float_of(image)};
+        for (const BakedImage& level : options.levels) levels.push_back(float_of(level));
+        write_exr_levels(path, levels, options.exr_depth);
+    } else if (const auto* linear = std::get_if<Image<RgbF>>(&image)) {
+        // Not through float_of: a copy of 16384 x 16384 floats is 3 GB.
+        write_exr(path, *linear, options.exr_depth);
+    } else {
+        write_exr(path, linear_of(image), options.exr_depth);
+    }
+}
+
+void export_exr(const std::string& path, const BakedImage& image, const ExportOptions& options) {
+    if (!options.normals) return write_exr_file(path, image, options);
+    AtomicFile normals(normal_map_path(path));
+    normals.write(normal_png(options));
+    write_exr_file(path, image, options);
+    normals.commit();
 }
 
 void export_mesh(const std::string& path, Format format, const Mesh& mesh, const Atlas& atlas,
@@ -152,15 +177,23 @@ void export_mesh(const std::string& path, Format format, const Mesh& mesh, const
     const std::vector<std::uint8_t> png = png_of(image);
     const std::vector<Vec3f> normals = corner_normals(mesh, options.crease_degrees);
     const std::vector<std::vector<std::uint8_t>> levels = level_pngs(options);
-    if (format == Format::obj) return write_obj(path, mesh, atlas, normals, png, levels);
-    const std::vector<PartVertices> vertices = export_vertices(mesh, atlas, normals);
-    const GltfContent content{mesh, vertices, atlas.options, png, levels, options.recipe_json};
+    const std::vector<std::uint8_t> normal_map = normal_png(options);
+    const bool tangent_space = options.normals && options.normals->tangent_space;
+    if (format == Format::obj)
+        return write_obj(path, {mesh, atlas, normals, png, levels, normal_map, tangent_space});
+    std::vector<Vec4f> tangents;
+    if (tangent_space)
+        tangents = corner_tangents(mesh.positions, mesh.triangles, corner_uvs(atlas), normals);
+    const std::vector<PartVertices> vertices = export_vertices(mesh, atlas, normals, tangents);
+    const GltfContent content{mesh,      vertices, atlas.options, png, levels, options.recipe_json,
+                              normal_map};
     format == Format::glb ? write_glb(path, content) : write_gltf(path, content);
 }
 
 }  // namespace
 
-std::vector<std::string> output_paths(const std::string& out_path, std::uint32_t levels) {
+std::vector<std::string> output_paths(const std::string& out_path, std::uint32_t levels,
+                                      bool normals) {
     std::vector<std::string> paths{out_path};
     for (const char* extension : format_of(out_path).beside) {
         if (!extension) continue;
@@ -170,12 +203,13 @@ std::vector<std::string> output_paths(const std::string& out_path, std::uint32_t
     if (format == Format::glb || format == Format::exr) levels = 0;
     for (std::uint32_t l = 1; l <= levels; ++l)
         paths.push_back(fs::path(out_path).replace_extension(level_extension(l)).string());
+    if (normals && format != Format::glb) paths.push_back(normal_map_path(out_path));
     return paths;
 }
 
-void check_output(const std::string& out_path, const std::string& input_path,
-                  std::uint32_t levels) {
-    const std::vector<std::string> paths = output_paths(out_path, levels);
+void check_output(const std::string& out_path, const std::string& input_path, std::uint32_t levels,
+                  bool normals) {
+    const std::vector<std::string> paths = output_paths(out_path, levels, normals);
     check_folder(out_path);
     for (const std::string& path : paths) check_file(path, input_path);
 }
@@ -203,6 +237,11 @@ bool holds_mesh(const std::string& out_path) {
     return format != Format::png && format != Format::exr;
 }
 
+bool is_gltf(const std::string& out_path) {
+    const Format format = format_of(out_path).format;
+    return format == Format::glb || format == Format::gltf;
+}
+
 ImageKind wanted_kind(const std::string& out_path, int depth) {
     if (format_of(out_path).format == Format::exr) return ImageKind::rgb_float;
     return depth == 16 ? ImageKind::rgb16 : ImageKind::rgb8;
@@ -216,13 +255,7 @@ void export_scene(const std::string& out_path, const Mesh& mesh, const Atlas& at
             export_png(out_path, image, options);
             break;
         case Format::exr:
-            if (!options.levels.empty()) return export_exr_levels(out_path, image, options);
-            // Not through linear_of: a copy of 16384 x 16384 floats is 3 GB.
-            if (const auto* linear = std::get_if<Image<RgbF>>(&image)) {
-                write_exr(out_path, *linear, options.exr_depth);
-            } else {
-                write_exr(out_path, linear_of(image), options.exr_depth);
-            }
+            export_exr(out_path, image, options);
             break;
         default:
             export_mesh(out_path, format, mesh, atlas, image, options);

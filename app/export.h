@@ -1,6 +1,7 @@
 #pragma once
 // The one door for results: a baked image with or without its mesh, in the format the file name
 // asks for. Formats, samplers and what is kept of the input: docs/export.md.
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -19,18 +20,27 @@ enum class ImageKind { rgb8, rgb16, rgb_float };
 /// In the order of ImageKind. 8 and 16 bit are sRGB-encoded, float is linear light.
 using BakedImage = std::variant<Image<Rgb8>, Image<Rgb16>, Image<RgbF>>;
 
+/// Normals as linear codes (procedural/tangent_frame.h), as large as the texture.
+struct NormalMap {
+    std::variant<Image<Rgb8>, Image<Rgb16>> image;
+    /// In the frames of corner_tangents with the normals of ExportOptions; false: in the mesh's own
+    /// directions, which no glTF can hold.
+    bool tangent_space = true;
+};
+
 struct ExportOptions {
     double crease_degrees = 40.0;         ///< for computed normals (app/normals.h)
     ExrDepth exr_depth = ExrDepth::half;  ///< .exr only
     std::string recipe_json;              ///< kept in the glTF's asset.extras; may be empty
     std::vector<BakedImage> levels{};     ///< MIP levels 1, 2, ... (atlas/block_levels.h)
+    std::optional<NormalMap> normals{};
 };
 
 /// Refuses an output before any work starts: the extension is one of .glb, .gltf, .obj, .png, .exr
 /// (any case; else Error(usage) listing them), and the folder exists and is writable, no file to be
 /// written is a folder, and none is the file at `input_path` (else Error(io)).
 void check_output(const std::string& out_path, const std::string& input_path = {},
-                  std::uint32_t levels = 0);
+                  std::uint32_t levels = 0, bool normals = false);
 
 /// The same for a picture or report: its name ends in `extension` (in lower case; empty: any), its
 /// folder is writable, and it is none of the `taken` files, which are read or written otherwise.
@@ -38,8 +48,13 @@ void check_side_output(const std::string& path, std::string_view extension,
                        std::span<const std::string> taken);
 
 /// Every file export_scene writes, the one named first: "a.obj" gives a.obj, a.mtl and a.png, and
-/// with MIP levels a.1.png, a.2.png, ...; .glb and .exr hold their levels themselves.
-std::vector<std::string> output_paths(const std::string& out_path, std::uint32_t levels = 0);
+/// with MIP levels a.1.png, a.2.png, ...; .glb and .exr hold their levels themselves. With normals
+/// a_normal.png besides, but for .glb.
+std::vector<std::string> output_paths(const std::string& out_path, std::uint32_t levels = 0,
+                                      bool normals = false);
+
+/// Whether the format's materials can name a normal map in tangent space only.
+bool is_gltf(const std::string& out_path);
 
 /// Whether the file is the mesh with its texture, not the texture alone. Throws Error(usage) for an
 /// unknown extension.
@@ -51,7 +66,9 @@ ImageKind wanted_kind(const std::string& out_path, int depth);
 
 /// Writes everything or nothing (app/atomic_file.h). `image` is as large as atlas.extent();
 /// another kind than the wanted one is converted (float is clamped and sRGB-encoded; 8 and 16 bits
-/// are decoded for .exr). Throws Error: as check_output, and io when a write fails.
+/// are decoded for .exr). Normals in tangent space become part of the material (glTF's
+/// normalTexture, with tangents; OBJ's norm), any other ones a file beside; a .glb or .gltf must
+/// not be given those. Throws Error: as check_output, and io when a write fails.
 void export_scene(const std::string& out_path, const Mesh& mesh, const Atlas& atlas,
                   const BakedImage& image, const ExportOptions& options = {});
 

@@ -50,6 +50,7 @@ void write_glb(const std::string& path, const GltfContent& content) {
     };
     add_image(content.png);
     for (const std::vector<std::uint8_t>& level : content.levels) add_image(level);
+    if (!content.normal_png.empty()) add_image(content.normal_png);
     scene.json["buffers"] = Json::array({{{"byteLength", scene.binary.size()}}});
     std::string json = dump(scene.json, -1);
     json.resize((json.size() + 3) / 4 * 4, ' ');
@@ -73,24 +74,25 @@ void write_glb(const std::string& path, const GltfContent& content) {
 void write_gltf(const std::string& path, const GltfContent& content) {
     GltfScene scene = build_gltf_scene(content);
     const std::filesystem::path base(path);
-    const auto beside = [&](const char* extension) {
+    const auto beside = [&](const std::string& extension) {
         return std::filesystem::path(base).replace_extension(extension);
     };
-    const auto uri = [&](const char* extension) {
-        return percent_encoded(beside(extension).filename().string());
+    const auto uri = [](const std::filesystem::path& file) {
+        return percent_encoded(file.filename().string());
     };
     std::vector<AtomicFile> files;
-    files.reserve(3 + content.levels.size());
-    const auto add_image = [&](const std::string& extension, std::span<const std::uint8_t> png) {
-        scene.json["images"].push_back(
-            {{"uri", uri(extension.c_str())}, {"mimeType", "image/png"}});
-        files.emplace_back(beside(extension.c_str()).string()).write(png);
+    files.reserve(4 + content.levels.size());
+    const auto add_image = [&](const std::filesystem::path& file,
+                               std::span<const std::uint8_t> png) {
+        scene.json["images"].push_back({{"uri", uri(file)}, {"mimeType", "image/png"}});
+        files.emplace_back(file.string()).write(png);
     };
-    add_image(".png", content.png);
+    add_image(beside(".png"), content.png);
     for (std::size_t l = 1; l <= content.levels.size(); ++l)
-        add_image(level_extension(l), content.levels[l - 1]);
+        add_image(beside(level_extension(l)), content.levels[l - 1]);
+    if (!content.normal_png.empty()) add_image(normal_map_path(path), content.normal_png);
     scene.json["buffers"] =
-        Json::array({{{"uri", uri(".bin")}, {"byteLength", scene.binary.size()}}});
+        Json::array({{{"uri", uri(beside(".bin"))}, {"byteLength", scene.binary.size()}}});
 
     files.emplace_back(beside(".bin").string()).write(scene.binary);
     files.emplace_back(path).write(dump(scene.json, 2) + "\n");

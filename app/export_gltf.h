@@ -20,14 +20,15 @@ struct GltfContent {
     std::span<const std::uint8_t> png;
     std::span<const std::vector<std::uint8_t>> levels;  ///< PNGs of MIP levels 1, 2, ...
     std::string recipe_json;                            ///< for asset.extras; may be empty
+    /// A normal map in tangent space, for vertices with tangents; may be empty.
+    std::span<const std::uint8_t> normal_png{};
 };
 
 /// One file with everything in it. Throws Error: io, or unsupported beyond 4 GiB.
 void write_glb(const std::string& path, const GltfContent& content);
 
-/// PATH, the buffer beside it in NAME.bin, the texture in NAME.png and MIP level l in NAME.l.png;
-/// all or none. Throws
-/// Error(io).
+/// PATH, the buffer beside it in NAME.bin, the texture in NAME.png, MIP level l in NAME.l.png and
+/// the normal map in NAME_normal.png; all or none. Throws Error(io).
 void write_gltf(const std::string& path, const GltfContent& content);
 
 }  // namespace burl

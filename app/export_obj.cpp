@@ -162,24 +162,26 @@ Text obj_text(const Mesh& mesh, const Atlas& atlas, std::span<const Vec3f> norma
 
 }  // namespace
 
-void write_obj(const std::string& path, const Mesh& mesh, const Atlas& atlas,
-               std::span<const Vec3f> normals, std::span<const std::uint8_t> png,
-               std::span<const std::vector<std::uint8_t>> levels) {
-    const auto beside = [&](const char* extension) {
+void write_obj(const std::string& path, const ObjContent& content) {
+    const auto beside = [&](const std::string& extension) {
         return std::filesystem::path(path).replace_extension(extension);
     };
-    const std::string mtl_name = beside(".mtl").filename().string();
-    const std::string png_name = beside(".png").filename().string();
-    const Text text = obj_text(mesh, atlas, normals, mtl_name);
+    const auto name = [](const std::filesystem::path& file) { return file.filename().string(); };
+    const Text text = obj_text(content.mesh, content.atlas, content.normals, name(beside(".mtl")));
+    std::string material =
+        fmt::format("newmtl solid_texture\nKa 0 0 0\nKd 1 1 1\nKs 0 0 0\nillum 1\nmap_Kd {}\n",
+                    name(beside(".png")));
     std::vector<AtomicFile> files;
-    files.reserve(3 + levels.size());
-    for (std::size_t l = 1; l <= levels.size(); ++l)
-        files.emplace_back(beside(level_extension(l).c_str()).string()).write(levels[l - 1]);
-    files.emplace_back(beside(".png").string()).write(png);
-    files.emplace_back(beside(".mtl").string())
-        .write(fmt::format("newmtl solid_texture\nKa 0 0 0\nKd 1 1 1\nKs 0 0 0\nillum 1\n"
-                           "map_Kd {}\n",
-                           png_name));
+    files.reserve(4 + content.levels.size());
+    for (std::size_t l = 1; l <= content.levels.size(); ++l)
+        files.emplace_back(beside(level_extension(l)).string()).write(content.levels[l - 1]);
+    if (!content.normal_png.empty()) {
+        files.emplace_back(normal_map_path(path)).write(content.normal_png);
+        if (content.tangent_space)
+            material += fmt::format("norm {}\n", name(normal_map_path(path)));
+    }
+    files.emplace_back(beside(".png").string()).write(content.png);
+    files.emplace_back(beside(".mtl").string()).write(material);
     files.emplace_back(path).write(std::string_view(text.data(), text.size()));
     commit_together(files);
 }

@@ -11,13 +11,20 @@
 
 namespace burl {
 
-/// PATH, NAME.mtl, NAME.png (the bytes of `png`) and MIP level l in NAME.l.png beside it; all or
-/// none. Faces in the mesh's
-/// order, `v` in the shortest form that reads back to the same double, `vt` with v upwards. Further
-/// placements of a part follow as copies of their own, since OBJ has no instances. `normals` are
-/// per corner. Throws Error(io).
-void write_obj(const std::string& path, const Mesh& mesh, const Atlas& atlas,
-               std::span<const Vec3f> normals, std::span<const std::uint8_t> png,
-               std::span<const std::vector<std::uint8_t>> levels = {});
+struct ObjContent {
+    const Mesh& mesh;
+    const Atlas& atlas;
+    std::span<const Vec3f> normals;                     ///< per corner
+    std::span<const std::uint8_t> png;                  ///< the texture's file content
+    std::span<const std::vector<std::uint8_t>> levels;  ///< of MIP levels 1, 2, ...
+    std::span<const std::uint8_t> normal_png{};         ///< may be empty
+    bool tangent_space = true;                          ///< the normal map: named in the material
+};
+
+/// PATH, NAME.mtl, NAME.png, MIP level l in NAME.l.png and the normal map in NAME_normal.png beside
+/// it; all or none. Faces in the mesh's order, `v` in the shortest form that reads back to the same
+/// double, `vt` with v upwards. Further placements of a part follow as copies of their own, since
+/// OBJ has no instances. Throws Error(io).
+void write_obj(const std::string& path, const ObjContent& content);
 
 }  // namespace burl

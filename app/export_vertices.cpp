@@ -10,21 +10,30 @@
 namespace burl {
 namespace {
 
-using Vertices = UniqueRows<6>;  // point, u, v, normal
+using Vertices = UniqueRows<7>;  // point, u, v, normal, w of the tangent
 
 std::uint32_t bits(float value) {
     return std::bit_cast<std::uint32_t>(value + 0.0f);
 }  // -0 -> 0
 
-Vertices::Row vertex_row(const Mesh& mesh, const Atlas& atlas, const Vec3f& n, std::size_t t,
-                         std::size_t k) {
+/// Per triangle corner; the tangents may be empty.
+struct CornerFrames {
+    std::span<const Vec3f> normals;
+    std::span<const Vec4f> tangents;
+};
+
+Vertices::Row vertex_row(const Mesh& mesh, const Atlas& atlas, const CornerFrames& frames,
+                         std::size_t t, std::size_t k) {
+    const Vec3f& n = frames.normals[3 * t + k];
+    const float w = frames.tangents.empty() ? 1.0f : frames.tangents[3 * t + k].w;
     const Vec2d uv = atlas.corners[t][k] / atlas.extent();
     return {mesh.triangles[t][k],
             bits(float(uv.x)),
             bits(float(uv.y)),
             bits(n.x),
             bits(n.y),
-            bits(n.z)};
+            bits(n.z),
+            bits(w)};
 }
 
 Box3 box_of(const Mesh& mesh, const Part& part) {
@@ -77,7 +86,7 @@ void unpack(const Mesh& mesh, const Vertices& vertices, PartVertices& out) {
     }
 }
 
-PartVertices part_vertices(const Mesh& mesh, const Atlas& atlas, std::span<const Vec3f> normals,
+PartVertices part_vertices(const Mesh& mesh, const Atlas& atlas, const CornerFrames& frames,
                            std::span<const std::uint32_t> blocks, std::size_t index) {
     const Part& part = mesh.parts[index];
     const Box3 box = box_of(mesh, part);
@@ -90,8 +99,10 @@ PartVertices part_vertices(const Mesh& mesh, const Atlas& atlas, std::span<const
     for (std::size_t i = 0; i < part.triangle_count; ++i) {
         const std::size_t t = part.first_triangle + i;
         for (std::size_t k = 0; k < 3; ++k) {
-            out.indices.push_back(
-                vertices.insert(vertex_row(mesh, atlas, normals[3 * t + k], t, k)));
+            out.indices.push_back(vertices.insert(vertex_row(mesh, atlas, frames, t, k)));
+            // Corners that share a vertex share their tangent.
+            if (!frames.tangents.empty() && out.tangents.size() < vertices.rows().size())
+                out.tangents.push_back(frames.tangents[3 * t + k]);
             // Blocks do not touch at corners, so a vertex has one.
             if (!blocks.empty() && out.blocks.size() < vertices.rows().size())
                 out.blocks.push_back(rectangle_of(atlas, atlas.blocks[blocks[t]]));
@@ -104,12 +115,13 @@ PartVertices part_vertices(const Mesh& mesh, const Atlas& atlas, std::span<const
 }  // namespace
 
 std::vector<PartVertices> export_vertices(const Mesh& mesh, const Atlas& atlas,
-                                          std::span<const Vec3f> normals) {
+                                          std::span<const Vec3f> normals,
+                                          std::span<const Vec4f> tangents) {
     std::vector<PartVertices> parts;
     const std::vector<std::uint32_t> blocks = blocks_of_triangles(atlas);
     for (std::size_t i = 0; i < mesh.parts.size(); ++i) {
         if (mesh.parts[i].triangle_count > 0) {
-            parts.push_back(part_vertices(mesh, atlas, normals, blocks, i));
+            parts.push_back(part_vertices(mesh, atlas, {normals, tangents}, blocks, i));
         }
     }
     return parts;

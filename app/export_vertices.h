@@ -19,6 +19,7 @@ struct PartVertices {
     double scale = 1.0;    ///< a power of two; 1 unless the part's size is beyond 2^-60 .. 2^60
     std::vector<Vec3f> positions;
     std::vector<Vec3f> normals;             ///< unit length
+    std::vector<Vec4f> tangents;            ///< of glTF's TANGENT (app/tangents.h), or empty
     std::vector<std::array<float, 2>> uvs;  ///< corners / N, v = 0 at image row 0
     /// Of quad atlases: the block a vertex lies in, as texture coordinates low u, low v, high u,
     /// high v. A lookup of a MIP level that is clamped to it shows nothing of other blocks.
@@ -26,8 +27,10 @@ struct PartVertices {
     std::vector<std::uint32_t> indices;  ///< three per triangle, in the mesh's order
 };
 
-/// One entry per part that has triangles. `normals` are per corner (app/normals.h).
+/// One entry per part that has triangles. `normals` are per corner (app/normals.h), as `tangents`,
+/// which may be empty; corners share a vertex where w agrees, too.
 std::vector<PartVertices> export_vertices(const Mesh& mesh, const Atlas& atlas,
-                                          std::span<const Vec3f> normals);
+                                          std::span<const Vec3f> normals,
+                                          std::span<const Vec4f> tangents = {});
 
 }  // namespace burl

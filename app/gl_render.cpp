@@ -18,7 +18,7 @@ constexpr int tile_samples = 2048;  // largest side of the float target: 64 MiB 
 struct Vertex {
     Vec3f position, normal;
     glm::vec2 uv;
-    Vec4f color, block;
+    Vec4f color, block, tangent;
 };
 
 /// A surface on the GPU. Positions are moved and scaled into [-1,1] so that float32 suffices
@@ -30,6 +30,7 @@ struct GpuSurface {
     Mat4d local_from_unit{1.0};
     SceneMaterial material;
     bool in_blocks = false;  ///< lookups are clamped to the vertices' blocks
+    bool bumped = false;     ///< has a normal map and tangents for it
     std::vector<Mat4d> placements;
 };
 
@@ -50,6 +51,7 @@ std::vector<Vertex> pack_vertices(const Surface& surface, const Mat4d& frame) {
         vertices[i].normal = surface.normals[i];
         vertices[i].uv = surface.uvs.empty() ? glm::vec2(0.0f) : glm::vec2(surface.uvs[i]);
         vertices[i].color = surface.colors.empty() ? Vec4f(1.0f) : surface.colors[i];
+        vertices[i].tangent = surface.tangents.empty() ? Vec4f(0.0f) : surface.tangents[i];
         vertices[i].block = surface.blocks.empty() ? Vec4f(0, 0, 1, 1) : surface.blocks[i];
     }
     return vertices;
@@ -66,6 +68,7 @@ GpuSurface upload(const GladGLContext& gl, const Surface& surface) {
     gpu.material = surface.material;
     gpu.placements = surface.placements;
     gpu.in_blocks = !surface.blocks.empty();
+    gpu.bumped = surface.material.normals >= 0 && !surface.tangents.empty();
     gpu.local_from_unit = unit_frame(surface);
     gpu.index_count = GLsizei(3 * surface.triangles.size());
     const std::vector<Vertex> vertices = pack_vertices(surface, gpu.local_from_unit);
@@ -85,6 +88,7 @@ GpuSurface upload(const GladGLContext& gl, const Surface& surface) {
     set_attribute(gl, 2, 2, offsetof(Vertex, uv));
     set_attribute(gl, 3, 4, offsetof(Vertex, color));
     set_attribute(gl, 4, 4, offsetof(Vertex, block));
+    set_attribute(gl, 5, 4, offsetof(Vertex, tangent));
     check_gl(gl, "uploading a surface");
     return gpu;
 }
@@ -102,28 +106,28 @@ GLint wrap_mode(TextureWrap wrap) {
 }
 
 /// Rows lie without gaps.
-void upload_level(const GladGLContext& gl, GLint level, const Image<Rgb8>& image) {
-    gl.TexImage2D(GL_TEXTURE_2D, level, GL_SRGB8, GLsizei(image.width()), GLsizei(image.height()),
-                  0, GL_RGB, GL_UNSIGNED_BYTE, image.pixels().data());
+void upload_level(const GladGLContext& gl, GLint level, const Image<Rgb8>& image, bool is_color) {
+    gl.TexImage2D(GL_TEXTURE_2D, level, is_color ? GL_SRGB8 : GL_RGB8, GLsizei(image.width()),
+                  GLsizei(image.height()), 0, GL_RGB, GL_UNSIGNED_BYTE, image.pixels().data());
 }
 
 /// Box means, and in their place the file's own levels as far as those go.
-void upload_levels(const GladGLContext& gl, std::span<const Image<Rgb8>> levels) {
+void upload_levels(const GladGLContext& gl, const SceneTexture& texture) {
     gl.GenerateMipmap(GL_TEXTURE_2D);
-    for (std::size_t l = 1; l <= levels.size(); ++l) upload_level(gl, GLint(l), levels[l - 1]);
+    for (std::size_t l = 1; l <= texture.levels.size(); ++l)
+        upload_level(gl, GLint(l), texture.levels[l - 1], texture.is_color);
 }
 
-void set_filter(const GladGLContext& gl, TextureFilter filter,
-                std::span<const Image<Rgb8>> levels) {
+void set_filter(const GladGLContext& gl, TextureFilter filter, const SceneTexture& texture) {
     const bool nearest = filter == TextureFilter::nearest;
     const bool mip = filter == TextureFilter::mip;
     gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, nearest ? GL_NEAREST : GL_LINEAR);
     gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER,
                      nearest ? GL_NEAREST : (mip ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR));
-    if (mip) upload_levels(gl, levels);
+    if (mip) upload_levels(gl, texture);
 }
 
-/// The image as an sRGB texture: lookups decode each texel to linear light before they filter.
+/// Colours as an sRGB texture: lookups decode each texel to linear light before they filter.
 GlTexture upload(const GladGLContext& gl, const SceneTexture& texture, TextureFilter filter) {
     const Image<Rgb8>& image = texture.image;
     GLint limit = 0;
@@ -137,10 +141,10 @@ GlTexture upload(const GladGLContext& gl, const SceneTexture& texture, TextureFi
     GlTexture result = make_texture(gl);
     gl.BindTexture(GL_TEXTURE_2D, result.get());
     gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    upload_level(gl, 0, image);
+    upload_level(gl, 0, image, texture.is_color);
     gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, wrap_mode(texture.wrap_u));
     gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, wrap_mode(texture.wrap_v));
-    set_filter(gl, filter, texture.levels);
+    set_filter(gl, filter, texture);
     check_gl(gl, fmt::format("uploading a texture of {}x{} texels", image.width(), image.height()));
     return result;
 }
@@ -197,7 +201,7 @@ class Drawing {
         gl_.Uniform1i(program_.uniform("lit"), lit ? 1 : 0);
         gl_.Uniform1f(program_.uniform("ambient"), float(ambient));
         gl_.Uniform1i(program_.uniform("base_color"), 0);
-        gl_.ActiveTexture(GL_TEXTURE0);
+        gl_.Uniform1i(program_.uniform("normal_map"), 1);
 
         // Eye space in units of the far distance, so that float32 holds scenes of any size.
         Camera unit = camera;
@@ -214,20 +218,30 @@ class Drawing {
   private:
     void minify_blocks(const Scene& scene) {
         for (const Surface& surface : scene.surfaces) {
-            const int number = surface.material.texture;
-            if (surface.blocks.empty() || number < 0) continue;
-            const SceneTexture& texture = scene.textures[std::size_t(number)];
-            if (texture.filter != TextureFilter::linear) continue;
-            textures_[std::size_t(number)] = upload(gl_, texture, TextureFilter::mip);
+            if (surface.blocks.empty()) continue;
+            for (const int number : {surface.material.texture, surface.material.normals}) {
+                if (number < 0) continue;
+                const SceneTexture& texture = scene.textures[std::size_t(number)];
+                if (texture.filter != TextureFilter::linear) continue;
+                textures_[std::size_t(number)] = upload(gl_, texture, TextureFilter::mip);
+            }
         }
+    }
+
+    /// White where there is none.
+    void bind(GLenum unit, int number) const {
+        const GlTexture& texture = number < 0 ? white_ : textures_[std::size_t(number)];
+        gl_.ActiveTexture(unit);
+        gl_.BindTexture(GL_TEXTURE_2D, texture.get());
     }
 
     void draw(const GpuSurface& surface, const Mat4d& eye_from_scene,
               const Mat4d& clip_from_eye) const {
         const SceneMaterial& material = surface.material;
-        const GlTexture& texture =
-            material.texture < 0 ? white_ : textures_[std::size_t(material.texture)];
-        gl_.BindTexture(GL_TEXTURE_2D, texture.get());
+        bind(GL_TEXTURE0, material.texture);
+        bind(GL_TEXTURE1, material.normals);
+        gl_.Uniform1i(program_.uniform("bumped"), surface.bumped ? 1 : 0);
+        gl_.Uniform1f(program_.uniform("normal_scale"), material.normal_scale);
         gl_.Uniform4fv(program_.uniform("base_color_factor"), 1, &material.factor[0]);
         gl_.Uniform1i(program_.uniform("in_blocks"), surface.in_blocks && clamp_to_blocks_ ? 1 : 0);
         gl_.BindVertexArray(surface.vertex_array.get());

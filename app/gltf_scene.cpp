@@ -6,6 +6,7 @@
 #include <set>
 
 #include "app/node_transform.h"
+#include "app/tangents.h"
 #include "atlas/error.h"
 
 namespace burl {
@@ -77,11 +78,12 @@ std::size_t add_indices(GltfScene& scene, const std::vector<std::uint32_t>& indi
 /// Accessors of one part's arrays.
 struct PrimitiveIds {
     std::size_t position, normal, uv, indices;
-    std::optional<std::size_t> block;
+    std::optional<std::size_t> block, tangent;
 };
 
 std::size_t add_mesh(GltfScene& scene, const std::string& name, const PrimitiveIds& ids) {
     Json attributes{{"POSITION", ids.position}, {"NORMAL", ids.normal}, {"TEXCOORD_0", ids.uv}};
+    if (ids.tangent) attributes["TANGENT"] = *ids.tangent;
     if (ids.block) attributes["_BURL_BLOCK"] = *ids.block;
     const Json primitive{{"attributes", attributes}, {"indices", ids.indices}, {"material", 0}};
     return append(scene.json["meshes"], {{"name", name}, {"primitives", Json::array({primitive})}});
@@ -122,6 +124,8 @@ PartVertices placed(const PartVertices& vertices, const Mat4d& placement) {
     out.centre = Vec3d(placement * Vec4d(vertices.centre, 1.0));
     for (Vec3f& p : out.positions) p = Vec3f(linear * Vec3d(p)) + 0.0f;
     for (Vec3f& n : out.normals) n = normal_transform(n);
+    for (std::size_t i = 0; i < out.tangents.size(); ++i)
+        out.tangents[i] = placed_tangent(out.tangents[i], out.normals[i], linear);
     for (std::size_t i = 0; normal_transform.mirrors() && i + 2 < out.indices.size(); i += 3) {
         std::swap(out.indices[i + 1], out.indices[i + 2]);
     }
@@ -134,7 +138,12 @@ PrimitiveIds add_primitive(GltfScene& scene, const PartVertices& v) {
         add_accessor(scene, as_bytes(v.normals), gl_array_buffer, gl_float, v.normals.size(),
                      "VEC3"),
         add_accessor(scene, as_bytes(v.uvs), gl_array_buffer, gl_float, v.uvs.size(), "VEC2"),
-        add_indices(scene, v.indices, v.positions.size()), std::nullopt};
+        add_indices(scene, v.indices, v.positions.size()),
+        std::nullopt,
+        std::nullopt};
+    if (!v.tangents.empty())
+        ids.tangent = add_accessor(scene, as_bytes(v.tangents), gl_array_buffer, gl_float,
+                                   v.tangents.size(), "VEC4");
     if (!v.blocks.empty())
         ids.block = add_accessor(scene, as_bytes(v.blocks), gl_array_buffer, gl_float,
                                  v.blocks.size(), "VEC4");
@@ -190,12 +199,24 @@ Json sampler(const AtlasOptions& atlas) {
 
 /// A solid texture shows on whichever side is seen, so open sheets and meshes with faces wound both
 /// ways look whole: the material is double-sided.
-Json material() {
-    return {
+Json material(bool with_normals) {
+    Json json{
         {"name", "solid texture"},
         {"pbrMetallicRoughness",
          {{"baseColorTexture", {{"index", 0}}}, {"metallicFactor", 0.0}, {"roughnessFactor", 0.6}}},
         {"doubleSided", true}};
+    if (with_normals) json["normalTexture"] = {{"index", 1}};
+    return json;
+}
+
+/// The base colour, and the normal map.
+Json textures(const GltfContent& content) {
+    const std::size_t levels = content.levels.size();
+    Json color{{"sampler", 0}, {"source", 0}};
+    for (std::size_t l = 1; l <= levels; ++l) color["extras"]["burl_levels"].push_back(l);
+    Json result = Json::array({color});
+    if (!content.normal_png.empty()) result.push_back({{"sampler", 0}, {"source", 1 + levels}});
+    return result;
 }
 
 }  // namespace
@@ -221,11 +242,8 @@ GltfScene build_gltf_scene(const GltfContent& content) {
     for (const PartVertices& vertices : content.vertices) {
         add_part(scene, content.mesh.parts[vertices.part], fallback, vertices, names);
     }
-    scene.json["materials"] = Json::array({material()});
-    Json texture{{"sampler", 0}, {"source", 0}};
-    for (std::size_t l = 1; l <= content.levels.size(); ++l)
-        texture["extras"]["burl_levels"].push_back(l);
-    scene.json["textures"] = Json::array({texture});
+    scene.json["materials"] = Json::array({material(!content.normal_png.empty())});
+    scene.json["textures"] = textures(content);
     scene.json["samplers"] = Json::array({sampler(content.atlas)});
     return scene;
 }

@@ -15,8 +15,8 @@ struct GltfScene {
 };
 
 /// Meshes (one per part, one primitive each), nodes (one per placement), material, sampler,
-/// texture; images are left to the caller: 0 is the texture, l its MIP level l. The texture's
-/// extras.burl_levels lists those.
+/// textures; images are left to the caller: 0 is the texture, l its MIP level l, and the one after
+/// these the normal map, if any. The texture's extras.burl_levels lists the levels.
 GltfScene build_gltf_scene(const GltfContent& content);
 
 /// Appends bytes at a multiple of 4 and returns the number of the new bufferView.

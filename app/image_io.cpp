@@ -140,7 +140,8 @@ struct Raster {
     std::size_t stride() const { return width * 3 * std::size_t(bits / 8); }
 };
 
-bool write_all(Writer& w, const Raster& raster, int level, std::vector<std::uint8_t>* out) {
+bool write_all(Writer& w, const Raster& raster, int level, PngContent content,
+               std::vector<std::uint8_t>* out) {
     if (setjmp(png_jmpbuf(w.png))) return false;
     png_set_write_fn(w.png, out, on_write, on_flush);
     png_set_compression_level(w.png, level);
@@ -153,7 +154,7 @@ bool write_all(Writer& w, const Raster& raster, int level, std::vector<std::uint
     png_set_IHDR(w.png, w.info, png_uint_32(raster.width), png_uint_32(raster.height), raster.bits,
                  PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
                  PNG_FILTER_TYPE_DEFAULT);
-    png_set_sRGB(w.png, w.info, PNG_sRGB_INTENT_PERCEPTUAL);
+    if (content == PngContent::color) png_set_sRGB(w.png, w.info, PNG_sRGB_INTENT_PERCEPTUAL);
     png_write_info(w.png, w.info);
     if (raster.bits == 16 && std::endian::native == std::endian::little) png_set_swap(w.png);
     for (std::size_t y = 0; y < raster.height; ++y) {
@@ -163,7 +164,7 @@ bool write_all(Writer& w, const Raster& raster, int level, std::vector<std::uint
     return true;
 }
 
-std::vector<std::uint8_t> encode(const Raster& raster, int level) {
+std::vector<std::uint8_t> encode(const Raster& raster, int level, PngContent content) {
     if (raster.width > max_side || raster.height > max_side) {
         throw Error(ExitCode::runtime, fmt::format("an image of {} x {} is too large for PNG",
                                                    raster.width, raster.height));
@@ -171,7 +172,7 @@ std::vector<std::uint8_t> encode(const Raster& raster, int level) {
     std::vector<std::uint8_t> out;
     out.reserve(raster.stride() * raster.height / 2 + 1024);
     Writer writer;
-    if (!writer.info || !write_all(writer, raster, level, &out)) {
+    if (!writer.info || !write_all(writer, raster, level, content, &out)) {
         throw Error(ExitCode::runtime,
                     fmt::format("the PNG image of {} x {} could not be encoded: {}", raster.width,
                                 raster.height, writer.message.text));
@@ -207,12 +208,12 @@ Image<Rgb8> read_png(const std::string& path) {
     return decode_png(read_file_bytes(path), path);
 }
 
-std::vector<std::uint8_t> encode_png(const Image<Rgb8>& image, int level) {
-    return encode(raster_of(image), level);
+std::vector<std::uint8_t> encode_png(const Image<Rgb8>& image, int level, PngContent content) {
+    return encode(raster_of(image), level, content);
 }
 
-std::vector<std::uint8_t> encode_png(const Image<Rgb16>& image, int level) {
-    return encode(raster_of(image), level);
+std::vector<std::uint8_t> encode_png(const Image<Rgb16>& image, int level, PngContent content) {
+    return encode(raster_of(image), level, content);
 }
 
 void write_png(const std::string& path, const Image<Rgb8>& image) {

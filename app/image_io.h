@@ -22,10 +22,15 @@ Image<Rgb8> read_png(const std::string& path);
 /// The same from bytes in memory; `origin` names them in messages.
 Image<Rgb8> decode_png(std::span<const std::uint8_t> bytes, const std::string& origin);
 
-/// PNG file content, row 0 on top, marked sRGB. `level` 0..9 is zlib's. The image has at least one
+/// Colours are marked sRGB; data (normals) must not be taken for colours.
+enum class PngContent { color, data };
+
+/// PNG file content, row 0 on top. `level` 0..9 is zlib's. The image has at least one
 /// pixel. Throws Error(runtime) when it cannot be encoded (too large).
-std::vector<std::uint8_t> encode_png(const Image<Rgb8>& image, int level = default_png_level);
-std::vector<std::uint8_t> encode_png(const Image<Rgb16>& image, int level = default_png_level);
+std::vector<std::uint8_t> encode_png(const Image<Rgb8>& image, int level = default_png_level,
+                                     PngContent content = PngContent::color);
+std::vector<std::uint8_t> encode_png(const Image<Rgb16>& image, int level = default_png_level,
+                                     PngContent content = PngContent::color);
 
 /// Writes the file whole or not at all (app/atomic_file.h). Throws Error(io).
 void write_png(const std::string& path, const Image<Rgb8>& image);

@@ -1,6 +1,8 @@
 #pragma once
-// How files of MIP levels are called beside the texture: a.png, a.1.png, a.2.png, ...
+// How files beside the texture are called: MIP levels a.png, a.1.png, a.2.png, ..., and the normal
+// map a_normal.png.
 #include <cstddef>
+#include <filesystem>
 #include <string>
 
 #include <fmt/format.h>
@@ -10,6 +12,14 @@ namespace burl {
 /// The extension that replaces the texture's own, for level `level` >= 1.
 inline std::string level_extension(std::size_t level) {
     return fmt::format(".{}.png", level);
+}
+
+/// Beside an output of any kind.
+inline std::string normal_map_path(const std::string& out_path) {
+    const std::filesystem::path path(out_path);
+    return std::filesystem::path(path)
+        .replace_filename(path.stem().string() + "_normal.png")
+        .string();
 }
 
 }  // namespace burl

@@ -2,8 +2,11 @@
 
 #include <utility>
 
+#include "app/normals.h"
+#include "app/tangents.h"
 #include "procedural/synthesize.h"
 #include "procedural/synthesize_graph.h"
+#include "procedural/synthesize_normals.h"
 #include "procedural/synthesize_texels.h"
 
 namespace burl {
@@ -94,6 +97,27 @@ Image<Pixel> Pipeline::synthesize() {
     });
 }
 
+template <class Pixel>
+Image<Pixel> Pipeline::normal_map(double crease_degrees, bool tangent_space) {
+    const SolidAtlas& points = solid();
+    return timed("normals", [&] {
+        const Mesh& placed = atlas_mesh();
+        const std::vector<Vec3d> positions =
+            map_positions(placed, solid_from_mesh(mesh_, recipe_.solid.space));
+        const std::vector<Vec3f> normals = corner_normals(placed, crease_degrees);
+        std::vector<Vec4f> tangents;
+        if (tangent_space)
+            tangents =
+                corner_tangents(placed.positions, placed.triangles, corner_uvs(atlas()), normals);
+        return synthesize_normals<Pixel>(points, {placed, atlas(), positions, normals, tangents},
+                                         recipe_.bump, texture_from_solid(recipe_), recipe_.filter,
+                                         threads_);
+    });
+}
+
+template Image<RgbF> Pipeline::normal_map(double, bool);
+template Image<Rgb8> Pipeline::normal_map(double, bool);
+template Image<Rgb16> Pipeline::normal_map(double, bool);
 template Image<Rgb8> Pipeline::synthesize();
 template Image<Rgb16> Pipeline::synthesize();
 template Image<RgbF> Pipeline::synthesize();

@@ -41,6 +41,11 @@ class Pipeline {
     /// The texture; one of Rgb8, Rgb16 and RgbF.
     template <class Pixel>
     Image<Pixel> synthesize();
+    /// The recipe's bumps, which it must have, as a normal map of the atlas's mesh with the normals
+    /// of app/normals.h, in the tangent frames of app/tangents.h or in the mesh's own directions;
+    /// one of Rgb8 and Rgb16, linear codes, and RgbF, components from -1 to 1.
+    template <class Pixel>
+    Image<Pixel> normal_map(double crease_degrees, bool tangent_space);
 
     const std::vector<StageTime>& times() const { return times_; }
 

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "app/normals.h"
+#include "app/tangents.h"
 #include "atlas/error.h"
 #include "atlas/mesh_io.h"
 
@@ -24,6 +25,16 @@ Scene load_plain_mesh(const std::string& path) {
     const Mesh mesh = read_mesh(path);
     const bool colored = !mesh.corners.colors.empty();
     return scene_from_mesh(mesh, {colored ? Vec4f(1.0f) : default_grey, -1});
+}
+
+/// Values by vertex, if any, as values by corner.
+template <class T>
+void spread(std::vector<T>& values, const std::vector<Triangle>& triangles) {
+    if (values.empty()) return;
+    std::vector<T> spread;
+    for (const Triangle& triangle : triangles)
+        for (const std::uint32_t vertex : triangle) spread.push_back(values[vertex]);
+    values = std::move(spread);
 }
 
 }  // namespace
@@ -59,9 +70,23 @@ Scene scene_from_mesh(const Mesh& mesh, const SceneMaterial& material) {
                 }
             }
         }
+        if (material.normals >= 0) add_tangents(surface);
         scene.surfaces.push_back(std::move(surface));
     }
     return scene;
+}
+
+void add_tangents(Surface& surface) {
+    spread(surface.positions, surface.triangles);
+    spread(surface.normals, surface.triangles);
+    spread(surface.uvs, surface.triangles);
+    spread(surface.colors, surface.triangles);
+    spread(surface.blocks, surface.triangles);
+    std::uint32_t corner = 0;
+    for (Triangle& triangle : surface.triangles)
+        for (std::uint32_t& vertex : triangle) vertex = corner++;
+    surface.tangents =
+        corner_tangents(surface.positions, surface.triangles, surface.uvs, surface.normals);
 }
 
 Sphere bounding_sphere(const Scene& scene) {

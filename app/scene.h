@@ -27,11 +27,14 @@ struct SceneTexture {
     TextureWrap wrap_u = TextureWrap::repeat, wrap_v = TextureWrap::repeat;
     /// MIP levels 1, 2, ... the file brings; without any, box means are made where needed.
     std::vector<Image<Rgb8>> levels{};
+    bool is_color = true;  ///< false: linear codes (normals)
 };
 
 struct SceneMaterial {
     Vec4f factor{1.0f};  ///< linear, times the texture's colour; alpha is not drawn
     int texture = -1;    ///< index into Scene::textures, -1: white
+    int normals = -1;    ///< the same of a normal map in tangent space, -1: none
+    float normal_scale = 1.0f;
 };
 
 /// Indexed triangles drawn with one material at one or more places.
@@ -39,6 +42,7 @@ struct Surface {
     std::vector<Vec3d> positions;  ///< local
     std::vector<Vec3f> normals;    ///< one per position
     std::vector<Vec2d> uvs;        ///< one per position, or empty
+    std::vector<Vec4f> tangents;   ///< one per position (procedural/tangent_frame.h), or empty
     std::vector<Vec4f> colors;     ///< linear, one per position, or empty
     /// Per position the part of the texture it may show (low u, low v, high u, high v), or empty:
     /// lookups of every MIP level are clamped to it.
@@ -55,15 +59,18 @@ struct Scene {
     std::vector<std::string> notes;  ///< what is drawn otherwise than the file says, for stderr
 };
 
-/// Loads .glb or .gltf with its PNG textures. Of an .obj with one material, Kd and map_Kd are used.
-/// Everything else (.ply, .stl, .off, .obj with several materials) is drawn in its vertex colours
-/// or grey. Throws Error: io, invalid_file, unsupported (other formats; JPEG, WebP or KTX
+/// Loads .glb or .gltf with its PNG textures. Of an .obj with one material, Kd, map_Kd and norm are
+/// used. Everything else (.ply, .stl, .off, .obj with several materials) is drawn in its vertex
+/// colours or grey. Throws Error: io, invalid_file, unsupported (other formats; JPEG, WebP or KTX
 /// textures).
 Scene load_scene(const std::string& path);
 
 /// The two halves of load_scene that know materials.
 Scene load_gltf_scene(const std::string& path);
 Scene load_obj_scene(const std::string& path);
+
+/// Gives a surface with UVs tangents (app/tangents.h), and each corner a vertex of its own.
+void add_tangents(Surface& surface);
 
 /// What surfaces without a material look like.
 inline constexpr Vec4f default_grey{0.6f, 0.6f, 0.6f, 1.0f};

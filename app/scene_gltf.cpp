@@ -92,8 +92,10 @@ class GltfSceneLoader {
                 {soup.corners[i], soup.corners[i + 1], soup.corners[i + 2]});
         }
         set_blocks(surface, primitive);
+        set_tangents(surface, primitive);
         if (primitive.material >= 0) set_material(surface, primitive, where);
         if (surface.normals.empty()) make_flat(surface);
+        if (surface.material.normals >= 0 && surface.tangents.empty()) add_tangents(surface);
         scene_.surfaces.push_back(std::move(surface));
     }
 
@@ -109,6 +111,37 @@ class GltfSceneLoader {
         }
     }
 
+    /// Looked at where there is a normal map; without them they are computed.
+    void set_tangents(Surface& surface, const tinygltf::Primitive& primitive) const {
+        const auto found = primitive.attributes.find("TANGENT");
+        if (found == primitive.attributes.end()) return;
+        const AccessorValues values = read_accessor(model_, found->second);
+        if (values.components != 4 || values.count() != surface.positions.size()) return;
+        for (std::size_t i = 0; i < values.count(); ++i) {
+            const double* v = values[i];
+            surface.tangents.emplace_back(float(v[0]), float(v[1]), float(v[2]), float(v[3]));
+        }
+    }
+
+    /// Normal maps that cannot be drawn are left out with a note: without them the surface still
+    /// has its colour.
+    void set_normal_map(Surface& surface, const tinygltf::NormalTextureInfo& info,
+                        const std::string& where) {
+        const auto leave_out = [&](std::string_view why) {
+            scene_.notes.push_back(
+                fmt::format("{}: the normal map of {} {}; drawn without", path_, where, why));
+        };
+        if (info.extensions.contains("KHR_texture_transform"))
+            return leave_out("uses KHR_texture_transform");
+        if (info.texCoord != 0 || surface.uvs.size() != surface.positions.size())
+            return leave_out("has other texture coordinates than TEXCOORD_0");
+        const int source = model_.textures[std::size_t(info.index)].source;
+        if (source < 0 || image_type(model_.images[std::size_t(source)].image) != "PNG")
+            return leave_out("is not a PNG that is there");
+        surface.material.normals = texture(info.index, false);
+        surface.material.normal_scale = float(info.scale);
+    }
+
     void set_material(Surface& surface, const tinygltf::Primitive& primitive,
                       const std::string& where) {
         const tinygltf::Material& material = model_.materials[std::size_t(primitive.material)];
@@ -116,6 +149,8 @@ class GltfSceneLoader {
         for (std::size_t k = 0; k < 4 && factor.size() == 4; ++k) {
             surface.material.factor[int(k)] = float(factor[k]);
         }
+        if (material.normalTexture.index >= 0)
+            set_normal_map(surface, material.normalTexture, where);
         const tinygltf::TextureInfo& info = material.pbrMetallicRoughness.baseColorTexture;
         if (info.index < 0) return;
         if (info.extensions.contains("KHR_texture_transform")) {
@@ -124,7 +159,7 @@ class GltfSceneLoader {
                                     "the transform to the UVs",
                                     path_, where));
         }
-        surface.material.texture = texture(info.index);
+        surface.material.texture = texture(info.index, true);
         if (info.texCoord != 0) surface.uvs = texture_coordinates(primitive, info, where);
         if (surface.uvs.size() != surface.positions.size()) {
             throw invalid_file(path_, 0,
@@ -151,12 +186,14 @@ class GltfSceneLoader {
         return uvs;
     }
 
-    /// Index of a glTF texture in the scene, loaded at its first use.
-    int texture(int number) {
-        const auto [entry, is_new] = loaded_.try_emplace(number, int(scene_.textures.size()));
+    /// Index of a glTF texture in the scene, loaded at its first use as colour or as data.
+    int texture(int number, bool is_color) {
+        const auto [entry, is_new] =
+            loaded_.try_emplace({number, is_color}, int(scene_.textures.size()));
         if (!is_new) return entry->second;
         const tinygltf::Texture& source = model_.textures[std::size_t(number)];
         SceneTexture texture;
+        texture.is_color = is_color;
         texture.image = image(source.source);
         add_levels(texture, source);
         if (source.sampler >= 0) {
@@ -232,7 +269,7 @@ class GltfSceneLoader {
     const tinygltf::Model& model_;
     const std::string& path_;
     Scene scene_;
-    std::map<int, int> loaded_;  ///< glTF texture to scene texture
+    std::map<std::pair<int, bool>, int> loaded_;  ///< glTF texture, as colour, to scene texture
 };
 
 std::vector<std::string> files_beside(const tinygltf::Model& model, const std::string& path) {

@@ -1,5 +1,5 @@
-// Scenes from Wavefront OBJ: the mesh as read_mesh() gives it, with the diffuse colour and map of
-// its material library when the file uses one material, as `burl bake` writes it.
+// Scenes from Wavefront OBJ: the mesh as read_mesh() gives it, with the diffuse colour and map and
+// the normal map of its material library when the file uses one material, as `burl bake` writes it.
 #include <filesystem>
 #include <optional>
 #include <set>
@@ -50,7 +50,8 @@ MaterialUse find_materials(const std::string& path) {
 
 struct ObjMaterial {
     Vec4f color{1.0f};
-    std::string map;  ///< map_Kd as written, empty: none
+    std::string map;      ///< map_Kd as written, empty: none
+    std::string normals;  ///< norm, the same
 };
 
 Vec4f parse_color(const FileBuffer& file, std::string_view rest) {
@@ -72,6 +73,8 @@ std::optional<ObjMaterial> parse_material(const FileBuffer& file, const std::str
             material->color = parse_color(file, rest);
         } else if (inside && keyword == "map_Kd") {
             material->map = rest;
+        } else if (inside && keyword == "norm") {
+            material->normals = rest;
         }
     });
     return material;
@@ -107,18 +110,22 @@ std::optional<ObjMaterial> whole_material(const std::string& path, const Materia
     return material;
 }
 
-Image<Rgb8> read_map(const std::string& obj_path, const ObjMaterial& material) {
-    if (material.map.starts_with('-')) {
+bool is_png(const std::filesystem::path& file) {
+    return file.extension() == ".png" || file.extension() == ".PNG";
+}
+
+Image<Rgb8> read_map(const std::string& obj_path, const char* keyword, const std::string& map) {
+    if (map.starts_with('-')) {
         throw Error(ExitCode::unsupported,
-                    fmt::format("{}: options of map_Kd ({}) are not supported; leave only the file "
+                    fmt::format("{}: options of {} ({}) are not supported; leave only the file "
                                 "name",
-                                obj_path, printable(material.map)));
+                                obj_path, keyword, printable(map)));
     }
-    const std::filesystem::path file(material.map);
-    if (file.extension() != ".png" && file.extension() != ".PNG") {
+    const std::filesystem::path file(map);
+    if (!is_png(file)) {
         throw Error(ExitCode::unsupported, fmt::format("{}: the texture {} is not a PNG; convert "
                                                        "it to PNG",
-                                                       obj_path, printable(material.map)));
+                                                       obj_path, printable(map)));
     }
     return read_png((std::filesystem::path(obj_path).parent_path() / file).string());
 }
@@ -130,18 +137,35 @@ Scene load_obj_scene(const std::string& path) {
     std::vector<std::string> notes;
     const MaterialUse use = find_materials(path);
     const auto material = whole_material(path, use, notes);
-    const bool textured = material && !material->map.empty() && !mesh.corners.uvs.empty();
     const bool colored = !mesh.corners.colors.empty();
+    const bool mapped = material && !mesh.corners.uvs.empty();
+    const auto folder = std::filesystem::path(path).parent_path();
 
     SceneMaterial look;
     if (!material) look.factor = colored ? Vec4f(1.0f) : default_grey;
     if (material) look.factor = material->color;
-    if (textured) look.texture = 0;
+    std::vector<SceneTexture> textures;
+    std::vector<std::string> files;
+    const auto add_texture = [&](const char* keyword, const std::string& map, bool is_color) {
+        textures.push_back({read_map(path, keyword, map)});
+        textures.back().is_color = is_color;
+        files.push_back((folder / map).string());
+        return int(textures.size()) - 1;
+    };
+    if (material) files.push_back((folder / use.library).string());
+    if (mapped && !material->map.empty()) look.texture = add_texture("map_Kd", material->map, true);
+    if (mapped && !material->normals.empty()) {
+        if (is_png(material->normals) && file_exists(folder / material->normals))
+            look.normals = add_texture("norm", material->normals, false);
+        else
+            notes.push_back(
+                fmt::format("{}: the normal map {} is not a PNG that is there; drawn "
+                            "without",
+                            path, printable(material->normals)));
+    }
     Scene scene = scene_from_mesh(mesh, look);
-    if (textured) scene.textures.push_back({read_map(path, *material)});
-    const auto folder = std::filesystem::path(path).parent_path();
-    if (material) scene.files.push_back((folder / use.library).string());
-    if (textured) scene.files.push_back((folder / material->map).string());
+    scene.textures = std::move(textures);
+    scene.files = std::move(files);
     scene.notes = std::move(notes);
     return scene;
 }

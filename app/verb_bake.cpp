@@ -6,6 +6,7 @@
 #include "app/animation.h"
 #include "app/bake_compress.h"
 #include "app/bake_levels.h"
+#include "app/bake_normals.h"
 #include "app/command_options.h"
 #include "app/export.h"
 #include "app/report.h"
@@ -23,7 +24,7 @@ struct BakeCommand {
     MeshOptions meshes;
     int threads = 0, depth = 8;
     double crease = 40.0;
-    std::string levels;
+    std::string levels, normals;
     std::optional<double> compress;
     bool json = false, quiet = false;
 };
@@ -61,27 +62,35 @@ void tell_fallback(Pipeline& pipeline) {
     if (!why.empty()) warn(fmt::format("{}: {}", pipeline.mesh().name, why));
 }
 
+/// What is written besides the texture.
+struct Extras {
+    std::uint32_t levels = 0;
+    NormalSpace normals = NormalSpace::none;
+    bool has_normals() const { return normals != NormalSpace::none; }
+};
+
 /// Every file that will be written.
-std::vector<std::string> all_outputs(const BakeCommand& command, std::uint32_t levels) {
+std::vector<std::string> all_outputs(const BakeCommand& command, const Extras& extras) {
     std::vector<std::string> outputs;
     for (const std::string& path : frame_paths(command.out, command.animation))
-        for (std::string& file : output_paths(path, levels)) outputs.push_back(std::move(file));
+        for (std::string& file : output_paths(path, extras.levels, extras.has_normals()))
+            outputs.push_back(std::move(file));
     return outputs;
 }
 
-Json bake_json(const BakeCommand& command, Pipeline& pipeline, std::size_t levels, Json seconds) {
+Json bake_json(const BakeCommand& command, Pipeline& pipeline, const Extras& extras, Json seconds) {
     const AtlasMetrics metrics = measure(pipeline.atlas_mesh(), pipeline.atlas(), pipeline.solid());
     Json atlas = metrics_json(pipeline.atlas(), metrics);
     if (const PatchAtlas* patches = pipeline.mesh_atlas().patches())
         atlas["patch"] = patches_json(*patches);
     return {{"input", command.mesh},
-            {"outputs", all_outputs(command, std::uint32_t(levels))},
+            {"outputs", all_outputs(command, extras)},
             {"recipe", Json::parse(to_json(pipeline.recipe()))},
             {"mesh", mesh_json(pipeline.mesh(), pipeline.connectivity())},
             {"atlas", std::move(atlas)},
             {"capacity",
              capacity_json(capacity(pipeline.mesh().triangles.size(), pipeline.recipe().atlas))},
-            {"mip_levels", levels},
+            {"mip_levels", extras.levels},
             {"seconds", std::move(seconds)},
             {"versions", versions_json()}};
 }
@@ -98,25 +107,29 @@ void print_summary(const Json& report) {
         atlas["relative_scale"].get<double>(), report["seconds"]["total"].get<double>());
 }
 
-void check_report(const BakeCommand& command, std::uint32_t levels) {
+void check_report(const BakeCommand& command, const Extras& extras) {
     if (command.report.empty() || command.report == "-") return;
-    std::vector<std::string> taken = all_outputs(command, levels);
+    std::vector<std::string> taken = all_outputs(command, extras);
     taken.push_back(command.mesh);
     taken.push_back(command.recipe.recipe);
     check_side_output(command.report, "", taken);
 }
 
 /// Everything that the command line can be wrong about, before any work starts.
-void check_command(const BakeCommand& command, const Recipe& recipe, std::uint32_t levels) {
+void check_command(const BakeCommand& command, const Recipe& recipe, const Extras& extras) {
     if (command.animation.asked() && holds_mesh(command.out))
         throw Error(ExitCode::usage,
                     fmt::format("{}: --animate writes textures alone, .png or .exr; bake the mesh "
                                 "once without --animate: its texture coordinates fit every frame",
                                 command.out));
     for (const std::string& path : frame_paths(command.out, command.animation))
-        check_output(path, command.mesh, levels);
-    check_report(command, levels);
+        check_output(path, command.mesh, extras.levels, extras.has_normals());
+    check_report(command, extras);
     check_compress(command.compress, recipe.atlas.kind);
+    if (command.compress && extras.has_normals())
+        throw Error(ExitCode::usage,
+                    "--compress: blocks alike in colour may differ in their normals; add --normals "
+                    "none to leave the bumps out");
 }
 
 /// Strips may not hold the mesh at all, which is then the one thing to say.
@@ -136,10 +149,11 @@ struct Written {
 
 /// The pipeline's recipe as a texture in its file.
 Written write_texture(const BakeCommand& command, Pipeline& pipeline, const std::string& path,
-                      ImageKind kind, std::uint32_t levels) {
+                      ImageKind kind, const Extras& extras) {
     ExportOptions options;
-    Written written{compressed_bake(pipeline.atlas(), synthesize(pipeline, kind, levels, options),
-                                    command.compress)};
+    Written written{compressed_bake(
+        pipeline.atlas(), synthesize(pipeline, kind, extras.levels, options), command.compress)};
+    options.normals = bake_normals(pipeline, extras.normals, command.depth, command.crease);
     const auto writing = Clock::now();
     options.crease_degrees = command.crease;
     options.recipe_json = to_json(pipeline.recipe());
@@ -154,8 +168,9 @@ void run_bake(const BakeCommand& command) {
     const ImageKind kind = wanted_kind(command.out, command.depth);
     const std::vector<std::string> paths = frame_paths(command.out, command.animation);
     const std::vector<Recipe> recipes = frame_recipes(command.recipe, command.animation);
-    const std::uint32_t levels = levels_asked(command.levels, recipes[0].atlas.size, kind);
-    check_command(command, recipes[0], levels);
+    Extras extras{levels_asked(command.levels, recipes[0].atlas.size, kind),
+                  normals_asked(command.normals, recipes[0], command.out)};
+    check_command(command, recipes[0], extras);
     Pipeline pipeline(command.meshes.load(command.mesh));
     const double reading = seconds_since(start);
     pipeline.set_recipe(recipes[0]);
@@ -165,7 +180,7 @@ void run_bake(const BakeCommand& command) {
     double writing = 0.0;
     for (std::size_t i = 0; i < paths.size(); ++i) {
         pipeline.set_recipe(recipes[i]);
-        written = write_texture(command, pipeline, paths[i], kind, levels);
+        written = write_texture(command, pipeline, paths[i], kind, extras);
         writing += written.seconds;
     }
     Json seconds = {{"read", reading}};
@@ -173,7 +188,8 @@ void run_bake(const BakeCommand& command) {
     seconds["write"] = writing;
     seconds["total"] = seconds_since(start);
     pipeline.set_recipe(recipes[0]);
-    Json report = bake_json(command, pipeline, written.levels, std::move(seconds));
+    extras.levels = std::uint32_t(written.levels);
+    Json report = bake_json(command, pipeline, extras, std::move(seconds));
     const BakedAtlas& baked = written.baked;
     if (baked.compressed) report["compressed"] = compress_json(baked);
     if (command.animation.asked()) report["animation"] = command.animation.keys;
@@ -213,6 +229,10 @@ void add_bake(CLI::App& program) {
         ->excludes("--levels");
     for (const char* option : {"--levels", "--compress"})
         verb->get_option("--animate")->excludes(verb->get_option(option));
+    verb->add_option("--normals", command->normals,
+                     "Normal map of the recipe's bumps: tangent (the default; in the material of "
+                     ".glb, .gltf and .obj, else beside as NAME_normal.png), object or none")
+        ->check(CLI::IsMember({"tangent", "object", "none"}));
     verb->add_option("--depth", command->depth, "Bits per channel of .png textures")
         ->check(CLI::IsMember({8, 16}))
         ->capture_default_str();

@@ -1,13 +1,19 @@
 #version 330 core
 // Base colour in linear light, under a headlight: ambient + (1 - ambient) |n.v| as in
-// app/shading.h. The target is linear float; sRGB encoding happens after averaging, on the host.
+// app/shading.h, with n bumped by a normal map as in procedural/tangent_frame.h. The target is linear float; sRGB encoding happens after averaging, on the host.
 in vec3 eye_position;
 in vec3 eye_normal;
+in vec3 local_normal;
+in vec4 local_tangent;  // w: sign of the bitangent
 in vec2 texture_uv;
 in vec4 vertex_color;
 flat in vec4 texture_block;  // low u, low v, high u, high v
 
 uniform sampler2D base_color;
+uniform sampler2D normal_map;
+uniform bool bumped;
+uniform float normal_scale;
+uniform mat3 normal_from_local;
 uniform vec4 base_color_factor;
 uniform bool in_blocks;  // lookups keep to the block
 uniform bool lit;
@@ -15,35 +21,50 @@ uniform float ambient;
 
 out vec4 fragment;
 
-float headlight() {
-    float lengths = length(eye_normal) * length(eye_position);
-    float cosine = lengths > 0.0 ? abs(dot(eye_normal, eye_position)) / lengths : 1.0;
-    return ambient + (1.0 - ambient) * min(cosine, 1.0);
-}
-
 // Bilinear in one level, half of its texels off the block's border; of a block under one texel the
 // middle.
-vec4 block_level(float level) {
-    vec2 half_texel = 0.5 / vec2(textureSize(base_color, int(level)));
+vec4 block_level(sampler2D map, float level) {
+    vec2 half_texel = 0.5 / vec2(textureSize(map, int(level)));
     vec2 middle = 0.5 * (texture_block.xy + texture_block.zw);
     vec2 low = min(texture_block.xy + half_texel, middle);
     vec2 high = max(texture_block.zw - half_texel, middle);
-    return textureLod(base_color, clamp(texture_uv, low, high), level);
+    return textureLod(map, clamp(texture_uv, low, high), level);
 }
 
 // Trilinear, the level chosen as OpenGL does (specification 8.14.1, the larger derivative).
-vec4 block_lookup() {
-    vec2 size = vec2(textureSize(base_color, 0));
+vec4 block_lookup(sampler2D map) {
+    vec2 size = vec2(textureSize(map, 0));
     vec2 along_x = dFdx(texture_uv) * size, along_y = dFdy(texture_uv) * size;
     float footprint = max(max(dot(along_x, along_x), dot(along_y, along_y)), 1.0);
     float last = floor(log2(max(size.x, size.y)));
     float level = min(0.5 * log2(footprint), last);
-    return mix(block_level(floor(level)), block_level(min(floor(level) + 1.0, last)),
+    return mix(block_level(map, floor(level)), block_level(map, min(floor(level) + 1.0, last)),
                fract(level));
 }
 
+vec4 lookup(sampler2D map) {
+    return in_blocks ? block_lookup(map) : texture(map, texture_uv);
+}
+
+// In eye space, of any length.
+vec3 shading_normal() {
+    if (!bumped) return eye_normal;
+    vec3 normal = normalize(local_normal), tangent = normalize(local_tangent.xyz);
+    vec3 bitangent = cross(normal, tangent) * local_tangent.w;
+    vec3 share = (2.0 * lookup(normal_map).xyz - 1.0) * vec3(normal_scale, normal_scale, 1.0);
+    return normal_from_local * (share.x * tangent + share.y * bitangent + share.z * normal);
+}
+
+// Lit on the side that the surface itself shows.
+float headlight() {
+    vec3 normal = shading_normal();
+    float lengths = length(normal) * length(eye_position);
+    float towards = dot(eye_normal, eye_position) > 0.0 ? 1.0 : -1.0;
+    float cosine = lengths > 0.0 ? towards * dot(normal, eye_position) / lengths : 1.0;
+    return ambient + (1.0 - ambient) * clamp(cosine, 0.0, 1.0);
+}
+
 void main() {
-    vec4 texel = in_blocks ? block_lookup() : texture(base_color, texture_uv);
-    vec4 color = texel * base_color_factor * vertex_color;
+    vec4 color = lookup(base_color) * base_color_factor * vertex_color;
     fragment = vec4(lit ? color.rgb * headlight() : color.rgb, 1.0);
 }

@@ -51,6 +51,14 @@ void write_16_bit(const std::string& path) {
     export_scene(path, mesh, pair_atlas(mesh, 64), to_rgb16(sample_image(64)));
 }
 
+/// Any normals do: what counts is that the document holds them as it must.
+void write_normal_map(const std::string& path, const Mesh& mesh) {
+    ExportOptions options;
+    options.normals = NormalMap{Image<Rgb8>(64, 64, {128, 128, 255}), true};
+    options.levels = {Image<Rgb8>(32, 32), Image<Rgb8>(16, 16)};
+    export_scene(path, mesh, pair_atlas(mesh, 64), sample_image(64), options);
+}
+
 }  // namespace
 
 int main(int count, char** arguments) try {
@@ -65,6 +73,10 @@ int main(int count, char** arguments) try {
     write(folder + "huge.glb", scaled_cube(1e30));
     write(folder + "sphere_long_indices.glb", sphere_mesh(180, 200));
     write_16_bit(folder + "sixteen_bit.glb");
+    write_normal_map(folder + "normal_map.glb", cubes_in_placements());
+    write_normal_map(folder + "normal map.gltf", cubes_in_placements());
+    write_normal_map(folder + "normal_map_degenerate.glb", degenerate_faces());
+    write_normal_map(folder + "normal_map_tiny.glb", scaled_cube(1e-30));
     return 0;
 } catch (const std::exception& e) {
     std::fprintf(stderr, "gltf_samples: %s\n", e.what());

@@ -124,7 +124,7 @@ TEST(Parameters, AllowTheAtlasSizesTheLayoutDoes) {
 TEST(Presets, AreAllDocumented) {
     const std::string all = documentation();
     const std::string text = all.substr(all.find("## Presets"));
-    EXPECT_EQ(embedded_recipes().size(), 15u);
+    EXPECT_EQ(embedded_recipes().size(), 18u);
     for (const EmbeddedFile& file : embedded_recipes()) {
         const std::string_view name = file.name.substr(0, file.name.find('.'));
         EXPECT_NE(text.find(fmt::format("\n| `{}` |", name)), std::string::npos) << name;

@@ -27,5 +27,9 @@ if [ -n "$burl" ]; then
             done
         done
     done
+    for atlas in uniform quad patch; do
+        "$burl" bake "$meshes/king.obj" -o "$scratch/bumps.$atlas.glb" --atlas $atlas --size 512 --recipe hammered \
+            >/dev/null 2>&1 || { echo "burl bake failed on bumps, $atlas"; exit 1; }
+    done
 fi
 exec node "$here/validate_glb.mjs" "$modules" "$scratch"/*.gl*
