@@ -4,10 +4,13 @@
 #include "app/bench.h"
 #include "app/bench_atlas.h"
 #include "app/bench_filter.h"
+#include "app/bench_forward.h"
 #include "app/bench_precision.h"
 #include "app/export.h"
 #include "app/report.h"
 #include "app/verbs.h"
+#include "atlas/error.h"
+#include "procedural/noise_kernels.h"
 
 namespace burl {
 
@@ -149,11 +152,72 @@ void run_precision_bench(const BenchCommand& command) {
     }
 }
 
+Json forward_json(const ForwardBench& row) {
+    return {{"function", row.function},
+            {"method", row.method},
+            {"step_cells", row.step},
+            {"ns_per_texel", row.ns_per_texel},
+            {"error", row.error},
+            {"cells_per_texel", row.cells_per_texel},
+            {"runs_per_texel", row.runs_per_texel}};
+}
+
+Json cube_json(const CubeBench& row) {
+    return {{"texture", row.texture}, {"method", row.method}, {"milliseconds", row.milliseconds},
+            {"error", row.error},     {"cells", row.cells},   {"runs", row.runs}};
+}
+
+/// A table per function: a line per method, and in it cell(row) for every step.
+template <class Cell>
+void print_steps(const std::vector<ForwardBench>& rows, const char* what, Cell&& cell) {
+    std::string function, method;
+    for (const ForwardBench& row : rows) {
+        if (row.function != function) {
+            fmt::print("\n{}: {}, by cells per texel\n{:<26}", row.function, what, "");
+            for (const ForwardBench& one : rows)
+                if (one.function == row.function && one.method == row.method)
+                    fmt::print(" {:>8}", fmt::format("1/{:.0f}", 1.0 / one.step));
+            method.clear();
+        }
+        if (row.method != method) fmt::print("\n{:<26}", row.method);
+        fmt::print(" {:>8}", cell(row));
+        function = row.function;
+        method = row.method;
+        if (&row == &rows.back() || (&row)[1].function != function) fmt::print("\n");
+    }
+}
+
+void run_forward_bench(const BenchCommand& command) {
+    if (command.size > batch_capacity)
+        throw Error(ExitCode::usage,
+                    fmt::format("bench forward: --size {} is too large, the cubes' faces have at "
+                                "most {} texels a side",
+                                command.size, batch_capacity));
+    const std::vector<ForwardBench> rows = bench_forward(command.repeats);
+    const std::vector<CubeBench> cubes =
+        bench_forward_cubes(command.repeats, command.size == 0 ? 256 : command.size);
+    Json list = Json::array();
+    for (const ForwardBench& row : rows) list.push_back(forward_json(row));
+    for (const CubeBench& row : cubes) list.push_back(cube_json(row));
+    write_report(command, list);
+    if (command.json) return;
+    print_steps(rows, "ns per texel",
+                [](const ForwardBench& row) { return fmt::format("{:.2f}", row.ns_per_texel); });
+    print_steps(rows, "largest error",
+                [](const ForwardBench& row) { return fmt::format("{:.1e}", row.error); });
+    fmt::print("\n{:<18} {:<26} {:>10} {:>10} {:>8} {:>8}\n", "cube, three faces", "method", "ms",
+               "error", "cells", "runs");
+    for (const CubeBench& row : cubes)
+        fmt::print("{:<18} {:<26} {:>10.3f} {:>10.1e} {:>8} {:>8}\n", row.texture, row.method,
+                   row.milliseconds, row.error, row.cells, row.runs);
+}
+
 void run_bench(const BenchCommand& command) {
     if (!command.out.empty()) check_side_output(command.out, "", {});
     if (command.suite == "atlas") return run_atlas_bench(command);
     if (command.suite == "filter") return run_filter_bench(command);
     if (command.suite == "precision") return run_precision_bench(command);
+    if (command.suite == "forward") return run_forward_bench(command);
     const std::vector<BenchRow> rows =
         run_paired(bench_suite(command.suite, command.size), command.repeats);
     Json list = Json::array();
@@ -175,14 +239,16 @@ void add_bench(CLI::App& program) {
     auto* verb = program.add_subcommand("bench", "Time a suite; medians of paired runs");
     auto command = std::make_shared<BenchCommand>();
     std::vector<std::string> suites = bench_suites();
-    suites.insert(suites.end(), {"atlas", "filter", "precision"});
-    verb->add_option("suite", command->suite, "mesh_io, atlas, synthesis, filter or precision")
+    suites.insert(suites.end(), {"atlas", "filter", "forward", "precision"});
+    verb->add_option("suite", command->suite,
+                     "mesh_io, atlas, synthesis, filter, forward or precision")
         ->required()
         ->check(CLI::IsMember(suites));
-    verb->add_option("--size", command->size,
-                     "Faces (mesh_io, atlas) or texels per side (synthesis, filter, precision); "
-                     "atlas: 1,000 to "
-                     "100,000 unless one number is given")
+    verb->add_option(
+            "--size", command->size,
+            "Faces (mesh_io, atlas) or texels per side (synthesis, filter, precision, "
+            "forward's cubes: at most 1,024); atlas: 1,000 to 100,000 unless one number is "
+            "given")
         ->check(CLI::Range(std::size_t{2}, std::size_t{10'000'000}));
     verb->add_option("--repeats", command->repeats, "Counted rounds")
         ->check(CLI::Range(1, 1000))

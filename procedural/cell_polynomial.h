@@ -24,10 +24,12 @@ using CellBlend = std::array<double, 8>;
 inline CellBlend cell_blend(const std::array<std::int64_t, 3>& cell, std::uint32_t seed,
                             const Period<3>& period = {}) {
     const LatticeSite<double, 3> site{cell, {}, period};
+    std::array<std::array<std::uint32_t, 2>, 3> index;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        index[axis] = {site.index(axis, 0), site.index(axis, 1)};
     CellBlend n;
     for (std::size_t c = 0; c < 8; ++c)
-        n[c] = lattice_value(site.index(0, c & 1), site.index(1, c >> 1 & 1),
-                             site.index(2, c >> 2 & 1), seed);
+        n[c] = lattice_value(index[0][c & 1], index[1][c >> 1 & 1], index[2][c >> 2], seed);
     for (std::size_t bit = 1; bit < 8; bit *= 2)
         for (std::size_t c = 0; c < 8; ++c) {
             if (c & bit) continue;

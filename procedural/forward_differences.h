@@ -10,6 +10,8 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
+#include <utility>
 
 namespace burl {
 
@@ -17,29 +19,32 @@ namespace burl {
 template <std::size_t degree>
 using Powers = std::array<double, degree + 1>;
 
-inline constexpr std::size_t largest_degree = 15;
+/// Calls f(0), f(1) ... f(count - 1) with constants: short loops that compilers leave rolled up
+/// take up to twice as long.
+template <std::size_t count, class Function>
+constexpr void unrolled(Function&& f) {
+    [&]<std::size_t... i>(std::index_sequence<i...>) {
+        (f(std::integral_constant<std::size_t, i>()), ...);
+    }
+    (std::make_index_sequence<count>());
+}
 
-/// surjections[k][m] = m! S(k, m), by which x^k = sum_m surjections[k][m] binomial(x, m). All are
-/// below 2^53.
-inline constexpr auto surjections = [] {
-    std::array<std::array<double, largest_degree + 1>, largest_degree + 1> table{};
-    table[0][0] = 1.0;
-    for (std::size_t k = 1; k <= largest_degree; ++k)
-        for (std::size_t m = 1; m <= k; ++m)
-            table[k][m] = double(m) * (table[k - 1][m] + table[k - 1][m - 1]);
-    return table;
-}();
-
-/// The differences at 0 of a polynomial: p(j) = sum_m D_m binomial(j, m), eq. (21).
+/// The differences at 0 of a polynomial: p(j) = sum_m D_m binomial(j, m), eq. (21). Dividing by x,
+/// then the quotient by x - 1, and so on leaves the remainders that are the coefficients in
+/// Newton's basis x (x - 1) ... (x - m + 1); all in all D_m = m! sum_k S(k, m) c_k with Stirling's
+/// numbers.
 template <std::size_t size>
-constexpr std::array<double, size> differences_at_zero(const std::array<double, size>& powers) {
-    static_assert(size <= largest_degree + 1);
-    std::array<double, size> differences{};
-    differences[0] = powers[0];
-    for (std::size_t m = 1; m < size; ++m)
-        // From the smallest coefficient on.
-        for (std::size_t k = size; k-- > m;) differences[m] += surjections[k][m] * powers[k];
-    return differences;
+constexpr std::array<double, size> differences_at_zero(std::array<double, size> p) {
+    unrolled<size - 1>([&](auto root) {
+        unrolled<size - 1 - root>([&](auto k) {
+            if constexpr (root > 0) p[size - 2 - k] += double(root) * p[size - 1 - k];
+        });
+    });
+    double factorial = 1.0;
+    unrolled<size>([&](auto m) {
+        if constexpr (m > 1) p[m] *= factorial *= double(m);
+    });
+    return p;
 }
 
 /// The value and its differences at one whole number after the other. Number is float, double or

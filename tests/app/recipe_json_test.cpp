@@ -305,6 +305,19 @@ TEST(Presets, FollowThePapersEquations) {
     EXPECT_NEAR(preset("clouds"), sum(p), 1e-14);
     EXPECT_NEAR(preset("marble"), r + sum(p), 1e-14);
     EXPECT_NEAR(preset("fire"), r + sum({s, 0, r}), 1e-14);
+    // "Bresenham Noise", (23), and (24) with amplitudes 2^-i: linear fades.
+    const auto linear = [&](std::uint32_t seed, const Vec3d& at) {
+        Texture one;
+        one.noise.emplace_back().seed = seed;
+        one.noise[0].fade = Fade::linear;
+        return evaluate_field(one, at);
+    };
+    EXPECT_NEAR(preset("bresenham-wood"), 10 * s * s + 10 * r * r + linear(0, {5 * s, 5 * t, r}),
+                1e-13);
+    double marble = r;
+    for (std::uint32_t i = 0; i < 4; ++i)
+        marble += std::pow(0.5, i) * linear(i, std::pow(2.0, i) * p);
+    EXPECT_NEAR(preset("bresenham-marble"), marble, 1e-14);
     EXPECT_NEAR(preset("zoneplate"), 50 * s * s + 50 * t * t, 1e-12);
     EXPECT_EQ(load_recipe("planet").texture.colors.wrap, Wrap::clamp);
 }
