@@ -1,0 +1,30 @@
+#include "app/bench_forward.h"
+
+#include <gtest/gtest.h>
+
+namespace burl {
+namespace {
+
+TEST(BenchForwardCubes, CountWhatThePapersCubesTake) {
+    const std::vector<CubeBench> rows = bench_forward_cubes(1, 128);
+    ASSERT_EQ(rows.size(), 11u);
+    // Marble: along a face of 2 units lie 2 + 4 + 8 + 16 cells of its octaves, 16 of them abreast.
+    // Wood: 5 cells along s and t, 1 along r, and each face's scan lines have an axis of their own.
+    constexpr std::int64_t lines = 3 * 128, wood = 128 * (5 + 5 + 1), marble = lines * 30;
+    for (const CubeBench& row : rows) {
+        const bool forward = row.method.starts_with("forward");
+        const bool octaves = row.method == "forward, octave by octave";
+        EXPECT_GT(row.milliseconds, 0.0);
+        EXPECT_LE(row.error, row.method == "forward, float32" ? 1e-4 : 1e-6) << row.method;
+        EXPECT_EQ(row.cells, !forward ? 0 : row.texture == "bresenham-wood" ? wood : marble);
+        if (row.method == "forward, float64") {
+            EXPECT_EQ(row.runs, row.texture == "bresenham-wood" ? wood : lines * 16);
+        }
+        if (octaves) {
+            EXPECT_EQ(row.runs, lines * (30 + 1));
+        }
+    }
+}
+
+}  // namespace
+}  // namespace burl
