@@ -9,6 +9,7 @@
 #include "app/bake_normals.h"
 #include "app/command_options.h"
 #include "app/export.h"
+#include "app/normal_error.h"
 #include "app/report.h"
 #include "app/verbs.h"
 #include "atlas/error.h"
@@ -95,6 +96,20 @@ Json bake_json(const BakeCommand& command, Pipeline& pipeline, const Extras& ext
             {"versions", versions_json()}};
 }
 
+/// How good the map of the pipeline's recipe is; nothing without a map, or where nobody asks.
+Json normals_json(const BakeCommand& command, Pipeline& pipeline,
+                  const std::optional<NormalMap>& map) {
+    if (!map || (!command.json && command.report.empty())) return {};
+    const NormalErrors errors = normal_errors(pipeline, ViewerFrames::of(pipeline, command.crease),
+                                              components(*map), map->tangent_space, 20000);
+    return {{"space", map->tangent_space ? "tangent" : "object"},
+            {"mean_tilt_degrees", errors.mean_tilt},
+            {"error_degrees",
+             {{"mean", errors.mean},
+              {"percentile99", errors.percentile99},
+              {"largest", errors.largest}}}};
+}
+
 void print_summary(const Json& report) {
     const Json& atlas = report["atlas"];
     const Json& outputs = report["outputs"];
@@ -143,6 +158,7 @@ void lay_out(Pipeline& pipeline) {
 
 struct Written {
     BakedAtlas baked;
+    std::optional<NormalMap> normals{};
     std::size_t levels = 0;
     double seconds = 0.0;
 };
@@ -159,6 +175,7 @@ Written write_texture(const BakeCommand& command, Pipeline& pipeline, const std:
     options.recipe_json = to_json(pipeline.recipe());
     export_scene(path, pipeline.atlas_mesh(), written.baked.atlas, written.baked.image, options);
     written.levels = options.levels.size();
+    written.normals = std::move(options.normals);
     written.seconds = seconds_since(writing);
     return written;
 }
@@ -187,11 +204,13 @@ void run_bake(const BakeCommand& command) {
     seconds.update(times_json(pipeline.times()));
     seconds["write"] = writing;
     seconds["total"] = seconds_since(start);
+    Json normals = normals_json(command, pipeline, written.normals);
     pipeline.set_recipe(recipes[0]);
     extras.levels = std::uint32_t(written.levels);
     Json report = bake_json(command, pipeline, extras, std::move(seconds));
     const BakedAtlas& baked = written.baked;
     if (baked.compressed) report["compressed"] = compress_json(baked);
+    if (!normals.empty()) report["normals"] = std::move(normals);
     if (command.animation.asked()) report["animation"] = command.animation.keys;
     if (!command.report.empty()) write_json(command.report, report);
     if (command.json) {

@@ -6,12 +6,20 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "app/bake_normals.h"
+#include "app/export_vertices.h"
+#include "app/normal_error.h"
+#include "app/tangents.h"
+#include "app/texture_color.h"
 #include "atlas/error.h"
-#include "tests/app/normal_error.h"
+#include "procedural/synthesize_normals.h"
 #include "tests/app/sample_scene.h"
 
 namespace burl {
 namespace {
+
+double degrees_between(const Vec3d& a, const Vec3d& b) {
+    return glm::degrees(std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)));
+}
 
 Recipe bumpy(AtlasKind kind, std::uint32_t size, const char* input, double height = 0.02) {
     Recipe recipe = parse_recipe(
@@ -74,7 +82,7 @@ Mesh pillow() {
 /// bumped normal there.
 double worst_texel(Pipeline& pipeline, int& mirrored) {
     const Image<Vec3f> map = components(pipeline.normal_map<RgbF>(40.0, true));
-    const ViewerFrames frames(pipeline);
+    const ViewerFrames frames = ViewerFrames::of(pipeline, 40.0);
     const SurfaceNormal exact = bumped_normals(pipeline.recipe(), pipeline.mesh());
     double worst = 0.0;
     for (const TexelPoint& texel : texel_points(pipeline)) {
@@ -137,21 +145,62 @@ TEST(NormalMap, FlatHeightsAreFlatInEveryTexel) {
     }
 }
 
+NormalErrors coded_errors(Pipeline& pipeline, NormalSpace space, int depth) {
+    const NormalMap map = *bake_normals(pipeline, space, depth, 40.0);
+    return normal_errors(pipeline, ViewerFrames::of(pipeline, 40.0), components(map),
+                         map.tangent_space, 4000);
+}
+
 TEST(NormalMap, LookupsBetweenTexelsStayClose) {
     // Bilinear lookups of 256 x 256 texels between and across triangles.
     for (const AtlasKind kind : kinds) {
         Pipeline pipeline(sphere_mesh(16, 32));
         pipeline.set_recipe(bumpy(kind, 256, wave));
-        const ViewerFrames frames(pipeline);
-        const NormalErrors exact = normal_errors(
-            pipeline, components(pipeline.normal_map<RgbF>(40.0, true)), frames, 4000);
-        const NormalErrors coded = normal_errors(
-            pipeline, components(pipeline.normal_map<Rgb8>(40.0, true)), frames, 4000);
+        const NormalErrors exact =
+            normal_errors(pipeline, ViewerFrames::of(pipeline, 40.0),
+                          components(pipeline.normal_map<RgbF>(40.0, true)), true, 4000);
         EXPECT_GT(exact.mean_tilt, 10.0);
         EXPECT_LT(exact.mean, 0.3) << to_string(kind);
         EXPECT_LT(exact.percentile99, 2.0) << to_string(kind);
-        EXPECT_LT(coded.mean, exact.mean + 0.35) << to_string(kind);
+        const NormalErrors bits8 = coded_errors(pipeline, NormalSpace::tangent, 8);
+        const NormalErrors bits16 = coded_errors(pipeline, NormalSpace::tangent, 16);
+        const NormalErrors object = coded_errors(pipeline, NormalSpace::object, 8);
+        EXPECT_LT(bits8.mean, exact.mean + 0.35) << to_string(kind);
+        EXPECT_LT(bits16.mean, exact.mean + 0.005) << to_string(kind);
+        EXPECT_LT(object.mean, bits8.mean + 0.5) << to_string(kind);
     }
+}
+
+TEST(NormalMap, SharedTangentsBeatThoseOfEachTriangle) {
+    // A frame that jumps at an edge makes lookups beside it mix normals of two frames, and splits
+    // every vertex.
+    Pipeline pipeline(sphere_mesh(16, 32));
+    pipeline.set_recipe(bumpy(AtlasKind::patch, 256, wave));
+    const ViewerFrames shared = ViewerFrames::of(pipeline, 40.0);
+    ViewerFrames split = shared;
+    const Mesh& mesh = shared.mesh;
+    const std::vector<Vec2d> uvs = corner_uvs(pipeline.atlas());
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+        std::ranges::copy(corner_tangents(mesh.positions, std::span(mesh.triangles).subspan(t, 1),
+                                          std::span(uvs).subspan(3 * t, 3),
+                                          std::span(shared.normals).subspan(3 * t, 3)),
+                          split.tangents.begin() + std::ptrdiff_t(3 * t));
+    const auto error_of = [&](const ViewerFrames& frames) {
+        const Recipe& recipe = pipeline.recipe();
+        const std::vector<Vec3d> positions =
+            map_positions(mesh, solid_from_mesh(pipeline.mesh(), recipe.solid.space));
+        const Image<RgbF> map = synthesize_normals<RgbF>(
+            pipeline.solid(), {mesh, pipeline.atlas(), positions, frames.normals, frames.tangents},
+            recipe.bump, texture_from_solid(recipe), recipe.filter, 0);
+        return normal_errors(pipeline, frames, components(map), true, 20000);
+    };
+    const NormalErrors of_shared = error_of(shared), of_split = error_of(split);
+    EXPECT_LT(of_shared.mean, of_split.mean);
+    EXPECT_LT(of_shared.percentile99, of_split.percentile99);
+    RecordProperty("shared_mean", fmt::format("{:.4f}", of_shared.mean));
+    RecordProperty("split_mean", fmt::format("{:.4f}", of_split.mean));
+    RecordProperty("shared_99", fmt::format("{:.4f}", of_shared.percentile99));
+    RecordProperty("split_99", fmt::format("{:.4f}", of_split.percentile99));
 }
 
 TEST(NormalMap, BytesDoNotDependOnThreads) {
