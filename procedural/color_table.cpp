@@ -1,5 +1,8 @@
 #include "procedural/color_table.h"
 
+#include <algorithm>
+#include <limits>
+
 namespace burl {
 
 PreparedColorMap::PreparedColorMap(const ColorMap& map) : wrap_(map.wrap) {
@@ -20,17 +23,100 @@ PreparedColorMap::PreparedColorMap(const ColorMap& map) : wrap_(map.wrap) {
     }
 }
 
-ColorTable8::ColorTable8(const ColorMap& map) : map_(map), entries_(entry_count + 1) {
-    // Within a segment every channel is monotone, so equal codes at both ends hold in between.
-    std::size_t segment = map_.segment(0.0);
-    entries_[0].color = encode(map_.color(segment, 0.0));
-    for (std::uint32_t i = 0; i < entry_count; ++i) {
-        const double end = double(i + 1) / entry_count;
-        const std::size_t end_segment = map_.segment(end);
-        entries_[i + 1].color = encode(map_.color(end_segment, end));
-        entries_[i].uniform = segment == end_segment && entries_[i].color == entries_[i + 1].color;
-        segment = end_segment;
+namespace {
+
+/// The least double in (low, high] for which `reached` holds; it does for high, not for low, and
+/// for everything above one for which it does. `guess` is near.
+template <class Predicate>
+double least(double low, double high, double guess, double margin, Predicate&& reached) {
+    if (guess - margin > low && !reached(guess - margin)) low = guess - margin;
+    if (guess + margin < high && reached(guess + margin)) high = guess + margin;
+    for (double middle = 0.5 * (low + high); low < middle && middle < high;
+         middle = 0.5 * (low + high))
+        (reached(middle) ? high : low) = middle;
+    return high;
+}
+
+/// An index at which one channel of the code becomes `code`.
+struct Change {
+    double index;
+    std::uint8_t Rgb8::*channel;
+    std::uint8_t code;
+};
+
+/// The changes of one channel within ]begin, end[ of a segment, where it is monotone.
+void add_changes(const PreparedColorMap& map, std::size_t segment, double begin, double end,
+                 glm::length_t axis, std::vector<Change>& changes) {
+    static constexpr std::uint8_t Rgb8::*channels[] = {&Rgb8::r, &Rgb8::g, &Rgb8::b};
+    const SrgbEncoder<std::uint8_t> encode;
+    const auto light = [&](double t) { return map.color(segment, t)[axis]; };
+    const double last = std::nextafter(end, begin);
+    const int target = encode(light(last));
+    const double slope = (light(last) - light(begin)) / (last - begin);
+    const double margin = 0x1p-50 * (1.0 + 1.0 / std::abs(slope));
+    for (int code = encode(light(begin)); code != target;) {
+        const bool up = target > code;
+        const double threshold = encode.threshold(std::uint8_t(up ? code : code - 1));
+        code += up ? 1 : -1;
+        const double guess = begin + (threshold - light(begin)) / slope;
+        const double index = least(begin, last, guess, margin, [&](double t) {
+            return up ? light(t) >= threshold : light(t) < threshold;
+        });
+        changes.push_back({index, channels[axis], std::uint8_t(code)});
     }
+}
+
+}  // namespace
+
+std::vector<ColorTable8::Step> ColorTable8::steps_of(const PreparedColorMap& map) {
+    const SrgbEncoder<std::uint8_t> encode;
+    const double after = std::nextafter(1.0, 2.0);
+    std::vector<Step> steps;
+    for (std::size_t i = 0; i + 1 < map.segments(); ++i) {
+        const double begin = std::max(map.begin(i), 0.0), end = std::min(map.begin(i + 1), after);
+        if (begin >= end) continue;
+        const Vec3d light = map.color(i, begin);
+        Step step{begin, {encode(light.r), encode(light.g), encode(light.b)}};
+        steps.push_back(step);
+        std::vector<Change> changes;
+        for (glm::length_t axis = 0; axis < 3; ++axis)
+            add_changes(map, i, begin, end, axis, changes);
+        std::ranges::sort(changes, {}, &Change::index);
+        for (const Change& change : changes) {
+            step.color.*change.channel = change.code;
+            step.index = change.index;
+            if (steps.back().index < change.index)
+                steps.push_back(step);
+            else
+                steps.back() = step;
+        }
+    }
+    steps.push_back({std::numeric_limits<double>::infinity(), {}});
+    return steps;
+}
+
+ColorTable8::ColorTable8(const ColorMap& map)
+    : wrap_(map.wrap), steps_(steps_of(PreparedColorMap(map))) {
+    std::uint32_t step = 0;
+    for (std::uint32_t i = 0; i <= entry_count; ++i) {
+        while (steps_[step + 1].index <= double(i) / entry_count) ++step;
+        entries_.push_back(
+            {steps_[step].color, steps_[step + 1].index >= double(i + 1) / entry_count});
+        first_step_.push_back(step);
+    }
+}
+
+void ColorTable8::look_up(const std::int32_t* entries, const double* f, std::size_t count,
+                          Code* codes, std::uint32_t* later) const {
+    const Code* table = entries_.data();
+    std::size_t searches = 0;
+    for (std::size_t j = 0; j < count; ++j) {  // without branches that nobody can foretell
+        codes[j] = table[std::size_t(entries[j])];
+        later[searches] = std::uint32_t(j);
+        searches += codes[j].uniform ? 0 : 1;
+    }
+    for (std::size_t i = 0; i < searches; ++i)
+        codes[later[i]].color = searched(std::uint32_t(entries[later[i]]), f[later[i]]);
 }
 
 }  // namespace burl

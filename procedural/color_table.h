@@ -1,8 +1,8 @@
 #pragma once
-// The colour map prepared for millions of look-ups: stops decoded once, and for 8-bit pictures a
-// table over the index whose entries hold the final code wherever the code is the same over the
-// whole entry (most of them); the others are computed. So the table costs no accuracy and keeps the
-// map's jumps where they are.
+// The colour map prepared for millions of look-ups: stops decoded once, and for 8-bit pictures the
+// list of indices at which the final code changes, with a table over the index that holds the code
+// wherever it is the same over the whole entry (most of them) and where in the list to look
+// elsewhere. So the table costs no accuracy and keeps the map's jumps where they are.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -35,6 +35,9 @@ class PreparedColorMap {
         while (i + 1 < segments_.size() && t >= segments_[i + 1].position) ++i;
         return i;
     }
+    /// Where segment i begins: below 0 and above 1 at the ends.
+    double begin(std::size_t i) const { return segments_[i].position; }
+    std::size_t segments() const { return segments_.size(); }
     /// Linear light at index t of segment i.
     Vec3d color(std::size_t i, double t) const {
         return segments_[i].color + (t - segments_[i].position) * segments_[i].slope;
@@ -54,34 +57,49 @@ class PreparedColorMap {
     std::vector<Segment> segments_;
 };
 
-/// Field values to sRGB8 colours.
+/// Field values to sRGB8 colours, correctly rounded.
 class ColorTable8 {
   public:
     static constexpr std::uint32_t entry_count = 16384;
 
     explicit ColorTable8(const ColorMap& map);
 
-    /// Code of c(f), correctly rounded. `entry` is floor(map_index(f) * entry_count).
+    /// Code of c(f). `entry` is floor(map_index(f) * entry_count).
     Rgb8 color(std::uint32_t entry, double f) const {
-        const Entry& e = entries_[entry];
-        return e.uniform ? e.color : encode(map_(f));
+        return entries_[entry].uniform ? entries_[entry].color : searched(entry, f);
     }
     Rgb8 operator()(double f) const {
-        return color(std::uint32_t(map_index(map_.wrap(), f) * entry_count), f);
+        return color(std::uint32_t(map_index(wrap_, f) * entry_count), f);
     }
-    Wrap wrap() const { return map_.wrap(); }
-
-  private:
-    struct Entry {
+    /// A pixel and a byte that comes free with it.
+    struct Code {
         Rgb8 color;
         bool uniform = false;
     };
-    Rgb8 encode(const Vec3d& linear) const {
-        return {encode_(linear.x), encode_(linear.y), encode_(linear.z)};
+    /// codes[j].color = color(entries[j], f[j]). Room for `count` numbers in `later`.
+    void look_up(const std::int32_t* entries, const double* f, std::size_t count, Code* codes,
+                 std::uint32_t* later) const;
+    Wrap wrap() const { return wrap_; }
+
+  private:
+    /// From this index on the code is `color`.
+    struct Step {
+        double index = 0.0;
+        Rgb8 color;
+    };
+    static std::vector<Step> steps_of(const PreparedColorMap& map);
+    /// The colour of an entry that has several.
+    Rgb8 searched(std::uint32_t entry, double f) const {
+        const double t = map_index(wrap_, f);
+        std::uint32_t i = first_step_[entry];
+        while (steps_[i + 1].index <= t) ++i;
+        return steps_[i].color;
     }
-    PreparedColorMap map_;
-    SrgbEncoder<std::uint8_t> encode_;
-    std::vector<Entry> entries_;  ///< entry_count + 1: index 1 has one of its own
+
+    Wrap wrap_;
+    std::vector<Step> steps_;                ///< and one at infinity
+    std::vector<Code> entries_;              ///< entry_count + 1: index 1 has one of its own
+    std::vector<std::uint32_t> first_step_;  ///< per entry: the last step up to its begin
 };
 
 }  // namespace burl

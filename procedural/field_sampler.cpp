@@ -7,17 +7,11 @@
 
 #include "procedural/band_limit.h"
 #include "procedural/noise.h"
+#include "procedural/quadric_kernel.h"
 
 namespace burl {
 
 namespace {
-
-/// Whether add_noise knows the octave's noise.
-bool has_kernel(const Octave& octave) {
-    const NoiseSpec& noise = octave.noise;
-    return (noise.kind == NoiseKind::value || noise.kind == NoiseKind::perlin) &&
-           noise.period == Period<4>{} && !noise.time && octave.shape == OctaveShape::plain;
-}
 
 /// The pieces in an octave's lattice coordinates. What leaves the lattice stays at its origin.
 void fill_lines(const Affine3& map, FieldBatch& batch) {
@@ -127,7 +121,10 @@ bool fill_weights(FieldBatch& batch) {
 }  // namespace
 
 FieldSampler::FieldSampler(const Texture& texture, bool band_limit)
-    : quadric_(texture.quadric), octaves_(expand_octaves(texture)), band_limit_(band_limit) {
+    : quadric_(texture.quadric),
+      octaves_(expand_octaves(texture)),
+      streams_(octaves_),
+      band_limit_(band_limit) {
     for (const Octave& octave : octaves_) constant_ += octave.offset;
     if (band_limit)
         for (const Octave& octave : octaves_) means_.push_back(octave_mean(octave));
@@ -148,14 +145,8 @@ void FieldSampler::values_at_offsets(FieldBatch& batch) const {
 /// The quadric along a line is a parabola; the noise's constant parts come with it.
 void FieldSampler::fill_quadric(FieldBatch& batch, Wanted wanted) const {
     if (wanted == Wanted::offsets) return fill_quadric_at_offsets(batch);
-    batch.parabolas.clear();
-    for (const Piece& piece : batch.pieces) {
-        const auto& [start, step, first, count] = piece.solid;
-        const Vec3d direction = half_gradient(quadric_, step) - half_gradient(quadric_, {});
-        batch.parabolas.push_back({evaluate_quadric(quadric_, start) + constant_,
-                                   2.0 * glm::dot(half_gradient(quadric_, start), step),
-                                   glm::dot(step, direction), first, count});
-    }
+    batch.parabolas.resize(batch.pieces.size());
+    make_parabolas(quadric_, constant_, batch.pieces, batch.parabolas);
     fill_parabolas(batch.parabolas, batch.field);
     if (wanted == Wanted::slopes) fill_quadric_slopes(batch);
 }
@@ -214,7 +205,10 @@ void FieldSampler::add_weighted(std::size_t octave, FieldBatch& batch, Wanted wa
 
 void FieldSampler::sample(FieldBatch& batch, Wanted wanted) const {
     fill_quadric(batch, wanted);
+    const bool streams = wanted == Wanted::values && !band_limit_;
+    if (streams) streams_.add(batch.pieces, batch.count, batch.streams, batch.field);
     for (std::size_t k = 0; k < octaves_.size(); ++k) {
+        if (streams && has_kernel(octaves_[k])) continue;
         fill_lines(octaves_[k].lattice_from_solid, batch);
         if (wanted != Wanted::values || band_limit_)
             fill_downs(octaves_[k].lattice_from_solid, batch);

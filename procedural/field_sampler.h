@@ -4,18 +4,11 @@
 #include <memory>
 #include <vector>
 
-#include "procedural/octaves.h"
+#include "procedural/octave_streams.h"
 #include "procedural/slope_kernels.h"
+#include "procedural/texel_piece.h"
 
 namespace burl {
-
-/// Consecutive texels of one row of the image, the line of solid coordinates they show and the step
-/// to the next row.
-struct Piece {
-    std::size_t x = 0, y = 0;
-    LatticeLine solid;
-    Vec3d down{0.0};
-};
 
 /// What a thread works with: pieces of several spans packed into one stream of texels.
 struct FieldBatch {
@@ -32,6 +25,7 @@ struct FieldBatch {
     std::vector<Vec3d> downs;
     std::vector<double> weights;
     std::vector<ParabolaLine> parabolas;
+    StreamBuffers streams;
     LatticeBatch lattice;
     DirectionBatch directions;
     alignas(64) double part[batch_capacity + batch_padding];
@@ -62,6 +56,7 @@ class FieldSampler {
 
     Quadric quadric_;
     std::vector<Octave> octaves_;
+    OctaveStreams streams_;
     std::vector<double> means_;  ///< of each octave without its offset; with band_limit only
     double constant_ = 0.0;
     bool band_limit_;

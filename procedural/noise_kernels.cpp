@@ -16,16 +16,6 @@ HWY_BEFORE_NAMESPACE();
 namespace burl {
 namespace HWY_NAMESPACE {
 
-/// Adding this to |y| < 2^51 rounds y to an integer, whose low 32 bits are the sum's low bits.
-constexpr double round_magic = 0x1.8p52;
-
-/// 0, 1, 2 ... from memory: Iota builds them lane by lane, 10 ns a call on AVX2.
-HWY_ATTR HWY_INLINE hn::Vec<Doubles> LaneNumbers() {
-    HWY_ALIGN static constexpr double numbers[] = {0, 1, 2, 3, 4, 5, 6, 7};
-    static_assert(std::size(numbers) >= HWY_MAX_BYTES / sizeof(double));
-    return hn::Load(Doubles(), numbers);
-}
-
 HWY_ATTR void SplitLine(const LatticeLine& line, int axis, std::size_t at, LatticeBatch& batch) {
     const Doubles d;
     const auto magic = hn::Set(d, round_magic);
@@ -53,33 +43,6 @@ HWY_ATTR void SplitLatticeLines(std::span<const LatticeLine> lines, LatticeBatch
     }
 }
 
-/// Eight times the interpolated corners of a vector of texels.
-template <class Corner, class FadeFunction>
-HWY_ATTR HWY_INLINE Float EightfoldNoise(Bit seed, const LatticeBatch& batch, std::size_t j) {
-    const Floats d;
-    const Corner corner;
-    const FadeFunction fade;
-    const Float x = hn::Load(d, batch.places[0] + j), y = hn::Load(d, batch.places[1] + j),
-                z = hn::Load(d, batch.places[2] + j);
-    const Float half = hn::Set(d, 0.5f);
-    const Float x0 = hn::Add(x, half), y0 = hn::Add(y, half), z0 = hn::Add(z, half);
-    const Float x1 = hn::Sub(x, half), y1 = hn::Sub(y, half), z1 = hn::Sub(z, half);
-    const Float fx = fade(hn::Add(x, x)), fy = fade(hn::Add(y, y)), fz = fade(hn::Add(z, z));
-
-    Bit h00, h10, h01, h11;
-    CornerHashes(seed, batch, j, h00, h10, h01, h11);
-    const auto plane = [&](Bit hz, Float dz) HWY_ATTR {
-        const Float a = corner(Mix(hn::Add(h00, hz)), x0, y0, dz);
-        const Float b = corner(Mix(hn::Add(h10, hz)), x1, y0, dz);
-        const Float low = TwiceLerp(fx, a, b);
-        const Float e = corner(Mix(hn::Add(h01, hz)), x0, y1, dz);
-        const Float f = corner(Mix(hn::Add(h11, hz)), x1, y1, dz);
-        return TwiceLerp(fy, low, TwiceLerp(fx, e, f));
-    };
-    const Float low = plane(hn::Zero(Bits()), z0);
-    return TwiceLerp(fz, low, plane(hn::Set(Bits(), LatticeHash::prime_z), z1));
-}
-
 template <class Corner, class FadeFunction>
 HWY_ATTR void AddNoiseOf(std::uint32_t seed, double scale, const LatticeBatch& batch,
                          std::size_t count, double* sums) {
@@ -88,7 +51,10 @@ HWY_ATTR void AddNoiseOf(std::uint32_t seed, double scale, const LatticeBatch& b
     HWY_ALIGN float noise[batch_capacity + batch_padding];
     const Bit seeds = hn::Set(Bits(), seed * LatticeHash::prime_seed);
     for (std::size_t j = 0; j < count; j += hn::Lanes(d))
-        hn::Store(EightfoldNoise<Corner, FadeFunction>(seeds, batch, j), d, noise + j);
+        hn::Store(EightfoldNoise<Corner, FadeFunction>(
+                      CellHash(seeds, batch, j), hn::Load(d, batch.places[0] + j),
+                      hn::Load(d, batch.places[1] + j), hn::Load(d, batch.places[2] + j)),
+                  d, noise + j);
     const auto scales = hn::Set(doubles, scale);
     for (std::size_t j = 0; j < count; j += hn::Lanes(doubles)) {
         const auto n = hn::PromoteTo(doubles, hn::Load(HalfFloats(), noise + j));

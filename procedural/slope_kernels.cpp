@@ -45,8 +45,10 @@ HWY_ATTR HWY_INLINE void NoiseAndSlopes(Bit seed, const LatticeBatch& batch,
     const Float ux = hn::Load(d, along_u[0] + j), vx = hn::Load(d, along_v[0] + j),
                 uy = hn::Load(d, along_u[1] + j), vy = hn::Load(d, along_v[1] + j),
                 uz = hn::Load(d, along_u[2] + j), vz = hn::Load(d, along_v[2] + j);
-    Bit h00, h10, h01, h11;
-    CornerHashes(seed, batch, j, h00, h10, h01, h11);
+    const Bit next_x = hn::Set(Bits(), LatticeHash::prime_x);
+    const Bit h00 = CellHash(seed, batch, j), h10 = hn::Add(h00, next_x);
+    const Bit h01 = hn::Add(h00, hn::Set(Bits(), LatticeHash::prime_y));
+    const Bit h11 = hn::Add(h01, next_x);
 
     // The four corners of a plane: interpolated, its differences along x and y, and the corners'
     // own changes, interpolated.

@@ -38,6 +38,9 @@ class SrgbEncoder {
         return Code(code);
     }
 
+    /// The least linear light of the next higher code.
+    double threshold(Code code) const { return thresholds_[code]; }
+
   private:
     static constexpr std::uint32_t bucket_count = 2 * (max_code + 1);
     static std::uint32_t bucket(double linear) {

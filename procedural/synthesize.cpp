@@ -1,6 +1,7 @@
 #include "procedural/synthesize.h"
 
 #include <algorithm>
+#include <cstring>
 #include <memory>
 
 #include "procedural/break_distance.h"
@@ -18,6 +19,8 @@ namespace {
 struct Batch : FieldBatch {
     alignas(64) std::int32_t entries[batch_capacity + batch_padding];
     alignas(64) std::int32_t distances[batch_capacity + batch_padding];
+    ColorTable8::Code codes[batch_capacity];
+    std::uint32_t later[batch_capacity];
     std::vector<double> middle, mean;  ///< of several samples of a texel
     std::vector<Vec3d> colors;
 };
@@ -40,6 +43,7 @@ class Color8 {
     void prepare(const FieldSampler& sampler, Batch& batch) const {
         sampler.values(batch);
         prepare_colors(batch);
+        table_.look_up(batch.entries, batch.field, batch.count, batch.codes, batch.later);
     }
     void prepare_colors(Batch& batch) const {
         index_colors(table_.wrap(), batch.field, batch.count, ColorTable8::entry_count,
@@ -47,6 +51,14 @@ class Color8 {
     }
     Rgb8 pixel(const Batch& batch, std::size_t at) const {
         return table_.color(std::uint32_t(batch.entries[at]), batch.field[at]);
+    }
+    /// A run of texels at once; needs look_up.
+    void pixels(const Batch& batch, std::size_t at, std::size_t count, Rgb8* pixels) const {
+        static_assert(sizeof(Rgb8) == 3 && sizeof(ColorTable8::Code) == 4);
+        // Four bytes are stored faster than three, and the next pixel overwrites the fourth.
+        for (std::size_t j = 0; j + 1 < count; ++j)
+            std::memcpy(static_cast<void*>(pixels + j), &batch.codes[at + j], 4);
+        pixels[count - 1] = batch.codes[at + count - 1].color;
     }
     Rgb8 background(double f) const { return table_(f); }
 
@@ -167,37 +179,54 @@ class SupersampledColor {
     PixelEncoder<P> encode_;
 };
 
+/// Pieces from `begin` on that follow one another in a row of the image: where they end, and the
+/// number of their texels.
+std::pair<std::size_t, std::size_t> run_of(std::span<const Piece> pieces, std::size_t begin) {
+    std::size_t end = begin + 1, count = pieces[begin].solid.count;
+    while (end < pieces.size() && pieces[end].y == pieces[begin].y &&
+           pieces[end].x == pieces[begin].x + count)
+        count += pieces[end++].solid.count;
+    return {end, count};
+}
+
 template <class Shader>
 void flush(Batch& batch, const FieldSampler& sampler, const Shader& shader,
            Image<typename Shader::Pixel>& image) {
     if (batch.count == 0) return;
     shader.prepare(sampler, batch);
     std::size_t at = 0;
-    for (const Piece& piece : batch.pieces) {
-        auto* pixels = &image(piece.x, piece.y);
-        for (std::size_t j = 0; j < piece.solid.count; ++j) pixels[j] = shader.pixel(batch, at + j);
-        at += piece.solid.count;
+    for (std::size_t i = 0; i < batch.pieces.size();) {
+        auto* pixels = &image(batch.pieces[i].x, batch.pieces[i].y);
+        const auto [end, count] = run_of(batch.pieces, i);
+        if constexpr (requires { shader.pixels(batch, at, count, pixels); })
+            shader.pixels(batch, at, count, pixels);
+        else
+            for (std::size_t j = 0; j < count; ++j) pixels[j] = shader.pixel(batch, at + j);
+        at += count;
+        i = end;
     }
     batch.pieces.clear();
     batch.count = 0;
 }
 
 template <class Shader>
-void synthesize_rows(const SolidAtlas& solid, const Affine3& map, const FieldSampler& sampler,
-                     const Shader& shader, const RowRange& rows,
+void synthesize_rows(const SolidAtlas& solid, std::span<const TexelMap> maps,
+                     const FieldSampler& sampler, const Shader& shader, const RowRange& rows,
                      Image<typename Shader::Pixel>& image) {
     const auto batch = std::make_unique<Batch>();
     for (std::size_t y = rows.begin(); y != rows.end(); ++y) {
         for (const Span& span : solid.row(y)) {
-            const TexelMap& texel = solid.maps[span.map];
-            const LatticeLine line{map(texel(span.x, std::int64_t(y))), map.linear * texel.step_x};
+            const TexelMap& texel = maps[span.map];
+            const Vec3d start = texel(span.x, std::int64_t(y));
             for (std::size_t done = 0; done < span.count;) {
                 const std::size_t count =
                     std::min(span.count - done, batch_capacity - batch->count);
-                batch->pieces.push_back({span.x + done,
-                                         y,
-                                         {line.start, line.step, double(done), count},
-                                         map.linear * texel.step_y});
+                Piece& piece = batch->pieces.emplace_back();
+                piece.x = span.x + done, piece.y = y;
+                piece.solid.start = start, piece.solid.step = texel.step_x;
+                piece.solid.first = double(done), piece.solid.count = count;
+                piece.down = texel.step_y;
+                piece.length = double(span.count);
                 batch->count += count;
                 done += count;
                 if (batch->count == batch_capacity) flush(*batch, sampler, shader, image);
@@ -207,14 +236,28 @@ void synthesize_rows(const SolidAtlas& solid, const Affine3& map, const FieldSam
     flush(*batch, sampler, shader, image);
 }
 
+/// The texels' maps followed by `map`.
+std::vector<TexelMap> moved(const std::vector<TexelMap>& maps, const Affine3& map, int threads) {
+    std::vector<TexelMap> result(maps.size());
+    for_row_ranges(maps.size(), 1, threads, [&](const RowRange& range) {
+        for (std::size_t i = range.begin(); i != range.end(); ++i) {
+            const TexelMap& m = maps[i];
+            result[i] = {map(m.origin), map.linear * m.step_x, map.linear * m.step_y, m.anchor_x,
+                         m.anchor_y};
+        }
+    });
+    return result;
+}
+
 template <class Shader>
 Image<typename Shader::Pixel> synthesize(const SolidAtlas& solid, const Texture& texture,
                                          const Affine3& map, const Filter& filter, int threads,
                                          const Shader& shader) {
     Image<typename Shader::Pixel> image(solid.size, solid.size, shader.background(0.0));
     const FieldSampler sampler(texture, filter.band_limit);
+    const std::vector<TexelMap> maps = moved(solid.maps, map, threads);
     for_row_ranges(solid.size, 8 * batch_capacity, threads, [&](const RowRange& rows) {
-        synthesize_rows(solid, map, sampler, shader, rows, image);
+        synthesize_rows(solid, maps, sampler, shader, rows, image);
     });
     return image;
 }

@@ -1,0 +1,56 @@
+// The same number of several pieces in one vector, for every instruction set. Included once per
+// instruction set (hence the toggled guard), after hwy/foreach_target.h.
+#if defined(BURL_PIECE_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef BURL_PIECE_LANES_INL_H
+#undef BURL_PIECE_LANES_INL_H
+#else
+#define BURL_PIECE_LANES_INL_H
+#endif
+
+#include <cstddef>
+
+#include "procedural/noise_corners-inl.h"
+#include "procedural/texel_piece.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace burl {
+namespace HWY_NAMESPACE {
+
+/// Start and step of the pieces' lines from number i on, one piece a lane. Lanes beyond the last
+/// piece repeat it.
+struct PieceLanes {
+    hn::Vec<Doubles> x, y, z, u, v, w;  ///< start and step
+
+    HWY_ATTR HWY_INLINE PieceLanes(std::span<const Piece> pieces, std::size_t i) {
+        const Doubles d;
+        const hn::RebindToSigned<Doubles> ints;
+        static_assert(sizeof(Piece) % sizeof(double) == 0);
+        constexpr double stride = sizeof(Piece) / sizeof(double);
+        const auto number = hn::Min(hn::Add(LaneNumbers(), hn::Set(d, double(i))),
+                                    hn::Set(d, double(pieces.size() - 1)));
+        const auto at = hn::ConvertTo(ints, hn::Mul(number, hn::Set(d, stride)));
+        const auto* bytes = reinterpret_cast<const unsigned char*>(pieces.data());
+        const auto numbers = [&](std::size_t offset) HWY_ATTR {
+            return hn::GatherIndex(d, reinterpret_cast<const double*>(bytes + offset), at);
+        };
+        constexpr std::size_t start = offsetof(Piece, solid) + offsetof(LatticeLine, start);
+        constexpr std::size_t step = offsetof(Piece, solid) + offsetof(LatticeLine, step);
+        constexpr std::size_t one = sizeof(double), two = 2 * sizeof(double);
+        x = numbers(start), y = numbers(start + one), z = numbers(start + two);
+        u = numbers(step), v = numbers(step + one), w = numbers(step + two);
+    }
+};
+
+/// a x + b y + c z.
+HWY_ATTR HWY_INLINE hn::Vec<Doubles> Dot(double a, double b, double c, hn::Vec<Doubles> x,
+                                         hn::Vec<Doubles> y, hn::Vec<Doubles> z) {
+    const Doubles d;
+    return hn::Add(hn::Add(hn::Mul(hn::Set(d, a), x), hn::Mul(hn::Set(d, b), y)),
+                   hn::Mul(hn::Set(d, c), z));
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace burl
+HWY_AFTER_NAMESPACE();
+
+#endif

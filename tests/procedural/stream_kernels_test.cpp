@@ -1,0 +1,214 @@
+// Streams of coordinates against float64, kernels on them against the scalar float32 path to the
+// bit, sums of octaves against the float64 field.
+#include "procedural/stream_kernels.h"
+
+#include <memory>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "procedural/noise.h"
+#include "procedural/octave_streams.h"
+#include "procedural/quadric_kernel.h"
+
+namespace burl {
+namespace {
+
+Piece piece(const Vec3d& start, const Vec3d& step, double first, std::size_t count, double length) {
+    Piece result;
+    result.solid = {start, step, first, count};
+    result.length = length;
+    return result;
+}
+
+Vec3d random_vector(std::mt19937& random, double size) {
+    std::uniform_real_distribution<double> unit(-size, size);
+    return {unit(random), unit(random), unit(random)};
+}
+
+/// Pieces of 1 to 40 texels, near and far, slow and fast; 0 where `far` is false.
+std::vector<Piece> random_pieces(std::mt19937& random, bool far) {
+    std::vector<Piece> pieces;
+    std::size_t left = batch_capacity;
+    while (left > 0) {
+        const std::size_t count = std::min<std::size_t>(left, 1 + random() % 40);
+        const double first = double(random() % 100);
+        const double reach = far && random() % 3 == 0 ? 1e8 : 30.0;
+        const double step = far && random() % 5 == 0 ? 1e5 : std::ldexp(1.0, -int(random() % 8));
+        pieces.push_back(piece(random_vector(random, reach), random_vector(random, step), first,
+                               count, first + double(count)));
+        left -= count;
+    }
+    return pieces;
+}
+
+template <class Visit>
+void for_each_texel(const std::vector<Piece>& pieces, const Affine3& map, Visit&& visit) {
+    std::size_t at = 0;
+    for (const Piece& p : pieces)
+        for (std::size_t j = 0; j < p.solid.count; ++j)
+            visit(at++, map(p.solid.start + (p.solid.first + double(j)) * p.solid.step));
+}
+
+const Affine3 oblique{Mat3d(1.5, 0.25, 0, -0.75, 2, 0.5, 0, 0.125, 1), Vec3d(0.3, -7.0, 100.0)};
+
+TEST(LatticeStream, HoldsCoordinatesTo2ToTheMinus32) {
+    std::mt19937 random(5);
+    const auto stream = std::make_unique<LatticeStream>();
+    for (int i = 0; i < 30; ++i) {
+        const std::vector<Piece> pieces = random_pieces(random, true);
+        fill_stream(oblique, 3, pieces, *stream);
+        std::vector<double> size_at;  // of what is added up to a coordinate
+        for (const Piece& p : pieces) {
+            const double start = glm::length(p.solid.start), step = glm::length(p.solid.step);
+            size_at.insert(size_at.end(), p.solid.count, 100.0 + 3.0 * (start + p.length * step));
+        }
+        for_each_texel(pieces, oblique, [&](std::size_t at, const Vec3d& p) {
+            for (int axis = 0; axis < 3; ++axis) {
+                const std::uint64_t bits = stream->at[axis][at];
+                const double x = double(std::int32_t(bits >> 32)) + double(bits << 32) * 0x1p-64;
+                const double rest = p[axis] - x;
+                const double wrapped = rest - 0x1p32 * std::round(rest * 0x1p-32);
+                ASSERT_NEAR(wrapped, 0.0, 0x1p-32 + 0x1p-50 * size_at[at]) << at;
+            }
+        });
+    }
+}
+
+TEST(LatticeStream, StaysAtTheOriginWhereFloat64EndsAfterDoublings) {
+    const auto stream = std::make_unique<LatticeStream>();
+    const double far = 0x1p49 + 5.0;
+    const auto cell = [&](int doublings) {
+        fill_stream({}, doublings, std::vector{piece({far, 0, 0}, {0, 0, 0}, 0, 1, 1)}, *stream);
+        return std::uint32_t(stream->at[0][0] >> 32);
+    };
+    EXPECT_EQ(cell(1), 5u);
+    EXPECT_EQ(cell(2), 0u);
+}
+
+TEST(LatticeStream, DoesNotDependOnHowSpansAreCut) {
+    const auto whole = std::make_unique<LatticeStream>(), parts = std::make_unique<LatticeStream>();
+    for (const double step : {0.01, 3.0, 1e4, 0x1p45}) {
+        const Vec3d start(0.1, -5e5, 1e9), steps(step, -0.3 * step, 0.77);
+        const auto cut = [&](double first, std::size_t count) {
+            return piece(start, steps, first, count, 100.0);
+        };
+        fill_stream(oblique, 5, std::vector{cut(0, 100)}, *whole);
+        fill_stream(oblique, 5, std::vector{cut(0, 3), cut(3, 37), cut(40, 60)}, *parts);
+        for (int axis = 0; axis < 3; ++axis)
+            for (std::size_t j = 0; j < 100; ++j)
+                ASSERT_EQ(whole->at[axis][j], parts->at[axis][j]) << step;
+    }
+}
+
+struct Kernel {
+    NoiseKind kind;
+    Fade fade;
+};
+constexpr Kernel kernels[] = {{NoiseKind::value, Fade::linear},
+                              {NoiseKind::value, Fade::smooth},
+                              {NoiseKind::value, Fade::quintic},
+                              {NoiseKind::perlin, Fade::quintic}};
+
+/// What add_octave_* has to give: the kernel of cells and places, at the stream's.
+std::vector<double> expected_octave(const Kernel& k, const StreamOctave& octave,
+                                    const LatticeStream& stream) {
+    const auto lattice = std::make_unique<LatticeBatch>();
+    for (int axis = 0; axis < 3; ++axis)
+        for (std::size_t j = 0; j < batch_capacity; ++j) {
+            const std::uint64_t x = stream.at[axis][j] << octave.doublings;
+            lattice->cells[axis][j] = std::int32_t(x >> 32);
+            const auto centred = std::int32_t(std::uint32_t(x) ^ 0x80000000u);
+            lattice->places[axis][j] = float(centred) * 0x1p-32f;
+        }
+    std::vector<double> sums(batch_capacity + batch_padding, 0.0);
+    add_noise(k.kind, k.fade, octave.seed, 1.0, *lattice, batch_capacity, sums.data());
+    return sums;
+}
+
+TEST(StreamKernels, GiveTheBitsOfTheKernelsOfCellsAndPlaces) {
+    std::mt19937 random(6);
+    const auto stream = std::make_unique<LatticeStream>();
+    alignas(64) float sums[batch_capacity + batch_padding];
+    for (const Kernel& k : kernels)
+        for (int doublings : {0, 1, 7, 23}) {
+            fill_stream(oblique, doublings, random_pieces(random, doublings < 8), *stream);
+            const StreamOctave octave{std::uint32_t(random()), doublings, 1.0f};
+            const std::vector<double> expected = expected_octave(k, octave, *stream);
+            std::fill(std::begin(sums), std::end(sums), 0.0f);
+            add_octave_direct(k.kind, k.fade, octave, *stream, batch_capacity, sums);
+            for (std::size_t j = 0; j < batch_capacity; ++j)
+                ASSERT_EQ(double(sums[j]) * noise_unit(k.kind), expected[j]) << doublings;
+        }
+}
+
+TEST(StreamKernels, WeighOctaves) {
+    std::mt19937 random(6);
+    const auto stream = std::make_unique<LatticeStream>();
+    fill_stream({}, 0, random_pieces(random, false), *stream);
+    alignas(64) float once[batch_capacity + batch_padding] = {}, twice[std::size(once)] = {};
+    add_octave_direct(NoiseKind::value, Fade::smooth, {3, 0, 1.0f}, *stream, 500, once);
+    add_octave_direct(NoiseKind::value, Fade::smooth, {3, 0, 0.75f}, *stream, 500, twice);
+    add_octave_direct(NoiseKind::value, Fade::smooth, {3, 0, -0.25f}, *stream, 500, twice);
+    for (std::size_t j = 0; j < 500; ++j) EXPECT_FLOAT_EQ(twice[j], 0.5f * once[j]);
+}
+
+TEST(StreamKernels, AddSums) {
+    alignas(64) float sums[4 + batch_padding] = {1.0f, -2.0f, 0.5f, 0.25f};
+    double values[4 + batch_padding] = {10.0, 20.0, 30.0, 40.0};
+    add_sums(-4.0, sums, 4, values);
+    EXPECT_EQ(std::vector<double>(values, values + 4), (std::vector{6.0, 28.0, 28.0, 39.0}));
+}
+
+TEST(OctaveStreams, SumOctavesAsTheReferenceDoes) {
+    std::mt19937 random(8);
+    const auto buffers = std::make_unique<StreamBuffers>();
+    for (int i = 0; i < 24; ++i) {
+        Texture texture;
+        NoiseTerm term;
+        term.kind = i % 4 == 3 ? NoiseKind::perlin : NoiseKind::value;
+        term.fade = Fade(i % 3);
+        term.octaves = 1 + std::uint32_t(random() % 10);
+        term.gain = i % 2 ? 0.5 : 0.3;
+        term.phase = i % 5 == 0 ? random_vector(random, 3.0) : Vec3d(0.0);
+        term.seed = std::uint32_t(random());
+        term.range = NoiseRange::bipolar;
+        texture.noise = {term, term};
+        texture.noise[1].frequency = {2, 3, 4};
+        texture.noise[1].shape = i % 6 == 1 ? OctaveShape::absolute : OctaveShape::plain;
+        std::vector<Octave> octaves = expand_octaves(texture);
+        const std::vector<Piece> pieces = random_pieces(random, false);
+        std::vector<double> values(batch_capacity + batch_padding, 0.0);
+        OctaveStreams(octaves).add(pieces, batch_capacity, *buffers, values.data());
+        std::erase_if(octaves, [](const Octave& octave) { return !has_kernel(octave); });
+        double amplitudes = 0.0;
+        for (const Octave& octave : octaves) amplitudes += std::abs(octave.scale);
+        for_each_texel(pieces, {}, [&](std::size_t at, const Vec3d& p) {
+            const double exact = evaluate_field({}, octaves, p);
+            ASSERT_NEAR(values[at], exact, 2.5e-7 * (std::abs(exact) + amplitudes)) << i;
+        });
+    }
+}
+
+TEST(QuadricKernel, GivesTheQuadricAlongLines) {
+    const Quadric q{1.5, -2, 0.25, 3, -0.75, 1, 2, 0.5, -1, 7};
+    std::mt19937 random(9);
+    const std::vector<Piece> pieces = random_pieces(random, false);
+    std::vector<ParabolaLine> parabolas(pieces.size());
+    make_parabolas(q, 0.125, pieces, parabolas);
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        const LatticeLine& line = pieces[i].solid;
+        const auto& [c0, c1, c2, first, count] = parabolas[i];
+        EXPECT_EQ(first, line.first);
+        EXPECT_EQ(count, line.count);
+        for (const double x : {0.0, 1.0, first + double(count)}) {
+            const Vec3d s = line.start + x * line.step;
+            const double size = 10.0 * (1.0 + glm::dot(line.start, line.start) +
+                                        x * x * glm::dot(line.step, line.step));
+            EXPECT_NEAR(c0 + x * (c1 + x * c2), evaluate_quadric(q, s) + 0.125, 1e-14 * size);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace burl
