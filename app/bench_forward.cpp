@@ -7,8 +7,10 @@
 
 #include "app/bench.h"
 #include "app/recipe.h"
+#include "procedural/color_table.h"
 #include "procedural/field_sampler.h"
 #include "procedural/forward_field.h"
+#include "procedural/noise.h"
 
 namespace burl {
 
@@ -55,17 +57,7 @@ Method forward_method(const Texture& texture, const std::string& name, ForwardPr
 Method octaves_method(const Texture& texture) {
     return {"forward, octave by octave",
             [&texture, octaves = expand_octaves(texture)](const LatticeLine& line, double* f) {
-                ForwardCounts counts = forward_field(texture.quadric, {}, line, {}, f);
-                double constant = 0.0;
-                for (const Octave& octave : octaves) {
-                    const Affine3& map = octave.lattice_from_solid;
-                    counts += add_forward_noise(
-                        octave.noise, octave.scale,
-                        {map(line.start), map.linear * line.step, line.first, line.count}, {}, f);
-                    constant += octave.offset;
-                }
-                for (std::size_t j = 0; j < line.count; ++j) f[j] += constant;
-                return counts;
+                return forward_octaves(texture.quadric, octaves, line, {}, f);
             }};
 }
 
@@ -191,6 +183,60 @@ std::vector<ForwardBench> bench_forward(int repeats) {
     return rows;
 }
 
+namespace {
+
+/// Compares what the methods show of the lines in 8 bits.
+void count_codes(const Method& method, const Method& exact, const ColorMap& colors,
+                 const std::vector<LatticeLine>& lines, CubeBench& row) {
+    const ColorTable8 color(colors);
+    std::vector<double> f(batch_capacity), truth(batch_capacity);
+    for (const LatticeLine& line : lines) {
+        method.values(line, f.data());
+        exact.values(line, truth.data());
+        for (std::size_t j = 0; j < line.count; ++j) {
+            const Rgb8 a = color(f[j]), b = color(truth[j]);
+            row.other_codes += a != b;
+            row.largest_step = std::max(
+                {row.largest_step, std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)});
+        }
+    }
+}
+
+GrowthBench growth(Fade fade, const char* name, double frequency, ForwardPrecision precision,
+                   const char* in) {
+    const double step = 2.0 * frequency / 256.0;
+    GrowthBench bench{name, in, frequency, {}};
+    for (std::size_t texel = 0; double(texel) < 1.0 / step; texel = texel == 0 ? 1 : 2 * texel)
+        bench.errors.push_back({texel, 0.0});
+    bench.errors.push_back({std::size_t(1.0 / step) - 1, 0.0});
+    const LatticeLine line{{}, Vec3d(step), 0.0, 256};
+    for (std::uint32_t seed = 0; seed < 64; ++seed) {
+        const NoiseSpec noise{.fade = fade, .seed = seed};
+        std::vector<double> n(line.count, 0.0);
+        add_forward_noise(noise, 1.0, line, {precision, std::int64_t(1) << 62}, n.data());
+        for (auto& [texel, largest] : bench.errors)
+            for (double j = double(texel); j < 256.0; j += 1.0 / step)
+                largest = std::max(
+                    largest, std::abs(n[std::size_t(j)] - evaluate_noise(noise, j * line.step)));
+    }
+    return bench;
+}
+
+}  // namespace
+
+std::vector<GrowthBench> bench_forward_growth() {
+    std::vector<GrowthBench> rows;
+    for (const double frequency : {1.0, 8.0})
+        for (const auto& [fade, name] : {std::pair{Fade::linear, "linear"},
+                                         {Fade::smooth, "smooth"},
+                                         {Fade::quintic, "quintic"}})
+            for (const auto& [precision, in] : {std::pair{ForwardPrecision::float32, "float32"},
+                                                {ForwardPrecision::float64, "float64"},
+                                                {ForwardPrecision::fixed64, "fixed64"}})
+                rows.push_back(growth(fade, name, frequency, precision, in));
+    return rows;
+}
+
 std::vector<CubeBench> bench_forward_cubes(int repeats, std::size_t side) {
     std::vector<CubeBench> rows;
     for (const auto& [name, size] : {std::pair{"bresenham-wood", 1.0}, {"bresenham-marble", 2.0}}) {
@@ -200,8 +246,9 @@ std::vector<CubeBench> bench_forward_cubes(int repeats, std::size_t side) {
         const std::vector<BenchRow> times = timed(list, lines, repeats);
         for (std::size_t k = 0; k < list.size(); ++k) {
             const auto [error, counts] = measure(list[k], list[1], lines);
-            rows.push_back(
-                {name, list[k].name, 1e3 * times[k].median, error, counts.cells, counts.runs});
+            rows.push_back({name, list[k].name, 1e3 * times[k].median, error, 0, 0, counts.cells,
+                            counts.runs});
+            count_codes(list[k], list[1], texture.colors, lines, rows.back());
         }
     }
     return rows;

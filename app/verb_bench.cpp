@@ -163,8 +163,24 @@ Json forward_json(const ForwardBench& row) {
 }
 
 Json cube_json(const CubeBench& row) {
-    return {{"texture", row.texture}, {"method", row.method}, {"milliseconds", row.milliseconds},
-            {"error", row.error},     {"cells", row.cells},   {"runs", row.runs}};
+    return {{"texture", row.texture},
+            {"method", row.method},
+            {"milliseconds", row.milliseconds},
+            {"error", row.error},
+            {"texels_with_other_codes", row.other_codes},
+            {"largest_code_step", row.largest_step},
+            {"cells", row.cells},
+            {"runs", row.runs}};
+}
+
+Json growth_json(const GrowthBench& row) {
+    Json errors = Json::array();
+    for (const auto& [texel, largest] : row.errors)
+        errors.push_back({{"texel_of_cell", texel}, {"error", largest}});
+    return {{"noise", row.noise},
+            {"frequency", row.frequency},
+            {"precision", row.precision},
+            {"errors", errors}};
 }
 
 /// A table per function: a line per method, and in it cell(row) for every step.
@@ -187,6 +203,31 @@ void print_steps(const std::vector<ForwardBench>& rows, const char* what, Cell&&
     }
 }
 
+void print_cubes(const std::vector<CubeBench>& rows) {
+    fmt::print("\n{:<16} {:<26} {:>9} {:>9} {:>12} {:>5} {:>8} {:>8}\n", "three faces", "method",
+               "ms", "error", "other codes", "by", "cells", "runs");
+    for (const CubeBench& row : rows)
+        fmt::print("{:<16} {:<26} {:>9.3f} {:>9.1e} {:>12} {:>5} {:>8} {:>8}\n", row.texture,
+                   row.method, row.milliseconds, row.error, row.other_codes, row.largest_step,
+                   row.cells, row.runs);
+}
+
+/// Largest error at the cells' first, second, third, fifth ... and last texel.
+void print_growth(const std::vector<GrowthBench>& rows) {
+    double frequency = 0.0;
+    for (const GrowthBench& row : rows) {
+        if (row.frequency != frequency) {
+            fmt::print("\n{:<18}", fmt::format("frequency {:g}, texel", row.frequency));
+            for (const auto& error : row.errors) fmt::print(" {:>8}", error.texel);
+            fmt::print("\n");
+        }
+        frequency = row.frequency;
+        fmt::print("{:<8} {:<9}  ", row.noise, row.precision);
+        for (const auto& error : row.errors) fmt::print(" {:>8.1e}", error.largest);
+        fmt::print("\n");
+    }
+}
+
 void run_forward_bench(const BenchCommand& command) {
     if (command.size > batch_capacity)
         throw Error(ExitCode::usage,
@@ -196,20 +237,19 @@ void run_forward_bench(const BenchCommand& command) {
     const std::vector<ForwardBench> rows = bench_forward(command.repeats);
     const std::vector<CubeBench> cubes =
         bench_forward_cubes(command.repeats, command.size == 0 ? 256 : command.size);
+    const std::vector<GrowthBench> growth = bench_forward_growth();
     Json list = Json::array();
     for (const ForwardBench& row : rows) list.push_back(forward_json(row));
     for (const CubeBench& row : cubes) list.push_back(cube_json(row));
+    for (const GrowthBench& row : growth) list.push_back(growth_json(row));
     write_report(command, list);
     if (command.json) return;
     print_steps(rows, "ns per texel",
                 [](const ForwardBench& row) { return fmt::format("{:.2f}", row.ns_per_texel); });
     print_steps(rows, "largest error",
                 [](const ForwardBench& row) { return fmt::format("{:.1e}", row.error); });
-    fmt::print("\n{:<18} {:<26} {:>10} {:>10} {:>8} {:>8}\n", "cube, three faces", "method", "ms",
-               "error", "cells", "runs");
-    for (const CubeBench& row : cubes)
-        fmt::print("{:<18} {:<26} {:>10.3f} {:>10.1e} {:>8} {:>8}\n", row.texture, row.method,
-                   row.milliseconds, row.error, row.cells, row.runs);
+    print_cubes(cubes);
+    print_growth(growth);
 }
 
 void run_bench(const BenchCommand& command) {

@@ -182,4 +182,29 @@ ForwardCounts forward_field(const Quadric& quadric, std::span<const Octave> octa
     return fill_line<15>(field, options, values);
 }
 
+ForwardCounts forward_octaves(const Quadric& quadric, std::span<const Octave> octaves,
+                              const LatticeLine& solid, const ForwardOptions& options,
+                              double* values) {
+    Quadric shifted = quadric;
+    for (const Octave& octave : octaves) shifted.j += octave.offset;
+    ForwardCounts counts = forward_field(shifted, {}, solid, options, values);
+    for (const Octave& octave : octaves)
+        counts +=
+            add_forward_noise(octave.noise, octave.scale,
+                              lattice_line(octave.lattice_from_solid, solid), options, values);
+    return counts;
+}
+
+ForwardCounts forward_values(const Quadric& quadric, std::span<const Octave> octaves,
+                             const LatticeLine& solid, const ForwardOptions& options,
+                             double* values) {
+    double crossings = 0.0;
+    for (const Octave& octave : octaves) {
+        const Vec3d step = glm::abs(lattice_line(octave.lattice_from_solid, solid).step);
+        crossings += step.x + step.y + step.z;
+    }
+    const bool whole = crossings <= whole_function_crossings;
+    return (whole ? forward_field : forward_octaves)(quadric, octaves, solid, options, values);
+}
+
 }  // namespace burl

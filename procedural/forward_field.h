@@ -28,4 +28,19 @@ ForwardCounts forward_field(const Quadric& quadric, std::span<const Octave> octa
                             const LatticeLine& solid, const ForwardOptions& options,
                             double* values);
 
+/// The same f from the quadric and every octave by themselves (add_forward_noise), added up.
+ForwardCounts forward_octaves(const Quadric& quadric, std::span<const Octave> octaves,
+                              const LatticeLine& solid, const ForwardOptions& options,
+                              double* values);
+
+/// Cell crossings per texel, of all octaves together, up to which forward_field is the faster of
+/// the two: below, its runs are long enough to pay for polynomials of everything
+/// (docs/bresenham.md).
+inline constexpr double whole_function_crossings = 0.1;
+
+/// The faster of the two for the line's step.
+ForwardCounts forward_values(const Quadric& quadric, std::span<const Octave> octaves,
+                             const LatticeLine& solid, const ForwardOptions& options,
+                             double* values);
+
 }  // namespace burl

@@ -16,6 +16,10 @@ TEST(BenchForwardCubes, CountWhatThePapersCubesTake) {
         const bool octaves = row.method == "forward, octave by octave";
         EXPECT_GT(row.milliseconds, 0.0);
         EXPECT_LE(row.error, row.method == "forward, float32" ? 1e-4 : 1e-6) << row.method;
+        if (row.method == "direct, float64" || row.method == "forward, float64") {
+            EXPECT_EQ(row.other_codes, 0) << row.method;
+        }
+        EXPECT_EQ(row.largest_step > 0, row.other_codes > 0);
         EXPECT_EQ(row.cells, !forward ? 0 : row.texture == "bresenham-wood" ? wood : marble);
         if (row.method == "forward, float64") {
             EXPECT_EQ(row.runs, row.texture == "bresenham-wood" ? wood : lines * 16);
@@ -23,6 +27,17 @@ TEST(BenchForwardCubes, CountWhatThePapersCubesTake) {
         if (octaves) {
             EXPECT_EQ(row.runs, lines * (30 + 1));
         }
+    }
+}
+
+TEST(BenchForwardGrowth, ShowsErrorsGrowThroughACell) {
+    for (const GrowthBench& row : bench_forward_growth()) {
+        ASSERT_GE(row.errors.size(), 6u);
+        EXPECT_EQ(row.errors.back().texel, row.frequency == 1.0 ? 127u : 15u);
+        EXPECT_LT(row.errors.front().largest, 1e-7);
+        if (row.precision != "float32") continue;
+        EXPECT_GT(row.errors.back().largest, 2.0 * row.errors.front().largest) << row.noise;
+        EXPECT_LT(row.errors.back().largest, 5e-3) << row.noise;
     }
 }
 

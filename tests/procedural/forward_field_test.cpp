@@ -75,6 +75,21 @@ TEST(ForwardField, IsTheWholeFunctionAlongALine) {
             }
 }
 
+TEST(ForwardField, IsTheSumOfItsOctaves) {
+    const Texture texture = mixed();
+    const std::vector<Octave> octaves = expand_octaves(texture);
+    for (const double pace : {0.5, 0.01, 0.0007}) {
+        const LatticeLine line{{0.1, 0.2, 0.3}, {pace, -0.7 * pace, 0.4 * pace}, 0.0, 600};
+        std::vector<double> whole(line.count), apart(line.count), either(line.count);
+        forward_field(texture.quadric, octaves, line, {}, whole.data());
+        forward_octaves(texture.quadric, octaves, line, {}, apart.data());
+        forward_values(texture.quadric, octaves, line, {}, either.data());
+        for (std::size_t j = 0; j < line.count; ++j)
+            EXPECT_NEAR(apart[j], whole[j], 4e-12 * (1.0 + std::abs(whole[j])));
+        EXPECT_EQ(either, pace < 0.001 ? whole : apart);
+    }
+}
+
 TEST(ForwardField, OfAQuadricAloneIsExactForDyadicNumbers) {
     Texture texture;
     texture.quadric = {1, 0.5, 0, 0.25, -2, 0, 0, 4, 0, 1};
