@@ -69,6 +69,7 @@ int run(int argc, char** argv) {
     burl::add_metrics(program);
     burl::add_bench(program);
     burl::add_eval(program);
+    burl::add_figures(program);
     burl::add_list(program);
     try {
         program.parse(argc, argv);

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/palette.h"
 #include "atlas/image.h"
 
 namespace burl {
@@ -31,6 +32,9 @@ std::vector<std::uint8_t> encode_png(const Image<Rgb8>& image, int level = defau
                                      PngContent content = PngContent::color);
 std::vector<std::uint8_t> encode_png(const Image<Rgb16>& image, int level = default_png_level,
                                      PngContent content = PngContent::color);
+
+/// A PNG with a palette, at zlib's level 9 (grey levels alone: without one); for small files.
+std::vector<std::uint8_t> encode_png(const IndexedImage& image);
 
 /// Writes the file whole or not at all (app/atomic_file.h). Throws Error(io).
 void write_png(const std::string& path, const Image<Rgb8>& image);

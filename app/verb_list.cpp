@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "app/embedded.h"
+#include "app/figures.h"
 #include "app/parameters.h"
 #include "app/report.h"
 #include "app/sample_meshes.h"
@@ -67,6 +68,11 @@ std::vector<Entry> entries_of(const std::string& what) {
             entries.push_back({fmt::format("sample:{}", name), "a mesh the program brings"});
         return entries;
     }
+    if (what == "figures") {
+        std::vector<Entry> entries;
+        for (const Figure& figure : figures()) entries.push_back({figure.name, figure.shows});
+        return entries;
+    }
     if (what == "atlases") {
         return {{"uniform", "every triangle the same shape (Carr & Hart 4.1)"},
                 {"area", "triangles sized by their area (Carr & Hart 4.2)"},
@@ -102,12 +108,14 @@ void print_entries(const std::string& what, bool json) {
 
 void add_list(CLI::App& program) {
     auto* verb = program.add_subcommand(
-        "list", "List recipes, meshes, atlases, noises, nodes or parameters");
+        "list", "List recipes, meshes, atlases, noises, nodes, parameters or figures");
     auto what = std::make_shared<std::string>();
     auto json = std::make_shared<bool>(false);
-    verb->add_option("what", *what, "recipes, meshes, atlases, noises, nodes or parameters")
+    verb->add_option("what", *what,
+                     "recipes, meshes, atlases, noises, nodes, parameters or figures")
         ->required()
-        ->check(CLI::IsMember({"recipes", "meshes", "atlases", "noises", "nodes", "parameters"}));
+        ->check(CLI::IsMember(
+            {"recipes", "meshes", "atlases", "noises", "nodes", "parameters", "figures"}));
     verb->add_flag("--json", *json, "Print JSON");
     verb->callback([what, json] { print_entries(*what, *json); });
 }

@@ -11,6 +11,7 @@ void add_diff(CLI::App& program);
 void add_metrics(CLI::App& program);
 void add_bench(CLI::App& program);
 void add_eval(CLI::App& program);
+void add_figures(CLI::App& program);
 void add_list(CLI::App& program);
 
 }  // namespace burl

@@ -70,6 +70,11 @@ void sine_of(const NodeCall& call) {
     map_number(call, dual_sin);
 }
 
+void slope(const NodeCall& call) {
+    const Vec3d d = call.vector("direction");
+    map_number(call, [&](const Dual& x) -> Dual { return glm::dot(d, x.slope); });
+}
+
 void floor_of(const NodeCall& call) {
     map_number(call, dual_floor);
 }

@@ -15,6 +15,7 @@ void maximum(const NodeCall& call);
 void absolute(const NodeCall& call);
 void power(const NodeCall& call);
 void sine_of(const NodeCall& call);
+void slope(const NodeCall& call);
 void floor_of(const NodeCall& call);
 void fract_of(const NodeCall& call);
 void smoothstep(const NodeCall& call);

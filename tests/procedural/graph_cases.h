@@ -30,6 +30,9 @@ inline constexpr std::array graph_cases{
         "input": {"node": "add", "a": 0.5, "b": {"node": "fbm"}}})"},
     GraphCase{"sin", R"({"node": "sin", "input": {"node": "multiply", "a": 5,
         "b": {"node": "fbm", "octaves": 2}}})"},
+    // Of a plane alone the slope's own gradient is 0, which is all that the node knows.
+    GraphCase{"slope", R"({"node": "slope", "direction": [1, -2, 3],
+        "input": {"node": "coordinate", "direction": [0.5, 4, 2]}})"},
     GraphCase{"floor", R"({"node": "floor", "input": {"node": "coordinate"}})"},
     GraphCase{"fract", R"({"node": "fract", "input": {"node": "coordinate"}})"},
     GraphCase{"smoothstep", R"({"node": "smoothstep", "low": -0.4, "high": 0.6,
