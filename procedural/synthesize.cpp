@@ -3,14 +3,17 @@
 #include <algorithm>
 #include <cstring>
 #include <memory>
+#include <optional>
+#include <tuple>
 
-#include "procedural/break_distance.h"
 #include "procedural/color_table.h"
 #include "procedural/field_sampler.h"
 #include "procedural/filtered_colors.h"
 #include "procedural/pixel_encoder.h"
 #include "procedural/row_tasks.h"
 #include "procedural/sample_pattern.h"
+#include "procedural/stream_encoder.h"
+#include "procedural/stream_filter.h"
 
 namespace burl {
 
@@ -18,11 +21,14 @@ namespace {
 
 struct Batch : FieldBatch {
     alignas(64) std::int32_t entries[batch_capacity + batch_padding];
-    alignas(64) std::int32_t distances[batch_capacity + batch_padding];
     ColorTable8::Code codes[batch_capacity];
     std::uint32_t later[batch_capacity];
     std::vector<double> middle, mean;  ///< of several samples of a texel
     std::vector<Vec3d> colors;
+
+    FilterBuffers filter;
+    bool filtered[batch_capacity];  ///< whether `means` counts
+    std::tuple<std::vector<Rgb8>, std::vector<Rgb16>, std::vector<RgbF>> means;
 };
 
 // Shaders: prepare() samples a batch, pixel() gives one of its texels.
@@ -89,26 +95,39 @@ class FilteredColor {
   public:
     using Pixel = typename Point::Pixel;
     FilteredColor(const ColorMap& map, FilterKind kind)
-        : kind_(kind), filtered_(map, kind), distance_(MapPieces(map)), point_(map) {}
+        : kind_(kind), filtered_(map, kind), point_(map) {
+        if (filtered_.exact()) stream_.emplace(MapPieces(map), kind != FilterKind::exact);
+    }
 
     void prepare(const FieldSampler& sampler, Batch& batch) const {
         sampler.values_and_slopes(batch);
         if (kind_ == FilterKind::trapezoid2) add_curvature(sampler, batch);
-        if (!filtered_.exact()) return;
-        point_.prepare_colors(batch);
-        index_colors(filtered_.wrap(), batch.field, batch.count, BreakDistance::entry_count,
-                     batch.distances);
+        if (stream_) fill_means(batch);
     }
     Pixel pixel(const Batch& batch, std::size_t at) const {
-        const double u = double(batch.slopes.u[at]), v = double(batch.slopes.v[at]);
-        if (filtered_.exact() && distance_.straight(std::uint32_t(batch.distances[at]),
-                                                    0.5 * (std::abs(u) + std::abs(v))))
-            return point_.pixel(batch, at);
-        return encode_(filtered_(batch.field[at], u, v));
+        if (!stream_)
+            return encode_(
+                filtered_(batch.field[at], double(batch.slopes.u[at]), double(batch.slopes.v[at])));
+        return batch.filtered[at] ? std::get<std::vector<Pixel>>(batch.means)[at]
+                                  : point_.pixel(batch, at);
     }
     Pixel background(double f) const { return point_.background(f); }
 
   private:
+    void fill_means(Batch& batch) const {
+        point_.prepare_colors(batch);
+        auto& means = std::get<std::vector<Pixel>>(batch.means);
+        means.resize(batch_capacity);
+        std::fill_n(batch.filtered, batch.count, false);
+        (*stream_)(batch.field, batch.slopes, batch.count, batch.filter,
+                   [&](const std::vector<std::uint16_t>& texels, const FootprintStream& stream) {
+                       encode_means_(stream, texels.size(), [&](std::size_t i, Pixel pixel) {
+                           batch.filtered[texels[i]] = true;
+                           means[texels[i]] = pixel;
+                       });
+                   });
+    }
+
     /// The mean of f over the texel is f + (f_uu + f_vv) / 24 to second order. The second
     /// derivatives are differences of f at the middles of the texel's sides, which see what is
     /// smaller than the texel better than derivatives at its centre would.
@@ -129,9 +148,10 @@ class FilteredColor {
 
     FilterKind kind_;
     FilteredColors filtered_;
-    BreakDistance distance_;
+    std::optional<StreamFilter> stream_;  ///< of the exact filters
     Point point_;
     PixelEncoder<Pixel> encode_;
+    StreamEncoder<Pixel> encode_means_;
 };
 
 /// Colours of several places in the texel, weighted.

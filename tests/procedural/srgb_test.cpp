@@ -1,6 +1,11 @@
 #include "procedural/srgb.h"
 
+#include <algorithm>
+#include <vector>
+
 #include <gtest/gtest.h>
+
+#include "procedural/srgb_kernels.h"
 
 namespace burl {
 namespace {
@@ -47,6 +52,28 @@ TEST(SrgbEncoder, AgreesWithTheFormulaOnAFineRamp) {
     for (int i = 0; i <= 200000; ++i) {
         const double linear = i / 200000.0;
         ASSERT_EQ(encode(linear), std::lround(255.0 * srgb_encode(linear))) << linear;
+    }
+}
+
+TEST(SrgbStreamEncoder, HasTheEncodersCodes) {
+    const SrgbEncoder<std::uint8_t> encode;
+    std::vector<double> values{-1.0,   2.0,  0.0,          1.0,
+                               5e-324, -0.0, std::nan(""), std::numeric_limits<double>::infinity()};
+    for (int i = 0; i < 256; ++i)
+        for (const double side : {1.0 - 1e-15, 1.0, 1.0 + 1e-15})
+            values.push_back(srgb_decode((i + 0.5) / 255.0) * side);
+    for (int bucket = 0; bucket <= 512; ++bucket)  // where the stream's encoder splits [0,1]
+        for (const double side : {1.0 - 1e-7, 1.0 - 1e-15, 1.0, 1.0 + 1e-15, 1.0 + 1e-7})
+            values.push_back(bucket / 512.0 * bucket / 512.0 * side);
+    alignas(64) double linear[64 + 16] = {};
+    alignas(64) std::uint8_t codes[64 + 16];
+    const SrgbStreamEncoder stream;
+    for (std::size_t begin = 0; begin < values.size(); begin += 64) {
+        const std::size_t count = std::min<std::size_t>(64, values.size() - begin);
+        std::copy_n(values.begin() + std::ptrdiff_t(begin), count, linear);
+        stream(linear, count, codes);
+        for (std::size_t i = 0; i < count; ++i)
+            EXPECT_EQ(codes[i], encode(values[begin + i])) << values[begin + i];
     }
 }
 

@@ -1,0 +1,58 @@
+#pragma once
+// The exact filters on a batch of texels: those whose footprint holds a break of the map are picked
+// out and sorted by the kernel that suits them, the others need no filter.
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "procedural/break_distance.h"
+#include "procedural/map_filter.h"
+#include "procedural/map_filter_kernels.h"
+#include "procedural/slope_kernels.h"
+
+namespace burl {
+
+/// A thread's arrays.
+struct FilterBuffers {
+    alignas(64) std::int32_t entries[batch_capacity + batch_padding];
+    std::vector<std::uint16_t> texels[4];  ///< of the batch, per kernel
+    FootprintStream stream;
+};
+
+class StreamFilter {
+  public:
+    /// `both_axes`: trapezoids; else boxes of the same variance.
+    StreamFilter(const MapPieces& map, bool both_axes);
+
+    /// Calls emit(texels, means) for groups of texels, means.color[c][i] in linear light being that
+    /// of texel texels[i]; texels over which the map is straight are in none.
+    template <class Emit>
+    void operator()(const double* f, const SlopeBatch& slopes, std::size_t count,
+                    FilterBuffers& buffers, const Emit& emit) const {
+        sort(f, slopes, count, buffers);
+        for (const Kernel kernel : {Kernel::narrow, Kernel::box, Kernel::trapezoid, Kernel::rare}) {
+            const auto& texels = buffers.texels[int(kernel)];
+            if (texels.empty()) continue;
+            run(kernel, f, slopes, buffers);
+            emit(texels, buffers.stream);
+        }
+    }
+
+  private:
+    enum class Kernel { narrow, box, trapezoid, rare };
+    FilterWidths widths(double f, float u, float v) const;
+    static Kernel kernel_for(const FilterWidths& widths);
+    void sort(const double* f, const SlopeBatch& slopes, std::size_t count,
+              FilterBuffers& buffers) const;
+    void pack(const std::vector<std::uint16_t>& texels, const double* f, const SlopeBatch& slopes,
+              FootprintStream& stream) const;
+    void run(Kernel kernel, const double* f, const SlopeBatch& slopes,
+             FilterBuffers& buffers) const;
+
+    MapPieces pieces_;
+    MapBreaks breaks_;
+    BreakDistance distance_;
+    bool both_axes_;
+};
+
+}  // namespace burl
