@@ -10,7 +10,7 @@ enum class FilterKind {
     table_sat3,   ///< the same, three times as long
     exact,        ///< the map's integral over a box as wide as the footprint
     trapezoid,    ///< the map's integral over both axes of the footprint
-    trapezoid2,   ///< the same about the mean of f, which its curvature moves
+    trapezoid2,   ///< the same, f's mean and slopes from the texel's corners
     supersample,  ///< stratified samples with Gaussian weights
 };
 

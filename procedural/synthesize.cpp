@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "procedural/color_table.h"
+#include "procedural/corner_samples.h"
 #include "procedural/field_sampler.h"
 #include "procedural/filtered_colors.h"
 #include "procedural/pixel_encoder.h"
@@ -23,9 +24,10 @@ struct Batch : FieldBatch {
     alignas(64) std::int32_t entries[batch_capacity + batch_padding];
     ColorTable8::Code codes[batch_capacity];
     std::uint32_t later[batch_capacity];
-    std::vector<double> middle, mean;  ///< of several samples of a texel
+    std::vector<double> weights;  ///< sums over several samples of a texel
     std::vector<Vec3d> colors;
 
+    CornerBuffers corners;
     FilterBuffers filter;
     bool filtered[batch_capacity];  ///< whether `means` counts
     std::tuple<std::vector<Rgb8>, std::vector<Rgb16>, std::vector<RgbF>> means;
@@ -100,8 +102,12 @@ class FilteredColor {
     }
 
     void prepare(const FieldSampler& sampler, Batch& batch) const {
-        sampler.values_and_slopes(batch);
-        if (kind_ == FilterKind::trapezoid2) add_curvature(sampler, batch);
+        if (kind_ == FilterKind::trapezoid2) {
+            sampler.values(batch);
+            average_with_corners(sampler, batch, batch.corners);
+        } else {
+            sampler.values_and_slopes(batch);
+        }
         if (stream_) fill_means(batch);
     }
     Pixel pixel(const Batch& batch, std::size_t at) const {
@@ -128,24 +134,6 @@ class FilteredColor {
                    });
     }
 
-    /// The mean of f over the texel is f + (f_uu + f_vv) / 24 to second order. The second
-    /// derivatives are differences of f at the middles of the texel's sides, which see what is
-    /// smaller than the texel better than derivatives at its centre would.
-    static void add_curvature(const FieldSampler& sampler, Batch& batch) {
-        constexpr float sides[4][2] = {{0.5f, 0.0f}, {-0.5f, 0.0f}, {0.0f, 0.5f}, {0.0f, -0.5f}};
-        batch.middle.assign(batch.field, batch.field + batch.count);
-        batch.mean.assign(batch.count, 0.0);
-        for (const auto& side : sides) {
-            std::fill_n(batch.offset_u, batch.count, side[0]);
-            std::fill_n(batch.offset_v, batch.count, side[1]);
-            sampler.values_at_offsets(batch);
-            for (std::size_t j = 0; j < batch.count; ++j)
-                batch.mean[j] += (batch.field[j] - batch.middle[j]) / 6.0;
-        }
-        for (std::size_t j = 0; j < batch.count; ++j)
-            batch.field[j] = batch.middle[j] + batch.mean[j];
-    }
-
     FilterKind kind_;
     FilteredColors filtered_;
     std::optional<StreamFilter> stream_;  ///< of the exact filters
@@ -164,7 +152,7 @@ class SupersampledColor {
 
     void prepare(const FieldSampler& sampler, Batch& batch) const {
         batch.colors.assign(batch.count, Vec3d(0.0));
-        batch.middle.assign(batch.count, 0.0);
+        batch.weights.assign(batch.count, 0.0);
         for (int i = 0; i < pattern_.samples(); ++i) {
             place(i, batch);
             sampler.values_at_offsets(batch);
@@ -172,12 +160,12 @@ class SupersampledColor {
                 const double u = double(batch.offset_u[j]), v = double(batch.offset_v[j]);
                 const double weight = gaussian_weight(u, v);
                 batch.colors[j] += weight * map_(batch.field[j]);
-                batch.middle[j] += weight;
+                batch.weights[j] += weight;
             }
         }
     }
     P pixel(const Batch& batch, std::size_t at) const {
-        return encode_(batch.colors[at] / batch.middle[at]);
+        return encode_(batch.colors[at] / batch.weights[at]);
     }
     P background(double f) const { return point_.background(f); }
 

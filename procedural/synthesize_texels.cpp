@@ -107,13 +107,29 @@ Vec3d supersampled(const PreparedColorMap& map, const SamplePattern& pattern, co
     return sum / weights;
 }
 
-/// The mean of f over the texel to second order, from its values at the middles of its sides.
-double curved_mean(const ExactField& field, const Texel& texel, double middle) {
-    double mean = middle;
-    for (const Vec3d& step : {texel.steps.u, texel.steps.v})
-        for (const double side : {0.5, -0.5})
-            mean += (field(texel.point + side * step) - middle) / 6.0;
-    return mean;
+/// What a filter knows of f over a texel: where its values lie and by how much they spread along
+/// each side.
+struct Spread {
+    double middle = 0.0, u = 0.0, v = 0.0;
+};
+
+/// To first order, from value and gradient at the centre.
+Spread central_spread(const ExactField& field, const Texel& texel) {
+    const FieldSample sample = field.sample(texel.point);
+    return {sample.value, glm::dot(sample.gradient, texel.steps.u),
+            glm::dot(sample.gradient, texel.steps.v)};
+}
+
+/// To second order, from the values at centre and corners (corner_samples.h).
+Spread corner_spread(const ExactField& field, const Texel& texel) {
+    const auto [u, v] = texel.steps;
+    const double f = field(texel.point);
+    const double a = field(texel.point - 0.5 * u - 0.5 * v),
+                 b = field(texel.point + 0.5 * u - 0.5 * v),
+                 c = field(texel.point - 0.5 * u + 0.5 * v),
+                 d = field(texel.point + 0.5 * u + 0.5 * v);
+    return {f + ((a - f) + (b - f) + (c - f) + (d - f)) / 12.0, 0.5 * ((b - a) + (d - c)),
+            0.5 * ((c - a) + (d - b))};
 }
 
 template <class Pixel, class Field>
@@ -140,10 +156,8 @@ Image<Pixel> filtered_colors(const SolidAtlas& solid, const ColorMap& colors, co
     const bool curved = filter.kind == FilterKind::trapezoid2;
     return fill(solid, map, threads, field, encode(PreparedColorMap(colors)(0.0)),
                 [&](const ExactField& f, const Texel& t) {
-                    const FieldSample sample = f.sample(t.point);
-                    const double mean = curved ? curved_mean(f, t, sample.value) : sample.value;
-                    return encode(color(mean, glm::dot(sample.gradient, t.steps.u),
-                                        glm::dot(sample.gradient, t.steps.v)));
+                    const auto [middle, u, v] = curved ? corner_spread(f, t) : central_spread(f, t);
+                    return encode(color(middle, u, v));
                 });
 }
 
