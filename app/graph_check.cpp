@@ -125,12 +125,23 @@ class GraphChecker {
         for (const Parameter& parameter : type.parameters()) {
             const std::string key(parameter.path), parameter_path = join_path(path, key);
             if (node.contains(key)) {
+                if (node[key].is_null() && parameter.default_value == "null") continue;
                 if (Found found = check_leaf(parameter, node[key], parameter_path)) return found;
             } else if (parameter.default_value.empty()) {
                 return RecipeProblem{parameter_path, parameter_path + " is missing"};
             }
         }
-        return {};
+        return check_time(node, path);
+    }
+
+    /// The keys' values have been checked.
+    static Found check_time(const Json& node, const std::string& path) {
+        if (!node.contains("time") || node["time"].is_null()) return {};
+        const std::string problem =
+            time_problem(node.value("kind", "perlin"), node.value("time_period", 0.0) != 0.0);
+        if (problem.empty()) return {};
+        const std::string at = join_path(path, "time");
+        return RecipeProblem{at, fmt::format("{} is {}, {}", at, shown(node["time"]), problem)};
     }
 
     Found check_inputs(const NodeType& type, const Json& node, const std::string& path, Wire wanted,

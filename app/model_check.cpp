@@ -51,15 +51,12 @@ std::string period_problem(const Json& term) {
 }
 
 /// Why a noise term cannot have a time, without its path; empty if it can.
-std::string time_problem(const Json& term) {
-    const std::string kind = term.value("kind", "value");
-    if (kind == "perlin1985") return "but perlin1985 noise has no fourth dimension; use perlin";
+std::string term_time_problem(const Json& term) {
     const bool still = !term.contains("period") ||
                        std::all_of(term["period"].begin(), term["period"].end(),
                                    [](const Json& cells) { return cells.get<double>() == 0.0; });
-    if (kind == "simplex" && !(still && term.value("time_period", 0.0) == 0.0))
-        return "but simplex noise in four dimensions has no period; use perlin";
-    return "";
+    return time_problem(term.value("kind", "value"),
+                        !still || term.value("time_period", 0.0) != 0.0);
 }
 
 /// Periods and times are such as the term's kind can have.
@@ -68,7 +65,7 @@ Found check_noise(const Json& field, const std::string& field_path) {
     for (std::size_t i = 0; i < field["noise"].size(); ++i) {
         const Json& term = field["noise"][i];
         for (const auto& [key, problem] :
-             {std::pair("period", &period_problem), std::pair("time", &time_problem)}) {
+             {std::pair("period", &period_problem), std::pair("time", &term_time_problem)}) {
             if (!term.contains(key)) continue;
             const std::string sentence = problem(term);
             if (sentence.empty()) continue;
@@ -81,6 +78,13 @@ Found check_noise(const Json& field, const std::string& field_path) {
 }
 
 }  // namespace
+
+std::string time_problem(std::string_view kind, bool repeats) {
+    if (kind == "perlin1985") return "but perlin1985 noise has no fourth dimension; use perlin";
+    if (kind == "simplex" && repeats)
+        return "but simplex noise in four dimensions has no period; use perlin";
+    return "";
+}
 
 Found find_map_problem(const SchemaNode& schema, const Json& map, const std::string& path) {
     for (const char* key : {"wrap", "stops"}) {

@@ -110,11 +110,11 @@ Json normals_json(const BakeCommand& command, Pipeline& pipeline,
               {"largest", errors.largest}}}};
 }
 
-void print_summary(const Json& report) {
+/// `paths`: of all frames, or the one that was named.
+void print_summary(const Json& report, const std::vector<std::string>& paths) {
     const Json& atlas = report["atlas"];
-    const Json& outputs = report["outputs"];
-    std::string name = outputs.front().get<std::string>();
-    if (report.contains("animation")) name += " to " + outputs.back().get<std::string>();
+    std::string name = paths.front();
+    if (paths.size() > 1) name += " to " + paths.back();
     fmt::print(
         "{}: {} triangles, {} atlas {} x {}, coverage {:.1f} %, relative scale {:.2f}, {:.2f} s\n",
         name, report["mesh"]["triangles"].get<std::uint64_t>(), atlas["kind"].get<std::string>(),
@@ -216,7 +216,7 @@ void run_bake(const BakeCommand& command) {
     if (command.json) {
         write_json("-", report);
     } else if (!command.quiet && command.report != "-") {
-        print_summary(report);
+        print_summary(report, paths);
         if (baked.compressed) print_compressed(baked);
     }
 }

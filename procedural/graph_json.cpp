@@ -1,6 +1,8 @@
 #include "procedural/graph_json.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -41,7 +43,9 @@ std::string_view choice_word(std::string_view choices, double index) {
 
 void append_parameter(const Parameter& parameter, const Json& value, std::vector<double>& all) {
     if (parameter.type == ParameterType::text) return;  // not a number
-    if (parameter.type == ParameterType::choice)
+    if (value.is_null())
+        all.push_back(std::numeric_limits<double>::infinity());
+    else if (parameter.type == ParameterType::choice)
         all.push_back(choice_index(parameter.choices, value.get<std::string>()));
     else if (parameter.type == ParameterType::numbers)
         for (const Json& number : value) all.push_back(number.get<double>());
@@ -200,7 +204,8 @@ class GraphWriter {
                 json[std::string(parameter.path)] = graph_.images[node.image].file;
                 continue;
             }
-            json[std::string(parameter.path)] = parameter_json(parameter, &node.parameters[at]);
+            if (std::isfinite(node.parameters[at]))
+                json[std::string(parameter.path)] = parameter_json(parameter, &node.parameters[at]);
             at += parameter.count;
         }
         return json;

@@ -26,6 +26,11 @@ NoiseSpec noise_of(const NodeCall& call) {
     NoiseSpec noise;
     noise.kind = NoiseKind(int(call.parameter("kind")));
     noise.seed = std::uint32_t(call.parameter("seed"));
+    const double time = call.parameter("time");
+    if (std::isfinite(time)) {
+        noise.time = time;
+        noise.period[3] = std::uint32_t(call.parameter("time_period"));
+    }
     return noise;
 }
 
@@ -57,7 +62,8 @@ struct OctaveSum {
         NoiseSpec octave = noise;
         for (double k = 0.0; k < octaves; ++k, ++octave.seed) {
             const double fade = dual_smoothstep(0.3, 0.7, std::min(kept - k, 1.0)).value;
-            const double left = absolute ? mean_absolute(noise.kind) : mean_value(noise.kind);
+            const double left = absolute ? mean_absolute(noise.kind, noise.time.has_value())
+                                         : mean_value(noise.kind, noise.time.has_value());
             if (fade > 0.0) {
                 const Dual n = noise_at(octave, scaled(frequency, p));
                 sum = sum + weight * fade * (absolute ? dual_abs(n) : n);

@@ -8,7 +8,7 @@ namespace {
 
 using enum ParameterType;
 using Inputs = std::array<NodeInput, 4>;
-using Parameters = std::array<Parameter, 8>;
+using Parameters = std::array<Parameter, 10>;
 
 constexpr std::string_view noise_choices =
     "value|perlin|perlin2002|perlin1985|simplex|worley|cell|white";
@@ -47,12 +47,16 @@ constexpr Parameter lacunarity_parameter =
     real("lacunarity", 0.01, 16, "2", "frequency ratio from one octave to the next");
 constexpr Parameter gain_parameter =
     real("gain", 0, 2, "0.5", "amplitude ratio from one octave to the next");
+constexpr Parameter time_parameter =
+    real("time", -1e9, 1e9, "null", "fourth lattice coordinate; null: noise of three dimensions");
+constexpr Parameter time_period_parameter = whole(
+    "time_period", 0, 1073741824, "0", "cells along time after which the noise repeats; 0: never");
 constexpr Parameter octaves_parameter(std::string_view otherwise) {
     return whole("octaves", 1, 24, otherwise, "how many octaves are summed");
 }
 constexpr Parameters octave_sum(std::string_view octaves) {
     return {kind_parameter, seed_parameter, octaves_parameter(octaves), lacunarity_parameter,
-            gain_parameter};
+            gain_parameter, time_parameter, time_period_parameter};
 }
 
 constexpr Inputs one_number{a_number("input", "a number")};
@@ -228,7 +232,8 @@ constexpr std::array table{
               gain_parameter, real("scale", 1e-6, 1e6, "1", "factor of the point"),
               real("variation", -1e3, 1e3, "0.2", "how far noise moves the veins"),
               one_of("spline", "\"bezier\"", "bezier|bspline",
-                     "pbrt's, which jumps where its four colours change, or one that does not")}},
+                     "pbrt's, which jumps where its four colours change, or one that does not"),
+              time_parameter, time_period_parameter}},
     NodeType{"bumps",
              NodeResult::inputs,
              nodes::bumps,
@@ -237,7 +242,8 @@ constexpr std::array table{
              two_sides,
              {kind_parameter, seed_parameter,
               several("frequency", 3, "[50,50,20]", "cells per unit of s, t and r"),
-              real("threshold", -1, 2, "0.5", "from here on: b")}},
+              real("threshold", -1, 2, "0.5", "from here on: b"), time_parameter,
+              time_period_parameter}},
     NodeType{"dots",
              NodeResult::inputs,
              nodes::dots,
@@ -265,7 +271,8 @@ constexpr std::array table{
              "Perlin 1985",
              moved,
              {real("strength", -1e6, 1e6, "0.5", "how far the point is moved"), kind_parameter,
-              seed_parameter, octaves_parameter("1"), lacunarity_parameter, gain_parameter}},
+              seed_parameter, octaves_parameter("1"), lacunarity_parameter, gain_parameter,
+              time_parameter, time_period_parameter}},
     NodeType{"map_uv",
              NodeResult::inner,
              nodes::map_uv,

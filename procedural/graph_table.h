@@ -28,10 +28,10 @@ struct NodeType {
     void (*evaluate)(const NodeCall& call) = nullptr;
     std::string_view text, source;
     std::array<NodeInput, 4> input_list{};
-    std::array<Parameter, 8> parameter_list{};
+    std::array<Parameter, 10> parameter_list{};
 
     std::span<const NodeInput> inputs() const;
-    /// `path` is the key alone.
+    /// `path` is the key alone. A default of null: left out, stored as infinity.
     std::span<const Parameter> parameters() const;
     const NodeInput* input(std::string_view key) const;
 };

@@ -86,6 +86,20 @@ TEST(GraphRecipe, DefaultsAreTheTables) {
     }
 }
 
+TEST(GraphRecipe, TimeIsReadWrittenAndLeftOut) {
+    const Recipe timed =
+        with_texture(R"({"node": "windy", "time": 2.5, "time_period": 8, "kind": "value"})");
+    EXPECT_EQ(parse_recipe(to_json(timed), origin()), timed);
+    EXPECT_THAT(to_json(timed), HasSubstr("\"time\": 2.5"));
+    const Recipe still = with_texture(R"({"node": "windy", "kind": "value"})");
+    EXPECT_THAT(to_json(still), Not(HasSubstr("\"time\":")));
+    EXPECT_EQ(parse_recipe(to_json(still), origin()), still);
+    EXPECT_EQ(with_texture(R"({"node": "windy", "kind": "value", "time": null})"), still);
+    EXPECT_EQ(with_texture(R"({"node": "windy", "kind": "value"})",
+                           {"texture.time=2.5", "texture.time_period=8"}),
+              timed);
+}
+
 TEST(GraphRecipe, TheModelOf1999KeepsItsOwnForm) {
     EXPECT_TRUE(with_texture("{}").graph.empty());
     EXPECT_TRUE(with_texture(R"({"node": "color_map", "input": {"node": "field"}})").graph.empty());
@@ -128,6 +142,12 @@ TEST(GraphRecipe, WrongNodesGetOneSentenceWithTheirPath) {
     EXPECT_THAT(wrong(R"({"node": "fbm", "kind": "perlim"})"), HasSubstr("\"perlin\"?"));
     EXPECT_THAT(wrong(R"({"node": "fbm", "gain": NaN})"), HasSubstr("not valid JSON"));
     EXPECT_THAT(wrong(R"({"node": "fbm", "gain": 1e999})"), HasSubstr("not valid JSON"));
+    EXPECT_THAT(wrong(R"({"node": "fbm", "time": 1, "kind": "perlin1985"})"),
+                HasSubstr("texture.time is 1, but perlin1985 noise has no fourth dimension"));
+    EXPECT_THAT(wrong(R"({"node": "fbm", "time": 1, "time_period": 3, "kind": "simplex"})"),
+                HasSubstr("texture.time is 1, but simplex noise"));
+    EXPECT_THAT(wrong(R"({"node": "fbm", "time": "now"})"), HasSubstr("texture.time is \"now\""));
+    EXPECT_THAT(wrong(R"({"node": "fbm", "octaves": null})"), HasSubstr("texture.octaves is null"));
     EXPECT_THAT(wrong(R"({"node": "constant"})"), HasSubstr("texture.value is missing"));
     EXPECT_THAT(wrong(R"({"node": "constant", "value": "#12345"})"), HasSubstr("texture.value is"));
     EXPECT_THAT(wrong(R"({"node": "constant", "value": {"node": "fbm"}})"),

@@ -236,20 +236,62 @@ TEST(GraphNoise, OctavesFadeToTheirMean) {
 }
 
 TEST(GraphNoise, MeansAreThoseOfTheNoise) {
-    for (int kind = 0; kind <= int(NoiseKind::white); ++kind) {
-        NoiseSpec noise;
-        noise.kind = NoiseKind(kind);
-        double sum = 0.0, absolute = 0.0;
-        const auto points = random_points(40000, 2000.0, 31);
-        for (std::size_t i = 0; i < points.size(); ++i) {
-            noise.seed = std::uint32_t(i % 251);
-            const double n = evaluate_noise(noise, points[i]);
-            sum += n;
-            absolute += std::abs(n);
+    for (int kind = 0; kind <= int(NoiseKind::white); ++kind)
+        for (const bool timed : {false, true}) {
+            NoiseSpec noise;
+            noise.kind = NoiseKind(kind);
+            if (timed && !has_dimensions(noise.kind, 4)) continue;
+            double sum = 0.0, absolute = 0.0;
+            const auto points = random_points(40000, 2000.0, 31);
+            for (std::size_t i = 0; i < points.size(); ++i) {
+                noise.seed = std::uint32_t(i % 251);
+                if (timed) noise.time = 0.6180339887 * double(i);
+                const double n = evaluate_noise(noise, points[i]);
+                sum += n;
+                absolute += std::abs(n);
+            }
+            const double count = double(points.size());
+            EXPECT_NEAR(sum / count, mean_value(noise.kind, timed), 0.013) << kind << timed;
+            EXPECT_NEAR(absolute / count, mean_absolute(noise.kind, timed), 0.007) << kind << timed;
         }
-        const double count = double(points.size());
-        EXPECT_NEAR(sum / count, mean_value(noise.kind), 0.013) << kind;
-        EXPECT_NEAR(absolute / count, mean_absolute(noise.kind), 0.007) << kind;
+}
+
+TEST(GraphNoise, TimeIsTheFourthCoordinate) {
+    const TextureGraph graph = graph_of(
+        R"({"node": "fbm", "octaves": 2, "time": 2.25, "time_period": 4, "kind": "value"})");
+    const TextureGraph later = graph_of(
+        R"({"node": "fbm", "octaves": 2, "time": 6.25, "time_period": 4, "kind": "value"})");
+    const TextureGraph elsewhen = graph_of(
+        R"({"node": "fbm", "octaves": 2, "time": 2.75, "time_period": 4, "kind": "value"})");
+    NoiseSpec noise;
+    noise.period[3] = 4;
+    for (const Vec3d& p : random_points(50, 5.0, 37)) {
+        noise.seed = 0;
+        const double first = sample_noise<double, 4>(noise, {p.x, p.y, p.z, 2.25}).value;
+        noise.seed = 1;
+        const double second =
+            sample_noise<double, 4>(noise, {2.0 * p.x, 2.0 * p.y, 2.0 * p.z, 2.25}).value;
+        EXPECT_DOUBLE_EQ(sample_of(graph, p).value, first + 0.5 * second);
+        EXPECT_EQ(sample_of(later, p).value, sample_of(graph, p).value) << "one period on";
+        EXPECT_NE(sample_of(elsewhen, p).value, sample_of(graph, p).value);
+    }
+}
+
+TEST(GraphNoise, EveryNodeOfNoiseMovesWithTime) {
+    for (const char* node : {R"("fbm")", R"("wrinkled")", R"("windy")", R"("marble")",
+                             R"("bumps", "threshold": 0.5, "frequency": [3, 3, 3])",
+                             R"("warp", "input": {"node": "coordinate"})"}) {
+        const auto at = [&](const char* time) {
+            return graph_of(std::string(R"({"node": )") + node + R"(, "time": )" + time + "}");
+        };
+        const TextureGraph still = at("null"), now = at("0.5"), then = at("1.25");
+        EXPECT_EQ(still, graph_of(std::string(R"({"node": )") + node + "}"));
+        int moved = 0;
+        for (const Vec3d& p : random_points(200, 5.0, 41)) {
+            moved += sample_of(now, p).value != sample_of(then, p).value;
+            moved += sample_of(now, p).value != sample_of(still, p).value;
+        }
+        EXPECT_GT(moved, 40) << node;
     }
 }
 
