@@ -17,7 +17,7 @@ installed() { # PACKAGE
     [[ $(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null) == installed ]]
 }
 
-# Prints the missing packages of the given kinds, those marked optional (command=NAME) only with
+# Prints the missing packages of the given kinds, those marked optional or command=NAME only with
 # `optional` as first word and the others only without.
 missing() { # [optional] KIND...
     local optional=
@@ -26,6 +26,8 @@ missing() { # [optional] KIND...
     listed "$@" | while read -r name option; do
         if [[ $option == command=* ]]; then
             if [[ -n $optional ]] && ! command -v "${option#command=}" >/dev/null; then say "$name"; fi
+        elif [[ $option == optional ]]; then
+            if [[ -n $optional ]] && ! installed "$name"; then say "$name"; fi
         elif [[ -z $optional ]] && ! installed "$name"; then
             say "$name"
         fi
@@ -80,7 +82,7 @@ install_optional_packages() { # KIND...
         say "Installing, if possible: $needed"
         # shellcheck disable=SC2086
         if ! { can_install && apt_update && apt_install $needed; }; then
-            say "Going on without: $needed(the tests that need them are skipped)"
+            say "Going on without: $needed(what needs them is skipped)"
         fi
     fi
 }

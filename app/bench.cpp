@@ -13,11 +13,20 @@ double seconds_of(const std::function<void()>& run) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-BenchRow summarise(const BenchCase& bench, std::vector<double> seconds) {
-    std::sort(seconds.begin(), seconds.end());
-    const std::size_t n = seconds.size();
-    const double median = n % 2 == 1 ? seconds[n / 2] : 0.5 * (seconds[n / 2 - 1] + seconds[n / 2]);
-    return {bench.name, bench.unit, bench.units, median, seconds.front(), seconds.back()};
+double median_of(std::vector<double> values) {
+    std::sort(values.begin(), values.end());
+    const std::size_t n = values.size();
+    return n % 2 == 1 ? values[n / 2] : 0.5 * (values[n / 2 - 1] + values[n / 2]);
+}
+
+/// `first`: seconds of the group's first case in the same rounds.
+BenchRow summarise(const BenchCase& bench, const std::vector<double>& seconds,
+                   const std::vector<double>& first) {
+    const auto [lowest, highest] = std::minmax_element(seconds.begin(), seconds.end());
+    std::vector<double> ratios;
+    for (std::size_t i = 0; i < seconds.size(); ++i) ratios.push_back(seconds[i] / first[i]);
+    return {bench.name, bench.unit,  bench.units,         median_of(seconds), *lowest,
+            *highest,   bench.group, int(seconds.size()), median_of(ratios)};
 }
 
 }  // namespace
@@ -31,7 +40,9 @@ std::vector<BenchRow> run_paired(const std::vector<BenchCase>& cases, int repeat
     }
     std::vector<BenchRow> rows;
     for (std::size_t i = 0; i < cases.size(); ++i) {
-        rows.push_back(summarise(cases[i], std::move(seconds[i])));
+        const auto first = std::ranges::find(cases, cases[i].group, &BenchCase::group);
+        rows.push_back(
+            summarise(cases[i], seconds[i], seconds[std::size_t(first - cases.begin())]));
     }
     return rows;
 }

@@ -112,7 +112,7 @@ AtlasBench bench_atlas(const Subject& subject, AtlasKind kind, int repeats) {
     bench.size = subject.size;
     const std::vector<BenchRow> rows = run_paired(stages_of(subject, atlas, options), repeats);
     for (std::size_t i = 0; i + 1 < rows.size(); i += 2)
-        bench.stages.push_back({rows[i].name, rows[i].median, rows[i + 1].median,
+        bench.stages.push_back({rows[i].name, rows[i].median, rows[i + 1].median, rows[i],
                                 rows[i].name == "pairs" || rows[i].name == "tree"});
     add_quality(bench, subject, atlas);
     return bench;

@@ -16,6 +16,7 @@ namespace burl {
 struct StageBench {
     std::string stage;  ///< "connectivity", "layout", "spans"; of quad also "pairs" and "tree"
     double one_thread = 0.0, all_threads = 0.0;  ///< seconds per run
+    BenchRow time{};                             ///< on one thread
     bool part_of_layout = false;                 ///< its time is in that of "layout", too
 };
 

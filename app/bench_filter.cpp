@@ -167,23 +167,32 @@ std::vector<TexelTruth> truths(const std::vector<TexelMap>& maps, const Recipe& 
     return result;
 }
 
-double rms(const std::vector<TexelTruth>& truth, const std::function<Vec3d(std::size_t)>& error) {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < truth.size(); ++i) {
-        const Vec3d e = error(i);
-        sum += glm::dot(e, e);
-    }
-    return std::sqrt(sum / (3.0 * double(truth.size())));
+BenchError error_of(const std::vector<TexelTruth>& truth,
+                    const std::function<Vec3d(std::size_t)>& value) {
+    std::vector<double> values, means;
+    for (std::size_t i = 0; i < truth.size(); ++i)
+        for (int c = 0; c < 3; ++c) {
+            values.push_back(value(i)[c]);
+            means.push_back(truth[i].mean[c]);
+        }
+    return BenchError::of(values, means);
+}
+
+/// Cells as people write them.
+std::string group_name(const std::string& texture, double footprint) {
+    return footprint < 1.0 ? fmt::format("{}, 1/{:.0f}", texture, 1.0 / footprint)
+                           : fmt::format("{}, {:.0f}", texture, footprint);
 }
 
 /// Times of all filters on one large square.
-std::vector<BenchRow> timed(const Subject& subject, double side, std::size_t across, int repeats) {
+std::vector<BenchRow> timed(const Subject& subject, const std::string& group, double side,
+                            std::size_t across, int repeats) {
     const auto solid = std::make_shared<SolidAtlas>(
         squares({plane({0.3, 0.2, 0.1}, side)}, 1, std::uint32_t(across)));
     std::vector<BenchCase> cases;
     for (const NamedRecipe& r : subject.recipes)
         cases.push_back(
-            {r.filter, double(across * across), "texel", [=] { bake(*solid, r.recipe); }});
+            {r.filter, double(across * across), "texel", [=] { bake(*solid, r.recipe); }, group});
     return run_paired(cases, repeats);
 }
 
@@ -202,23 +211,26 @@ void add_rows(std::vector<FilterBench>& rows, const Subject& subject, double foo
     const std::vector<TexelMap> maps = random_planes(subject, side);
     const std::vector<TexelTruth> truth = truths(maps, subject.recipes.front().recipe);
     // Two halves differ by twice the error of their common mean, were their errors independent.
-    const double noise = 0.5 * rms(truth, [&](std::size_t i) { return truth[i].halves; });
-    const std::vector<BenchRow> times = timed(subject, side, across, repeats);
+    const double noise =
+        0.5 * error_of(truth, [&](std::size_t i) { return truth[i].mean + truth[i].halves; }).rms;
+    const std::string group = group_name(subject.texture, footprint);
+    const auto add = [&](const BenchRow& time, const std::function<Vec3d(std::size_t)>& value) {
+        rows.push_back(
+            {subject.texture, footprint, time.name, noise, {time, error_of(truth, value)}});
+    };
     const SolidAtlas solid = squares(maps, blocks, block);
+    const std::vector<BenchRow> times = timed(subject, group, side, across, repeats);
     for (std::size_t k = 0; k < times.size(); ++k) {
         const Image<RgbF> image = colors(solid, subject.recipes[k].recipe);
-        const double rmse =
-            rms(truth, [&](std::size_t i) { return as_vector(image.pixels()[i]) - truth[i].mean; });
-        rows.push_back({subject.texture, footprint, times[k].name, rmse, noise,
-                        times[k].ns_per_unit(), times[k].median / times[0].median});
+        add(times[k], [&](std::size_t i) { return as_vector(image.pixels()[i]); });
     }
-    const auto samples = [&](const char* filter, Vec3d TexelTruth::*mean) {
-        const double rmse =
-            rms(truth, [&](std::size_t i) { return truth[i].*mean - truth[i].mean; });
-        rows.push_back({subject.texture, footprint, filter, rmse, noise, 0.0, 16.0});
+    const auto untimed = [&](const char* filter) {
+        BenchRow row;
+        row.name = filter, row.unit = "texel", row.group = group;
+        return row;
     };
-    samples("grid:16", &TexelTruth::grid);
-    samples("jitter:16", &TexelTruth::jittered);
+    add(untimed("grid:16"), [&](std::size_t i) { return truth[i].grid; });
+    add(untimed("jitter:16"), [&](std::size_t i) { return truth[i].jittered; });
 }
 
 }  // namespace

@@ -5,19 +5,19 @@
 #include <string>
 #include <vector>
 
-#include "procedural/texture.h"
+#include "app/bench_result.h"
 
 namespace burl {
 
 struct FilterBench {
-    std::string texture;        ///< preset, or node of a checkerboard
-    double footprint;           ///< texel side in cells, of the finest octave (zone plate: in 1/50)
-    std::string filter;         ///< as --filter has it, or a checkerboard's own form; "grid:16" and
-                                ///< "jitter:16" are unweighted samples
-    double rmse = 0.0;          ///< against the mean of the texel, linear light, all channels
-    double truth_noise = 0.0;   ///< of that mean itself, RMS
-    double ns_per_texel = 0.0;  ///< median, one thread; 0 for grid and jitter
-    double cost = 0.0;          ///< over that of `none` in the same rounds; 16 for grid and jitter
+    std::string texture;       ///< preset, or node of a checkerboard
+    double footprint;          ///< texel side in cells, of the finest octave (zone plate: in 1/50)
+    std::string filter;        ///< as --filter has it, or a checkerboard's own form; "grid:16" and
+                               ///< "jitter:16" are unweighted samples
+    double truth_noise = 0.0;  ///< of the mean of the texel that errors are against, RMS
+    /// One thread, not timed for grid and jitter, which cost 16 times the first; errors of all
+    /// channels in linear light.
+    BenchResult result{};
 };
 
 /// `repeats` paired rounds of `side`^2 texels each for the times; errors are over 4,096 texels at

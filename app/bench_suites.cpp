@@ -1,4 +1,4 @@
-// The suites of `burl bench` whose cases are timed one by one; `atlas` is app/bench_atlas.
+// The suite of `burl bench` that times cases one by one and compares nothing with a reference.
 #include <filesystem>
 #include <fstream>
 #include <memory>
@@ -8,10 +8,9 @@
 
 #include "app/bench.h"
 #include "app/bench_meshes.h"
-#include "app/pipeline.h"
+#include "atlas/connectivity.h"
 #include "atlas/mesh_io.h"
 #include "atlas/mesh_readers.h"
-#include "procedural/synthesize.h"
 
 namespace burl {
 
@@ -70,36 +69,15 @@ std::vector<BenchCase> mesh_io_suite(std::size_t faces) {
             {"connectivity", count, "face", [read] { build_connectivity(*read); }}};
 }
 
-std::vector<BenchCase> synthesis_suite(std::size_t side) {
-    const std::size_t n = side == 0 ? 1024 : side;
-    std::vector<BenchCase> cases;
-    for (const char* preset : {"marble", "wood", "clouds"}) {
-        Recipe recipe = load_recipe(preset, {fmt::format("atlas.size={}", n)});
-        auto pipeline = std::make_shared<Pipeline>(torus(6000));
-        pipeline->set_recipe(recipe);
-        pipeline->solid();
-        for (const int threads : {1, 0}) {
-            cases.push_back(
-                {fmt::format("{} {} {}", preset, n, threads == 1 ? "1 thread" : "all threads"),
-                 double(n * n), "texel", [pipeline, threads] {
-                     pipeline->set_threads(threads);
-                     pipeline->synthesize<Rgb8>();
-                 }});
-        }
-    }
-    return cases;
-}
-
 }  // namespace
 
 const std::vector<std::string>& bench_suites() {
-    static const std::vector<std::string> names{"mesh_io", "synthesis"};
+    static const std::vector<std::string> names{"mesh_io"};
     return names;
 }
 
-std::vector<BenchCase> bench_suite(const std::string& suite, std::size_t size) {
-    if (suite == "mesh_io") return mesh_io_suite(size);
-    return synthesis_suite(size);
+std::vector<BenchCase> bench_suite(const std::string&, std::size_t size) {
+    return mesh_io_suite(size);
 }
 
 }  // namespace burl

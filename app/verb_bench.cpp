@@ -1,12 +1,21 @@
 // `burl bench`: run times anyone can repeat, as medians of paired runs.
+#include <algorithm>
+#include <cmath>
+
 #include <fmt/format.h>
+
+#include "app/atomic_file.h"
 
 #include "app/bench.h"
 #include "app/bench_atlas.h"
 #include "app/bench_filter.h"
 #include "app/bench_forward.h"
+#include "app/bench_noise.h"
+#include "app/bench_plot.h"
 #include "app/bench_precision.h"
+#include "app/bench_synthesis.h"
 #include "app/export.h"
+#include "app/file_bytes.h"
 #include "app/report.h"
 #include "app/verbs.h"
 #include "atlas/error.h"
@@ -17,7 +26,7 @@ namespace burl {
 namespace {
 
 struct BenchCommand {
-    std::string suite, out;
+    std::string suite, file, out;
     std::size_t size = 0;
     int repeats = 5;
     bool large = false, json = false;
@@ -37,6 +46,7 @@ Json row_json(const BenchRow& row) {
 void write_report(const BenchCommand& command, const Json& rows) {
     const Json report = {{"suite", command.suite},
                          {"repeats", command.repeats},
+                         {"machine", machine_json()},
                          {"rows", rows},
                          {"versions", versions_json()}};
     if (!command.out.empty()) write_json(command.out, report);
@@ -51,13 +61,22 @@ Json atlas_json(const AtlasBench& bench) {
                           {"seconds_all_threads", stage.all_threads},
                           {"us_per_face", stage.one_thread * 1e6 / double(bench.faces)},
                           {"times_faster", stage.one_thread / stage.all_threads}});
-    return {{"kind", bench.kind},
-            {"faces", bench.faces},
-            {"size", bench.size},
-            {"stages", stages},
-            {"coverage", bench.coverage},
-            {"psnr", bench.psnr},
-            {"rmse_levels_1_to_3", bench.rmse}};
+    BenchResult layout{bench.stage("layout").time};
+    layout.time.name = bench.kind;
+    layout.time.unit = "face";
+    layout.time.units = double(bench.faces);
+    layout.time.group = fmt::format("{} faces", bench.faces);
+    Json json = result_json(layout);
+    json["times_first"] = nullptr;  // kinds are timed one after the other
+    json["error_rms"] = std::pow(10.0, -bench.psnr / 20.0);
+    json.update(Json{{"kind", bench.kind},
+                     {"faces", bench.faces},
+                     {"size", bench.size},
+                     {"stages", stages},
+                     {"coverage", bench.coverage},
+                     {"psnr", bench.psnr},
+                     {"rmse_levels_1_to_3", bench.rmse}});
+    return json;
 }
 
 /// One line: its layout and spans, and its quality.
@@ -102,10 +121,11 @@ void run_atlas_bench(const BenchCommand& command) {
 }
 
 Json filter_json(const FilterBench& row) {
-    return {{"texture", row.texture},         {"footprint_cells", row.footprint},
-            {"filter", row.filter},           {"rmse", row.rmse},
-            {"truth_noise", row.truth_noise}, {"ns_per_texel", row.ns_per_texel},
-            {"times_none", row.cost}};
+    Json json = result_json(row.result);
+    json.update(Json{{"texture", row.texture},
+                     {"footprint_cells", row.footprint},
+                     {"truth_noise", row.truth_noise}});
+    return json;
 }
 
 void run_filter_bench(const BenchCommand& command) {
@@ -115,12 +135,32 @@ void run_filter_bench(const BenchCommand& command) {
     for (const FilterBench& row : rows) list.push_back(filter_json(row));
     write_report(command, list);
     if (command.json) return;
-    fmt::print("{:<10} {:>9} {:<16} {:>9} {:>11} {:>9} {:>10}\n", "texture", "footprint", "filter",
-               "RMSE", "truth noise", "ns/texel", "times none");
-    for (const FilterBench& row : rows)
-        fmt::print("{:<10} {:>9.3f} {:<16} {:>9.6f} {:>11.6f} {:>9.1f} {:>10.2f}\n", row.texture,
-                   row.footprint, row.filter, row.rmse, row.truth_noise, row.ns_per_texel,
-                   row.cost);
+    std::vector<BenchResult> results;
+    for (const FilterBench& row : rows) results.push_back(row.result);
+    fmt::print("{}", result_table(results));
+}
+
+/// A suite that has nothing to tell but what all have.
+void report_results(const BenchCommand& command, const std::vector<BenchResult>& results) {
+    Json list = Json::array();
+    for (const BenchResult& result : results) list.push_back(result_json(result));
+    write_report(command, list);
+    if (!command.json) fmt::print("{}", result_table(results));
+}
+
+/// Whole batches of the kernels.
+std::size_t noise_samples(const BenchCommand& command) {
+    return command.size == 0 ? 65536 : std::max(command.size, std::size_t{1024});
+}
+
+void run_plot(const BenchCommand& command) {
+    if (command.file.empty() || command.out.empty())
+        throw Error(ExitCode::usage,
+                    "bench plot wants a report and an output: burl bench plot F.json -o F.svg");
+    check_side_output(command.out, ".svg", {&command.file, 1});
+    const std::vector<std::uint8_t> bytes = read_file_bytes(command.file);
+    const Json report = parse_json_text(std::string(bytes.begin(), bytes.end()), command.file);
+    write_file(command.out, bench_plot(report, command.file));
 }
 
 Json precision_json(const PrecisionBench& row) {
@@ -253,9 +293,18 @@ void run_forward_bench(const BenchCommand& command) {
 }
 
 void run_bench(const BenchCommand& command) {
+    if (command.suite == "plot") return run_plot(command);
+    if (!command.file.empty())
+        throw Error(ExitCode::usage, fmt::format("bench {}: only plot takes a file, {}",
+                                                 command.suite, command.file));
     if (!command.out.empty()) check_side_output(command.out, "", {});
     if (command.suite == "atlas") return run_atlas_bench(command);
     if (command.suite == "filter") return run_filter_bench(command);
+    if (command.suite == "noise")
+        return report_results(command, bench_noise(command.repeats, noise_samples(command)));
+    if (command.suite == "synthesis")
+        return report_results(
+            command, bench_synthesis(command.repeats, command.size == 0 ? 1024 : command.size));
     if (command.suite == "precision") return run_precision_bench(command);
     if (command.suite == "forward") return run_forward_bench(command);
     const std::vector<BenchRow> rows =
@@ -279,23 +328,27 @@ void add_bench(CLI::App& program) {
     auto* verb = program.add_subcommand("bench", "Time a suite; medians of paired runs");
     auto command = std::make_shared<BenchCommand>();
     std::vector<std::string> suites = bench_suites();
-    suites.insert(suites.end(), {"atlas", "filter", "forward", "precision"});
+    suites.insert(suites.end(),
+                  {"atlas", "filter", "forward", "noise", "plot", "precision", "synthesis"});
     verb->add_option("suite", command->suite,
-                     "mesh_io, atlas, synthesis, filter, forward or precision")
+                     "mesh_io, atlas, synthesis, filter, noise, forward or precision; or plot, "
+                     "which draws a suite's report: burl bench plot F.json -o F.svg")
         ->required()
         ->check(CLI::IsMember(suites));
+    verb->add_option("file", command->file, "plot: the report, as -o wrote it");
     verb->add_option(
             "--size", command->size,
             "Faces (mesh_io, atlas) or texels per side (synthesis, filter, precision, "
-            "forward's cubes: at most 1,024); atlas: 1,000 to 100,000 unless one number is "
-            "given")
+            "forward's cubes: at most 1,024) or samples (noise); atlas: 1,000 to 100,000 unless "
+            "one number is given")
         ->check(CLI::Range(std::size_t{2}, std::size_t{10'000'000}));
     verb->add_option("--repeats", command->repeats, "Counted rounds")
         ->check(CLI::Range(1, 1000))
         ->capture_default_str();
     verb->add_flag("--large", command->large, "atlas: also 1,000,000 faces, some minutes");
     verb->add_flag("--json", command->json, "Print JSON on stdout");
-    verb->add_option("-o,--output", command->out, "Also write the JSON to this file");
+    verb->add_option("-o,--output", command->out,
+                     "Also write the JSON to this file; plot: the .svg");
     verb->callback([command] { run_bench(*command); });
 }
 

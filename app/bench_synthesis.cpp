@@ -1,0 +1,113 @@
+#include "app/bench_synthesis.h"
+
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "app/bench_meshes.h"
+#include "app/pipeline.h"
+#include "procedural/color_table.h"
+#include "procedural/octaves.h"
+#include "procedural/srgb.h"
+
+namespace burl {
+
+namespace {
+
+/// Channels of the texels that show the mesh, in linear light.
+using Values = std::vector<double>;
+
+template <class Visit>
+void for_each_texel(const SolidAtlas& solid, const Visit& visit) {
+    for (std::uint32_t y = 0; y < solid.size; ++y)
+        for (const Span& span : solid.row(y))
+            for (std::uint32_t x = span.x; x < span.x + span.count; ++x)
+                visit(solid.maps[span.map], x, y);
+}
+
+void append(const Vec3d& color, Values& values) {
+    values.insert(values.end(), {color.x, color.y, color.z});
+}
+
+Values values_of(const SolidAtlas& solid, const Image<Rgb8>& image) {
+    Values values;
+    for_each_texel(solid, [&](const TexelMap&, std::uint32_t x, std::uint32_t y) {
+        append(linear_light(image(x, y)), values);
+    });
+    return values;
+}
+
+Values values_of(const SolidAtlas& solid, const Image<RgbF>& image) {
+    Values values;
+    for_each_texel(solid, [&](const TexelMap&, std::uint32_t x, std::uint32_t y) {
+        const RgbF& c = image(x, y);
+        append({c.r, c.g, c.b}, values);
+    });
+    return values;
+}
+
+/// The texture's definition, texel by texel in float64.
+Values defined(const SolidAtlas& solid, const Recipe& recipe) {
+    const std::vector<Octave> octaves = expand_octaves(recipe.texture);
+    const PreparedColorMap map(recipe.texture.colors);
+    const Affine3 from_solid = texture_from_solid(recipe);
+    Values values;
+    for_each_texel(solid, [&](const TexelMap& texel, std::uint32_t x, std::uint32_t y) {
+        append(map(evaluate_field(recipe.texture.quadric, octaves, from_solid(texel(x, y)))),
+               values);
+    });
+    return values;
+}
+
+/// A texture's cases and where each leaves what it computed.
+struct Subject {
+    std::shared_ptr<Pipeline> pipeline;
+    std::string group;
+    std::vector<BenchCase> cases;
+    std::vector<std::function<Values()>> results;
+
+    template <class Pixel>
+    void add(const std::string& name, int threads) {
+        auto image = std::make_shared<Image<Pixel>>();
+        const double texels = double(pipeline->solid().size) * pipeline->solid().size;
+        cases.push_back({name, texels, "texel",
+                         [p = pipeline, image, threads] {
+                             p->set_threads(threads);
+                             *image = p->synthesize<Pixel>();
+                         },
+                         group});
+        results.push_back([p = pipeline, image] { return values_of(p->solid(), *image); });
+    }
+
+    void add_definition() {
+        auto values = std::make_shared<Values>();
+        const double texels = double(pipeline->solid().size) * pipeline->solid().size;
+        cases.push_back({"float64 definition, 1 thread", texels, "texel",
+                         [p = pipeline, values] { *values = defined(p->solid(), p->recipe()); },
+                         group});
+        results.push_back([values] { return *values; });
+    }
+};
+
+}  // namespace
+
+std::vector<BenchResult> bench_synthesis(int repeats, std::size_t side) {
+    std::vector<BenchResult> all;
+    for (const char* preset : {"marble", "wood", "clouds"}) {
+        Subject subject;
+        subject.pipeline = std::make_shared<Pipeline>(torus(6000));
+        subject.pipeline->set_recipe(load_recipe(preset, {fmt::format("atlas.size={}", side)}));
+        subject.group = fmt::format("{}, {} x {}", preset, side, side);
+        subject.add<Rgb8>("sRGB 8 bits, 1 thread", 1);
+        subject.add<Rgb8>("sRGB 8 bits, all threads", 0);
+        subject.add<RgbF>("linear float, 1 thread", 1);
+        subject.add_definition();
+        const std::vector<BenchRow> times = run_paired(subject.cases, repeats);
+        const Values reference = subject.results.back()();
+        for (std::size_t i = 0; i < times.size(); ++i)
+            all.push_back({times[i], BenchError::of(subject.results[i](), reference)});
+    }
+    return all;
+}
+
+}  // namespace burl

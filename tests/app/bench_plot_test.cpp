@@ -1,0 +1,101 @@
+// The plot of a report: what is marked, what cannot be drawn, and that labels keep apart.
+#include "app/bench_plot.h"
+
+#include <random>
+#include <regex>
+
+#include <gtest/gtest.h>
+
+#include "app/svg_text.h"
+#include "atlas/error.h"
+
+namespace burl {
+namespace {
+
+std::size_t count(const std::string& text, const std::string& part) {
+    std::size_t n = 0;
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
+        ++n;
+    return n;
+}
+
+Json row(const char* group, const char* method, Json ns, Json error) {
+    return {{"group", group},
+            {"method", method},
+            {"unit", "texel"},
+            {"ns_median", ns},
+            {"error_rms", error}};
+}
+
+TEST(BenchPlot, MarksWhatNothingBeatsInBoth) {
+    const Json report{
+        {"suite", "test"},
+        {"rows",
+         Json::array({row("a<b", "quick & rough", 1.0, 0.1), row("a<b", "slow", 10.0, 0.01),
+                      row("a<b", "slow and rough", 12.0, 0.05), row("a<b", "exact", 100.0, 0.0),
+                      row("a<b", "no figure", 2.0, nullptr), row("a<b", "untimed", nullptr, 0.1),
+                      row("c", "slow", 3.0, 0.2)})}};
+    const std::string svg = bench_plot(report, "test.json");
+    // quick, slow, exact, and slow again in the other panel, where it is alone.
+    EXPECT_EQ(count(svg, "stroke=\"#000000\" stroke-width=\"1.4\""), 4u);
+    EXPECT_EQ(count(svg, "stroke-width=\"0.7\""), 2u + 5u) << "those beaten, and the legend";
+    EXPECT_NE(svg.find("quick &amp; rough"), std::string::npos);
+    EXPECT_NE(svg.find("a&lt;b"), std::string::npos);
+    EXPECT_EQ(svg.find("untimed"), std::string::npos);
+    EXPECT_EQ(count(svg, ">0</text>"), 1u) << "the place of what has no error";
+    EXPECT_EQ(count(svg, ">?</text>"), 1u);
+    EXPECT_EQ(count(svg, "RMS error"), 2u);
+    EXPECT_EQ(count(svg, "<g "), count(svg, "</g>"));
+    EXPECT_EQ(svg.find("nan"), std::string::npos);
+}
+
+TEST(BenchPlot, RefusesWhatItCannotDraw) {
+    const std::vector<Json> wrong{Json::array(),
+                                  Json{{"rows", 3}},
+                                  Json{{"rows", Json::array()}},
+                                  Json{{"rows", Json::array({1, 2})}},
+                                  Json{{"rows", Json::array({row("g", "m", 1.0, nullptr)})}},
+                                  Json{{"rows", Json::array({row("g", "m", -1.0, 0.1)})}},
+                                  Json{{"rows", Json::array({row("g", "m", "fast", "good")})}}};
+    for (const Json& report : wrong) {
+        try {
+            bench_plot(report, "wrong.json");
+            FAIL() << report;
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code(), ExitCode::invalid_file);
+            EXPECT_TRUE(std::string(error.what()).starts_with("wrong.json: ")) << error.what();
+        }
+    }
+    // Extremes are drawn.
+    EXPECT_GT(
+        bench_plot(
+            Json{{"rows", Json::array({row("g", "m", 1e300, 1e-300), row("g", "n", 1e-3, 1e9)})}},
+            "far.json")
+            .size(),
+        1000u);
+}
+
+TEST(SvgLabels, KeepApartAndInside) {
+    std::mt19937 random(4);
+    std::uniform_real_distribution<double> place(5.0, 195.0);
+    SvgLabels labels({0, 0, 200, 200});
+    std::vector<SvgBox> boxes;
+    const std::regex position(R"re(<text x="([-0-9.]+)" y="([-0-9.]+)")re");
+    for (int i = 0; i < 60; ++i) {
+        const double x = 100 + (place(random) - 100) * (i < 30 ? 0.1 : 1.0), y = place(random);
+        const std::string text = std::to_string(i);
+        const std::string svg = labels.place(x, y, text);
+        std::smatch match;
+        ASSERT_TRUE(std::regex_search(svg, match, position)) << i;
+        const double cx = std::stod(match[1]), cy = std::stod(match[2]);
+        const double half = 0.45 * svg_width(text.size());
+        boxes.push_back({cx - half, cy - 8, cx + half, cy - 1});
+        EXPECT_GT(boxes.back().left, -1.0);
+        EXPECT_LT(boxes.back().right, 201.0);
+    }
+    for (std::size_t i = 0; i < boxes.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j) EXPECT_FALSE(boxes[i].overlaps(boxes[j])) << i << j;
+}
+
+}  // namespace
+}  // namespace burl

@@ -1,0 +1,92 @@
+// What suites report: errors against values worked out by hand, and what all rows have.
+#include "app/bench_result.h"
+
+#include <cmath>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "app/bench_noise.h"
+#include "app/bench_synthesis.h"
+
+namespace burl {
+namespace {
+
+TEST(BenchResult, HasTheErrorsOfItsValues) {
+    const std::vector<double> values{0.5, 1.0, -0.25, 0.0}, reference{0.5, 0.7, 0.15, 0.0};
+    const BenchError error = BenchError::of(values, reference);
+    EXPECT_NEAR(error.max, 0.4, 1e-15);
+    EXPECT_NEAR(error.rms, 0.25, 1e-15);
+    EXPECT_NEAR(error.psnr(), 12.0412, 1e-4);
+    EXPECT_TRUE(std::isinf(BenchError::of(values, values).psnr()));
+}
+
+TEST(BenchResult, TimesAreOverThoseOfTheGroupsFirst) {
+    int runs = 0;
+    const auto count = [&runs] { ++runs; };
+    const std::vector<BenchRow> rows = run_paired(
+        {{"a", 1, "run", count, "g"}, {"b", 1, "run", count, "g"}, {"c", 1, "run", count, "h"}}, 3);
+    EXPECT_EQ(runs, 12);  // a warm-up and three rounds
+    EXPECT_EQ(rows[0].times_first, 1.0);
+    EXPECT_EQ(rows[2].times_first, 1.0);
+    EXPECT_GT(rows[1].times_first, 0.0);
+    EXPECT_LE(rows[1].lowest, rows[1].median);
+    EXPECT_LE(rows[1].median, rows[1].highest);
+    EXPECT_EQ(rows[1].rounds, 3);
+}
+
+TEST(BenchResult, WhatIsNotKnownIsNull) {
+    BenchResult result;
+    result.time.name = "untimed";
+    Json json = result_json(result);
+    for (const char* key :
+         {"ns_median", "ns_lowest", "ns_highest", "times_first", "error_max", "error_rms", "psnr"})
+        EXPECT_TRUE(json.at(key).is_null()) << key;
+    result.error = BenchError{};
+    json = result_json(result);
+    EXPECT_EQ(json.at("error_rms"), 0.0);
+    EXPECT_TRUE(json.at("psnr").is_null()) << "infinite";
+    EXPECT_NE(result_table({&result, 1}).find("untimed"), std::string::npos);
+}
+
+TEST(BenchNoise, FindsFloatsErrorAndNoneInTheReference) {
+    const std::vector<BenchResult> results = bench_noise(1, 1024);
+    std::set<std::string> groups;
+    int vectors = 0;
+    for (const BenchResult& r : results) {
+        groups.insert(r.time.group);
+        EXPECT_GT(r.time.median, 0.0);
+        if (!r.error) continue;  // another library's
+        const bool reference = r.time.name.ends_with("float64");
+        if (reference) {
+            EXPECT_EQ(r.error->max, 0.0) << r.time.name;
+        } else {
+            EXPECT_LT(r.error->max, 1e-5) << r.time.name;
+        }
+        if (r.time.name == "perlin, float32" || r.time.name.ends_with("vectors")) {
+            EXPECT_GT(r.error->rms, 1e-9) << r.time.name;
+            vectors += r.time.name.ends_with("vectors");
+        }
+    }
+    EXPECT_EQ(vectors, 4);
+    EXPECT_EQ(groups.size(), 3u);
+}
+
+TEST(BenchSynthesis, RoundsToHalfACodeAndFloatsFurther) {
+    for (const BenchResult& r : bench_synthesis(1, 48)) {
+        ASSERT_TRUE(r.error);
+        const std::string& name = r.time.name;
+        if (name.starts_with("sRGB")) {
+            EXPECT_GT(r.error->max, 1e-4);
+            EXPECT_LT(r.error->max, 0.0045);  // half a code at white
+        } else if (name.starts_with("linear")) {
+            EXPECT_GT(r.error->max, 0.0);
+            EXPECT_LT(r.error->max, 1e-4);
+        } else {
+            EXPECT_EQ(r.error->max, 0.0);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace burl
