@@ -5,6 +5,7 @@
 #include <string_view>
 #include <utility>
 
+#include "app/lattice_check.h"
 #include "app/normals.h"
 #include "atlas/error.h"
 
@@ -122,6 +123,7 @@ Image<Rgb8> DirectPicture::operator()(const Recipe& recipe) const {
     FilteredColor color;
     SurfaceNormal bumped;
     if (!mesh_.triangles.empty()) {
+        check_lattice(recipe, mesh_);
         color = mapped(color_of(recipe, FilterKind::none), texture_from_mesh(recipe, mesh_));
         bumped = bumped_normals(recipe, mesh_);
     }

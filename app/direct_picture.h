@@ -36,7 +36,8 @@ class DirectPicture {
     /// Throws Error: usage for options that do not fit together, else as reading does.
     explicit DirectPicture(const DirectOptions& options);
 
-    /// `recipe`: what the mesh shows, and the planes that name none.
+    /// `recipe`: what the mesh shows, and the planes that name none. Throws Error(unsupported) as
+    /// check_lattice does.
     Image<Rgb8> operator()(const Recipe& recipe) const;
 
   private:

@@ -4,6 +4,7 @@
 #include <span>
 #include <utility>
 
+#include "app/lattice_check.h"
 #include "atlas/error.h"
 #include "procedural/color_table.h"
 #include "procedural/fixed_field.h"
@@ -157,6 +158,10 @@ std::vector<PointResult> evaluate_points(const Recipe& recipe, const PointFile& 
         throw Error(
             ExitCode::usage,
             fmt::format("a recipe needs points x,y,z; these have {} coordinates", file.dimensions));
+    for (const auto& [x, y, z, w] : file.points) {
+        const Vec3d s = texture_from_solid(recipe)(Vec3d(x, y, z));
+        check_lattice(recipe, Box3{s, s});
+    }
     std::vector<PointResult> results =
         recipe.graph.empty() ? evaluate_model(recipe, file) : evaluate_graph(recipe, file);
     if (recipe.precision.kind == PrecisionKind::float64) return only_float64(std::move(results));

@@ -28,7 +28,8 @@ std::vector<PointResult> evaluate_points(NoiseOptions noise, const PointFile& fi
 
 /// f, its gradient with respect to the point in solid space (before the recipe's scale) and the
 /// colour, in the recipe's precision besides float64. float32: noise in float32 and the sum in
-/// float64, as a bake has it, then rounded. Throws Error(usage) for points that are not x,y,z.
+/// float64, as a bake has it, then rounded. Throws Error(usage) for points that are not x,y,z,
+/// and as check_lattice does.
 /// Graphs: float64, and that rounded; of a colour the luminance.
 std::vector<PointResult> evaluate_points(const Recipe& recipe, const PointFile& file);
 

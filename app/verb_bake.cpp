@@ -9,6 +9,7 @@
 #include "app/bake_normals.h"
 #include "app/command_options.h"
 #include "app/export.h"
+#include "app/lattice_check.h"
 #include "app/normal_error.h"
 #include "app/report.h"
 #include "app/verbs.h"
@@ -190,6 +191,7 @@ void run_bake(const BakeCommand& command) {
     check_command(command, recipes[0], extras);
     Pipeline pipeline(command.meshes.load(command.mesh));
     const double reading = seconds_since(start);
+    for (const Recipe& recipe : recipes) check_lattice(recipe, pipeline.mesh());
     pipeline.set_recipe(recipes[0]);
     pipeline.set_threads(command.threads);
     lay_out(pipeline);

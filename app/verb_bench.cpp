@@ -13,6 +13,7 @@
 #include "app/bench_noise.h"
 #include "app/bench_plot.h"
 #include "app/bench_precision.h"
+#include "app/bench_stability.h"
 #include "app/bench_synthesis.h"
 #include "app/export.h"
 #include "app/file_bytes.h"
@@ -292,6 +293,24 @@ void run_forward_bench(const BenchCommand& command) {
     print_growth(growth);
 }
 
+Json stability_json(const StabilityRow& row) {
+    return {{"group", row.group}, {"cases", row.cases}, {"values", row.values},
+            {"share", row.share}, {"error", row.error}, {"input", row.input}};
+}
+
+void run_stability_bench(const BenchCommand& command) {
+    const std::vector<StabilityRow> rows = bench_stability(true);
+    Json list = Json::array();
+    for (const StabilityRow& row : rows) list.push_back(stability_json(row));
+    write_report(command, list);
+    if (command.json) return;
+    fmt::print("{:<28} {:>6} {:>9} {:>9} {:>9}  {}\n", "group", "cases", "values", "share", "error",
+               "worst input");
+    for (const StabilityRow& row : rows)
+        fmt::print("{:<28} {:>6} {:>9} {:>9.3g} {:>9.3g}  {}\n", row.group, row.cases, row.values,
+                   row.share, row.error, row.input);
+}
+
 void run_bench(const BenchCommand& command) {
     if (command.suite == "plot") return run_plot(command);
     if (!command.file.empty())
@@ -307,6 +326,7 @@ void run_bench(const BenchCommand& command) {
             command, bench_synthesis(command.repeats, command.size == 0 ? 1024 : command.size));
     if (command.suite == "precision") return run_precision_bench(command);
     if (command.suite == "forward") return run_forward_bench(command);
+    if (command.suite == "stability") return run_stability_bench(command);
     const std::vector<BenchRow> rows =
         run_paired(bench_suite(command.suite, command.size), command.repeats);
     Json list = Json::array();
@@ -328,11 +348,12 @@ void add_bench(CLI::App& program) {
     auto* verb = program.add_subcommand("bench", "Time a suite; medians of paired runs");
     auto command = std::make_shared<BenchCommand>();
     std::vector<std::string> suites = bench_suites();
-    suites.insert(suites.end(),
-                  {"atlas", "filter", "forward", "noise", "plot", "precision", "synthesis"});
-    verb->add_option("suite", command->suite,
-                     "mesh_io, atlas, synthesis, filter, noise, forward or precision; or plot, "
-                     "which draws a suite's report: burl bench plot F.json -o F.svg")
+    suites.insert(suites.end(), {"atlas", "filter", "forward", "noise", "plot", "precision",
+                                 "stability", "synthesis"});
+    verb->add_option(
+            "suite", command->suite,
+            "mesh_io, atlas, synthesis, filter, noise, forward, precision or "
+            "stability; or plot, which draws a suite's report: burl bench plot F.json -o F.svg")
         ->required()
         ->check(CLI::IsMember(suites));
     verb->add_option("file", command->file, "plot: the report, as -o wrote it");

@@ -157,7 +157,7 @@ void FieldSampler::fill_quadric_slopes(FieldBatch& batch) const {
     for (std::size_t i = 0; i < batch.pieces.size(); ++i) {
         const auto& [start, step, first, count] = batch.pieces[i].solid;
         const Vec3d& down = batch.pieces[i].down;
-        const Vec3d turn = half_gradient(quadric_, step) - half_gradient(quadric_, {});
+        const Vec3d turn = half_gradient_change(quadric_, step);
         const double u = batch.parabolas[i].c1, u_step = 2.0 * batch.parabolas[i].c2;
         const double v = 2.0 * glm::dot(half_gradient(quadric_, start), down);
         const double v_step = 2.0 * glm::dot(turn, down);

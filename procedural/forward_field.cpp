@@ -75,7 +75,7 @@ void add_octave(const OctaveWalk& octave, std::int64_t origin, Powers<degree>& f
 template <std::size_t degree>
 Powers<degree> field_along(const FieldLine& field, std::int64_t origin) {
     const Vec3d s = field.point(origin), &step = field.solid.step;
-    const Vec3d turn = half_gradient(field.quadric, step) - half_gradient(field.quadric, {});
+    const Vec3d turn = half_gradient_change(field.quadric, step);
     Powers<degree> f{};
     f[0] = evaluate_quadric(field.quadric, s) + field.constant;
     f[1] = 2.0 * glm::dot(half_gradient(field.quadric, s), step);

@@ -41,4 +41,8 @@ double evaluate_quadric(const Quadric& q, const Vec3d& s);
 /// Half the gradient of q at s: Q s without its last row, eq. (11).
 Vec3d half_gradient(const Quadric& q, const Vec3d& s);
 
+/// What half_gradient changes by along a step, without the linear coefficients, in which a short
+/// step's change would drown.
+Vec3d half_gradient_change(const Quadric& q, const Vec3d& step);
+
 }  // namespace burl

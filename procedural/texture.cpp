@@ -91,6 +91,11 @@ Vec3d half_gradient(const Quadric& q, const Vec3d& s) {
             q.c * s.x + q.f * s.y + q.h * s.z + q.i};
 }
 
+Vec3d half_gradient_change(const Quadric& q, const Vec3d& step) {
+    return {q.a * step.x + q.b * step.y + q.c * step.z, q.b * step.x + q.e * step.y + q.f * step.z,
+            q.c * step.x + q.f * step.y + q.h * step.z};
+}
+
 double evaluate_field(const Quadric& quadric, std::span<const Octave> octaves, const Vec3d& s) {
     double f = evaluate_quadric(quadric, s);
     for (const Octave& octave : octaves) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "procedural/octaves.h"
+
 #include "procedural/noise.h"
 
 namespace burl {
@@ -86,6 +88,12 @@ TEST(Field, GainZeroAndAmplitudeZeroAddNothing) {
     EXPECT_EQ(evaluate_field(texture, s), unit_value(0, s));
     texture.noise[0].amplitude = 0.0;
     EXPECT_EQ(evaluate_field(texture, s), 0.0);
+}
+
+TEST(Quadric, ChangesOfItsGradientDoNotDrownInItsLinearPart) {
+    const Quadric q{1, 2, -3, 1e9, 0.5, 6, -1e9, 0.25, 1e9, 10};
+    const Vec3d step(0x1p-40, -0x1p-38, 0x1p-39);
+    EXPECT_EQ(half_gradient_change(q, step), Vec3d(1 - 8 - 6, 2 - 2 + 12, -3 - 24 + 0.5) * 0x1p-40);
 }
 
 }  // namespace

@@ -1,0 +1,27 @@
+#pragma once
+// What is no field of texels, for `burl bench stability`: where texels lie, and what must hold bit
+// for bit or be refused, whose rows count failures.
+#include "app/bench_stability.h"
+#include "app/stability_cases.h"
+
+namespace burl {
+
+/// Texels' points inside slivers and small triangles, against the corners' weighted mean: within
+/// 1e-14 of the mesh's size.
+StabilityRow check_texel_points(bool full);
+
+/// Coordinates 2^32 cells apart have the same bits: cells wrap.
+StabilityRow check_wrap();
+
+/// The same bytes for 1, 2, 3, 7 and all threads, and wherever in a batch a texel falls.
+StabilityRow check_threads();
+StabilityRow check_batches();
+
+/// Every filter's colours are finite and in [0, 1], whatever the coordinates and steps.
+StabilityRow check_filters(const std::vector<StabilityGroup>& groups);
+
+/// Recipes with NaN, infinity or numbers out of range anywhere, and octaves beyond 2^46 cells, are
+/// refused in one sentence.
+StabilityRow check_refusals();
+
+}  // namespace burl
