@@ -1,5 +1,6 @@
 #include "app/command_options.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
@@ -133,6 +134,20 @@ void add_threads(CLI::App& verb, int& threads) {
     verb.add_option("-j,--threads", threads,
                     "Threads to use, 0 for all; the result never depends on it")
         ->check(CLI::Range(0, 1024));
+}
+
+void add_kernel(CLI::App& verb, std::string& kernel) {
+    std::vector<std::string> names;
+    for (const NamedKernel& one : kernel_names) names.emplace_back(one.name);
+    verb.add_option("--kernel", kernel,
+                    "How noise is computed where no filter is wanted: auto, direct or share (cells "
+                    "hashed once for all their texels); the result never depends on it")
+        ->check(CLI::IsMember(names))
+        ->capture_default_str();
+}
+
+Kernel kernel_named(const std::string& name) {
+    return std::ranges::find(kernel_names, name, &NamedKernel::name)->kernel;
 }
 
 void warn(const std::string& sentence) {

@@ -8,6 +8,7 @@
 
 #include "app/recipe.h"
 #include "atlas/mesh_io.h"
+#include "procedural/kernel.h"
 
 namespace burl {
 
@@ -46,6 +47,9 @@ CLI::Validator in_range(double low, double high);
 
 /// --threads, 0 for all.
 void add_threads(CLI::App& verb, int& threads);
+/// --kernel, one of kernel_names.
+void add_kernel(CLI::App& verb, std::string& kernel);
+Kernel kernel_named(const std::string& name);
 
 /// A line on stderr; a stderr that cannot be written to is no reason to stop.
 void warn(const std::string& sentence);

@@ -56,26 +56,27 @@ const SolidAtlas& Pipeline::solid() {
 
 namespace {
 
-Image<Rgb8> fill(const SolidAtlas& solid, const Recipe& recipe, int threads, Rgb8) {
+Image<Rgb8> fill(const SolidAtlas& solid, const Recipe& recipe, int threads, Kernel kernel, Rgb8) {
     if (!recipe.graph.empty())
         return synthesize_graph_rgb8(solid, recipe.graph, texture_from_solid(recipe), recipe.filter,
                                      threads);
     return synthesize_rgb8(solid, recipe.texture, texture_from_solid(recipe), threads,
-                           recipe.filter);
+                           recipe.filter, kernel);
 }
-Image<Rgb16> fill(const SolidAtlas& solid, const Recipe& recipe, int threads, Rgb16) {
+Image<Rgb16> fill(const SolidAtlas& solid, const Recipe& recipe, int threads, Kernel kernel,
+                  Rgb16) {
     if (!recipe.graph.empty())
         return synthesize_graph_rgb16(solid, recipe.graph, texture_from_solid(recipe),
                                       recipe.filter, threads);
     return synthesize_rgb16(solid, recipe.texture, texture_from_solid(recipe), threads,
-                            recipe.filter);
+                            recipe.filter, kernel);
 }
-Image<RgbF> fill(const SolidAtlas& solid, const Recipe& recipe, int threads, RgbF) {
+Image<RgbF> fill(const SolidAtlas& solid, const Recipe& recipe, int threads, Kernel kernel, RgbF) {
     if (!recipe.graph.empty())
         return synthesize_graph_rgbf(solid, recipe.graph, texture_from_solid(recipe), recipe.filter,
                                      threads);
     return synthesize_rgbf(solid, recipe.texture, texture_from_solid(recipe), threads,
-                           recipe.filter);
+                           recipe.filter, kernel);
 }
 
 /// Graphs are computed in float64 as they are.
@@ -93,7 +94,7 @@ Image<Pixel> Pipeline::synthesize() {
         if (goes_texel_by_texel(recipe_))
             return synthesize_texels<Pixel>(points, recipe_.texture, texture_from_solid(recipe_),
                                             recipe_.precision, recipe_.filter, threads_);
-        return fill(points, recipe_, threads_, Pixel{});
+        return fill(points, recipe_, threads_, kernel_, Pixel{});
     });
 }
 

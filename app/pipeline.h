@@ -10,6 +10,7 @@
 
 #include "app/recipe.h"
 #include "atlas/mesh_atlas.h"
+#include "procedural/kernel.h"
 
 namespace burl {
 
@@ -29,6 +30,8 @@ class Pipeline {
     void set_recipe(const Recipe& recipe);
     /// 0 means as many as the machine has; no result depends on it.
     void set_threads(int threads) { threads_ = threads; }
+    /// Nor on this.
+    void set_kernel(Kernel kernel) { kernel_ = kernel; }
 
     const Mesh& mesh() const { return mesh_; }
     /// The mesh whose triangles the atlas places: what is exported.
@@ -56,6 +59,7 @@ class Pipeline {
     Mesh mesh_;
     Recipe recipe_;
     int threads_ = 0;
+    Kernel kernel_ = Kernel::automatic;
     std::optional<Connectivity> connectivity_;
     std::optional<MeshAtlas> atlas_;
     std::optional<SolidAtlas> solid_;

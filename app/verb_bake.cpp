@@ -26,7 +26,7 @@ struct BakeCommand {
     MeshOptions meshes;
     int threads = 0, depth = 8;
     double crease = 40.0;
-    std::string levels, normals;
+    std::string levels, normals, kernel = "auto";
     std::optional<double> compress;
     bool json = false, quiet = false;
 };
@@ -194,6 +194,7 @@ void run_bake(const BakeCommand& command) {
     for (const Recipe& recipe : recipes) check_lattice(recipe, pipeline.mesh());
     pipeline.set_recipe(recipes[0]);
     pipeline.set_threads(command.threads);
+    pipeline.set_kernel(kernel_named(command.kernel));
     lay_out(pipeline);
     Written written;
     double writing = 0.0;
@@ -262,6 +263,7 @@ void add_bake(CLI::App& program) {
         ->check(in_range(0.0, 180.0))
         ->capture_default_str();
     add_threads(*verb, command->threads);
+    add_kernel(*verb, command->kernel);
     verb->add_flag("--json", command->json, "Print the report as JSON on stdout");
     verb->add_option("--report", command->report,
                      "Write the report as JSON to this file (- for stdout)");

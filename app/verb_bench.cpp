@@ -5,11 +5,12 @@
 #include <fmt/format.h>
 
 #include "app/atomic_file.h"
-
 #include "app/bench.h"
 #include "app/bench_atlas.h"
+#include "app/bench_command.h"
 #include "app/bench_filter.h"
 #include "app/bench_forward.h"
+#include "app/bench_kernels.h"
 #include "app/bench_noise.h"
 #include "app/bench_plot.h"
 #include "app/bench_precision.h"
@@ -26,13 +27,6 @@ namespace burl {
 
 namespace {
 
-struct BenchCommand {
-    std::string suite, file, out;
-    std::size_t size = 0;
-    int repeats = 5;
-    bool large = false, json = false;
-};
-
 Json row_json(const BenchRow& row) {
     return {{"name", row.name},
             {"unit", row.unit},
@@ -41,17 +35,6 @@ Json row_json(const BenchRow& row) {
             {"seconds_lowest", row.lowest},
             {"seconds_highest", row.highest},
             {"ns_per_unit", row.ns_per_unit()}};
-}
-
-/// To the file asked for, and to stdout.
-void write_report(const BenchCommand& command, const Json& rows) {
-    const Json report = {{"suite", command.suite},
-                         {"repeats", command.repeats},
-                         {"machine", machine_json()},
-                         {"rows", rows},
-                         {"versions", versions_json()}};
-    if (!command.out.empty()) write_json(command.out, report);
-    if (command.json) write_json("-", report);
 }
 
 Json atlas_json(const AtlasBench& bench) {
@@ -193,104 +176,33 @@ void run_precision_bench(const BenchCommand& command) {
     }
 }
 
-Json forward_json(const ForwardBench& row) {
-    return {{"function", row.function},
-            {"method", row.method},
-            {"step_cells", row.step},
-            {"ns_per_texel", row.ns_per_texel},
-            {"error", row.error},
-            {"cells_per_texel", row.cells_per_texel},
-            {"runs_per_texel", row.runs_per_texel}};
-}
-
-Json cube_json(const CubeBench& row) {
-    return {{"texture", row.texture},
-            {"method", row.method},
-            {"milliseconds", row.milliseconds},
-            {"error", row.error},
-            {"texels_with_other_codes", row.other_codes},
-            {"largest_code_step", row.largest_step},
-            {"cells", row.cells},
-            {"runs", row.runs}};
-}
-
-Json growth_json(const GrowthBench& row) {
-    Json errors = Json::array();
-    for (const auto& [texel, largest] : row.errors)
-        errors.push_back({{"texel_of_cell", texel}, {"error", largest}});
+Json kernel_json(const KernelBench& row) {
     return {{"noise", row.noise},
-            {"frequency", row.frequency},
-            {"precision", row.precision},
-            {"errors", errors}};
+            {"crossings_per_texel", row.crossings},
+            {"ns_direct", row.direct},
+            {"ns_share", row.share},
+            {"ns_auto", row.automatic},
+            {"auto_over_best", row.automatic / std::min(row.direct, row.share)}};
 }
 
-/// A table per function: a line per method, and in it cell(row) for every step.
-template <class Cell>
-void print_steps(const std::vector<ForwardBench>& rows, const char* what, Cell&& cell) {
-    std::string function, method;
-    for (const ForwardBench& row : rows) {
-        if (row.function != function) {
-            fmt::print("\n{}: {}, by cells per texel\n{:<26}", row.function, what, "");
-            for (const ForwardBench& one : rows)
-                if (one.function == row.function && one.method == row.method)
-                    fmt::print(" {:>8}", fmt::format("1/{:.0f}", 1.0 / one.step));
-            method.clear();
-        }
-        if (row.method != method) fmt::print("\n{:<26}", row.method);
-        fmt::print(" {:>8}", cell(row));
-        function = row.function;
-        method = row.method;
-        if (&row == &rows.back() || (&row)[1].function != function) fmt::print("\n");
-    }
-}
-
-void print_cubes(const std::vector<CubeBench>& rows) {
-    fmt::print("\n{:<16} {:<26} {:>9} {:>9} {:>12} {:>5} {:>8} {:>8}\n", "three faces", "method",
-               "ms", "error", "other codes", "by", "cells", "runs");
-    for (const CubeBench& row : rows)
-        fmt::print("{:<16} {:<26} {:>9.3f} {:>9.1e} {:>12} {:>5} {:>8} {:>8}\n", row.texture,
-                   row.method, row.milliseconds, row.error, row.other_codes, row.largest_step,
-                   row.cells, row.runs);
-}
-
-/// Largest error at the cells' first, second, third, fifth ... and last texel.
-void print_growth(const std::vector<GrowthBench>& rows) {
-    double frequency = 0.0;
-    for (const GrowthBench& row : rows) {
-        if (row.frequency != frequency) {
-            fmt::print("\n{:<18}", fmt::format("frequency {:g}, texel", row.frequency));
-            for (const auto& error : row.errors) fmt::print(" {:>8}", error.texel);
-            fmt::print("\n");
-        }
-        frequency = row.frequency;
-        fmt::print("{:<8} {:<9}  ", row.noise, row.precision);
-        for (const auto& error : row.errors) fmt::print(" {:>8.1e}", error.largest);
-        fmt::print("\n");
-    }
-}
-
-void run_forward_bench(const BenchCommand& command) {
+void run_kernel_bench(const BenchCommand& command) {
     if (command.size > batch_capacity)
-        throw Error(ExitCode::usage,
-                    fmt::format("bench forward: --size {} is too large, the cubes' faces have at "
-                                "most {} texels a side",
-                                command.size, batch_capacity));
-    const std::vector<ForwardBench> rows = bench_forward(command.repeats);
-    const std::vector<CubeBench> cubes =
-        bench_forward_cubes(command.repeats, command.size == 0 ? 256 : command.size);
-    const std::vector<GrowthBench> growth = bench_forward_growth();
+        throw Error(
+            ExitCode::usage,
+            fmt::format("bench kernels: --size {} is too large, spans have at most {} texels",
+                        command.size, batch_capacity));
+    const std::vector<KernelBench> rows =
+        bench_kernels(command.repeats, command.size == 0 ? 16 : command.size);
     Json list = Json::array();
-    for (const ForwardBench& row : rows) list.push_back(forward_json(row));
-    for (const CubeBench& row : cubes) list.push_back(cube_json(row));
-    for (const GrowthBench& row : growth) list.push_back(growth_json(row));
+    for (const KernelBench& row : rows) list.push_back(kernel_json(row));
     write_report(command, list);
     if (command.json) return;
-    print_steps(rows, "ns per texel",
-                [](const ForwardBench& row) { return fmt::format("{:.2f}", row.ns_per_texel); });
-    print_steps(rows, "largest error",
-                [](const ForwardBench& row) { return fmt::format("{:.1e}", row.error); });
-    print_cubes(cubes);
-    print_growth(growth);
+    fmt::print("{:<26} {:>15} {:>10} {:>10} {:>10} {:>10}\n", "ns per texel, " + simd_level(),
+               "crossings/texel", "direct", "share", "auto", "auto/best");
+    for (const KernelBench& row : rows)
+        fmt::print("{:<26} {:>15.4f} {:>10.2f} {:>10.2f} {:>10.2f} {:>10.3f}\n", row.noise,
+                   row.crossings, row.direct, row.share, row.automatic,
+                   row.automatic / std::min(row.direct, row.share));
 }
 
 Json stability_json(const StabilityRow& row) {
@@ -326,6 +238,7 @@ void run_bench(const BenchCommand& command) {
             command, bench_synthesis(command.repeats, command.size == 0 ? 1024 : command.size));
     if (command.suite == "precision") return run_precision_bench(command);
     if (command.suite == "forward") return run_forward_bench(command);
+    if (command.suite == "kernels") return run_kernel_bench(command);
     if (command.suite == "stability") return run_stability_bench(command);
     const std::vector<BenchRow> rows =
         run_paired(bench_suite(command.suite, command.size), command.repeats);
@@ -348,20 +261,20 @@ void add_bench(CLI::App& program) {
     auto* verb = program.add_subcommand("bench", "Time a suite; medians of paired runs");
     auto command = std::make_shared<BenchCommand>();
     std::vector<std::string> suites = bench_suites();
-    suites.insert(suites.end(), {"atlas", "filter", "forward", "noise", "plot", "precision",
-                                 "stability", "synthesis"});
-    verb->add_option(
-            "suite", command->suite,
-            "mesh_io, atlas, synthesis, filter, noise, forward, precision or "
-            "stability; or plot, which draws a suite's report: burl bench plot F.json -o F.svg")
+    suites.insert(suites.end(), {"atlas", "filter", "forward", "kernels", "noise", "plot",
+                                 "precision", "stability", "synthesis"});
+    verb->add_option("suite", command->suite,
+                     "mesh_io, atlas, synthesis, filter, noise, forward, kernels, precision "
+                     "or stability; or "
+                     "plot, which draws a suite's report: burl bench plot F.json -o F.svg")
         ->required()
         ->check(CLI::IsMember(suites));
     verb->add_option("file", command->file, "plot: the report, as -o wrote it");
     verb->add_option(
             "--size", command->size,
             "Faces (mesh_io, atlas) or texels per side (synthesis, filter, precision, "
-            "forward's cubes: at most 1,024) or samples (noise); atlas: 1,000 to 100,000 unless "
-            "one number is given")
+            "forward's cubes: at most 1,024) or of a span (kernels) or samples (noise); atlas: "
+            "1,000 to 100,000 unless one number is given")
         ->check(CLI::Range(std::size_t{2}, std::size_t{10'000'000}));
     verb->add_option("--repeats", command->repeats, "Counted rounds")
         ->check(CLI::Range(1, 1000))

@@ -120,10 +120,10 @@ bool fill_weights(FieldBatch& batch) {
 
 }  // namespace
 
-FieldSampler::FieldSampler(const Texture& texture, bool band_limit)
+FieldSampler::FieldSampler(const Texture& texture, bool band_limit, Kernel kernel)
     : quadric_(texture.quadric),
       octaves_(expand_octaves(texture)),
-      streams_(octaves_),
+      streams_(octaves_, kernel),
       band_limit_(band_limit) {
     for (const Octave& octave : octaves_) constant_ += octave.offset;
     if (band_limit)

@@ -37,7 +37,7 @@ struct FieldBatch {
 class FieldSampler {
   public:
     /// With `band_limit` octaves that a texel cannot show are left out, their mean stays.
-    FieldSampler(const Texture& texture, bool band_limit);
+    FieldSampler(const Texture& texture, bool band_limit, Kernel kernel = Kernel::automatic);
 
     /// batch.field = f at the centres of the texels of batch.pieces.
     void values(FieldBatch& batch) const;

@@ -19,9 +19,11 @@ HWY_BEFORE_NAMESPACE();
 namespace burl {
 namespace HWY_NAMESPACE {
 
-/// Between 2^20 and 2^21 doubles are 2^-32 apart: a sum with this one is a fixed-point number.
+/// Between 2^20 and 2^21 doubles are 2^-32 apart: a sum with this one is a
+/// fixed-point number.
 constexpr double fixed_magic = 0x1.8p20;
-/// Lines that stay this close to the cell of their start can be worked out that way.
+/// Lines that stay this close to the cell of their start can be worked out that
+/// way.
 constexpr double fixed_reach = 0x1p18;
 
 /// Starts and steps of up to `capacity` pieces in the lattice, by axis.
@@ -30,15 +32,16 @@ struct PieceLines {
     alignas(64) double start[3][capacity], step[3][capacity];
 };
 
-/// What an axis of a line needs: texel j has the fixed-point bits of `from` + j * step, plus
-/// offset.
+/// What an axis of a line needs: texel j has the fixed-point bits of `from` + j
+/// * step, plus offset.
 struct FixedAxis {
     hn::Vec<Doubles> from, step;
     hn::Vec<hn::RebindToUnsigned<Doubles>> offset;
 
     HWY_ATTR HWY_INLINE FixedAxis(double start, double line_step) {
         const Doubles d;
-        // The nearest cell: added to the magic number, it makes the low bits of a double.
+        // The nearest cell: added to the magic number, it makes the low bits of a
+        // double.
         const double shifted = start + round_magic, local = start - (shifted - round_magic);
         constexpr auto zero = std::bit_cast<std::uint64_t>(fixed_magic);
         from = hn::Set(d, local + fixed_magic);
@@ -69,14 +72,15 @@ HWY_ATTR HWY_INLINE void FillLine(const PieceLines& lines, std::size_t i, const 
     }
 }
 
-/// For lines that FillLine cannot hold: far from the origin, or crossing very many cells.
-HWY_ATTR void FillHardLine(const PieceLines& lines, std::size_t i, const Piece& piece, double limit,
-                           std::size_t at, LatticeStream& stream) {
+/// For lines that FillLine cannot hold: far from the origin, or crossing very
+/// many cells.
+HWY_ATTR void FillHardLine(const PieceLines& lines, std::size_t i, const LatticeLine& line,
+                           double length, double limit, std::size_t at, LatticeStream& stream) {
     for (int axis = 0; axis < 3; ++axis) {
         const double start = lines.start[axis][i], step = lines.step[axis][i];
-        const bool near = std::abs(start) + piece.length * std::abs(step) < limit;
-        for (std::size_t j = 0; j < piece.solid.count; ++j) {
-            const double x = near ? start + (piece.solid.first + double(j)) * step : 0.0;
+        const bool near = std::abs(start) + length * std::abs(step) < limit;
+        for (std::size_t j = 0; j < line.count; ++j) {
+            const double x = near ? start + (line.first + double(j)) * step : 0.0;
             const double cell = std::floor(x);
             stream.at[axis][at + j] =
                 (std::uint64_t(std::int64_t(cell)) << 32) | std::uint64_t((x - cell) * 0x1p32);
@@ -98,19 +102,20 @@ HWY_ATTR void MapPieces(const Affine3& map, std::span<const Piece> pieces, Piece
     }
 }
 
-HWY_ATTR void FillStream(const Affine3& map, int doublings, std::span<const Piece> pieces,
-                         LatticeStream& stream) {
+HWY_ATTR double FillStream(const Affine3& map, int doublings, std::span<const Piece> pieces,
+                           LatticeStream& stream) {
     const double limit = std::ldexp(lattice_limit, -doublings);
     PieceLines lines;
     std::size_t at = 0;
+    double planes = 0.0;
     for (std::size_t first = 0; first < pieces.size(); first += PieceLines::capacity) {
         const auto part =
             pieces.subspan(first, std::min(PieceLines::capacity, pieces.size() - first));
         MapPieces(map, part, lines);
         for (std::size_t i = 0; i < part.size(); ++i) {
-            const auto extent = [&](int axis) {
-                return part[i].length * std::abs(lines.step[axis][i]);
-            };
+            const auto& [start, step, begin, count] = part[i].solid;
+            const double length = std::max(part[i].length, begin + double(count));
+            const auto extent = [&](int axis) { return length * std::abs(lines.step[axis][i]); };
             const auto easy = [&](int axis) {
                 return extent(axis) < fixed_reach &&
                        std::abs(lines.start[axis][i]) + extent(axis) < limit;
@@ -118,10 +123,14 @@ HWY_ATTR void FillStream(const Affine3& map, int doublings, std::span<const Piec
             if (easy(0) && easy(1) && easy(2))
                 FillLine(lines, i, part[i].solid, at, stream);
             else
-                FillHardLine(lines, i, part[i], limit, at, stream);
+                FillHardLine(lines, i, part[i].solid, length, limit, at, stream);
             at += part[i].solid.count;
+            planes += double(part[i].solid.count) *
+                      (std::abs(lines.step[0][i]) + std::abs(lines.step[1][i]) +
+                       std::abs(lines.step[2][i]));
         }
     }
+    return planes;
 }
 
 template <class Corner, class FadeFunction>
@@ -131,10 +140,14 @@ HWY_ATTR void AddOctaveOf(const StreamOctave& octave, const LatticeStream& strea
     const Bit seed = hn::Set(Bits(), octave.seed * LatticeHash::prime_seed);
     const Float weight = hn::Set(d, octave.weight);
     for (std::size_t j = 0; j < count; j += hn::Lanes(d)) {
-        const StreamSite site(stream, octave.doublings, j);
+        Bit cell[3];
+        Float place[3];
+        for (int axis = 0; axis < 3; ++axis) {
+            cell[axis] = CellsOf(stream.at[axis] + j, octave.doublings);
+            place[axis] = PlacesOf(stream.at[axis] + j, octave.doublings);
+        }
         const Float noise = EightfoldNoise<Corner, FadeFunction>(
-            CellHash(seed, site.cell[0], site.cell[1], site.cell[2]), site.place[0], site.place[1],
-            site.place[2]);
+            CellHash(seed, cell[0], cell[1], cell[2]), place[0], place[1], place[2]);
         hn::Store(hn::Add(hn::Load(d, sums + j), hn::Mul(weight, noise)), d, sums + j);
     }
 }
@@ -166,14 +179,15 @@ HWY_EXPORT(FillStream);
 HWY_EXPORT(AddOctaveDirect);
 HWY_EXPORT(AddSums);
 
-void fill_stream(const Affine3& lattice_from_solid, int doublings, std::span<const Piece> pieces,
-                 LatticeStream& stream) {
-    HWY_DYNAMIC_DISPATCH(FillStream)(lattice_from_solid, doublings, pieces, stream);
+double fill_stream(const Affine3& lattice_from_solid, int doublings, std::span<const Piece> pieces,
+                   LatticeStream& stream) {
+    return HWY_DYNAMIC_DISPATCH(FillStream)(lattice_from_solid, doublings, pieces, stream);
 }
 
 void add_octave_direct(NoiseKind kind, Fade fade, const StreamOctave& octave,
                        const LatticeStream& stream, std::size_t count, float* sums) {
-    HWY_DYNAMIC_DISPATCH(AddOctaveDirect)(kind, fade, octave, stream, count, sums);
+    HWY_DYNAMIC_DISPATCH(AddOctaveDirect)
+    (kind, fade, octave, stream, count, sums);
 }
 
 void add_sums(double scale, const float* sums, std::size_t count, double* values) {

@@ -260,9 +260,9 @@ std::vector<TexelMap> moved(const std::vector<TexelMap>& maps, const Affine3& ma
 template <class Shader>
 Image<typename Shader::Pixel> synthesize(const SolidAtlas& solid, const Texture& texture,
                                          const Affine3& map, const Filter& filter, int threads,
-                                         const Shader& shader) {
+                                         Kernel kernel, const Shader& shader) {
     Image<typename Shader::Pixel> image(solid.size, solid.size, shader.background(0.0));
-    const FieldSampler sampler(texture, filter.band_limit);
+    const FieldSampler sampler(texture, filter.band_limit, kernel);
     const std::vector<TexelMap> maps = moved(solid.maps, map, threads);
     for_row_ranges(solid.size, 8 * batch_capacity, threads, [&](const RowRange& rows) {
         synthesize_rows(solid, maps, sampler, shader, rows, image);
@@ -272,10 +272,10 @@ Image<typename Shader::Pixel> synthesize(const SolidAtlas& solid, const Texture&
 
 template <class Pixel, class PointShader>
 Image<Pixel> synthesize_colors(const SolidAtlas& solid, const Texture& texture, const Affine3& map,
-                               const Filter& filter, int threads) {
+                               const Filter& filter, int threads, Kernel kernel) {
     const ColorMap& colors = texture.colors;
     const auto run = [&](const auto& shader) {
-        return synthesize(solid, texture, map, filter, threads, shader);
+        return synthesize(solid, texture, map, filter, threads, kernel, shader);
     };
     if (filter.kind == FilterKind::none) return run(PointShader(colors));
     if (filter.kind == FilterKind::supersample)
@@ -286,26 +286,29 @@ Image<Pixel> synthesize_colors(const SolidAtlas& solid, const Texture& texture, 
 }  // namespace
 
 Image<Rgb8> synthesize_rgb8(const SolidAtlas& solid, const Texture& texture,
-                            const Affine3& texture_from_atlas, int threads, const Filter& filter) {
-    return synthesize_colors<Rgb8, Color8>(solid, texture, texture_from_atlas, filter, threads);
+                            const Affine3& texture_from_atlas, int threads, const Filter& filter,
+                            Kernel kernel) {
+    return synthesize_colors<Rgb8, Color8>(solid, texture, texture_from_atlas, filter, threads,
+                                           kernel);
 }
 
 Image<Rgb16> synthesize_rgb16(const SolidAtlas& solid, const Texture& texture,
-                              const Affine3& texture_from_atlas, int threads,
-                              const Filter& filter) {
+                              const Affine3& texture_from_atlas, int threads, const Filter& filter,
+                              Kernel kernel) {
     return synthesize_colors<Rgb16, PointColor<Rgb16>>(solid, texture, texture_from_atlas, filter,
-                                                       threads);
+                                                       threads, kernel);
 }
 
 Image<RgbF> synthesize_rgbf(const SolidAtlas& solid, const Texture& texture,
-                            const Affine3& texture_from_atlas, int threads, const Filter& filter) {
+                            const Affine3& texture_from_atlas, int threads, const Filter& filter,
+                            Kernel kernel) {
     return synthesize_colors<RgbF, PointColor<RgbF>>(solid, texture, texture_from_atlas, filter,
-                                                     threads);
+                                                     threads, kernel);
 }
 
 Image<float> synthesize_field(const SolidAtlas& solid, const Texture& texture,
-                              const Affine3& texture_from_atlas, int threads) {
-    return synthesize(solid, texture, texture_from_atlas, {}, threads, FieldCopy());
+                              const Affine3& texture_from_atlas, int threads, Kernel kernel) {
+    return synthesize(solid, texture, texture_from_atlas, {}, threads, kernel, FieldCopy());
 }
 
 }  // namespace burl

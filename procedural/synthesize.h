@@ -5,24 +5,27 @@
 #include "atlas/image.h"
 #include "atlas/solid_atlas.h"
 #include "procedural/filter.h"
+#include "procedural/kernel.h"
 #include "procedural/texture.h"
 
 namespace burl {
 
 /// `texture_from_atlas` maps the SolidAtlas's space to the texture's solid coordinates (the
-/// recipe's scale). `threads` 0 means all. Texels outside every span get the colour of field 0.
+/// recipe's scale). `threads` 0 means all. `kernel` changes the time only, and only where there is
+/// no filter. Texels outside every span get the colour of field 0.
 Image<Rgb8> synthesize_rgb8(const SolidAtlas& solid, const Texture& texture,
                             const Affine3& texture_from_atlas, int threads,
-                            const Filter& filter = {});
+                            const Filter& filter = {}, Kernel kernel = Kernel::automatic);
 Image<Rgb16> synthesize_rgb16(const SolidAtlas& solid, const Texture& texture,
                               const Affine3& texture_from_atlas, int threads,
-                              const Filter& filter = {});
+                              const Filter& filter = {}, Kernel kernel = Kernel::automatic);
 Image<RgbF> synthesize_rgbf(const SolidAtlas& solid, const Texture& texture,
                             const Affine3& texture_from_atlas, int threads,
-                            const Filter& filter = {});
+                            const Filter& filter = {}, Kernel kernel = Kernel::automatic);
 
 /// The field itself, for tests and error measurements.
 Image<float> synthesize_field(const SolidAtlas& solid, const Texture& texture,
-                              const Affine3& texture_from_atlas, int threads);
+                              const Affine3& texture_from_atlas, int threads,
+                              Kernel kernel = Kernel::automatic);
 
 }  // namespace burl

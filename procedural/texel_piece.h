@@ -10,7 +10,7 @@ struct Piece {
     std::size_t x = 0, y = 0;
     LatticeLine solid;
     Vec3d down{0.0};
-    double length = 0.0;  ///< texels of the whole span
+    double length = 0.0;  ///< texels of the whole span, if it is longer than this
 };
 
 }  // namespace burl

@@ -10,6 +10,7 @@
 #include "procedural/noise.h"
 #include "procedural/octave_streams.h"
 #include "procedural/quadric_kernel.h"
+#include "procedural/share_kernels.h"
 
 namespace burl {
 namespace {
@@ -101,17 +102,17 @@ TEST(LatticeStream, DoesNotDependOnHowSpansAreCut) {
     }
 }
 
-struct Kernel {
+struct NoiseName {
     NoiseKind kind;
     Fade fade;
 };
-constexpr Kernel kernels[] = {{NoiseKind::value, Fade::linear},
-                              {NoiseKind::value, Fade::smooth},
-                              {NoiseKind::value, Fade::quintic},
-                              {NoiseKind::perlin, Fade::quintic}};
+constexpr NoiseName noises[] = {{NoiseKind::value, Fade::linear},
+                                {NoiseKind::value, Fade::smooth},
+                                {NoiseKind::value, Fade::quintic},
+                                {NoiseKind::perlin, Fade::quintic}};
 
 /// What add_octave_* has to give: the kernel of cells and places, at the stream's.
-std::vector<double> expected_octave(const Kernel& k, const StreamOctave& octave,
+std::vector<double> expected_octave(const NoiseName& k, const StreamOctave& octave,
                                     const LatticeStream& stream) {
     const auto lattice = std::make_unique<LatticeBatch>();
     for (int axis = 0; axis < 3; ++axis)
@@ -130,7 +131,7 @@ TEST(StreamKernels, GiveTheBitsOfTheKernelsOfCellsAndPlaces) {
     std::mt19937 random(6);
     const auto stream = std::make_unique<LatticeStream>();
     alignas(64) float sums[batch_capacity + batch_padding];
-    for (const Kernel& k : kernels)
+    for (const NoiseName& k : noises)
         for (int doublings : {0, 1, 7, 23}) {
             fill_stream(oblique, doublings, random_pieces(random, doublings < 8), *stream);
             const StreamOctave octave{std::uint32_t(random()), doublings, 1.0f};
@@ -140,6 +141,57 @@ TEST(StreamKernels, GiveTheBitsOfTheKernelsOfCellsAndPlaces) {
             for (std::size_t j = 0; j < batch_capacity; ++j)
                 ASSERT_EQ(double(sums[j]) * noise_unit(k.kind), expected[j]) << doublings;
         }
+}
+
+/// Vectors of texels in one cell and in several, runs that end at a batch's end, short batches.
+TEST(StreamKernels, SharedCornersGiveTheBitsOfDirectOnes) {
+    std::mt19937 random(7);
+    const auto stream = std::make_unique<LatticeStream>();
+    const auto runs = std::make_unique<CellRuns>();
+    std::vector<float> sums[2];
+    for (const NoiseName& k : noises)
+        for (int i = 0; i < 24; ++i) {
+            const int doublings = i % 8, finer = i % 3;
+            const std::vector<Piece> pieces = random_pieces(random, i % 2 == 0);
+            fill_stream(oblique, doublings + finer, pieces, *stream);
+            const std::size_t count = i < 8 ? batch_capacity : 1 + random() % batch_capacity;
+            find_runs(*stream, doublings + finer, count, *runs);
+            const StreamOctave octave{std::uint32_t(random()), doublings, 0.7f};
+            for (auto& s : sums) s.assign(batch_capacity + batch_padding + 16, 0.25f);
+            const auto aligned = [](std::vector<float>& s) {
+                void* at = s.data();
+                std::size_t space = s.size() * sizeof(float);
+                return static_cast<float*>(std::align(64, 1, at, space));
+            };
+            add_octave_direct(k.kind, k.fade, octave, *stream, count, aligned(sums[0]));
+            add_octave_shared(k.kind, k.fade, octave, *stream, *runs, count, aligned(sums[1]));
+            for (std::size_t j = 0; j < count; ++j)
+                ASSERT_EQ(aligned(sums[0])[j], aligned(sums[1])[j]) << i << " " << j;
+        }
+}
+
+TEST(StreamKernels, FindRunsOfTexelsInOneCell) {
+    std::mt19937 random(8);
+    const auto stream = std::make_unique<LatticeStream>();
+    const auto runs = std::make_unique<CellRuns>();
+    for (int doublings : {0, 1, 5, 23}) {
+        fill_stream(oblique, doublings, random_pieces(random, true), *stream);
+        const std::size_t count = 900;
+        find_runs(*stream, doublings, count, *runs);
+        std::int32_t run = -1;
+        for (std::size_t j = 0; j < count; ++j) {
+            bool same = j > 0;
+            for (const auto& at : stream->at)
+                same = same && at[j] >> (32 - doublings) == at[j - 1] >> (32 - doublings);
+            if (!same) {
+                ++run;
+                for (int axis = 0; axis < 3; ++axis)
+                    ASSERT_EQ(runs->first.at[axis][run], stream->at[axis][j]);
+            }
+            ASSERT_EQ(runs->run[j], run) << j;
+        }
+        EXPECT_EQ(runs->count, std::size_t(run) + 1);
+    }
 }
 
 TEST(StreamKernels, WeighOctaves) {
@@ -179,7 +231,7 @@ TEST(OctaveStreams, SumOctavesAsTheReferenceDoes) {
         std::vector<Octave> octaves = expand_octaves(texture);
         const std::vector<Piece> pieces = random_pieces(random, false);
         std::vector<double> values(batch_capacity + batch_padding, 0.0);
-        OctaveStreams(octaves).add(pieces, batch_capacity, *buffers, values.data());
+        OctaveStreams(octaves, Kernel(i % 3)).add(pieces, batch_capacity, *buffers, values.data());
         std::erase_if(octaves, [](const Octave& octave) { return !has_kernel(octave); });
         double amplitudes = 0.0;
         for (const Octave& octave : octaves) amplitudes += std::abs(octave.scale);

@@ -145,10 +145,12 @@ TEST(Synthesis, GivesTheSameBytesForEveryThreadCount) {
         for (NoiseTerm& term : texture.noise) term.octaves = 1 + term.octaves % 2;
         const Image<float> field = synthesize_field(solid, texture, scaled(1.0), 1);
         const Image<Rgb8> colors = synthesize_rgb8(solid, texture, scaled(1.0), 1);
-        for (const int threads : {2, 7, 0}) {
-            EXPECT_EQ(synthesize_field(solid, texture, scaled(1.0), threads), field);
-            EXPECT_EQ(synthesize_rgb8(solid, texture, scaled(1.0), threads), colors);
-        }
+        for (const int threads : {2, 7, 0})
+            for (const auto& [name, kernel] : kernel_names) {
+                EXPECT_EQ(synthesize_field(solid, texture, scaled(1.0), threads, kernel), field);
+                EXPECT_EQ(synthesize_rgb8(solid, texture, scaled(1.0), threads, {}, kernel),
+                          colors);
+            }
     }
 }
 
@@ -209,12 +211,14 @@ TEST(Synthesis, GivesTheSameBytesOnEveryInstructionSet) {
     for (std::int64_t left = hwy::SupportedTargets() & HWY_TARGETS; left != 0; left &= left - 1) {
         const OnlyTarget only(left & -left);
         names += simd_level() + " ";
-        for (std::size_t i = 0; i < textures.size(); ++i) {
-            EXPECT_EQ(synthesize_field(solid, textures[i], scaled(1.0), 1), fields[i])
-                << simd_level() << ", texture " << i;
-            EXPECT_EQ(synthesize_rgb8(solid, textures[i], scaled(1.0), 1), colors[i])
-                << simd_level() << ", texture " << i;
-        }
+        for (std::size_t i = 0; i < textures.size(); ++i)
+            for (const auto& [name, kernel] : kernel_names) {
+                EXPECT_EQ(synthesize_field(solid, textures[i], scaled(1.0), 1, kernel), fields[i])
+                    << simd_level() << ", " << name << ", texture " << i;
+                EXPECT_EQ(synthesize_rgb8(solid, textures[i], scaled(1.0), 1, {}, kernel),
+                          colors[i])
+                    << simd_level() << ", " << name << ", texture " << i;
+            }
     }
     RecordProperty("instruction_sets", names);
     EXPECT_FALSE(names.empty());
