@@ -111,9 +111,10 @@ void ColorTable8::look_up(const std::int32_t* entries, const double* f, std::siz
     const Code* table = entries_.data();
     std::size_t searches = 0;
     for (std::size_t j = 0; j < count; ++j) {  // without branches that nobody can foretell
-        codes[j] = table[std::size_t(entries[j])];
+        const Code code = table[std::size_t(entries[j])];
         later[searches] = std::uint32_t(j);
-        searches += codes[j].uniform ? 0 : 1;
+        searches += code.uniform ? 0 : 1;
+        codes[j] = code;
     }
     for (std::size_t i = 0; i < searches; ++i)
         codes[later[i]].color = searched(std::uint32_t(entries[later[i]]), f[later[i]]);

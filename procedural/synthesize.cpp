@@ -229,12 +229,9 @@ void synthesize_rows(const SolidAtlas& solid, std::span<const TexelMap> maps,
             for (std::size_t done = 0; done < span.count;) {
                 const std::size_t count =
                     std::min(span.count - done, batch_capacity - batch->count);
-                Piece& piece = batch->pieces.emplace_back();
-                piece.x = span.x + done, piece.y = y;
-                piece.solid.start = start, piece.solid.step = texel.step_x;
-                piece.solid.first = double(done), piece.solid.count = count;
-                piece.down = texel.step_y;
-                piece.length = double(span.count);
+                batch->pieces.emplace_back(
+                    span.x + done, y, LatticeLine{start, texel.step_x, double(done), count},
+                    texel.step_y, double(span.count));
                 batch->count += count;
                 done += count;
                 if (batch->count == batch_capacity) flush(*batch, sampler, shader, image);
