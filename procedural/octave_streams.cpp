@@ -33,7 +33,8 @@ OctaveStreams::OctaveStreams(std::span<const Octave> octaves, Kernel kernel) : k
     const Octave* before = nullptr;
     for (const Octave& octave : octaves) {
         if (!has_kernel(octave)) continue;
-        if (!before || !doubles(octave, *before))
+        const bool full = !groups_.empty() && groups_.back().octaves.size() > most_doublings;
+        if (!before || full || !doubles(octave, *before))
             groups_.push_back({octave.noise.kind,
                                octave.noise.fade,
                                octave.lattice_from_solid,

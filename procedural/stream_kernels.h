@@ -13,10 +13,13 @@ struct LatticeStream {
     alignas(64) std::uint64_t at[3][batch_capacity + batch_padding];
 };
 
+/// Doublings that leave a place enough of its 32 bits, given amplitudes that halve.
+inline constexpr std::size_t most_doublings = 23;
+
 /// An octave whose lattice coordinates are those of a stream times 2^doublings.
 struct StreamOctave {
     std::uint32_t seed = 0;
-    int doublings = 0;    ///< 0..31
+    int doublings = 0;    ///< 0..most_doublings
     float weight = 1.0f;  ///< of the octave in the sum
 };
 

@@ -229,9 +229,9 @@ void synthesize_rows(const SolidAtlas& solid, std::span<const TexelMap> maps,
             for (std::size_t done = 0; done < span.count;) {
                 const std::size_t count =
                     std::min(span.count - done, batch_capacity - batch->count);
-                batch->pieces.emplace_back(
-                    span.x + done, y, LatticeLine{start, texel.step_x, double(done), count},
-                    texel.step_y, double(span.count));
+                batch->pieces.emplace_back(span.x + done, y,
+                                           LatticeLine{start, texel.step_x, double(done), count},
+                                           texel.step_y, double(span.count));
                 batch->count += count;
                 done += count;
                 if (batch->count == batch_capacity) flush(*batch, sampler, shader, image);

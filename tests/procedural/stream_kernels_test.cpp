@@ -242,6 +242,28 @@ TEST(OctaveStreams, SumOctavesAsTheReferenceDoes) {
     }
 }
 
+TEST(OctaveStreams, TakeLongChainsOfOctavesApart) {
+    Texture texture;
+    NoiseTerm first;
+    first.octaves = 24, first.frequency = Vec3d(0x1p-10);
+    NoiseTerm second = first;  // goes on where the first ends
+    second.frequency = Vec3d(0x1p14), second.amplitude = 0x1p-24;
+    texture.noise = {first, second};
+    const std::vector<Octave> octaves = expand_octaves(texture);
+    double offsets = 0.0;
+    for (const Octave& octave : octaves) offsets += octave.offset;
+    std::mt19937 random(10);
+    const std::vector<Piece> pieces = random_pieces(random, false);
+    const auto buffers = std::make_unique<StreamBuffers>();
+    for (const auto& [name, kernel] : kernel_names) {
+        std::vector<double> values(batch_capacity + batch_padding, 0.0);
+        OctaveStreams(octaves, kernel).add(pieces, batch_capacity, *buffers, values.data());
+        for_each_texel(pieces, {}, [&](std::size_t at, const Vec3d& p) {
+            ASSERT_NEAR(values[at], evaluate_field({}, octaves, p) - offsets, 2.5e-7) << name;
+        });
+    }
+}
+
 TEST(QuadricKernel, GivesTheQuadricAlongLines) {
     const Quadric q{1.5, -2, 0.25, 3, -0.75, 1, 2, 0.5, -1, 7};
     std::mt19937 random(9);
