@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <sstream>
 #include <string_view>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
 #include "app/direct_picture.h"
+#include "app/forward_cube.h"
 #include "atlas/error.h"
 
 namespace burl {
@@ -92,6 +94,31 @@ std::string zone_part(bool corner, std::string_view filter) {
     return line;
 }
 
+Figure cubes_figure() {
+    Figure figure{"bresenham-cubes",
+                  "Kameya & Hart, figures 4 to 8: wood and marble pixel by pixel, by forward "
+                  "differences, and where these differ",
+                  3,
+                  {}};
+    for (const char* cube : {"bresenham-wood 1", "bresenham-marble 2"})
+        for (const char* shown : {"pixelwise", "forward", "difference"})
+            figure.parts.push_back(fmt::format("cube {} {}", cube, shown));
+    return figure;
+}
+
+Image<Rgb8> cube_part(const std::string& arguments) {
+    constexpr std::size_t side = 200;
+    std::istringstream words(arguments);
+    std::string cube, recipe, shown;
+    double size = 0.0;
+    words >> cube >> recipe >> size >> shown;
+    const Texture texture = load_recipe(recipe).texture;
+    const Image<Rgb8> forward = draw_cube(texture, size, side, CubeMethod::forward);
+    if (shown == "forward") return forward;
+    const Image<Rgb8> pixelwise = draw_cube(texture, size, side, CubeMethod::pixelwise);
+    return shown == "pixelwise" ? pixelwise : disagreement(pixelwise, forward);
+}
+
 std::string torus_part(std::string_view shown) {
     return fmt::format(
         "sample:torus --recipe wood --set solid.scale=14 --set texture.input.quadric.D=5 --set "
@@ -162,6 +189,7 @@ std::vector<Figure> figures() {
                    "pbrt's checkerboard (Chuang 2008): no antialiasing, closed form, supersampled",
                    3,
                    {floor_part("none"), floor_part("closed_form"), floor_part("supersample")}});
+    all.push_back(cubes_figure());
     return all;
 }
 
@@ -176,6 +204,7 @@ Figure find_figure(const std::string& name) {
 }
 
 Image<Rgb8> draw_part(const std::string& arguments) {
+    if (arguments.starts_with("cube ")) return cube_part(arguments);
     DirectOptions options;
     CLI::App line;
     options.add(line);

@@ -14,7 +14,11 @@ struct Figure {
     std::string shows;  ///< one line: whose figure it is after, and what it shows
     std::size_t columns = 1;
     /// Arguments of `burl render --direct` but the output, row by row; all parts have one size.
+    /// Or "cube RECIPE SIZE pixelwise|forward|difference" (app/forward_cube.h), which is no
+    /// command.
     std::vector<std::string> parts;
+
+    bool has_commands() const { return !parts.empty() && !parts[0].starts_with("cube "); }
 };
 
 /// Bytes that none of the figures' files exceeds.
@@ -25,7 +29,8 @@ std::vector<Figure> figures();
 /// The figure of that name. Throws Error(usage) with the names there are.
 Figure find_figure(const std::string& name);
 
-/// The part that `arguments` ask for, by the options and the code of `burl render --direct`.
+/// The part that `arguments` ask for: a cube, or by the options and the code of `burl render
+/// --direct`.
 Image<Rgb8> draw_part(const std::string& arguments);
 
 /// All parts, side by side and row under row, with white between them.

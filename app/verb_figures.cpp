@@ -30,6 +30,10 @@ std::vector<Figure> chosen_figures(const FiguresCommand& command) {
 void print_commands(const std::vector<Figure>& chosen) {
     for (const Figure& figure : chosen) {
         fmt::print("# {}: {}\n", figure.name, figure.shows);
+        if (!figure.has_commands()) {
+            fmt::print("burl figures -o . --only {}\n", figure.name);
+            continue;
+        }
         for (std::size_t i = 0; i < figure.parts.size(); ++i) {
             const std::string number = figure.parts.size() == 1 ? "" : fmt::format("-{}", i + 1);
             fmt::print("burl render --direct {} -o {}{}.png\n", figure.parts[i], figure.name,
