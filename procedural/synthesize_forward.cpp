@@ -13,8 +13,9 @@ namespace {
 
 /// pixel(f) for every texel that a span owns.
 template <class Pixel, class Shade>
-Image<Pixel> fill(const SolidAtlas& solid, const Texture& texture, const Affine3& map, int threads,
-                  const Pixel& background, const Shade& pixel) {
+Image<Pixel> fill(const SolidAtlas& solid, const Texture& texture, const Affine3& map,
+                  ForwardPrecision precision, int threads, const Pixel& background,
+                  const Shade& pixel) {
     constexpr std::size_t texels_per_task = 8192;
     const std::vector<Octave> octaves = expand_octaves(texture);
     Image<Pixel> image(solid.size, solid.size, background);
@@ -25,7 +26,7 @@ Image<Pixel> fill(const SolidAtlas& solid, const Texture& texture, const Affine3
                 const TexelMap& texel = solid.maps[span.map];
                 const LatticeLine line{map(texel(span.x, std::int64_t(y))),
                                        map.linear * texel.step_x, 0.0, span.count};
-                forward_values(texture.quadric, octaves, line, {}, f.data());
+                forward_values(texture.quadric, octaves, line, {.precision = precision}, f.data());
                 Pixel* pixels = &image(span.x, y);
                 for (std::size_t j = 0; j < span.count; ++j) pixels[j] = pixel(f[j]);
             }
@@ -37,26 +38,28 @@ Image<Pixel> fill(const SolidAtlas& solid, const Texture& texture, const Affine3
 
 template <class Pixel>
 Image<Pixel> synthesize_forward(const SolidAtlas& solid, const Texture& texture, const Affine3& map,
-                                int threads) {
+                                ForwardPrecision precision, int threads) {
     const PreparedColorMap color(texture.colors);
     const PixelEncoder<Pixel> encode;
     const auto pixel = [&](double f) { return encode(color(f)); };
-    return fill(solid, texture, map, threads, pixel(0.0), pixel);
+    return fill(solid, texture, map, precision, threads, pixel(0.0), pixel);
 }
 
 template <>
 Image<Rgb8> synthesize_forward(const SolidAtlas& solid, const Texture& texture, const Affine3& map,
-                               int threads) {
+                               ForwardPrecision precision, int threads) {
     const ColorTable8 color(texture.colors);
-    return fill(solid, texture, map, threads, color(0.0), color);
+    return fill(solid, texture, map, precision, threads, color(0.0), color);
 }
 
-template Image<Rgb16> synthesize_forward(const SolidAtlas&, const Texture&, const Affine3&, int);
-template Image<RgbF> synthesize_forward(const SolidAtlas&, const Texture&, const Affine3&, int);
+template Image<Rgb16> synthesize_forward(const SolidAtlas&, const Texture&, const Affine3&,
+                                         ForwardPrecision, int);
+template Image<RgbF> synthesize_forward(const SolidAtlas&, const Texture&, const Affine3&,
+                                        ForwardPrecision, int);
 
 Image<double> forward_field_of_atlas(const SolidAtlas& solid, const Texture& texture,
-                                     const Affine3& map, int threads) {
-    return fill(solid, texture, map, threads, 0.0, [](double f) { return f; });
+                                     const Affine3& map, ForwardPrecision precision, int threads) {
+    return fill(solid, texture, map, precision, threads, 0.0, [](double f) { return f; });
 }
 
 }  // namespace burl
