@@ -22,11 +22,11 @@ struct Method {
     std::function<ForwardCounts(const LatticeLine&, double*)> values;
 };
 
-/// As a bake evaluates it: vectorised, in float32 with sums in float64.
-Method direct_method(const Texture& texture) {
-    const auto sampler = std::make_shared<FieldSampler>(texture, false);
+/// As bakes evaluate it: vectorised, in float32 with sums in float64.
+Method kernel_method(const Texture& texture, Kernel kernel, const char* name) {
+    const auto sampler = std::make_shared<FieldSampler>(texture, false, kernel);
     const auto batch = std::make_shared<FieldBatch>();
-    return {"direct, as baked", [=](const LatticeLine& line, double* f) {
+    return {name, [=](const LatticeLine& line, double* f) {
                 batch->pieces.assign(1, Piece{0, 0, line, {}});
                 batch->count = line.count;
                 sampler->values(*batch);
@@ -37,7 +37,7 @@ Method direct_method(const Texture& texture) {
 
 /// Texel by texel, as the paper's comparison has it.
 Method texelwise_method(const Texture& texture) {
-    return {"direct, float64",
+    return {"texel by texel, float64",
             [&texture, octaves = expand_octaves(texture)](const LatticeLine& line, double* f) {
                 for (std::size_t j = 0; j < line.count; ++j)
                     f[j] = evaluate_field(texture.quadric, octaves,
@@ -62,7 +62,9 @@ Method octaves_method(const Texture& texture) {
 }
 
 std::vector<Method> methods(const Texture& texture) {
-    std::vector<Method> list{direct_method(texture), texelwise_method(texture),
+    std::vector<Method> list{texelwise_method(texture),
+                             kernel_method(texture, Kernel::direct, "kernel direct"),
+                             kernel_method(texture, Kernel::automatic, "kernel auto"),
                              forward_method(texture, "float32", ForwardPrecision::float32),
                              forward_method(texture, "float64", ForwardPrecision::float64),
                              forward_method(texture, "fixed64", ForwardPrecision::fixed64)};
@@ -154,7 +156,7 @@ std::vector<ForwardBench> bench_function(const std::string& name, const Texture&
         const std::vector<LatticeLine> lines = random_lines(step);
         const std::vector<BenchRow> times = timed(list, lines, repeats);
         for (std::size_t k = 0; k < list.size(); ++k) {
-            const auto [error, counts] = measure(list[k], list[1], lines);
+            const auto [error, counts] = measure(list[k], list[0], lines);
             rows[k * std::size(powers) + i] = {name,
                                                list[k].name,
                                                step,
@@ -245,10 +247,10 @@ std::vector<CubeBench> bench_forward_cubes(int repeats, std::size_t side) {
         const std::vector<LatticeLine> lines = cube_lines(size, side);
         const std::vector<BenchRow> times = timed(list, lines, repeats);
         for (std::size_t k = 0; k < list.size(); ++k) {
-            const auto [error, counts] = measure(list[k], list[1], lines);
+            const auto [error, counts] = measure(list[k], list[0], lines);
             rows.push_back({name, list[k].name, 1e3 * times[k].median, error, 0, 0, counts.cells,
                             counts.runs});
-            count_codes(list[k], list[1], texture.colors, lines, rows.back());
+            count_codes(list[k], list[0], texture.colors, lines, rows.back());
         }
     }
     return rows;

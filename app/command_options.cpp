@@ -139,15 +139,18 @@ void add_threads(CLI::App& verb, int& threads) {
 void add_kernel(CLI::App& verb, std::string& kernel) {
     std::vector<std::string> names;
     for (const NamedKernel& one : kernel_names) names.emplace_back(one.name);
+    names.emplace_back(forward_kernel);
     verb.add_option("--kernel", kernel,
                     "How noise is computed where no filter is wanted: auto, direct or share (cells "
-                    "hashed once for all their texels); the result never depends on it")
+                    "hashed once for all their texels), with the same result; or forward, by "
+                    "forward differences along scan lines in float64: value noise, no filter")
         ->check(CLI::IsMember(names))
         ->capture_default_str();
 }
 
 Kernel kernel_named(const std::string& name) {
-    return std::ranges::find(kernel_names, name, &NamedKernel::name)->kernel;
+    const auto* found = std::ranges::find(kernel_names, name, &NamedKernel::name);
+    return found == kernel_names.end() ? Kernel::automatic : found->kernel;
 }
 
 void warn(const std::string& sentence) {

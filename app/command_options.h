@@ -47,8 +47,11 @@ CLI::Validator in_range(double low, double high);
 
 /// --threads, 0 for all.
 void add_threads(CLI::App& verb, int& threads);
-/// --kernel, one of kernel_names.
+/// The --kernel that sums differences (app/forward_check.h), whose result is another one.
+inline constexpr const char* forward_kernel = "forward";
+/// --kernel, one of kernel_names or forward_kernel.
 void add_kernel(CLI::App& verb, std::string& kernel);
+/// `automatic` for any other name.
 Kernel kernel_named(const std::string& name);
 
 /// A line on stderr; a stderr that cannot be written to is no reason to stop.

@@ -5,6 +5,7 @@
 #include "app/normals.h"
 #include "app/tangents.h"
 #include "procedural/synthesize.h"
+#include "procedural/synthesize_forward.h"
 #include "procedural/synthesize_graph.h"
 #include "procedural/synthesize_normals.h"
 #include "procedural/synthesize_texels.h"
@@ -85,12 +86,20 @@ bool goes_texel_by_texel(const Recipe& recipe) {
            recipe.precision.kind.value_or(PrecisionKind::float32) != PrecisionKind::float32;
 }
 
+ForwardPrecision forward_precision(const Recipe& recipe) {
+    return recipe.precision.kind == PrecisionKind::float32 ? ForwardPrecision::float32
+                                                           : ForwardPrecision::float64;
+}
+
 }  // namespace
 
 template <class Pixel>
 Image<Pixel> Pipeline::synthesize() {
     const SolidAtlas& points = solid();
     return timed("synthesis", [&] {
+        if (forward_)
+            return synthesize_forward<Pixel>(points, recipe_.texture, texture_from_solid(recipe_),
+                                             forward_precision(recipe_), threads_);
         if (goes_texel_by_texel(recipe_))
             return synthesize_texels<Pixel>(points, recipe_.texture, texture_from_solid(recipe_),
                                             recipe_.precision, recipe_.filter, threads_);

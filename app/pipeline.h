@@ -32,6 +32,9 @@ class Pipeline {
     void set_threads(int threads) { threads_ = threads; }
     /// Nor on this.
     void set_kernel(Kernel kernel) { kernel_ = kernel; }
+    /// Whether textures come by forward differences, in the recipe's precision or else float64;
+    /// check_forward (app/forward_check.h) must let the recipe pass then.
+    void set_forward(bool forward) { forward_ = forward; }
 
     const Mesh& mesh() const { return mesh_; }
     /// The mesh whose triangles the atlas places: what is exported.
@@ -60,6 +63,7 @@ class Pipeline {
     Recipe recipe_;
     int threads_ = 0;
     Kernel kernel_ = Kernel::automatic;
+    bool forward_ = false;
     std::optional<Connectivity> connectivity_;
     std::optional<MeshAtlas> atlas_;
     std::optional<SolidAtlas> solid_;

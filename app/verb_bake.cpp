@@ -1,4 +1,5 @@
 // `burl bake`: a mesh without UVs in, a textured scene out (the whole pipeline, headless).
+#include <algorithm>
 #include <chrono>
 
 #include <fmt/format.h>
@@ -9,6 +10,7 @@
 #include "app/bake_normals.h"
 #include "app/command_options.h"
 #include "app/export.h"
+#include "app/forward_check.h"
 #include "app/lattice_check.h"
 #include "app/normal_error.h"
 #include "app/report.h"
@@ -189,12 +191,15 @@ void run_bake(const BakeCommand& command) {
     Extras extras{levels_asked(command.levels, recipes[0].atlas.size, kind),
                   normals_asked(command.normals, recipes[0], command.out)};
     check_command(command, recipes[0], extras);
+    const bool forward = command.kernel == forward_kernel;
+    if (forward) std::for_each(recipes.begin(), recipes.end(), check_forward);
     Pipeline pipeline(command.meshes.load(command.mesh));
     const double reading = seconds_since(start);
     for (const Recipe& recipe : recipes) check_lattice(recipe, pipeline.mesh());
     pipeline.set_recipe(recipes[0]);
     pipeline.set_threads(command.threads);
     pipeline.set_kernel(kernel_named(command.kernel));
+    pipeline.set_forward(forward);
     lay_out(pipeline);
     Written written;
     double writing = 0.0;
