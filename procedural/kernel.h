@@ -1,6 +1,6 @@
 #pragma once
-// How the corners of lattice cells come to the texels. All ways give the same
-// bits; `automatic` is the fastest of them, batch by batch.
+// How the corners of lattice cells come to the texels. All ways give the same bits; `automatic` is
+// the fastest of them, batch by batch.
 #include <array>
 #include <string_view>
 

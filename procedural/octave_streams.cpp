@@ -14,9 +14,8 @@ bool doubles(const Octave& octave, const Octave& before) {
            std::abs(octave.scale) <= 0.5 * std::abs(before.scale);
 }
 
-/// The crossovers: an octave that crosses fewer planes of the lattice per
-/// texel, |dx| + |dy| + |dz| for a step of a texel, is faster with shared
-/// corners. Measured with `burl bench kernels`.
+/// The crossovers: an octave that crosses fewer planes of the lattice per texel, |dx| + |dy| + |dz|
+/// for a step of a texel, is faster with shared corners. Measured with `burl bench kernels`.
 constexpr double most_crossings(NoiseKind kind) {
     return kind == NoiseKind::perlin ? 4.0 / 16 : 3.0 / 16;
 }

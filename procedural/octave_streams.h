@@ -1,9 +1,8 @@
 #pragma once
-// The octaves of a texture that vectorised kernels know, in groups that share
-// one stream of lattice coordinates: an octave joins the one before it if its
-// coordinates are exactly twice as large and its amplitude at most half as
-// large, so that the shared coordinate's rounding, doubled too, weighs no more
-// than in the first. The others have groups of their own.
+// The octaves of a texture that vectorised kernels know, in groups that share one stream of lattice
+// coordinates: an octave joins the one before it if its coordinates are exactly twice as large and
+// its amplitude at most half as large, so that the shared coordinate's rounding, doubled too,
+// weighs no more than in the first. The others have groups of their own.
 #include <vector>
 
 #include "procedural/kernel.h"
@@ -26,10 +25,9 @@ class OctaveStreams {
   public:
     explicit OctaveStreams(std::span<const Octave> octaves, Kernel kernel = Kernel::automatic);
 
-    /// values[j] += the octaves that have a kernel, without their offsets, at the
-    /// centres of the pieces' texels, `count` in all. Within a group the sum is
-    /// float32, from the finest octave to the coarsest; groups are added up in
-    /// float64.
+    /// values[j] += the octaves that have a kernel, without their offsets, at the centres of the
+    /// pieces' texels, `count` in all. Within a group the sum is float32, from the finest octave to
+    /// the coarsest; groups are added up in float64.
     void add(std::span<const Piece> pieces, std::size_t count, StreamBuffers& buffers,
              double* values) const;
 
@@ -41,8 +39,8 @@ class OctaveStreams {
         double scale = 0.0;  ///< of the first octave
         std::vector<StreamOctave> octaves;
     };
-    /// Number of a group's coarsest octaves that share corners where the first
-    /// crosses so many planes of the lattice per texel.
+    /// Number of a group's coarsest octaves that share corners where the first crosses so many
+    /// planes of the lattice per texel.
     std::size_t sharing(const Group& group, double crossings) const;
 
     std::vector<Group> groups_;

@@ -37,8 +37,7 @@ namespace HWY_NAMESPACE {
 using Longs = hn::RebindToUnsigned<Doubles>;
 using Eight = hn::CappedTag<std::uint32_t, 8>;
 
-/// Whether any bit of `bits` differs between a texel and the one before it, for
-/// texels j and on.
+/// Whether any bit of `bits` differs between a texel and the one before it, for texels j and on.
 HWY_ATTR HWY_INLINE hn::Vec<Longs> Differing(const LatticeStream& stream, std::uint64_t bits,
                                              std::size_t j) {
     const Longs d;
@@ -48,14 +47,12 @@ HWY_ATTR HWY_INLINE hn::Vec<Longs> Differing(const LatticeStream& stream, std::u
     return hn::And(differing, hn::Set(d, bits));
 }
 
-/// positions[i] = the texels that do not lie in the cell of the texel before;
-/// how many.
+/// positions[i] = the texels that do not lie in the cell of the texel before; how many.
 HWY_ATTR std::size_t FindBorders(const LatticeStream& stream, int doublings, std::size_t count,
                                  std::uint32_t* positions) {
     const Longs d;
     const Eight eight;
-    // Doublings shift a cell's bits into the upper half and beyond: all of them
-    // must agree.
+    // Doublings shift a cell's bits into the upper half and beyond: all of them must agree.
     const std::uint64_t cell_bits = ~std::uint64_t(0) << (32 - doublings);
     positions[0] = 0;
     std::size_t borders = 1;
@@ -93,9 +90,8 @@ HWY_ATTR void FindRuns(const LatticeStream& stream, int doublings, std::size_t c
     }
 }
 
-/// What the texels of a run share: for value noise sums and differences of the
-/// four pairs of corners along x, which TwiceLerp begins with; for Perlin's the
-/// corners' hashes.
+/// What the texels of a run share: for value noise sums and differences of the four pairs of
+/// corners along x, which TwiceLerp begins with; for Perlin's the corners' hashes.
 struct SharedCorners {
     alignas(64) std::uint32_t bits[8][batch_capacity + 2 * batch_padding];
 };
@@ -129,8 +125,7 @@ HWY_ATTR void ShareCorners(const StreamOctave& octave, const CellRuns& runs,
     }
 }
 
-/// What a vector of texels takes from SharedCorners: `take(k)` gives number k
-/// of the eight.
+/// What a vector of texels takes from SharedCorners: `take(k)` gives number k of the eight.
 template <class Corner, class FadeFunction, class Take>
 HWY_ATTR HWY_INLINE Float SharedNoise(const Float* place, const Take& take) {
     const Floats d;

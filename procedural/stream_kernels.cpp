@@ -19,11 +19,9 @@ HWY_BEFORE_NAMESPACE();
 namespace burl {
 namespace HWY_NAMESPACE {
 
-/// Between 2^20 and 2^21 doubles are 2^-32 apart: a sum with this one is a
-/// fixed-point number.
+/// Between 2^20 and 2^21 doubles are 2^-32 apart: a sum with this one is a fixed-point number.
 constexpr double fixed_magic = 0x1.8p20;
-/// Lines that stay this close to the cell of their start can be worked out that
-/// way.
+/// Lines that stay this close to the cell of their start can be worked out that way.
 constexpr double fixed_reach = 0x1p18;
 
 /// Starts and steps of up to `capacity` pieces in the lattice, by axis.
@@ -32,16 +30,15 @@ struct PieceLines {
     alignas(64) double start[3][capacity], step[3][capacity];
 };
 
-/// What an axis of a line needs: texel j has the fixed-point bits of `from` + j
-/// * step, plus offset.
+/// What an axis of a line needs: texel j has the fixed-point bits of `from` + j * step, plus
+/// offset.
 struct FixedAxis {
     hn::Vec<Doubles> from, step;
     hn::Vec<hn::RebindToUnsigned<Doubles>> offset;
 
     HWY_ATTR HWY_INLINE FixedAxis(double start, double line_step) {
         const Doubles d;
-        // The nearest cell: added to the magic number, it makes the low bits of a
-        // double.
+        // The nearest cell: added to the magic number, it makes the low bits of a double.
         const double shifted = start + round_magic, local = start - (shifted - round_magic);
         constexpr auto zero = std::bit_cast<std::uint64_t>(fixed_magic);
         from = hn::Set(d, local + fixed_magic);
@@ -72,8 +69,7 @@ HWY_ATTR HWY_INLINE void FillLine(const PieceLines& lines, std::size_t i, const 
     }
 }
 
-/// For lines that FillLine cannot hold: far from the origin, or crossing very
-/// many cells.
+/// For lines that FillLine cannot hold: far from the origin, or crossing very many cells.
 HWY_ATTR void FillHardLine(const PieceLines& lines, std::size_t i, const LatticeLine& line,
                            double length, double limit, std::size_t at, LatticeStream& stream) {
     for (int axis = 0; axis < 3; ++axis) {

@@ -1,14 +1,12 @@
 #pragma once
-// Octaves that double one another's lattice coordinates, on streams of texels:
-// the coordinates are worked out once, in fixed point, where doubling is a
-// shift that loses nothing. Vectorised as in noise_kernels.h and with the same
-// bits on every instruction set.
+// Octaves that double one another's lattice coordinates, on streams of texels: the coordinates are
+// worked out once, in fixed point, where doubling is a shift that loses nothing. Vectorised as in
+// noise_kernels.h and with the same bits on every instruction set.
 #include "procedural/texel_piece.h"
 
 namespace burl {
 
-/// Lattice coordinates of a batch per axis, in units of 2^-32 cells, modulo
-/// 2^32 cells.
+/// Lattice coordinates of a batch per axis, in units of 2^-32 cells, modulo 2^32 cells.
 struct LatticeStream {
     alignas(64) std::uint64_t at[3][batch_capacity + batch_padding];
 };
@@ -23,10 +21,9 @@ struct StreamOctave {
     float weight = 1.0f;  ///< of the octave in the sum
 };
 
-/// Coordinates of the pieces, one after the other. They err by 2^-32 cells,
-/// besides what float64 loses at the start of a line. Lines that reach
-/// lattice_limit after `doublings` on an axis stay at 0 on it. Returns how many
-/// planes of the lattice the lines cross, all texels together.
+/// Coordinates of the pieces, one after the other. They err by 2^-32 cells, besides what float64
+/// loses at the start of a line. Lines that reach lattice_limit after `doublings` on an axis stay
+/// at 0 on it. Returns how many planes of the lattice the lines cross, all texels together.
 double fill_stream(const Affine3& lattice_from_solid, int doublings, std::span<const Piece> pieces,
                    LatticeStream& stream);
 
@@ -35,8 +32,7 @@ constexpr double noise_unit(NoiseKind kind) {
     return kind == NoiseKind::perlin ? 0x1p-3 : 0x1p-26;
 }
 
-/// sums[j] += weight * n(texel j) / noise_unit(kind) in float32, n as in
-/// add_noise.
+/// sums[j] += weight * n(texel j) / noise_unit(kind) in float32, n as in add_noise.
 void add_octave_direct(NoiseKind kind, Fade fade, const StreamOctave& octave,
                        const LatticeStream& stream, std::size_t count, float* sums);
 

@@ -1,6 +1,6 @@
-// Cells and places of a stream's texels for every instruction set: what the
-// direct kernel and the sharing one have in common. Included once per
-// instruction set (hence the toggled guard), after hwy/foreach_target.h.
+// Cells and places of a stream's texels for every instruction set: what the direct kernel and the
+// sharing one have in common. Included once per instruction set (hence the toggled guard), after
+// hwy/foreach_target.h.
 #if defined(BURL_STREAM_SITES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef BURL_STREAM_SITES_INL_H
 #undef BURL_STREAM_SITES_INL_H
@@ -15,8 +15,7 @@ HWY_BEFORE_NAMESPACE();
 namespace burl {
 namespace HWY_NAMESPACE {
 
-/// Cells of a vector of texels after doublings: the upper halves of their
-/// coordinates.
+/// Cells of a vector of texels after doublings: the upper halves of their coordinates.
 HWY_ATTR HWY_INLINE Bit CellsOf(const std::uint64_t* at, int doublings) {
     const hn::RebindToUnsigned<Doubles> d;
     const auto low = hn::ShiftLeftSame(hn::Load(d, at), doublings);
