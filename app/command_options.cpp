@@ -140,10 +140,12 @@ void add_kernel(CLI::App& verb, std::string& kernel) {
     std::vector<std::string> names;
     for (const NamedKernel& one : kernel_names) names.emplace_back(one.name);
     names.emplace_back(forward_kernel);
-    verb.add_option("--kernel", kernel,
-                    "How noise is computed where no filter is wanted: auto, direct or share (cells "
-                    "hashed once for all their texels), with the same result; or forward, by "
-                    "forward differences along scan lines in float64: value noise, no filter")
+    verb.add_option(
+            "--kernel", kernel,
+            "How noise is computed where no filter is wanted: auto, direct or share (cells "
+            "hashed once for all their texels), with the same result; or forward, by "
+            "forward differences along scan lines in float64 (or --precision float32): value "
+            "noise, no filter")
         ->check(CLI::IsMember(names))
         ->capture_default_str();
 }

@@ -16,7 +16,7 @@ std::string forward_problem(const Recipe& recipe) {
     if (recipe.filter.kind != FilterKind::none || recipe.filter.band_limit)
         return "filters need f besides the scan line, and differences run along it";
     if (recipe.precision.kind.value_or(PrecisionKind::float64) == PrecisionKind::fixed)
-        return "it adds in float64, not in fixed:I.F";
+        return "it adds in float64 or float32, not in fixed:I.F";
     return "";
 }
 

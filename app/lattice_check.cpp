@@ -18,9 +18,10 @@ double farthest(const Octave& octave, const Box3& box) {
         for (int column = 0; column < 3; ++column)
             sum += std::abs(octave.lattice_from_solid.linear[column][row]) *
                    std::max(std::abs(box.low[column]), std::abs(box.high[column]));
-        result = sum <= result ? result : sum;  // NaN wins
+        if (std::isnan(sum)) return HUGE_VAL;
+        result = std::max(result, sum);
     }
-    return std::isnan(result) ? HUGE_VAL : result;
+    return result;
 }
 
 }  // namespace

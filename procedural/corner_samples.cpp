@@ -28,7 +28,8 @@ void sample_row(const FieldSampler& sampler, const std::vector<Piece>& pieces, d
                 {piece.x + done,
                  piece.y,
                  {start, piece.solid.step, piece.solid.first + double(done), count},
-                 piece.down});
+                 piece.down,
+                 piece.length + 1.0});
             batch.count += count;
             done += count;
             if (batch.count == batch_capacity) flush(sampler, batch, values);

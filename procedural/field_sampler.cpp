@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "procedural/band_limit.h"
+#include "procedural/lattice_line.h"
 #include "procedural/noise.h"
 #include "procedural/quadric_kernel.h"
 
@@ -16,16 +17,8 @@ namespace {
 /// The pieces in an octave's lattice coordinates. What leaves the lattice stays at its origin.
 void fill_lines(const Affine3& map, FieldBatch& batch) {
     batch.lines.clear();
-    for (const Piece& piece : batch.pieces) {
-        LatticeLine line{map(piece.solid.start), map.linear * piece.solid.step, piece.solid.first,
-                         piece.solid.count};
-        const double last = line.first + double(line.count);
-        for (int axis = 0; axis < 3; ++axis) {
-            const double reach = std::abs(line.start[axis]) + last * std::abs(line.step[axis]);
-            if (!(reach < lattice_limit)) line.start[axis] = line.step[axis] = 0.0;
-        }
-        batch.lines.push_back(line);
-    }
+    for (const Piece& piece : batch.pieces)
+        batch.lines.push_back(lattice_line(map, piece.solid, piece.length));
 }
 
 /// The pieces' steps to the next row in an octave's lattice coordinates.

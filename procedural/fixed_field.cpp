@@ -39,14 +39,14 @@ FixedInteger FixedField::stopped(FixedInteger units) const {
 }
 
 FixedInteger FixedField::stopped(double units) const {
+    if (std::isnan(units)) return 0;  // infinite terms that cancel
     return stopped(FixedInteger(std::clamp(std::floor(units), -0x1p40, 0x1p40)));
 }
 
 /// s . (Q s + 2 (D, G, I)), Q the quadric's symmetric 3 x 3 part.
 FixedInteger FixedField::quadric(const Point3& s) const {
-    const Vec3d linear(quadric_.d, quadric_.g, quadric_.i), p = as_vector(s);
-    const Vec3d turned = half_gradient(quadric_, p) - linear +
-                         2.0 * Vec3d(units(linear.x), units(linear.y), units(linear.z));
+    const Vec3d linear(units(quadric_.d), units(quadric_.g), units(quadric_.i));
+    const Vec3d turned = half_gradient_change(quadric_, as_vector(s)) + 2.0 * linear;
     FixedInteger sum = 0;
     for (std::size_t axis = 0; axis < 3; ++axis)
         sum = stopped(sum + (s[axis] * stopped(turned[int(axis)]) >> format_.fraction_bits));

@@ -8,11 +8,13 @@
 
 namespace burl {
 
-/// A coordinate that leaves the lattice stays at its origin.
-inline LatticeLine lattice_line(const Affine3& lattice_from_solid, const LatticeLine& solid) {
+/// A coordinate that leaves the lattice stays at its origin: on the whole line of `length` texels,
+/// if it is longer than this part of it.
+inline LatticeLine lattice_line(const Affine3& lattice_from_solid, const LatticeLine& solid,
+                                double length = 0.0) {
     LatticeLine line{lattice_from_solid(solid.start), lattice_from_solid.linear * solid.step,
                      solid.first, solid.count};
-    const double last = line.first + double(line.count);
+    const double last = std::max(length, line.first + double(line.count));
     for (int axis = 0; axis < 3; ++axis) {
         const double reach = std::abs(line.start[axis]) + last * std::abs(line.step[axis]);
         if (!(reach < lattice_limit)) line.start[axis] = line.step[axis] = 0.0;

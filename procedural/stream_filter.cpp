@@ -24,11 +24,11 @@ FilterWidths StreamFilter::widths(double f, float u, float v) const {
     return both_axes_ ? both : FilterWidths{both.box(), 0.0};
 }
 
-StreamFilter::Kernel StreamFilter::kernel_for(const FilterWidths& w) {
+StreamFilter::Method StreamFilter::method_for(const FilterWidths& w) {
     const double support = w.wide + w.narrow;
-    if (!(support >= 0x1p-6)) return Kernel::narrow;
-    if (w.narrow < 1e-6 * w.wide) return Kernel::box;
-    return w.narrow < 1e-3 * w.wide && support < 2.0 ? Kernel::rare : Kernel::trapezoid;
+    if (!(support >= 0x1p-6)) return Method::narrow;
+    if (w.narrow < 1e-6 * w.wide) return Method::box;
+    return w.narrow < 1e-3 * w.wide && support < 2.0 ? Method::rare : Method::trapezoid;
 }
 
 void StreamFilter::sort(const double* f, const SlopeBatch& slopes, std::size_t count,
@@ -39,7 +39,7 @@ void StreamFilter::sort(const double* f, const SlopeBatch& slopes, std::size_t c
         const float u = slopes.u[j], v = slopes.v[j];
         const double half = 0.5 * (std::abs(double(u)) + std::abs(double(v)));
         if (distance_.straight(std::uint32_t(buffers.entries[j]), half)) continue;
-        buffers.texels[int(kernel_for(widths(f[j], u, v)))].push_back(std::uint16_t(j));
+        buffers.texels[int(method_for(widths(f[j], u, v)))].push_back(std::uint16_t(j));
     }
 }
 
@@ -64,14 +64,14 @@ void StreamFilter::pack(const std::vector<std::uint16_t>& texels, const double* 
     }
 }
 
-void StreamFilter::run(Kernel kernel, const double* f, const SlopeBatch& slopes,
+void StreamFilter::run(Method method, const double* f, const SlopeBatch& slopes,
                        FilterBuffers& buffers) const {
     FootprintStream& stream = buffers.stream;
-    const std::size_t count = buffers.texels[int(kernel)].size();
-    pack(buffers.texels[int(kernel)], f, slopes, stream);
-    if (kernel == Kernel::narrow) return filter_narrow(breaks_, stream, count);
-    if (kernel == Kernel::box) return filter_boxes(breaks_, stream, count);
-    if (kernel == Kernel::trapezoid) return filter_trapezoids(breaks_, stream, count);
+    const std::size_t count = buffers.texels[int(method)].size();
+    pack(buffers.texels[int(method)], f, slopes, stream);
+    if (method == Method::narrow) return filter_narrow(breaks_, stream, count);
+    if (method == Method::box) return filter_boxes(breaks_, stream, count);
+    if (method == Method::trapezoid) return filter_trapezoids(breaks_, stream, count);
     for (std::size_t i = 0; i < count; ++i) {
         const Vec3d color =
             trapezoid_filtered(pieces_, stream.f[i], {stream.wide[i], stream.narrow[i]});

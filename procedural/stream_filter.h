@@ -30,23 +30,23 @@ class StreamFilter {
     void operator()(const double* f, const SlopeBatch& slopes, std::size_t count,
                     FilterBuffers& buffers, const Emit& emit) const {
         sort(f, slopes, count, buffers);
-        for (const Kernel kernel : {Kernel::narrow, Kernel::box, Kernel::trapezoid, Kernel::rare}) {
-            const auto& texels = buffers.texels[int(kernel)];
+        for (const Method method : {Method::narrow, Method::box, Method::trapezoid, Method::rare}) {
+            const auto& texels = buffers.texels[int(method)];
             if (texels.empty()) continue;
-            run(kernel, f, slopes, buffers);
+            run(method, f, slopes, buffers);
             emit(texels, buffers.stream);
         }
     }
 
   private:
-    enum class Kernel { narrow, box, trapezoid, rare };
+    enum class Method { narrow, box, trapezoid, rare };
     FilterWidths widths(double f, float u, float v) const;
-    static Kernel kernel_for(const FilterWidths& widths);
+    static Method method_for(const FilterWidths& widths);
     void sort(const double* f, const SlopeBatch& slopes, std::size_t count,
               FilterBuffers& buffers) const;
     void pack(const std::vector<std::uint16_t>& texels, const double* f, const SlopeBatch& slopes,
               FootprintStream& stream) const;
-    void run(Kernel kernel, const double* f, const SlopeBatch& slopes,
+    void run(Method method, const double* f, const SlopeBatch& slopes,
              FilterBuffers& buffers) const;
 
     MapPieces pieces_;

@@ -78,8 +78,9 @@ HWY_ATTR void FillHardLine(const PieceLines& lines, std::size_t i, const Lattice
         for (std::size_t j = 0; j < line.count; ++j) {
             const double x = near ? start + (line.first + double(j)) * step : 0.0;
             const double cell = std::floor(x);
+            // A sum: just below a cell's border x - cell rounds to 1, the next cell's place 0.
             stream.at[axis][at + j] =
-                (std::uint64_t(std::int64_t(cell)) << 32) | std::uint64_t((x - cell) * 0x1p32);
+                (std::uint64_t(std::int64_t(cell)) << 32) + std::uint64_t((x - cell) * 0x1p32);
         }
     }
 }

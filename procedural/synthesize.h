@@ -12,7 +12,8 @@ namespace burl {
 
 /// `texture_from_atlas` maps the SolidAtlas's space to the texture's solid coordinates (the
 /// recipe's scale). `threads` 0 means all. `kernel` changes the time only, and only where there is
-/// no filter. Texels outside every span get the colour of field 0.
+/// no filter (or trapezoid2 without band limit). Texels outside every span get the colour of field
+/// 0.
 Image<Rgb8> synthesize_rgb8(const SolidAtlas& solid, const Texture& texture,
                             const Affine3& texture_from_atlas, int threads,
                             const Filter& filter = {}, Kernel kernel = Kernel::automatic);

@@ -76,6 +76,19 @@ TEST(LatticeStream, HoldsCoordinatesTo2ToTheMinus32) {
     }
 }
 
+TEST(LatticeStream, CarriesIntoTheCellWhereAPlaceRoundsToOne) {
+    // x runs over too many cells for the fast path, so that y just below 0 takes the other one,
+    // too.
+    const std::vector<Piece> pieces{piece({0.5, -1e-17, 0.25}, {1e6, 0.0, 0.0}, 0.0, 4, 4.0)};
+    const auto stream = std::make_unique<LatticeStream>();
+    fill_stream(Affine3{}, 0, pieces, *stream);
+    for (std::size_t j = 0; j < 4; ++j) {
+        EXPECT_EQ(stream->at[0][j], (std::uint64_t(j * 1000000) << 32) + 0x80000000u);
+        EXPECT_EQ(stream->at[1][j], 0u) << "y is 0 to 2^-32, not a cell below it";
+        EXPECT_EQ(stream->at[2][j], 0x40000000u);
+    }
+}
+
 TEST(LatticeStream, StaysAtTheOriginWhereFloat64EndsAfterDoublings) {
     const auto stream = std::make_unique<LatticeStream>();
     const double far = 0x1p49 + 5.0;
