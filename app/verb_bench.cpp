@@ -263,10 +263,11 @@ void add_bench(CLI::App& program) {
     std::vector<std::string> suites = bench_suites();
     suites.insert(suites.end(), {"atlas", "filter", "forward", "kernels", "noise", "plot",
                                  "precision", "stability", "synthesis"});
-    verb->add_option("suite", command->suite,
-                     "mesh_io, atlas, synthesis, filter, noise, forward, kernels, precision "
-                     "or stability; or "
-                     "plot, which draws a suite's report: burl bench plot F.json -o F.svg")
+    verb->add_option(
+            "suite", command->suite,
+            "mesh_io, atlas, synthesis, filter, noise, forward, kernels, precision "
+            "or stability; or plot, which draws the report of noise, synthesis, filter or atlas: "
+            "burl bench plot F.json -o F.svg")
         ->required()
         ->check(CLI::IsMember(suites));
     verb->add_option("file", command->file, "plot: the report, as -o wrote it");
