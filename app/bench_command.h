@@ -19,6 +19,15 @@ struct BenchCommand {
 /// with --json.
 void write_report(const BenchCommand& command, const Json& rows);
 
+/// write_report of to_json(row) for every row; whether tables are wanted on stdout, too.
+template <class Rows, class ToJson>
+bool report_rows(const BenchCommand& command, const Rows& rows, const ToJson& to_json) {
+    Json list = Json::array();
+    for (const auto& row : rows) list.push_back(to_json(row));
+    write_report(command, list);
+    return !command.json;
+}
+
 /// The suite `forward`: runs it, prints and reports.
 void run_forward_bench(const BenchCommand& command);
 

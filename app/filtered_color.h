@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "app/recipe.h"
-#include "procedural/graph_batch.h"
+#include "procedural/texel_place.h"
 
 namespace burl {
 

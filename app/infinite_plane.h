@@ -6,7 +6,7 @@
 #include <string>
 
 #include "app/camera.h"
-#include "procedural/graph_batch.h"
+#include "procedural/texel_place.h"
 
 namespace burl {
 

@@ -8,18 +8,19 @@
 #include <span>
 
 namespace burl {
+
+Vec3d unit_or_zero(const Vec3d& v) {
+    const double longest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+    if (!(longest > 0.0) || !std::isfinite(longest)) return Vec3d(0.0);
+    return glm::normalize(v / longest);
+}
+
 namespace {
 
 constexpr Vec3f fallback_normal{0.0f, 0.0f, 1.0f};
 constexpr std::size_t fan_window = 16;  // faces compared along one non-manifold edge
 // A triangle flatter than this has no trustworthy direction: below float32's resolution.
 constexpr double flat_height = 1e-7;
-
-Vec3d unit_or_zero(const Vec3d& v) {
-    const double longest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-    if (!(longest > 0.0) || !std::isfinite(longest)) return Vec3d(0.0);
-    return glm::normalize(v / longest);  // scaled first: squares of tiny normals vanish
-}
 
 bool is_zero(const Vec3d& v) {
     return v == Vec3d(0.0);

@@ -7,6 +7,10 @@
 
 namespace burl {
 
+/// v at unit length, or zero where v is zero or not finite. It is scaled first: squares of tiny
+/// numbers vanish.
+Vec3d unit_or_zero(const Vec3d& v);
+
 /// One unit normal per triangle corner (3t+k). The mesh's own normals where it has them; zero or
 /// non-finite ones among them, and all of a mesh without any, are computed: around each point,
 /// faces that follow one another across edges whose dihedral angle is below `crease_degrees` share

@@ -4,16 +4,11 @@
 #include <bit>
 #include <cmath>
 
+#include "app/normals.h"
 #include "app/unique_rows.h"
 
 namespace burl {
 namespace {
-
-Vec3d unit_or_zero(const Vec3d& v) {
-    const double longest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-    if (!(longest > 0.0) || !std::isfinite(longest)) return Vec3d(0.0);
-    return glm::normalize(v / longest);
-}
 
 Vec3d any_perpendicular(const Vec3d& n) {
     const Vec3d axis = std::abs(n.x) < 0.6 ? Vec3d(1, 0, 0) : Vec3d(0, 1, 0);

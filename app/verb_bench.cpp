@@ -97,10 +97,7 @@ void run_atlas_bench(const BenchCommand& command) {
     if (command.large) faces.push_back(1'000'000);
     if (command.size > 0) faces = {command.size};
     const std::vector<AtlasBench> rows = bench_atlases(faces, command.repeats);
-    Json list = Json::array();
-    for (const AtlasBench& row : rows) list.push_back(atlas_json(row));
-    write_report(command, list);
-    if (command.json) return;
+    if (!report_rows(command, rows, atlas_json)) return;
     print_atlases(rows);
 }
 
@@ -115,10 +112,7 @@ Json filter_json(const FilterBench& row) {
 void run_filter_bench(const BenchCommand& command) {
     const std::vector<FilterBench> rows =
         bench_filters(command.repeats, command.size == 0 ? 256 : command.size);
-    Json list = Json::array();
-    for (const FilterBench& row : rows) list.push_back(filter_json(row));
-    write_report(command, list);
-    if (command.json) return;
+    if (!report_rows(command, rows, filter_json)) return;
     std::vector<BenchResult> results;
     for (const FilterBench& row : rows) results.push_back(row.result);
     fmt::print("{}", result_table(results));
@@ -126,10 +120,7 @@ void run_filter_bench(const BenchCommand& command) {
 
 /// A suite that has nothing to tell but what all have.
 void report_results(const BenchCommand& command, const std::vector<BenchResult>& results) {
-    Json list = Json::array();
-    for (const BenchResult& result : results) list.push_back(result_json(result));
-    write_report(command, list);
-    if (!command.json) fmt::print("{}", result_table(results));
+    if (report_rows(command, results, result_json)) fmt::print("{}", result_table(results));
 }
 
 /// Whole batches of the kernels.
@@ -161,10 +152,7 @@ Json precision_json(const PrecisionBench& row) {
 void run_precision_bench(const BenchCommand& command) {
     const std::vector<PrecisionBench> rows =
         bench_precision(command.repeats, command.size == 0 ? 512 : command.size);
-    Json list = Json::array();
-    for (const PrecisionBench& row : rows) list.push_back(precision_json(row));
-    write_report(command, list);
-    if (command.json) return;
+    if (!report_rows(command, rows, precision_json)) return;
     fmt::print("{:<8} {:<11} {:>10} {:>10} {:>7} {:>9}   {}\n", "texture", "precision", "max error",
                "RMS error", "PSNR", "ns/texel", "coordinates alone: RMS, PSNR");
     for (const PrecisionBench& row : rows) {
@@ -193,10 +181,7 @@ void run_kernel_bench(const BenchCommand& command) {
                         command.size, batch_capacity));
     const std::vector<KernelBench> rows =
         bench_kernels(command.repeats, command.size == 0 ? 16 : command.size);
-    Json list = Json::array();
-    for (const KernelBench& row : rows) list.push_back(kernel_json(row));
-    write_report(command, list);
-    if (command.json) return;
+    if (!report_rows(command, rows, kernel_json)) return;
     fmt::print("{:<26} {:>15} {:>10} {:>10} {:>10} {:>10}\n", "ns per texel, " + simd_level(),
                "crossings/texel", "direct", "share", "auto", "auto/best");
     for (const KernelBench& row : rows)
@@ -212,10 +197,7 @@ Json stability_json(const StabilityRow& row) {
 
 void run_stability_bench(const BenchCommand& command) {
     const std::vector<StabilityRow> rows = bench_stability(true);
-    Json list = Json::array();
-    for (const StabilityRow& row : rows) list.push_back(stability_json(row));
-    write_report(command, list);
-    if (command.json) return;
+    if (!report_rows(command, rows, stability_json)) return;
     fmt::print("{:<28} {:>6} {:>9} {:>9} {:>9}  {}\n", "group", "cases", "values", "share", "error",
                "worst input");
     for (const StabilityRow& row : rows)
@@ -242,10 +224,7 @@ void run_bench(const BenchCommand& command) {
     if (command.suite == "stability") return run_stability_bench(command);
     const std::vector<BenchRow> rows =
         run_paired(bench_suite(command.suite, command.size), command.repeats);
-    Json list = Json::array();
-    for (const BenchRow& row : rows) list.push_back(row_json(row));
-    write_report(command, list);
-    if (command.json) return;
+    if (!report_rows(command, rows, row_json)) return;
     fmt::print("{:<36} {:>12} {:>12} {:>12} {:>14}\n", command.suite, "median ms", "lowest",
                "highest", "ns/unit");
     for (const BenchRow& row : rows) {

@@ -119,9 +119,11 @@ ForwardCounts fill_line(FieldLine& field, std::int64_t longest, double* values) 
             counts.runs += for_each_run(texels, longest, [&](std::int64_t origin, std::int64_t to) {
                 const Powers<degree> powers = field_along<degree>(field, origin);
                 const Powers<degree> differences = differences_at_zero(powers);
-                const auto full = double(std::min(longest, at.last - origin));
-                ForwardDifferences<Number, degree> f(
-                    differences, fitting_bits<degree>(powers, differences, full));
+                int bits = 0;
+                if constexpr (std::integral<Number>)
+                    bits = fitting_bits<degree>(powers, differences,
+                                                double(std::min(longest, at.last - origin)));
+                ForwardDifferences<Number, degree> f(differences, bits);
                 run_differences(f, origin, to, begin,
                                 [&](std::int64_t j, double value) { values[j - begin] = value; });
             });

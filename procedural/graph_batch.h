@@ -11,6 +11,7 @@
 #include "procedural/filtered_colors.h"
 #include "procedural/graph.h"
 #include "procedural/octaves.h"
+#include "procedural/texel_place.h"
 
 namespace burl {
 
@@ -27,11 +28,6 @@ struct Channel {
         value[i] = x.value;
         for (std::size_t axis = 0; axis < 3; ++axis) slope[axis][i] = x.slope[int(axis)];
     }
-};
-
-/// What a sample covers: the solid point moves by `u` and by `v` across it. Zero: a point sample.
-struct Footprint {
-    Vec3d u{0.0}, v{0.0};
 };
 
 /// What is worked out once per graph for one node.

@@ -8,20 +8,15 @@
 #include <hwy/highway.h>
 // clang-format on
 
+#include "procedural/vector_types-inl.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace burl {
 namespace HWY_NAMESPACE {
 
-namespace hn = hwy::HWY_NAMESPACE;
-using Doubles = hn::ScalableTag<double>;
-using Double = hn::Vec<Doubles>;
-
 HWY_ATTR HWY_INLINE Double Number(double x) {
     return hn::Set(Doubles(), x);
 }
-
-/// Adding and taking off this rounds |x| < 2^51 to the nearest integer.
-constexpr double round_magic = 0x1.8p52;
 
 /// What a break adds to the mean: `jump` times its jump plus `kink` times its kink.
 struct Shares {

@@ -8,26 +8,13 @@
 #define BURL_NOISE_CORNERS_INL_H
 #endif
 
-#include <hwy/highway.h>
-
 #include "procedural/lattice_hash.h"
 #include "procedural/noise_kernels.h"
+#include "procedural/vector_types-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace burl {
 namespace HWY_NAMESPACE {
-
-namespace hn = hwy::HWY_NAMESPACE;
-
-using Floats = hn::ScalableTag<float>;
-using Doubles = hn::ScalableTag<double>;
-using Ints = hn::RebindToSigned<Floats>;
-using Bits = hn::RebindToUnsigned<Floats>;
-using HalfFloats = hn::Rebind<float, Doubles>;  // as many floats as there are doubles in a vector
-using HalfInts = hn::Rebind<std::int32_t, Doubles>;
-using HalfBits = hn::Rebind<std::uint32_t, Doubles>;
-using Float = hn::Vec<Floats>;
-using Bit = hn::Vec<Bits>;
 
 // Fades as v = 2 w - 1 in [-1,1] of t = 2 u in [-1,1], u the place, and dv/dt. Written as t plus a
 // correction that vanishes towards the ends they lose less than x^2 (3 - 2x) and x^3 (10 + x (6x -
@@ -145,16 +132,6 @@ HWY_ATTR HWY_INLINE Float EightfoldNoise(Bit h00, Float x, Float y, Float z) {
     };
     const Float low = plane(hn::Zero(bits), z0);
     return TwiceLerp(fz, low, plane(hn::Set(bits, LatticeHash::prime_z), z1));
-}
-
-/// Adding this to |y| < 2^51 rounds y to an integer, whose low 32 bits are the sum's low bits.
-constexpr double round_magic = 0x1.8p52;
-
-/// 0, 1, 2 ... from memory: Iota builds them lane by lane, 10 ns a call on AVX2.
-HWY_ATTR HWY_INLINE hn::Vec<Doubles> LaneNumbers() {
-    HWY_ALIGN static constexpr double numbers[] = {0, 1, 2, 3, 4, 5, 6, 7};
-    static_assert(std::size(numbers) >= HWY_MAX_BYTES / sizeof(double));
-    return hn::Load(Doubles(), numbers);
 }
 
 /// Calls visit<Corner, FadeFunction>() with those of the noise.

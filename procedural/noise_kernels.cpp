@@ -64,17 +64,9 @@ HWY_ATTR void AddNoiseOf(std::uint32_t seed, double scale, const LatticeBatch& b
 
 HWY_ATTR void AddNoise(NoiseKind kind, Fade fade, std::uint32_t seed, double scale,
                        const LatticeBatch& batch, std::size_t count, double* sums) {
-    if (kind == NoiseKind::perlin)
-        return AddNoiseOf<PerlinCorner, QuinticFade>(seed, scale * 0x1p-3, batch, count, sums);
-    const double value_scale = scale * 0x1p-26;
-    switch (fade) {
-        case Fade::linear:
-            return AddNoiseOf<ValueCorner, LinearFade>(seed, value_scale, batch, count, sums);
-        case Fade::smooth:
-            return AddNoiseOf<ValueCorner, SmoothFade>(seed, value_scale, batch, count, sums);
-        case Fade::quintic:
-            return AddNoiseOf<ValueCorner, QuinticFade>(seed, value_scale, batch, count, sums);
-    }
+    with_noise(kind, fade, [&]<class Corner, class FadeFunction>() HWY_ATTR {
+        AddNoiseOf<Corner, FadeFunction>(seed, scale * noise_unit(kind), batch, count, sums);
+    });
 }
 
 HWY_ATTR void FillParabolas(std::span<const ParabolaLine> lines, double* values) {

@@ -44,6 +44,11 @@ struct LatticeBatch {
 /// lattice_limit; the lines' counts add up to at most batch_capacity.
 void split_lattice_lines(std::span<const LatticeLine> lines, LatticeBatch& batch);
 
+/// What the kernels' sums are multiples of: they leave the noise unscaled.
+constexpr double noise_unit(NoiseKind kind) {
+    return kind == NoiseKind::perlin ? 0x1p-3 : 0x1p-26;
+}
+
 /// sums[j] += scale * n_seed(texel j), n the value of sample_noise, of kind `value` or `perlin`
 /// only: for the same cell and place the same bits as its float32 path. The noise's own error
 /// against float64, for the same cell and place, is at most 2.0e-7 (1 + |n|) for value noise and

@@ -42,11 +42,12 @@ struct PieceLanes {
 };
 
 /// a x + b y + c z.
-HWY_ATTR HWY_INLINE hn::Vec<Doubles> Dot(double a, double b, double c, hn::Vec<Doubles> x,
-                                         hn::Vec<Doubles> y, hn::Vec<Doubles> z) {
+HWY_ATTR HWY_INLINE Double Dot(Double a, Double b, Double c, Double x, Double y, Double z) {
+    return hn::Add(hn::Add(hn::Mul(a, x), hn::Mul(b, y)), hn::Mul(c, z));
+}
+HWY_ATTR HWY_INLINE Double Dot(double a, double b, double c, Double x, Double y, Double z) {
     const Doubles d;
-    return hn::Add(hn::Add(hn::Mul(hn::Set(d, a), x), hn::Mul(hn::Set(d, b), y)),
-                   hn::Mul(hn::Set(d, c), z));
+    return Dot(hn::Set(d, a), hn::Set(d, b), hn::Set(d, c), x, y, z);
 }
 
 }  // namespace HWY_NAMESPACE

@@ -16,12 +16,6 @@ HWY_BEFORE_NAMESPACE();
 namespace burl {
 namespace HWY_NAMESPACE {
 
-HWY_ATTR HWY_INLINE hn::Vec<Doubles> Dot(hn::Vec<Doubles> a, hn::Vec<Doubles> b, hn::Vec<Doubles> c,
-                                         hn::Vec<Doubles> x, hn::Vec<Doubles> y,
-                                         hn::Vec<Doubles> z) {
-    return hn::Add(hn::Add(hn::Mul(a, x), hn::Mul(b, y)), hn::Mul(c, z));
-}
-
 HWY_ATTR void MakeParabolas(const Quadric& q, double constant, std::span<const Piece> pieces,
                             std::span<ParabolaLine> parabolas) {
     const Doubles d;

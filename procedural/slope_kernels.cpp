@@ -114,21 +114,10 @@ HWY_ATTR void AddNoiseAndSlopesOf(std::uint32_t seed, double scale, const Lattic
 HWY_ATTR void AddNoiseAndSlopes(NoiseKind kind, Fade fade, std::uint32_t seed, double scale,
                                 const LatticeBatch& batch, const DirectionBatch& directions,
                                 std::size_t count, double* sums, SlopeBatch& slopes) {
-    if (kind == NoiseKind::perlin)
-        return AddNoiseAndSlopesOf<PerlinCorner, QuinticFade>(seed, scale * 0x1p-3, batch,
-                                                              directions, count, sums, slopes);
-    const double value_scale = scale * 0x1p-26;
-    switch (fade) {
-        case Fade::linear:
-            return AddNoiseAndSlopesOf<ValueCorner, LinearFade>(seed, value_scale, batch,
-                                                                directions, count, sums, slopes);
-        case Fade::smooth:
-            return AddNoiseAndSlopesOf<ValueCorner, SmoothFade>(seed, value_scale, batch,
-                                                                directions, count, sums, slopes);
-        case Fade::quintic:
-            return AddNoiseAndSlopesOf<ValueCorner, QuinticFade>(seed, value_scale, batch,
-                                                                 directions, count, sums, slopes);
-    }
+    with_noise(kind, fade, [&]<class Corner, class FadeFunction>() HWY_ATTR {
+        AddNoiseAndSlopesOf<Corner, FadeFunction>(seed, scale * noise_unit(kind), batch, directions,
+                                                  count, sums, slopes);
+    });
 }
 
 }  // namespace HWY_NAMESPACE

@@ -27,11 +27,6 @@ struct StreamOctave {
 double fill_stream(const Affine3& lattice_from_solid, int doublings, std::span<const Piece> pieces,
                    LatticeStream& stream);
 
-/// What the kernels' sums are multiples of: they leave the noise unscaled.
-constexpr double noise_unit(NoiseKind kind) {
-    return kind == NoiseKind::perlin ? 0x1p-3 : 0x1p-26;
-}
-
 /// sums[j] += weight * n(texel j) / noise_unit(kind) in float32, n as in add_noise.
 void add_octave_direct(NoiseKind kind, Fade fade, const StreamOctave& octave,
                        const LatticeStream& stream, std::size_t count, float* sums);

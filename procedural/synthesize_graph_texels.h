@@ -10,16 +10,9 @@
 #include "procedural/graph_evaluator.h"
 #include "procedural/row_tasks.h"
 #include "procedural/sample_pattern.h"
+#include "procedural/texel_place.h"
 
 namespace burl {
-
-/// A texel's point and its steps to the next column and row, in texture coordinates.
-struct TexelPlace {
-    std::uint32_t x = 0, y = 0;
-    std::uint32_t map = 0;  ///< its span's, into SolidAtlas::maps
-    Vec3d point{0.0};
-    Footprint steps;
-};
 
 /// The texels of one thread. `shade(texel, u, v, sample)` makes a vector of what the graph gives at
 /// (u, v) texels from the texel's centre; `encode` makes the pixel of the samples' weighted mean.

@@ -9,21 +9,11 @@
 #include "procedural/pixel_encoder.h"
 #include "procedural/row_tasks.h"
 #include "procedural/sample_pattern.h"
+#include "procedural/texel_place.h"
 
 namespace burl {
 
 namespace {
-
-/// A texel's steps to the next column and row, in texture coordinates.
-struct TexelSteps {
-    Vec3d u{0.0}, v{0.0};
-};
-
-struct Texel {
-    std::uint32_t x = 0, y = 0;
-    Vec3d point{0.0};
-    TexelSteps steps;
-};
 
 /// f in float64.
 class ExactField {
@@ -39,7 +29,7 @@ class ExactField {
 
     bool band_limited() const { return !means_.empty(); }
     /// The field with what texels of this size show of every octave, and the mean of the rest.
-    ExactField seen_by(const TexelSteps& steps) const {
+    ExactField seen_by(const Footprint& steps) const {
         ExactField field = *this;
         field.octaves_.clear();
         for (std::size_t k = 0; k < octaves_.size(); ++k) {
@@ -62,11 +52,11 @@ class ExactField {
     std::vector<double> means_;  ///< of octaves that may be left out
 };
 
-const FixedField& seen_by(const FixedField& field, const TexelSteps&, std::optional<FixedField>&) {
+const FixedField& seen_by(const FixedField& field, const Footprint&, std::optional<FixedField>&) {
     return field;
 }
 
-const ExactField& seen_by(const ExactField& field, const TexelSteps& steps,
+const ExactField& seen_by(const ExactField& field, const Footprint& steps,
                           std::optional<ExactField>& limited) {
     return field.band_limited() ? limited.emplace(field.seen_by(steps)) : field;
 }
@@ -82,11 +72,11 @@ Image<Pixel> fill(const SolidAtlas& solid, const Affine3& map, int threads, cons
         for (std::size_t y = rows.begin(); y != rows.end(); ++y)
             for (const Span& span : solid.row(y)) {
                 const TexelMap& texel = solid.maps[span.map];
-                const TexelSteps steps{map.linear * texel.step_x, map.linear * texel.step_y};
+                const Footprint steps{map.linear * texel.step_x, map.linear * texel.step_y};
                 const Field& field = seen_by(whole, steps, limited);
                 for (std::uint32_t x = span.x; x < span.x + span.count; ++x)
-                    image(x, y) = pixel(
-                        field, Texel{x, std::uint32_t(y), map(texel(x, std::int64_t(y))), steps});
+                    image(x, y) = pixel(field, TexelPlace{x, std::uint32_t(y), span.map,
+                                                          map(texel(x, std::int64_t(y))), steps});
             }
     });
     return image;
@@ -95,7 +85,7 @@ Image<Pixel> fill(const SolidAtlas& solid, const Affine3& map, int threads, cons
 /// Colours of several places in the texel, weighted.
 template <class Field>
 Vec3d supersampled(const PreparedColorMap& map, const SamplePattern& pattern, const Field& field,
-                   const Texel& texel) {
+                   const TexelPlace& texel) {
     Vec3d sum(0.0);
     double weights = 0.0;
     for (int i = 0; i < pattern.samples(); ++i) {
@@ -114,14 +104,14 @@ struct Spread {
 };
 
 /// To first order, from value and gradient at the centre.
-Spread central_spread(const ExactField& field, const Texel& texel) {
+Spread central_spread(const ExactField& field, const TexelPlace& texel) {
     const FieldSample sample = field.sample(texel.point);
     return {sample.value, glm::dot(sample.gradient, texel.steps.u),
             glm::dot(sample.gradient, texel.steps.v)};
 }
 
 /// To second order, from the values at centre and corners (corner_samples.h).
-Spread corner_spread(const ExactField& field, const Texel& texel) {
+Spread corner_spread(const ExactField& field, const TexelPlace& texel) {
     const auto [u, v] = texel.steps;
     const double f = field(texel.point);
     const double a = field(texel.point - 0.5 * u - 0.5 * v),
@@ -140,12 +130,13 @@ Image<Pixel> sampled_colors(const SolidAtlas& solid, const ColorMap& colors, con
     const Pixel background = encode(color(0.0));
     if (filter.kind == FilterKind::supersample) {
         const SamplePattern pattern(filter.samples);
-        return fill(solid, map, threads, field, background, [&](const Field& f, const Texel& t) {
-            return encode(supersampled(color, pattern, f, t));
-        });
+        return fill(solid, map, threads, field, background,
+                    [&](const Field& f, const TexelPlace& t) {
+                        return encode(supersampled(color, pattern, f, t));
+                    });
     }
     return fill(solid, map, threads, field, background,
-                [&](const Field& f, const Texel& t) { return encode(color(f(t.point))); });
+                [&](const Field& f, const TexelPlace& t) { return encode(color(f(t.point))); });
 }
 
 template <class Pixel>
@@ -155,7 +146,7 @@ Image<Pixel> filtered_colors(const SolidAtlas& solid, const ColorMap& colors, co
     const PixelEncoder<Pixel> encode;
     const bool curved = filter.kind == FilterKind::trapezoid2;
     return fill(solid, map, threads, field, encode(PreparedColorMap(colors)(0.0)),
-                [&](const ExactField& f, const Texel& t) {
+                [&](const ExactField& f, const TexelPlace& t) {
                     const auto [middle, u, v] = curved ? corner_spread(f, t) : central_spread(f, t);
                     return encode(color(middle, u, v));
                 });
@@ -184,7 +175,7 @@ template Image<RgbF> synthesize_texels(const SolidAtlas&, const Texture&, const 
 
 Image<double> field_of_texels(const SolidAtlas& solid, const Texture& texture, const Affine3& map,
                               const Precision& precision, int threads) {
-    const auto value = [](const auto& field, const Texel& t) { return field(t.point); };
+    const auto value = [](const auto& field, const TexelPlace& t) { return field(t.point); };
     if (precision.kind == PrecisionKind::fixed)
         return fill(solid, map, threads, FixedField(texture, precision.format), 0.0, value);
     return fill(solid, map, threads, ExactField(texture, false), 0.0, value);
