@@ -10,7 +10,26 @@
 
 #include "procedural/lattice_hash.h"
 #include "procedural/noise_kernels.h"
+#include "procedural/perlin_noise.h"
 #include "procedural/vector_types-inl.h"
+
+#ifndef BURL_PERLIN_GRADIENTS
+#define BURL_PERLIN_GRADIENTS
+namespace burl {
+
+/// The components of the 16 gradients, by axis.
+struct PerlinGradients {
+    alignas(64) float components[3][16] = {};
+    constexpr PerlinGradients() {
+        for (std::uint32_t number = 0; number < 16; ++number)
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                components[axis][number] = perlin_gradient<float, 3>(number)[axis];
+    }
+};
+inline constexpr PerlinGradients perlin_gradients;
+
+}  // namespace burl
+#endif
 
 HWY_BEFORE_NAMESPACE();
 namespace burl {
@@ -87,6 +106,20 @@ struct ValueCorner {
 
 /// gradient_dot with the gradient's number in the upper four bits of h.
 struct PerlinCorner {
+#if HWY_TARGET <= HWY_AVX3  // sixteen lanes: the gradients' components fit a vector
+    HWY_ATTR HWY_INLINE Float operator()(Bit h, Float x, Float y, Float z) const {
+        const Floats d;
+        const auto number = hn::IndicesFromVec(d, hn::ShiftRight<28>(h));
+        const auto component = [&](const float* table) HWY_ATTR {
+            return hn::TableLookupLanes(hn::Load(d, table), number);
+        };
+        // A component that is 0 adds a zero, which changes no bits but a zero's sign.
+        const Float gx = component(perlin_gradients.components[0]),
+                    gy = component(perlin_gradients.components[1]),
+                    gz = component(perlin_gradients.components[2]);
+        return hn::Add(hn::Add(hn::Mul(gx, x), hn::Mul(gy, y)), hn::Mul(gz, z));
+    }
+#else
     HWY_ATTR HWY_INLINE Float operator()(Bit h, Float x, Float y, Float z) const {
         const Floats d;
         const auto as_float = [d](Bit bits) HWY_ATTR { return hn::BitCast(d, bits); };
@@ -104,6 +137,7 @@ struct PerlinCorner {
         return hn::Add(hn::Xor(a, hn::And(as_float(bit28), sign)),
                        hn::Xor(b, hn::And(as_float(bit29), sign)));
     }
+#endif
 };
 
 /// Eight times the interpolated corners of a vector of texels.

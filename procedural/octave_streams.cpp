@@ -70,7 +70,7 @@ void OctaveStreams::add(std::span<const Piece> pieces, std::size_t count, Stream
                                   buffers.sums);
             else
                 add_octave_direct(kind, fade, octaves[k], buffers.lattice, count, buffers.sums);
-        add_sums(scale * noise_unit(kind), buffers.sums, count, values);
+        add_sums(scale * stream_unit(kind), buffers.sums, count, values);
     }
 }
 

@@ -15,7 +15,7 @@ inline constexpr unsigned gradient_bits = N == 3 ? 4 : 5;
 
 /// The gradient of a number below 16: four edges twice, numbered as in the 2002 paper.
 template <class Real>
-std::array<Real, 3> perlin_gradient(std::uint32_t number, std::array<Real, 3>*) {
+constexpr std::array<Real, 3> perlin_gradient(std::uint32_t number, std::array<Real, 3>*) {
     const std::size_t first = number < 8 ? 0 : 1;
     const std::size_t second = number < 4 ? 1 : (number == 12 || number == 14 ? 0 : 2);
     std::array<Real, 3> g{};
@@ -27,7 +27,7 @@ std::array<Real, 3> perlin_gradient(std::uint32_t number, std::array<Real, 3>*) 
 /// The gradient of a number below 32: the upper two bits name the axis left out, the lower three
 /// are the signs of the others.
 template <class Real>
-std::array<Real, 4> perlin_gradient(std::uint32_t number, std::array<Real, 4>*) {
+constexpr std::array<Real, 4> perlin_gradient(std::uint32_t number, std::array<Real, 4>*) {
     std::array<Real, 4> g{};
     std::uint32_t signs = number;
     for (std::uint32_t axis = 0; axis < 4; ++axis) {
@@ -39,7 +39,7 @@ std::array<Real, 4> perlin_gradient(std::uint32_t number, std::array<Real, 4>*) 
 }
 
 template <class Real, std::size_t N>
-std::array<Real, N> perlin_gradient(std::uint32_t number) {
+constexpr std::array<Real, N> perlin_gradient(std::uint32_t number) {
     return perlin_gradient<Real>(number, static_cast<std::array<Real, N>*>(nullptr));
 }
 

@@ -1,5 +1,6 @@
 #include "procedural/share_kernels.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <type_traits>
@@ -12,7 +13,7 @@
 #include <hwy/highway.h>
 // clang-format on
 
-#include "procedural/stream_sites-inl.h"
+#include "procedural/stream_noise-inl.h"
 
 #ifndef BURL_SHARE_KERNELS_SET_BITS
 #define BURL_SHARE_KERNELS_SET_BITS
@@ -34,41 +35,52 @@ HWY_BEFORE_NAMESPACE();
 namespace burl {
 namespace HWY_NAMESPACE {
 
-using Longs = hn::RebindToUnsigned<Doubles>;
 using Eight = hn::CappedTag<std::uint32_t, 8>;
 
-/// Whether any bit of `bits` differs between a texel and the one before it, for texels j and on.
-HWY_ATTR HWY_INLINE hn::Vec<Longs> Differing(const LatticeStream& stream, std::uint64_t bits,
-                                             std::size_t j) {
-    const Longs d;
-    auto differing = hn::Zero(d);
-    for (const auto& at : stream.at)
-        differing = hn::Or(differing, hn::Xor(hn::LoadU(d, at + j), hn::LoadU(d, at + j - 1)));
-    return hn::And(differing, hn::Set(d, bits));
+/// Not 0 where a texel does not lie in the cell of the texel before it, after doublings, for texels
+/// j and on.
+HWY_ATTR HWY_INLINE Bit Differing(const LatticeStream& stream, int doublings, std::size_t j) {
+    const Bits d;
+    const auto difference = [&](const std::uint32_t* numbers) HWY_ATTR {
+        return hn::Xor(hn::LoadU(d, numbers + j), hn::LoadU(d, numbers + j - 1));
+    };
+    const auto& c = stream.cells;
+    const Bit cells = hn::Or(hn::Or(difference(c[0]), difference(c[1])), difference(c[2]));
+    if (doublings == 0) return cells;
+    const auto& p = stream.places;
+    const Bit places = hn::Or(hn::Or(difference(p[0]), difference(p[1])), difference(p[2]));
+    return hn::Or(cells, hn::ShiftRightSame(places, 32 - doublings));
 }
 
 /// positions[i] = the texels that do not lie in the cell of the texel before; how many.
 HWY_ATTR std::size_t FindBorders(const LatticeStream& stream, int doublings, std::size_t count,
                                  std::uint32_t* positions) {
-    const Longs d;
+    const Bits d;
     const Eight eight;
-    // Doublings shift a cell's bits into the upper half and beyond: all of them must agree.
-    const std::uint64_t cell_bits = ~std::uint64_t(0) << (32 - doublings);
+    constexpr std::size_t most = std::max<std::size_t>(8, HWY_MAX_BYTES / sizeof(float));
+    const std::size_t lanes = hn::Lanes(d), step = std::max<std::size_t>(8, lanes);
     positions[0] = 0;
     std::size_t borders = 1;
-    for (std::size_t j = 1; j < count; j += hn::Lanes(eight)) {
-        std::uint8_t mask = 0;
-        for (std::size_t k = 0; k < hn::Lanes(eight); k += hn::Lanes(d)) {
-            const auto border = hn::Ne(Differing(stream, cell_bits, j + k), hn::Zero(d));
+    for (std::size_t j = 1; j < count; j += step) {
+        std::uint8_t masks[most / 8 + 8] = {};
+        for (std::size_t k = 0; k < step; k += lanes) {
+            const auto border = hn::Ne(Differing(stream, doublings, j + k), hn::Zero(d));
             std::uint8_t bits[8] = {};
             hn::StoreMaskBits(d, border, bits);
-            mask = std::uint8_t(mask | bits[0] << k);
+            for (std::size_t byte = 0; byte < (lanes + 7) / 8; ++byte)
+                masks[k / 8 + byte] = std::uint8_t(masks[k / 8 + byte] | bits[byte] << k % 8);
         }
         // (Compress copies its table on every call, Highway 1.0.3 with g++ 12.)
-        const auto places = hn::PromoteTo(
-            eight, hn::LoadU(hn::Rebind<std::uint8_t, Eight>(), set_bits[mask].data()));
-        hn::StoreU(hn::Add(places, hn::Set(eight, std::uint32_t(j))), eight, positions + borders);
-        borders += std::size_t(std::popcount(mask));
+        for (std::size_t byte = 0; byte < step / 8; ++byte) {
+            const std::uint8_t mask = masks[byte];
+            const auto first = std::uint32_t(j + 8 * byte);
+            for (std::size_t k = 0; k < 8; k += hn::Lanes(eight)) {
+                const auto places = hn::PromoteTo(
+                    eight, hn::LoadU(hn::Rebind<std::uint8_t, Eight>(), &set_bits[mask][k]));
+                hn::StoreU(hn::Add(places, hn::Set(eight, first)), eight, positions + borders + k);
+            }
+            borders += std::size_t(std::popcount(mask));
+        }
     }
     while (borders > 1 && positions[borders - 1] >= count) --borders;
     return borders;
@@ -84,14 +96,17 @@ HWY_ATTR void FindRuns(const LatticeStream& stream, int doublings, std::size_t c
         std::uint32_t(count + lanes);  // what is read beyond the end belongs to the last run
     for (std::size_t i = 0; i < runs.count; ++i) {
         const std::size_t begin = positions[i], end = positions[i + 1];
-        for (int axis = 0; axis < 3; ++axis) runs.first.at[axis][i] = stream.at[axis][begin];
+        for (int axis = 0; axis < 3; ++axis) {
+            runs.first.cells[axis][i] = stream.cells[axis][begin];
+            runs.first.places[axis][i] = stream.places[axis][begin];
+        }
         const auto number = hn::Set(ints, std::int32_t(i));
         for (std::size_t j = begin; j < end; j += lanes) hn::StoreU(number, ints, runs.run + j);
     }
 }
 
-/// What the texels of a run share: for value noise sums and differences of the four pairs of
-/// corners along x, which TwiceLerp begins with; for Perlin's the corners' hashes.
+/// What the texels of a run share: for value noise the PlaneValues of both planes, for Perlin's the
+/// corners' hashes.
 struct SharedCorners {
     alignas(64) std::uint32_t bits[8][batch_capacity + 2 * batch_padding];
 };
@@ -99,60 +114,56 @@ struct SharedCorners {
 template <class Corner>
 HWY_ATTR void ShareCorners(const StreamOctave& octave, const CellRuns& runs,
                            SharedCorners& shared) {
-    const Bits bits;
-    const Bit seed = hn::Set(bits, octave.seed * LatticeHash::prime_seed);
-    const Bit next_x = hn::Set(bits, LatticeHash::prime_x);
-    for (std::size_t i = 0; i < runs.count; i += hn::Lanes(bits)) {
-        Bit cell[3];
-        for (int axis = 0; axis < 3; ++axis)
-            cell[axis] = CellsOf(runs.first.at[axis] + i, octave.doublings);
-        const Bit h00 = CellHash(seed, cell[0], cell[1], cell[2]);
-        for (std::uint32_t pair = 0; pair < 4; ++pair) {
-            const std::uint32_t offset =
-                (pair & 1 ? LatticeHash::prime_y : 0u) + (pair & 2 ? LatticeHash::prime_z : 0u);
-            const Bit h = hn::Add(h00, hn::Set(bits, offset));
-            Bit first = Mix(h), second = Mix(hn::Add(h, next_x));
+    const Bits d;
+    const Bit seed = hn::Set(d, octave.seed * LatticeHash::prime_seed);
+    for (std::size_t i = 0; i < runs.count; i += hn::Lanes(d)) {
+        const auto cell = [&](int axis)
+                              HWY_ATTR { return CellsOf(runs.first, axis, i, octave.doublings); };
+        Bit h = CellHash(seed, cell(0), cell(1), cell(2));
+        for (std::size_t k = 0; k < 8; k += 4, h = NextPlane(h)) {
+            const PlaneHashes plane(h);
+            const auto store = [&](Bit a, Bit b, Bit e, Bit f) HWY_ATTR {
+                hn::Store(a, d, shared.bits[k] + i);
+                hn::Store(b, d, shared.bits[k + 1] + i);
+                hn::Store(e, d, shared.bits[k + 2] + i);
+                hn::Store(f, d, shared.bits[k + 3] + i);
+            };
             if constexpr (std::is_same_v<Corner, ValueCorner>) {
-                const Float none = hn::Zero(Floats());
-                const Float a = Corner()(first, none, none, none);
-                const Float b = Corner()(second, none, none, none);
-                first = hn::BitCast(bits, hn::Add(a, b));
-                second = hn::BitCast(bits, hn::Sub(b, a));
+                const PlaneValues values = ValuesOf(plane);
+                store(hn::BitCast(d, values.one), hn::BitCast(d, values.x),
+                      hn::BitCast(d, values.y), hn::BitCast(d, values.xy));
+            } else {
+                store(plane.a, plane.b, plane.e, plane.f);
             }
-            hn::Store(first, bits, shared.bits[2 * pair] + i);
-            hn::Store(second, bits, shared.bits[2 * pair + 1] + i);
         }
     }
 }
 
-/// What a vector of texels takes from SharedCorners: `take(k)` gives number k of the eight.
+/// `take(k)` gives number k of SharedCorners to a vector of texels.
 template <class Corner, class FadeFunction, class Take>
-HWY_ATTR HWY_INLINE Float SharedNoise(const Float* place, const Take& take) {
-    const Floats d;
-    const FadeFunction fade;
-    const Float x = place[0], y = place[1], z = place[2];
-    const Float fx = fade(hn::Add(x, x)), fy = fade(hn::Add(y, y)), fz = fade(hn::Add(z, z));
-    Float along_x[4];
+HWY_ATTR HWY_INLINE Float SharedNoise(const StreamPlaces<FadeFunction>& at, const Take& take) {
     if constexpr (std::is_same_v<Corner, ValueCorner>) {
-        for (std::size_t pair = 0; pair < 4; ++pair)
-            along_x[pair] = hn::Add(hn::BitCast(d, take(2 * pair)),
-                                    hn::Mul(fx, hn::BitCast(d, take(2 * pair + 1))));
+        const auto plane = [&](std::size_t k) HWY_ATTR {
+            const Floats d;
+            return PlaneValues(hn::BitCast(d, take(k)), hn::BitCast(d, take(k + 1)),
+                               hn::BitCast(d, take(k + 2)), hn::BitCast(d, take(k + 3)));
+        };
+        return ValueNoise(at, plane(0), plane(4));
     } else {
-        const Corner corner;
-        const Float half = hn::Set(d, 0.5f);
-        const Float x0 = hn::Add(x, half), x1 = hn::Sub(x, half);
-        for (std::size_t pair = 0; pair < 4; ++pair) {
-            const Float dy = pair & 1 ? hn::Sub(y, half) : hn::Add(y, half);
-            const Float dz = pair & 2 ? hn::Sub(z, half) : hn::Add(z, half);
-            along_x[pair] = TwiceLerp(fx, corner(take(2 * pair), x0, dy, dz),
-                                      corner(take(2 * pair + 1), x1, dy, dz));
-        }
+        const auto plane = [&](std::size_t k) HWY_ATTR {
+            return PlaneHashes(take(k), take(k + 1), take(k + 2), take(k + 3));
+        };
+        return PerlinNoise(at, plane(0), plane(4));
     }
-    return TwiceLerp(fz, TwiceLerp(fy, along_x[0], along_x[1]),
-                     TwiceLerp(fy, along_x[2], along_x[3]));
 }
 
-template <class Corner, class FadeFunction>
+/// Vectors of texels of one run only take its numbers as they are. Where that is rare, asking costs
+/// more than it gains, since nobody can foretell the answer.
+constexpr bool few_borders(const CellRuns& runs, std::size_t count, std::size_t lanes) {
+    return 4 * runs.count * lanes < count;
+}
+
+template <class Corner, class FadeFunction, bool ask>
 HWY_ATTR void AddSharedOf(const StreamOctave& octave, const LatticeStream& stream,
                           const CellRuns& runs, std::size_t count, float* sums) {
     const Floats d;
@@ -162,18 +173,16 @@ HWY_ATTR void AddSharedOf(const StreamOctave& octave, const LatticeStream& strea
     ShareCorners<Corner>(octave, runs, shared);
     const Float weight = hn::Set(d, octave.weight);
     for (std::size_t j = 0; j < count; j += lanes) {
-        Float place[3];
-        for (int axis = 0; axis < 3; ++axis)
-            place[axis] = PlacesOf(stream.at[axis] + j, octave.doublings);
+        const StreamPlaces<FadeFunction> at(stream, j, octave.doublings);
         const std::int32_t run = runs.run[j];
         Float noise;
-        if (run == runs.run[j + lanes - 1]) {
-            noise = SharedNoise<Corner, FadeFunction>(
-                place, [&](std::size_t k) HWY_ATTR { return hn::Set(bits, shared.bits[k][run]); });
+        if (ask && run == runs.run[j + lanes - 1]) {
+            noise = SharedNoise<Corner>(
+                at, [&](std::size_t k) HWY_ATTR { return hn::Set(bits, shared.bits[k][run]); });
         } else {
             const auto which = hn::IndicesFromVec(
                 bits, hn::Sub(hn::Load(Ints(), runs.run + j), hn::Set(Ints(), run)));
-            noise = SharedNoise<Corner, FadeFunction>(place, [&](std::size_t k) HWY_ATTR {
+            noise = SharedNoise<Corner>(at, [&](std::size_t k) HWY_ATTR {
                 return hn::TableLookupLanes(hn::LoadU(bits, shared.bits[k] + run), which);
             });
         }
@@ -185,7 +194,10 @@ HWY_ATTR void AddOctaveShared(NoiseKind kind, Fade fade, const StreamOctave& oct
                               const LatticeStream& stream, const CellRuns& runs, std::size_t count,
                               float* sums) {
     with_noise(kind, fade, [&]<class Corner, class FadeFunction>() HWY_ATTR {
-        AddSharedOf<Corner, FadeFunction>(octave, stream, runs, count, sums);
+        if (few_borders(runs, count, hn::Lanes(Floats())))
+            AddSharedOf<Corner, FadeFunction, true>(octave, stream, runs, count, sums);
+        else
+            AddSharedOf<Corner, FadeFunction, false>(octave, stream, runs, count, sums);
     });
 }
 

@@ -13,7 +13,7 @@
 // clang-format on
 
 #include "procedural/piece_lanes-inl.h"
-#include "procedural/stream_sites-inl.h"
+#include "procedural/stream_noise-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace burl {
@@ -24,77 +24,111 @@ constexpr double fixed_magic = 0x1.8p20;
 /// Lines that stay this close to the cell of their start can be worked out that way.
 constexpr double fixed_reach = 0x1p18;
 
-/// Starts and steps of up to `capacity` pieces in the lattice, by axis.
+using Longs = hn::RebindToUnsigned<Doubles>;
+
+/// Up to `capacity` pieces in the lattice: on an axis texel x of its line has the fixed-point bits
+/// of from + x * step, plus offset.
 struct PieceLines {
     static constexpr std::size_t capacity = 64;
-    alignas(64) double start[3][capacity], step[3][capacity];
+    alignas(64) double from[3][capacity], step[3][capacity];
+    alignas(64) std::uint64_t offset[3][capacity];
+    alignas(64) double length[capacity];  ///< of the whole line, in texels
+    alignas(64) double planes[capacity];  ///< of the lattice crossed per texel
+    alignas(64) double hard[capacity];    ///< 1: out of reach of these numbers
 };
 
-/// What an axis of a line needs: texel j has the fixed-point bits of `from` + j * step, plus
-/// offset.
-struct FixedAxis {
-    hn::Vec<Doubles> from, step;
-    hn::Vec<hn::RebindToUnsigned<Doubles>> offset;
-
-    HWY_ATTR HWY_INLINE FixedAxis(double start, double line_step) {
-        const Doubles d;
-        // The nearest cell: added to the magic number, it makes the low bits of a double.
-        const double shifted = start + round_magic, local = start - (shifted - round_magic);
-        constexpr auto zero = std::bit_cast<std::uint64_t>(fixed_magic);
-        from = hn::Set(d, local + fixed_magic);
-        step = hn::Set(d, line_step);
-        offset = hn::Set(hn::RebindToUnsigned<Doubles>(),
-                         (std::bit_cast<std::uint64_t>(shifted) << 32) - zero);
+HWY_ATTR void MapPieces(const Affine3& map, double limit, std::span<const Piece> pieces,
+                        PieceLines& lines) {
+    const Doubles d;
+    for (std::size_t i = 0; i < pieces.size(); ++i)
+        lines.length[i] =
+            std::max(pieces[i].length, pieces[i].solid.first + double(pieces[i].solid.count));
+    for (std::size_t i = 0; i < pieces.size(); i += hn::Lanes(d)) {
+        const PieceLanes p(pieces, i);
+        const auto length = hn::Load(d, lines.length + i);
+        auto planes = hn::Zero(d), hard = hn::Zero(d);
+        for (int axis = 0; axis < 3; ++axis) {
+            const double a = map.linear[0][axis], b = map.linear[1][axis], c = map.linear[2][axis];
+            const auto step = Dot(a, b, c, p.u, p.v, p.w);
+            const auto start = hn::Add(Dot(a, b, c, p.x, p.y, p.z), hn::Set(d, map.offset[axis]));
+            const auto speed = hn::Abs(step), extent = hn::Mul(length, speed);
+            const auto near = hn::And(hn::Lt(extent, hn::Set(d, fixed_reach)),
+                                      hn::Lt(hn::Add(hn::Abs(start), extent), hn::Set(d, limit)));
+            hard = hn::IfThenElse(near, hard, hn::Set(d, 1.0));
+            planes = hn::Add(planes, speed);
+            // The nearest cell: added to the magic number, it makes the low bits of a double.
+            const auto shifted = hn::Add(start, hn::Set(d, round_magic));
+            const auto local = hn::Sub(start, hn::Sub(shifted, hn::Set(d, round_magic)));
+            const auto cell = hn::ShiftLeft<32>(hn::BitCast(Longs(), shifted));
+            const auto zero = hn::Set(Longs(), std::bit_cast<std::uint64_t>(fixed_magic));
+            hn::Store(hn::Add(local, hn::Set(d, fixed_magic)), d, lines.from[axis] + i);
+            hn::Store(step, d, lines.step[axis] + i);
+            hn::Store(hn::Sub(cell, zero), Longs(), lines.offset[axis] + i);
+        }
+        hn::Store(planes, d, lines.planes + i);
+        hn::Store(hard, d, lines.hard + i);
     }
+}
 
-    HWY_ATTR HWY_INLINE void Store(hn::Vec<Doubles> index, std::uint64_t* out) const {
-        const hn::RebindToUnsigned<Doubles> bits;
-        const auto fixed = hn::BitCast(bits, hn::Add(from, hn::Mul(index, step)));
-        hn::StoreU(hn::Add(fixed, offset), bits, out);
+/// An axis of a line, in every lane.
+struct FixedAxis {
+    Double from, step;
+    hn::Vec<Longs> offset;
+
+    HWY_ATTR HWY_INLINE FixedAxis(const PieceLines& lines, std::size_t i, int axis)
+        : from(hn::Set(Doubles(), lines.from[axis][i])),
+          step(hn::Set(Doubles(), lines.step[axis][i])),
+          offset(hn::Set(Longs(), lines.offset[axis][i])) {}
+
+    HWY_ATTR HWY_INLINE hn::Vec<Longs> At(Double x) const {
+        return hn::Add(hn::BitCast(Longs(), hn::Add(from, hn::Mul(x, step))), offset);
+    }
+    /// A vector of floats of texels, half at x, half at x + lanes.
+    HWY_ATTR HWY_INLINE void Store(Double x, Double lanes, std::uint32_t* cells,
+                                   std::uint32_t* places) const {
+#if HWY_TARGET == HWY_SCALAR
+        (void)lanes;
+        const std::uint64_t coordinate = hn::GetLane(At(x));
+        *cells = std::uint32_t(coordinate >> 32);
+        *places = std::uint32_t(coordinate);
+#else
+        const Bit low = hn::BitCast(Bits(), At(x)),
+                  high = hn::BitCast(Bits(), At(hn::Add(x, lanes)));
+        hn::StoreU(hn::ConcatOdd(Bits(), high, low), Bits(), cells);
+        hn::StoreU(hn::ConcatEven(Bits(), high, low), Bits(), places);
+#endif
     }
 };
 
 HWY_ATTR HWY_INLINE void FillLine(const PieceLines& lines, std::size_t i, const LatticeLine& line,
                                   std::size_t at, LatticeStream& stream) {
     const Doubles d;
-    const FixedAxis x(lines.start[0][i], lines.step[0][i]), y(lines.start[1][i], lines.step[1][i]),
-        z(lines.start[2][i], lines.step[2][i]);
-    const auto lanes = hn::Set(d, double(hn::Lanes(d)));
-    auto index = hn::Add(LaneNumbers(), hn::Set(d, line.first));
-    for (std::size_t j = 0; j < line.count; j += hn::Lanes(d)) {
-        x.Store(index, stream.at[0] + at + j);
-        y.Store(index, stream.at[1] + at + j);
-        z.Store(index, stream.at[2] + at + j);
-        index = hn::Add(index, lanes);
+    const FixedAxis axes[] = {{lines, i, 0}, {lines, i, 1}, {lines, i, 2}};
+    const auto lanes = hn::Set(d, double(hn::Lanes(d))),
+               both = hn::Set(d, double(hn::Lanes(Bits())));
+    auto x = hn::Add(LaneNumbers(), hn::Set(d, line.first));
+    for (std::size_t j = at; j < at + line.count; j += hn::Lanes(Bits())) {
+        for (int axis = 0; axis < 3; ++axis)
+            axes[axis].Store(x, lanes, stream.cells[axis] + j, stream.places[axis] + j);
+        x = hn::Add(x, both);
     }
 }
 
 /// For lines that FillLine cannot hold: far from the origin, or crossing very many cells.
-HWY_ATTR void FillHardLine(const PieceLines& lines, std::size_t i, const LatticeLine& line,
-                           double length, double limit, std::size_t at, LatticeStream& stream) {
+void FillHardLine(const Affine3& map, const LatticeLine& line, double length, double limit,
+                  std::size_t at, LatticeStream& stream) {
     for (int axis = 0; axis < 3; ++axis) {
-        const double start = lines.start[axis][i], step = lines.step[axis][i];
+        const double a = map.linear[0][axis], b = map.linear[1][axis], c = map.linear[2][axis];
+        const auto along = [&](const Vec3d& v) { return a * v.x + b * v.y + c * v.z; };
+        const double start = along(line.start) + map.offset[axis], step = along(line.step);
         const bool near = std::abs(start) + length * std::abs(step) < limit;
         for (std::size_t j = 0; j < line.count; ++j) {
             const double x = near ? start + (line.first + double(j)) * step : 0.0;
             const double cell = std::floor(x);
             // A sum: just below a cell's border x - cell rounds to 1, the next cell's place 0.
-            stream.at[axis][at + j] =
-                (std::uint64_t(std::int64_t(cell)) << 32) + std::uint64_t((x - cell) * 0x1p32);
-        }
-    }
-}
-
-/// lines = map of the pieces' lines.
-HWY_ATTR void MapPieces(const Affine3& map, std::span<const Piece> pieces, PieceLines& lines) {
-    const Doubles d;
-    for (std::size_t i = 0; i < pieces.size(); i += hn::Lanes(d)) {
-        const PieceLanes p(pieces, i);
-        for (int axis = 0; axis < 3; ++axis) {
-            const double a = map.linear[0][axis], b = map.linear[1][axis], c = map.linear[2][axis];
-            const auto start = hn::Add(Dot(a, b, c, p.x, p.y, p.z), hn::Set(d, map.offset[axis]));
-            hn::Store(start, d, lines.start[axis] + i);
-            hn::Store(Dot(a, b, c, p.u, p.v, p.w), d, lines.step[axis] + i);
+            stream.set(
+                axis, at + j,
+                (std::uint64_t(std::int64_t(cell)) << 32) + std::uint64_t((x - cell) * 0x1p32));
         }
     }
 }
@@ -108,26 +142,27 @@ HWY_ATTR double FillStream(const Affine3& map, int doublings, std::span<const Pi
     for (std::size_t first = 0; first < pieces.size(); first += PieceLines::capacity) {
         const auto part =
             pieces.subspan(first, std::min(PieceLines::capacity, pieces.size() - first));
-        MapPieces(map, part, lines);
+        MapPieces(map, limit, part, lines);
         for (std::size_t i = 0; i < part.size(); ++i) {
-            const auto& [start, step, begin, count] = part[i].solid;
-            const double length = std::max(part[i].length, begin + double(count));
-            const auto extent = [&](int axis) { return length * std::abs(lines.step[axis][i]); };
-            const auto easy = [&](int axis) {
-                return extent(axis) < fixed_reach &&
-                       std::abs(lines.start[axis][i]) + extent(axis) < limit;
-            };
-            if (easy(0) && easy(1) && easy(2))
-                FillLine(lines, i, part[i].solid, at, stream);
+            const LatticeLine& line = part[i].solid;
+            if (lines.hard[i] == 0.0)
+                FillLine(lines, i, line, at, stream);
             else
-                FillHardLine(lines, i, part[i].solid, length, limit, at, stream);
-            at += part[i].solid.count;
-            planes += double(part[i].solid.count) *
-                      (std::abs(lines.step[0][i]) + std::abs(lines.step[1][i]) +
-                       std::abs(lines.step[2][i]));
+                FillHardLine(map, line, lines.length[i], limit, at, stream);
+            at += line.count;
+            planes += double(line.count) * lines.planes[i];
         }
     }
     return planes;
+}
+
+template <class Corner, class FadeFunction>
+HWY_ATTR HWY_INLINE Float NoiseOf(const StreamPlaces<FadeFunction>& at, Bit h) {
+    const PlaneHashes low(h), high(NextPlane(h));
+    if constexpr (std::is_same_v<Corner, ValueCorner>)
+        return ValueNoise(at, ValuesOf(low), ValuesOf(high));
+    else
+        return PerlinNoise(at, low, high);
 }
 
 template <class Corner, class FadeFunction>
@@ -137,14 +172,11 @@ HWY_ATTR void AddOctaveOf(const StreamOctave& octave, const LatticeStream& strea
     const Bit seed = hn::Set(Bits(), octave.seed * LatticeHash::prime_seed);
     const Float weight = hn::Set(d, octave.weight);
     for (std::size_t j = 0; j < count; j += hn::Lanes(d)) {
-        Bit cell[3];
-        Float place[3];
-        for (int axis = 0; axis < 3; ++axis) {
-            cell[axis] = CellsOf(stream.at[axis] + j, octave.doublings);
-            place[axis] = PlacesOf(stream.at[axis] + j, octave.doublings);
-        }
-        const Float noise = EightfoldNoise<Corner, FadeFunction>(
-            CellHash(seed, cell[0], cell[1], cell[2]), place[0], place[1], place[2]);
+        const auto cell = [&](int axis)
+                              HWY_ATTR { return CellsOf(stream, axis, j, octave.doublings); };
+        const StreamPlaces<FadeFunction> at(stream, j, octave.doublings);
+        const Bit h = CellHash(seed, cell(0), cell(1), cell(2));
+        const Float noise = NoiseOf<Corner>(at, h);
         hn::Store(hn::Add(hn::Load(d, sums + j), hn::Mul(weight, noise)), d, sums + j);
     }
 }

@@ -1,7 +1,8 @@
-// Streams of coordinates against float64, kernels on them against the scalar float32 path to the
-// bit, sums of octaves against the float64 field.
+// Streams of coordinates against float64, kernels on them against the same additions one by one to
+// the bit and against float64, sums of octaves against the float64 field.
 #include "procedural/stream_kernels.h"
 
+#include <array>
 #include <memory>
 #include <random>
 
@@ -9,6 +10,7 @@
 
 #include "procedural/noise.h"
 #include "procedural/octave_streams.h"
+#include "procedural/perlin_noise.h"
 #include "procedural/quadric_kernel.h"
 #include "procedural/share_kernels.h"
 
@@ -66,7 +68,7 @@ TEST(LatticeStream, HoldsCoordinatesTo2ToTheMinus32) {
         }
         for_each_texel(pieces, oblique, [&](std::size_t at, const Vec3d& p) {
             for (int axis = 0; axis < 3; ++axis) {
-                const std::uint64_t bits = stream->at[axis][at];
+                const std::uint64_t bits = stream->at(axis, at);
                 const double x = double(std::int32_t(bits >> 32)) + double(bits << 32) * 0x1p-64;
                 const double rest = p[axis] - x;
                 const double wrapped = rest - 0x1p32 * std::round(rest * 0x1p-32);
@@ -83,9 +85,9 @@ TEST(LatticeStream, CarriesIntoTheCellWhereAPlaceRoundsToOne) {
     const auto stream = std::make_unique<LatticeStream>();
     fill_stream(Affine3{}, 0, pieces, *stream);
     for (std::size_t j = 0; j < 4; ++j) {
-        EXPECT_EQ(stream->at[0][j], (std::uint64_t(j * 1000000) << 32) + 0x80000000u);
-        EXPECT_EQ(stream->at[1][j], 0u) << "y is 0 to 2^-32, not a cell below it";
-        EXPECT_EQ(stream->at[2][j], 0x40000000u);
+        EXPECT_EQ(stream->at(0, j), (std::uint64_t(j * 1000000) << 32) + 0x80000000u);
+        EXPECT_EQ(stream->at(1, j), 0u) << "y is 0 to 2^-32, not a cell below it";
+        EXPECT_EQ(stream->at(2, j), 0x40000000u);
     }
 }
 
@@ -94,7 +96,7 @@ TEST(LatticeStream, StaysAtTheOriginWhereFloat64EndsAfterDoublings) {
     const double far = 0x1p49 + 5.0;
     const auto cell = [&](int doublings) {
         fill_stream({}, doublings, std::vector{piece({far, 0, 0}, {0, 0, 0}, 0, 1, 1)}, *stream);
-        return std::uint32_t(stream->at[0][0] >> 32);
+        return std::uint32_t(stream->at(0, 0) >> 32);
     };
     EXPECT_EQ(cell(1), 5u);
     EXPECT_EQ(cell(2), 0u);
@@ -111,7 +113,7 @@ TEST(LatticeStream, DoesNotDependOnHowSpansAreCut) {
         fill_stream(oblique, 5, std::vector{cut(0, 3), cut(3, 37), cut(40, 60)}, *parts);
         for (int axis = 0; axis < 3; ++axis)
             for (std::size_t j = 0; j < 100; ++j)
-                ASSERT_EQ(whole->at[axis][j], parts->at[axis][j]) << step;
+                ASSERT_EQ(whole->at(axis, j), parts->at(axis, j)) << step;
     }
 }
 
@@ -124,36 +126,95 @@ constexpr NoiseName noises[] = {{NoiseKind::value, Fade::linear},
                                 {NoiseKind::value, Fade::quintic},
                                 {NoiseKind::perlin, Fade::quintic}};
 
-/// What add_octave_* has to give: the kernel of cells and places, at the stream's.
-std::vector<double> expected_octave(const NoiseName& k, const StreamOctave& octave,
-                                    const LatticeStream& stream) {
-    const auto lattice = std::make_unique<LatticeBatch>();
-    for (int axis = 0; axis < 3; ++axis)
-        for (std::size_t j = 0; j < batch_capacity; ++j) {
-            const std::uint64_t x = stream.at[axis][j] << octave.doublings;
-            lattice->cells[axis][j] = std::int32_t(x >> 32);
-            const auto centred = std::int32_t(std::uint32_t(x) ^ 0x80000000u);
-            lattice->places[axis][j] = float(centred) * 0x1p-32f;
-        }
-    std::vector<double> sums(batch_capacity + batch_padding, 0.0);
-    add_noise(k.kind, k.fade, octave.seed, 1.0, *lattice, batch_capacity, sums.data());
-    return sums;
+/// The corners' numbers in float32, times 2^31 or slopes at twice the distance.
+float corner_number(NoiseKind kind, std::uint32_t hash, const std::array<float, 3>& twice_offset) {
+    if (kind == NoiseKind::value) return float(std::int32_t(hash & 0xffffff00u));
+    NoiseValue<float, 3> slope;
+    set_perlin_slope(hash >> 28, twice_offset, slope);
+    return slope.value;
 }
 
-TEST(StreamKernels, GiveTheBitsOfTheKernelsOfCellsAndPlaces) {
+float faded(Fade fade, float t) {
+    if (fade == Fade::linear) return t;
+    const float square = t * t;
+    if (fade == Fade::smooth) return t * (1.5f - 0.5f * square);
+    return t * (1.875f - square * (1.25f - 0.375f * square));
+}
+
+/// What add_octave_* has to give at a texel, in float32 in the order of the kernels' additions.
+float expected_noise(const NoiseName& k, const StreamOctave& octave,
+                     const std::array<std::uint64_t, 3>& coordinates) {
+    std::array<std::uint32_t, 3> cell{};
+    float t[3], v[3], corners[8];
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const std::uint64_t x = coordinates[axis] << octave.doublings;
+        cell[axis] = std::uint32_t(x >> 32);
+        t[axis] = float(std::int32_t(std::uint32_t(x) ^ 0x80000000u)) * 0x1p-31f;
+        v[axis] = faded(k.fade, t[axis]);
+    }
+    for (std::uint32_t c = 0; c < 8; ++c) {
+        const std::array index{cell[0] + (c & 1), cell[1] + (c >> 1 & 1), cell[2] + (c >> 2)};
+        std::array<float, 3> offset{};
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            offset[axis] = t[axis] + (c >> axis & 1 ? -1.0f : 1.0f);
+        corners[c] = corner_number(k.kind, LatticeHash::bits(index, octave.seed), offset);
+    }
+    const auto twice = [](float w, float a, float b) { return (a + b) + w * (b - a); };
+    const auto plane = [&](const float* c) {
+        if (k.kind == NoiseKind::perlin)
+            return twice(v[1], twice(v[0], c[0], c[1]), twice(v[0], c[2], c[3]));
+        const float low = c[0] + c[1], high = c[2] + c[3], low_x = c[1] - c[0],
+                    high_x = c[3] - c[2];
+        return ((low + high) + v[0] * (low_x + high_x)) +
+               v[1] * ((high - low) + v[0] * (high_x - low_x));
+    };
+    return octave.weight * twice(v[2], plane(corners), plane(corners + 4));
+}
+
+TEST(StreamKernels, GiveTheBitsOfTheSameAdditionsInTurn) {
     std::mt19937 random(6);
     const auto stream = std::make_unique<LatticeStream>();
     alignas(64) float sums[batch_capacity + batch_padding];
     for (const NoiseName& k : noises)
         for (int doublings : {0, 1, 7, 23}) {
             fill_stream(oblique, doublings, random_pieces(random, doublings < 8), *stream);
-            const StreamOctave octave{std::uint32_t(random()), doublings, 1.0f};
-            const std::vector<double> expected = expected_octave(k, octave, *stream);
+            const StreamOctave octave{std::uint32_t(random()), doublings, 0.7f};
             std::fill(std::begin(sums), std::end(sums), 0.0f);
             add_octave_direct(k.kind, k.fade, octave, *stream, batch_capacity, sums);
             for (std::size_t j = 0; j < batch_capacity; ++j)
-                ASSERT_EQ(double(sums[j]) * noise_unit(k.kind), expected[j]) << doublings;
+                ASSERT_EQ(sums[j],
+                          expected_noise(k, octave,
+                                         {stream->at(0, j), stream->at(1, j), stream->at(2, j)}))
+                    << doublings;
         }
+}
+
+/// One octave's noise against float64 at the same cells and places.
+TEST(StreamKernels, ErrAtMostAsTheirCommentSays) {
+    std::mt19937 random(11);
+    const auto stream = std::make_unique<LatticeStream>();
+    alignas(64) float sums[batch_capacity + batch_padding];
+    for (const NoiseName& k : noises) {
+        NoiseSpec noise;
+        noise.kind = k.kind, noise.fade = k.fade, noise.seed = 77;
+        double worst = 0.0;
+        for (int i = 0; i < 20; ++i) {
+            fill_stream(oblique, 2, random_pieces(random, false), *stream);
+            std::fill(std::begin(sums), std::end(sums), 0.0f);
+            add_octave_direct(k.kind, k.fade, {noise.seed, 2, 1.0f}, *stream, batch_capacity, sums);
+            for (std::size_t j = 0; j < batch_capacity; ++j) {
+                const auto at = [&](int axis) {
+                    const std::uint64_t x = stream->at(axis, j) << 2;
+                    return double(std::int32_t(x >> 32)) + double(std::uint32_t(x)) * 0x1p-32;
+                };
+                const double exact = noise_value<double, 3>(noise, {at(0), at(1), at(2)});
+                const double error = std::abs(double(sums[j]) * stream_unit(k.kind) - exact);
+                worst = std::max(worst, error / (1.0 + std::abs(exact)));
+            }
+        }
+        EXPECT_LT(worst, k.kind == NoiseKind::perlin ? 2.2e-7 : 1.7e-7) << int(k.fade);
+        EXPECT_GT(worst, 2e-8) << "too good to be float32";
+    }
 }
 
 /// Vectors of texels in one cell and in several, runs that end at a batch's end, short batches.
@@ -194,12 +255,13 @@ TEST(StreamKernels, FindRunsOfTexelsInOneCell) {
         std::int32_t run = -1;
         for (std::size_t j = 0; j < count; ++j) {
             bool same = j > 0;
-            for (const auto& at : stream->at)
-                same = same && at[j] >> (32 - doublings) == at[j - 1] >> (32 - doublings);
+            for (int axis = 0; axis < 3; ++axis)
+                same = same && stream->at(axis, j) >> (32 - doublings) ==
+                                   stream->at(axis, j - 1) >> (32 - doublings);
             if (!same) {
                 ++run;
                 for (int axis = 0; axis < 3; ++axis)
-                    ASSERT_EQ(runs->first.at[axis][run], stream->at[axis][j]);
+                    ASSERT_EQ(runs->first.at(axis, std::size_t(run)), stream->at(axis, j));
             }
             ASSERT_EQ(runs->run[j], run) << j;
         }
