@@ -2,6 +2,7 @@
 // What `burl bench` was asked for, and the report that every suite ends with.
 #include <cstddef>
 #include <string>
+#include <vector>
 
 #include "app/report.h"
 
@@ -10,6 +11,8 @@ namespace burl {
 /// `size`: 0 is the suite's own.
 struct BenchCommand {
     std::string suite, file, out;
+    std::vector<std::string> recipes;  ///< empty: the suite's own
+    std::string simd;                  ///< empty: the machine's best
     std::size_t size = 0;
     int repeats = 5;
     bool large = false, json = false;

@@ -3,8 +3,6 @@
 
 #include "app/bench_command.h"
 #include "app/bench_forward.h"
-#include "atlas/error.h"
-#include "procedural/noise_kernels.h"
 
 namespace burl {
 
@@ -89,11 +87,6 @@ void print_growth(const std::vector<GrowthBench>& rows) {
 }  // namespace
 
 void run_forward_bench(const BenchCommand& command) {
-    if (command.size > batch_capacity)
-        throw Error(ExitCode::usage,
-                    fmt::format("bench forward: --size {} is too large, the cubes' faces have at "
-                                "most {} texels a side",
-                                command.size, batch_capacity));
     const std::vector<ForwardBench> rows = bench_forward(command.repeats);
     const std::vector<CubeBench> cubes =
         bench_forward_cubes(command.repeats, command.size == 0 ? 256 : command.size);

@@ -1,5 +1,5 @@
 // Values are taken at points in no order; those of the vectorised kernels along lines of 256, as
-// in a bake, their positions worked out in the time.
+// in a bake, their positions worked out in the time. Other libraries get their positions ready.
 #include "app/bench_noise.h"
 
 #include <algorithm>
@@ -10,8 +10,8 @@
 
 #include "app/bench_baselines.h"
 #include "procedural/noise.h"
-#include "procedural/noise_kernels.h"
 #include "procedural/noise_names.h"
+#include "procedural/octave_streams.h"
 
 namespace burl {
 
@@ -31,17 +31,22 @@ struct NoiseCases {
     template <class Run>
     void add(const std::string& group, const std::string& name, std::size_t count,
              std::shared_ptr<const std::vector<double>> reference, const Run& run) {
-        auto out = std::make_shared<std::vector<double>>(count);
-        cases.push_back({name, double(count), "sample", [out, run] { run(out->data()); }, group});
-        values.push_back(out);
-        references.push_back(std::move(reference));
+        auto out = std::make_shared<std::vector<double>>(count + batch_padding);
+        add_timed(group, name, count, [out, run] { run(out->data()); });
+        values.back() = out;
+        references.back() = std::move(reference);
+    }
+    void add_timed(const std::string& group, const std::string& name, std::size_t count,
+                   const std::function<void()>& run) {
+        cases.push_back({name, double(count), "sample", run, group});
+        values.push_back(nullptr);
+        references.push_back(nullptr);
     }
 };
 
-using Points = std::shared_ptr<const std::vector<Vec3d>>;
-using Lines = std::shared_ptr<const std::vector<LatticeLine>>;
+using Lines = std::shared_ptr<const std::vector<Piece>>;
 
-Points random_points(std::size_t count) {
+BenchPoints random_points(std::size_t count) {
     std::mt19937 random(1);
     std::uniform_real_distribution<double> place(-reach, reach);
     auto points = std::make_shared<std::vector<Vec3d>>(count);
@@ -53,31 +58,43 @@ Points random_points(std::size_t count) {
 Lines random_lines(std::size_t count) {
     std::mt19937 random(2);
     std::uniform_real_distribution<double> place(-reach, reach), step(-0.1, 0.1);
-    auto lines = std::make_shared<std::vector<LatticeLine>>(count / line_length);
-    for (LatticeLine& line : *lines) {
-        line.start = {place(random), place(random), place(random)};
-        line.step = {step(random), step(random), step(random)};
-        line.count = line_length;
+    auto lines = std::make_shared<std::vector<Piece>>(count / line_length);
+    for (Piece& piece : *lines) {
+        piece.solid.start = {place(random), place(random), place(random)};
+        piece.solid.step = {step(random), step(random), step(random)};
+        piece.solid.count = line_length;
+        piece.length = double(line_length);
     }
     return lines;
 }
 
-Points points_of(const std::vector<LatticeLine>& lines) {
-    auto points = std::make_shared<std::vector<Vec3d>>();
-    for (const LatticeLine& line : lines)
-        for (std::size_t j = 0; j < line.count; ++j)
-            points->push_back(line.start + double(j) * line.step);
-    return points;
-}
-
-std::shared_ptr<const std::vector<double>> reference(const NoiseSpec& noise, const Points& points) {
+std::shared_ptr<const std::vector<double>> reference(const NoiseSpec& noise,
+                                                     const BenchPoints& points) {
     auto values = std::make_shared<std::vector<double>>();
     for (const Vec3d& p : *points) values->push_back(evaluate_noise(noise, p));
     return values;
 }
 
+/// The octaves' sum without their offsets, as the kernels have it.
+double octave_sum(const std::vector<Octave>& octaves, const Vec3d& s) {
+    double sum = 0.0;
+    for (const Octave& octave : octaves)
+        sum += octave.scale * evaluate_noise(octave.noise, octave.lattice_from_solid(s));
+    return sum;
+}
+
+std::shared_ptr<const std::vector<double>> reference(const std::vector<Octave>& octaves,
+                                                     const std::vector<Piece>& lines) {
+    auto values = std::make_shared<std::vector<double>>();
+    for (const Piece& piece : lines)
+        for (std::size_t j = 0; j < piece.solid.count; ++j)
+            values->push_back(
+                octave_sum(octaves, piece.solid.start + double(j) * piece.solid.step));
+    return values;
+}
+
 void add_scalar(NoiseCases& all, const std::string& group, const std::string& name,
-                const NoiseSpec& noise, const Points& points) {
+                const NoiseSpec& noise, const BenchPoints& points) {
     const auto exact = reference(noise, points);
     all.add(group, name + ", float32", points->size(), exact, [noise, points](double* out) {
         for (const Vec3d& p : *points)
@@ -88,32 +105,49 @@ void add_scalar(NoiseCases& all, const std::string& group, const std::string& na
     });
 }
 
+std::vector<Octave> octaves_of(NoiseKind kind, Fade fade, std::uint32_t octaves) {
+    Texture texture;
+    NoiseTerm& term = texture.noise.emplace_back();
+    term.kind = kind, term.fade = fade, term.octaves = octaves;
+    return expand_octaves(texture);
+}
+
+/// The vectorised kernels, where they know the noise; every texel hashes its own corners.
 void add_kernel(NoiseCases& all, const std::string& group, const std::string& name,
-                const NoiseSpec& noise, const Lines& lines) {
-    const auto batch = std::make_shared<LatticeBatch>();
+                const std::vector<Octave>& octaves, const Lines& lines) {
+    if (!std::ranges::all_of(octaves, has_kernel)) return;
+    const auto buffers = std::make_shared<StreamBuffers>();
     constexpr std::size_t at_once = batch_capacity / line_length;
     const std::size_t count = lines->size() * line_length;
-    all.add(group, name + ", float32 vectors", count, reference(noise, points_of(*lines)),
-            [noise, lines, batch](double* out) {
-                double sums[batch_capacity + batch_padding];
-                for (std::size_t i = 0; i + at_once <= lines->size(); i += at_once) {
-                    split_lattice_lines({lines->data() + i, at_once}, *batch);
-                    std::fill(std::begin(sums), std::end(sums), 0.0);
-                    add_noise(noise.kind, noise.fade, noise.seed, 1.0, *batch, batch_capacity,
-                              sums);
-                    out = std::copy_n(sums, batch_capacity, out);
-                }
+    all.add(group, name + ", float32 vectors", count, reference(octaves, *lines),
+            [streams = OctaveStreams(octaves, Kernel::direct), lines, buffers, count](double* out) {
+                std::fill_n(out, count, 0.0);
+                for (std::size_t i = 0; i + at_once <= lines->size(); i += at_once)
+                    streams.add({lines->data() + i, at_once}, batch_capacity, *buffers,
+                                out + i * line_length);
             });
 }
 
-void add_ours(NoiseCases& all, const Points& points, const Lines& lines) {
+/// Four octaves point by point, in float64.
+void add_octaves(NoiseCases& all, const std::string& name, const std::vector<Octave>& octaves,
+                 const BenchPoints& points, const Lines& lines) {
+    auto exact = std::make_shared<std::vector<double>>();
+    for (const Vec3d& p : *points) exact->push_back(octave_sum(octaves, p));
+    all.add("four octaves", name + ", float64", points->size(), exact,
+            [octaves, points](double* out) {
+                for (const Vec3d& p : *points) *out++ = octave_sum(octaves, p);
+            });
+    add_kernel(all, "four octaves", name, octaves, lines);
+}
+
+void add_ours(NoiseCases& all, const BenchPoints& points, const Lines& lines) {
     for (const auto& fade : fade_names) {
         NoiseSpec noise;
         noise.kind = NoiseKind::value;
         noise.fade = fade.value;
         const std::string name = fmt::format("value {}", fade.name);
         add_scalar(all, "value", name, noise, points);
-        add_kernel(all, "value", name, noise, lines);
+        add_kernel(all, "value", name, octaves_of(noise.kind, noise.fade, 1), lines);
     }
     for (const auto& kind : noise_kinds) {
         if (kind.value == NoiseKind::value) continue;
@@ -123,30 +157,33 @@ void add_ours(NoiseCases& all, const Points& points, const Lines& lines) {
                             kind.value == NoiseKind::worley;
         const std::string group = random ? "random and distances" : "gradient";
         add_scalar(all, group, std::string(kind.name), noise, points);
-        if (kind.value == NoiseKind::perlin)
-            add_kernel(all, group, std::string(kind.name), noise, lines);
+        add_kernel(all, group, std::string(kind.name), octaves_of(kind.value, Fade::quintic, 1),
+                   lines);
     }
+    add_octaves(all, "value smooth", octaves_of(NoiseKind::value, Fade::smooth, 4), points, lines);
+    add_octaves(all, "perlin", octaves_of(NoiseKind::perlin, Fade::quintic, 4), points, lines);
 }
 
 }  // namespace
 
 std::vector<BenchResult> bench_noise(int repeats, std::size_t samples) {
     const std::size_t count = samples / batch_capacity * batch_capacity;
-    const Points points = random_points(count);
+    const BenchPoints points = random_points(count);
     NoiseCases all;
     add_ours(all, points, random_lines(count));
-    for (const BenchBaseline& baseline : bench_baselines())
-        all.add(baseline.group, baseline.name, count, nullptr,
-                [baseline, points](double* out) { baseline.run(*points, out); });
+    for (const BenchBaseline& baseline : bench_baselines(points))
+        all.add_timed(baseline.group, baseline.name, count, baseline.run);
     const std::vector<BenchRow> times = run_paired(all.cases, repeats);
     std::vector<BenchResult> results;
     for (std::size_t i = 0; i < times.size(); ++i) {
         results.push_back({times[i]});
-        if (all.references[i])
-            results.back().error = BenchError::of(*all.values[i], *all.references[i]);
+        if (!all.references[i]) continue;
+        all.values[i]->resize(count);
+        results.back().error = BenchError::of(*all.values[i], *all.references[i]);
     }
-    std::ranges::stable_sort(results, {}, [](const BenchResult& r) {
-        return r.time.group == "value" ? 0 : r.time.group == "gradient" ? 1 : 2;
+    const std::vector<std::string> order{"value", "gradient", "four octaves"};
+    std::ranges::stable_sort(results, {}, [&](const BenchResult& r) {
+        return std::ranges::find(order, r.time.group) - order.begin();
     });
     return results;
 }

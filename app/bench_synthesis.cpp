@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "app/bench_meshes.h"
+#include "app/lattice_check.h"
 #include "app/pipeline.h"
 #include "procedural/color_table.h"
 #include "procedural/octaves.h"
@@ -89,23 +90,42 @@ struct Subject {
     }
 };
 
+/// Whether a bake is meant to give the texture's values at the texels' centres.
+bool has_definition(const Recipe& recipe) {
+    return recipe.graph.empty() && recipe.filter == Filter{} && !recipe.precision.kind;
+}
+
+std::vector<BenchResult> bench_subject(const Subject& subject, int repeats) {
+    const std::vector<BenchRow> times = run_paired(subject.cases, repeats);
+    const bool defined = has_definition(subject.pipeline->recipe());
+    const Values reference = defined ? subject.results.back()() : Values();
+    std::vector<BenchResult> results;
+    for (std::size_t i = 0; i < times.size(); ++i) {
+        results.push_back({times[i]});
+        if (defined) results.back().error = BenchError::of(subject.results[i](), reference);
+    }
+    return results;
+}
+
 }  // namespace
 
-std::vector<BenchResult> bench_synthesis(int repeats, std::size_t side) {
+std::vector<BenchResult> bench_synthesis(int repeats, SynthesisSubjects subjects) {
+    const std::size_t side = subjects.side;
+    const auto pipeline =
+        std::make_shared<Pipeline>(subjects.mesh ? std::move(*subjects.mesh) : torus(6000));
     std::vector<BenchResult> all;
-    for (const char* preset : {"marble", "wood", "clouds"}) {
-        Subject subject;
-        subject.pipeline = std::make_shared<Pipeline>(torus(6000));
-        subject.pipeline->set_recipe(load_recipe(preset, {fmt::format("atlas.size={}", side)}));
-        subject.group = fmt::format("{}, {} x {}", preset, side, side);
+    for (const std::string& name : subjects.recipes) {
+        const Recipe recipe = load_recipe(name, {fmt::format("atlas.size={}", side)});
+        check_lattice(recipe, pipeline->mesh());
+        pipeline->set_recipe(recipe);
+        pipeline->solid();
+        Subject subject{pipeline, fmt::format("{}, {} x {}", name, side, side), {}, {}};
         subject.add<Rgb8>("sRGB 8 bits, 1 thread", 1);
         subject.add<Rgb8>("sRGB 8 bits, all threads", 0);
         subject.add<RgbF>("linear float, 1 thread", 1);
-        subject.add_definition();
-        const std::vector<BenchRow> times = run_paired(subject.cases, repeats);
-        const Values reference = subject.results.back()();
-        for (std::size_t i = 0; i < times.size(); ++i)
-            all.push_back({times[i], BenchError::of(subject.results[i](), reference)});
+        if (has_definition(recipe)) subject.add_definition();
+        const std::vector<BenchResult> results = bench_subject(subject, repeats);
+        all.insert(all.end(), results.begin(), results.end());
     }
     return all;
 }

@@ -1,14 +1,25 @@
 #pragma once
 // The suite `burl bench synthesis`: baking whole textures by every way there is, against the
 // definition in float64.
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "app/bench_result.h"
+#include "atlas/mesh.h"
 
 namespace burl {
 
-/// Textures of `side`^2 texels of a torus, `repeats` paired rounds; errors are of colours in linear
-/// light, over the texels that show it.
-std::vector<BenchResult> bench_synthesis(int repeats, std::size_t side = 1024);
+struct SynthesisSubjects {
+    std::optional<Mesh> mesh{};  ///< none: a torus of 6,000 triangles
+    std::vector<std::string> recipes{"marble", "wood", "clouds"};  ///< presets or files
+    std::size_t side = 1024;                                       ///< texels
+};
+
+/// Mesh, layout and spans are ready before the clock starts and nothing is written to a file;
+/// `repeats` paired rounds. Errors are of colours in linear light, over the texels that show the
+/// mesh; graphs, filters and precisions are timed only. Throws Error for recipes that cannot be
+/// read.
+std::vector<BenchResult> bench_synthesis(int repeats, SynthesisSubjects subjects);
 
 }  // namespace burl

@@ -12,13 +12,16 @@
 #include "app/bench_forward.h"
 #include "app/bench_kernels.h"
 #include "app/bench_noise.h"
+#include "app/bench_options.h"
 #include "app/bench_plot.h"
 #include "app/bench_precision.h"
 #include "app/bench_stability.h"
 #include "app/bench_synthesis.h"
+#include "app/command_options.h"
 #include "app/export.h"
 #include "app/file_bytes.h"
 #include "app/report.h"
+#include "app/simd_limit.h"
 #include "app/verbs.h"
 #include "atlas/error.h"
 #include "procedural/noise_kernels.h"
@@ -123,15 +126,15 @@ void report_results(const BenchCommand& command, const std::vector<BenchResult>&
     if (report_rows(command, results, result_json)) fmt::print("{}", result_table(results));
 }
 
-/// Whole batches of the kernels.
-std::size_t noise_samples(const BenchCommand& command) {
-    return command.size == 0 ? 65536 : std::max(command.size, std::size_t{1024});
+void run_synthesis_bench(const BenchCommand& command) {
+    SynthesisSubjects subjects;
+    if (!command.recipes.empty()) subjects.recipes = command.recipes;
+    if (command.size > 0) subjects.side = command.size;
+    if (!command.file.empty()) subjects.mesh = MeshOptions{}.load(command.file);
+    report_results(command, bench_synthesis(command.repeats, std::move(subjects)));
 }
 
 void run_plot(const BenchCommand& command) {
-    if (command.file.empty() || command.out.empty())
-        throw Error(ExitCode::usage,
-                    "bench plot wants a report and an output: burl bench plot F.json -o F.svg");
     check_side_output(command.out, ".svg", {&command.file, 1});
     const std::vector<std::uint8_t> bytes = read_file_bytes(command.file);
     const Json report = parse_json_text(std::string(bytes.begin(), bytes.end()), command.file);
@@ -174,11 +177,6 @@ Json kernel_json(const KernelBench& row) {
 }
 
 void run_kernel_bench(const BenchCommand& command) {
-    if (command.size > batch_capacity)
-        throw Error(
-            ExitCode::usage,
-            fmt::format("bench kernels: --size {} is too large, spans have at most {} texels",
-                        command.size, batch_capacity));
     const std::vector<KernelBench> rows =
         bench_kernels(command.repeats, command.size == 0 ? 16 : command.size);
     if (!report_rows(command, rows, kernel_json)) return;
@@ -207,17 +205,13 @@ void run_stability_bench(const BenchCommand& command) {
 
 void run_bench(const BenchCommand& command) {
     if (command.suite == "plot") return run_plot(command);
-    if (!command.file.empty())
-        throw Error(ExitCode::usage, fmt::format("bench {}: only plot takes a file, {}",
-                                                 command.suite, command.file));
     if (!command.out.empty()) check_side_output(command.out, "", {});
     if (command.suite == "atlas") return run_atlas_bench(command);
     if (command.suite == "filter") return run_filter_bench(command);
     if (command.suite == "noise")
-        return report_results(command, bench_noise(command.repeats, noise_samples(command)));
-    if (command.suite == "synthesis")
         return report_results(
-            command, bench_synthesis(command.repeats, command.size == 0 ? 1024 : command.size));
+            command, bench_noise(command.repeats, command.size == 0 ? 65536 : command.size));
+    if (command.suite == "synthesis") return run_synthesis_bench(command);
     if (command.suite == "precision") return run_precision_bench(command);
     if (command.suite == "forward") return run_forward_bench(command);
     if (command.suite == "kernels") return run_kernel_bench(command);
@@ -239,31 +233,38 @@ void run_bench(const BenchCommand& command) {
 void add_bench(CLI::App& program) {
     auto* verb = program.add_subcommand("bench", "Time a suite; medians of paired runs");
     auto command = std::make_shared<BenchCommand>();
-    std::vector<std::string> suites = bench_suites();
-    suites.insert(suites.end(), {"atlas", "filter", "forward", "kernels", "noise", "plot",
-                                 "precision", "stability", "synthesis"});
-    verb->add_option(
-            "suite", command->suite,
-            "mesh_io, atlas, synthesis, filter, noise, forward, kernels, precision "
-            "or stability; or plot, which draws the report of noise, synthesis, filter or atlas: "
-            "burl bench plot F.json -o F.svg")
+    verb->add_option("suite", command->suite,
+                     "mesh_io, atlas, synthesis, filter, noise, forward, kernels, precision "
+                     "or stability; or plot, which draws a report: burl bench plot F.json -o F.svg")
         ->required()
-        ->check(CLI::IsMember(suites));
-    verb->add_option("file", command->file, "plot: the report, as -o wrote it");
-    verb->add_option(
-            "--size", command->size,
-            "Faces (mesh_io, atlas) or texels per side (synthesis, filter, precision, "
-            "forward's cubes: at most 1,024) or of a span (kernels) or samples (noise); atlas: "
-            "1,000 to 100,000 unless one number is given")
-        ->check(CLI::Range(std::size_t{2}, std::size_t{10'000'000}));
+        ->check(CLI::IsMember(bench_suite_names()));
+    verb->add_option("file", command->file,
+                     "plot: the report, as -o wrote it; synthesis: a mesh to texture");
+    verb->add_option("--size", command->size, bench_size_help());
     verb->add_option("--repeats", command->repeats, "Counted rounds")
         ->check(CLI::Range(1, 1000))
         ->capture_default_str();
     verb->add_flag("--large", command->large, "atlas: also 1,000,000 faces, some minutes");
+    verb->add_option("-r,--recipe", command->recipes,
+                     "synthesis: preset or recipe file, may be repeated; marble, wood and clouds "
+                     "unless given")
+        ->allow_extra_args(false)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    verb->add_option("--simd", command->simd,
+                     "Instruction set of the kernels instead of the best this machine has, as "
+                     "AVX2");
     verb->add_flag("--json", command->json, "Print JSON on stdout");
     verb->add_option("-o,--output", command->out,
                      "Also write the JSON to this file; plot: the .svg");
-    verb->callback([command] { run_bench(*command); });
+    verb->callback([command, verb] {
+        std::vector<std::string> given;
+        for (const char* option :
+             {"-o", "--size", "--repeats", "--large", "--recipe", "--simd", "--json"})
+            if (verb->count(option) > 0) given.emplace_back(option);
+        check_bench(*command, given);
+        if (!command->simd.empty()) limit_simd(command->simd);
+        run_bench(*command);
+    });
 }
 
 }  // namespace burl

@@ -3,25 +3,15 @@
 #include <OpenEXR/OpenEXRConfig.h>
 #include <OpenMesh/Core/System/config.h>
 #include <fmt/format.h>
-#include <hwy/base.h>
-#include <hwy/targets.h>
 #include <png.h>
 #include <tbb/version.h>
 #include <CLI/Version.hpp>
 #include <glm/glm.hpp>
 #include <nlohmann/json.hpp>
 
+#include "procedural/noise_kernels.h"
+
 namespace burl {
-
-namespace {
-
-/// Highway orders targets best first: the lowest bit that is set.
-std::string simd_level() {
-    const std::int64_t targets = hwy::SupportedTargets();
-    return hwy::TargetName(targets & -targets);
-}
-
-}  // namespace
 
 std::string burl_version() {
     return BURL_VERSION;

@@ -1,0 +1,104 @@
+#include <cmath>
+#include <memory>
+#include <random>
+
+#include <fmt/format.h>
+
+#include "procedural/noise_names.h"
+#include "procedural/octave_streams.h"
+#include "procedural/quadric_kernel.h"
+#include "tests/benchmarks/micro_benchmarks.h"
+
+namespace burl {
+
+namespace {
+
+constexpr double crossings = 1.0 / 64;
+constexpr std::size_t span_length = 16;
+
+/// A batch whose coordinates and runs are ready.
+std::shared_ptr<StreamBuffers> filled_buffers() {
+    auto buffers = std::make_shared<StreamBuffers>();
+    fill_stream({}, 0, random_spans(crossings, span_length), buffers->lattice);
+    find_runs(buffers->lattice, 0, batch_capacity, buffers->runs);
+    std::fill(std::begin(buffers->sums), std::end(buffers->sums), 0.0f);
+    return buffers;
+}
+
+std::string octave_name(NoiseKind kind, Fade fade) {
+    for (const auto& named : noise_kinds) {
+        if (named.value != kind) continue;
+        if (kind != NoiseKind::value) return std::string(named.name);
+        for (const auto& f : fade_names)
+            if (f.value == fade) return fmt::format("{}/{}", named.name, f.name);
+    }
+    return "unknown";
+}
+
+void register_octave(NoiseKind kind, Fade fade, const std::shared_ptr<StreamBuffers>& buffers) {
+    const StreamOctave octave{7, 0, 0.5f};
+    const std::string name = octave_name(kind, fade);
+    register_batch("add_octave_direct/" + name, [=] {
+        add_octave_direct(kind, fade, octave, buffers->lattice, batch_capacity, buffers->sums);
+    });
+    register_batch("add_octave_shared/" + name, [=] {
+        add_octave_shared(kind, fade, octave, buffers->lattice, buffers->runs, batch_capacity,
+                          buffers->sums);
+    });
+}
+
+void register_quadric() {
+    const auto pieces =
+        std::make_shared<const std::vector<Piece>>(random_spans(crossings, span_length));
+    const auto parabolas = std::make_shared<std::vector<ParabolaLine>>(pieces->size());
+    Quadric quadric;
+    quadric.i = 0.5, quadric.a = 0.1;
+    register_batch("make_parabolas", [=] { make_parabolas(quadric, 0.25, *pieces, *parabolas); });
+    make_parabolas(quadric, 0.25, *pieces, *parabolas);
+    const auto values = std::make_shared<std::vector<double>>(batch_capacity + batch_padding);
+    register_batch("fill_parabolas", [=] { fill_parabolas(*parabolas, values->data()); });
+}
+
+}  // namespace
+
+std::vector<Piece> random_spans(double planes_per_texel, std::size_t length) {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> unit(-1.0, 1.0);
+    const auto vector = [&] {
+        const double x = unit(random), y = unit(random), z = unit(random);
+        return Vec3d(x, y, z);
+    };
+    std::vector<Piece> pieces;
+    for (std::size_t left = batch_capacity; left > 0;) {
+        Piece& piece = pieces.emplace_back();
+        const Vec3d way = vector();
+        const double planes = std::abs(way.x) + std::abs(way.y) + std::abs(way.z);
+        piece.solid = {30.0 * vector(), planes_per_texel / planes * way, 0.0,
+                       std::min(left, length)};
+        piece.length = double(piece.solid.count);
+        left -= piece.solid.count;
+    }
+    return pieces;
+}
+
+void register_stream_benchmarks() {
+    const auto buffers = filled_buffers();
+    for (const std::size_t length : {std::size_t{8}, std::size_t{32}, std::size_t{256}})
+        register_batch(
+            fmt::format("fill_stream/{}", length),
+            [buffers = std::make_shared<StreamBuffers>(), spans = random_spans(crossings, length)] {
+                fill_stream({}, 0, spans, buffers->lattice);
+            });
+    register_batch("find_runs", [runs = std::make_shared<CellRuns>(), buffers] {
+        find_runs(buffers->lattice, 0, batch_capacity, *runs);
+    });
+    for (const auto& fade : fade_names) register_octave(NoiseKind::value, fade.value, buffers);
+    register_octave(NoiseKind::perlin, Fade::quintic, buffers);
+    register_batch("add_sums", [buffers, values = std::vector<double>(batch_capacity +
+                                                                      batch_padding)]() mutable {
+        add_sums(0x1p-26, buffers->sums, batch_capacity, values.data());
+    });
+    register_quadric();
+}
+
+}  // namespace burl
