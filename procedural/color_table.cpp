@@ -107,15 +107,8 @@ ColorTable8::ColorTable8(const ColorMap& map)
 }
 
 void ColorTable8::look_up(const std::int32_t* entries, const double* f, std::size_t count,
-                          Code* codes, std::uint32_t* later) const {
-    const Code* table = entries_.data();
-    std::size_t searches = 0;
-    for (std::size_t j = 0; j < count; ++j) {  // without branches that nobody can foretell
-        const Code code = table[std::size_t(entries[j])];
-        later[searches] = std::uint32_t(j);
-        searches += code.uniform ? 0 : 1;
-        codes[j] = code;
-    }
+                          ColorCode* codes, std::uint32_t* later) const {
+    const std::size_t searches = look_up_codes(entries_.data(), entries, count, codes, later);
     for (std::size_t i = 0; i < searches; ++i)
         codes[later[i]].color = searched(std::uint32_t(entries[later[i]]), f[later[i]]);
 }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "atlas/vec.h"
+#include "procedural/color_kernels.h"
 #include "procedural/color_map.h"
 #include "procedural/srgb.h"
 
@@ -71,13 +72,8 @@ class ColorTable8 {
     Rgb8 operator()(double f) const {
         return color(std::uint32_t(map_index(wrap_, f) * entry_count), f);
     }
-    /// A pixel and a byte that comes free with it.
-    struct Code {
-        Rgb8 color;
-        bool uniform = false;
-    };
-    /// codes[j].color = color(entries[j], f[j]). Room for `count` numbers in `later`.
-    void look_up(const std::int32_t* entries, const double* f, std::size_t count, Code* codes,
+    /// codes[j].color = color(entries[j], f[j]); arrays as look_up_codes takes them.
+    void look_up(const std::int32_t* entries, const double* f, std::size_t count, ColorCode* codes,
                  std::uint32_t* later) const;
     Wrap wrap() const { return wrap_; }
 
@@ -92,13 +88,14 @@ class ColorTable8 {
     Rgb8 searched(std::uint32_t entry, double f) const {
         const double t = map_index(wrap_, f);
         std::uint32_t i = first_step_[entry];
+        i += steps_[i + 1].index <= t ? 1 : 0;  // the one most have more, without a branch
         while (steps_[i + 1].index <= t) ++i;
         return steps_[i].color;
     }
 
     Wrap wrap_;
     std::vector<Step> steps_;                ///< and one at infinity
-    std::vector<Code> entries_;              ///< entry_count + 1: index 1 has one of its own
+    std::vector<ColorCode> entries_;         ///< entry_count + 1: index 1 has one of its own
     std::vector<std::uint32_t> first_step_;  ///< per entry: the last step up to its begin
 };
 

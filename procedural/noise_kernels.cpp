@@ -84,21 +84,6 @@ HWY_ATTR void FillParabolas(std::span<const ParabolaLine> lines, double* values)
     }
 }
 
-HWY_ATTR void IndexColors(Wrap wrap, const double* f, std::size_t count, std::uint32_t entry_count,
-                          std::int32_t* entries) {
-    const Doubles d;
-    const auto zero = hn::Zero(d), one = hn::Set(d, 1.0), scale = hn::Set(d, double(entry_count));
-    for (std::size_t j = 0; j < count; j += hn::Lanes(d)) {
-        const auto v = hn::LoadU(d, f + j);
-        // Both forms give 0 for NaN: comparisons with it are false.
-        const auto part = hn::Sub(v, hn::Floor(v));
-        const auto positive = hn::IfThenElseZero(hn::Gt(v, zero), v);
-        const auto t = wrap == Wrap::repeat ? hn::IfThenElseZero(hn::Lt(part, one), part)
-                                            : hn::IfThenElse(hn::Lt(positive, one), positive, one);
-        hn::StoreU(hn::DemoteTo(HalfInts(), hn::Mul(t, scale)), HalfInts(), entries + j);
-    }
-}
-
 const char* SimdLevel() {
     return hwy::TargetName(HWY_TARGET);
 }
@@ -113,7 +98,6 @@ namespace burl {
 HWY_EXPORT(SplitLatticeLines);
 HWY_EXPORT(AddNoise);
 HWY_EXPORT(FillParabolas);
-HWY_EXPORT(IndexColors);
 HWY_EXPORT(SimdLevel);
 
 void split_lattice_lines(std::span<const LatticeLine> lines, LatticeBatch& batch) {
@@ -127,11 +111,6 @@ void add_noise(NoiseKind kind, Fade fade, std::uint32_t seed, double scale,
 
 void fill_parabolas(std::span<const ParabolaLine> lines, double* values) {
     HWY_DYNAMIC_DISPATCH(FillParabolas)(lines, values);
-}
-
-void index_colors(Wrap wrap, const double* f, std::size_t count, std::uint32_t entry_count,
-                  std::int32_t* entries) {
-    HWY_DYNAMIC_DISPATCH(IndexColors)(wrap, f, count, entry_count, entries);
 }
 
 std::string simd_level() {

@@ -59,10 +59,6 @@ void add_noise(NoiseKind kind, Fade fade, std::uint32_t seed, double scale,
 /// values[j] = the parabolas, one line after the other.
 void fill_parabolas(std::span<const ParabolaLine> lines, double* values);
 
-/// entries[j] = floor(map_index(wrap, f[j]) * entry_count).
-void index_colors(Wrap wrap, const double* f, std::size_t count, std::uint32_t entry_count,
-                  std::int32_t* entries);
-
 /// Name of the instruction set the kernels run on, such as "AVX3".
 std::string simd_level();
 

@@ -1,8 +1,6 @@
 #include "procedural/share_kernels.h"
 
 #include <algorithm>
-#include <array>
-#include <bit>
 #include <type_traits>
 
 // This file is compiled once per instruction set.
@@ -13,29 +11,12 @@
 #include <hwy/highway.h>
 // clang-format on
 
+#include "procedural/set_bits-inl.h"
 #include "procedural/stream_noise-inl.h"
-
-#ifndef BURL_SHARE_KERNELS_SET_BITS
-#define BURL_SHARE_KERNELS_SET_BITS
-namespace burl {
-
-/// The numbers of the set bits of a byte, in order.
-inline constexpr auto set_bits = [] {
-    std::array<std::array<std::uint8_t, 8>, 256> table{};
-    for (std::size_t byte = 0; byte < table.size(); ++byte)
-        for (std::uint8_t bit = 0, i = 0; bit < 8; ++bit)
-            if (byte >> bit & 1) table[byte][i++] = bit;
-    return table;
-}();
-
-}  // namespace burl
-#endif
 
 HWY_BEFORE_NAMESPACE();
 namespace burl {
 namespace HWY_NAMESPACE {
-
-using Eight = hn::CappedTag<std::uint32_t, 8>;
 
 /// Not 0 where a texel does not lie in the cell of the texel before it, after doublings, for texels
 /// j and on.
@@ -52,35 +33,17 @@ HWY_ATTR HWY_INLINE Bit Differing(const LatticeStream& stream, int doublings, st
     return hn::Or(cells, hn::ShiftRightSame(places, 32 - doublings));
 }
 
-/// positions[i] = the texels that do not lie in the cell of the texel before; how many.
+/// run[j] = how many texels up to j do not lie in the cell of the texel before; positions[i] =
+/// which. Their number. (Garbage beyond `count` makes runs, too, that nobody reads.)
 HWY_ATTR std::size_t FindBorders(const LatticeStream& stream, int doublings, std::size_t count,
-                                 std::uint32_t* positions) {
+                                 std::uint32_t* positions, std::uint32_t* run) {
     const Bits d;
-    const Eight eight;
-    constexpr std::size_t most = std::max<std::size_t>(8, HWY_MAX_BYTES / sizeof(float));
-    const std::size_t lanes = hn::Lanes(d), step = std::max<std::size_t>(8, lanes);
-    positions[0] = 0;
+    positions[0] = run[0] = 0;
     std::size_t borders = 1;
-    for (std::size_t j = 1; j < count; j += step) {
-        std::uint8_t masks[most / 8 + 8] = {};
-        for (std::size_t k = 0; k < step; k += lanes) {
-            const auto border = hn::Ne(Differing(stream, doublings, j + k), hn::Zero(d));
-            std::uint8_t bits[8] = {};
-            hn::StoreMaskBits(d, border, bits);
-            for (std::size_t byte = 0; byte < (lanes + 7) / 8; ++byte)
-                masks[k / 8 + byte] = std::uint8_t(masks[k / 8 + byte] | bits[byte] << k % 8);
-        }
-        // (Compress copies its table on every call, Highway 1.0.3 with g++ 12.)
-        for (std::size_t byte = 0; byte < step / 8; ++byte) {
-            const std::uint8_t mask = masks[byte];
-            const auto first = std::uint32_t(j + 8 * byte);
-            for (std::size_t k = 0; k < 8; k += hn::Lanes(eight)) {
-                const auto places = hn::PromoteTo(
-                    eight, hn::LoadU(hn::Rebind<std::uint8_t, Eight>(), &set_bits[mask][k]));
-                hn::StoreU(hn::Add(places, hn::Set(eight, first)), eight, positions + borders + k);
-            }
-            borders += std::size_t(std::popcount(mask));
-        }
+    for (std::size_t j = 1; j < count; j += hn::Lanes(d)) {
+        const MaskBytes border(hn::Ne(Differing(stream, doublings, j), hn::Zero(d)));
+        CountUpTo(border, std::uint32_t(borders - 1), run + j);
+        borders += SetPositions(border, std::uint32_t(j), positions + borders);
     }
     while (borders > 1 && positions[borders - 1] >= count) --borders;
     return borders;
@@ -88,21 +51,15 @@ HWY_ATTR std::size_t FindBorders(const LatticeStream& stream, int doublings, std
 
 HWY_ATTR void FindRuns(const LatticeStream& stream, int doublings, std::size_t count,
                        CellRuns& runs) {
-    const Ints ints;
-    const std::size_t lanes = hn::Lanes(ints);
     HWY_ALIGN std::uint32_t positions[batch_capacity + 2 * batch_padding];
-    runs.count = FindBorders(stream, doublings, count, positions);
-    positions[runs.count] =
-        std::uint32_t(count + lanes);  // what is read beyond the end belongs to the last run
-    for (std::size_t i = 0; i < runs.count; ++i) {
-        const std::size_t begin = positions[i], end = positions[i + 1];
+    runs.count = FindBorders(stream, doublings, count, positions, runs.run);
+    for (std::size_t i = 0; i < runs.count; ++i)
         for (int axis = 0; axis < 3; ++axis) {
-            runs.first.cells[axis][i] = stream.cells[axis][begin];
-            runs.first.places[axis][i] = stream.places[axis][begin];
+            runs.first.cells[axis][i] = stream.cells[axis][positions[i]];
+            runs.first.places[axis][i] = stream.places[axis][positions[i]];
         }
-        const auto number = hn::Set(ints, std::int32_t(i));
-        for (std::size_t j = begin; j < end; j += lanes) hn::StoreU(number, ints, runs.run + j);
-    }
+    // What is read beyond the end belongs to the last run.
+    std::fill_n(runs.run + count, hn::Lanes(Bits()), std::uint32_t(runs.count - 1));
 }
 
 /// What the texels of a run share: for value noise the PlaneValues of both planes, for Perlin's the
@@ -174,14 +131,14 @@ HWY_ATTR void AddSharedOf(const StreamOctave& octave, const LatticeStream& strea
     const Float weight = hn::Set(d, octave.weight);
     for (std::size_t j = 0; j < count; j += lanes) {
         const StreamPlaces<FadeFunction> at(stream, j, octave.doublings);
-        const std::int32_t run = runs.run[j];
+        const std::uint32_t run = runs.run[j];
         Float noise;
         if (ask && run == runs.run[j + lanes - 1]) {
             noise = SharedNoise<Corner>(
                 at, [&](std::size_t k) HWY_ATTR { return hn::Set(bits, shared.bits[k][run]); });
         } else {
-            const auto which = hn::IndicesFromVec(
-                bits, hn::Sub(hn::Load(Ints(), runs.run + j), hn::Set(Ints(), run)));
+            const auto which =
+                hn::IndicesFromVec(bits, hn::Sub(hn::Load(bits, runs.run + j), hn::Set(bits, run)));
             noise = SharedNoise<Corner>(at, [&](std::size_t k) HWY_ATTR {
                 return hn::TableLookupLanes(hn::LoadU(bits, shared.bits[k] + run), which);
             });

@@ -15,7 +15,7 @@ struct CellRuns {
     std::size_t count = 0;
     LatticeStream first;  ///< the runs' first texels
     /// Per texel, the number of its run.
-    alignas(64) std::int32_t run[batch_capacity + 2 * batch_padding];
+    alignas(64) std::uint32_t run[batch_capacity + 2 * batch_padding];
 };
 
 /// Runs after `doublings`, of `count` texels.

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "procedural/color_kernels.h"
+
 namespace burl {
 
 namespace {

@@ -1,7 +1,6 @@
 #include "procedural/synthesize.h"
 
 #include <algorithm>
-#include <cstring>
 #include <memory>
 #include <optional>
 #include <tuple>
@@ -22,8 +21,8 @@ namespace {
 
 struct Batch : FieldBatch {
     alignas(64) std::int32_t entries[batch_capacity + batch_padding];
-    ColorTable8::Code codes[batch_capacity];
-    std::uint32_t later[batch_capacity];
+    alignas(64) ColorCode codes[batch_capacity + batch_padding];
+    std::uint32_t later[batch_capacity + 2 * batch_padding];
     std::vector<double> weights;  ///< sums over several samples of a texel
     std::vector<Vec3d> colors;
 
@@ -62,11 +61,7 @@ class Color8 {
     }
     /// A run of texels at once; needs look_up.
     void pixels(const Batch& batch, std::size_t at, std::size_t count, Rgb8* pixels) const {
-        static_assert(sizeof(Rgb8) == 3 && sizeof(ColorTable8::Code) == 4);
-        // Four bytes are stored faster than three, and the next pixel overwrites the fourth.
-        for (std::size_t j = 0; j + 1 < count; ++j)
-            std::memcpy(static_cast<void*>(pixels + j), &batch.codes[at + j], 4);
-        pixels[count - 1] = batch.codes[at + count - 1].color;
+        pack_pixels(batch.codes + at, count, pixels);
     }
     Rgb8 background(double f) const { return table_(f); }
 
@@ -217,22 +212,46 @@ void flush(Batch& batch, const FieldSampler& sampler, const Shader& shader,
     batch.count = 0;
 }
 
+/// Neighbouring spans show triangles from all over the mesh, whose maps the processor cannot guess:
+/// they are called for this many spans ahead.
+constexpr std::ptrdiff_t map_prefetch = 8;
+
+void prefetch(const TexelMap& map) {
+    const char* bytes = reinterpret_cast<const char*>(&map);
+    __builtin_prefetch(bytes);
+    __builtin_prefetch(bytes + sizeof(TexelMap) - 1);
+}
+
+/// Adds `count` texels of the span from number `first` on.
+inline void add_piece(const Span& span, const TexelMap& texel, const Vec3d& start, std::size_t y,
+                      std::size_t first, std::size_t count, FieldBatch& batch) {
+    Piece& piece = batch.pieces.emplace_back();  // in place: copies of it stall
+    piece.x = span.x + first;
+    piece.y = y;
+    piece.solid.start = start;
+    piece.solid.step = texel.step_x;
+    piece.solid.first = double(first);
+    piece.solid.count = count;
+    piece.down = texel.step_y;
+    piece.length = double(span.count);
+    batch.count += count;
+}
+
 template <class Shader>
 void synthesize_rows(const SolidAtlas& solid, std::span<const TexelMap> maps,
                      const FieldSampler& sampler, const Shader& shader, const RowRange& rows,
                      Image<typename Shader::Pixel>& image) {
-    const auto batch = std::make_unique<Batch>();
+    const auto batch = std::make_unique_for_overwrite<Batch>();
     for (std::size_t y = rows.begin(); y != rows.end(); ++y) {
-        for (const Span& span : solid.row(y)) {
+        const auto spans = solid.row(y);
+        for (const Span& span : spans) {
+            if (&spans.back() - &span >= map_prefetch) prefetch(maps[(&span)[map_prefetch].map]);
             const TexelMap& texel = maps[span.map];
             const Vec3d start = texel(span.x, std::int64_t(y));
             for (std::size_t done = 0; done < span.count;) {
                 const std::size_t count =
                     std::min(span.count - done, batch_capacity - batch->count);
-                batch->pieces.emplace_back(span.x + done, y,
-                                           LatticeLine{start, texel.step_x, double(done), count},
-                                           texel.step_y, double(span.count));
-                batch->count += count;
+                add_piece(span, texel, start, y, done, count, *batch);
                 done += count;
                 if (batch->count == batch_capacity) flush(*batch, sampler, shader, image);
             }

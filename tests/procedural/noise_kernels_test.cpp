@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "procedural/color_kernels.h"
 #include "procedural/color_table.h"
 #include "procedural/noise.h"
 

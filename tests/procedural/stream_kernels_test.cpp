@@ -263,7 +263,7 @@ TEST(StreamKernels, FindRunsOfTexelsInOneCell) {
                 for (int axis = 0; axis < 3; ++axis)
                     ASSERT_EQ(runs->first.at(axis, std::size_t(run)), stream->at(axis, j));
             }
-            ASSERT_EQ(runs->run[j], run) << j;
+            ASSERT_EQ(runs->run[j], std::uint32_t(run)) << j;
         }
         EXPECT_EQ(runs->count, std::size_t(run) + 1);
     }
