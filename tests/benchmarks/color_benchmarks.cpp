@@ -26,8 +26,8 @@ void register_look_up(const ColorMap& map) {
         ColorTable8 table;
         std::vector<double> field = random_field();
         alignas(64) std::int32_t entries[batch_capacity + batch_padding] = {};
-        ColorTable8::Code codes[batch_capacity] = {};
-        std::uint32_t later[batch_capacity] = {};
+        alignas(64) ColorCode codes[batch_capacity + batch_padding] = {};
+        std::uint32_t later[batch_capacity + 2 * batch_padding] = {};
     };
     const auto batch = std::make_shared<Batch>(map);
     const auto index = [batch] {
