@@ -3,6 +3,7 @@
 #include <tbb/enumerable_thread_specific.h>
 
 #include "procedural/graph_evaluator.h"
+#include "procedural/graph_values.h"
 
 namespace burl {
 
@@ -23,6 +24,19 @@ class GraphSampler {
   private:
     GraphEvaluator evaluate_;
     tbb::enumerable_thread_specific<GraphEvaluator::Scratch> scratch_;
+};
+
+/// The same in float32, colours alone.
+class GraphColorSampler {
+  public:
+    explicit GraphColorSampler(const TextureGraph& graph)
+        : values_(graph), scratch_([this] { return values_.make_scratch(); }) {}
+
+    Vec3d operator()(const Vec3d& s) { return values_(s, scratch_.local()); }
+
+  private:
+    GraphValues values_;
+    tbb::enumerable_thread_specific<GraphValues::Scratch> scratch_;
 };
 
 }  // namespace burl

@@ -57,10 +57,14 @@ const SolidAtlas& Pipeline::solid() {
 
 namespace {
 
+PrecisionKind bake_precision(const Recipe& recipe) {
+    return recipe.precision.kind.value_or(PrecisionKind::float32);
+}
+
 Image<Rgb8> fill(const SolidAtlas& solid, const Recipe& recipe, int threads, Kernel kernel, Rgb8) {
     if (!recipe.graph.empty())
         return synthesize_graph_rgb8(solid, recipe.graph, texture_from_solid(recipe), recipe.filter,
-                                     threads);
+                                     threads, bake_precision(recipe));
     return synthesize_rgb8(solid, recipe.texture, texture_from_solid(recipe), threads,
                            recipe.filter, kernel);
 }
@@ -68,22 +72,21 @@ Image<Rgb16> fill(const SolidAtlas& solid, const Recipe& recipe, int threads, Ke
                   Rgb16) {
     if (!recipe.graph.empty())
         return synthesize_graph_rgb16(solid, recipe.graph, texture_from_solid(recipe),
-                                      recipe.filter, threads);
+                                      recipe.filter, threads, bake_precision(recipe));
     return synthesize_rgb16(solid, recipe.texture, texture_from_solid(recipe), threads,
                             recipe.filter, kernel);
 }
 Image<RgbF> fill(const SolidAtlas& solid, const Recipe& recipe, int threads, Kernel kernel, RgbF) {
     if (!recipe.graph.empty())
         return synthesize_graph_rgbf(solid, recipe.graph, texture_from_solid(recipe), recipe.filter,
-                                     threads);
+                                     threads, bake_precision(recipe));
     return synthesize_rgbf(solid, recipe.texture, texture_from_solid(recipe), threads,
                            recipe.filter, kernel);
 }
 
-/// Graphs are computed in float64 as they are.
+/// Graphs have both precisions in one place.
 bool goes_texel_by_texel(const Recipe& recipe) {
-    return recipe.graph.empty() &&
-           recipe.precision.kind.value_or(PrecisionKind::float32) != PrecisionKind::float32;
+    return recipe.graph.empty() && bake_precision(recipe) != PrecisionKind::float32;
 }
 
 ForwardPrecision forward_precision(const Recipe& recipe) {

@@ -10,6 +10,10 @@
 namespace burl {
 
 TextureColor texture_color(const Recipe& recipe, const Precision& precision) {
+    if (!recipe.graph.empty() && precision.kind == PrecisionKind::float32)
+        return [graph = std::make_shared<GraphColorSampler>(recipe.graph)](const Vec3d& s) {
+            return (*graph)(s);
+        };
     if (!recipe.graph.empty()) {
         return [graph = std::make_shared<GraphSampler>(recipe.graph)](const Vec3d& s) {
             return (*graph)(s).color();

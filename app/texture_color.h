@@ -10,7 +10,7 @@ namespace burl {
 /// Linear-light colour at texture coordinates s. May be called from several threads at once.
 using TextureColor = std::function<Vec3d(const Vec3d& s)>;
 
-/// In float64, whatever the recipe says, or another precision. Graphs have float64 alone.
+/// In float64, whatever the recipe says, or another precision; graphs have no fixed point.
 TextureColor texture_color(const Recipe& recipe, const Precision& precision = {});
 
 /// The normal to shade with at a point with a unit normal, both of the mesh at rest, in its own

@@ -3,6 +3,7 @@
 // (the slides' way) have to repair.
 #include <numbers>
 
+#include "procedural/graph_affine.h"
 #include "procedural/graph_nodes.h"
 
 namespace burl::nodes {
@@ -21,21 +22,6 @@ Mat3d rotation(int axis, double degrees) {
     return m;
 }
 
-/// matrix (translate + rotate_z rotate_y rotate_x scale p).
-Affine3 affine_of(const NodeCall& call) {
-    const Vec3d factors = call.vector("scale"), degrees = call.vector("rotate");
-    Affine3 inner{Mat3d(1.0), call.vector("translate")}, outer;
-    for (int axis = 0; axis < 3; ++axis) inner.linear[axis] *= factors[axis];
-    for (int axis = 0; axis < 3; ++axis)
-        inner.linear = rotation(axis, degrees[axis]) * inner.linear;
-    for (int row = 0; row < 3; ++row) {
-        for (int column = 0; column < 3; ++column)
-            outer.linear[column][row] = call.parameter("matrix", std::size_t(4 * row + column));
-        outer.offset[row] = call.parameter("matrix", std::size_t(4 * row + 3));
-    }
-    return outer.after(inner);
-}
-
 Dual dot(const Vec3d& d, const DualPoint& p) {
     return d.x * p.x + d.y * p.y + d.z * p.z;
 }
@@ -43,7 +29,7 @@ Dual dot(const Vec3d& d, const DualPoint& p) {
 }  // namespace
 
 void transform(const NodeCall& call) {
-    const Affine3 map = affine_of(call);
+    const Affine3 map = transform_map(call);
     const Mat3d rows = glm::transpose(map.linear);
     map_points(call, [&](std::size_t, const DualPoint& p) -> DualPoint {
         return {dot(rows[0], p) + map.offset.x, dot(rows[1], p) + map.offset.y,
@@ -90,3 +76,21 @@ void map_planar(const NodeCall& call) {
 }
 
 }  // namespace burl::nodes
+
+namespace burl {
+
+Affine3 transform_map(const NodeCall& call) {
+    const Vec3d factors = call.vector("scale"), degrees = call.vector("rotate");
+    Affine3 inner{Mat3d(1.0), call.vector("translate")}, outer;
+    for (int axis = 0; axis < 3; ++axis) inner.linear[axis] *= factors[axis];
+    for (int axis = 0; axis < 3; ++axis)
+        inner.linear = nodes::rotation(axis, degrees[axis]) * inner.linear;
+    for (int row = 0; row < 3; ++row) {
+        for (int column = 0; column < 3; ++column)
+            outer.linear[column][row] = call.parameter("matrix", std::size_t(4 * row + column));
+        outer.offset[row] = call.parameter("matrix", std::size_t(4 * row + 3));
+    }
+    return outer.after(inner);
+}
+
+}  // namespace burl

@@ -3,7 +3,9 @@
 #include "procedural/band_limit.h"
 #include "procedural/box_means.h"
 #include "procedural/graph_nodes.h"
+#include "procedural/marble_spline.h"
 #include "procedural/mean_noise.h"
+#include "procedural/node_noise.h"
 
 namespace burl::nodes {
 
@@ -20,18 +22,6 @@ Dual noise_at(const NoiseSpec& noise, const DualPoint& p) {
 
 DualPoint scaled(double factor, const DualPoint& p) {
     return {factor * p.x, factor * p.y, factor * p.z};
-}
-
-NoiseSpec noise_of(const NodeCall& call) {
-    NoiseSpec noise;
-    noise.kind = NoiseKind(int(call.parameter("kind")));
-    noise.seed = std::uint32_t(call.parameter("seed"));
-    const double time = call.parameter("time");
-    if (std::isfinite(time)) {
-        noise.time = time;
-        noise.period[3] = std::uint32_t(call.parameter("time_period"));
-    }
-    return noise;
 }
 
 /// sum_k gain^k n_{seed+k}(lacunarity^k p), or of |n|.
@@ -105,17 +95,6 @@ FieldSample faded_field(const NodeCall& call, const Quadric& quadric, const Dual
     return f;
 }
 
-/// What pbrt's marble runs through: linear RGB control points of a spline, brightened by 1.5.
-constexpr std::array<std::array<double, 3>, 9> marble_colors{{{.58, .58, .6},
-                                                              {.58, .58, .6},
-                                                              {.58, .58, .6},
-                                                              {.5, .5, .5},
-                                                              {.6, .59, .58},
-                                                              {.58, .58, .6},
-                                                              {.58, .58, .6},
-                                                              {.2, .2, .33},
-                                                              {.58, .58, .6}}};
-
 /// Weights of four neighbouring control points at u in [0,1]: Bernstein's (pbrt, which jumps from
 /// one four to the next) or those of the uniform cubic B-spline (which does not).
 std::array<Dual, 4> spline_weights(bool smooth, const Dual& u) {
@@ -128,13 +107,14 @@ std::array<Dual, 4> spline_weights(bool smooth, const Dual& u) {
 
 /// The colour at t in [0,1].
 std::array<Dual, 3> marble_color(bool smooth, const Dual& t) {
-    constexpr double segments = double(marble_colors.size() - 3);
+    constexpr double segments = double(marble_segments);
     const double first = std::clamp(std::floor(t.value * segments), 0.0, segments - 1.0);
     const auto weights = spline_weights(smooth, segments * t - first);
     std::array<Dual, 3> color;
     for (std::size_t c = 0; c < 3; ++c)
         for (std::size_t k = 0; k < 4; ++k)
-            color[c] = color[c] + 1.5 * marble_colors[std::size_t(first) + k][c] * weights[k];
+            color[c] = color[c] +
+                       marble_brightness * marble_colors[std::size_t(first) + k][c] * weights[k];
     return color;
 }
 

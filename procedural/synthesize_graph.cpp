@@ -1,6 +1,7 @@
 #include "procedural/synthesize_graph.h"
 
 #include "procedural/pixel_encoder.h"
+#include "procedural/synthesize_graph_points.h"
 #include "procedural/synthesize_graph_texels.h"
 
 namespace burl {
@@ -14,8 +15,21 @@ struct GraphColor {
 };
 
 template <class Pixel>
+Image<Pixel> synthesize_points(const SolidAtlas& solid, const TextureGraph& graph,
+                               const Affine3& map, const Filter& filter, int threads) {
+    const GraphValues values(graph);
+    GraphValues::Scratch scratch = values.make_scratch();
+    Image<Pixel> image(solid.size, solid.size, PixelEncoder<Pixel>()(values(Vec3d(0.0), scratch)));
+    fill_points(solid, map, values, filter, threads, image);
+    return image;
+}
+
+template <class Pixel>
 Image<Pixel> synthesize(const SolidAtlas& solid, const TextureGraph& graph, const Affine3& map,
-                        const Filter& filter, int threads) {
+                        const Filter& filter, int threads, PrecisionKind precision) {
+    const bool points = filter.kind == FilterKind::none || filter.kind == FilterKind::supersample;
+    if (points && precision == PrecisionKind::float32)
+        return synthesize_points<Pixel>(solid, graph, map, filter, threads);
     const PixelEncoder<Pixel> encode{};
     const GraphEvaluator evaluate(graph, filter);
     Image<Pixel> image(solid.size, solid.size, encode(evaluate(Vec3d(0.0)).color()));
@@ -26,18 +40,21 @@ Image<Pixel> synthesize(const SolidAtlas& solid, const TextureGraph& graph, cons
 }  // namespace
 
 Image<Rgb8> synthesize_graph_rgb8(const SolidAtlas& solid, const TextureGraph& graph,
-                                  const Affine3& map, const Filter& filter, int threads) {
-    return synthesize<Rgb8>(solid, graph, map, filter, threads);
+                                  const Affine3& map, const Filter& filter, int threads,
+                                  PrecisionKind precision) {
+    return synthesize<Rgb8>(solid, graph, map, filter, threads, precision);
 }
 
 Image<Rgb16> synthesize_graph_rgb16(const SolidAtlas& solid, const TextureGraph& graph,
-                                    const Affine3& map, const Filter& filter, int threads) {
-    return synthesize<Rgb16>(solid, graph, map, filter, threads);
+                                    const Affine3& map, const Filter& filter, int threads,
+                                    PrecisionKind precision) {
+    return synthesize<Rgb16>(solid, graph, map, filter, threads, precision);
 }
 
 Image<RgbF> synthesize_graph_rgbf(const SolidAtlas& solid, const TextureGraph& graph,
-                                  const Affine3& map, const Filter& filter, int threads) {
-    return synthesize<RgbF>(solid, graph, map, filter, threads);
+                                  const Affine3& map, const Filter& filter, int threads,
+                                  PrecisionKind precision) {
+    return synthesize<RgbF>(solid, graph, map, filter, threads, precision);
 }
 
 }  // namespace burl

@@ -1,25 +1,28 @@
 #pragma once
-// Fills an atlas with a texture graph on the host: rows in parallel, texels packed into batches of
-// the graph evaluator, all in float64. The bytes do not depend on the thread count.
+// Fills an atlas with a texture graph on the host: rows in parallel, texels packed into batches. In
+// float32 point samples go through value programs (graph_values.h); in float64, the reference, and
+// where nodes filter, through the graph evaluator with its gradients. The bytes do not depend on
+// the thread count.
 #include "atlas/image.h"
 #include "atlas/solid_atlas.h"
 #include "procedural/filter.h"
 #include "procedural/graph.h"
+#include "procedural/precision.h"
 
 namespace burl {
 
 /// `texture_from_atlas` maps the SolidAtlas's space to the texture's solid coordinates (the
 /// recipe's scale). With filter `none` texels are point samples, with `supersample` means of such,
-/// with any other kind the nodes filter over them (docs/nodes.md). `threads` 0 means all. Texels
-/// outside every span get the colour at the origin.
+/// with any other kind the nodes filter over them (docs/nodes.md). `threads` 0 means all.
+/// `precision` is float32 or float64. Texels outside every span get the colour at the origin.
 Image<Rgb8> synthesize_graph_rgb8(const SolidAtlas& solid, const TextureGraph& graph,
                                   const Affine3& texture_from_atlas, const Filter& filter,
-                                  int threads);
+                                  int threads, PrecisionKind precision = PrecisionKind::float32);
 Image<Rgb16> synthesize_graph_rgb16(const SolidAtlas& solid, const TextureGraph& graph,
                                     const Affine3& texture_from_atlas, const Filter& filter,
-                                    int threads);
+                                    int threads, PrecisionKind precision = PrecisionKind::float32);
 Image<RgbF> synthesize_graph_rgbf(const SolidAtlas& solid, const TextureGraph& graph,
                                   const Affine3& texture_from_atlas, const Filter& filter,
-                                  int threads);
+                                  int threads, PrecisionKind precision = PrecisionKind::float32);
 
 }  // namespace burl

@@ -48,7 +48,9 @@ TEST(Precision, DecidesWhatABakeWrites) {
     EXPECT_EQ(bake("--precision fixed:8.4"),
               bake("--set precision.kind=fixed --set precision.fraction_bits=4"));
     EXPECT_EQ(bake("--precision fixed:8.4 -j 1"), bake("--precision fixed:8.4 -j 3"));
-    // Graphs are computed in float64 as they are.
+    // Graphs have noise in float32, and all else in float64 as it is.
+    EXPECT_EQ(bake("-r wrinkled --precision float32"), bake("-r wrinkled"));
+    EXPECT_NE(bake("-r wrinkled --depth 16 --precision float64"), bake("-r wrinkled --depth 16"));
     EXPECT_EQ(bake("-r dots --precision float64"), bake("-r dots"));
 }
 
@@ -67,6 +69,8 @@ TEST(Precision, DecidesWhatAPictureOfTheExactTextureShows) {
     EXPECT_EQ(render("--precision float64"), usual);
     EXPECT_NE(render("--precision fixed:8.4"), usual);
     EXPECT_FALSE(render("--precision float32").empty());
+    EXPECT_EQ(render("-r dots --precision float32"), render("-r dots"));
+    EXPECT_FALSE(render("-r wrinkled --precision float32").empty());
 }
 
 struct Refusal {

@@ -56,7 +56,8 @@ TEST(SynthesizeGraph, FillsTexelsWithTheirOwnPoints) {
     const TextureGraph graph = graph_of(busy);
     const GraphEvaluator evaluate(graph);
     const Affine3 map{Mat3d(3.0), Vec3d(0.1, 0.2, 0.3)};
-    const auto points = synthesize_graph_rgbf(solid, graph, map, Filter{}, 2);
+    const auto points =
+        synthesize_graph_rgbf(solid, graph, map, Filter{}, 2, PrecisionKind::float64);
     const auto areas = synthesize_graph_rgb16(solid, graph, map, Filter{FilterKind::trapezoid}, 2);
     const SrgbEncoder<std::uint16_t> encode;
     int owned = 0;
@@ -74,7 +75,7 @@ TEST(SynthesizeGraph, FillsTexelsWithTheirOwnPoints) {
     SolidAtlas bare;
     bare.size = 2;
     bare.row_begin = {0, 0, 0};
-    EXPECT_EQ(synthesize_graph_rgbf(bare, graph, map, Filter{}, 1)(1, 1).r,
+    EXPECT_EQ(synthesize_graph_rgbf(bare, graph, map, Filter{}, 1, PrecisionKind::float64)(1, 1).r,
               float(evaluate(Vec3d(0.0)).color().x));
 }
 

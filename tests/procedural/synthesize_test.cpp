@@ -1,7 +1,5 @@
 #include "procedural/synthesize.h"
 
-#include <hwy/highway.h>
-
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
@@ -9,6 +7,7 @@
 #include "procedural/noise_kernels.h"
 #include "procedural/srgb.h"
 #include "tests/procedural/noise_cases.h"
+#include "tests/procedural/only_target.h"
 #include "tests/procedural/synthetic_atlas.h"
 
 namespace burl {
@@ -181,19 +180,6 @@ TEST(Synthesis, EveryNoiseIsTheReferencesForEveryThreadCount) {
         }
 }
 
-/// Restricts Highway to one instruction set while it lives.
-class OnlyTarget {
-  public:
-    explicit OnlyTarget(std::int64_t target) { choose(target); }
-    ~OnlyTarget() { choose(0); }
-
-  private:
-    static void choose(std::int64_t target) {
-        hwy::SetSupportedTargetsForTest(target);
-        hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-    }
-};
-
 TEST(Synthesis, GivesTheSameBytesOnEveryInstructionSet) {
     std::mt19937 random(8);
     const SolidAtlas solid = SyntheticAtlas{50, 13, 1000.0, 0.07, true}.make(0);
@@ -208,8 +194,7 @@ TEST(Synthesis, GivesTheSameBytesOnEveryInstructionSet) {
         colors.push_back(synthesize_rgb8(solid, texture, scaled(1.0), 1));
     }
     std::string names;
-    for (std::int64_t left = hwy::SupportedTargets() & HWY_TARGETS; left != 0; left &= left - 1) {
-        const OnlyTarget only(left & -left);
+    on_every_target([&] {
         names += simd_level() + " ";
         for (std::size_t i = 0; i < textures.size(); ++i)
             for (const auto& [name, kernel] : kernel_names) {
@@ -219,7 +204,7 @@ TEST(Synthesis, GivesTheSameBytesOnEveryInstructionSet) {
                           colors[i])
                     << simd_level() << ", " << name << ", texture " << i;
             }
-    }
+    });
     RecordProperty("instruction_sets", names);
     EXPECT_FALSE(names.empty());
 }
