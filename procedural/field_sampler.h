@@ -16,20 +16,10 @@ struct FieldBatch {
     std::size_t count = 0;
     alignas(64) double field[batch_capacity + batch_padding];
     SlopeBatch slopes;
-    /// For values_at_offsets: where in its texel a sample lies, from the centre, in texels.
-    alignas(64) float offset_u[batch_capacity + batch_padding];
-    alignas(64) float offset_v[batch_capacity + batch_padding];
+    TexelOffsets offsets;  ///< for values_at_offsets
 
-    // Of one octave at a time.
-    std::vector<LatticeLine> lines;
-    std::vector<Vec3d> downs;
-    std::vector<double> weights;
     std::vector<ParabolaLine> parabolas;
     StreamBuffers streams;
-    LatticeBatch lattice;
-    DirectionBatch directions;
-    alignas(64) double part[batch_capacity + batch_padding];
-    SlopeBatch part_slopes;
 };
 
 /// Every texel is computed from its own span's start and its distance from it, so the batches'
@@ -43,21 +33,23 @@ class FieldSampler {
     void values(FieldBatch& batch) const;
     /// Besides, batch.slopes = df/du and df/dv per texel.
     void values_and_slopes(FieldBatch& batch) const;
-    /// batch.field = f at centre + batch.offset_u, batch.offset_v.
+    /// batch.field = f at batch.offsets.
     void values_at_offsets(FieldBatch& batch) const;
 
   private:
-    enum class Wanted { values, slopes, offsets };
-    void sample(FieldBatch& batch, Wanted wanted) const;
-    void fill_quadric(FieldBatch& batch, Wanted wanted) const;
-    void fill_quadric_slopes(FieldBatch& batch) const;
+    /// An octave without a kernel.
+    struct ScalarOctave {
+        Octave octave;
+        double mean = 0.0;  ///< without its offset
+    };
+    void fill_quadric(FieldBatch& batch) const;
     void fill_quadric_at_offsets(FieldBatch& batch) const;
-    void add_weighted(std::size_t octave, FieldBatch& batch, Wanted wanted) const;
+    void add_scalar_octaves(FieldBatch& batch, SlopeBatch* slopes,
+                            const TexelOffsets* offsets) const;
 
     Quadric quadric_;
-    std::vector<Octave> octaves_;
     OctaveStreams streams_;
-    std::vector<double> means_;  ///< of each octave without its offset; with band_limit only
+    std::vector<ScalarOctave> scalar_octaves_;
     double constant_ = 0.0;
     bool band_limit_;
 };

@@ -1,7 +1,7 @@
 #pragma once
 // Every kind of noise by its name, each in one text for float64, the reference, and for float32,
 // whose errors the kinds' own headers state: value and gradient of one point in one call. The
-// vectorised kernels (noise_kernels.h) give the bits of the float32 path.
+// vectorised kernels (stream_kernels.h) round otherwise, with errors of their own.
 #include "atlas/vec.h"
 #include "procedural/lattice_site.h"
 

@@ -90,13 +90,6 @@ HWY_ATTR HWY_INLINE Bit CellHash(Bit seed, Bit x, Bit y, Bit z) {
     return hn::Add(hn::Add(hx, hn::Mul(y, hn::Set(d, LatticeHash::prime_y))), hz);
 }
 
-HWY_ATTR HWY_INLINE Bit CellHash(Bit seed, const LatticeBatch& batch, std::size_t j) {
-    const auto cell = [&](int axis) HWY_ATTR {
-        return hn::BitCast(Bits(), hn::Load(Ints(), batch.cells[axis] + j));
-    };
-    return CellHash(seed, cell(0), cell(1), cell(2));
-}
-
 /// 2^23 times the lattice value.
 struct ValueCorner {
     HWY_ATTR HWY_INLINE Float operator()(Bit h, Float, Float, Float) const {

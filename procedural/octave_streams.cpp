@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "procedural/band_limit.h"
+
 namespace burl {
 
 namespace {
@@ -16,8 +18,26 @@ bool doubles(const Octave& octave, const Octave& before) {
 
 /// The crossovers: an octave that crosses fewer planes of the lattice per texel, |dx| + |dy| + |dz|
 /// for a step of a texel, is faster with shared corners. Measured with `burl bench kernels`.
-constexpr double most_crossings(NoiseKind kind) {
+constexpr double most_crossings(NoiseKind kind, bool) {
     return kind == NoiseKind::perlin ? 4.0 / 16 : 3.0 / 16;
+}
+
+void clear(OctaveSums& sums, std::size_t count, bool slopes) {
+    std::fill_n(sums.values, count + batch_padding, 0.0f);
+    if (!slopes) return;
+    for (float* along : sums.gradients.along) std::fill_n(along, count + batch_padding, 0.0f);
+}
+
+/// For texels from number `at` on.
+void add_weighted(float weight, const OctaveSums& part, std::size_t at, std::size_t count,
+                  bool slopes, OctaveSums& sums) {
+    const auto add = [&](const float* from, float* to) {
+        for (std::size_t j = at; j < at + count; ++j) to[j] += weight * from[j];
+    };
+    add(part.values, sums.values);
+    if (!slopes) return;
+    for (int axis = 0; axis < 3; ++axis)
+        add(part.gradients.along[axis], sums.gradients.along[axis]);
 }
 
 }  // namespace
@@ -28,7 +48,8 @@ bool has_kernel(const Octave& octave) {
            noise.period == Period<4>{} && !noise.time && octave.shape == OctaveShape::plain;
 }
 
-OctaveStreams::OctaveStreams(std::span<const Octave> octaves, Kernel kernel) : kernel_(kernel) {
+OctaveStreams::OctaveStreams(std::span<const Octave> octaves, Kernel kernel, bool band_limit)
+    : kernel_(kernel), band_limit_(band_limit) {
     const Octave* before = nullptr;
     for (const Octave& octave : octaves) {
         if (!has_kernel(octave)) continue;
@@ -46,31 +67,82 @@ OctaveStreams::OctaveStreams(std::span<const Octave> octaves, Kernel kernel) : k
     }
 }
 
-std::size_t OctaveStreams::sharing(const Group& group, double crossings) const {
+/// Number of a group's coarsest octaves that share corners where the first crosses so many planes
+/// of the lattice per texel.
+std::size_t OctaveStreams::sharing(const Group& group, double crossings, bool slopes) const {
     if (kernel_ == Kernel::direct) return 0;
     if (kernel_ == Kernel::share) return group.octaves.size();
+    const double most = most_crossings(group.kind, slopes);
     std::size_t count = 0;
-    while (count < group.octaves.size() &&
-           std::ldexp(crossings, int(count)) < most_crossings(group.kind))
-        ++count;
+    while (count < group.octaves.size() && std::ldexp(crossings, int(count)) < most) ++count;
     return count;
 }
 
+void OctaveStreams::add_octave(const Group& group, std::size_t octave, const Plan& plan,
+                               std::size_t count, const StreamBuffers& buffers, OctaveSums& sums) {
+    const auto& [kind, fade, map, scale, octaves] = group;
+    const auto& [lattice, runs, whole, part, squares] = buffers;
+    const bool shared = octave < plan.shared;
+    if (plan.slopes && shared)
+        add_octave_and_gradient_shared(kind, fade, octaves[octave], lattice, runs, count,
+                                       sums.values, sums.gradients);
+    else if (plan.slopes)
+        add_octave_and_gradient(kind, fade, octaves[octave], lattice, count, sums.values,
+                                sums.gradients);
+    else if (shared)
+        add_octave_shared(kind, fade, octaves[octave], lattice, runs, count, sums.values);
+    else
+        add_octave_direct(kind, fade, octaves[octave], lattice, count, sums.values);
+}
+
+/// Only what the pieces' texels can show: an octave of which some show a part is evaluated by
+/// itself; what weighs 1 adds the same bits as without a limit.
+void OctaveStreams::add_limited(const Group& group, const Plan& plan, std::span<const Piece> pieces,
+                                std::size_t count, StreamBuffers& buffers) const {
+    const Mat3d& map = group.lattice_from_solid.linear;
+    buffers.squares.clear();
+    for (const Piece& piece : pieces) {
+        const double square = longer_squared(map * piece.solid.step, map * piece.down);
+        buffers.squares.push_back(square < lattice_limit ? square : lattice_limit);
+    }
+    const auto [least, most] = std::ranges::minmax(buffers.squares);
+    for (std::size_t k = group.octaves.size(); k-- > 0;) {
+        const double finer = std::ldexp(1.0, 2 * int(k));
+        if (band_weight(finer * least) == 0.0) continue;
+        if (band_weight(finer * most) == 1.0) {
+            add_octave(group, k, plan, count, buffers, buffers.sums);
+            continue;
+        }
+        clear(buffers.part, count, plan.slopes);
+        add_octave(group, k, plan, count, buffers, buffers.part);
+        std::size_t at = 0;
+        for (std::size_t i = 0; i < pieces.size(); ++i) {
+            const auto weight = float(band_weight(finer * buffers.squares[i]));
+            const std::size_t texels = pieces[i].solid.count;
+            if (weight > 0.0f)
+                add_weighted(weight, buffers.part, at, texels, plan.slopes, buffers.sums);
+            at += texels;
+        }
+    }
+}
+
 void OctaveStreams::add(std::span<const Piece> pieces, std::size_t count, StreamBuffers& buffers,
-                        double* values) const {
+                        double* values, SlopeBatch* slopes, const TexelOffsets* offsets) const {
     for (const Group& group : groups_) {
         const auto& [kind, fade, map, scale, octaves] = group;
         const double planes = fill_stream(map, octaves.back().doublings, pieces, buffers.lattice);
-        const std::size_t shared = sharing(group, planes / double(count));
-        if (shared > 0) find_runs(buffers.lattice, int(shared) - 1, count, buffers.runs);
-        std::fill_n(buffers.sums, count + batch_padding, 0.0f);
-        for (std::size_t k = octaves.size(); k-- > 0;)
-            if (k < shared)
-                add_octave_shared(kind, fade, octaves[k], buffers.lattice, buffers.runs, count,
-                                  buffers.sums);
-            else
-                add_octave_direct(kind, fade, octaves[k], buffers.lattice, count, buffers.sums);
-        add_sums(scale * stream_unit(kind), buffers.sums, count, values);
+        if (offsets) move_stream(map, pieces, *offsets, buffers.lattice);
+        const Plan plan{sharing(group, planes / double(count), slopes), slopes != nullptr};
+        if (plan.shared > 0) find_runs(buffers.lattice, int(plan.shared) - 1, count, buffers.runs);
+        clear(buffers.sums, count, plan.slopes);
+        if (band_limit_)
+            add_limited(group, plan, pieces, count, buffers);
+        else
+            for (std::size_t k = octaves.size(); k-- > 0;)
+                add_octave(group, k, plan, count, buffers, buffers.sums);
+        const double unit = scale * stream_unit(kind);
+        add_sums(unit, buffers.sums.values, count, values);
+        if (slopes) add_slopes(map, unit, pieces, buffers.sums.gradients, *slopes);
     }
 }
 

@@ -7,15 +7,24 @@
 
 #include "procedural/kernel.h"
 #include "procedural/octaves.h"
+#include "procedural/offset_kernel.h"
 #include "procedural/share_kernels.h"
 
 namespace burl {
+
+/// Sums of octaves, their gradients where wanted.
+struct OctaveSums {
+    alignas(64) float values[batch_capacity + batch_padding];
+    GradientSums gradients;
+};
 
 /// What a thread works with.
 struct StreamBuffers {
     LatticeStream lattice;
     CellRuns runs;
-    alignas(64) float sums[batch_capacity + batch_padding];
+    OctaveSums sums;
+    OctaveSums part;  ///< an octave that some pieces show in part only
+    std::vector<double> squares;
 };
 
 /// Whether a vectorised kernel knows the octave's noise.
@@ -23,13 +32,17 @@ bool has_kernel(const Octave& octave);
 
 class OctaveStreams {
   public:
-    explicit OctaveStreams(std::span<const Octave> octaves, Kernel kernel = Kernel::automatic);
+    /// With `band_limit` octaves that a texel cannot show are left out.
+    explicit OctaveStreams(std::span<const Octave> octaves, Kernel kernel = Kernel::automatic,
+                           bool band_limit = false);
 
     /// values[j] += the octaves that have a kernel, without their offsets, at the centres of the
-    /// pieces' texels, `count` in all. Within a group the sum is float32, from the finest octave to
-    /// the coarsest; groups are added up in float64.
+    /// pieces' texels, `count` in all, or at their `offsets`. Within a group the sum is float32,
+    /// from the finest octave to the coarsest; groups are added up in float64. `slopes`, if wanted,
+    /// += their changes; that leaves no trace in the values.
     void add(std::span<const Piece> pieces, std::size_t count, StreamBuffers& buffers,
-             double* values) const;
+             double* values, SlopeBatch* slopes = nullptr,
+             const TexelOffsets* offsets = nullptr) const;
 
   private:
     struct Group {
@@ -39,12 +52,20 @@ class OctaveStreams {
         double scale = 0.0;  ///< of the first octave
         std::vector<StreamOctave> octaves;
     };
-    /// Number of a group's coarsest octaves that share corners where the first crosses so many
-    /// planes of the lattice per texel.
-    std::size_t sharing(const Group& group, double crossings) const;
+    /// How a group's octaves are added up.
+    struct Plan {
+        std::size_t shared = 0;  ///< number of its coarsest octaves that share corners
+        bool slopes = false;
+    };
+    std::size_t sharing(const Group& group, double crossings, bool slopes) const;
+    void add_limited(const Group& group, const Plan& plan, std::span<const Piece> pieces,
+                     std::size_t count, StreamBuffers& buffers) const;
+    static void add_octave(const Group& group, std::size_t octave, const Plan& plan,
+                           std::size_t count, const StreamBuffers& buffers, OctaveSums& sums);
 
     std::vector<Group> groups_;
     Kernel kernel_;
+    bool band_limit_;
 };
 
 }  // namespace burl

@@ -11,8 +11,8 @@
 #include <hwy/highway.h>
 // clang-format on
 
+#include "procedural/noise_gradient-inl.h"
 #include "procedural/set_bits-inl.h"
-#include "procedural/stream_noise-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace burl {
@@ -96,21 +96,22 @@ HWY_ATTR void ShareCorners(const StreamOctave& octave, const CellRuns& runs,
     }
 }
 
-/// `take(k)` gives number k of SharedCorners to a vector of texels.
-template <class Corner, class FadeFunction, class Take>
-HWY_ATTR HWY_INLINE Float SharedNoise(const StreamPlaces<FadeFunction>& at, const Take& take) {
+/// visit(low, high) with the two planes of a vector of texels, of which `take(k)` gives number k of
+/// SharedCorners.
+template <class Corner, class Take, class Visit>
+HWY_ATTR HWY_INLINE auto WithPlanes(const Take& take, const Visit& visit) {
     if constexpr (std::is_same_v<Corner, ValueCorner>) {
         const auto plane = [&](std::size_t k) HWY_ATTR {
             const Floats d;
             return PlaneValues(hn::BitCast(d, take(k)), hn::BitCast(d, take(k + 1)),
                                hn::BitCast(d, take(k + 2)), hn::BitCast(d, take(k + 3)));
         };
-        return ValueNoise(at, plane(0), plane(4));
+        return visit(plane(0), plane(4));
     } else {
         const auto plane = [&](std::size_t k) HWY_ATTR {
             return PlaneHashes(take(k), take(k + 1), take(k + 2), take(k + 3));
         };
-        return PerlinNoise(at, plane(0), plane(4));
+        return visit(plane(0), plane(4));
     }
 }
 
@@ -120,41 +121,66 @@ constexpr bool few_borders(const CellRuns& runs, std::size_t count, std::size_t 
     return 4 * runs.count * lanes < count;
 }
 
-template <class Corner, class FadeFunction, bool ask>
-HWY_ATTR void AddSharedOf(const StreamOctave& octave, const LatticeStream& stream,
-                          const CellRuns& runs, std::size_t count, float* sums) {
-    const Floats d;
+/// add(j, places, take) for every vector of texels.
+template <class FadeFunction, bool ask, class Add>
+HWY_ATTR HWY_INLINE void ForEachVector(const StreamOctave& octave, const LatticeStream& stream,
+                                       const CellRuns& runs, const SharedCorners& shared,
+                                       std::size_t count, const Add& add) {
     const Bits bits;
-    const std::size_t lanes = hn::Lanes(d);
-    SharedCorners shared;
-    ShareCorners<Corner>(octave, runs, shared);
-    const Float weight = hn::Set(d, octave.weight);
+    const std::size_t lanes = hn::Lanes(bits);
     for (std::size_t j = 0; j < count; j += lanes) {
         const StreamPlaces<FadeFunction> at(stream, j, octave.doublings);
         const std::uint32_t run = runs.run[j];
-        Float noise;
         if (ask && run == runs.run[j + lanes - 1]) {
-            noise = SharedNoise<Corner>(
-                at, [&](std::size_t k) HWY_ATTR { return hn::Set(bits, shared.bits[k][run]); });
+            add(j, at, [&](std::size_t k) HWY_ATTR { return hn::Set(bits, shared.bits[k][run]); });
         } else {
             const auto which =
                 hn::IndicesFromVec(bits, hn::Sub(hn::Load(bits, runs.run + j), hn::Set(bits, run)));
-            noise = SharedNoise<Corner>(at, [&](std::size_t k) HWY_ATTR {
+            add(j, at, [&](std::size_t k) HWY_ATTR {
                 return hn::TableLookupLanes(hn::LoadU(bits, shared.bits[k] + run), which);
             });
         }
-        hn::Store(hn::Add(hn::Load(d, sums + j), hn::Mul(weight, noise)), d, sums + j);
     }
+}
+
+template <class Corner, class FadeFunction, class Add>
+HWY_ATTR void AddShared(const StreamOctave& octave, const LatticeStream& stream,
+                        const CellRuns& runs, std::size_t count, const Add& add) {
+    SharedCorners shared;
+    ShareCorners<Corner>(octave, runs, shared);
+    if (few_borders(runs, count, hn::Lanes(Floats())))
+        ForEachVector<FadeFunction, true>(octave, stream, runs, shared, count, add);
+    else
+        ForEachVector<FadeFunction, false>(octave, stream, runs, shared, count, add);
 }
 
 HWY_ATTR void AddOctaveShared(NoiseKind kind, Fade fade, const StreamOctave& octave,
                               const LatticeStream& stream, const CellRuns& runs, std::size_t count,
                               float* sums) {
+    const Float weight = hn::Set(Floats(), octave.weight);
     with_noise(kind, fade, [&]<class Corner, class FadeFunction>() HWY_ATTR {
-        if (few_borders(runs, count, hn::Lanes(Floats())))
-            AddSharedOf<Corner, FadeFunction, true>(octave, stream, runs, count, sums);
-        else
-            AddSharedOf<Corner, FadeFunction, false>(octave, stream, runs, count, sums);
+        AddShared<Corner, FadeFunction>(
+            octave, stream, runs, count,
+            [&](std::size_t j, const auto& at, const auto& take) HWY_ATTR {
+                const Float noise =
+                    WithPlanes<Corner>(take, [&](const auto& low, const auto& high)
+                                                 HWY_ATTR { return NoiseOf(at, low, high); });
+                AddScaled(weight, noise, sums + j);
+            });
+    });
+}
+
+HWY_ATTR void AddOctaveAndGradientShared(NoiseKind kind, Fade fade, const StreamOctave& octave,
+                                         const LatticeStream& stream, const CellRuns& runs,
+                                         std::size_t count, float* sums, GradientSums& gradients) {
+    with_noise(kind, fade, [&]<class Corner, class FadeFunction>() HWY_ATTR {
+        AddShared<Corner, FadeFunction>(
+            octave, stream, runs, count,
+            [&](std::size_t j, const auto& at, const auto& take) HWY_ATTR {
+                WithPlanes<Corner>(take, [&](const auto& low, const auto& high) HWY_ATTR {
+                    AddGradient(octave, GradientOf(at, low, high), j, sums, gradients);
+                });
+            });
     });
 }
 
@@ -167,6 +193,7 @@ namespace burl {
 
 HWY_EXPORT(FindRuns);
 HWY_EXPORT(AddOctaveShared);
+HWY_EXPORT(AddOctaveAndGradientShared);
 
 void find_runs(const LatticeStream& stream, int doublings, std::size_t count, CellRuns& runs) {
     HWY_DYNAMIC_DISPATCH(FindRuns)(stream, doublings, count, runs);
@@ -177,6 +204,13 @@ void add_octave_shared(NoiseKind kind, Fade fade, const StreamOctave& octave,
                        float* sums) {
     HWY_DYNAMIC_DISPATCH(AddOctaveShared)
     (kind, fade, octave, stream, runs, count, sums);
+}
+
+void add_octave_and_gradient_shared(NoiseKind kind, Fade fade, const StreamOctave& octave,
+                                    const LatticeStream& stream, const CellRuns& runs,
+                                    std::size_t count, float* sums, GradientSums& gradients) {
+    HWY_DYNAMIC_DISPATCH(AddOctaveAndGradientShared)
+    (kind, fade, octave, stream, runs, count, sums, gradients);
 }
 
 }  // namespace burl

@@ -5,7 +5,7 @@
 // texels. The bits are those of the direct kernel, in which everything after the hash is the same.
 #include <span>
 
-#include "procedural/stream_kernels.h"
+#include "procedural/slope_kernels.h"
 
 namespace burl {
 
@@ -25,5 +25,10 @@ void find_runs(const LatticeStream& stream, int doublings, std::size_t count, Ce
 void add_octave_shared(NoiseKind kind, Fade fade, const StreamOctave& octave,
                        const LatticeStream& stream, const CellRuns& runs, std::size_t count,
                        float* sums);
+
+/// As add_octave_and_gradient, to the bit.
+void add_octave_and_gradient_shared(NoiseKind kind, Fade fade, const StreamOctave& octave,
+                                    const LatticeStream& stream, const CellRuns& runs,
+                                    std::size_t count, float* sums, GradientSums& gradients);
 
 }  // namespace burl

@@ -1,5 +1,7 @@
 #include "procedural/slope_kernels.h"
 
+#include <algorithm>
+
 // This file is compiled once per instruction set.
 // clang-format off
 #undef HWY_TARGET_INCLUDE
@@ -8,116 +10,119 @@
 #include <hwy/highway.h>
 // clang-format on
 
-#include "procedural/noise_corners-inl.h"
+#include "procedural/noise_gradient-inl.h"
+#include "procedural/piece_lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace burl {
 namespace HWY_NAMESPACE {
 
-/// What a texel's step does to the value at a corner itself: nothing for value noise.
-template <class Corner>
-struct CornerSlope {
-    static constexpr bool any = true;
-};
-template <>
-struct CornerSlope<ValueCorner> {
-    static constexpr bool any = false;
-};
-
-/// One vector of texels: eight times the noise, and its changes along u and v. Corners are
-/// interpolated as EightfoldNoise does, so that values have the same bits.
 template <class Corner, class FadeFunction>
-HWY_ATTR HWY_INLINE void NoiseAndSlopes(Bit seed, const LatticeBatch& batch,
-                                        const DirectionBatch& directions, std::size_t j,
-                                        Float& noise, Float& slope_u, Float& slope_v) {
+HWY_ATTR void AddGradientOf(const StreamOctave& octave, const LatticeStream& stream,
+                            std::size_t count, float* sums, GradientSums& gradients) {
     const Floats d;
-    const Corner corner;
-    const FadeFunction fade;
-    const Float x = hn::Load(d, batch.places[0] + j), y = hn::Load(d, batch.places[1] + j),
-                z = hn::Load(d, batch.places[2] + j);
-    const Float half = hn::Set(d, 0.5f);
-    const Float x0 = hn::Add(x, half), y0 = hn::Add(y, half), z0 = hn::Add(z, half);
-    const Float x1 = hn::Sub(x, half), y1 = hn::Sub(y, half), z1 = hn::Sub(z, half);
-    const Float tx = hn::Add(x, x), ty = hn::Add(y, y), tz = hn::Add(z, z);
-    const Float fx = fade(tx), fy = fade(ty), fz = fade(tz);
-    const auto& along_u = directions.along_u;
-    const auto& along_v = directions.along_v;
-    const Float ux = hn::Load(d, along_u[0] + j), vx = hn::Load(d, along_v[0] + j),
-                uy = hn::Load(d, along_u[1] + j), vy = hn::Load(d, along_v[1] + j),
-                uz = hn::Load(d, along_u[2] + j), vz = hn::Load(d, along_v[2] + j);
-    const Bit next_x = hn::Set(Bits(), LatticeHash::prime_x);
-    const Bit h00 = CellHash(seed, batch, j), h10 = hn::Add(h00, next_x);
-    const Bit h01 = hn::Add(h00, hn::Set(Bits(), LatticeHash::prime_y));
-    const Bit h11 = hn::Add(h01, next_x);
-
-    // The four corners of a plane: interpolated, its differences along x and y, and the corners'
-    // own changes, interpolated.
-    const auto plane = [&](Bit hz, Float dz, Float& value, Float& dx, Float& dy, Float& du,
-                           Float& dv) HWY_ATTR {
-        const Bit ha = Mix(hn::Add(h00, hz)), hb = Mix(hn::Add(h10, hz));
-        const Bit he = Mix(hn::Add(h01, hz)), hf = Mix(hn::Add(h11, hz));
-        const Float a = corner(ha, x0, y0, dz), b = corner(hb, x1, y0, dz);
-        const Float e = corner(he, x0, y1, dz), f = corner(hf, x1, y1, dz);
-        const Float low = TwiceLerp(fx, a, b), high = TwiceLerp(fx, e, f);
-        value = TwiceLerp(fy, low, high);
-        dx = TwiceLerp(fy, hn::Sub(b, a), hn::Sub(f, e));
-        dy = hn::Sub(high, low);
-        du = dv = hn::Zero(d);
-        if constexpr (CornerSlope<Corner>::any) {
-            du = TwiceLerp(fy, TwiceLerp(fx, corner(ha, ux, uy, uz), corner(hb, ux, uy, uz)),
-                           TwiceLerp(fx, corner(he, ux, uy, uz), corner(hf, ux, uy, uz)));
-            dv = TwiceLerp(fy, TwiceLerp(fx, corner(ha, vx, vy, vz), corner(hb, vx, vy, vz)),
-                           TwiceLerp(fx, corner(he, vx, vy, vz), corner(hf, vx, vy, vz)));
-        }
-    };
-    Float low, low_x, low_y, low_u, low_v, high, high_x, high_y, high_u, high_v;
-    plane(hn::Zero(Bits()), z0, low, low_x, low_y, low_u, low_v);
-    plane(hn::Set(Bits(), LatticeHash::prime_z), z1, high, high_x, high_y, high_u, high_v);
-    noise = TwiceLerp(fz, low, high);
-    // d(fade)/d(place) is twice the slope, t being twice the place.
-    const Float gx = hn::Mul(TwiceLerp(fz, low_x, high_x), hn::Add(fade.Slope(tx), fade.Slope(tx)));
-    const Float gy = hn::Mul(TwiceLerp(fz, low_y, high_y), hn::Add(fade.Slope(ty), fade.Slope(ty)));
-    const Float gz = hn::Mul(hn::Sub(high, low), hn::Add(fade.Slope(tz), fade.Slope(tz)));
-    const auto along = [&](Float dx, Float dy, Float dz) HWY_ATTR {
-        return hn::Add(hn::Add(hn::Mul(gx, dx), hn::Mul(gy, dy)), hn::Mul(gz, dz));
-    };
-    slope_u = hn::Add(along(ux, uy, uz), TwiceLerp(fz, low_u, high_u));
-    slope_v = hn::Add(along(vx, vy, vz), TwiceLerp(fz, low_v, high_v));
-}
-
-template <class Corner, class FadeFunction>
-HWY_ATTR void AddNoiseAndSlopesOf(std::uint32_t seed, double scale, const LatticeBatch& batch,
-                                  const DirectionBatch& directions, std::size_t count, double* sums,
-                                  SlopeBatch& slopes) {
-    const Floats d;
-    const Doubles doubles;
-    HWY_ALIGN float noise[batch_capacity + batch_padding];
-    const Bit seeds = hn::Set(Bits(), seed * LatticeHash::prime_seed);
-    const Float slope_scale = hn::Set(d, float(scale));
+    const Bit seed = hn::Set(Bits(), octave.seed * LatticeHash::prime_seed);
     for (std::size_t j = 0; j < count; j += hn::Lanes(d)) {
-        Float n, u, v;
-        NoiseAndSlopes<Corner, FadeFunction>(seeds, batch, directions, j, n, u, v);
-        hn::Store(n, d, noise + j);
-        const auto add = [&](Float slope, float* sum) HWY_ATTR {
-            hn::Store(hn::Add(hn::Load(d, sum), hn::Mul(slope, slope_scale)), d, sum);
-        };
-        add(u, slopes.u + j);
-        add(v, slopes.v + j);
-    }
-    const auto scales = hn::Set(doubles, scale);
-    for (std::size_t j = 0; j < count; j += hn::Lanes(doubles)) {
-        const auto n = hn::PromoteTo(doubles, hn::Load(HalfFloats(), noise + j));
-        hn::StoreU(hn::Add(hn::LoadU(doubles, sums + j), hn::Mul(n, scales)), doubles, sums + j);
+        const auto cell = [&](int axis)
+                              HWY_ATTR { return CellsOf(stream, axis, j, octave.doublings); };
+        const StreamPlaces<FadeFunction> at(stream, j, octave.doublings);
+        WithPlanesOf<Corner>(CellHash(seed, cell(0), cell(1), cell(2)),
+                             [&](const auto& low, const auto& high) HWY_ATTR {
+                                 AddGradient(octave, GradientOf(at, low, high), j, sums, gradients);
+                             });
     }
 }
 
-HWY_ATTR void AddNoiseAndSlopes(NoiseKind kind, Fade fade, std::uint32_t seed, double scale,
-                                const LatticeBatch& batch, const DirectionBatch& directions,
-                                std::size_t count, double* sums, SlopeBatch& slopes) {
+HWY_ATTR void AddOctaveAndGradient(NoiseKind kind, Fade fade, const StreamOctave& octave,
+                                   const LatticeStream& stream, std::size_t count, float* sums,
+                                   GradientSums& gradients) {
     with_noise(kind, fade, [&]<class Corner, class FadeFunction>() HWY_ATTR {
-        AddNoiseAndSlopesOf<Corner, FadeFunction>(seed, scale * noise_unit(kind), batch, directions,
-                                                  count, sums, slopes);
+        AddGradientOf<Corner, FadeFunction>(octave, stream, count, sums, gradients);
     });
+}
+
+/// slope[j] += the gradients from texel `at` on along a side.
+HWY_ATTR HWY_INLINE void AddSlope(const GradientSums& gradients, std::size_t at, std::size_t count,
+                                  float x, float y, float z, float* slope) {
+    const Floats d;
+    const Float sx = hn::Set(d, x), sy = hn::Set(d, y), sz = hn::Set(d, z);
+    const auto& [gx, gy, gz] = gradients.along;
+    for (std::size_t j = 0; j < count; j += hn::Lanes(d)) {
+        const Float xy =
+            hn::Add(hn::Mul(hn::LoadU(d, gx + at + j), sx), hn::Mul(hn::LoadU(d, gy + at + j), sy));
+        Float change = hn::Add(xy, hn::Mul(hn::LoadU(d, gz + at + j), sz));
+        // What follows is another piece's.
+        if (count - j < hn::Lanes(d)) change = hn::IfThenElseZero(FirstLanes(count - j), change);
+        hn::StoreU(hn::Add(hn::LoadU(d, slope + j), change), d, slope + j);
+    }
+}
+
+HWY_ATTR void AddSlopes(const Affine3& map, double scale, std::span<const Piece> pieces,
+                        const GradientSums& gradients, SlopeBatch& slopes) {
+    PieceSides sides;
+    std::size_t at = 0;
+    for (std::size_t first = 0; first < pieces.size(); first += PieceSides::capacity) {
+        const auto part =
+            pieces.subspan(first, std::min(PieceSides::capacity, pieces.size() - first));
+        sides.Map(map, scale, part);
+        for (std::size_t i = 0; i < part.size(); ++i) {
+            const std::size_t count = part[i].solid.count;
+            AddSlope(gradients, at, count, float(sides.u[0][i]), float(sides.u[1][i]),
+                     float(sides.u[2][i]), slopes.u + at);
+            AddSlope(gradients, at, count, float(sides.v[0][i]), float(sides.v[1][i]),
+                     float(sides.v[2][i]), slopes.v + at);
+            at += count;
+        }
+    }
+}
+
+/// Slopes of the pieces' first lines: u at the start, its change per texel; v likewise.
+HWY_ATTR void MakeSlopeLines(const Quadric& q, std::span<const Piece> pieces,
+                             double (*lines)[PieceSides::capacity]) {
+    const Doubles d;
+    const auto two = hn::Set(d, 2.0);
+    for (std::size_t i = 0; i < pieces.size(); i += hn::Lanes(d)) {
+        const PieceLanes p(pieces, i);
+        // Half the gradient at the start, and what a step adds to it.
+        const auto gx = hn::Add(Dot(q.a, q.b, q.c, p.x, p.y, p.z), hn::Set(d, q.d)),
+                   gy = hn::Add(Dot(q.b, q.e, q.f, p.x, p.y, p.z), hn::Set(d, q.g)),
+                   gz = hn::Add(Dot(q.c, q.f, q.h, p.x, p.y, p.z), hn::Set(d, q.i));
+        const auto hx = Dot(q.a, q.b, q.c, p.u, p.v, p.w), hy = Dot(q.b, q.e, q.f, p.u, p.v, p.w),
+                   hz = Dot(q.c, q.f, q.h, p.u, p.v, p.w);
+        const auto store = [&](Double half, double* out)
+                               HWY_ATTR { hn::Store(hn::Mul(two, half), d, out + i); };
+        store(Dot(gx, gy, gz, p.u, p.v, p.w), lines[0]);
+        store(Dot(hx, hy, hz, p.u, p.v, p.w), lines[1]);
+        store(Dot(gx, gy, gz, p.down_x, p.down_y, p.down_z), lines[2]);
+        store(Dot(hx, hy, hz, p.down_x, p.down_y, p.down_z), lines[3]);
+    }
+}
+
+HWY_ATTR void FillQuadricSlopes(const Quadric& quadric, std::span<const Piece> pieces,
+                                SlopeBatch& slopes) {
+    const Doubles d;
+    alignas(64) double lines[4][PieceSides::capacity];
+    const auto lanes = hn::Set(d, double(hn::Lanes(d)));
+    float *u = slopes.u, *v = slopes.v;
+    for (std::size_t first = 0; first < pieces.size(); first += PieceSides::capacity) {
+        const auto part =
+            pieces.subspan(first, std::min(PieceSides::capacity, pieces.size() - first));
+        MakeSlopeLines(quadric, part, lines);
+        for (std::size_t i = 0; i < part.size(); ++i) {
+            const LatticeLine& line = part[i].solid;
+            const auto u0 = hn::Set(d, lines[0][i]), u1 = hn::Set(d, lines[1][i]),
+                       v0 = hn::Set(d, lines[2][i]), v1 = hn::Set(d, lines[3][i]);
+            auto x = hn::Add(LaneNumbers(), hn::Set(d, line.first));
+            for (std::size_t j = 0; j < line.count; j += hn::Lanes(d)) {
+                hn::StoreU(hn::DemoteTo(HalfFloats(), hn::Add(u0, hn::Mul(x, u1))), HalfFloats(),
+                           u + j);
+                hn::StoreU(hn::DemoteTo(HalfFloats(), hn::Add(v0, hn::Mul(x, v1))), HalfFloats(),
+                           v + j);
+                x = hn::Add(x, lanes);
+            }
+            u += line.count, v += line.count;
+        }
+    }
 }
 
 }  // namespace HWY_NAMESPACE
@@ -127,13 +132,25 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace burl {
 
-HWY_EXPORT(AddNoiseAndSlopes);
+HWY_EXPORT(AddOctaveAndGradient);
+HWY_EXPORT(AddSlopes);
+HWY_EXPORT(FillQuadricSlopes);
 
-void add_noise_and_slopes(NoiseKind kind, Fade fade, std::uint32_t seed, double scale,
-                          const LatticeBatch& batch, const DirectionBatch& directions,
-                          std::size_t count, double* sums, SlopeBatch& slopes) {
-    HWY_DYNAMIC_DISPATCH(AddNoiseAndSlopes)
-    (kind, fade, seed, scale, batch, directions, count, sums, slopes);
+void add_octave_and_gradient(NoiseKind kind, Fade fade, const StreamOctave& octave,
+                             const LatticeStream& stream, std::size_t count, float* sums,
+                             GradientSums& gradients) {
+    HWY_DYNAMIC_DISPATCH(AddOctaveAndGradient)
+    (kind, fade, octave, stream, count, sums, gradients);
+}
+
+void add_slopes(const Affine3& lattice_from_solid, double scale, std::span<const Piece> pieces,
+                const GradientSums& gradients, SlopeBatch& slopes) {
+    HWY_DYNAMIC_DISPATCH(AddSlopes)(lattice_from_solid, scale, pieces, gradients, slopes);
+}
+
+void fill_quadric_slopes(const Quadric& quadric, std::span<const Piece> pieces,
+                         SlopeBatch& slopes) {
+    HWY_DYNAMIC_DISPATCH(FillQuadricSlopes)(quadric, pieces, slopes);
 }
 
 }  // namespace burl

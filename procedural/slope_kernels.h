@@ -1,16 +1,17 @@
 #pragma once
-// Noise together with how fast it changes along a texel's two axes: the gradient of f that a filter
-// needs (Hart et al. 1999, eq. 10 and DNoise, Perlin 1985), vectorised as in noise_kernels.h and
-// with the same bits on every instruction set.
-#include "procedural/noise_kernels.h"
+// Noise together with its gradient (Hart et al. 1999, eq. 10, and DNoise, Perlin 1985), on streams
+// of texels: what f changes by along a texel's two sides is what a filter needs. Gradients of all
+// octaves of a stream are added up in its lattice coordinates, and only their sum is looked at
+// along the sides. Vectorised as in noise_kernels.h and with the same bits on every instruction
+// set.
+#include "procedural/octaves.h"
+#include "procedural/stream_kernels.h"
 
 namespace burl {
 
-/// What one step in the texture, to the next column (u) and to the next row (v), does to the
-/// lattice coordinate of each texel of a batch; per axis of the lattice.
-struct DirectionBatch {
-    alignas(64) float along_u[3][batch_capacity + batch_padding];
-    alignas(64) float along_v[3][batch_capacity + batch_padding];
+/// Gradients per axis of a stream's lattice.
+struct GradientSums {
+    alignas(64) float along[3][batch_capacity + batch_padding];
 };
 
 /// Change of f per texel along u and v.
@@ -19,11 +20,19 @@ struct SlopeBatch {
     alignas(64) float v[batch_capacity + batch_padding];
 };
 
-/// sums[j] += scale * n_seed(texel j), with add_noise's bits, and slopes.u[j] += scale * dn/du,
-/// slopes.v[j] likewise. Error of dn/du against float64, for the same cell, place and direction d:
-/// at most 1.5e-6 |d|_1 for value noise and 2e-6 |d|_1 for Perlin's.
-void add_noise_and_slopes(NoiseKind kind, Fade fade, std::uint32_t seed, double scale,
-                          const LatticeBatch& batch, const DirectionBatch& directions,
-                          std::size_t count, double* sums, SlopeBatch& slopes);
+/// As add_octave_direct, to the bit, and adds weight * dn / stream_unit(kind) with respect to the
+/// stream's coordinates to the gradients. A component of dn errs, for the same cell and place in
+/// the octave's own coordinates, by at most 1.5e-6 for value noise and 2e-6 for Perlin's.
+void add_octave_and_gradient(NoiseKind kind, Fade fade, const StreamOctave& octave,
+                             const LatticeStream& stream, std::size_t count, float* sums,
+                             GradientSums& gradients);
+
+/// slopes += scale * gradients along the pieces' sides. Sides of 2^50 cells or more on an axis of
+/// the lattice count as 0 on it.
+void add_slopes(const Affine3& lattice_from_solid, double scale, std::span<const Piece> pieces,
+                const GradientSums& gradients, SlopeBatch& slopes);
+
+/// slopes = those of the quadric (eq. 11), which are linear along a line.
+void fill_quadric_slopes(const Quadric& quadric, std::span<const Piece> pieces, SlopeBatch& slopes);
 
 }  // namespace burl

@@ -157,15 +157,6 @@ HWY_ATTR double FillStream(const Affine3& map, int doublings, std::span<const Pi
 }
 
 template <class Corner, class FadeFunction>
-HWY_ATTR HWY_INLINE Float NoiseOf(const StreamPlaces<FadeFunction>& at, Bit h) {
-    const PlaneHashes low(h), high(NextPlane(h));
-    if constexpr (std::is_same_v<Corner, ValueCorner>)
-        return ValueNoise(at, ValuesOf(low), ValuesOf(high));
-    else
-        return PerlinNoise(at, low, high);
-}
-
-template <class Corner, class FadeFunction>
 HWY_ATTR void AddOctaveOf(const StreamOctave& octave, const LatticeStream& stream,
                           std::size_t count, float* sums) {
     const Floats d;
@@ -176,8 +167,9 @@ HWY_ATTR void AddOctaveOf(const StreamOctave& octave, const LatticeStream& strea
                               HWY_ATTR { return CellsOf(stream, axis, j, octave.doublings); };
         const StreamPlaces<FadeFunction> at(stream, j, octave.doublings);
         const Bit h = CellHash(seed, cell(0), cell(1), cell(2));
-        const Float noise = NoiseOf<Corner>(at, h);
-        hn::Store(hn::Add(hn::Load(d, sums + j), hn::Mul(weight, noise)), d, sums + j);
+        const Float noise = WithPlanesOf<Corner>(
+            h, [&](const auto& low, const auto& high) HWY_ATTR { return NoiseOf(at, low, high); });
+        AddScaled(weight, noise, sums + j);
     }
 }
 

@@ -101,15 +101,15 @@ struct StreamPlaces {
 
 /// Noise over stream_unit, from the two planes of corners; for value noise from PlaneValues.
 template <class FadeFunction>
-HWY_ATTR HWY_INLINE Float ValueNoise(const StreamPlaces<FadeFunction>& at, const PlaneValues& low,
-                                     const PlaneValues& high) {
+HWY_ATTR HWY_INLINE Float NoiseOf(const StreamPlaces<FadeFunction>& at, const PlaneValues& low,
+                                  const PlaneValues& high) {
     return TwiceLerp(at.fade[2], low(at.fade[0], at.fade[1]), high(at.fade[0], at.fade[1]));
 }
 
 /// For Perlin's from the corners' hashes: slopes through the corners at twice the distance.
 template <class FadeFunction>
-HWY_ATTR HWY_INLINE Float PerlinNoise(const StreamPlaces<FadeFunction>& at, const PlaneHashes& low,
-                                      const PlaneHashes& high) {
+HWY_ATTR HWY_INLINE Float NoiseOf(const StreamPlaces<FadeFunction>& at, const PlaneHashes& low,
+                                  const PlaneHashes& high) {
     const PerlinCorner corner;
     const Float one = hn::Set(Floats(), 1.0f);
     const Float x = TwicePlace(at.s[0]), y = TwicePlace(at.s[1]), z = TwicePlace(at.s[2]);
@@ -123,6 +123,21 @@ HWY_ATTR HWY_INLINE Float PerlinNoise(const StreamPlaces<FadeFunction>& at, cons
         return TwiceLerp(at.fade[1], at_low, at_high);
     };
     return TwiceLerp(at.fade[2], plane(low, hn::Add(z, one)), plane(high, hn::Sub(z, one)));
+}
+
+/// visit(low, high) with the two planes of corners of a vector of texels, from its CellHash.
+template <class Corner, class Visit>
+HWY_ATTR HWY_INLINE auto WithPlanesOf(Bit h, const Visit& visit) {
+    const PlaneHashes low(h), high(NextPlane(h));
+    if constexpr (std::is_same_v<Corner, ValueCorner>)
+        return visit(ValuesOf(low), ValuesOf(high));
+    else
+        return visit(low, high);
+}
+
+HWY_ATTR HWY_INLINE void AddScaled(Float weight, Float term, float* sum) {
+    const Floats d;
+    hn::Store(hn::Add(hn::Load(d, sum), hn::Mul(weight, term)), d, sum);
 }
 
 }  // namespace HWY_NAMESPACE

@@ -152,7 +152,7 @@ class SupersampledColor {
             place(i, batch);
             sampler.values_at_offsets(batch);
             for (std::size_t j = 0; j < batch.count; ++j) {
-                const double u = double(batch.offset_u[j]), v = double(batch.offset_v[j]);
+                const double u = double(batch.offsets.u[j]), v = double(batch.offsets.v[j]);
                 const double weight = gaussian_weight(u, v);
                 batch.colors[j] += weight * map_(batch.field[j]);
                 batch.weights[j] += weight;
@@ -171,8 +171,8 @@ class SupersampledColor {
             for (std::size_t j = 0; j < piece.solid.count; ++j, ++at) {
                 const auto [u, v] =
                     pattern_(sample, std::uint32_t(piece.x + j), std::uint32_t(piece.y));
-                batch.offset_u[at] = u;
-                batch.offset_v[at] = v;
+                batch.offsets.u[at] = u;
+                batch.offsets.v[at] = v;
             }
     }
 

@@ -40,6 +40,14 @@ HWY_ATTR HWY_INLINE hn::Vec<Doubles> LaneNumbers() {
     return hn::Load(Doubles(), numbers);
 }
 
+/// Whether a lane's number is below `count`.
+HWY_ATTR HWY_INLINE hn::Mask<Floats> FirstLanes(std::size_t count) {
+    HWY_ALIGN static constexpr float numbers[] = {0, 1, 2,  3,  4,  5,  6,  7,
+                                                  8, 9, 10, 11, 12, 13, 14, 15};
+    static_assert(std::size(numbers) >= HWY_MAX_BYTES / sizeof(float));
+    return hn::Lt(hn::Load(Floats(), numbers), hn::Set(Floats(), float(count)));
+}
+
 }  // namespace HWY_NAMESPACE
 }  // namespace burl
 HWY_AFTER_NAMESPACE();

@@ -21,7 +21,7 @@ std::shared_ptr<StreamBuffers> filled_buffers() {
     auto buffers = std::make_shared<StreamBuffers>();
     fill_stream({}, 0, random_spans(crossings, span_length), buffers->lattice);
     find_runs(buffers->lattice, 0, batch_capacity, buffers->runs);
-    std::fill(std::begin(buffers->sums), std::end(buffers->sums), 0.0f);
+    buffers->sums = {};
     return buffers;
 }
 
@@ -38,12 +38,21 @@ std::string octave_name(NoiseKind kind, Fade fade) {
 void register_octave(NoiseKind kind, Fade fade, const std::shared_ptr<StreamBuffers>& buffers) {
     const StreamOctave octave{7, 0, 0.5f};
     const std::string name = octave_name(kind, fade);
+    float* sums = buffers->sums.values;
     register_batch("add_octave_direct/" + name, [=] {
-        add_octave_direct(kind, fade, octave, buffers->lattice, batch_capacity, buffers->sums);
+        add_octave_direct(kind, fade, octave, buffers->lattice, batch_capacity, sums);
     });
     register_batch("add_octave_shared/" + name, [=] {
         add_octave_shared(kind, fade, octave, buffers->lattice, buffers->runs, batch_capacity,
-                          buffers->sums);
+                          sums);
+    });
+    register_batch("add_octave_and_gradient/" + name, [=] {
+        add_octave_and_gradient(kind, fade, octave, buffers->lattice, batch_capacity, sums,
+                                buffers->sums.gradients);
+    });
+    register_batch("add_octave_and_gradient_shared/" + name, [=] {
+        add_octave_and_gradient_shared(kind, fade, octave, buffers->lattice, buffers->runs,
+                                       batch_capacity, sums, buffers->sums.gradients);
     });
 }
 
@@ -57,6 +66,10 @@ void register_quadric() {
     make_parabolas(quadric, 0.25, *pieces, *parabolas);
     const auto values = std::make_shared<std::vector<double>>(batch_capacity + batch_padding);
     register_batch("fill_parabolas", [=] { fill_parabolas(*parabolas, values->data()); });
+    const auto slopes = std::make_shared<SlopeBatch>();
+    register_batch("fill_quadric_slopes", [=] { fill_quadric_slopes(quadric, *pieces, *slopes); });
+    const auto gradients = std::make_shared<GradientSums>();
+    register_batch("add_slopes", [=] { add_slopes({}, 0.5, *pieces, *gradients, *slopes); });
 }
 
 }  // namespace
@@ -96,7 +109,7 @@ void register_stream_benchmarks() {
     register_octave(NoiseKind::perlin, Fade::quintic, buffers);
     register_batch("add_sums", [buffers, values = std::vector<double>(batch_capacity +
                                                                       batch_padding)]() mutable {
-        add_sums(0x1p-26, buffers->sums, batch_capacity, values.data());
+        add_sums(0x1p-26, buffers->sums.values, batch_capacity, values.data());
     });
     register_quadric();
 }

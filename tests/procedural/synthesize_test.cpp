@@ -187,11 +187,14 @@ TEST(Synthesis, GivesTheSameBytesOnEveryInstructionSet) {
     for (int i = 0; i < 12; ++i) textures.push_back(random_texture(random, true));
     for (std::size_t i = 0; i < textures.size(); ++i)
         textures[i].colors.wrap = i % 2 ? Wrap::clamp : Wrap::repeat;
+    // A filter for every texture: eight kinds, with and without all octaves.
+    const auto filter = [](std::size_t i) { return Filter{FilterKind(i % 8), 3, i % 3 == 0}; };
     std::vector<Image<float>> fields;
-    std::vector<Image<Rgb8>> colors;
-    for (const Texture& texture : textures) {
-        fields.push_back(synthesize_field(solid, texture, scaled(1.0), 1));
-        colors.push_back(synthesize_rgb8(solid, texture, scaled(1.0), 1));
+    std::vector<Image<Rgb8>> colors, filtered;
+    for (std::size_t i = 0; i < textures.size(); ++i) {
+        fields.push_back(synthesize_field(solid, textures[i], scaled(1.0), 1));
+        colors.push_back(synthesize_rgb8(solid, textures[i], scaled(1.0), 1));
+        filtered.push_back(synthesize_rgb8(solid, textures[i], scaled(1.0), 1, filter(i)));
     }
     std::string names;
     on_every_target([&] {
@@ -202,6 +205,9 @@ TEST(Synthesis, GivesTheSameBytesOnEveryInstructionSet) {
                     << simd_level() << ", " << name << ", texture " << i;
                 EXPECT_EQ(synthesize_rgb8(solid, textures[i], scaled(1.0), 1, {}, kernel),
                           colors[i])
+                    << simd_level() << ", " << name << ", texture " << i;
+                EXPECT_EQ(synthesize_rgb8(solid, textures[i], scaled(1.0), 1, filter(i), kernel),
+                          filtered[i])
                     << simd_level() << ", " << name << ", texture " << i;
             }
     });

@@ -1,0 +1,41 @@
+#pragma once
+// A batch of texels made without an atlas: pieces of rows in random directions.
+#include <random>
+#include <vector>
+
+#include "procedural/texel_piece.h"
+
+namespace burl::test {
+
+inline Vec3d random_vector(std::mt19937& random, double size) {
+    std::uniform_real_distribution<double> unit(-size, size);
+    return {unit(random), unit(random), unit(random)};
+}
+
+/// batch_capacity texels in pieces of 1 to 40, within `reach` of the origin, whose sides are up to
+/// `side` on every axis, some of them much shorter.
+inline std::vector<Piece> random_batch(std::mt19937& random, double reach, double side) {
+    std::vector<Piece> pieces;
+    for (std::size_t left = batch_capacity; left > 0;) {
+        const double size = side * std::ldexp(1.0, -int(random() % 6));
+        Piece& piece = pieces.emplace_back();
+        piece.solid = {random_vector(random, reach), random_vector(random, size),
+                       double(random() % 30), std::min<std::size_t>(left, 1 + random() % 40)};
+        piece.down = random_vector(random, size);
+        piece.length = piece.solid.first + double(piece.solid.count);
+        left -= piece.solid.count;
+    }
+    return pieces;
+}
+
+/// visit(texel of the batch, its piece, its centre).
+template <class Visit>
+void for_each_texel(const std::vector<Piece>& pieces, const Visit& visit) {
+    std::size_t at = 0;
+    for (const Piece& piece : pieces)
+        for (std::size_t j = 0; j < piece.solid.count; ++j)
+            visit(at++, piece,
+                  piece.solid.start + (piece.solid.first + double(j)) * piece.solid.step);
+}
+
+}  // namespace burl::test
