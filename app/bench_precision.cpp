@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "app/bench.h"
 #include "app/bench_meshes.h"
 #include "app/command_options.h"
 #include "app/pipeline.h"
@@ -122,15 +121,16 @@ void add_times(std::vector<PrecisionBench>& rows, const std::shared_ptr<Pipeline
     for (std::size_t i = begin; i < rows.size(); ++i) {
         Recipe recipe = pipeline->recipe();
         recipe.precision = parse_precision(rows[i].precision);
-        cases.push_back({rows[i].precision, texels, "texel", [pipeline, recipe] {
+        cases.push_back({rows[i].precision, texels, "texel",
+                         [pipeline, recipe] {
                              pipeline->set_recipe(recipe);
                              pipeline->set_threads(1);
                              pipeline->synthesize<Rgb8>();
-                         }});
+                         },
+                         rows[i].texture});
     }
     const std::vector<BenchRow> times = run_paired(cases, repeats);
-    for (std::size_t i = begin; i < rows.size(); ++i)
-        rows[i].ns_per_texel = times[i - begin].ns_per_unit();
+    for (std::size_t i = begin; i < rows.size(); ++i) rows[i].time = times[i - begin];
 }
 
 }  // namespace

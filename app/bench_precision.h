@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "app/bench.h"
+
 namespace burl {
 
 struct PrecisionBench {
@@ -15,7 +17,7 @@ struct PrecisionBench {
     double psnr = 0.0;  ///< dB, of 8-bit sRGB colours against those of float64; infinite if equal
     /// The same where texture coordinates alone are cut, and all else is float64; fixed only.
     double coordinate_rms_error = 0.0, coordinate_psnr = 0.0;
-    double ns_per_texel = 0.0;  ///< median, one thread, the colour table's making included
+    BenchRow time{};  ///< one thread, the colour table's making included
 };
 
 /// Over the texels of a side x side texture that show the torus; `repeats` paired rounds for times.

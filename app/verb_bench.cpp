@@ -142,9 +142,8 @@ void run_plot(const BenchCommand& command) {
 }
 
 Json precision_json(const PrecisionBench& row) {
-    Json json{{"texture", row.texture},     {"precision", row.precision},
-              {"max_error", row.max_error}, {"rms_error", row.rms_error},
-              {"psnr", row.psnr},           {"ns_per_texel", row.ns_per_texel}};
+    Json json = result_json({row.time, BenchError{row.max_error, row.rms_error}});
+    json["psnr"] = std::isfinite(row.psnr) ? Json(row.psnr) : Json();
     if (row.coordinate_rms_error > 0.0) {
         json["coordinate_rms_error"] = row.coordinate_rms_error;
         json["coordinate_psnr"] = row.coordinate_psnr;
@@ -160,7 +159,7 @@ void run_precision_bench(const BenchCommand& command) {
                "RMS error", "PSNR", "ns/texel", "coordinates alone: RMS, PSNR");
     for (const PrecisionBench& row : rows) {
         fmt::print("{:<8} {:<11} {:>10.3g} {:>10.3g} {:>7.2f} {:>9.1f}", row.texture, row.precision,
-                   row.max_error, row.rms_error, row.psnr, row.ns_per_texel);
+                   row.max_error, row.rms_error, row.psnr, row.time.ns_per_unit());
         if (row.coordinate_rms_error > 0.0)
             fmt::print(" {:>10.3g} {:>7.2f}", row.coordinate_rms_error, row.coordinate_psnr);
         fmt::print("\n");

@@ -3,6 +3,7 @@
 
 #include <cstdio>
 #include <random>
+#include <sstream>
 
 #include <gtest/gtest.h>
 
@@ -73,6 +74,79 @@ TEST(BenchPlot, RefusesWhatItCannotDraw) {
             "far.json")
             .size(),
         1000u);
+}
+
+/// Numbers of a path's points, in order.
+std::vector<double> path_numbers(const std::string& svg, std::size_t at) {
+    std::vector<double> numbers;
+    std::string path = svg.substr(at, svg.find('"', at) - at);
+    for (char& c : path) c = c == 'M' || c == 'L' ? ' ' : c;
+    std::istringstream stream(path);
+    for (double x = 0.0; stream >> x;) numbers.push_back(x);
+    return numbers;
+}
+
+TEST(BenchPlot, DrawsStepsAsCurves) {
+    const auto step = [](const char* method, double cells, double ns, double error) {
+        return Json{{"function", "smooth"},
+                    {"method", method},
+                    {"step_cells", cells},
+                    {"ns_per_texel", ns},
+                    {"error", error}};
+    };
+    const Json report{
+        {"suite", "forward"},
+        {"rows", Json::array({step("exact", 0.1, 100.0, 0.0), step("exact", 1.0, 100.0, 0.0),
+                              step("quick", 1.0, 10.0, 1e-3), step("quick", 0.1, 1.0, 1e-5),
+                              Json{{"texture", "cube"}, {"milliseconds", 3.0}}, Json(4)})}};
+    const std::string svg = bench_plot(report, "forward.json");
+    EXPECT_EQ(count(svg, "font-weight=\"bold\">smooth</text>"), 2u) << "times, and errors";
+    EXPECT_EQ(count(svg, ">ns per texel<"), 1u);
+    EXPECT_EQ(count(svg, ">largest error<"), 1u);
+    // What has no error has no curve there.
+    EXPECT_EQ(count(svg, "stroke-width=\"1.2\""), 3u);
+    EXPECT_EQ(count(svg, "stroke-width=\"0.7\""), 6u + 2u) << "points, and the legend";
+    // Sorted by step: x and time grow along the second curve, which is ten times as far down.
+    const std::size_t first = svg.find("<path d=\"M") + 9;
+    const std::vector<double> slow = path_numbers(svg, first),
+                              quick = path_numbers(svg, svg.find("<path d=\"M", first) + 9);
+    ASSERT_EQ(slow.size(), 4u);
+    ASSERT_EQ(quick.size(), 4u);
+    EXPECT_EQ(slow[1], slow[3]);
+    EXPECT_LT(quick[0], quick[2]);
+    EXPECT_NEAR(quick[1] - quick[3], quick[3] - slow[3], 0.2) << "a decade each";
+    EXPECT_EQ(count(svg, "<g "), count(svg, "</g>"));
+    EXPECT_EQ(svg.find("nan"), std::string::npos);
+
+    const Json kernels{{"rows", Json::array({{{"noise", "perlin"},
+                                              {"crossings_per_texel", 0.5},
+                                              {"ns_direct", 3.0},
+                                              {"ns_share", 2.0}}})}};
+    const std::string pair = bench_plot(kernels, "kernels.json");
+    EXPECT_NE(pair.find(">share</text>"), std::string::npos);
+    EXPECT_NE(pair.find("lattice planes a texel crosses"), std::string::npos);
+}
+
+TEST(BenchPlot, DrawsSharesAsBars) {
+    const auto group = [](const char* name, Json share, double error) {
+        return Json{{"group", name}, {"cases", 3}, {"share", share}, {"error", error}};
+    };
+    const Json report{{"suite", "stability"},
+                      {"rows", Json::array({group("far", 0.1, 1e-9), group("near & far", 1.0, 1e-7),
+                                            group("too much", 10.0, 1e-6), group("jumps", 0.0, 0.0),
+                                            group("unknown", nullptr, 0.0)})}};
+    const std::string svg = bench_plot(report, "stability.json");
+    EXPECT_EQ(count(svg, "<rect y="), 4u);
+    EXPECT_EQ(count(svg, "fill=\"#D55E00\""), 1u) << "the one beyond what is allowed";
+    EXPECT_EQ(count(svg, ">none</text>"), 1u);
+    EXPECT_NE(svg.find("near &amp; far"), std::string::npos);
+    EXPECT_EQ(svg.find("unknown"), std::string::npos);
+    std::vector<double> widths;
+    for (std::size_t at = svg.find("<rect y="); at != std::string::npos;
+         at = svg.find("<rect y=", at + 1))
+        widths.push_back(std::stod(svg.substr(svg.find("width=\"", at) + 7)));
+    EXPECT_NEAR(widths[2] - widths[1], widths[1] - widths[0], 0.2) << "decades are alike";
+    EXPECT_EQ(widths[3], 0.0);
 }
 
 TEST(SvgLabels, KeepApartAndInside) {

@@ -79,7 +79,9 @@ TEST(BenchPrecision, HalvesTheErrorWithEveryBit) {
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const PrecisionBench& row = rows[i];
         EXPECT_EQ(row.texture, i < 14 ? "wood" : "marble");
-        EXPECT_GT(row.ns_per_texel, 0.0);
+        EXPECT_GT(row.time.ns_per_unit(), 0.0);
+        EXPECT_EQ(row.time.name, row.precision);
+        EXPECT_EQ(row.time.group, row.texture);
         if (row.precision == "float64") {
             EXPECT_EQ(row.max_error, 0.0);
         } else if (row.precision == "float32") {
