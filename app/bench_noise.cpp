@@ -120,11 +120,12 @@ void add_kernel(NoiseCases& all, const std::string& group, const std::string& na
     constexpr std::size_t at_once = batch_capacity / line_length;
     const std::size_t count = lines->size() * line_length;
     all.add(group, name + ", float32 vectors", count, reference(octaves, *lines),
-            [streams = OctaveStreams(octaves, Kernel::direct), lines, buffers, count](double* out) {
-                std::fill_n(out, count, 0.0);
-                for (std::size_t i = 0; i + at_once <= lines->size(); i += at_once)
-                    streams.add({lines->data() + i, at_once}, batch_capacity, *buffers,
-                                out + i * line_length);
+            [streams = OctaveStreams(octaves, Kernel::direct), lines, buffers](double* out) {
+                for (std::size_t i = 0; i + at_once <= lines->size(); i += at_once) {
+                    std::fill_n(out, batch_capacity, 0.0);
+                    streams.add({lines->data() + i, at_once}, batch_capacity, *buffers, out);
+                    out += batch_capacity;
+                }
             });
 }
 
