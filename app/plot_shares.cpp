@@ -34,7 +34,7 @@ std::vector<Share> read_shares(const Json& rows) {
 
 /// Down to what is seen of the smallest, up to all that is allowed or further.
 DecadeAxis axis_over(const std::vector<Share>& shares) {
-    std::vector<double> values{0.1, 1.0};
+    std::vector<double> values{0.1, 0.9};
     for (const Share& s : shares)
         if (s.share > 0.0) values.push_back(s.share);
     return DecadeAxis::over(values);
