@@ -142,7 +142,7 @@ void add_kernel(CLI::App& verb, std::string& kernel) {
     names.emplace_back(forward_kernel);
     verb.add_option(
             "--kernel", kernel,
-            "How noise is computed where no filter is wanted: auto, direct or share (cells "
+            "How noise is computed: auto, direct or share (cells "
             "hashed once for all their texels), with the same result; or forward, by "
             "forward differences along scan lines in float64 (or --precision float32): value "
             "noise, no filter")

@@ -18,6 +18,8 @@ class BreakDistance {
     bool straight(std::uint32_t entry, double half) const {
         return half < double(distances_[entry]);
     }
+    /// Of all entries, rounded down by 1e-6.
+    const float* data() const { return distances_.data(); }
 
   private:
     std::vector<float> distances_;  ///< entry_count + 1: index 1 has one of its own

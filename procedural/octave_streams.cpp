@@ -18,8 +18,8 @@ bool doubles(const Octave& octave, const Octave& before) {
 
 /// The crossovers: an octave that crosses fewer planes of the lattice per texel, |dx| + |dy| + |dz|
 /// for a step of a texel, is faster with shared corners. Measured with `burl bench kernels`.
-constexpr double most_crossings(NoiseKind kind, bool) {
-    return kind == NoiseKind::perlin ? 4.0 / 16 : 3.0 / 16;
+constexpr double most_crossings(NoiseKind kind, bool slopes) {
+    return slopes || kind == NoiseKind::perlin ? 4.0 / 16 : 3.0 / 16;
 }
 
 void clear(OctaveSums& sums, std::size_t count, bool slopes) {

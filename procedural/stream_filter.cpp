@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "procedural/break_kernel.h"
 #include "procedural/color_kernels.h"
 
 namespace burl {
@@ -37,11 +38,12 @@ void StreamFilter::sort(const double* f, const SlopeBatch& slopes, std::size_t c
                         FilterBuffers& buffers) const {
     index_colors(breaks_.wrap, f, count, BreakDistance::entry_count, buffers.entries);
     for (auto& texels : buffers.texels) texels.clear();
-    for (std::size_t j = 0; j < count; ++j) {
-        const float u = slopes.u[j], v = slopes.v[j];
-        const double half = 0.5 * (std::abs(double(u)) + std::abs(double(v)));
-        if (distance_.straight(std::uint32_t(buffers.entries[j]), half)) continue;
-        buffers.texels[int(method_for(widths(f[j], u, v)))].push_back(std::uint16_t(j));
+    const std::size_t bent =
+        find_bent(distance_.data(), buffers.entries, slopes, count, buffers.bent);
+    for (std::size_t i = 0; i < bent; ++i) {
+        const std::size_t j = buffers.bent[i];
+        const Method method = method_for(widths(f[j], slopes.u[j], slopes.v[j]));
+        buffers.texels[int(method)].push_back(std::uint16_t(j));
     }
 }
 

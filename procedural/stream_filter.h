@@ -15,6 +15,7 @@ namespace burl {
 /// A thread's arrays.
 struct FilterBuffers {
     alignas(64) std::int32_t entries[batch_capacity + batch_padding];
+    std::uint32_t bent[batch_capacity + 2 * batch_padding];
     std::vector<std::uint16_t> texels[4];  ///< of the batch, per kernel
     FootprintStream stream;
 };

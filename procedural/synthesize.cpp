@@ -29,10 +29,10 @@ struct Batch : FieldBatch {
     CornerBuffers corners;
     FilterBuffers filter;
     bool filtered[batch_capacity];  ///< whether `means` counts
-    std::tuple<std::vector<Rgb8>, std::vector<Rgb16>, std::vector<RgbF>> means;
+    std::tuple<std::vector<Rgb16>, std::vector<RgbF>> means;
 };
 
-// Shaders: prepare() samples a batch, pixel() gives one of its texels.
+// Shaders: prepare() samples a batch, pixel() gives one of its texels, or pixels() a run of them.
 
 class FieldCopy {
   public:
@@ -49,17 +49,15 @@ class Color8 {
     explicit Color8(const ColorMap& map) : table_(map) {}
     void prepare(const FieldSampler& sampler, Batch& batch) const {
         sampler.values(batch);
-        prepare_colors(batch);
-        table_.look_up(batch.entries, batch.field, batch.count, batch.codes, batch.later);
+        shade(batch);
     }
-    void prepare_colors(Batch& batch) const {
+    void shade(Batch& batch) const {
         index_colors(table_.wrap(), batch.field, batch.count, ColorTable8::entry_count,
                      batch.entries);
+        table_.look_up(batch.entries, batch.field, batch.count, batch.codes, batch.later);
     }
-    Rgb8 pixel(const Batch& batch, std::size_t at) const {
-        return table_.color(std::uint32_t(batch.entries[at]), batch.field[at]);
-    }
-    /// A run of texels at once; needs look_up.
+    /// Instead of the colour at its centre.
+    static void set(Batch& batch, std::size_t at, Rgb8 pixel) { batch.codes[at].color = pixel; }
     void pixels(const Batch& batch, std::size_t at, std::size_t count, Rgb8* pixels) const {
         pack_pixels(batch.codes + at, count, pixels);
     }
@@ -69,15 +67,29 @@ class Color8 {
     ColorTable8 table_;
 };
 
-/// Colours at texel centres.
+/// Colours at texel centres, worked out where they are asked for.
 template <class P>
 class PointColor {
   public:
     using Pixel = P;
     explicit PointColor(const ColorMap& map) : map_(map) {}
-    void prepare(const FieldSampler& sampler, Batch& batch) const { sampler.values(batch); }
-    void prepare_colors(Batch&) const {}
-    P pixel(const Batch& batch, std::size_t at) const { return background(batch.field[at]); }
+    void prepare(const FieldSampler& sampler, Batch& batch) const {
+        sampler.values(batch);
+        shade(batch);
+    }
+    void shade(Batch& batch) const {
+        std::fill_n(batch.filtered, batch.count, false);
+        std::get<std::vector<P>>(batch.means).resize(batch_capacity);
+    }
+    static void set(Batch& batch, std::size_t at, P pixel) {
+        batch.filtered[at] = true;
+        std::get<std::vector<P>>(batch.means)[at] = pixel;
+    }
+    void pixels(const Batch& batch, std::size_t at, std::size_t count, P* pixels) const {
+        const std::vector<P>& means = std::get<std::vector<P>>(batch.means);
+        for (std::size_t j = at; j < at + count; ++j)
+            *pixels++ = batch.filtered[j] ? means[j] : background(batch.field[j]);
+    }
     P background(double f) const { return encode_(map_(f)); }
 
   private:
@@ -105,26 +117,21 @@ class FilteredColor {
         }
         if (stream_) fill_means(batch);
     }
-    Pixel pixel(const Batch& batch, std::size_t at) const {
-        if (!stream_)
-            return encode_(
-                filtered_(batch.field[at], double(batch.slopes.u[at]), double(batch.slopes.v[at])));
-        return batch.filtered[at] ? std::get<std::vector<Pixel>>(batch.means)[at]
-                                  : point_.pixel(batch, at);
+    void pixels(const Batch& batch, std::size_t at, std::size_t count, Pixel* pixels) const {
+        if (stream_) return point_.pixels(batch, at, count, pixels);
+        const auto& [u, v] = batch.slopes;
+        for (std::size_t j = at; j < at + count; ++j)
+            *pixels++ = encode_(filtered_(batch.field[j], double(u[j]), double(v[j])));
     }
     Pixel background(double f) const { return point_.background(f); }
 
   private:
     void fill_means(Batch& batch) const {
-        point_.prepare_colors(batch);
-        auto& means = std::get<std::vector<Pixel>>(batch.means);
-        means.resize(batch_capacity);
-        std::fill_n(batch.filtered, batch.count, false);
+        point_.shade(batch);
         (*stream_)(batch.field, batch.slopes, batch.count, batch.filter,
                    [&](const std::vector<std::uint16_t>& texels, const FootprintStream& stream) {
                        encode_means_(stream, texels.size(), [&](std::size_t i, Pixel pixel) {
-                           batch.filtered[texels[i]] = true;
-                           means[texels[i]] = pixel;
+                           Point::set(batch, texels[i], pixel);
                        });
                    });
     }

@@ -1,11 +1,14 @@
 // Filtered textures against means over every texel that are counted in float64.
 #include <cmath>
+#include <limits>
+#include <memory>
 #include <random>
 
 #include <gtest/gtest.h>
 
 #include "procedural/band_limit.h"
 #include "procedural/break_distance.h"
+#include "procedural/break_kernel.h"
 #include "procedural/color_table.h"
 #include "procedural/octaves.h"
 #include "procedural/synthesize.h"
@@ -200,11 +203,43 @@ TEST(BreakDistance, IsThatToTheNearestBreakAndNoMore) {
     }
 }
 
+TEST(BreakKernel, FindsTexelsThatMayReachABreak) {
+    const BreakDistance distance{MapPieces(hills())};
+    std::mt19937 random(10);
+    std::uniform_real_distribution<float> slope(-0.3f, 0.3f);
+    alignas(64) std::int32_t entries[batch_capacity + batch_padding] = {};
+    std::uint32_t found[batch_capacity + 2 * batch_padding];
+    const auto slopes = std::make_unique<SlopeBatch>();
+    for (const std::size_t count : {std::size_t(1), std::size_t(37), batch_capacity}) {
+        for (std::size_t j = 0; j < batch_capacity; ++j) {
+            entries[j] = std::int32_t(random() % (BreakDistance::entry_count + 1));
+            slopes->u[j] = slope(random), slopes->v[j] = j % 3 ? slope(random) : 0.0f;
+        }
+        slopes->u[count / 2] = std::numeric_limits<float>::quiet_NaN();
+        slopes->v[count / 3] = std::numeric_limits<float>::infinity();
+        std::vector<std::uint32_t> expected;
+        for (std::uint32_t j = 0; j < count; ++j) {
+            const float half = 0.5f * (std::abs(slopes->u[j]) + std::abs(slopes->v[j]));
+            if (!distance.straight(std::uint32_t(entries[j]), double(half))) expected.push_back(j);
+        }
+        const std::size_t bent = find_bent(distance.data(), entries, *slopes, count, found);
+        EXPECT_EQ(std::vector(found, found + bent), expected) << count;
+    }
+}
+
 TEST(BandLimit, FollowsTheOctavesLeft) {
     EXPECT_EQ(band_weight({0.2, 0, 0}, {0, 0.01, 0}), 1.0);
     EXPECT_EQ(band_weight({0.0, 0, 0}, {0, 0, 0}), 1.0);
     EXPECT_EQ(band_weight({0.1, 0, 0}, {0, 0.5, 0}), 0.0);
     EXPECT_NEAR(band_weight({std::exp2(-1.5), 0, 0}, {0, 0, 0}), 0.5, 1e-12);
+    EXPECT_EQ(band_weight(std::numeric_limits<double>::quiet_NaN()), 0.0);
+    // Continuous and falling, also where the logarithm is left out.
+    for (double square = 0.08, before = 1.0; square < 0.2; square += 1e-5) {
+        const double weight = band_weight(square);
+        EXPECT_LE(weight, before);
+        EXPECT_NEAR(weight, before, 1e-3);
+        before = weight;
+    }
 }
 
 TEST(BandLimit, LeavesTheMeanOfWhatATexelCannotShow) {
