@@ -74,6 +74,7 @@ std::vector<KernelBench> bench_kernels(int repeats, std::size_t span) {
                   {"value smooth", NoiseKind::value, Fade::smooth, 1},
                   {"value quintic", NoiseKind::value, Fade::quintic, 1},
                   {"perlin", NoiseKind::perlin, Fade::quintic, 1},
+                  {"simplex", NoiseKind::simplex, Fade::quintic, 1},
                   {"value smooth, 4 octaves", NoiseKind::value, Fade::smooth, 4},
                   {"perlin, 4 octaves", NoiseKind::perlin, Fade::quintic, 4}};
     std::vector<KernelBench> rows;

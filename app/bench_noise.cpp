@@ -163,6 +163,7 @@ void add_ours(NoiseCases& all, const BenchPoints& points, const Lines& lines) {
     }
     add_octaves(all, "value smooth", octaves_of(NoiseKind::value, Fade::smooth, 4), points, lines);
     add_octaves(all, "perlin", octaves_of(NoiseKind::perlin, Fade::quintic, 4), points, lines);
+    add_octaves(all, "simplex", octaves_of(NoiseKind::simplex, Fade::quintic, 4), points, lines);
 }
 
 }  // namespace

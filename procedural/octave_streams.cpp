@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "procedural/band_limit.h"
+#include "procedural/simplex_kernel.h"
 
 namespace burl {
 
@@ -12,7 +13,8 @@ namespace {
 bool doubles(const Octave& octave, const Octave& before) {
     const Affine3 &map = octave.lattice_from_solid, &half = before.lattice_from_solid;
     return octave.noise.kind == before.noise.kind && octave.noise.fade == before.noise.fade &&
-           map.linear == 2.0 * half.linear && map.offset == 2.0 * half.offset &&
+           octave.noise.radius2 == before.noise.radius2 && map.linear == 2.0 * half.linear &&
+           map.offset == 2.0 * half.offset &&
            std::abs(octave.scale) <= 0.5 * std::abs(before.scale);
 }
 
@@ -44,7 +46,8 @@ void add_weighted(float weight, const OctaveSums& part, std::size_t at, std::siz
 
 bool has_kernel(const Octave& octave) {
     const NoiseSpec& noise = octave.noise;
-    return (noise.kind == NoiseKind::value || noise.kind == NoiseKind::perlin) &&
+    return (noise.kind == NoiseKind::value || noise.kind == NoiseKind::perlin ||
+            noise.kind == NoiseKind::simplex) &&
            noise.period == Period<4>{} && !noise.time && octave.shape == OctaveShape::plain;
 }
 
@@ -53,10 +56,13 @@ OctaveStreams::OctaveStreams(std::span<const Octave> octaves, Kernel kernel, boo
     const Octave* before = nullptr;
     for (const Octave& octave : octaves) {
         if (!has_kernel(octave)) continue;
-        const bool full = !groups_.empty() && groups_.back().octaves.size() > most_doublings;
+        const std::size_t most =
+            octave.noise.kind == NoiseKind::simplex ? most_simplex_doublings : most_doublings;
+        const bool full = !groups_.empty() && groups_.back().octaves.size() > most;
         if (!before || full || !doubles(octave, *before))
             groups_.push_back({octave.noise.kind,
                                octave.noise.fade,
+                               octave.noise.radius2,
                                octave.lattice_from_solid,
                                octave.scale,
                                {}});
@@ -70,7 +76,7 @@ OctaveStreams::OctaveStreams(std::span<const Octave> octaves, Kernel kernel, boo
 /// Number of a group's coarsest octaves that share corners where the first crosses so many planes
 /// of the lattice per texel.
 std::size_t OctaveStreams::sharing(const Group& group, double crossings, bool slopes) const {
-    if (kernel_ == Kernel::direct) return 0;
+    if (kernel_ == Kernel::direct || group.kind == NoiseKind::simplex) return 0;
     if (kernel_ == Kernel::share) return group.octaves.size();
     const double most = most_crossings(group.kind, slopes);
     std::size_t count = 0;
@@ -80,10 +86,15 @@ std::size_t OctaveStreams::sharing(const Group& group, double crossings, bool sl
 
 void OctaveStreams::add_octave(const Group& group, std::size_t octave, const Plan& plan,
                                std::size_t count, const StreamBuffers& buffers, OctaveSums& sums) {
-    const auto& [kind, fade, map, scale, octaves] = group;
+    const auto& [kind, fade, radius2, map, scale, octaves] = group;
     const auto& [lattice, runs, whole, part, squares] = buffers;
     const bool shared = octave < plan.shared;
-    if (plan.slopes && shared)
+    if (kind == NoiseKind::simplex && plan.slopes)
+        add_simplex_octave_and_gradient(octaves[octave], radius2, lattice, count, sums.values,
+                                        sums.gradients);
+    else if (kind == NoiseKind::simplex)
+        add_simplex_octave(octaves[octave], radius2, lattice, count, sums.values);
+    else if (plan.slopes && shared)
         add_octave_and_gradient_shared(kind, fade, octaves[octave], lattice, runs, count,
                                        sums.values, sums.gradients);
     else if (plan.slopes)
@@ -129,8 +140,10 @@ void OctaveStreams::add_limited(const Group& group, const Plan& plan, std::span<
 void OctaveStreams::add(std::span<const Piece> pieces, std::size_t count, StreamBuffers& buffers,
                         double* values, SlopeBatch* slopes, const TexelOffsets* offsets) const {
     for (const Group& group : groups_) {
-        const auto& [kind, fade, map, scale, octaves] = group;
-        const double planes = fill_stream(map, octaves.back().doublings, pieces, buffers.lattice);
+        const auto& [kind, fade, radius2, map, scale, octaves] = group;
+        const double period = kind == NoiseKind::simplex ? simplex_period : 0.0;
+        const double planes =
+            fill_stream(map, octaves.back().doublings, pieces, buffers.lattice, period);
         if (offsets) move_stream(map, pieces, *offsets, buffers.lattice);
         const Plan plan{sharing(group, planes / double(count), slopes), slopes != nullptr};
         if (plan.shared > 0) find_runs(buffers.lattice, int(plan.shared) - 1, count, buffers.runs);

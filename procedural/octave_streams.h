@@ -48,6 +48,7 @@ class OctaveStreams {
     struct Group {
         NoiseKind kind = NoiseKind::value;
         Fade fade = Fade::smooth;
+        double radius2 = 0.0;
         Affine3 lattice_from_solid;
         double scale = 0.0;  ///< of the first octave
         std::vector<StreamOctave> octaves;

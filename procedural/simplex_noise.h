@@ -12,12 +12,15 @@
 
 namespace burl {
 
+/// The appendix's bit patterns, by one bit of each coordinate.
+inline constexpr std::array<std::uint8_t, 8> bit_patterns{0x15, 0x38, 0x32, 0x2c,
+                                                          0x0d, 0x13, 0x07, 0x2a};
+
 /// The appendix's shuffle(i,j,k), whose lower six bits name a gradient.
 constexpr std::uint32_t bit_pattern_sum(std::uint32_t i, std::uint32_t j, std::uint32_t k) {
-    constexpr std::array<std::uint32_t, 8> patterns{0x15, 0x38, 0x32, 0x2c, 0x0d, 0x13, 0x07, 0x2a};
     std::uint32_t sum = 0;
     for (unsigned bit = 0; bit < 8; ++bit) {
-        sum += patterns[(i >> bit & 1) << 2 | (j >> bit & 1) << 1 | (k >> bit & 1)];
+        sum += bit_patterns[(i >> bit & 1) << 2 | (j >> bit & 1) << 1 | (k >> bit & 1)];
         const std::uint32_t first = i;
         i = j, j = k, k = first;
     }
@@ -92,39 +95,42 @@ struct SimplexShape<4> {
 };
 
 /// Where a point lies in the skewed lattice.
-template <class Real, std::size_t N>
+template <std::size_t N>
 struct SimplexPlace {
     std::array<std::int64_t, N>
-        corner{};                  ///< lowest corner of the skewed cube, in skewed coordinates
-    std::array<Real, N> offset{};  ///< of the point from it, unskewed
+        corner{};                    ///< lowest corner of the skewed cube, in skewed coordinates
+    std::array<double, N> offset{};  ///< of the point from it, unskewed
 };
 
 /// The whole part of the coordinates is skewed apart from their fractions, which stay small
-/// numbers.
-template <class Real, std::size_t N>
-SimplexPlace<Real, N> simplex_place(const LatticeSite<Real, N>& site) {
+/// numbers. In three dimensions, where the skew is 1/3, a point that is a multiple of 2^-48 gets
+/// exactly its own cube and order of offsets.
+template <std::size_t N>
+SimplexPlace<N> simplex_place(const LatticeSite<double, N>& site) {
     constexpr double stretch = SimplexShape<N>::stretch, skew = (stretch - 1.0) / double(N);
     const std::int64_t cells = std::accumulate(site.cell.begin(), site.cell.end(), std::int64_t(0));
-    // skew * cells as a whole number and a rest in [0,1); in three dimensions the skew is 1/3.
+    // skew * cells as a whole number and a rest in [0,1).
     const auto rest3 = positive_remainder(cells, 3);
     const double product = skew * double(cells);
     const std::int64_t whole = N == 3 ? (cells - rest3) / 3 : std::int64_t(std::floor(product));
-    const auto rest = Real(N == 3 ? double(rest3) / 3.0 : product - std::floor(product));
+    const double rest = N == 3 ? double(rest3) / 3.0 : product - std::floor(product);
 
-    std::array<Real, N> fraction;
-    Real fractions = 0;
+    std::array<double, N> fraction;
+    double fractions = 0.0;
     for (std::size_t axis = 0; axis < N; ++axis)
-        fractions += fraction[axis] = site.place[axis] + Real(0.5);
-    SimplexPlace<Real, N> result;
-    Real steps = 0;
+        fractions += fraction[axis] = site.place[axis] + 0.5;
+    SimplexPlace<N> result;
+    double steps = 0.0;
     for (std::size_t axis = 0; axis < N; ++axis) {
-        const Real step = std::floor(fraction[axis] + (rest + Real(skew) * fractions));
+        const double skewed = N == 3 ? (3.0 * fraction[axis] + fractions + double(rest3)) / 3.0
+                                     : fraction[axis] + (rest + skew * fractions);
+        const double step = std::floor(skewed);
         result.corner[axis] = site.cell[axis] + whole + std::int64_t(step);
         result.offset[axis] = fraction[axis] - step;
         steps += step;
     }
-    const Real back = rest / Real(stretch) + Real(skew / stretch) * steps;
-    for (Real& x : result.offset) x += back;
+    const double back = rest / stretch + skew / stretch * steps;
+    for (double& x : result.offset) x += back;
     return result;
 }
 
@@ -163,20 +169,22 @@ void add_kernel(const std::array<Real, N>& g, const std::array<Real, N>& d, Real
 /// |n| <= 0.348 in three dimensions, 1 in two and four. `radius2` in three is 0.6 in the appendix,
 /// where the noise jumps by up to 2e-3 across borders of simplices; with 0.5 it is continuous, at
 /// the same amplitude, |n| <= 0.129. Seed 0 is the appendix. `period` in three dimensions only,
-/// multiples of 3. In float32 the value errs by at most 5e-7 and a gradient's component by 3e-6,
-/// except at the jumps, and three times that in two and four dimensions.
+/// multiples of 3. The simplex is found in float64; from there on float32 errs by at most 5e-7 in
+/// the value and 3e-6 in a gradient's component, and three times that in two and four dimensions.
 template <class Real, std::size_t N>
 NoiseSample<Real, N> simplex_noise(const Point<N>& p, std::uint32_t seed,
                                    double radius2 = SimplexShape<N>::radius2,
                                    const Period<N>& period = {}) {
     using Shape = SimplexShape<N>;
-    SimplexPlace<Real, N> place = simplex_place(lattice_site<Real>(p, period));
+    SimplexPlace<N> place = simplex_place(lattice_site<double>(p, period));
     // The walk from the lowest corner to the highest goes along the largest offset first.
     std::array<std::size_t, N + 1> walk;
     std::iota(walk.begin(), walk.end(), std::size_t(0));
     for (std::size_t i = 1; i < N; ++i)  // ties keep their order, as the appendix has them
         for (std::size_t j = i; j > 0 && place.offset[walk[j]] > place.offset[walk[j - 1]]; --j)
             std::swap(walk[j], walk[j - 1]);
+    std::array<Real, N> offset;
+    for (std::size_t axis = 0; axis < N; ++axis) offset[axis] = Real(place.offset[axis]);
     constexpr auto unskew = Real((1.0 - 1.0 / Shape::stretch) / double(N));
     NoiseSample<Real, N> sum;
     for (const std::size_t axis : walk) {
@@ -184,12 +192,12 @@ NoiseSample<Real, N> simplex_noise(const Point<N>& p, std::uint32_t seed,
         if constexpr (N == 3) corner = wrap_simplex(corner, period);
         std::array<std::uint32_t, N> index;
         for (std::size_t i = 0; i < N; ++i) index[i] = std::uint32_t(corner[i]);
-        add_kernel(Shape::template gradient<Real>(Shape::hash(index, seed)), place.offset,
-                   Real(radius2), sum);
+        add_kernel(Shape::template gradient<Real>(Shape::hash(index, seed)), offset, Real(radius2),
+                   sum);
         if (axis == N) break;
         ++place.corner[axis];
-        for (Real& x : place.offset) x += unskew;
-        place.offset[axis] -= Real(1);
+        for (Real& x : offset) x += unskew;
+        offset[axis] -= Real(1);
     }
     sum.value *= Real(Shape::amplitude);
     for (Real& x : sum.gradient) x *= Real(Shape::amplitude);

@@ -37,9 +37,24 @@ struct PieceLines {
     alignas(64) double hard[capacity];    ///< 1: out of reach of these numbers
 };
 
-HWY_ATTR void MapPieces(const Affine3& map, double limit, std::span<const Piece> pieces,
+/// What lines have to stay within.
+struct LineLimits {
+    double coordinate;  ///< beyond it they are at 0
+    double period;      ///< of the cells; 0 is 2^32
+};
+
+/// x less the multiple of the period nearest to it, exactly.
+HWY_ATTR HWY_INLINE Double Wrapped(Double x, double period) {
+    const Doubles d;
+    const Double magic = hn::Set(d, round_magic);
+    const Double periods = hn::Sub(hn::Add(hn::Mul(x, hn::Set(d, 1.0 / period)), magic), magic);
+    return hn::Sub(x, hn::Mul(periods, hn::Set(d, period)));
+}
+
+HWY_ATTR void MapPieces(const Affine3& map, const LineLimits& limits, std::span<const Piece> pieces,
                         PieceLines& lines) {
     const Doubles d;
+    const bool wraps = limits.period > 0.0;
     for (std::size_t i = 0; i < pieces.size(); ++i)
         lines.length[i] =
             std::max(pieces[i].length, pieces[i].solid.first + double(pieces[i].solid.count));
@@ -50,12 +65,14 @@ HWY_ATTR void MapPieces(const Affine3& map, double limit, std::span<const Piece>
         for (int axis = 0; axis < 3; ++axis) {
             const double a = map.linear[0][axis], b = map.linear[1][axis], c = map.linear[2][axis];
             const auto step = Dot(a, b, c, p.u, p.v, p.w);
-            const auto start = hn::Add(Dot(a, b, c, p.x, p.y, p.z), hn::Set(d, map.offset[axis]));
+            auto start = hn::Add(Dot(a, b, c, p.x, p.y, p.z), hn::Set(d, map.offset[axis]));
             const auto speed = hn::Abs(step), extent = hn::Mul(length, speed);
+            const auto reach = hn::Add(hn::Abs(start), extent);
             const auto near = hn::And(hn::Lt(extent, hn::Set(d, fixed_reach)),
-                                      hn::Lt(hn::Add(hn::Abs(start), extent), hn::Set(d, limit)));
+                                      hn::Lt(reach, hn::Set(d, limits.coordinate)));
             hard = hn::IfThenElse(near, hard, hn::Set(d, 1.0));
             planes = hn::Add(planes, speed);
+            if (wraps) start = Wrapped(start, limits.period);
             // The nearest cell: added to the magic number, it makes the low bits of a double.
             const auto shifted = hn::Add(start, hn::Set(d, round_magic));
             const auto local = hn::Sub(start, hn::Sub(shifted, hn::Set(d, round_magic)));
@@ -115,40 +132,41 @@ HWY_ATTR HWY_INLINE void FillLine(const PieceLines& lines, std::size_t i, const 
 }
 
 /// For lines that FillLine cannot hold: far from the origin, or crossing very many cells.
-void FillHardLine(const Affine3& map, const LatticeLine& line, double length, double limit,
-                  std::size_t at, LatticeStream& stream) {
+void FillHardLine(const Affine3& map, const LatticeLine& line, double length,
+                  const LineLimits& limits, std::size_t at, LatticeStream& stream) {
     for (int axis = 0; axis < 3; ++axis) {
         const double a = map.linear[0][axis], b = map.linear[1][axis], c = map.linear[2][axis];
         const auto along = [&](const Vec3d& v) { return a * v.x + b * v.y + c * v.z; };
         const double start = along(line.start) + map.offset[axis], step = along(line.step);
-        const bool near = std::abs(start) + length * std::abs(step) < limit;
+        const bool near = std::abs(start) + length * std::abs(step) < limits.coordinate;
         for (std::size_t j = 0; j < line.count; ++j) {
             const double x = near ? start + (line.first + double(j)) * step : 0.0;
-            const double cell = std::floor(x);
+            const double cell = std::floor(x), period = limits.period;
+            const double wrapped = period > 0.0 ? cell - period * std::floor(cell / period) : cell;
             // A sum: just below a cell's border x - cell rounds to 1, the next cell's place 0.
             stream.set(
                 axis, at + j,
-                (std::uint64_t(std::int64_t(cell)) << 32) + std::uint64_t((x - cell) * 0x1p32));
+                (std::uint64_t(std::int64_t(wrapped)) << 32) + std::uint64_t((x - cell) * 0x1p32));
         }
     }
 }
 
-HWY_ATTR double FillStream(const Affine3& map, int doublings, std::span<const Piece> pieces,
-                           LatticeStream& stream) {
-    const double limit = std::ldexp(lattice_limit, -doublings);
+HWY_ATTR double FillStream(const Affine3& map, int doublings, double period,
+                           std::span<const Piece> pieces, LatticeStream& stream) {
+    const LineLimits limits{std::ldexp(lattice_limit, -doublings), period};
     PieceLines lines;
     std::size_t at = 0;
     double planes = 0.0;
     for (std::size_t first = 0; first < pieces.size(); first += PieceLines::capacity) {
         const auto part =
             pieces.subspan(first, std::min(PieceLines::capacity, pieces.size() - first));
-        MapPieces(map, limit, part, lines);
+        MapPieces(map, limits, part, lines);
         for (std::size_t i = 0; i < part.size(); ++i) {
             const LatticeLine& line = part[i].solid;
             if (lines.hard[i] == 0.0)
                 FillLine(lines, i, line, at, stream);
             else
-                FillHardLine(map, line, lines.length[i], limit, at, stream);
+                FillHardLine(map, line, lines.length[i], limits, at, stream);
             at += line.count;
             planes += double(line.count) * lines.planes[i];
         }
@@ -201,8 +219,8 @@ HWY_EXPORT(AddOctaveDirect);
 HWY_EXPORT(AddSums);
 
 double fill_stream(const Affine3& lattice_from_solid, int doublings, std::span<const Piece> pieces,
-                   LatticeStream& stream) {
-    return HWY_DYNAMIC_DISPATCH(FillStream)(lattice_from_solid, doublings, pieces, stream);
+                   LatticeStream& stream, double period) {
+    return HWY_DYNAMIC_DISPATCH(FillStream)(lattice_from_solid, doublings, period, pieces, stream);
 }
 
 void add_octave_direct(NoiseKind kind, Fade fade, const StreamOctave& octave,

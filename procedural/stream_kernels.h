@@ -35,12 +35,13 @@ struct StreamOctave {
 /// Coordinates of the pieces, one after the other. They err by 2^-32 cells, besides what float64
 /// loses at the start of a line. Lines that reach lattice_limit after `doublings` on an axis stay
 /// at 0 on it. Returns how many planes of the lattice the lines cross, all texels together.
+/// With a period, at most 2^17, cells are modulo it instead of 2^32, and stay within 2^19 of 0.
 double fill_stream(const Affine3& lattice_from_solid, int doublings, std::span<const Piece> pieces,
-                   LatticeStream& stream);
+                   LatticeStream& stream, double period = 0.0);
 
 /// What the kernels' sums are multiples of: they leave the noise unscaled.
 constexpr double stream_unit(NoiseKind kind) {
-    return kind == NoiseKind::perlin ? 0x1p-4 : 0x1p-34;
+    return kind == NoiseKind::perlin ? 0x1p-4 : kind == NoiseKind::simplex ? 4.0 : 0x1p-34;
 }
 
 /// sums[j] += weight * n(texel j) / stream_unit(kind) in float32, n the value of sample_noise, of

@@ -42,7 +42,8 @@ Texture random_texture(std::mt19937& random, bool with_quadric) {
     }
     texture.noise.resize(1 + random() % 3);
     for (NoiseTerm& term : texture.noise) {
-        term.kind = pick(NoiseKind::value, NoiseKind::value, NoiseKind::perlin);
+        term.kind = pick(NoiseKind::value, NoiseKind::value, NoiseKind::perlin, NoiseKind::simplex);
+        term.radius2 = 0.5;  // continuous: a place's rounding can go across a border of simplices
         term.fade = pick(Fade::linear, Fade::smooth, Fade::quintic);
         if (random() % 2) term.range = pick(NoiseRange::unit, NoiseRange::bipolar);
         term.amplitude = 3.0 * unit(random);
