@@ -8,6 +8,7 @@
 #include "app/lattice_check.h"
 #include "app/pipeline.h"
 #include "procedural/color_table.h"
+#include "procedural/graph_evaluator.h"
 #include "procedural/octaves.h"
 #include "procedural/srgb.h"
 
@@ -47,8 +48,30 @@ Values values_of(const SolidAtlas& solid, const Image<RgbF>& image) {
     return values;
 }
 
+/// A graph's values in float64.
+Values defined_graph(const SolidAtlas& solid, const Recipe& recipe) {
+    const GraphEvaluator evaluate(recipe.graph);
+    GraphEvaluator::Scratch scratch = evaluate.make_scratch();
+    const Affine3 from_solid = texture_from_solid(recipe);
+    std::vector<Vec3d> points;
+    Values values;
+    const auto flush = [&] {
+        std::vector<GraphSample> samples(points.size());
+        evaluate(points, {}, scratch, samples);
+        for (const GraphSample& sample : samples) append(sample.color(), values);
+        points.clear();
+    };
+    for_each_texel(solid, [&](const TexelMap& texel, std::uint32_t x, std::uint32_t y) {
+        points.push_back(from_solid(texel(x, y)));
+        if (points.size() == graph_batch_size) flush();
+    });
+    flush();
+    return values;
+}
+
 /// The texture's definition, texel by texel in float64.
 Values defined(const SolidAtlas& solid, const Recipe& recipe) {
+    if (!recipe.graph.empty()) return defined_graph(solid, recipe);
     const std::vector<Octave> octaves = expand_octaves(recipe.texture);
     const PreparedColorMap map(recipe.texture.colors);
     const Affine3 from_solid = texture_from_solid(recipe);
@@ -92,7 +115,7 @@ struct Subject {
 
 /// Whether a bake is meant to give the texture's values at the texels' centres.
 bool has_definition(const Recipe& recipe) {
-    return recipe.graph.empty() && recipe.filter == Filter{} && !recipe.precision.kind;
+    return recipe.filter == Filter{} && !recipe.precision.kind;
 }
 
 std::vector<BenchResult> bench_subject(const Subject& subject, int repeats) {

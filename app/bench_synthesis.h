@@ -18,7 +18,7 @@ struct SynthesisSubjects {
 
 /// Mesh, layout and spans are ready before the clock starts and nothing is written to a file;
 /// `repeats` paired rounds. Errors are of colours in linear light, over the texels that show the
-/// mesh; graphs, filters and precisions are timed only. Throws Error for recipes that cannot be
+/// mesh; filters and precisions are timed only. Throws Error for recipes that cannot be
 /// read.
 std::vector<BenchResult> bench_synthesis(int repeats, SynthesisSubjects subjects);
 

@@ -82,10 +82,10 @@ Evaluation evaluate_fixed(const PreparedRecipe& recipe, const FixedField& field,
     return {f, {}, recipe.colors(f)};
 }
 
-/// A graph is evaluated in float64 alone, and its result rounded. A colour's value is its luminance
-/// (ITU-R BT.709).
-PointResult evaluate_graph(const GraphEvaluator& evaluate, GraphEvaluator::Scratch& scratch,
-                           const Affine3& map, const Vec3d& point) {
+/// A colour's value is its luminance (ITU-R BT.709).
+template <class Real>
+Evaluation evaluate_graph(const GraphEvaluator& evaluate, GraphEvaluator::Scratch& scratch,
+                          const Affine3& map, const Vec3d& point) {
     const Vec3d s = map(point);
     GraphSample sample;
     evaluate({&s, 1}, {}, scratch, {&sample, 1});
@@ -93,20 +93,24 @@ PointResult evaluate_graph(const GraphEvaluator& evaluate, GraphEvaluator::Scrat
     const Dual value =
         sample.wire == Wire::number ? c[0] : 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2];
     const Vec3d gradient = value.slope * map.linear, color = sample.color();
-    const auto as = [&](auto rounded) -> Evaluation {
-        return {rounded(value.value),
-                {rounded(gradient.x), rounded(gradient.y), rounded(gradient.z)},
-                Vec3d(rounded(color.x), rounded(color.y), rounded(color.z))};
-    };
-    return {as([](double x) { return x; }), as([](double x) { return double(float(x)); })};
+    const auto rounded = [](double x) { return double(Real(x)); };
+    return {rounded(value.value),
+            {rounded(gradient.x), rounded(gradient.y), rounded(gradient.z)},
+            Vec3d(rounded(color.x), rounded(color.y), rounded(color.z))};
 }
 
 std::vector<PointResult> evaluate_graph(const Recipe& recipe, const PointFile& file) {
-    const GraphEvaluator evaluate(recipe.graph);
-    GraphEvaluator::Scratch scratch = evaluate.make_scratch();
+    const Filter filter{FilterKind::trapezoid};
+    const GraphEvaluator exact(recipe.graph, filter),
+        quick(recipe.graph, filter, PrecisionKind::float32);
+    GraphEvaluator::Scratch scratch = exact.make_scratch();
+    const Affine3 map = texture_from_solid(recipe);
     std::vector<PointResult> results;
-    for (const auto& [x, y, z, w] : file.points)
-        results.push_back(evaluate_graph(evaluate, scratch, texture_from_solid(recipe), {x, y, z}));
+    for (const auto& [x, y, z, w] : file.points) {
+        const Vec3d point(x, y, z);
+        results.push_back({evaluate_graph<double>(exact, scratch, map, point),
+                           evaluate_graph<float>(quick, scratch, map, point)});
+    }
     return results;
 }
 

@@ -10,14 +10,15 @@
 #include "procedural/dual.h"
 #include "procedural/filtered_colors.h"
 #include "procedural/graph.h"
-#include "procedural/octaves.h"
+#include "procedural/lattice_sums.h"
+#include "procedural/precision.h"
 #include "procedural/texel_place.h"
 
 namespace burl {
 
 inline constexpr std::size_t graph_batch_size = 256;
 
-struct Channel {
+struct alignas(64) Channel {
     std::array<double, graph_batch_size> value{};
     std::array<std::array<double, graph_batch_size>, 3> slope{};
 
@@ -34,6 +35,7 @@ struct Channel {
 struct PreparedNode {
     std::vector<Octave> octaves;         ///< field
     std::vector<double> means;           ///< field: of each octave, where octaves fade
+    std::vector<LatticeSum> sums;        ///< field: the octaves, where none fades
     std::vector<MapPieces> pieces;       ///< color_map: one
     std::vector<FilteredColors> colors;  ///< color_map: one
 };
@@ -46,6 +48,7 @@ struct NodeCall {
     const GraphNode* node = nullptr;
     const TextureGraph* graph = nullptr;
     const PreparedNode* prepared = nullptr;
+    bool float32 = false;  ///< whether noise may be float32
     std::array<std::span<const Channel>, 4> inputs;
     std::span<const Channel> place;
     std::span<const Footprint> footprints;  ///< as many as there are points

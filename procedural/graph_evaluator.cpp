@@ -20,7 +20,9 @@ Vec3d NodeCall::vector(std::string_view key) const {
     return {parameter(key, 0), parameter(key, 1), parameter(key, 2)};
 }
 
-GraphEvaluator::GraphEvaluator(const TextureGraph& graph, const Filter& filter) : graph_(graph) {
+GraphEvaluator::GraphEvaluator(const TextureGraph& graph, const Filter& filter,
+                               PrecisionKind precision)
+    : graph_(graph), float32_(precision == PrecisionKind::float32) {
     for (const GraphNode& node : graph_.nodes) {
         first_channel_.push_back(channel_count_);
         channel_count_ += std::size_t(node.wire);
@@ -31,6 +33,8 @@ GraphEvaluator::GraphEvaluator(const TextureGraph& graph, const Filter& filter) 
         if (filter.band_limit)
             for (const Octave& octave : prepared.octaves)
                 prepared.means.push_back(octave_mean(octave));
+        else if (float32_)
+            prepared.sums = lattice_sums(prepared.octaves);
         if (node.wire != Wire::color) continue;
         prepared.pieces.emplace_back(texture.colors);
         prepared.colors.emplace_back(texture.colors, filter.kind);
@@ -48,6 +52,7 @@ void GraphEvaluator::evaluate_batch(std::span<const Footprint> footprints, Scrat
         call.node = &node;
         call.graph = &graph_;
         call.prepared = &prepared_[n];
+        call.float32 = float32_;
         for (std::size_t k = 0; k < node.inputs.size(); ++k)
             call.inputs[k] = channels(scratch, node.inputs[k]);
         call.place = channels(scratch, node.place);

@@ -1,7 +1,7 @@
 #pragma once
 // Evaluates a texture graph in batches: node after node, each over the arrays of all points, with
-// forward-mode derivatives. All of it in float64, which is reference and bake in one; a point's
-// result does not depend on what else is in its batch.
+// forward-mode derivatives. All of it in float64, which is the reference, or with sums of noise by
+// the vectorised kernels in float32; a point's result does not depend on what else is in its batch.
 #include <memory>
 #include <span>
 #include <vector>
@@ -29,9 +29,11 @@ class GraphEvaluator {
     using Scratch = std::vector<Channel>;
 
     /// The graph must be valid (graph_from_json makes only such) and not empty. `filter` decides
-    /// how color_map and field average over footprints (docs/nodes.md).
+    /// how color_map and field average over footprints (docs/nodes.md). `precision` is that of sums
+    /// of noise, float64 or float32.
     explicit GraphEvaluator(const TextureGraph& graph,
-                            const Filter& filter = {FilterKind::trapezoid});
+                            const Filter& filter = {FilterKind::trapezoid},
+                            PrecisionKind precision = PrecisionKind::float64);
 
     Scratch make_scratch() const { return Scratch(channel_count_); }
 
@@ -48,6 +50,7 @@ class GraphEvaluator {
     std::span<Channel> channels(Scratch& scratch, std::size_t node) const;
 
     TextureGraph graph_;
+    bool float32_;
     std::vector<PreparedNode> prepared_;
     std::vector<std::size_t> first_channel_;
     std::size_t channel_count_ = 0;

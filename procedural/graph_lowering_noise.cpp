@@ -1,12 +1,11 @@
 // The irregular textures as sums of octaves and arithmetic; what they mean is in graph_noise.cpp.
 // Without a footprint no octave fades.
 #include <cmath>
-#include <optional>
 
 #include "procedural/graph_lowering.h"
+#include "procedural/lattice_sums.h"
 #include "procedural/marble_spline.h"
 #include "procedural/node_noise.h"
-#include "procedural/octaves.h"
 
 namespace burl {
 
@@ -140,49 +139,13 @@ Register quadric_at(const LoweringCall& call, const Quadric& q, double constant)
     return call.add(xy, z);
 }
 
-/// By how much b's lattice is finer than a's in all directions, if it is so exactly.
-std::optional<double> ratio_of(const Affine3& b, const Affine3& a) {
-    for (int column = 0; column < 3; ++column)
-        for (int row = 0; row < 3; ++row) {
-            if (a.linear[column][row] == 0.0) continue;
-            const double ratio = b.linear[column][row] / a.linear[column][row];
-            if (b.linear == ratio * a.linear && b.offset == ratio * a.offset) return ratio;
-            return {};
-        }
-    return {};
-}
-
-/// Octaves that differ by frequency and seed alone, the first one's lattice coordinates aside.
-struct LatticeSum {
-    Affine3 lattice;
-    NoiseSum sum;
-};
-
-std::vector<LatticeSum> sums_of(std::span<const Octave> octaves) {
-    std::vector<LatticeSum> sums;
-    for (const Octave& octave : octaves) {
-        NoiseSpec noise = octave.noise;
-        noise.seed = 0;
-        std::optional<double> ratio;
-        if (!sums.empty() && sums.back().sum.noise == noise &&
-            sums.back().sum.shape == octave.shape)
-            ratio = ratio_of(octave.lattice_from_solid, sums.back().lattice);
-        if (!ratio) {
-            sums.push_back({octave.lattice_from_solid, {noise, octave.shape, {}, 0.0}});
-            ratio = 1.0;
-        }
-        sums.back().sum.octaves.push_back({octave.noise.seed, *ratio, octave.scale});
-    }
-    return sums;
-}
-
 LoweredNode field(const LoweringCall& call) {
     const Texture& texture = call.graph->textures[call.node->texture];
     const std::vector<Octave> octaves = expand_octaves(texture);
     double constant = 0.0;
     for (const Octave& octave : octaves) constant += octave.offset;
     Register total = quadric_at(call, texture.quadric, constant);
-    for (LatticeSum& part : sums_of(octaves)) {
+    for (LatticeSum& part : lattice_sums(octaves)) {
         LoweringCall inner = call;
         inner.place.map = part.lattice.after(call.place.map);
         total = call.add(total, sum_at(call, std::move(part.sum), inner.point()));

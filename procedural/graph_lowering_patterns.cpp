@@ -56,11 +56,12 @@ LoweredNode power(const LoweringCall& call) {
 LoweredNode slope(const LoweringCall& call) {
     TextureGraph input = *call.graph;
     input.nodes.resize(call.node->inputs[0] + 1);
-    return call.number(
-        call.program
-            ->add(GraphSlope{std::make_shared<GraphEvaluator>(input), call.vector("direction")},
-                  {0, 1, 2})
-            .front());
+    return call.number(call.program
+                           ->add(GraphSlope{std::make_shared<GraphEvaluator>(
+                                                input, Filter{}, PrecisionKind::float32),
+                                            call.vector("direction")},
+                                 {0, 1, 2})
+                           .front());
 }
 
 LoweredNode smoothstep(const LoweringCall& call) {

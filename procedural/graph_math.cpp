@@ -26,10 +26,10 @@ void constant(const NodeCall& call) {
     const std::vector<double>& p = call.node->parameters;
     const bool color = call.out.size() == 4;
     const double alpha = color ? p[3] / 255.0 : 1.0;
-    for_each_channel(call, [&](std::size_t, std::size_t c) -> Dual {
-        if (!color) return p[0];
-        return c < 3 ? alpha * srgb_decode(p[c] / 255.0) : alpha;
-    });
+    for (std::size_t c = 0; c < call.out.size(); ++c) {
+        const Dual value = !color ? p[0] : c < 3 ? alpha * srgb_decode(p[c] / 255.0) : alpha;
+        for (std::size_t i = 0; i < call.count(); ++i) call.out[c].set(i, value);
+    }
 }
 
 void coordinate(const NodeCall& call) {

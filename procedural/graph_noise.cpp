@@ -35,6 +35,12 @@ struct OctaveSum {
                 call.parameter("gain"), absolute_values};
     }
 
+    /// What stands for an octave that does not show.
+    double mean() const {
+        return absolute ? mean_absolute(noise.kind, noise.time.has_value())
+                        : mean_value(noise.kind, noise.time.has_value());
+    }
+
     /// pbrt's n = clamp(-1 - log2(step^2) / 2, 0, octaves), for any lacunarity: octave k stays
     /// while the sample covers less than half a cell of it.
     double visible(double step) const {
@@ -52,13 +58,11 @@ struct OctaveSum {
         NoiseSpec octave = noise;
         for (double k = 0.0; k < octaves; ++k, ++octave.seed) {
             const double fade = dual_smoothstep(0.3, 0.7, std::min(kept - k, 1.0)).value;
-            const double left = absolute ? mean_absolute(noise.kind, noise.time.has_value())
-                                         : mean_value(noise.kind, noise.time.has_value());
             if (fade > 0.0) {
                 const Dual n = noise_at(octave, scaled(frequency, p));
                 sum = sum + weight * fade * (absolute ? dual_abs(n) : n);
             }
-            if (fade < 1.0) sum = sum + weight * (1.0 - fade) * left;
+            if (fade < 1.0) sum = sum + weight * (1.0 - fade) * mean();
             weight *= gain;
             frequency *= lacunarity;
         }
@@ -75,6 +79,112 @@ Vec3d moved_along(const DualPoint& p, const Vec3d& step) {
 double step_of(const NodeCall& call, const DualPoint& p, std::size_t i) {
     return std::max(glm::length(moved_along(p, call.footprints[i].u)),
                     glm::length(moved_along(p, call.footprints[i].v)));
+}
+
+/// Value and gradient of sums in float32 at all points of a batch.
+struct SlopeBatch32 {
+    alignas(64) float value[graph_batch_size];
+    alignas(64) float slope[3][graph_batch_size];
+
+    SlopeArrays arrays() { return {value, {slope[0], slope[1], slope[2]}}; }
+    /// The sum at p, which was point i.
+    Dual at(std::size_t i, const DualPoint& p) const {
+        return {double(value[i]), double(slope[0][i]) * p.x.slope +
+                                      double(slope[1][i]) * p.y.slope +
+                                      double(slope[2][i]) * p.z.slope};
+    }
+};
+
+/// A sum of octaves at `scale` times a batch's points: point by point in float64, or all at once in
+/// float32.
+class PointSums {
+  public:
+    PointSums(const NodeCall& call, const OctaveSum& sum, const Vec3d& scale = Vec3d(1.0),
+              bool fades = true)
+        : call_(call), sum_(sum), scale_(scale), fades_(fades) {
+        if (call.float32) add_up_batch();
+    }
+
+    Dual operator()(std::size_t i) const {
+        const DualPoint p = point(i);
+        if (call_.float32) return batch_.at(i, p);
+        return sum_(p, fades_ ? step_of(call_, p, i) : 0.0);
+    }
+
+  private:
+    DualPoint point(std::size_t i) const {
+        const DualPoint p = call_.point(i);
+        return {scale_.x * p.x, scale_.y * p.y, scale_.z * p.z};
+    }
+
+    NoiseSum octaves() const {
+        NoiseSum sum{sum_.noise, sum_.absolute ? OctaveShape::absolute : OctaveShape::plain, {}, 0};
+        double frequency = 1.0, weight = 1.0;
+        for (double k = 0.0; k < sum_.octaves; ++k) {
+            sum.octaves.push_back({sum_.noise.seed + std::uint32_t(k), frequency, weight});
+            weight *= sum_.gain;
+            frequency *= sum_.lacunarity;
+        }
+        return sum;
+    }
+
+    void add_up_batch() {
+        alignas(64) double points[3][graph_batch_size];
+        alignas(64) float kept[graph_batch_size];
+        bool all = true;
+        for (std::size_t i = 0; i < call_.count(); ++i) {
+            const DualPoint p = point(i);
+            points[0][i] = p.x.value, points[1][i] = p.y.value, points[2][i] = p.z.value;
+            const double visible = fades_ ? sum_.visible(step_of(call_, p, i)) : sum_.octaves;
+            kept[i] = float(visible);
+            all = all && visible >= sum_.octaves;
+        }
+        // Whole vectors are read, and what lies behind the points does not count.
+        for (std::size_t i = call_.count(); i < graph_batch_size && i % batch_padding != 0; ++i)
+            points[0][i] = points[1][i] = points[2][i] = 0.0, kept[i] = 0.0f;
+        add_up_slopes(octaves(), {points[0], points[1], points[2]}, call_.count(),
+                      {all ? nullptr : kept, sum_.mean()}, batch_.arrays());
+    }
+
+    const NodeCall& call_;
+    const OctaveSum& sum_;
+    Vec3d scale_;
+    bool fades_;
+    SlopeBatch32 batch_;
+};
+
+/// q at p.
+FieldSample quadric_at(const Quadric& quadric, const DualPoint& p) {
+    return sample_field<double>(quadric, {}, {p.x.value, p.y.value, p.z.value});
+}
+
+/// A field's sums in float32 at a batch's points: value, and gradient with respect to the points.
+std::vector<FieldSample> field_sums(const NodeCall& call) {
+    std::vector<FieldSample> fields(call.count());
+    for (const auto& [lattice, sum] : call.prepared->sums) {
+        alignas(64) double points[3][graph_batch_size] = {};
+        for (std::size_t i = 0; i < call.count(); ++i) {
+            const Vec3d p =
+                lattice({call.place[0].value[i], call.place[1].value[i], call.place[2].value[i]});
+            for (int axis = 0; axis < 3; ++axis) points[axis][i] = p[axis];
+        }
+        SlopeBatch32 batch;
+        add_up_slopes(sum, {points[0], points[1], points[2]}, call.count(), {}, batch.arrays());
+        for (std::size_t i = 0; i < call.count(); ++i) {
+            const Vec3d slope(batch.slope[0][i], batch.slope[1][i], batch.slope[2][i]);
+            fields[i].value += double(batch.value[i]);
+            fields[i].gradient += slope * lattice.linear;  // the transposed map
+        }
+    }
+    double offsets = 0.0;
+    for (const Octave& octave : call.prepared->octaves) offsets += octave.offset;
+    const Quadric& quadric = call.graph->textures[call.node->texture].quadric;
+    for (std::size_t i = 0; i < call.count(); ++i) {
+        const FieldSample q = quadric_at(quadric, call.point(i));
+        fields[i].value += q.value + offsets;
+        fields[i].gradient += q.gradient;
+    }
+    return fields;
 }
 
 /// The field at p without the octaves that the sample cannot show; their means stay.
@@ -122,51 +232,46 @@ std::array<Dual, 3> marble_color(bool smooth, const Dual& t) {
 
 void field(const NodeCall& call) {
     const Quadric& quadric = call.graph->textures[call.node->texture].quadric;
+    const bool fades = !call.prepared->means.empty();
+    std::vector<FieldSample> sums;
+    if (call.float32 && !fades) sums = field_sums(call);
     for_each_point(call, [&](std::size_t i) {
         const DualPoint p = call.point(i);
         const Vec3d s(p.x.value, p.y.value, p.z.value);
-        const FieldSample f = call.prepared->means.empty()
-                                  ? sample_field<double>(quadric, call.prepared->octaves, s)
-                                  : faded_field(call, quadric, p, i);
+        const FieldSample f = fades ? faded_field(call, quadric, p, i)
+                              : !sums.empty()
+                                  ? sums[i]
+                                  : sample_field<double>(quadric, call.prepared->octaves, s);
         return Dual(f.value,
                     f.gradient.x * p.x.slope + f.gradient.y * p.y.slope + f.gradient.z * p.z.slope);
     });
 }
 
 void fbm(const NodeCall& call) {
-    const OctaveSum sum = OctaveSum::of(call, false);
-    for_each_point(call, [&](std::size_t i) {
-        const DualPoint p = call.point(i);
-        return sum(p, step_of(call, p, i));
-    });
+    const OctaveSum octaves = OctaveSum::of(call, false);
+    for_each_point(call, PointSums(call, octaves));
 }
 
 void wrinkled(const NodeCall& call) {
-    const OctaveSum sum = OctaveSum::of(call, true);
-    for_each_point(call, [&](std::size_t i) {
-        const DualPoint p = call.point(i);
-        return sum(p, step_of(call, p, i));
-    });
+    const OctaveSum octaves = OctaveSum::of(call, true);
+    for_each_point(call, PointSums(call, octaves));
 }
 
 void windy(const NodeCall& call) {
-    const OctaveSum waves = OctaveSum::of(call, false);
-    OctaveSum wind = waves;
-    wind.octaves = 3.0;
-    for_each_point(call, [&](std::size_t i) {
-        const DualPoint p = call.point(i);
-        const double step = step_of(call, p, i);
-        return dual_abs(wind(scaled(0.1, p), 0.1 * step)) * waves(p, step);
-    });
+    const OctaveSum octaves = OctaveSum::of(call, false);
+    OctaveSum slow = octaves;
+    slow.octaves = 3.0;
+    const PointSums waves(call, octaves), wind(call, slow, Vec3d(0.1));
+    for_each_point(call, [&](std::size_t i) { return dual_abs(wind(i)) * waves(i); });
 }
 
 void marble(const NodeCall& call) {
-    const OctaveSum sum = OctaveSum::of(call, false);
+    const OctaveSum octaves = OctaveSum::of(call, false);
     const double scale = call.parameter("scale"), variation = call.parameter("variation");
+    const PointSums sum(call, octaves, Vec3d(scale));
     const bool smooth = call.parameter("spline") == 1.0;
     for (std::size_t i = 0; i < call.count(); ++i) {
-        const DualPoint p = scaled(scale, call.point(i));
-        const Dual vein = p.y + variation * sum(p, step_of(call, p, i));
+        const Dual vein = scale * call.point(i).y + variation * sum(i);
         const auto color = marble_color(smooth, 0.5 + 0.5 * dual_sin(vein));
         for (std::size_t c = 0; c < 3; ++c) call.out[c].set(i, color[c]);
         call.out[3].set(i, 1.0);
@@ -174,14 +279,12 @@ void marble(const NodeCall& call) {
 }
 
 void bumps(const NodeCall& call) {
-    const NoiseSpec noise = noise_of(call);
-    const Vec3d frequency = call.vector("frequency");
+    const OctaveSum octave{noise_of(call), 1.0};
+    const PointSums noise(call, octave, call.vector("frequency"), false);
     const double threshold = call.parameter("threshold");
     blend_inputs(call, [&](std::size_t i) {
-        const DualPoint p = call.point(i);
-        const DualPoint q{frequency.x * p.x, frequency.y * p.y, frequency.z * p.z};
-        const Dual n = noise_at(noise, q);
-        const Dual above = (is_distance(noise.kind) ? n : 0.5 + 0.5 * n) - threshold;
+        const Dual n = noise(i);
+        const Dual above = (is_distance(octave.noise.kind) ? n : 0.5 + 0.5 * n) - threshold;
         return box_step(above, call.box_width(above, i));
     });
 }
@@ -208,15 +311,14 @@ void dots(const NodeCall& call) {
 
 void warp(const NodeCall& call) {
     const double strength = call.parameter("strength");
-    std::array<OctaveSum, 3> moves;
+    std::array<OctaveSum, 3> octaves;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        moves[axis] = OctaveSum::of(call, false);
-        moves[axis].noise.seed += std::uint32_t(axis) << 16;
+        octaves[axis] = OctaveSum::of(call, false);
+        octaves[axis].noise.seed += std::uint32_t(axis) << 16;
     }
+    const PointSums x(call, octaves[0]), y(call, octaves[1]), z(call, octaves[2]);
     map_points(call, [&](std::size_t i, const DualPoint& p) -> DualPoint {
-        const double step = step_of(call, p, i);
-        return {p.x + strength * moves[0](p, step), p.y + strength * moves[1](p, step),
-                p.z + strength * moves[2](p, step)};
+        return {p.x + strength * x(i), p.y + strength * y(i), p.z + strength * z(i)};
     });
 }
 

@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <span>
-
-#include "procedural/perlin1985.h"
-#include "procedural/published_permutation.h"
 
 // This file is compiled once per instruction set.
 // clang-format off
@@ -15,7 +13,7 @@
 #include <hwy/highway.h>
 // clang-format on
 
-#include "procedural/noise_corners-inl.h"
+#include "procedural/point_noise-inl.h"
 #include "procedural/point_sites-inl.h"
 
 #ifndef BURL_NOISE_SUM_ONCE
@@ -42,117 +40,12 @@ inline std::vector<OctaveGroup> groups_of(std::span<const SumOctave> octaves) {
     return groups;
 }
 
-/// The published permutation as numbers that vectors can gather.
-inline constexpr auto permutation_numbers = [] {
-    std::array<std::int32_t, 256> numbers{};
-    for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = published_permutation[i];
-    return numbers;
-}();
-
 }  // namespace burl
 #endif
 
 HWY_BEFORE_NAMESPACE();
 namespace burl {
 namespace HWY_NAMESPACE {
-
-struct VectorSite {
-    Bit cell[3];
-    Float place[3];
-};
-
-// Noises give `unit` times the noise of a vector of sites, by octave.
-
-template <class Corner, class FadeFunction, int exponent>
-struct HashedNoise {
-    static constexpr double unit = exponent == 3 ? 0x1p-3 : 0x1p-26;
-    HWY_ATTR HWY_INLINE Float operator()(std::uint32_t seed, const VectorSite& at) const {
-        const Bit seeds = hn::Set(Bits(), seed * LatticeHash::prime_seed);
-        return EightfoldNoise<Corner, FadeFunction>(
-            CellHash(seeds, at.cell[0], at.cell[1], at.cell[2]), at.place[0], at.place[1],
-            at.place[2]);
-    }
-};
-
-/// Blends eight corners whose random numbers come from tables of 256: `Tables` has Hash(h) for the
-/// first two axes and Corner(h, x, y, z).
-template <class Tables, class FadeFunction>
-struct TableNoise {
-    static constexpr double unit = 0x1p-3;
-    Tables tables;
-
-    HWY_ATTR HWY_INLINE Float operator()(std::uint32_t seed, const VectorSite& at) const {
-        const Floats d;
-        const FadeFunction fade;
-        const Bit one = hn::Set(Bits(), 1);
-        Bit low[3];
-        Float from_low[3], from_high[3], weight[3];
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            const Float u = at.place[axis], half = hn::Set(d, 0.5f);
-            low[axis] = hn::Add(at.cell[axis], hn::Set(Bits(), LatticeHash::shift(seed, axis)));
-            from_low[axis] = hn::Add(u, half);
-            from_high[axis] = hn::Sub(u, half);
-            weight[axis] = fade(hn::Add(u, u));
-        }
-        const auto column = [&](Bit hash, Float x, Float y) HWY_ATTR {
-            const Bit h = hn::Add(hash, low[2]);
-            return TwiceLerp(weight[2], tables.Corner(h, x, y, from_low[2]),
-                             tables.Corner(hn::Add(h, one), x, y, from_high[2]));
-        };
-        const auto side = [&](Bit x_index, Float x) HWY_ATTR {
-            const Bit h = hn::Add(tables.Hash(x_index), low[1]);
-            return TwiceLerp(weight[1], column(tables.Hash(h), x, from_low[1]),
-                             column(tables.Hash(hn::Add(h, one)), x, from_high[1]));
-        };
-        return TwiceLerp(weight[0], side(low[0], from_low[0]),
-                         side(hn::Add(low[0], one), from_high[0]));
-    }
-};
-
-HWY_ATTR HWY_INLINE hn::Vec<Ints> LowByte(Bit h) {
-    return hn::BitCast(Ints(), hn::And(h, hn::Set(Bits(), 255)));
-}
-
-struct PublishedTables {
-    HWY_ATTR HWY_INLINE Bit Hash(Bit h) const {
-        return hn::BitCast(Bits(), hn::GatherIndex(Ints(), permutation_numbers.data(), LowByte(h)));
-    }
-    HWY_ATTR HWY_INLINE Float Corner(Bit h, Float x, Float y, Float z) const {
-        return PerlinCorner()(hn::ShiftLeft<28>(Hash(h)), x, y, z);
-    }
-};
-
-struct Tables1985 {
-    const std::int32_t* permutation = nullptr;
-    const float* gradients = nullptr;
-    HWY_ATTR HWY_INLINE Bit Hash(Bit h) const {
-        return hn::BitCast(Bits(), hn::GatherIndex(Ints(), permutation, LowByte(h)));
-    }
-    HWY_ATTR HWY_INLINE Float Corner(Bit h, Float x, Float y, Float z) const {
-        const Floats d;
-        const auto number = LowByte(h), at = hn::Add(number, hn::Add(number, number));
-        const auto product = [&](int axis, Float offset) HWY_ATTR {
-            return hn::Mul(hn::GatherIndex(d, gradients + axis, at), offset);
-        };
-        return hn::Add(hn::Add(product(0, x), product(1, y)), product(2, z));
-    }
-};
-
-/// Calls visit(noise) with the kind's.
-template <class Visit>
-HWY_ATTR void WithPointNoise(const NoiseSpec& noise, const Visit& visit) {
-    if (noise.kind == NoiseKind::perlin2002)
-        return visit(TableNoise<PublishedTables, QuinticFade>{});
-    if (noise.kind == NoiseKind::perlin1985) {
-        const ClassicTables& tables = classic_tables();
-        const auto* permutation = reinterpret_cast<const std::int32_t*>(tables.p.data());
-        return visit(TableNoise<Tables1985, SmoothFade>{{permutation, tables.g3[0].data()}});
-    }
-    if (noise.kind == NoiseKind::perlin) return visit(HashedNoise<PerlinCorner, QuinticFade, 3>());
-    if (noise.fade == Fade::linear) return visit(HashedNoise<ValueCorner, LinearFade, 26>());
-    if (noise.fade == Fade::smooth) return visit(HashedNoise<ValueCorner, SmoothFade, 26>());
-    return visit(HashedNoise<ValueCorner, QuinticFade, 26>());
-}
 
 /// n, |n| or (1 - |n|)^2.
 template <OctaveShape shape>
@@ -222,6 +115,93 @@ HWY_ATTR void AddUpOf(const NoiseSum& sum, const Noise& noise, const PointArrays
                   out + j);
 }
 
+/// Sums of a vector of points.
+struct VectorSums {
+    Float value, slope[3];
+};
+
+/// What an octave adds: where only a share of it shows, the rest is its mean.
+template <OctaveShape shape>
+HWY_ATTR HWY_INLINE void AddShaped(const SumOctave& octave, VectorSample n, float unit, Float share,
+                                   double mean, VectorSums& sums) {
+    const Floats d;
+    const Float weight = hn::Set(d, float(octave.weight)), one = hn::Set(d, 1.0f);
+    n.value = hn::Mul(n.value, hn::Set(d, unit));
+    const Float shaped = hn::Mul(share, Shaped<shape>(n.value));
+    const Float rest = hn::Mul(hn::Sub(one, share), hn::Set(d, float(mean)));
+    sums.value = hn::Add(sums.value, hn::Mul(weight, hn::Add(shaped, rest)));
+    Float factor =
+        hn::Mul(share, hn::Set(d, float(octave.weight * octave.frequency * double(unit))));
+    if (shape != OctaveShape::plain) factor = hn::Xor(factor, hn::And(n.value, hn::SignBit(d)));
+    if (shape == OctaveShape::ridged)
+        factor = hn::Mul(factor, hn::Mul(hn::Set(d, -2.0f), hn::Sub(one, hn::Abs(n.value))));
+    for (int axis = 0; axis < 3; ++axis)
+        sums.slope[axis] = hn::Add(sums.slope[axis], hn::Mul(factor, n.slope[axis]));
+}
+
+/// smoothstep(0.3, 0.7, kept - k).
+HWY_ATTR HWY_INLINE Float ShareOf(Float kept, std::size_t k) {
+    const Floats d;
+    const Float away = hn::Sub(kept, hn::Set(d, float(k) + 0.3f));
+    const Float u =
+        hn::Min(hn::Max(hn::Mul(away, hn::Set(d, 2.5f)), hn::Zero(d)), hn::Set(d, 1.0f));
+    return hn::Mul(hn::Mul(u, u), hn::Sub(hn::Set(d, 3.0f), hn::Add(u, u)));
+}
+
+template <OctaveShape shape, class Noise>
+HWY_ATTR HWY_INLINE void AddGroup(const NoiseSum& sum, const OctaveGroup& group, const Noise& noise,
+                                  const PointArrays& points, std::size_t j, const Float* kept,
+                                  double mean, VectorSums& sums) {
+    const Floats d;
+    const double frequency = sum.octaves[group.begin].frequency;
+    const int last = int(group.end - group.begin) - 1;
+    const bool beyond = AnyBeyond(points, j, frequency, std::ldexp(lattice_limit, -last));
+    const SharedSites shared(points, j, frequency, std::ldexp(lattice_limit, -last));
+    for (int k = last; k >= 0; --k) {
+        const std::size_t number = group.begin + std::size_t(k);
+        const Float share = kept ? ShareOf(*kept, number) : hn::Set(d, 1.0f);
+        const SumOctave& octave = sum.octaves[number];
+        VectorSample n{hn::Zero(d), {hn::Zero(d), hn::Zero(d), hn::Zero(d)}};
+        if (!hn::AllTrue(d, hn::Eq(share, hn::Zero(d))))
+            n = noise.Sample(
+                octave.seed,
+                beyond ? SharedSites(points, j, frequency, std::ldexp(lattice_limit, -k)).After(k)
+                       : shared.After(k));
+        AddShaped<shape>(octave, n, float(Noise::unit), share, mean, sums);
+    }
+}
+
+template <OctaveShape shape, class Noise>
+HWY_ATTR void AddUpSlopesOf(const NoiseSum& sum, const Noise& noise, const PointArrays& points,
+                            std::size_t count, const VisibleOctaves& visible,
+                            const SlopeArrays& out) {
+    const Floats d;
+    const std::vector<OctaveGroup> groups = groups_of(sum.octaves);
+    const Float zero = hn::Zero(d), offset = hn::Set(d, float(sum.offset));
+    for (std::size_t j = 0; j < count; j += hn::Lanes(d)) {
+        VectorSums sums{zero, {zero, zero, zero}};
+        const Float kept = visible.kept ? hn::Load(d, visible.kept + j) : zero;
+        for (std::size_t g = groups.size(); g-- > 0;)
+            AddGroup<shape>(sum, groups[g], noise, points, j, visible.kept ? &kept : nullptr,
+                            visible.mean, sums);
+        hn::Store(hn::Add(sums.value, offset), d, out.value + j);
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            hn::Store(sums.slope[axis], d, out.slope[axis] + j);
+    }
+}
+
+HWY_ATTR void AddUpSlopes(const NoiseSum& sum, const PointArrays& points, std::size_t count,
+                          const VisibleOctaves& visible, const SlopeArrays& out) {
+    WithPointNoise(sum.noise, [&](const auto& noise) HWY_ATTR {
+        if (sum.shape == OctaveShape::plain)
+            AddUpSlopesOf<OctaveShape::plain>(sum, noise, points, count, visible, out);
+        else if (sum.shape == OctaveShape::absolute)
+            AddUpSlopesOf<OctaveShape::absolute>(sum, noise, points, count, visible, out);
+        else
+            AddUpSlopesOf<OctaveShape::ridged>(sum, noise, points, count, visible, out);
+    });
+}
+
 HWY_ATTR void AddUp(const NoiseSum& sum, const PointArrays& points, std::size_t count,
                     double* out) {
     WithPointNoise(sum.noise, [&](const auto& noise) HWY_ATTR {
@@ -244,6 +224,7 @@ HWY_AFTER_NAMESPACE();
 namespace burl {
 
 HWY_EXPORT(AddUp);
+HWY_EXPORT(AddUpSlopes);
 
 bool has_point_kernel(const NoiseSpec& noise) {
     return is_interpolated(noise.kind) && noise.period == Period<4>{} && !noise.time;
@@ -267,7 +248,37 @@ void add_up_points(const NoiseSum& sum, const PointArrays& points, std::size_t c
     }
 }
 
+/// The same with slopes, at one point.
+void add_up_slopes_at(const NoiseSum& sum, const Point<3>& p, const VisibleOctaves& visible,
+                      std::size_t j, const SlopeArrays& out) {
+    NoiseSample<double, 3> total{sum.offset, {}};
+    NoiseSpec noise = sum.noise;
+    for (std::size_t k = 0; k < sum.octaves.size(); ++k) {
+        const auto& [seed, frequency, weight] = sum.octaves[k];
+        noise.seed = seed;
+        const double share = visible.kept ? visible_share(double(visible.kept[j]), k) : 1.0;
+        total.value += weight * (1.0 - share) * visible.mean;
+        if (share == 0.0) continue;
+        const auto n = shaped(
+            sum.shape,
+            sample_noise<float, 3>(noise, {frequency * p[0], frequency * p[1], frequency * p[2]}));
+        total.value += weight * share * double(n.value);
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            total.gradient[axis] += weight * share * frequency * double(n.gradient[axis]);
+    }
+    out.value[j] = float(total.value);
+    for (std::size_t axis = 0; axis < 3; ++axis) out.slope[axis][j] = float(total.gradient[axis]);
+}
+
 }  // namespace
+
+void add_up_slopes(const NoiseSum& sum, const PointArrays& points, std::size_t count,
+                   const VisibleOctaves& visible, const SlopeArrays& out) {
+    if (has_point_kernel(sum.noise))
+        return HWY_DYNAMIC_DISPATCH(AddUpSlopes)(sum, points, count, visible, out);
+    for (std::size_t j = 0; j < count; ++j)
+        add_up_slopes_at(sum, {points[0][j], points[1][j], points[2][j]}, visible, j, out);
+}
 
 void add_up(const NoiseSum& sum, const PointArrays& points, std::size_t count, double* out) {
     if (!has_point_kernel(sum.noise)) return add_up_points(sum, points, count, out);

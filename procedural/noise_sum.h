@@ -4,6 +4,7 @@
 // octaves that double one another, into fixed-point numbers of 32 bits of cell and 32 of place, so
 // that an octave's error does not grow with the distance from the origin. Vectorised as in
 // noise_kernels.h and with the same bits on every instruction set.
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -39,5 +40,30 @@ using PointArrays = std::array<const double*, 3>;
 
 /// out[j] = the sum at point j; at most batch_capacity points.
 void add_up(const NoiseSum& sum, const PointArrays& points, std::size_t count, double* out);
+
+/// Share of octave k that a sample shows of which `kept` octaves are visible, the last one fading:
+/// smoothstep(0.3, 0.7, kept - k).
+inline double visible_share(double kept, std::size_t k) {
+    const double u = std::clamp((kept - double(k) - 0.3) * 2.5, 0.0, 1.0);
+    return u * u * (3.0 - 2.0 * u);
+}
+
+/// What of the octaves shows, point by point.
+struct VisibleOctaves {
+    const float* kept = nullptr;  ///< null: all of them
+    double mean = 0.0;            ///< of shape(n), which stands for what does not show
+};
+
+/// Arrays of value and gradient with respect to the points, aligned and padded as the points.
+struct SlopeArrays {
+    float* value = nullptr;
+    std::array<float*, 3> slope{};
+};
+
+/// The sum and its gradient, all in float32: besides add_up's error the value has that of rounding
+/// to float32. A gradient's component errs by at most 4e-6 sum_k |weight_k frequency_k| (1e-5 where
+/// ridged); at a kink it is that of one side.
+void add_up_slopes(const NoiseSum& sum, const PointArrays& points, std::size_t count,
+                   const VisibleOctaves& visible, const SlopeArrays& out);
 
 }  // namespace burl

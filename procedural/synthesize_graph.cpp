@@ -31,7 +31,7 @@ Image<Pixel> synthesize(const SolidAtlas& solid, const TextureGraph& graph, cons
     if (points && precision == PrecisionKind::float32)
         return synthesize_points<Pixel>(solid, graph, map, filter, threads);
     const PixelEncoder<Pixel> encode{};
-    const GraphEvaluator evaluate(graph, filter);
+    const GraphEvaluator evaluate(graph, filter, precision);
     Image<Pixel> image(solid.size, solid.size, encode(evaluate(Vec3d(0.0)).color()));
     fill_texels(solid, map, evaluate, filter, GraphColor{}, encode, threads, image);
     return image;

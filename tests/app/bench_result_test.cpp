@@ -95,13 +95,16 @@ TEST(BenchSynthesis, TakesAnyMeshAndRecipe) {
     ASSERT_EQ(plain.size(), 4u);
     EXPECT_EQ(plain[0].time.group, "marble, 64 x 64");
     EXPECT_EQ(plain[0].time.units, 64.0 * 64.0);
-    // A graph of nodes is timed, too, but has no definition by octaves.
-    const auto graph = bench_synthesis(1, {bumpy_sphere(300), {"checker-floor"}, 64});
-    ASSERT_EQ(graph.size(), 3u);
+    // A graph of nodes is held against its float64 evaluation.
+    const auto graph = bench_synthesis(1, {bumpy_sphere(300), {"wrinkled"}, 64});
+    ASSERT_EQ(graph.size(), 4u);
     for (const BenchResult& r : graph) {
-        EXPECT_FALSE(r.error);
+        ASSERT_TRUE(r.error);
         EXPECT_GT(r.time.median, 0.0);
     }
+    EXPECT_GT(graph[2].error->max, 0.0);
+    EXPECT_LT(graph[2].error->max, 1e-5);
+    EXPECT_EQ(graph[3].error->max, 0.0);
     EXPECT_THROW(bench_synthesis(1, {.recipes = {"no-such-recipe"}}), Error);
 }
 

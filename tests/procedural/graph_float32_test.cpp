@@ -141,13 +141,70 @@ TEST(GraphFloat32, TexturesAreTheFloat64OnesUpToRounding) {
     }
 }
 
-TEST(GraphFloat32, FiltersOverFootprintsAreThoseOfFloat64) {
+/// Both evaluations with gradients, of all nodes, over texels of which some show no fine octaves.
+TEST(GraphFloat32, NodesFilterAsInFloat64) {
+    const std::vector<Vec3d> points = random_points(1500, 5.0, 2);
+    std::vector<Footprint> footprints;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const double size = std::exp2(-double(i % 12));
+        footprints.push_back({size * Vec3d(0.2, 0.1, 0.0), size * Vec3d(0.0, -0.3, 0.1)});
+    }
+    for (const GraphCase& graph : graph_cases) {
+        const GraphEvaluator exact(graph_of(graph.json));
+        const GraphEvaluator quick(graph_of(graph.json), {FilterKind::trapezoid},
+                                   PrecisionKind::float32);
+        GraphEvaluator::Scratch scratch = exact.make_scratch();
+        std::vector<GraphSample> a(points.size()), b(points.size());
+        exact(points, footprints, scratch, a);
+        quick(points, footprints, scratch, b);
+        int values = 0, slopes = 0;
+        for (std::size_t i = 0; i < points.size(); ++i)
+            for (std::size_t c = 0; c < std::size_t(a[i].wire); ++c) {
+                const Dual &x = a[i].channels[c], &y = b[i].channels[c];
+                values += std::abs(x.value - y.value) > 2e-5 * (1.0 + std::abs(x.value));
+                const double size = 1.0 + glm::length(x.slope);
+                slopes += glm::length(x.slope - y.slope) > 1e-3 * size;
+            }
+        // Kinks of noise, and edges of a pattern where noise has them.
+        EXPECT_LE(values, 4) << graph.node;
+        EXPECT_LE(slopes, 24) << graph.node;
+    }
+}
+
+TEST(GraphFloat32, GradientsDoNotDependOnTheBatch) {
+    const std::vector<Vec3d> points = random_points(300, 5.0, 2);
+    const std::vector<Footprint> footprints(points.size(), {{0.02, 0.01, 0}, {0, -0.03, 0.01}});
+    for (const GraphCase& graph : graph_cases) {
+        const GraphEvaluator evaluate(graph_of(graph.json), {FilterKind::trapezoid},
+                                      PrecisionKind::float32);
+        GraphEvaluator::Scratch scratch = evaluate.make_scratch(), other = evaluate.make_scratch();
+        std::vector<GraphSample> all(points.size());
+        evaluate(points, footprints, scratch, all);
+        for (std::size_t i = 0; i < points.size(); i += 23) {
+            GraphSample one;
+            evaluate({&points[i], 1}, {&footprints[i], 1}, other, {&one, 1});
+            for (std::size_t c = 0; c < 4; ++c) {
+                EXPECT_EQ(one.channels[c].value, all[i].channels[c].value) << graph.node;
+                EXPECT_EQ(one.channels[c].slope, all[i].channels[c].slope) << graph.node;
+            }
+        }
+    }
+}
+
+TEST(GraphFloat32, FilteredTexturesAreTheFloat64OnesUpToRounding) {
     const SolidAtlas solid = SyntheticAtlas{}.make(5);
     const TextureGraph graph = graph_of(busy);
     using enum PrecisionKind;
-    const Filter filter{FilterKind::trapezoid};
-    EXPECT_EQ(synthesize_graph_rgbf(solid, graph, {}, filter, 2, float32),
-              synthesize_graph_rgbf(solid, graph, {}, filter, 2, float64));
+    for (const bool fade : {false, true}) {
+        const Filter filter{FilterKind::trapezoid, 1, fade};
+        const auto fast = synthesize_graph_rgbf(solid, graph, {}, filter, 2, float32);
+        const auto exact = synthesize_graph_rgbf(solid, graph, {}, filter, 2, float64);
+        EXPECT_EQ(synthesize_graph_rgbf(solid, graph, {}, filter, 1, float32), fast);
+        int away = 0;
+        for (std::size_t i = 0; i < fast.pixels().size(); ++i)
+            away += std::abs(fast.pixels()[i].g - exact.pixels()[i].g) > 2e-5f;
+        EXPECT_LE(away, 4);
+    }
 }
 
 TEST(ValueProgram, WorksOutOnceWhatIsEqualAndNothingThatIsNotRead) {

@@ -126,6 +126,93 @@ TEST(NoiseSum, TimeAndPeriodsArePointByPoint) {
     EXPECT_TRUE(has_point_kernel({.kind = NoiseKind::perlin1985}));
 }
 
+struct Slopes {
+    alignas(64) float value[value_batch + batch_padding];
+    alignas(64) float slope[3][value_batch + batch_padding];
+    SlopeArrays arrays() { return {value, {slope[0], slope[1], slope[2]}}; }
+};
+
+/// The sum and its gradient in float64, with a share of each octave.
+NoiseSample<double, 3> defined_slopes(const NoiseSum& sum, const Vec3d& p, double kept,
+                                      double mean) {
+    NoiseSample<double, 3> total{sum.offset, {}};
+    NoiseSpec noise = sum.noise;
+    for (std::size_t k = 0; k < sum.octaves.size(); ++k) {
+        const auto& [seed, frequency, weight] = sum.octaves[k];
+        noise.seed = seed;
+        const Vec3d q = frequency * p;
+        const auto n = shaped(sum.shape, sample_noise<double, 3>(noise, {q.x, q.y, q.z}));
+        const double x = std::clamp((kept - double(k) - 0.3) / 0.4, 0.0, 1.0);
+        const double share = x * x * (3.0 - 2.0 * x);
+        total.value += weight * (share * n.value + (1.0 - share) * mean);
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            total.gradient[axis] += weight * share * frequency * n.gradient[axis];
+    }
+    return total;
+}
+
+TEST(NoiseSum, SlopesStayWithinTheirStatedError) {
+    using enum NoiseKind;
+    std::mt19937 random(4);
+    std::uniform_real_distribution<double> place(-40.0, 40.0);
+    for (const NoiseKind kind : {value, perlin, perlin1985, perlin2002, worley})
+        for (const OctaveShape shape :
+             {OctaveShape::plain, OctaveShape::absolute, OctaveShape::ridged})
+            for (const bool fading : {false, true}) {
+                const NoiseSum sum = sum_of(kind, shape, 9, 2.0, 0.6);
+                double steepness = 0.0;
+                for (const SumOctave& octave : sum.octaves)
+                    steepness += std::abs(octave.weight * octave.frequency);
+                Points points;
+                Slopes out;
+                alignas(64) float kept[value_batch + batch_padding];
+                for (std::size_t j = 0; j < value_batch; ++j) {
+                    for (Array& axis : points.axes) axis.values[j] = place(random);
+                    kept[j] = 9.0f * float(j) / float(value_batch);
+                }
+                add_up_slopes(sum, points.arrays(), value_batch, {fading ? kept : nullptr, 0.25},
+                              out.arrays());
+                int steep = 0;
+                for (std::size_t j = 0; j < value_batch; ++j) {
+                    const auto exact =
+                        defined_slopes(sum, points.at(j), fading ? double(kept[j]) : 9.0, 0.25);
+                    EXPECT_NEAR(out.value[j], exact.value, 1.5e-6 * weights_of(sum));
+                    double away = 0.0;
+                    for (std::size_t axis = 0; axis < 3; ++axis)
+                        away = std::max(
+                            away, std::abs(double(out.slope[axis][j]) - exact.gradient[axis]));
+                    // Beyond the bound only where a kink lies within rounding.
+                    steep += away > (shape == OctaveShape::ridged ? 1e-5 : 4e-6) * steepness;
+                }
+                EXPECT_LE(steep, kind == worley || shape != OctaveShape::plain ? 2 : 0)
+                    << int(kind) << " " << int(shape) << " " << fading;
+            }
+}
+
+TEST(NoiseSum, SlopesHaveTheSameBitsOnEveryInstructionSet) {
+    std::mt19937 random(6);
+    const Points points = random_points(random);
+    alignas(64) float kept[value_batch + batch_padding];
+    for (std::size_t j = 0; j < value_batch; ++j) kept[j] = float(j % 11);
+    using enum NoiseKind;
+    for (const NoiseKind kind : {value, perlin, perlin1985, perlin2002}) {
+        const NoiseSum sum = sum_of(kind, OctaveShape::ridged, 10, 2.0, 0.6);
+        const auto run = [&](Slopes& out) {
+            add_up_slopes(sum, points.arrays(), value_batch, {kept, 0.5}, out.arrays());
+        };
+        Slopes expected, out;
+        run(expected);
+        on_every_target([&] {
+            run(out);
+            for (std::size_t j = 0; j < value_batch; ++j) {
+                ASSERT_EQ(out.value[j], expected.value[j]) << simd_level() << " " << int(kind);
+                for (int axis = 0; axis < 3; ++axis)
+                    ASSERT_EQ(out.slope[axis][j], expected.slope[axis][j]) << simd_level();
+            }
+        });
+    }
+}
+
 TEST(NoiseSum, CoordinatesThatLeaveTheLatticeCountAsNothing) {
     // At 2^45 the octaves from 2^6 on have left it, on that axis alone.
     NoiseSum sum = sum_of(NoiseKind::value, OctaveShape::plain, 8, 2.0, 0.5);

@@ -58,7 +58,8 @@ TEST(SynthesizeGraph, FillsTexelsWithTheirOwnPoints) {
     const Affine3 map{Mat3d(3.0), Vec3d(0.1, 0.2, 0.3)};
     const auto points =
         synthesize_graph_rgbf(solid, graph, map, Filter{}, 2, PrecisionKind::float64);
-    const auto areas = synthesize_graph_rgb16(solid, graph, map, Filter{FilterKind::trapezoid}, 2);
+    const auto areas = synthesize_graph_rgb16(solid, graph, map, Filter{FilterKind::trapezoid}, 2,
+                                              PrecisionKind::float64);
     const SrgbEncoder<std::uint16_t> encode;
     int owned = 0;
     for (std::size_t y = 0; y < solid.size; y += 3)
