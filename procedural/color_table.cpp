@@ -19,7 +19,9 @@ PreparedColorMap::PreparedColorMap(const ColorMap& map) : wrap_(map.wrap) {
         segments_.push_back({stop.position, linear_light(stop.color), Vec3d(0.0)});
     for (std::size_t i = 0; i + 1 < segments_.size(); ++i) {
         const double width = segments_[i + 1].position - segments_[i].position;
-        if (width > 0.0) segments_[i].slope = (segments_[i + 1].color - segments_[i].color) / width;
+        // Closer stops are a jump: no slope leads from one to the other.
+        if (width > 1e-300)
+            segments_[i].slope = (segments_[i + 1].color - segments_[i].color) / width;
     }
 }
 

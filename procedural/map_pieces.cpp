@@ -11,6 +11,10 @@ namespace burl {
 
 namespace {
 
+/// Stops closer than this, which f in float32 cannot tell apart, make a jump: the slope between
+/// them would be lost in what it is added to, or infinite.
+constexpr double closest_stops = 0x1p-20;
+
 /// The stops with one more on either side, so that [0,1] is covered: the next period's, or the end
 /// colours again.
 std::vector<ColorStop> covering_stops(const ColorMap& map) {
@@ -22,6 +26,9 @@ std::vector<ColorStop> covering_stops(const ColorMap& map) {
     high.position = high.position + (map.wrap == Wrap::repeat ? 1.0 : 0.0);
     stops.insert(stops.begin(), low);
     stops.push_back(high);
+    for (std::size_t i = 1; i < stops.size(); ++i)
+        if (stops[i].position - stops[i - 1].position < closest_stops)
+            stops[i].position = stops[i - 1].position;
     return stops;
 }
 

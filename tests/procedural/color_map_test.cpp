@@ -76,6 +76,28 @@ TEST(ColorMap, EqualPositionsJumpAndBelongToTheRight) {
     expect_red(ends, 1.0, linear(250));
 }
 
+TEST(ColorMap, StopsAFloatApartHaveTheirColours) {
+    const double below_one = std::nextafter(1.0, 0.0);
+    for (const Wrap wrap : {Wrap::repeat, Wrap::clamp}) {
+        const ColorMap map{wrap,
+                           {{0.0, {10, 20, 30}},
+                            {5e-324, {90, 80, 70}},
+                            {1e-310, {1, 2, 3}},
+                            {1e-17, {200, 100, 0}},
+                            {below_one, {0, 0, 99}},
+                            {1.0, {255, 0, 0}}}};
+        const PreparedColorMap prepared(map);
+        const ColorTable8 table(map);
+        for (const ColorStop& stop : map.stops) {
+            if (wrap == Wrap::repeat && stop.position == 1.0) continue;  // index 0
+            const double f = stop.position;
+            EXPECT_NEAR(glm::distance(prepared(f), linear_light(stop.color)), 0.0, 1e-14) << f;
+            EXPECT_NEAR(glm::distance(evaluate_color(map, f), prepared(f)), 0.0, 1e-14) << f;
+            EXPECT_EQ(table(f), stop.color) << f;
+        }
+    }
+}
+
 TEST(ColorMap, OneStopIsAConstant) {
     for (const Wrap wrap : {Wrap::repeat, Wrap::clamp})
         for (const double f : {-0.3, 0.0, 0.4, 0.6, 1.0, 3.2})

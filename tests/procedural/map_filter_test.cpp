@@ -72,6 +72,35 @@ TEST(MapPieces, MarksJumps) {
     EXPECT_EQ(jumps, 1);
 }
 
+TEST(MapFilter, StopsNextToOneAnotherMakeAJump) {
+    const double below_half = std::nextafter(0.5, 0.0), below_one = std::nextafter(1.0, 0.0);
+    const Rgb8 a{255, 0, 30}, b{20, 200, 90}, c{0, 10, 250};
+    for (const Wrap wrap : {Wrap::repeat, Wrap::clamp}) {
+        const MapPieces near({wrap,
+                              {{0.0, a},
+                               {5e-324, b},
+                               {1e-17, c},
+                               {below_half, a},
+                               {0.5, b},
+                               {0.5 + 1e-8, c},
+                               {below_one, c},
+                               {1.0, b}}});
+        const MapPieces jumps({wrap, {{0.0, a}, {0.0, c}, {0.5, a}, {0.5, c}, {1.0, c}, {1.0, b}}});
+        for (const double f : {-0.3, 0.0, 1e-18, 0.1, 0.5, 0.7, below_one, 1.0, 1.4, 1e9 + 0.25})
+            for (const double width : {0.0, 1e-12, 1e-3, 0.2, 7.0}) {
+                const Vec3d box = box_filtered(near, f, width),
+                            trapezoid = trapezoid_filtered(near, f, {width, 0.4 * width});
+                for (const Vec3d& color : {box, trapezoid, near.first(f), near.second(f)})
+                    ASSERT_TRUE(std::isfinite(color.x + color.y + color.z)) << f << " " << width;
+                if (width < 1e-3) continue;  // it matters on which side of a jump f lies
+                EXPECT_LT(distance(box, box_filtered(jumps, f, width)), 1e-11) << f;
+                EXPECT_LT(distance(trapezoid, trapezoid_filtered(jumps, f, {width, 0.4 * width})),
+                          1e-11)
+                    << f;
+            }
+    }
+}
+
 TEST(MapFilter, AgreesWithCounting) {
     std::mt19937 random(2);
     std::uniform_real_distribution<double> uniform(0.0, 1.0);
