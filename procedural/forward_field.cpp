@@ -94,11 +94,20 @@ Powers<degree> field_along(const FieldLine& field, std::int64_t origin) {
     return f;
 }
 
-/// So many that neither a value of the next `texels` nor a first difference overflows.
+/// What no |f| of the `texels` from `origin` on exceeds: value noise stays within its lattice's.
+double largest_value(const FieldLine& field, std::int64_t origin, double texels) {
+    const Vec3d s = field.point(origin), &step = field.solid.step;
+    const Vec3d turn = half_gradient_change(field.quadric, step);
+    double largest = std::abs(evaluate_quadric(field.quadric, s)) + std::abs(field.constant) +
+                     texels * (2.0 * std::abs(glm::dot(half_gradient(field.quadric, s), step)) +
+                               texels * std::abs(glm::dot(step, turn)));
+    for (const OctaveWalk& octave : field.octaves) largest += std::abs(octave.octave->scale);
+    return largest;
+}
+
+/// So many that neither a value nor a first difference overflows.
 template <std::size_t degree>
-int fitting_bits(const Powers<degree>& powers, const Powers<degree>& differences, double texels) {
-    double largest = 0.0;
-    for (std::size_t k = degree + 1; k-- > 0;) largest = largest * texels + std::abs(powers[k]);
+int fitting_bits(double largest, const Powers<degree>& differences) {
     for (const double d : differences) largest = std::max(largest, std::abs(d));
     return 61 - std::clamp(std::ilogb(largest), -900, 900);
 }
@@ -117,12 +126,13 @@ ForwardCounts fill_line(FieldLine& field, std::int64_t longest, double* values) 
             counts.direct += texels.wanted_last() - texels.wanted_first();
         } else {
             counts.runs += for_each_run(texels, longest, [&](std::int64_t origin, std::int64_t to) {
-                const Powers<degree> powers = field_along<degree>(field, origin);
-                const Powers<degree> differences = differences_at_zero(powers);
+                const Powers<degree> differences =
+                    differences_at_zero(field_along<degree>(field, origin));
                 int bits = 0;
                 if constexpr (std::integral<Number>)
-                    bits = fitting_bits<degree>(powers, differences,
-                                                double(std::min(longest, at.last - origin)));
+                    bits = fitting_bits<degree>(
+                        largest_value(field, origin, double(std::min(longest, at.last - origin))),
+                        differences);
                 ForwardDifferences<Number, degree> f(differences, bits);
                 run_differences(f, origin, to, begin,
                                 [&](std::int64_t j, double value) { values[j - begin] = value; });

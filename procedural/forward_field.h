@@ -22,8 +22,8 @@ std::string no_forward_form(std::span<const Octave> octaves);
 
 /// values[j] = f(start + (first + j) step) for j = 0 ... line.count - 1; no_forward_form must be
 /// empty. A texel's value does not depend on where the line is cut, only on start and step. With
-/// the default longest_run, f errs by at most 4e-6, 4e-12 and 4e-8 times 1 + |f| for noise whose
-/// amplitudes add up to 2.
+/// the default longest_run, f errs by at most 4e-6, 4e-12 and 4e-8 times 1 + Q for noise whose
+/// amplitudes add up to 2, Q the sizes of the quadric's terms on the line, added up.
 ForwardCounts forward_field(const Quadric& quadric, std::span<const Octave> octaves,
                             const LatticeLine& solid, const ForwardOptions& options,
                             double* values);

@@ -75,6 +75,20 @@ TEST(ForwardField, IsTheWholeFunctionAlongALine) {
             }
 }
 
+TEST(ForwardField, KeepsItsBitsInFixedPointWhereTheQuinticBendsMost) {
+    // A step in which coefficients are a hundred times what they add up to.
+    Texture texture;
+    texture.noise = {value_term(Fade::quintic)};
+    texture.noise[0].seed = 2, texture.noise[0].frequency = Vec3d(32.0, -32.0, 0.9 * 32.0);
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> unit(-1.0, 1.0);
+    const auto vector = [&] { return Vec3d(unit(random), unit(random), unit(random)); };
+    for (int i = 0; i < 40; ++i) {
+        const LatticeLine line{vector(), vector() / 1024.0, 0.0, 200};
+        EXPECT_LE(largest_error(texture, line, {.precision = fixed64}), 2e-9) << i;
+    }
+}
+
 TEST(ForwardField, IsTheSumOfItsOctaves) {
     const Texture texture = mixed();
     const std::vector<Octave> octaves = expand_octaves(texture);
