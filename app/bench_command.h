@@ -16,6 +16,8 @@ struct BenchCommand {
     std::size_t size = 0;
     int repeats = 5;
     bool large = false, json = false;
+    bool thorough = false;  ///< stability
+    std::string one{};      ///< its --case
 };
 
 /// Writes the suite's rows with the machine and the versions: to the file asked for, and to stdout
@@ -33,5 +35,7 @@ bool report_rows(const BenchCommand& command, const Rows& rows, const ToJson& to
 
 /// The suite `forward`: runs it, prints and reports.
 void run_forward_bench(const BenchCommand& command);
+/// The suite `stability`, or one of its cases.
+void run_stability_bench(const BenchCommand& command);
 
 }  // namespace burl

@@ -33,7 +33,7 @@ constexpr std::array suites{
           10'000'000, "65,536"},
     Suite{"plot", ""},
     Suite{"precision", "--repeats --json --simd", "texels a side", 8, 4096, "512"},
-    Suite{"stability", "--json --simd"},
+    Suite{"stability", "--json --simd --thorough --case"},
     Suite{"synthesis", "--repeats --json --simd --recipe", "texels a side", 8, 4096, "1,024"},
 };
 

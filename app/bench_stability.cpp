@@ -1,98 +1,89 @@
 #include "app/bench_stability.h"
 
 #include <algorithm>
-#include <cmath>
-#include <functional>
+#include <charconv>
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
-#include "app/stability_cases.h"
 #include "app/stability_checks.h"
+#include "app/stability_filters.h"
 #include "app/stability_truth.h"
-#include "procedural/srgb.h"
-#include "procedural/synthesize.h"
+#include "atlas/error.h"
 
 namespace burl {
 
 namespace {
 
-std::string texel_text(const StabilityCase& one, const TexelMap& map, std::int64_t x,
-                       std::int64_t y, double got, double truth) {
-    const Vec3d s = one.map(map(x, y));
-    return fmt::format("{}, texel ({}, {}) at ({:.17g}, {:.17g}, {:.17g}): {:.9g} for {:.9g}",
-                       one.input, x, y, s.x, s.y, s.z, got, truth);
-}
+/// Images of longer runs are so large that they are made one at a time, by the kernels alone.
+constexpr std::uint32_t large_image = 5000;
 
-/// Takes over `other` where it is worse.
-void merge(StabilityRow& row, const StabilityRow& other) {
-    row.cases += other.cases, row.values += other.values;
-    if (!(other.share > row.share) && !row.input.empty()) return;
-    row.share = other.share, row.error = other.error, row.input = other.input;
-}
+/// What all ways through a case are held against.
+struct Definition {
+    StabilityTruth truth;
+    std::vector<LongPoint> points;
+    std::vector<long double> field;
+    bool jumps = false;
 
-void note(StabilityRow& row, double error, double allowed,
-          const std::function<std::string()>& input) {
-    ++row.values;
-    const double share = error / allowed;
-    if (share <= row.share && !row.input.empty()) return;  // NaN is worse than any
-    row.share = std::isnan(share) ? HUGE_VAL : share, row.error = error, row.input = input();
-}
+    explicit Definition(const StabilityCase& one) : truth(one.texture, one.map) {
+        for_each_span(one.solid, [&](const Span& span, const TexelMap& map, std::int64_t y) {
+            for (std::uint32_t x = span.x; x < span.x + span.count; ++x) {
+                points.push_back(truth.point(map, x, y));
+                field.push_back(truth.field(points.back()));
+            }
+        });
+        for (const Octave& octave : truth.octaves()) jumps = jumps || has_jumps(octave.noise);
+    }
+};
 
-/// visit(span, map, y) for every span.
+/// visit(texel's number, its column, whether it is its span's first, the sizes of its span).
 template <class Visit>
-void for_each_span(const SolidAtlas& solid, const Visit& visit) {
-    for (std::size_t y = 0; y < solid.size; ++y)
-        for (const Span& span : solid.row(y)) visit(span, solid.maps[span.map], std::int64_t(y));
-}
-
-/// Texels against the definition.
-StabilityRow field_errors(const StabilityCase& one) {
-    return field_errors(one, synthesize_field(one.solid, one.texture, one.map, 1));
-}
-
-}  // namespace
-
-StabilityRow field_errors(const StabilityCase& one, const Image<float>& field) {
-    StabilityRow row{"", 1};
-    const StabilityTruth truth(one.texture, one.map);
+void for_each_texel(const StabilityCase& one, const Definition& definition, const Visit& visit) {
+    std::size_t at = 0;
     for_each_span(one.solid, [&](const Span& span, const TexelMap& map, std::int64_t y) {
-        for (std::uint32_t x = span.x; x < span.x + span.count; ++x) {
-            const auto exact = double(truth.field(truth.point(map, x, y)));
-            const double got = double(field(x, std::size_t(y)));
-            note(row, std::abs(got - exact), truth.bound(span, map, y, exact),
-                 [&] { return texel_text(one, map, x, y, got, exact); });
-        }
+        const SpanSizes sizes = definition.truth.sizes(span, map, y);
+        for (std::uint32_t i = 0; i < span.count; ++i) visit(at++, span, i, y, sizes);
     });
-    return row;
 }
 
-namespace {
+void note_errors(const StabilityCase& one, const StabilityWay& way, const Definition& definition,
+                 const std::vector<double>& texels, StabilityRow& row) {
+    for_each_texel(one, definition,
+                   [&](std::size_t at, const Span& span, std::uint32_t i, std::int64_t y,
+                       const SpanSizes& sizes) {
+                       const auto exact = double(definition.field[at]);
+                       const LongPoint& s = definition.points[at];
+                       const double error =
+                           definition.jumps
+                               ? definition.truth.error(s, texels[at], sizes, place_error(way))
+                               : std::abs(double((long double)(texels[at]) - definition.field[at]));
+                       row.note(error, allowed_error(way, definition.truth, sizes, exact), [&] {
+                           return fmt::format(
+                               "{}, {}, texel ({}, {}) at ({:.17g}, {:.17g}, {:.17g}): {:.9g} "
+                               "for {:.9g}",
+                               one.input, way.name, span.x + i, y, double(s[0]), double(s[1]),
+                               double(s[2]), texels[at], exact);
+                       });
+                   });
+}
 
 /// Neighbouring texels of a line against each other: what f changes by, against what it should.
-StabilityRow jumps(const StabilityCase& one) {
-    StabilityRow row{"", 1};
-    const StabilityTruth truth(one.texture, one.map);
-    const Image<float> field = synthesize_field(one.solid, one.texture, one.map, 1);
-    for_each_span(one.solid, [&](const Span& span, const TexelMap& map, std::int64_t y) {
-        long double before = truth.field(truth.point(map, span.x, y));
-        for (std::uint32_t x = span.x + 1; x < span.x + span.count; ++x) {
-            const long double exact = truth.field(truth.point(map, x, y));
-            const double moved =
-                double(field(x, std::size_t(y))) - double(field(x - 1, std::size_t(y)));
-            note(row, std::abs(moved - double(exact - before)),
-                 truth.bound(span, map, y, double(exact)) +
-                     truth.bound(span, map, y, double(before)),
-                 [&] { return texel_text(one, map, x, y, moved, double(exact - before)); });
-            before = exact;
-        }
-    });
-    return row;
+void note_steps(const StabilityCase& one, const StabilityWay& way, const Definition& definition,
+                const std::vector<double>& texels, StabilityRow& row) {
+    for_each_texel(
+        one, definition,
+        [&](std::size_t at, const Span&, std::uint32_t i, std::int64_t, const SpanSizes& sizes) {
+            if (i == 0) return;
+            const long double a = definition.field[at - 1], b = definition.field[at];
+            const double step = texels[at] - texels[at - 1];
+            const double allowed = allowed_error(way, definition.truth, sizes, double(a)) +
+                                   allowed_error(way, definition.truth, sizes, double(b));
+            row.jump_share = std::max(row.jump_share, std::abs(step - double(b - a)) / allowed);
+        });
 }
 
 /// The same places by two charts, whose spans begin at opposite ends of the line.
-StabilityRow seams(const StabilityCase& one) {
-    StabilityRow row{"", 1};
+StabilityCase reversed(const StabilityCase& one) {
     StabilityCase back = one;
     for_each_span(one.solid, [&](const Span& span, const TexelMap& map, std::int64_t y) {
         TexelMap& other = back.solid.maps[span.map];
@@ -100,82 +91,159 @@ StabilityRow seams(const StabilityCase& one) {
         other.step_x = -map.step_x;
         other.anchor_x = std::int32_t(span.x);
     });
-    const StabilityTruth truth(one.texture, one.map);
-    const Image<float> field = synthesize_field(one.solid, one.texture, one.map, 1);
-    const Image<float> reversed = synthesize_field(back.solid, back.texture, back.map, 1);
-    for_each_span(one.solid, [&](const Span& span, const TexelMap& map, std::int64_t y) {
-        for (std::uint32_t i = 0; i < span.count; ++i) {
-            const std::uint32_t x = span.x + i, mirrored = span.x + span.count - 1 - i;
-            const double a = double(field(x, std::size_t(y))),
-                         b = double(reversed(mirrored, std::size_t(y)));
-            note(row, std::abs(a - b), 2.0 * truth.bound(span, map, y, a),
-                 [&] { return texel_text(one, map, x, y, b, a); });
-        }
-    });
+    return back;
+}
+
+void note_seams(const StabilityCase& one, const StabilityWay& way, const Definition& definition,
+                const std::vector<double>& texels, StabilityRow& row) {
+    const std::vector<double> back = fill_texels(reversed(one), way, 1);
+    for_each_texel(one, definition,
+                   [&](std::size_t at, const Span& span, std::uint32_t i, std::int64_t,
+                       const SpanSizes& sizes) {
+                       const double other = back[at - i + (span.count - 1 - i)];
+                       const double allowed = 2.0 * allowed_error(way, definition.truth, sizes,
+                                                                  double(definition.field[at]));
+                       row.seam_share =
+                           std::max(row.seam_share, std::abs(texels[at] - other) / allowed);
+                   });
+}
+
+StabilityRow row_of(const StabilityWay& way) {
+    StabilityRow row;
+    row.arithmetic = way.arithmetic, row.cases = 1;
     return row;
 }
 
-/// The steepest slope of a map's straight pieces, linear light per unit of index.
-double steepest(const ColorMap& map) {
-    double slope = 0.0;
-    for (std::size_t i = 1; i < map.stops.size(); ++i) {
-        const Vec3d step = linear_light(map.stops[i].color) - linear_light(map.stops[i - 1].color);
-        const double width = map.stops[i].position - map.stops[i - 1].position;
-        for (int c = 0; c < 3; ++c) slope = std::max(slope, std::abs(step[c]) / width);
+/// A row per arithmetic, of all cases.
+std::vector<StabilityRow> group_errors(const StabilityGroup& group) {
+    std::vector<std::vector<StabilityRow>> each(group.cases.size());
+    const auto measure = [&](std::size_t i) { each[i] = case_errors(group.cases[i]); };
+    std::vector<std::size_t> large, small;
+    for (std::size_t i = 0; i < each.size(); ++i)
+        (group.cases[i].solid.size >= large_image ? large : small).push_back(i);
+    std::ranges::for_each(large, measure);
+    tbb::parallel_for(std::size_t(0), small.size(), [&](std::size_t i) { measure(small[i]); });
+    std::vector<StabilityRow> rows;
+    for (std::size_t i = 0; i < each.size(); ++i)
+        for (const StabilityRow& one : each[i]) {
+            const bool is_first =
+                &one == &each[i].front() || one.arithmetic != (&one)[-1].arithmetic;
+            auto row = std::ranges::find(rows, one.arithmetic, &StabilityRow::arithmetic);
+            if (row == rows.end()) {
+                StabilityRow& added = rows.emplace_back();
+                added.group = group.name, added.arithmetic = one.arithmetic;
+                row = rows.end() - 1;
+            }
+            row->cases += is_first ? 1 : 0;
+            row->merge(one, fmt::format("{}/{}", group.name, i));
+        }
+    return rows;
+}
+
+/// What is promised of textures of the papers' size: 1e-6 at most, and 1.7e-7 root mean square over
+/// any recipe.
+std::vector<StabilityRow> unit_rows(const std::vector<StabilityRow>& rows) {
+    std::vector<StabilityRow> result;
+    for (const StabilityRow& row : rows) {
+        if (row.group != unit_group_name || row.arithmetic != "float32") continue;
+        StabilityRow largest = row, rms = row;
+        largest.group += ": largest", rms.group += ": RMS";
+        largest.error = row.largest, largest.share = row.largest / 1e-6;
+        rms.error = row.rms, rms.share = row.rms / 1.7e-7;
+        largest.case_name = largest.input = row.largest_case;
+        rms.case_name = rms.input = row.rms_case;
+        for (StabilityRow* one : {&largest, &rms}) {
+            one->jump_share = one->seam_share = 0.0;
+            result.push_back(*one);
+        }
     }
-    return slope;
-}
-
-/// Colours against those of the definition: f is held in float64, so large sizes cost its rounding
-/// and no more.
-StabilityRow color_errors(const StabilityCase& one) {
-    StabilityRow row{"", 1};
-    const StabilityTruth truth(one.texture, one.map);
-    const Image<RgbF> colors = synthesize_rgbf(one.solid, one.texture, one.map, 1);
-    const double slope = steepest(one.texture.colors);
-    for_each_span(one.solid, [&](const Span& span, const TexelMap& map, std::int64_t y) {
-        const double f_error = 2.5e-7 * truth.amplitudes() + truth.rounding(span, map, y);
-        for (std::uint32_t x = span.x; x < span.x + span.count; ++x) {
-            const double exact = truth.color(truth.field(truth.point(map, x, y))).x;
-            const double got = double(colors(x, std::size_t(y)).r);
-            note(row, std::abs(got - exact), slope * f_error + 1e-6,
-                 [&] { return texel_text(one, map, x, y, got, exact); });
-        }
-    });
-    return row;
-}
-
-using Measure = StabilityRow (*)(const StabilityCase&);
-
-/// All cases, in parallel; the first of equally bad ones is told.
-StabilityRow measured(const std::string& name, const std::vector<StabilityCase>& cases,
-                      Measure measure) {
-    std::vector<StabilityRow> rows(cases.size());
-    tbb::parallel_for(std::size_t(0), cases.size(),
-                      [&](std::size_t i) { rows[i] = measure(cases[i]); });
-    StabilityRow all{name};
-    for (const StabilityRow& row : rows) merge(all, row);
-    return all;
+    return result;
 }
 
 }  // namespace
 
-std::vector<StabilityRow> bench_stability(bool full) {
+void StabilityRow::merge(const StabilityRow& other, const std::string& name) {
+    values += other.values;
+    jump_share = std::max(jump_share, other.jump_share);
+    seam_share = std::max(seam_share, other.seam_share);
+    const double its_rms = other.values > 0 ? std::sqrt(other.squares / double(other.values)) : 0.0;
+    if (other.largest > largest) largest = other.largest, largest_case = name;
+    if (its_rms > rms) rms = its_rms, rms_case = name;
+    if (other.share <= share && !input.empty()) return;
+    share = other.share, error = other.error, input = other.input, case_name = name;
+}
+
+StabilityRow field_errors(const StabilityCase& one, const StabilityWay& way,
+                          const std::vector<double>& texels) {
+    StabilityRow row = row_of(way);
+    note_errors(one, way, Definition(one), texels, row);
+    return row;
+}
+
+std::vector<StabilityRow> case_errors(const StabilityCase& one) {
+    const Definition definition(one);
+    const bool is_lines = one.solid.maps.size() == one.solid.spans.size();
     std::vector<StabilityRow> rows;
-    const std::vector<StabilityGroup> groups = stability_groups(full);
-    for (const StabilityGroup& group : groups) {
-        rows.push_back(measured(group.name, group.cases, field_errors));
-        if (group.name == "lattice planes" || group.name == "coordinates")
-            rows.push_back(measured(group.name + ": jumps", group.cases, jumps));
-        if (group.name == "runs" || group.name == "coordinates" || group.name == "beyond 2^31")
-            rows.push_back(measured(group.name + ": seams", group.cases, seams));
-        if (group.name == "quadrics")
-            rows.push_back(measured("quadrics: colours", group.cases, color_errors));
+    for (const StabilityWay& way : stability_ways()) {
+        const bool large = one.solid.size >= large_image;
+        if (!can_fill(way, one.texture) || (large && way.arithmetic != "float32")) continue;
+        StabilityRow& row = rows.emplace_back(row_of(way));
+        const std::vector<double> texels = fill_texels(one, way, 1);
+        note_errors(one, way, definition, texels, row);
+        if (definition.jumps) continue;
+        note_steps(one, way, definition, texels, row);
+        if (is_lines && !large) note_seams(one, way, definition, texels, row);
     }
-    for (const StabilityRow& row : {check_texel_points(full), check_wrap(), check_threads(),
-                                    check_batches(), check_filters(groups), check_refusals()})
-        rows.push_back(row);
     return rows;
+}
+
+std::vector<StabilityRow> stability_errors(StabilityChoice choice) {
+    std::vector<StabilityRow> rows;
+    const auto add = [&](const std::vector<StabilityRow>& more) {
+        rows.insert(rows.end(), more.begin(), more.end());
+    };
+    const std::vector<StabilityGroup> groups = stability_groups(choice);
+    for (const StabilityGroup& group : groups) add(group_errors(group));
+    add(unit_rows(rows));
+    add(check_filter_errors(groups, choice));
+    return rows;
+}
+
+std::vector<StabilityRow> stability_counts(StabilityChoice choice) {
+    const std::vector<StabilityGroup> groups = stability_groups(choice);
+    return {check_texel_points(choice),
+            check_wrap(choice),
+            check_threads(choice),
+            check_batches(choice),
+            check_instruction_sets(groups, choice),
+            check_filters(groups),
+            check_refusals()};
+}
+
+std::vector<StabilityRow> bench_stability(StabilityChoice choice) {
+    std::vector<StabilityRow> rows = stability_errors(choice);
+    const std::vector<StabilityRow> counts = stability_counts(choice);
+    rows.insert(rows.end(), counts.begin(), counts.end());
+    return rows;
+}
+
+StabilityCase stability_case(const std::string& name, StabilityChoice choice) {
+    const std::size_t slash = name.rfind('/');
+    std::vector<StabilityGroup> groups = stability_groups(choice);
+    groups.push_back(filter_group(choice));
+    for (const StabilityGroup& group : groups) {
+        std::size_t i = 0;
+        const char *begin = name.data() + slash + 1, *end = name.data() + name.size();
+        if (slash == std::string::npos || group.name != name.substr(0, slash)) continue;
+        const auto [rest, problem] = std::from_chars(begin, end, i);
+        if (problem == std::errc() && rest == end && i < group.cases.size()) return group.cases[i];
+        throw Error(ExitCode::usage, fmt::format("--case {}: {} has the cases 0 to {}", name,
+                                                 group.name, group.cases.size() - 1));
+    }
+    throw Error(ExitCode::usage,
+                fmt::format("--case {}: must be a group's name and a number as the suite prints "
+                            "them, such as \"coordinates/117\"",
+                            name));
 }
 
 }  // namespace burl

@@ -9,6 +9,10 @@
 
 namespace burl {
 
+/// How much of the suite: a choice of every group for tests, what `burl bench stability` takes a
+/// minute for, or all of it.
+enum class StabilityChoice { thinned, usual, thorough };
+
 struct StabilityCase {
     std::string input;  ///< what it is, for the report
     Texture texture;
@@ -21,12 +25,30 @@ struct StabilityGroup {
     std::vector<StabilityCase> cases;
 };
 
-/// `full`: all of them, some 10 s and, for the run of 16,384 texels, 1 GB; otherwise a thinned
-/// choice of every group, for tests.
-std::vector<StabilityGroup> stability_groups(bool full);
+std::vector<StabilityGroup> stability_groups(StabilityChoice choice);
+
+/// Recipes at random with |q| <= 1 and sum |a_k| = 2, near the origin and up to 1e6 cells away.
+inline constexpr const char* unit_group_name = "|q| <= 1, sum |a_k| = 2";
+StabilityGroup unit_group(StabilityChoice choice);
 
 /// Meshes of slivers and of triangles below a texel, in every atlas.
-StabilityGroup mesh_group(bool full);
+StabilityGroup mesh_group(StabilityChoice choice);
+
+/// Octaves whose slopes a filter needs, at footprints from 1e-6 to 30 cells, with maps that repeat
+/// and that end.
+StabilityGroup filter_group(StabilityChoice choice);
+
+/// A noise of every kind, fade and feature, by name; four octaves, or one where the noise jumps.
+struct NamedTerm {
+    std::string name;
+    NoiseTerm term;
+};
+std::vector<NamedTerm> named_terms();
+/// Those that a choice looks at.
+std::vector<NamedTerm> terms_for(StabilityChoice choice);
+
+/// The noise alone, with a map that is continuous where it repeats.
+Texture texture_of(const NoiseTerm& term);
 
 /// Texels along lines, a row each: start + x step.
 struct TexelLine {
@@ -34,5 +56,9 @@ struct TexelLine {
     std::uint32_t count = 1;
 };
 SolidAtlas atlas_of_lines(const std::vector<TexelLine>& lines);
+
+/// Lines of texels within a cell of a place, in random directions.
+SolidAtlas random_lines(const Vec3d& place, double step, std::uint32_t count, std::size_t lines,
+                        std::uint32_t seed);
 
 }  // namespace burl

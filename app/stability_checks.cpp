@@ -17,22 +17,17 @@ namespace burl {
 
 namespace {
 
-/// `input` is called for the first failure only.
-template <class Input>
-void count(StabilityRow& row, bool fails, const Input& input) {
-    ++row.values;
-    if (!fails) return;
-    row.share += 1.0, row.error += 1.0;
-    if (row.input.empty()) row.input = input();
+StabilityRow failures(const char* group) {
+    StabilityRow row;
+    row.group = group;
+    return row;
 }
 
-Texture four_octaves(NoiseKind kind) {
-    Texture texture;
-    NoiseTerm term;
-    term.kind = kind, term.octaves = 4;
-    texture.noise = {term};
-    texture.colors.stops = {{0.0, {0, 0, 0}}, {1.0, {255, 255, 255}}};
-    return texture;
+/// f of lines of texels; ways that do not know the texture give nothing.
+std::vector<double> lines_by(const StabilityWay& way, const Texture& texture,
+                             const std::vector<TexelLine>& lines, int threads = 1) {
+    if (!can_fill(way, texture)) return {};
+    return fill_texels({"", texture, atlas_of_lines(lines)}, way, threads);
 }
 
 /// Lines whose texels are multiples of 2^-6, exact in float64 wherever they are moved to.
@@ -56,62 +51,67 @@ std::vector<TexelLine> uneven_lines(std::uint32_t before) {
 
 }  // namespace
 
-StabilityRow check_wrap() {
-    StabilityRow row{"2^32 cells apart"};
-    for (const NoiseKind kind : {NoiseKind::value, NoiseKind::perlin})
-        for (const double move : {1.0, -1.0, 3.0, -1024.0})
-            for (int axis = 0; axis < 3; ++axis, ++row.cases) {
-                Vec3d far(0.0);
-                far[axis] = move * 0x1p32;
-                const auto field = [&](const Vec3d& moved) {
-                    return synthesize_field(atlas_of_lines(exact_lines(moved)), four_octaves(kind),
-                                            {}, 1);
-                };
-                const Image<float> here = field(Vec3d(0.0)), there = field(far);
-                for (std::size_t i = 0; i < here.pixels().size(); ++i)
-                    count(row, here.pixels()[i] != there.pixels()[i], [&] {
-                        return fmt::format("kind {}, axis {}, {} times 2^32, texel {}", int(kind),
-                                           axis, move, i);
-                    });
-            }
+StabilityRow check_wrap(StabilityChoice choice) {
+    StabilityRow row = failures("2^32 cells apart");
+    for (const NamedTerm& noise : terms_for(choice)) {
+        // Three-dimensional simplices repeat with the skewed lattice, of 3 x 256 cells.
+        if (noise.term.kind == NoiseKind::white) continue;
+        const double period = noise.term.kind == NoiseKind::simplex ? 3.0 * 0x1p32 : 0x1p32;
+        for (const StabilityWay& way : stability_ways())
+            for (const double move : {1.0, -1.0, 3.0, -1024.0})
+                for (int axis = 0; axis < 3; ++axis, ++row.cases) {
+                    Vec3d far(0.0);
+                    far[axis] = move * period;
+                    const Texture texture = texture_of(noise.term);
+                    const auto here = lines_by(way, texture, exact_lines(Vec3d(0.0))),
+                               there = lines_by(way, texture, exact_lines(far));
+                    for (std::size_t i = 0; i < here.size(); ++i)
+                        row.count(here[i] != there[i], [&] {
+                            return fmt::format("{}, {}, axis {}, {} times 2^32, texel {}",
+                                               noise.name, way.name, axis, move, i);
+                        });
+                }
+    }
     return row;
 }
 
-StabilityRow check_threads() {
-    StabilityRow row{"threads"};
+StabilityRow check_threads(StabilityChoice choice) {
+    StabilityRow row = failures("threads");
     const tbb::global_control more(tbb::global_control::max_allowed_parallelism, 8);
-    const SolidAtlas solid = atlas_of_lines(uneven_lines(0));
-    for (const NoiseKind kind : {NoiseKind::value, NoiseKind::perlin, NoiseKind::simplex}) {
-        const Texture texture = four_octaves(kind);
-        const Image<float> one = synthesize_field(solid, texture, {}, 1);
-        for (const int threads : {2, 3, 7, 0}) {
-            ++row.cases;
-            const Image<float> many = synthesize_field(solid, texture, {}, threads);
-            for (std::size_t i = 0; i < one.pixels().size(); ++i)
-                count(row, one.pixels()[i] != many.pixels()[i], [&] {
-                    return fmt::format("kind {}, {} threads, texel {}", int(kind), threads, i);
-                });
+    for (const NamedTerm& noise : terms_for(choice)) {
+        const Texture texture = texture_of(noise.term);
+        for (const StabilityWay& way : stability_ways()) {
+            const std::vector<double> one = lines_by(way, texture, uneven_lines(0));
+            for (const int threads : {2, 3, 7, 0}) {
+                ++row.cases;
+                const std::vector<double> many = lines_by(way, texture, uneven_lines(0), threads);
+                for (std::size_t i = 0; i < one.size(); ++i)
+                    row.count(one[i] != many[i], [&] {
+                        return fmt::format("{}, {}, {} threads, texel {}", noise.name, way.name,
+                                           threads, i);
+                    });
+            }
         }
     }
     return row;
 }
 
-StabilityRow check_batches() {
-    StabilityRow row{"places in a batch"};
-    for (const NoiseKind kind : {NoiseKind::value, NoiseKind::perlin}) {
-        const Texture texture = four_octaves(kind);
-        const SolidAtlas alone = atlas_of_lines(uneven_lines(0));
-        const Image<float> one = synthesize_field(alone, texture, {}, 1);
-        for (const std::uint32_t before : {1u, 2u, 7u, 8u, 15u, 16u, 17u, 255u}) {
-            ++row.cases;
-            const Image<float> moved =
-                synthesize_field(atlas_of_lines(uneven_lines(before)), texture, {}, 1);
-            for (std::size_t y = 0; y < 48; ++y)
-                for (std::size_t x = 0; x < alone.row(y)[0].count; ++x)
-                    count(row, one(x, y) != moved(x, y + 1), [&] {
-                        return fmt::format("kind {}, {} texels before, texel ({}, {})", int(kind),
-                                           before, x, y);
+StabilityRow check_batches(StabilityChoice choice) {
+    StabilityRow row = failures("places in a batch");
+    for (const NamedTerm& noise : terms_for(choice)) {
+        const Texture texture = texture_of(noise.term);
+        for (const StabilityWay& way : stability_ways()) {
+            if (way.arithmetic != "float32") continue;  // batches are the kernels'
+            const std::vector<double> alone = lines_by(way, texture, uneven_lines(0));
+            for (const std::uint32_t before : {1u, 2u, 7u, 8u, 15u, 16u, 17u, 255u}) {
+                ++row.cases;
+                const std::vector<double> moved = lines_by(way, texture, uneven_lines(before));
+                for (std::size_t i = 0; i < alone.size(); ++i)
+                    row.count(alone[i] != moved[before + i], [&] {
+                        return fmt::format("{}, {}, {} texels before, texel {}", noise.name,
+                                           way.name, before, i);
                     });
+            }
         }
     }
     return row;
@@ -119,11 +119,11 @@ StabilityRow check_batches() {
 
 StabilityRow check_filters(const std::vector<StabilityGroup>& groups) {
     using enum FilterKind;
-    StabilityRow row{"filters: finite, in [0, 1]"};
+    StabilityRow row = failures("filters: finite, in [0, 1]");
     for (const StabilityGroup& group : groups)
         for (std::size_t i = 0; i < group.cases.size(); i += 1 + group.cases.size() / 12) {
             StabilityCase one = group.cases[i];
-            if (one.solid.size > 2048) continue;
+            if (one.solid.size > 1100) continue;
             for (TexelMap& map : one.solid.maps)
                 map.step_y = {-map.step_x.y, map.step_x.z, map.step_x.x};
             ++row.cases;
@@ -132,14 +132,18 @@ StabilityRow check_filters(const std::vector<StabilityGroup>& groups) {
                 for (const bool band_limit : {false, true}) {
                     const Image<RgbF> image =
                         synthesize_rgbf(one.solid, one.texture, one.map, 1, {kind, 4, band_limit});
-                    for (const RgbF& c : image.pixels())
-                        count(row,
-                              !(std::min({c.r, c.g, c.b}) >= -1e-6f &&
-                                std::max({c.r, c.g, c.b}) <= 1.0f + 1e-6f),
-                              [&] {
-                                  return fmt::format("{}, filter {}: {}", one.input, int(kind),
-                                                     c.r);
-                              });
+                    for_each_span(
+                        one.solid, [&](const Span& span, const TexelMap&, std::int64_t y) {
+                            for (std::uint32_t x = span.x; x < span.x + span.count; ++x) {
+                                const RgbF c = image(x, std::size_t(y));
+                                row.count(!(std::min({c.r, c.g, c.b}) >= -1e-6f &&
+                                            std::max({c.r, c.g, c.b}) <= 1.0f + 1e-6f),
+                                          [&] {
+                                              return fmt::format("{}, filter {}: {}", one.input,
+                                                                 int(kind), c.r);
+                                          });
+                            }
+                        });
                 }
         }
     return row;
@@ -180,7 +184,7 @@ bool octaves_are_refused(double lacunarity, int octaves, double scale) {
 }  // namespace
 
 StabilityRow check_refusals() {
-    StabilityRow row{"refusals"};
+    StabilityRow row = failures("refusals");
     for (const Parameter& parameter : parameters()) {
         const bool several = parameter.type == ParameterType::numbers;
         if (parameter.type != ParameterType::number && parameter.type != ParameterType::integer &&
@@ -194,24 +198,24 @@ StabilityRow check_refusals() {
               "null", "true", "\"1\"", "1e300", "-1e300"}) {
             const std::string setting =
                 fmt::format("{}={}", path, several ? repeated(word, parameter.count) : word);
-            count(row, !is_refused(setting), [&] { return setting + " is accepted"; });
+            row.count(!is_refused(setting), [&] { return setting + " is accepted"; });
         }
     }
     // 2^46 cells at the last octave's own frequency, and a float more.
     const double limit = farthest_cell, over = std::nextafter(limit, HUGE_VAL);
-    count(row, octaves_are_refused(2.0, 1, limit),
-          [&] { return std::string("2^46 cells are refused"); });
-    count(row, !octaves_are_refused(2.0, 1, over),
-          [&] { return std::string("more than 2^46 cells are accepted"); });
-    count(row, octaves_are_refused(2.0, 24, limit / 0x1p23),
-          [&] { return std::string("octave 24 at 2^46 is refused"); });
-    count(row, !octaves_are_refused(2.0, 24, over / 0x1p23),
-          [&] { return std::string("octave 24 beyond 2^46 is accepted"); });
-    count(row, !octaves_are_refused(16.0, 24, 1.0),
-          [&] { return std::string("16^23 cells are accepted"); });
+    row.count(octaves_are_refused(2.0, 1, limit),
+              [&] { return std::string("2^46 cells are refused"); });
+    row.count(!octaves_are_refused(2.0, 1, over),
+              [&] { return std::string("more than 2^46 cells are accepted"); });
+    row.count(octaves_are_refused(2.0, 24, limit / 0x1p23),
+              [&] { return std::string("octave 24 at 2^46 is refused"); });
+    row.count(!octaves_are_refused(2.0, 24, over / 0x1p23),
+              [&] { return std::string("octave 24 beyond 2^46 is accepted"); });
+    row.count(!octaves_are_refused(16.0, 24, 1.0),
+              [&] { return std::string("16^23 cells are accepted"); });
     for (const double scale : {1e300, HUGE_VAL, std::nan("")})
-        count(row, !octaves_are_refused(2.0, 1, scale),
-              [&] { return fmt::format("{} cells are accepted", scale); });
+        row.count(!octaves_are_refused(2.0, 1, scale),
+                  [&] { return fmt::format("{} cells are accepted", scale); });
     ++row.cases;
     return row;
 }

@@ -3,18 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
-#include "procedural/perlin_noise.h"
-#include "procedural/value_noise.h"
+#include "procedural/octave_streams.h"
+#include "procedural/texture.h"
 
 namespace burl {
 
 namespace {
 
 using Real = long double;
-using Point3 = StabilityTruth::Point;
 
-Point3 mapped(const Affine3& map, const Point3& p) {
-    Point3 result;
+LongPoint mapped(const Affine3& map, const LongPoint& p) {
+    LongPoint result;
     for (int row = 0; row < 3; ++row) {
         Real sum = Real(map.offset[row]);
         for (int column = 0; column < 3; ++column)
@@ -35,58 +34,18 @@ Vec3d term_sizes(const Affine3& map, const Vec3d& sizes) {
     return result;
 }
 
-Real fade(Fade fade, Real x) {
-    if (fade == Fade::linear) return x;
-    if (fade == Fade::smooth) return x * x * (3.0L - 2.0L * x);
-    return x * x * x * (10.0L + x * (6.0L * x - 15.0L));
-}
-
-bool is_plain(const NoiseSpec& noise) {
-    return (noise.kind == NoiseKind::value || noise.kind == NoiseKind::perlin) &&
-           noise.period == Period<4>{} && !noise.time;
-}
-
-/// The eight corners' numbers times their weights.
-Real corner_sum(const NoiseSpec& noise, const Point3& p) {
-    const Fade kind = noise.kind == NoiseKind::value ? noise.fade : Fade::quintic;
-    std::array<std::int64_t, 3> cell;
-    Point3 place;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        const Real below = std::floor(p[axis]);
-        cell[axis] = std::int64_t(below), place[axis] = p[axis] - below;
-    }
-    Real sum = 0.0L;
-    for (std::size_t corner = 0; corner < 8; ++corner) {
-        std::array<std::uint32_t, 3> index;
-        Real weight = 1.0L;
-        Point3 away;
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            const bool upper = corner >> axis & 1;
-            const Real w = fade(kind, place[axis]);
-            weight *= upper ? w : 1.0L - w;
-            index[axis] = std::uint32_t(cell[axis] + upper);
-            away[axis] = place[axis] - Real(upper);
-        }
-        if (noise.kind == NoiseKind::value) {
-            sum += weight * Real(lattice_value(index, noise.seed));
-            continue;
-        }
-        const auto g = perlin_gradient<double, 3>(lattice_gradient(index, noise.seed));
-        for (std::size_t axis = 0; axis < 3; ++axis) sum += weight * Real(g[axis]) * away[axis];
-    }
-    return sum;
-}
-
-Real noise_at(const NoiseSpec& noise, const Point3& p) {
-    if (is_plain(noise)) return corner_sum(noise, p);
-    return evaluate_noise(noise, Vec3d(double(p[0]), double(p[1]), double(p[2])));
-}
-
-Real quadric_at(const Quadric& q, const Point3& p) {
+Real quadric_at(const Quadric& q, const LongPoint& p) {
     const auto& [s, t, r] = p;
     return Real(q.a) * s * s + 2.0L * Real(q.b) * s * t + 2.0L * Real(q.c) * s * r +
            2.0L * Real(q.d) * s + Real(q.e) * t * t + 2.0L * Real(q.f) * t * r +
            2.0L * Real(q.g) * t + Real(q.h) * r * r + 2.0L * Real(q.i) * r + Real(q.j);
+}
+
+LongPoint quadric_gradient(const Quadric& q, const LongPoint& p) {
+    const auto& [s, t, r] = p;
+    return {2.0L * (Real(q.a) * s + Real(q.b) * t + Real(q.c) * r + Real(q.d)),
+            2.0L * (Real(q.b) * s + Real(q.e) * t + Real(q.f) * r + Real(q.g)),
+            2.0L * (Real(q.c) * s + Real(q.f) * t + Real(q.h) * r + Real(q.i))};
 }
 
 double quadric_sizes(const Quadric& q, const Vec3d& s) {
@@ -95,21 +54,32 @@ double quadric_sizes(const Quadric& q, const Vec3d& s) {
     return double(quadric_at(sizes, {s.x, s.y, s.z}));
 }
 
+/// n, |n| or (1 - |n|)^2 with its gradient.
+LongNoise shaped_noise(OctaveShape shape, LongNoise n) {
+    if (shape == OctaveShape::plain) return n;
+    Real slope = Real(n.value > 0.0L) - Real(n.value < 0.0L);
+    if (shape == OctaveShape::ridged) slope *= -2.0L * (1.0L - std::abs(n.value));
+    n.value = shaped(shape, n.value);
+    for (Real& x : n.gradient) x *= slope;
+    return n;
+}
+
 }  // namespace
 
 StabilityTruth::StabilityTruth(const Texture& texture, const Affine3& texture_from_atlas)
     : texture_(texture), map_(texture_from_atlas), octaves_(expand_octaves(texture)) {
     for (const Octave& octave : octaves_) {
         amplitudes_ += std::abs(octave.scale) + std::abs(octave.offset);
-        const double slope = octave.shape == OctaveShape::ridged ? 2.0 : 1.0;
-        if (octave.shape != OctaveShape::plain || !is_plain(octave.noise))
-            other_errors_ += 5e-7 * slope * std::abs(octave.scale);
+        double special = octave.shape == OctaveShape::ridged ? 2.5e-7 : 0.0;
+        if (octave.noise.kind == NoiseKind::simplex && !has_kernel(octave))
+            special += octave.noise.time ? 7.5e-7 : 2.5e-7;
+        special_errors_ += special * std::abs(octave.scale);
+        jumps_ = jumps_ || has_jumps(octave.noise);
     }
 }
 
-StabilityTruth::Point StabilityTruth::point(const TexelMap& map, std::int64_t x,
-                                            std::int64_t y) const {
-    Point3 p;
+LongPoint StabilityTruth::point(const TexelMap& map, std::int64_t x, std::int64_t y) const {
+    LongPoint p;
     for (int axis = 0; axis < 3; ++axis)
         p[std::size_t(axis)] = Real(map.origin[axis]) +
                                Real(x - map.anchor_x) * Real(map.step_x[axis]) +
@@ -117,21 +87,58 @@ StabilityTruth::Point StabilityTruth::point(const TexelMap& map, std::int64_t x,
     return mapped(map_, p);
 }
 
-long double StabilityTruth::field(const Point& s) const {
+long double StabilityTruth::field(const LongPoint& s) const {
+    Real f = quadric_at(texture_.quadric, s);
+    for (const Octave& octave : octaves_)
+        f += Real(octave.offset) +
+             Real(octave.scale) *
+                 shaped(octave.shape,
+                        long_noise(octave.noise, mapped(octave.lattice_from_solid, s)).value);
+    return f;
+}
+
+/// f at s with every octave gone on with from beside its lattice coordinates.
+long double StabilityTruth::from_side(const LongPoint& s, const LongPoint& side) const {
     Real f = quadric_at(texture_.quadric, s);
     for (const Octave& octave : octaves_) {
-        const Real n = noise_at(octave.noise, mapped(octave.lattice_from_solid, s));
-        f += Real(octave.offset) + Real(octave.scale) * shaped(octave.shape, n);
+        LongPoint p = mapped(octave.lattice_from_solid, s);
+        for (std::size_t axis = 0; axis < 3; ++axis) p[axis] += side[axis];
+        const LongNoise n = shaped_noise(octave.shape, long_noise(octave.noise, p));
+        Real value = n.value;
+        for (std::size_t axis = 0; axis < 3; ++axis) value -= side[axis] * n.gradient[axis];
+        f += Real(octave.offset) + Real(octave.scale) * value;
     }
     return f;
 }
 
-Vec3d StabilityTruth::color(long double f) const {
-    const Real index = texture_.colors.wrap == Wrap::repeat ? f - std::floor(f) : f;
-    return evaluate_color(texture_.colors, double(index));
+LongNoise StabilityTruth::sample(const LongPoint& s) const {
+    LongNoise f{quadric_at(texture_.quadric, s), quadric_gradient(texture_.quadric, s)};
+    for (const Octave& octave : octaves_) {
+        const Affine3& map = octave.lattice_from_solid;
+        const LongNoise n = shaped_noise(octave.shape, long_noise(octave.noise, mapped(map, s)));
+        f.value += Real(octave.offset) + Real(octave.scale) * n.value;
+        for (int column = 0; column < 3; ++column)
+            for (int row = 0; row < 3; ++row)
+                f.gradient[std::size_t(column)] += Real(octave.scale) *
+                                                   Real(map.linear[column][row]) *
+                                                   n.gradient[std::size_t(row)];
+    }
+    return f;
 }
 
-double StabilityTruth::rounding(const Span& span, const TexelMap& map, std::int64_t y) const {
+double StabilityTruth::error(const LongPoint& s, double got, const SpanSizes& sizes,
+                             double place_error) const {
+    auto least = double(std::abs(Real(got) - field(s)));
+    if (!jumps_ || least <= 1e-15 * amplitudes_) return least;
+    const Real reach = 4.0L * 0x1p-52L * Real(sizes.lattice) + Real(place_error);
+    for (int i = 0; i < 27; ++i) {
+        const LongPoint side{reach * (i % 3 - 1), reach * (i / 3 % 3 - 1), reach * (i / 9 - 1)};
+        least = std::min(least, double(std::abs(Real(got) - from_side(s, side))));
+    }
+    return least;
+}
+
+SpanSizes StabilityTruth::sizes(const Span& span, const TexelMap& map, std::int64_t y) const {
     const double right = double(std::int64_t(span.x) + span.count - 1 - map.anchor_x),
                  columns = std::max(std::abs(double(span.x) - map.anchor_x), std::abs(right)),
                  rows = std::abs(double(y - map.anchor_y));
@@ -140,17 +147,21 @@ double StabilityTruth::rounding(const Span& span, const TexelMap& map, std::int6
     };
     const Vec3d s = term_sizes(
         map_, sizes(map.origin) + columns * sizes(map.step_x) + rows * sizes(map.step_y));
-    double farthest = 0.0;
+    SpanSizes result{0.0, quadric_sizes(texture_.quadric, s)};
     for (const Octave& octave : octaves_) {
         const Vec3d p = term_sizes(octave.lattice_from_solid, s);
-        farthest = std::max({farthest, p.x, p.y, p.z});
+        result.lattice = std::max({result.lattice, p.x, p.y, p.z});
     }
-    return 4.0 * 0x1p-52 * (farthest * amplitudes_ + quadric_sizes(texture_.quadric, s));
+    return result;
 }
 
-double StabilityTruth::bound(const Span& span, const TexelMap& map, std::int64_t y,
-                             double f) const {
-    return 2.5e-7 * (std::abs(f) + amplitudes_) + other_errors_ + rounding(span, map, y);
+double StabilityTruth::rounding(const SpanSizes& sizes) const {
+    return 4.0 * 0x1p-52 * (sizes.lattice * amplitudes_ + sizes.quadric);
+}
+
+Vec3d long_color(const ColorMap& map, long double f) {
+    const Real index = map.wrap == Wrap::repeat ? f - std::floor(f) : f;
+    return evaluate_color(map, double(index));
 }
 
 }  // namespace burl

@@ -15,7 +15,6 @@
 #include "app/bench_options.h"
 #include "app/bench_plot.h"
 #include "app/bench_precision.h"
-#include "app/bench_stability.h"
 #include "app/bench_synthesis.h"
 #include "app/command_options.h"
 #include "app/export.h"
@@ -187,21 +186,6 @@ void run_kernel_bench(const BenchCommand& command) {
                    row.automatic / std::min(row.direct, row.share));
 }
 
-Json stability_json(const StabilityRow& row) {
-    return {{"group", row.group}, {"cases", row.cases}, {"values", row.values},
-            {"share", row.share}, {"error", row.error}, {"input", row.input}};
-}
-
-void run_stability_bench(const BenchCommand& command) {
-    const std::vector<StabilityRow> rows = bench_stability(true);
-    if (!report_rows(command, rows, stability_json)) return;
-    fmt::print("{:<28} {:>6} {:>9} {:>9} {:>9}  {}\n", "group", "cases", "values", "share", "error",
-               "worst input");
-    for (const StabilityRow& row : rows)
-        fmt::print("{:<28} {:>6} {:>9} {:>9.3g} {:>9.3g}  {}\n", row.group, row.cases, row.values,
-                   row.share, row.error, row.input);
-}
-
 void run_bench(const BenchCommand& command) {
     if (command.suite == "plot") return run_plot(command);
     if (!command.out.empty()) check_side_output(command.out, "", {});
@@ -252,6 +236,11 @@ void add_bench(CLI::App& program) {
     verb->add_option("--simd", command->simd,
                      "Instruction set of the kernels instead of the best this machine has, as "
                      "AVX2");
+    verb->add_flag("--thorough", command->thorough,
+                   "stability: every case there is, some minutes and 2 GB");
+    verb->add_option("--case", command->one,
+                     "stability: one case, as the suite names its worst (\"coordinates/117\"): its "
+                     "recipe, its texels and every kernel's error");
     verb->add_flag("--json", command->json, "Print JSON on stdout");
     verb->add_option("-o,--output", command->out,
                      "Also write the JSON to this file; plot: the .svg");
