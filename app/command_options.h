@@ -49,8 +49,13 @@ CLI::Validator in_range(double low, double high);
 void add_threads(CLI::App& verb, int& threads);
 /// The --kernel that sums differences (app/forward_check.h), whose result is another one.
 inline constexpr const char* forward_kernel = "forward";
-/// --kernel, one of kernel_names or forward_kernel.
+/// The --kernel that is another name for --precision float64.
+inline constexpr const char* reference_kernel = "reference";
+/// --kernel, one of kernel_names, forward_kernel or reference_kernel.
 void add_kernel(CLI::App& verb, std::string& kernel);
+/// Sets the precision that --kernel reference stands for. Throws Error(usage) if the recipe asks
+/// for another.
+void apply_reference(Recipe& recipe);
 /// `automatic` for any other name.
 Kernel kernel_named(const std::string& name);
 

@@ -187,7 +187,9 @@ void run_bake(const BakeCommand& command) {
     const auto start = Clock::now();
     const ImageKind kind = wanted_kind(command.out, command.depth);
     const std::vector<std::string> paths = frame_paths(command.out, command.animation);
-    const std::vector<Recipe> recipes = frame_recipes(command.recipe, command.animation);
+    std::vector<Recipe> recipes = frame_recipes(command.recipe, command.animation);
+    if (command.kernel == reference_kernel)
+        std::for_each(recipes.begin(), recipes.end(), apply_reference);
     Extras extras{levels_asked(command.levels, recipes[0].atlas.size, kind),
                   normals_asked(command.normals, recipes[0], command.out)};
     check_command(command, recipes[0], extras);

@@ -167,23 +167,26 @@ void run_precision_bench(const BenchCommand& command) {
 
 Json kernel_json(const KernelBench& row) {
     return {{"noise", row.noise},
+            {"span", row.span},
             {"crossings_per_texel", row.crossings},
             {"ns_direct", row.direct},
             {"ns_share", row.share},
+            {"ns_scanline", row.scanline},
             {"ns_auto", row.automatic},
-            {"auto_over_best", row.automatic / std::min(row.direct, row.share)}};
+            {"auto_over_best", row.automatic / row.best()}};
 }
 
 void run_kernel_bench(const BenchCommand& command) {
     const std::vector<KernelBench> rows =
         bench_kernels(command.repeats, command.size == 0 ? 16 : command.size);
     if (!report_rows(command, rows, kernel_json)) return;
-    fmt::print("{:<26} {:>15} {:>10} {:>10} {:>10} {:>10}\n", "ns per texel, " + simd_level(),
-               "crossings/texel", "direct", "share", "auto", "auto/best");
+    fmt::print("{:<26} {:>6} {:>15} {:>9} {:>9} {:>9} {:>9} {:>9}\n",
+               "ns per texel, " + simd_level(), "span", "crossings/texel", "direct", "share",
+               "scanline", "auto", "auto/best");
     for (const KernelBench& row : rows)
-        fmt::print("{:<26} {:>15.4f} {:>10.2f} {:>10.2f} {:>10.2f} {:>10.3f}\n", row.noise,
-                   row.crossings, row.direct, row.share, row.automatic,
-                   row.automatic / std::min(row.direct, row.share));
+        fmt::print("{:<26} {:>6} {:>15.4f} {:>9.2f} {:>9.2f} {:>9.2f} {:>9.2f} {:>9.3f}\n",
+                   row.noise, row.span, row.crossings, row.direct, row.share, row.scanline,
+                   row.automatic, row.automatic / row.best());
 }
 
 void run_bench(const BenchCommand& command) {

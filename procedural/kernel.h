@@ -1,6 +1,7 @@
 #pragma once
-// How the corners of lattice cells come to the texels. All ways give the same bits; `automatic` is
-// the fastest of them, batch by batch.
+// How lattice noise comes to the texels. `direct` and `share` give the same bits, `scanline` rounds
+// otherwise, within the same bound; `automatic` is the fastest of them: whether a span is scanned
+// depends on that span alone, the rest is settled batch by batch.
 #include <array>
 #include <string_view>
 
@@ -10,6 +11,7 @@ enum class Kernel {
     automatic,
     direct,  ///< every texel hashes the eight corners of its own cell
     share,   ///< texels in a row that lie in one cell share its corners
+    scanline,  ///< polynomials of the texel's number between lattice planes
 };
 
 struct NamedKernel {
@@ -18,6 +20,7 @@ struct NamedKernel {
 };
 inline constexpr std::array kernel_names{NamedKernel{"auto", Kernel::automatic},
                                          NamedKernel{"direct", Kernel::direct},
-                                         NamedKernel{"share", Kernel::share}};
+                                         NamedKernel{"share", Kernel::share},
+                                         NamedKernel{"scanline", Kernel::scanline}};
 
 }  // namespace burl

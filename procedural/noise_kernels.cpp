@@ -29,6 +29,10 @@ HWY_ATTR void FillParabolas(std::span<const ParabolaLine> lines, double* values)
     }
 }
 
+std::size_t SimdLanes() {
+    return hn::MaxLanes(Floats());
+}
+
 const char* SimdLevel() {
     return hwy::TargetName(HWY_TARGET);
 }
@@ -41,10 +45,15 @@ HWY_AFTER_NAMESPACE();
 namespace burl {
 
 HWY_EXPORT(FillParabolas);
+HWY_EXPORT(SimdLanes);
 HWY_EXPORT(SimdLevel);
 
 void fill_parabolas(std::span<const ParabolaLine> lines, double* values) {
     HWY_DYNAMIC_DISPATCH(FillParabolas)(lines, values);
+}
+
+std::size_t simd_lanes() {
+    return HWY_DYNAMIC_DISPATCH(SimdLanes)();
 }
 
 std::string simd_level() {

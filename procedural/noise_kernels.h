@@ -33,6 +33,9 @@ struct ParabolaLine {
 /// values[j] = the parabolas, one line after the other.
 void fill_parabolas(std::span<const ParabolaLine> lines, double* values);
 
+/// Floats in a vector of the instruction set the kernels run on.
+std::size_t simd_lanes();
+
 /// Name of the instruction set the kernels run on, such as "AVX3".
 std::string simd_level();
 

@@ -19,10 +19,31 @@ bool doubles(const Octave& octave, const Octave& before) {
 }
 
 /// The crossovers: an octave that crosses fewer planes of the lattice per texel, |dx| + |dy| + |dz|
-/// for a step of a texel, is faster with shared corners. Measured with `burl bench kernels`.
-constexpr double most_crossings(NoiseKind kind, bool slopes) {
-    return slopes || kind == NoiseKind::perlin ? 4.0 / 16 : 3.0 / 16;
+/// for a step of a texel, is faster with shared corners. Hashes cost more where vectors have fewer
+/// than 16 lanes. Measured with `burl bench kernels`.
+constexpr double most_crossings(NoiseKind kind, bool slopes, bool wide_vectors) {
+    if (!wide_vectors) return 5.0 / 16;
+    return slopes || kind == NoiseKind::perlin ? 8.0 / 32 : 7.0 / 32;
 }
+
+/// Where scan-line polynomials are faster, by 3 % or more, than both others with AVX-512 and with
+/// AVX2: one table for every instruction set, since they round otherwise, and of the span alone.
+/// Measured with `burl bench kernels`.
+struct ScanRange {
+    NoiseKind kind;
+    bool linear;                ///< of value noise
+    std::size_t octaves = 0;    ///< at most
+    double shortest = 0.0;      ///< span, in texels
+    double most_crossings = 0;  ///< of the finest octave
+};
+constexpr ScanRange scan_ranges[] = {
+    {NoiseKind::value, true, 1, 128, 3.0 / 16},    {NoiseKind::value, true, 1, 256, 5.0 / 16},
+    {NoiseKind::value, true, 1, 1024, 7.0 / 16},   {NoiseKind::value, true, 2, 256, 3.0 / 16},
+    {NoiseKind::value, true, 24, 512, 1.0 / 8},    {NoiseKind::value, false, 1, 256, 1.0 / 32},
+    {NoiseKind::value, false, 1, 512, 1.0 / 4},    {NoiseKind::value, false, 2, 512, 1.0 / 64},
+    {NoiseKind::perlin, false, 24, 128, 1.0 / 32}, {NoiseKind::perlin, false, 24, 256, 3.0 / 16},
+    {NoiseKind::perlin, false, 1, 256, 1.0 / 4},   {NoiseKind::perlin, false, 1, 1024, 5.0 / 16}};
+constexpr double shortest_scan = 128;
 
 void clear(OctaveSums& sums, std::size_t count, bool slopes) {
     std::fill_n(sums.values, count + batch_padding, 0.0f);
@@ -52,7 +73,7 @@ bool has_kernel(const Octave& octave) {
 }
 
 OctaveStreams::OctaveStreams(std::span<const Octave> octaves, Kernel kernel, bool band_limit)
-    : kernel_(kernel), band_limit_(band_limit) {
+    : kernel_(kernel), band_limit_(band_limit), wide_vectors_(simd_lanes() >= 16) {
     const Octave* before = nullptr;
     for (const Octave& octave : octaves) {
         if (!has_kernel(octave)) continue;
@@ -73,12 +94,30 @@ OctaveStreams::OctaveStreams(std::span<const Octave> octaves, Kernel kernel, boo
     }
 }
 
+/// Whether a group is added up by scan-line polynomials on a piece's span, which nothing but the
+/// span decides. (Some octaves this way and some the other is slower than either.)
+bool OctaveStreams::scans(const Group& group, const Piece& piece) const {
+    if (kernel_ == Kernel::direct || kernel_ == Kernel::share) return false;
+    if (group.kind == NoiseKind::simplex) return false;
+    const double length = std::max(piece.length, piece.solid.first + double(piece.solid.count));
+    if (kernel_ == Kernel::scanline || length < shortest_scan || length > longest_scan_line)
+        return kernel_ == Kernel::scanline && length <= longest_scan_line;
+    const Vec3d step = glm::abs(group.lattice_from_solid.linear * piece.solid.step);
+    const double finest = std::ldexp(step.x + step.y + step.z, int(group.octaves.size()) - 1);
+    const bool linear = group.kind == NoiseKind::value && group.fade == Fade::linear;
+    return std::ranges::any_of(scan_ranges, [&](const ScanRange& range) {
+        return range.kind == group.kind && range.linear == linear &&
+               group.octaves.size() <= range.octaves && length >= range.shortest &&
+               finest < range.most_crossings;
+    });
+}
+
 /// Number of a group's coarsest octaves that share corners where the first crosses so many planes
 /// of the lattice per texel.
 std::size_t OctaveStreams::sharing(const Group& group, double crossings, bool slopes) const {
     if (kernel_ == Kernel::direct || group.kind == NoiseKind::simplex) return 0;
     if (kernel_ == Kernel::share) return group.octaves.size();
-    const double most = most_crossings(group.kind, slopes);
+    const double most = most_crossings(group.kind, slopes, wide_vectors_);
     std::size_t count = 0;
     while (count < group.octaves.size() && std::ldexp(crossings, int(count)) < most) ++count;
     return count;
@@ -87,7 +126,8 @@ std::size_t OctaveStreams::sharing(const Group& group, double crossings, bool sl
 void OctaveStreams::add_octave(const Group& group, std::size_t octave, const Plan& plan,
                                std::size_t count, const StreamBuffers& buffers, OctaveSums& sums) {
     const auto& [kind, fade, radius2, map, scale, octaves] = group;
-    const auto& [lattice, runs, whole, part, squares] = buffers;
+    const LatticeStream& lattice = buffers.lattice;
+    const CellRuns& runs = buffers.runs;
     const bool shared = octave < plan.shared;
     if (kind == NoiseKind::simplex && plan.slopes)
         add_simplex_octave_and_gradient(octaves[octave], radius2, lattice, count, sums.values,
@@ -137,26 +177,62 @@ void OctaveStreams::add_limited(const Group& group, const Plan& plan, std::span<
     }
 }
 
+void OctaveStreams::add_streamed(const Group& group, std::span<const Piece> pieces,
+                                 std::size_t count, StreamBuffers& buffers, double* values,
+                                 SlopeBatch* slopes, const TexelOffsets* offsets) const {
+    const auto& [kind, fade, radius2, map, scale, octaves] = group;
+    const double period = kind == NoiseKind::simplex ? simplex_period : 0.0;
+    const double planes =
+        fill_stream(map, octaves.back().doublings, pieces, buffers.lattice, period);
+    if (offsets) move_stream(map, pieces, *offsets, buffers.lattice);
+    const Plan plan{sharing(group, planes / double(count), slopes), slopes != nullptr};
+    if (plan.shared > 0) find_runs(buffers.lattice, int(plan.shared) - 1, count, buffers.runs);
+    clear(buffers.sums, count, plan.slopes);
+    if (band_limit_)
+        add_limited(group, plan, pieces, count, buffers);
+    else
+        for (std::size_t k = octaves.size(); k-- > 0;)
+            add_octave(group, k, plan, count, buffers, buffers.sums);
+    const double unit = scale * stream_unit(kind);
+    add_sums(unit, buffers.sums.values, count, values);
+    if (slopes) add_slopes(map, unit, pieces, buffers.sums.gradients, *slopes);
+}
+
+void OctaveStreams::add_scanned(const Group& group, std::span<const Piece> pieces,
+                                std::size_t count, StreamBuffers& buffers, double* values) const {
+    const auto& [kind, fade, radius2, map, scale, octaves] = group;
+    map_scan_lines(map, octaves.back().doublings, pieces, buffers.lines);
+    clear(buffers.sums, count, false);
+    for (std::size_t k = octaves.size(); k-- > 0;)
+        add_octave_scanline(kind, fade, octaves[k], buffers.lines, buffers.segments,
+                            buffers.sums.values);
+    add_sums(scale * stream_unit(kind), buffers.sums.values, count, values);
+}
+
+/// Pieces that follow one another and are added up in the same way are so together.
+void OctaveStreams::add_values(const Group& group, std::span<const Piece> pieces,
+                               StreamBuffers& buffers, double* values) const {
+    for (std::size_t begin = 0, end = 0; begin < pieces.size(); begin = end) {
+        const bool scanned = scans(group, pieces[begin]);
+        std::size_t count = 0;
+        for (; end < pieces.size() && scans(group, pieces[end]) == scanned; ++end)
+            count += pieces[end].solid.count;
+        const auto part = pieces.subspan(begin, end - begin);
+        if (scanned)
+            add_scanned(group, part, count, buffers, values);
+        else
+            add_streamed(group, part, count, buffers, values, nullptr, nullptr);
+        values += count;
+    }
+}
+
 void OctaveStreams::add(std::span<const Piece> pieces, std::size_t count, StreamBuffers& buffers,
                         double* values, SlopeBatch* slopes, const TexelOffsets* offsets) const {
-    for (const Group& group : groups_) {
-        const auto& [kind, fade, radius2, map, scale, octaves] = group;
-        const double period = kind == NoiseKind::simplex ? simplex_period : 0.0;
-        const double planes =
-            fill_stream(map, octaves.back().doublings, pieces, buffers.lattice, period);
-        if (offsets) move_stream(map, pieces, *offsets, buffers.lattice);
-        const Plan plan{sharing(group, planes / double(count), slopes), slopes != nullptr};
-        if (plan.shared > 0) find_runs(buffers.lattice, int(plan.shared) - 1, count, buffers.runs);
-        clear(buffers.sums, count, plan.slopes);
-        if (band_limit_)
-            add_limited(group, plan, pieces, count, buffers);
+    for (const Group& group : groups_)
+        if (slopes || offsets || band_limit_)
+            add_streamed(group, pieces, count, buffers, values, slopes, offsets);
         else
-            for (std::size_t k = octaves.size(); k-- > 0;)
-                add_octave(group, k, plan, count, buffers, buffers.sums);
-        const double unit = scale * stream_unit(kind);
-        add_sums(unit, buffers.sums.values, count, values);
-        if (slopes) add_slopes(map, unit, pieces, buffers.sums.gradients, *slopes);
-    }
+            add_values(group, pieces, buffers, values);
 }
 
 }  // namespace burl

@@ -8,6 +8,7 @@
 #include "procedural/kernel.h"
 #include "procedural/octaves.h"
 #include "procedural/offset_kernel.h"
+#include "procedural/scanline_kernel.h"
 #include "procedural/share_kernels.h"
 
 namespace burl {
@@ -25,6 +26,8 @@ struct StreamBuffers {
     OctaveSums sums;
     OctaveSums part;  ///< an octave that some pieces show in part only
     std::vector<double> squares;
+    std::vector<ScanLine> lines;
+    ScanSegments segments;
 };
 
 /// Whether a vectorised kernel knows the octave's noise.
@@ -58,7 +61,15 @@ class OctaveStreams {
         std::size_t shared = 0;  ///< number of its coarsest octaves that share corners
         bool slopes = false;
     };
+    bool scans(const Group& group, const Piece& piece) const;
     std::size_t sharing(const Group& group, double crossings, bool slopes) const;
+    void add_values(const Group& group, std::span<const Piece> pieces, StreamBuffers& buffers,
+                    double* values) const;
+    void add_scanned(const Group& group, std::span<const Piece> pieces, std::size_t count,
+                     StreamBuffers& buffers, double* values) const;
+    void add_streamed(const Group& group, std::span<const Piece> pieces, std::size_t count,
+                      StreamBuffers& buffers, double* values, SlopeBatch* slopes,
+                      const TexelOffsets* offsets) const;
     void add_limited(const Group& group, const Plan& plan, std::span<const Piece> pieces,
                      std::size_t count, StreamBuffers& buffers) const;
     static void add_octave(const Group& group, std::size_t octave, const Plan& plan,
@@ -67,6 +78,7 @@ class OctaveStreams {
     std::vector<Group> groups_;
     Kernel kernel_;
     bool band_limit_;
+    bool wide_vectors_;
 };
 
 }  // namespace burl

@@ -201,10 +201,12 @@ HWY_ATTR void AddOctaveDirect(NoiseKind kind, Fade fade, const StreamOctave& oct
 HWY_ATTR void AddSums(double scale, const float* sums, std::size_t count, double* values) {
     const Doubles d;
     const auto scales = hn::Set(d, scale);
-    for (std::size_t j = 0; j < count; j += hn::Lanes(d)) {
+    std::size_t j = 0;
+    for (; j + hn::Lanes(d) <= count; j += hn::Lanes(d)) {
         const auto sum = hn::PromoteTo(d, hn::Load(HalfFloats(), sums + j));
         hn::StoreU(hn::Add(hn::LoadU(d, values + j), hn::Mul(sum, scales)), d, values + j);
     }
+    for (; j < count; ++j) values[j] += double(sums[j]) * scale;
 }
 
 }  // namespace HWY_NAMESPACE

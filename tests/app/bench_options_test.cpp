@@ -47,7 +47,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadBench{"synthesis --size 9000", "bench synthesis: --size 9000 must be 8 to 4,096 texels"},
         BadBench{"precision --size 5000", "bench precision: --size 5000 must be"},
         BadBench{"forward --size 2000", "bench forward: --size 2000 must be 2 to 1,024 texels"},
-        BadBench{"kernels --size 2000", "bench kernels: --size 2000 must be 1 to 1,024 texels"},
+        BadBench{"kernels --size 20000", "bench kernels: --size 20000 must be 1 to 16,384 texels"},
         BadBench{"noise --size 100", "bench noise: --size 100 must be 1,024 to 10,000,000"},
         BadBench{"mesh_io --size 0", "bench mesh_io: --size 0 must be 12 to 10,000,000 faces"},
         BadBench{"atlas --size 100 --large", "bench atlas: --size names one number of faces"},

@@ -1,4 +1,4 @@
-// `--kernel forward`: what it bakes, and what it refuses.
+// `--kernel forward`, `reference` and `scanline`: what they bake, and what they refuse.
 #include <gtest/gtest.h>
 
 #include "tests/app/run_program.h"
@@ -65,6 +65,36 @@ TEST_F(ForwardBake, RefusesInOneSentenceWhatHasNoPolynomial) {
         EXPECT_NE(outcome.err.find(says), std::string::npos) << outcome.err;
         EXPECT_FALSE(fs::exists(out_)) << options;
     }
+}
+
+using ReferenceBake = ForwardBake;
+
+TEST_F(ReferenceBake, IsTheBakeInFloat64) {
+    for (const char* options : {"-r clouds --depth 16 ", "-r wood --filter exact "}) {
+        const std::string reference = baked(fmt::format("{}--kernel reference", options));
+        EXPECT_EQ(reference, baked(fmt::format("{}--precision float64", options)));
+        EXPECT_EQ(reference,
+                  baked(fmt::format("{}--kernel reference --precision float64", options)));
+    }
+}
+
+TEST_F(ReferenceBake, RefusesAnotherPrecision) {
+    for (const char* options :
+         {"--precision float32", "--precision fixed:8.8", "--set precision.kind=float32"}) {
+        const Outcome outcome = bake(fmt::format("--kernel reference {}", options));
+        EXPECT_EQ(outcome.exit_code, 1) << options << "\n" << outcome.err;
+        expect_one_sentence(outcome.err);
+        EXPECT_NE(outcome.err.find("another precision"), std::string::npos) << outcome.err;
+        EXPECT_FALSE(fs::exists(out_)) << options;
+    }
+}
+
+TEST_F(ReferenceBake, ScanlineIsDirectButForRounding) {
+    const auto made = [&](const std::string& kernel) {
+        return baked("-r noise --depth 16 --set precision.kind=float32 --kernel " + kernel);
+    };
+    EXPECT_EQ(made("direct"), made("share"));
+    EXPECT_NE(made("direct"), made("scanline"));
 }
 
 }  // namespace

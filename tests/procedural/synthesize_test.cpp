@@ -143,14 +143,15 @@ TEST(Synthesis, GivesTheSameBytesForEveryThreadCount) {
         const SolidAtlas solid = SyntheticAtlas{300, block, 100.0, 0.01, true}.make(block);
         Texture texture = random_texture(random, true);
         for (NoiseTerm& term : texture.noise) term.octaves = 1 + term.octaves % 2;
-        const Image<float> field = synthesize_field(solid, texture, scaled(1.0), 1);
-        const Image<Rgb8> colors = synthesize_rgb8(solid, texture, scaled(1.0), 1);
-        for (const int threads : {2, 7, 0})
-            for (const auto& [name, kernel] : kernel_names) {
+        for (const auto& [name, kernel] : kernel_names) {
+            const Image<float> field = synthesize_field(solid, texture, scaled(1.0), 1, kernel);
+            const Image<Rgb8> colors = synthesize_rgb8(solid, texture, scaled(1.0), 1, {}, kernel);
+            for (const int threads : {2, 7, 0}) {
                 EXPECT_EQ(synthesize_field(solid, texture, scaled(1.0), threads, kernel), field);
                 EXPECT_EQ(synthesize_rgb8(solid, texture, scaled(1.0), threads, {}, kernel),
                           colors);
             }
+        }
     }
 }
 
@@ -202,6 +203,7 @@ TEST(Synthesis, GivesTheSameBytesOnEveryInstructionSet) {
         names += simd_level() + " ";
         for (std::size_t i = 0; i < textures.size(); ++i)
             for (const auto& [name, kernel] : kernel_names) {
+                if (kernel == Kernel::scanline) continue;  // scanline_kernel_test
                 EXPECT_EQ(synthesize_field(solid, textures[i], scaled(1.0), 1, kernel), fields[i])
                     << simd_level() << ", " << name << ", texture " << i;
                 EXPECT_EQ(synthesize_rgb8(solid, textures[i], scaled(1.0), 1, {}, kernel),
