@@ -33,6 +33,7 @@ constexpr std::array suites{
           10'000'000, "65,536"},
     Suite{"plot", ""},
     Suite{"precision", "--repeats --json --simd", "texels a side", 8, 4096, "512"},
+    Suite{"resynthesis", "--repeats --json --simd --recipe", "texels a side", 8, 4096, "1,024"},
     Suite{"stability", "--json --simd --thorough --case"},
     Suite{"synthesis", "--repeats --json --simd --recipe", "texels a side", 8, 4096, "1,024"},
 };
@@ -65,10 +66,11 @@ void check_files(const BenchCommand& command) {
     if (command.suite == "plot" && (command.file.empty() || command.out.empty()))
         throw Error(ExitCode::usage,
                     "bench plot wants a report and an output: burl bench plot F.json -o F.svg");
-    if (command.suite != "plot" && command.suite != "synthesis" && !command.file.empty())
+    const bool takes_mesh = command.suite == "synthesis" || command.suite == "resynthesis";
+    if (command.suite != "plot" && !takes_mesh && !command.file.empty())
         throw Error(ExitCode::usage,
-                    fmt::format("bench {}: only plot and synthesis take a file, {}", command.suite,
-                                command.file));
+                    fmt::format("bench {}: only plot, synthesis and resynthesis take a file, {}",
+                                command.suite, command.file));
 }
 
 }  // namespace

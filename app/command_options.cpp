@@ -144,7 +144,8 @@ void add_kernel(CLI::App& verb, std::string& kernel) {
             "--kernel", kernel,
             "How noise is computed: auto, the fastest; direct or share "
             "(cells hashed once for all their texels), with the same result; scanline (polynomials "
-            "along rows, without a filter), which rounds otherwise; forward, by forward differences along scan lines "
+            "along rows, without a filter), which rounds otherwise; forward, by forward "
+            "differences along scan lines "
             "in float64 (or --precision float32): value noise, no filter; or reference, texel by "
             "texel in float64, the same as --precision float64")
         ->check(CLI::IsMember(names))

@@ -15,6 +15,7 @@
 #include "app/bench_options.h"
 #include "app/bench_plot.h"
 #include "app/bench_precision.h"
+#include "app/bench_resynthesis.h"
 #include "app/bench_synthesis.h"
 #include "app/command_options.h"
 #include "app/export.h"
@@ -125,12 +126,12 @@ void report_results(const BenchCommand& command, const std::vector<BenchResult>&
     if (report_rows(command, results, result_json)) fmt::print("{}", result_table(results));
 }
 
-void run_synthesis_bench(const BenchCommand& command) {
+SynthesisSubjects subjects_of(const BenchCommand& command) {
     SynthesisSubjects subjects;
     if (!command.recipes.empty()) subjects.recipes = command.recipes;
     if (command.size > 0) subjects.side = command.size;
     if (!command.file.empty()) subjects.mesh = MeshOptions{}.load(command.file);
-    report_results(command, bench_synthesis(command.repeats, std::move(subjects)));
+    return subjects;
 }
 
 void run_plot(const BenchCommand& command) {
@@ -197,7 +198,10 @@ void run_bench(const BenchCommand& command) {
     if (command.suite == "noise")
         return report_results(
             command, bench_noise(command.repeats, command.size == 0 ? 65536 : command.size));
-    if (command.suite == "synthesis") return run_synthesis_bench(command);
+    if (command.suite == "synthesis")
+        return report_results(command, bench_synthesis(command.repeats, subjects_of(command)));
+    if (command.suite == "resynthesis")
+        return report_results(command, bench_resynthesis(command.repeats, subjects_of(command)));
     if (command.suite == "precision") return run_precision_bench(command);
     if (command.suite == "forward") return run_forward_bench(command);
     if (command.suite == "kernels") return run_kernel_bench(command);
@@ -219,20 +223,23 @@ void run_bench(const BenchCommand& command) {
 void add_bench(CLI::App& program) {
     auto* verb = program.add_subcommand("bench", "Time a suite; medians of paired runs");
     auto command = std::make_shared<BenchCommand>();
-    verb->add_option("suite", command->suite,
-                     "mesh_io, atlas, synthesis, filter, noise, forward, kernels, precision "
-                     "or stability; or plot, which draws a report: burl bench plot F.json -o F.svg")
+    verb->add_option(
+            "suite", command->suite,
+            "mesh_io, atlas, synthesis, resynthesis, filter, noise, forward, kernels, precision "
+            "or stability; or plot, which draws a report: burl bench plot F.json -o F.svg")
         ->required()
         ->check(CLI::IsMember(bench_suite_names()));
-    verb->add_option("file", command->file,
-                     "plot: the report, as -o wrote it; synthesis: a mesh to texture");
+    verb->add_option(
+        "file", command->file,
+        "plot: the report, as -o wrote it; synthesis and resynthesis: a mesh to texture");
     verb->add_option("--size", command->size, bench_size_help());
     verb->add_option("--repeats", command->repeats, "Counted rounds")
         ->check(CLI::Range(1, 1000))
         ->capture_default_str();
     verb->add_flag("--large", command->large, "atlas: also 1,000,000 faces, some minutes");
     verb->add_option("-r,--recipe", command->recipes,
-                     "synthesis: preset or recipe file, may be repeated; marble, wood and clouds "
+                     "synthesis, resynthesis: preset or recipe file, may be repeated; marble, wood "
+                     "and clouds "
                      "unless given")
         ->allow_extra_args(false)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);

@@ -45,6 +45,13 @@ void add_values(const Octave& octave, double scale, const LatticePiece& piece,
     }
 }
 
+/// The octave as it is, without its scale.
+void fill_noise(const Octave& octave, const LatticePiece& piece, float* noise) {
+    for (std::size_t j = 0; j < piece.line.count; ++j)
+        noise[piece.at + j] =
+            shaped(octave.shape, noise_value<float, 3>(octave.noise, piece.point(j, nullptr)));
+}
+
 void add_values_and_slopes(const Octave& octave, double scale, const LatticePiece& piece,
                            double* values, SlopeBatch& slopes) {
     for (std::size_t j = 0; j < piece.line.count; ++j) {
@@ -77,6 +84,20 @@ void FieldSampler::values(FieldBatch& batch) const {
     add_scalar_octaves(batch, nullptr, nullptr);
 }
 
+void FieldSampler::values(FieldBatch& batch, const KeptBatch& kept) const {
+    const std::size_t scalars = scalar_octaves_.size(), streamed = kept.octaves.size() - scalars;
+    fill_quadric(batch);
+    streams_.add_kept(batch.pieces, kept.part(0, streamed), batch.streams, batch.field);
+    add_kept_scalar_octaves(batch, kept.part(streamed, scalars));
+}
+
+std::vector<NoiseKey> FieldSampler::noise_keys() const {
+    std::vector<NoiseKey> keys = streams_.noise_keys();
+    for (const auto& [octave, mean] : scalar_octaves_)
+        keys.push_back({octave.noise, octave.shape, octave.lattice_from_solid});
+    return keys;
+}
+
 void FieldSampler::values_and_slopes(FieldBatch& batch) const {
     fill_quadric(batch);
     fill_quadric_slopes(quadric_, batch.pieces, batch.slopes);
@@ -106,6 +127,21 @@ void FieldSampler::fill_quadric_at_offsets(FieldBatch& batch) const {
                 piece.solid.start + x * piece.solid.step + double(batch.offsets.v[at]) * piece.down;
             batch.field[at] = evaluate_quadric(quadric_, p) + constant_;
         }
+}
+
+void FieldSampler::add_kept_scalar_octaves(FieldBatch& batch, const KeptBatch& kept) const {
+    for (std::size_t k = 0; k < scalar_octaves_.size(); ++k) {
+        const Octave& octave = scalar_octaves_[k].octave;
+        const auto [noise, known] = kept.octaves[k];
+        float* numbers = noise ? noise + kept.at : batch.streams.part.values;
+        for (std::size_t i = 0, at = 0; !known && i < batch.pieces.size(); ++i) {
+            fill_noise(octave, LatticePiece(octave.lattice_from_solid, batch.pieces[i], at),
+                       numbers);
+            at += batch.pieces[i].solid.count;
+        }
+        for (std::size_t j = 0; j < batch.count; ++j)
+            batch.field[j] += octave.scale * double(numbers[j]);
+    }
 }
 
 void FieldSampler::add_scalar_octaves(FieldBatch& batch, SlopeBatch* slopes,

@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "procedural/kept_noise.h"
 #include "procedural/octave_streams.h"
 #include "procedural/slope_kernels.h"
 #include "procedural/texel_piece.h"
@@ -31,6 +32,11 @@ class FieldSampler {
 
     /// batch.field = f at the centres of the texels of batch.pieces.
     void values(FieldBatch& batch) const;
+    /// The same to the bit, but evaluates only octaves whose noise is not known, and keeps it. Not
+    /// with a band limit.
+    void values(FieldBatch& batch, const KeptBatch& kept) const;
+    /// What the kept noise depends on, octave by octave.
+    std::vector<NoiseKey> noise_keys() const;
     /// Besides, batch.slopes = df/du and df/dv per texel.
     void values_and_slopes(FieldBatch& batch) const;
     /// batch.field = f at batch.offsets.
@@ -44,6 +50,7 @@ class FieldSampler {
     };
     void fill_quadric(FieldBatch& batch) const;
     void fill_quadric_at_offsets(FieldBatch& batch) const;
+    void add_kept_scalar_octaves(FieldBatch& batch, const KeptBatch& kept) const;
     void add_scalar_octaves(FieldBatch& batch, SlopeBatch* slopes,
                             const TexelOffsets* offsets) const;
 

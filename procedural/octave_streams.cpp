@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "procedural/band_limit.h"
 #include "procedural/simplex_kernel.h"
@@ -123,27 +124,26 @@ std::size_t OctaveStreams::sharing(const Group& group, double crossings, bool sl
     return count;
 }
 
-void OctaveStreams::add_octave(const Group& group, std::size_t octave, const Plan& plan,
+void OctaveStreams::add_octave(const Group& group, const StreamOctave& octave, const Plan& plan,
                                std::size_t count, const StreamBuffers& buffers, OctaveSums& sums) {
     const auto& [kind, fade, radius2, map, scale, octaves] = group;
     const LatticeStream& lattice = buffers.lattice;
     const CellRuns& runs = buffers.runs;
-    const bool shared = octave < plan.shared;
+    const bool shared = std::size_t(octave.doublings) < plan.shared;
     if (kind == NoiseKind::simplex && plan.slopes)
-        add_simplex_octave_and_gradient(octaves[octave], radius2, lattice, count, sums.values,
+        add_simplex_octave_and_gradient(octave, radius2, lattice, count, sums.values,
                                         sums.gradients);
     else if (kind == NoiseKind::simplex)
-        add_simplex_octave(octaves[octave], radius2, lattice, count, sums.values);
+        add_simplex_octave(octave, radius2, lattice, count, sums.values);
     else if (plan.slopes && shared)
-        add_octave_and_gradient_shared(kind, fade, octaves[octave], lattice, runs, count,
-                                       sums.values, sums.gradients);
+        add_octave_and_gradient_shared(kind, fade, octave, lattice, runs, count, sums.values,
+                                       sums.gradients);
     else if (plan.slopes)
-        add_octave_and_gradient(kind, fade, octaves[octave], lattice, count, sums.values,
-                                sums.gradients);
+        add_octave_and_gradient(kind, fade, octave, lattice, count, sums.values, sums.gradients);
     else if (shared)
-        add_octave_shared(kind, fade, octaves[octave], lattice, runs, count, sums.values);
+        add_octave_shared(kind, fade, octave, lattice, runs, count, sums.values);
     else
-        add_octave_direct(kind, fade, octaves[octave], lattice, count, sums.values);
+        add_octave_direct(kind, fade, octave, lattice, count, sums.values);
 }
 
 /// Only what the pieces' texels can show: an octave of which some show a part is evaluated by
@@ -161,11 +161,11 @@ void OctaveStreams::add_limited(const Group& group, const Plan& plan, std::span<
         const double finer = std::ldexp(1.0, 2 * int(k));
         if (band_weight(finer * least) == 0.0) continue;
         if (band_weight(finer * most) == 1.0) {
-            add_octave(group, k, plan, count, buffers, buffers.sums);
+            add_octave(group, group.octaves[k], plan, count, buffers, buffers.sums);
             continue;
         }
         clear(buffers.part, count, plan.slopes);
-        add_octave(group, k, plan, count, buffers, buffers.part);
+        add_octave(group, group.octaves[k], plan, count, buffers, buffers.part);
         std::size_t at = 0;
         for (std::size_t i = 0; i < pieces.size(); ++i) {
             const auto weight = float(band_weight(finer * buffers.squares[i]));
@@ -177,25 +177,33 @@ void OctaveStreams::add_limited(const Group& group, const Plan& plan, std::span<
     }
 }
 
+/// Coordinates, and the runs of cells that octaves share.
+OctaveStreams::Plan OctaveStreams::prepare(const Group& group, std::span<const Piece> pieces,
+                                           std::size_t count, StreamBuffers& buffers, bool slopes,
+                                           const TexelOffsets* offsets) const {
+    const Affine3& map = group.lattice_from_solid;
+    const double period = group.kind == NoiseKind::simplex ? simplex_period : 0.0;
+    const double planes =
+        fill_stream(map, group.octaves.back().doublings, pieces, buffers.lattice, period);
+    if (offsets) move_stream(map, pieces, *offsets, buffers.lattice);
+    const Plan plan{sharing(group, planes / double(count), slopes), slopes};
+    if (plan.shared > 0) find_runs(buffers.lattice, int(plan.shared) - 1, count, buffers.runs);
+    return plan;
+}
+
 void OctaveStreams::add_streamed(const Group& group, std::span<const Piece> pieces,
                                  std::size_t count, StreamBuffers& buffers, double* values,
                                  SlopeBatch* slopes, const TexelOffsets* offsets) const {
-    const auto& [kind, fade, radius2, map, scale, octaves] = group;
-    const double period = kind == NoiseKind::simplex ? simplex_period : 0.0;
-    const double planes =
-        fill_stream(map, octaves.back().doublings, pieces, buffers.lattice, period);
-    if (offsets) move_stream(map, pieces, *offsets, buffers.lattice);
-    const Plan plan{sharing(group, planes / double(count), slopes), slopes != nullptr};
-    if (plan.shared > 0) find_runs(buffers.lattice, int(plan.shared) - 1, count, buffers.runs);
+    const Plan plan = prepare(group, pieces, count, buffers, slopes != nullptr, offsets);
     clear(buffers.sums, count, plan.slopes);
     if (band_limit_)
         add_limited(group, plan, pieces, count, buffers);
     else
-        for (std::size_t k = octaves.size(); k-- > 0;)
-            add_octave(group, k, plan, count, buffers, buffers.sums);
-    const double unit = scale * stream_unit(kind);
+        for (std::size_t k = group.octaves.size(); k-- > 0;)
+            add_octave(group, group.octaves[k], plan, count, buffers, buffers.sums);
+    const double unit = group.scale * stream_unit(group.kind);
     add_sums(unit, buffers.sums.values, count, values);
-    if (slopes) add_slopes(map, unit, pieces, buffers.sums.gradients, *slopes);
+    if (slopes) add_slopes(group.lattice_from_solid, unit, pieces, buffers.sums.gradients, *slopes);
 }
 
 void OctaveStreams::add_scanned(const Group& group, std::span<const Piece> pieces,
@@ -209,21 +217,29 @@ void OctaveStreams::add_scanned(const Group& group, std::span<const Piece> piece
     add_sums(scale * stream_unit(kind), buffers.sums.values, count, values);
 }
 
-/// Pieces that follow one another and are added up in the same way are so together.
-void OctaveStreams::add_values(const Group& group, std::span<const Piece> pieces,
-                               StreamBuffers& buffers, double* values) const {
+/// Calls visit(pieces, their number of texels, whether they are scanned) for pieces that follow one
+/// another and are added up in the same way.
+template <class Visit>
+void OctaveStreams::for_each_way(const Group& group, std::span<const Piece> pieces,
+                                 Visit&& visit) const {
     for (std::size_t begin = 0, end = 0; begin < pieces.size(); begin = end) {
         const bool scanned = scans(group, pieces[begin]);
         std::size_t count = 0;
         for (; end < pieces.size() && scans(group, pieces[end]) == scanned; ++end)
             count += pieces[end].solid.count;
-        const auto part = pieces.subspan(begin, end - begin);
+        visit(pieces.subspan(begin, end - begin), count, scanned);
+    }
+}
+
+void OctaveStreams::add_values(const Group& group, std::span<const Piece> pieces,
+                               StreamBuffers& buffers, double* values) const {
+    for_each_way(group, pieces, [&](std::span<const Piece> part, std::size_t count, bool scanned) {
         if (scanned)
             add_scanned(group, part, count, buffers, values);
         else
             add_streamed(group, part, count, buffers, values, nullptr, nullptr);
         values += count;
-    }
+    });
 }
 
 void OctaveStreams::add(std::span<const Piece> pieces, std::size_t count, StreamBuffers& buffers,
@@ -233,6 +249,69 @@ void OctaveStreams::add(std::span<const Piece> pieces, std::size_t count, Stream
             add_streamed(group, pieces, count, buffers, values, slopes, offsets);
         else
             add_values(group, pieces, buffers, values);
+}
+
+std::vector<NoiseKey> OctaveStreams::noise_keys() const {
+    std::vector<NoiseKey> keys;
+    for (const Group& group : groups_)
+        for (const StreamOctave& octave : group.octaves) {
+            NoiseKey key;
+            key.noise.kind = group.kind, key.noise.fade = group.fade, key.noise.seed = octave.seed;
+            key.noise.radius2 = group.radius2;
+            key.lattice_from_solid = group.lattice_from_solid;
+            key.doublings = octave.doublings;
+            key.most_doublings = group.octaves.back().doublings;
+            keys.push_back(key);
+        }
+    return keys;
+}
+
+void OctaveStreams::add_kept_group(const Group& group, std::span<const Piece> pieces,
+                                   std::size_t count, bool scanned, const KeptBatch& kept,
+                                   StreamBuffers& buffers, double* values) const {
+    Plan plan;
+    if (!std::ranges::all_of(kept.octaves, &KeptNoise::known)) {
+        if (scanned)
+            map_scan_lines(group.lattice_from_solid, group.octaves.back().doublings, pieces,
+                           buffers.lines);
+        else
+            plan = prepare(group, pieces, count, buffers, false, nullptr);
+    }
+    clear(buffers.sums, count, false);
+    for (std::size_t k = group.octaves.size(); k-- > 0;) {
+        const auto [noise, known] = kept.octaves[k];
+        StreamOctave octave = group.octaves[k];
+        if (known) {
+            add_scaled(octave.weight, noise + kept.at, count, buffers.sums.values);
+            continue;
+        }
+        const float weight = std::exchange(octave.weight, 1.0f);
+        clear(buffers.part, count, false);
+        if (scanned)
+            add_octave_scanline(group.kind, group.fade, octave, buffers.lines, buffers.segments,
+                                buffers.part.values);
+        else
+            add_octave(group, octave, plan, count, buffers, buffers.part);
+        if (noise) std::copy_n(buffers.part.values, count, noise + kept.at);
+        add_scaled(weight, buffers.part.values, count, buffers.sums.values);
+    }
+    add_sums(group.scale * stream_unit(group.kind), buffers.sums.values, count, values);
+}
+
+void OctaveStreams::add_kept(std::span<const Piece> pieces, const KeptBatch& kept,
+                             StreamBuffers& buffers, double* values) const {
+    std::size_t first = 0;
+    for (const Group& group : groups_) {
+        KeptBatch own = kept.part(first, group.octaves.size());
+        first += group.octaves.size();
+        double* at = values;
+        for_each_way(group, pieces,
+                     [&](std::span<const Piece> part, std::size_t count, bool scanned) {
+                         add_kept_group(group, part, count, scanned, own, buffers, at);
+                         own.at += count;
+                         at += count;
+                     });
+    }
 }
 
 }  // namespace burl

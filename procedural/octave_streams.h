@@ -5,6 +5,7 @@
 // weighs no more than in the first. The others have groups of their own.
 #include <vector>
 
+#include "procedural/kept_noise.h"
 #include "procedural/kernel.h"
 #include "procedural/octaves.h"
 #include "procedural/offset_kernel.h"
@@ -47,6 +48,13 @@ class OctaveStreams {
              double* values, SlopeBatch* slopes = nullptr,
              const TexelOffsets* offsets = nullptr) const;
 
+    /// What the numbers depend on that add_kept keeps, in its order.
+    std::vector<NoiseKey> noise_keys() const;
+    /// As add() without slopes and offsets, to the bit, but evaluates only octaves whose noise is
+    /// not known, and keeps it. Not with a band limit.
+    void add_kept(std::span<const Piece> pieces, const KeptBatch& kept, StreamBuffers& buffers,
+                  double* values) const;
+
   private:
     struct Group {
         NoiseKind kind = NoiseKind::value;
@@ -63,6 +71,11 @@ class OctaveStreams {
     };
     bool scans(const Group& group, const Piece& piece) const;
     std::size_t sharing(const Group& group, double crossings, bool slopes) const;
+    template <class Visit>
+    void for_each_way(const Group& group, std::span<const Piece> pieces, Visit&& visit) const;
+    void add_kept_group(const Group& group, std::span<const Piece> pieces, std::size_t count,
+                        bool scanned, const KeptBatch& kept, StreamBuffers& buffers,
+                        double* values) const;
     void add_values(const Group& group, std::span<const Piece> pieces, StreamBuffers& buffers,
                     double* values) const;
     void add_scanned(const Group& group, std::span<const Piece> pieces, std::size_t count,
@@ -72,7 +85,9 @@ class OctaveStreams {
                       const TexelOffsets* offsets) const;
     void add_limited(const Group& group, const Plan& plan, std::span<const Piece> pieces,
                      std::size_t count, StreamBuffers& buffers) const;
-    static void add_octave(const Group& group, std::size_t octave, const Plan& plan,
+    Plan prepare(const Group& group, std::span<const Piece> pieces, std::size_t count,
+                 StreamBuffers& buffers, bool slopes, const TexelOffsets* offsets) const;
+    static void add_octave(const Group& group, const StreamOctave& octave, const Plan& plan,
                            std::size_t count, const StreamBuffers& buffers, OctaveSums& sums);
 
     std::vector<Group> groups_;

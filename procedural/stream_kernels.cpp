@@ -198,6 +198,14 @@ HWY_ATTR void AddOctaveDirect(NoiseKind kind, Fade fade, const StreamOctave& oct
     });
 }
 
+HWY_ATTR void AddScaledNoise(float weight, const float* noise, std::size_t count, float* sums) {
+    const Floats d;
+    const auto weights = hn::Set(d, weight);
+    for (std::size_t j = 0; j < count; j += hn::Lanes(d))
+        hn::Store(hn::Add(hn::Load(d, sums + j), hn::Mul(weights, hn::LoadU(d, noise + j))), d,
+                  sums + j);
+}
+
 HWY_ATTR void AddSums(double scale, const float* sums, std::size_t count, double* values) {
     const Doubles d;
     const auto scales = hn::Set(d, scale);
@@ -218,6 +226,7 @@ namespace burl {
 
 HWY_EXPORT(FillStream);
 HWY_EXPORT(AddOctaveDirect);
+HWY_EXPORT(AddScaledNoise);
 HWY_EXPORT(AddSums);
 
 double fill_stream(const Affine3& lattice_from_solid, int doublings, std::span<const Piece> pieces,
@@ -229,6 +238,10 @@ void add_octave_direct(NoiseKind kind, Fade fade, const StreamOctave& octave,
                        const LatticeStream& stream, std::size_t count, float* sums) {
     HWY_DYNAMIC_DISPATCH(AddOctaveDirect)
     (kind, fade, octave, stream, count, sums);
+}
+
+void add_scaled(float weight, const float* noise, std::size_t count, float* sums) {
+    HWY_DYNAMIC_DISPATCH(AddScaledNoise)(weight, noise, count, sums);
 }
 
 void add_sums(double scale, const float* sums, std::size_t count, double* values) {

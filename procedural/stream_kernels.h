@@ -50,6 +50,10 @@ constexpr double stream_unit(NoiseKind kind) {
 void add_octave_direct(NoiseKind kind, Fade fade, const StreamOctave& octave,
                        const LatticeStream& stream, std::size_t count, float* sums);
 
+/// sums[j] += weight * noise[j], up to the end of a vector: what add_octave_direct adds whose own
+/// weight is 1.
+void add_scaled(float weight, const float* noise, std::size_t count, float* sums);
+
 /// values[j] += scale * sums[j].
 void add_sums(double scale, const float* sums, std::size_t count, double* values);
 

@@ -5,24 +5,22 @@
 #include <optional>
 #include <tuple>
 
-#include "procedural/color_table.h"
 #include "procedural/corner_samples.h"
 #include "procedural/field_sampler.h"
 #include "procedural/filtered_colors.h"
 #include "procedural/pixel_encoder.h"
-#include "procedural/row_tasks.h"
+#include "procedural/point_colors.h"
 #include "procedural/sample_pattern.h"
 #include "procedural/stream_encoder.h"
 #include "procedural/stream_filter.h"
+#include "procedural/synthesize_pieces.h"
 
 namespace burl {
 
 namespace {
 
 struct Batch : FieldBatch {
-    alignas(64) std::int32_t entries[batch_capacity + batch_padding];
-    alignas(64) ColorCode codes[batch_capacity + batch_padding];
-    std::uint32_t later[batch_capacity + 2 * batch_padding];
+    ColorBuffers point_colors;
     std::vector<double> weights;  ///< sums over several samples of a texel
     std::vector<Vec3d> colors;
 
@@ -46,25 +44,25 @@ class FieldCopy {
 class Color8 {
   public:
     using Pixel = Rgb8;
-    explicit Color8(const ColorMap& map) : table_(map) {}
+    explicit Color8(const ColorMap& map) : colors_(map) {}
     void prepare(const FieldSampler& sampler, Batch& batch) const {
         sampler.values(batch);
         shade(batch);
     }
     void shade(Batch& batch) const {
-        index_colors(table_.wrap(), batch.field, batch.count, ColorTable8::entry_count,
-                     batch.entries);
-        table_.look_up(batch.entries, batch.field, batch.count, batch.codes, batch.later);
+        colors_.look_up(batch.field, batch.count, batch.point_colors);
     }
     /// Instead of the colour at its centre.
-    static void set(Batch& batch, std::size_t at, Rgb8 pixel) { batch.codes[at].color = pixel; }
-    void pixels(const Batch& batch, std::size_t at, std::size_t count, Rgb8* pixels) const {
-        pack_pixels(batch.codes + at, count, pixels);
+    static void set(Batch& batch, std::size_t at, Rgb8 pixel) {
+        batch.point_colors.codes[at].color = pixel;
     }
-    Rgb8 background(double f) const { return table_(f); }
+    void pixels(const Batch& batch, std::size_t at, std::size_t count, Rgb8* pixels) const {
+        colors_.pixels(batch.field, at, count, batch.point_colors, pixels);
+    }
+    Rgb8 background(double f) const { return colors_(f); }
 
   private:
-    ColorTable8 table_;
+    PointColors<Rgb8> colors_;
 };
 
 /// Colours at texel centres, worked out where they are asked for.
@@ -72,7 +70,7 @@ template <class P>
 class PointColor {
   public:
     using Pixel = P;
-    explicit PointColor(const ColorMap& map) : map_(map) {}
+    explicit PointColor(const ColorMap& map) : colors_(map) {}
     void prepare(const FieldSampler& sampler, Batch& batch) const {
         sampler.values(batch);
         shade(batch);
@@ -90,11 +88,10 @@ class PointColor {
         for (std::size_t j = at; j < at + count; ++j)
             *pixels++ = batch.filtered[j] ? means[j] : background(batch.field[j]);
     }
-    P background(double f) const { return encode_(map_(f)); }
+    P background(double f) const { return colors_(f); }
 
   private:
-    PreparedColorMap map_;
-    PixelEncoder<P> encode_;
+    PointColors<P> colors_;
 };
 
 /// The map averaged over what f takes on in a texel, to first order. `Point` colours the texels
@@ -219,69 +216,14 @@ void flush(Batch& batch, const FieldSampler& sampler, const Shader& shader,
     batch.count = 0;
 }
 
-/// Neighbouring spans show triangles from all over the mesh, whose maps the processor cannot guess:
-/// they are called for this many spans ahead.
-constexpr std::ptrdiff_t map_prefetch = 8;
-
-void prefetch(const TexelMap& map) {
-    const char* bytes = reinterpret_cast<const char*>(&map);
-    __builtin_prefetch(bytes);
-    __builtin_prefetch(bytes + sizeof(TexelMap) - 1);
-}
-
-/// Adds `count` texels of the span from number `first` on.
-inline void add_piece(const Span& span, const TexelMap& texel, const Vec3d& start, std::size_t y,
-                      std::size_t first, std::size_t count, FieldBatch& batch) {
-    // Filled in place, and not by emplace_back(): that clears it by `rep stos`, a quarter of the
-    // time of all this, as are copies of vectors just written.
-    static constexpr Piece blank;
-    batch.pieces.push_back(blank);
-    Piece& piece = batch.pieces.back();
-    piece.x = span.x + first;
-    piece.y = y;
-    piece.solid.start.x = start.x, piece.solid.start.y = start.y, piece.solid.start.z = start.z;
-    piece.solid.step = texel.step_x;
-    piece.solid.first = double(first);
-    piece.solid.count = count;
-    piece.down = texel.step_y;
-    piece.length = double(span.count);
-    batch.count += count;
-}
-
 template <class Shader>
 void synthesize_rows(const SolidAtlas& solid, std::span<const TexelMap> maps,
                      const FieldSampler& sampler, const Shader& shader, const RowRange& rows,
                      Image<typename Shader::Pixel>& image) {
     const auto batch = std::make_unique_for_overwrite<Batch>();
-    for (std::size_t y = rows.begin(); y != rows.end(); ++y) {
-        const auto spans = solid.row(y);
-        for (const Span& span : spans) {
-            if (&spans.back() - &span >= map_prefetch) prefetch(maps[(&span)[map_prefetch].map]);
-            const TexelMap& texel = maps[span.map];
-            const Vec3d start = texel(span.x, std::int64_t(y));
-            for (std::size_t done = 0; done < span.count;) {
-                const std::size_t count =
-                    std::min(span.count - done, batch_capacity - batch->count);
-                add_piece(span, texel, start, y, done, count, *batch);
-                done += count;
-                if (batch->count == batch_capacity) flush(*batch, sampler, shader, image);
-            }
-        }
-    }
-    flush(*batch, sampler, shader, image);
-}
-
-/// The texels' maps followed by `map`.
-std::vector<TexelMap> moved(const std::vector<TexelMap>& maps, const Affine3& map, int threads) {
-    std::vector<TexelMap> result(maps.size());
-    for_row_ranges(maps.size(), 1, threads, [&](const RowRange& range) {
-        for (std::size_t i = range.begin(); i != range.end(); ++i) {
-            const TexelMap& m = maps[i];
-            result[i] = {map(m.origin), map.linear * m.step_x, map.linear * m.step_y, m.anchor_x,
-                         m.anchor_y};
-        }
-    });
-    return result;
+    const auto empty = [&] { flush(*batch, sampler, shader, image); };
+    for (std::size_t y = rows.begin(); y != rows.end(); ++y) add_row(solid, maps, y, *batch, empty);
+    empty();
 }
 
 template <class Shader>
@@ -290,24 +232,24 @@ Image<typename Shader::Pixel> synthesize(const SolidAtlas& solid, const Texture&
                                          Kernel kernel, const Shader& shader) {
     Image<typename Shader::Pixel> image(solid.size, solid.size, shader.background(0.0));
     const FieldSampler sampler(texture, filter.band_limit, kernel);
-    const std::vector<TexelMap> maps = moved(solid.maps, map, threads);
+    const std::vector<TexelMap> maps = moved_maps(solid.maps, map, threads);
     for_row_ranges(solid.size, 8 * batch_capacity, threads, [&](const RowRange& rows) {
         synthesize_rows(solid, maps, sampler, shader, rows, image);
     });
     return image;
 }
 
-template <class Pixel, class PointShader>
+template <class Pixel>
 Image<Pixel> synthesize_colors(const SolidAtlas& solid, const Texture& texture, const Affine3& map,
                                const Filter& filter, int threads, Kernel kernel) {
     const ColorMap& colors = texture.colors;
     const auto run = [&](const auto& shader) {
         return synthesize(solid, texture, map, filter, threads, kernel, shader);
     };
-    if (filter.kind == FilterKind::none) return run(PointShader(colors));
+    if (filter.kind == FilterKind::none) return run(PointColor<Pixel>(colors));
     if (filter.kind == FilterKind::supersample)
         return run(SupersampledColor<Pixel>(colors, filter.samples));
-    return run(FilteredColor<PointShader>(colors, filter.kind));
+    return run(FilteredColor<PointColor<Pixel>>(colors, filter.kind));
 }
 
 }  // namespace
@@ -315,22 +257,19 @@ Image<Pixel> synthesize_colors(const SolidAtlas& solid, const Texture& texture, 
 Image<Rgb8> synthesize_rgb8(const SolidAtlas& solid, const Texture& texture,
                             const Affine3& texture_from_atlas, int threads, const Filter& filter,
                             Kernel kernel) {
-    return synthesize_colors<Rgb8, Color8>(solid, texture, texture_from_atlas, filter, threads,
-                                           kernel);
+    return synthesize_colors<Rgb8>(solid, texture, texture_from_atlas, filter, threads, kernel);
 }
 
 Image<Rgb16> synthesize_rgb16(const SolidAtlas& solid, const Texture& texture,
                               const Affine3& texture_from_atlas, int threads, const Filter& filter,
                               Kernel kernel) {
-    return synthesize_colors<Rgb16, PointColor<Rgb16>>(solid, texture, texture_from_atlas, filter,
-                                                       threads, kernel);
+    return synthesize_colors<Rgb16>(solid, texture, texture_from_atlas, filter, threads, kernel);
 }
 
 Image<RgbF> synthesize_rgbf(const SolidAtlas& solid, const Texture& texture,
                             const Affine3& texture_from_atlas, int threads, const Filter& filter,
                             Kernel kernel) {
-    return synthesize_colors<RgbF, PointColor<RgbF>>(solid, texture, texture_from_atlas, filter,
-                                                     threads, kernel);
+    return synthesize_colors<RgbF>(solid, texture, texture_from_atlas, filter, threads, kernel);
 }
 
 Image<float> synthesize_field(const SolidAtlas& solid, const Texture& texture,

@@ -1,0 +1,37 @@
+#pragma once
+// The noise of octaves kept from one texture to the next: what it depends on, and where it lies.
+#include <cstddef>
+#include <span>
+
+#include "procedural/octaves.h"
+
+namespace burl {
+
+/// All that an octave's kept numbers depend on, besides the texels and the kernel. Scale and offset
+/// are not among them.
+struct NoiseKey {
+    NoiseSpec noise;
+    OctaveShape shape = OctaveShape::plain;
+    Affine3 lattice_from_solid;  ///< of the first octave that shares its coordinates
+    int doublings = 0;           ///< from there to this octave
+    int most_doublings = 0;      ///< from there to the finest of them
+    bool operator==(const NoiseKey&) const = default;
+};
+
+/// An octave's numbers for all texels of a picture.
+struct KeptNoise {
+    float* noise = nullptr;  ///< null: not kept, worked out every time
+    bool known = false;      ///< they are there already
+};
+/// As many as a sampler has keys, and the first texel of a batch among the numbers. Numbers are
+/// read (not written) up to batch_padding beyond the last texel.
+struct KeptBatch {
+    std::span<const KeptNoise> octaves;
+    std::size_t at = 0;
+
+    KeptBatch part(std::size_t first, std::size_t count) const {
+        return {octaves.subspan(first, count), at};
+    }
+};
+
+}  // namespace burl

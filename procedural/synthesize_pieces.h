@@ -1,0 +1,75 @@
+#pragma once
+// The spans of an atlas's rows, cut into pieces that fill batches.
+#include <algorithm>
+#include <span>
+#include <vector>
+
+#include "atlas/solid_atlas.h"
+#include "procedural/field_sampler.h"
+#include "procedural/row_tasks.h"
+
+namespace burl {
+
+/// The texels' maps followed by `map`.
+inline std::vector<TexelMap> moved_maps(const std::vector<TexelMap>& maps, const Affine3& map,
+                                        int threads) {
+    std::vector<TexelMap> result(maps.size());
+    for_row_ranges(maps.size(), 1, threads, [&](const RowRange& range) {
+        for (std::size_t i = range.begin(); i != range.end(); ++i) {
+            const TexelMap& m = maps[i];
+            result[i] = {map(m.origin), map.linear * m.step_x, map.linear * m.step_y, m.anchor_x,
+                         m.anchor_y};
+        }
+    });
+    return result;
+}
+
+/// Neighbouring spans show triangles from all over the mesh, whose maps the processor cannot guess:
+/// they are called for this many spans ahead.
+inline constexpr std::ptrdiff_t map_prefetch = 8;
+
+inline void prefetch(const TexelMap& map) {
+    const char* bytes = reinterpret_cast<const char*>(&map);
+    __builtin_prefetch(bytes);
+    __builtin_prefetch(bytes + sizeof(TexelMap) - 1);
+}
+
+/// Adds `count` texels of the span from number `first` on.
+inline void add_piece(const Span& span, const TexelMap& texel, const Vec3d& start, std::size_t y,
+                      std::size_t first, std::size_t count, FieldBatch& batch) {
+    // Filled in place, and not by emplace_back(): that clears it by `rep stos`, a quarter of the
+    // time of all this, as are copies of vectors just written.
+    static constexpr Piece blank;
+    batch.pieces.push_back(blank);
+    Piece& piece = batch.pieces.back();
+    piece.x = span.x + first;
+    piece.y = y;
+    piece.solid.start.x = start.x, piece.solid.start.y = start.y, piece.solid.start.z = start.z;
+    piece.solid.step = texel.step_x;
+    piece.solid.first = double(first);
+    piece.solid.count = count;
+    piece.down = texel.step_y;
+    piece.length = double(span.count);
+    batch.count += count;
+}
+
+/// Adds row y's texels, whose maps are `maps`. Calls full(), which must empty the batch, whenever
+/// nothing more goes in.
+template <class Full>
+void add_row(const SolidAtlas& solid, std::span<const TexelMap> maps, std::size_t y,
+             FieldBatch& batch, const Full& full) {
+    const auto spans = solid.row(y);
+    for (const Span& span : spans) {
+        if (&spans.back() - &span >= map_prefetch) prefetch(maps[(&span)[map_prefetch].map]);
+        const TexelMap& texel = maps[span.map];
+        const Vec3d start = texel(span.x, std::int64_t(y));
+        for (std::size_t done = 0; done < span.count;) {
+            const std::size_t count = std::min(span.count - done, batch_capacity - batch.count);
+            add_piece(span, texel, start, y, done, count, batch);
+            done += count;
+            if (batch.count == batch_capacity) full();
+        }
+    }
+}
+
+}  // namespace burl
