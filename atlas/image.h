@@ -5,6 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "atlas/pixel_memory.h"
+
 namespace burl {
 
 template <class T>
@@ -22,6 +24,13 @@ class Image {
     Image() = default;
     Image(std::size_t width, std::size_t height, T fill = {})
         : width_(width), height_(height), pixels_(width * height, fill) {}
+    /// An image whose pixels have no values yet: each must be written before it is read.
+    static Image unset(std::size_t width, std::size_t height) {
+        Image image;
+        image.width_ = width, image.height_ = height;
+        image.pixels_ = std::vector<T, PixelAllocator<T>>(width * height);
+        return image;
+    }
 
     std::size_t width() const { return width_; }
     std::size_t height() const { return height_; }
@@ -34,7 +43,7 @@ class Image {
 
   private:
     std::size_t width_ = 0, height_ = 0;
-    std::vector<T> pixels_;
+    std::vector<T, PixelAllocator<T>> pixels_;
 };
 
 }  // namespace burl

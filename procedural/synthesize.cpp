@@ -220,9 +220,13 @@ template <class Shader>
 void synthesize_rows(const SolidAtlas& solid, std::span<const TexelMap> maps,
                      const FieldSampler& sampler, const Shader& shader, const RowRange& rows,
                      Image<typename Shader::Pixel>& image) {
+    const auto background = shader.background(0.0);
     const auto batch = std::make_unique_for_overwrite<Batch>();
     const auto empty = [&] { flush(*batch, sampler, shader, image); };
-    for (std::size_t y = rows.begin(); y != rows.end(); ++y) add_row(solid, maps, y, *batch, empty);
+    for (std::size_t y = rows.begin(); y != rows.end(); ++y) {
+        fill_gaps(solid.row(y), background, image.row(y));
+        add_row(solid, maps, y, *batch, empty);
+    }
     empty();
 }
 
@@ -230,7 +234,7 @@ template <class Shader>
 Image<typename Shader::Pixel> synthesize(const SolidAtlas& solid, const Texture& texture,
                                          const Affine3& map, const Filter& filter, int threads,
                                          Kernel kernel, const Shader& shader) {
-    Image<typename Shader::Pixel> image(solid.size, solid.size, shader.background(0.0));
+    auto image = Image<typename Shader::Pixel>::unset(solid.size, solid.size);
     const FieldSampler sampler(texture, filter.band_limit, kernel);
     const std::vector<TexelMap> maps = moved_maps(solid.maps, map, threads);
     for_row_ranges(solid.size, 8 * batch_capacity, threads, [&](const RowRange& rows) {

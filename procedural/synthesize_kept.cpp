@@ -172,7 +172,7 @@ void KeptSynthesis::evaluate(const Texture& texture, int threads, Image<Pixel>& 
 template <class Pixel>
 void KeptSynthesis::synthesize(const Texture& texture, int threads, Image<Pixel>& image) {
     if (image.width() != solid_->size || image.height() != solid_->size)
-        image = Image<Pixel>(solid_->size, solid_->size);
+        image = Image<Pixel>::unset(solid_->size, solid_->size);
     work_ = {field_known_ && same_field(texture, texture_)};
     if (work_.field_kept)
         recolor(texture, threads, image);

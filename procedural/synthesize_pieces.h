@@ -24,6 +24,17 @@ inline std::vector<TexelMap> moved_maps(const std::vector<TexelMap>& maps, const
     return result;
 }
 
+/// What no span owns is background.
+template <class Pixel>
+void fill_gaps(std::span<const Span> spans, const Pixel& background, std::span<Pixel> row) {
+    auto owned = row.begin();
+    for (const Span& span : spans) {
+        std::fill(owned, row.begin() + span.x, background);
+        owned = row.begin() + span.x + span.count;
+    }
+    std::fill(owned, row.end(), background);
+}
+
 /// Neighbouring spans show triangles from all over the mesh, whose maps the processor cannot guess:
 /// they are called for this many spans ahead.
 inline constexpr std::ptrdiff_t map_prefetch = 8;
