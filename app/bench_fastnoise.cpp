@@ -14,11 +14,11 @@ namespace burl {
 
 namespace {
 
-/// The points as it wants them, and room for its values.
+/// The points as it wants them, and room for a batch of values, which stays in the first cache.
 struct Arrays {
     std::vector<float> x, y, z, values;
 
-    explicit Arrays(const std::vector<Vec3d>& points) : values(points.size()) {
+    explicit Arrays(const std::vector<Vec3d>& points) : values(batch_capacity) {
         for (const Vec3d& p : points) {
             x.push_back(float(p.x));
             y.push_back(float(p.y));
@@ -60,9 +60,10 @@ class Baselines {
     void add(const char* group, const char* name, FastNoise::SmartNode<Node> node) {
         if (!node) return;
         const auto run = [node, arrays = arrays_] {
-            node->GenPositionArray3D(arrays->values.data(), int(arrays->values.size()),
-                                     arrays->x.data(), arrays->y.data(), arrays->z.data(), 0.0f,
-                                     0.0f, 0.0f, 1);
+            auto& [x, y, z, values] = *arrays;
+            for (std::size_t i = 0; i + batch_capacity <= x.size(); i += batch_capacity)
+                node->GenPositionArray3D(values.data(), int(batch_capacity), &x[i], &y[i], &z[i],
+                                         0.0f, 0.0f, 0.0f, 1);
         };
         list.push_back({group, fmt::format("FastNoise2 {}", name), run});
     }
