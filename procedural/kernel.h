@@ -9,8 +9,8 @@ namespace burl {
 
 enum class Kernel {
     automatic,
-    direct,  ///< every texel hashes the eight corners of its own cell
-    share,   ///< texels in a row that lie in one cell share its corners
+    direct,    ///< every texel hashes the eight corners of its own cell
+    share,     ///< texels in a row that lie in one cell share its corners
     scanline,  ///< polynomials of the texel's number between lattice planes
 };
 
@@ -18,9 +18,8 @@ struct NamedKernel {
     std::string_view name;
     Kernel kernel;
 };
-inline constexpr std::array kernel_names{NamedKernel{"auto", Kernel::automatic},
-                                         NamedKernel{"direct", Kernel::direct},
-                                         NamedKernel{"share", Kernel::share},
-                                         NamedKernel{"scanline", Kernel::scanline}};
+inline constexpr std::array kernel_names{
+    NamedKernel{"auto", Kernel::automatic}, NamedKernel{"direct", Kernel::direct},
+    NamedKernel{"share", Kernel::share}, NamedKernel{"scanline", Kernel::scanline}};
 
 }  // namespace burl
