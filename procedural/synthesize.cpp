@@ -40,31 +40,6 @@ class FieldCopy {
     float background(double f) const { return float(f); }
 };
 
-/// Colours at texel centres in 8 bits, by table.
-class Color8 {
-  public:
-    using Pixel = Rgb8;
-    explicit Color8(const ColorMap& map) : colors_(map) {}
-    void prepare(const FieldSampler& sampler, Batch& batch) const {
-        sampler.values(batch);
-        shade(batch);
-    }
-    void shade(Batch& batch) const {
-        colors_.look_up(batch.field, batch.count, batch.point_colors);
-    }
-    /// Instead of the colour at its centre.
-    static void set(Batch& batch, std::size_t at, Rgb8 pixel) {
-        batch.point_colors.codes[at].color = pixel;
-    }
-    void pixels(const Batch& batch, std::size_t at, std::size_t count, Rgb8* pixels) const {
-        colors_.pixels(batch.field, at, count, batch.point_colors, pixels);
-    }
-    Rgb8 background(double f) const { return colors_(f); }
-
-  private:
-    PointColors<Rgb8> colors_;
-};
-
 /// Colours at texel centres, worked out where they are asked for.
 template <class P>
 class PointColor {
@@ -92,6 +67,32 @@ class PointColor {
 
   private:
     PointColors<P> colors_;
+};
+
+/// In 8 bits, by table.
+template <>
+class PointColor<Rgb8> {
+  public:
+    using Pixel = Rgb8;
+    explicit PointColor(const ColorMap& map) : colors_(map) {}
+    void prepare(const FieldSampler& sampler, Batch& batch) const {
+        sampler.values(batch);
+        shade(batch);
+    }
+    void shade(Batch& batch) const {
+        colors_.look_up(batch.field, batch.count, batch.point_colors);
+    }
+    /// Instead of the colour at its centre.
+    static void set(Batch& batch, std::size_t at, Rgb8 pixel) {
+        batch.point_colors.codes[at].color = pixel;
+    }
+    void pixels(const Batch& batch, std::size_t at, std::size_t count, Rgb8* pixels) const {
+        colors_.pixels(batch.field, at, count, batch.point_colors, pixels);
+    }
+    Rgb8 background(double f) const { return colors_(f); }
+
+  private:
+    PointColors<Rgb8> colors_;
 };
 
 /// The map averaged over what f takes on in a texel, to first order. `Point` colours the texels
