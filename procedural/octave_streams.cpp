@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "procedural/band_limit.h"
@@ -44,7 +45,11 @@ constexpr ScanRange scan_ranges[] = {
     {NoiseKind::value, false, 1, 512, 1.0 / 4},    {NoiseKind::value, false, 2, 512, 1.0 / 64},
     {NoiseKind::perlin, false, 24, 128, 1.0 / 32}, {NoiseKind::perlin, false, 24, 256, 3.0 / 16},
     {NoiseKind::perlin, false, 1, 256, 1.0 / 4},   {NoiseKind::perlin, false, 1, 1024, 5.0 / 16}};
-constexpr double shortest_scan = 128;
+
+bool applies(const ScanRange& range, NoiseKind kind, Fade fade, std::size_t octaves) {
+    const bool linear = kind == NoiseKind::value && fade == Fade::linear;
+    return range.kind == kind && range.linear == linear && octaves <= range.octaves;
+}
 
 void clear(OctaveSums& sums, std::size_t count, bool slopes) {
     std::fill_n(sums.values, count + batch_padding, 0.0f);
@@ -93,24 +98,33 @@ OctaveStreams::OctaveStreams(std::span<const Octave> octaves, Kernel kernel, boo
             {octave.noise.seed, int(group.octaves.size()), float(octave.scale / group.scale)});
         before = &octave;
     }
+    for (Group& group : groups_) group.shortest_scan = shortest_scan(group);
 }
 
 /// Whether a group is added up by scan-line polynomials on a piece's span, which nothing but the
 /// span decides. (Some octaves this way and some the other is slower than either.)
 bool OctaveStreams::scans(const Group& group, const Piece& piece) const {
-    if (kernel_ == Kernel::direct || kernel_ == Kernel::share) return false;
-    if (group.kind == NoiseKind::simplex) return false;
     const double length = std::max(piece.length, piece.solid.first + double(piece.solid.count));
-    if (kernel_ == Kernel::scanline || length < shortest_scan || length > longest_scan_line)
-        return kernel_ == Kernel::scanline && length <= longest_scan_line;
+    if (length < group.shortest_scan || length > longest_scan_line) return false;
+    if (kernel_ == Kernel::scanline) return true;
     const Vec3d step = glm::abs(group.lattice_from_solid.linear * piece.solid.step);
     const double finest = std::ldexp(step.x + step.y + step.z, int(group.octaves.size()) - 1);
-    const bool linear = group.kind == NoiseKind::value && group.fade == Fade::linear;
     return std::ranges::any_of(scan_ranges, [&](const ScanRange& range) {
-        return range.kind == group.kind && range.linear == linear &&
-               group.octaves.size() <= range.octaves && length >= range.shortest &&
-               finest < range.most_crossings;
+        return applies(range, group.kind, group.fade, group.octaves.size()) &&
+               length >= range.shortest && finest < range.most_crossings;
     });
+}
+
+/// The shortest span that may be scanned.
+double OctaveStreams::shortest_scan(const Group& group) const {
+    double shortest = std::numeric_limits<double>::infinity();
+    if (group.kind == NoiseKind::simplex) return shortest;
+    if (kernel_ == Kernel::scanline) return 0.0;
+    if (kernel_ != Kernel::automatic) return shortest;
+    for (const ScanRange& range : scan_ranges)
+        if (applies(range, group.kind, group.fade, group.octaves.size()))
+            shortest = std::min(shortest, range.shortest);
+    return shortest;
 }
 
 /// Number of a group's coarsest octaves that share corners where the first crosses so many planes
@@ -126,7 +140,9 @@ std::size_t OctaveStreams::sharing(const Group& group, double crossings, bool sl
 
 void OctaveStreams::add_octave(const Group& group, const StreamOctave& octave, const Plan& plan,
                                std::size_t count, const StreamBuffers& buffers, OctaveSums& sums) {
-    const auto& [kind, fade, radius2, map, scale, octaves] = group;
+    const NoiseKind kind = group.kind;
+    const Fade fade = group.fade;
+    const double radius2 = group.radius2;
     const LatticeStream& lattice = buffers.lattice;
     const CellRuns& runs = buffers.runs;
     const bool shared = std::size_t(octave.doublings) < plan.shared;
@@ -208,13 +224,12 @@ void OctaveStreams::add_streamed(const Group& group, std::span<const Piece> piec
 
 void OctaveStreams::add_scanned(const Group& group, std::span<const Piece> pieces,
                                 std::size_t count, StreamBuffers& buffers, double* values) const {
-    const auto& [kind, fade, radius2, map, scale, octaves] = group;
-    map_scan_lines(map, octaves.back().doublings, pieces, buffers.lines);
+    map_scan_lines(group.lattice_from_solid, group.octaves.back().doublings, pieces, buffers.lines);
     clear(buffers.sums, count, false);
-    for (std::size_t k = octaves.size(); k-- > 0;)
-        add_octave_scanline(kind, fade, octaves[k], buffers.lines, buffers.segments,
-                            buffers.sums.values);
-    add_sums(scale * stream_unit(kind), buffers.sums.values, count, values);
+    for (std::size_t k = group.octaves.size(); k-- > 0;)
+        add_octave_scanline(group.kind, group.fade, group.octaves[k], buffers.lines,
+                            buffers.segments, buffers.sums.values);
+    add_sums(group.scale * stream_unit(group.kind), buffers.sums.values, count, values);
 }
 
 /// Calls visit(pieces, their number of texels, whether they are scanned) for pieces that follow one
@@ -222,11 +237,14 @@ void OctaveStreams::add_scanned(const Group& group, std::span<const Piece> piece
 template <class Visit>
 void OctaveStreams::for_each_way(const Group& group, std::span<const Piece> pieces,
                                  Visit&& visit) const {
+    bool next = !pieces.empty() && scans(group, pieces.front());
     for (std::size_t begin = 0, end = 0; begin < pieces.size(); begin = end) {
-        const bool scanned = scans(group, pieces[begin]);
+        const bool scanned = next;
         std::size_t count = 0;
-        for (; end < pieces.size() && scans(group, pieces[end]) == scanned; ++end)
+        do {
             count += pieces[end].solid.count;
+            next = ++end < pieces.size() && scans(group, pieces[end]);
+        } while (end < pieces.size() && next == scanned);
         visit(pieces.subspan(begin, end - begin), count, scanned);
     }
 }

@@ -63,12 +63,14 @@ class OctaveStreams {
         Affine3 lattice_from_solid;
         double scale = 0.0;  ///< of the first octave
         std::vector<StreamOctave> octaves;
+        double shortest_scan = 0.0;  ///< of spans that scan-line polynomials may add up
     };
     /// How a group's octaves are added up.
     struct Plan {
         std::size_t shared = 0;  ///< number of its coarsest octaves that share corners
         bool slopes = false;
     };
+    double shortest_scan(const Group& group) const;
     bool scans(const Group& group, const Piece& piece) const;
     std::size_t sharing(const Group& group, double crossings, bool slopes) const;
     template <class Visit>
