@@ -2,6 +2,7 @@
 // float32.
 #include "procedural/field_sampler.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "procedural/band_limit.h"
@@ -86,8 +87,15 @@ void FieldSampler::values(FieldBatch& batch) const {
 
 void FieldSampler::values(FieldBatch& batch, const KeptBatch& kept) const {
     const std::size_t scalars = scalar_octaves_.size(), streamed = kept.octaves.size() - scalars;
-    fill_quadric(batch);
-    streams_.add_kept(batch.pieces, kept.part(0, streamed), batch.streams, batch.field);
+    if (kept.quadric_known) {
+        std::copy_n(kept.quadric + kept.at, batch.count, batch.field);
+    } else {
+        fill_parabolas_of(batch);
+        if (kept.quadric) std::copy_n(batch.field, batch.count, kept.quadric + kept.at);
+    }
+    add_constant(batch);
+    streams_.add_kept(batch.pieces, batch.count, kept.part(0, streamed), batch.streams,
+                      batch.field);
     add_kept_scalar_octaves(batch, kept.part(streamed, scalars));
 }
 
@@ -111,11 +119,22 @@ void FieldSampler::values_at_offsets(FieldBatch& batch) const {
     add_scalar_octaves(batch, nullptr, &batch.offsets);
 }
 
-/// The quadric along a line is a parabola; the noise's constant parts come with it.
 void FieldSampler::fill_quadric(FieldBatch& batch) const {
+    fill_parabolas_of(batch);
+    add_constant(batch);
+}
+
+/// The quadric along a line is a parabola.
+void FieldSampler::fill_parabolas_of(FieldBatch& batch) const {
     batch.parabolas.resize(batch.pieces.size());
-    make_parabolas(quadric_, constant_, batch.pieces, batch.parabolas);
+    make_parabolas(quadric_, 0.0, batch.pieces, batch.parabolas);
     fill_parabolas(batch.parabolas, batch.field);
+}
+
+/// The noise's constant parts, apart from the quadric, which can so be kept when they change.
+void FieldSampler::add_constant(FieldBatch& batch) const {
+    if (constant_ == 0.0) return;
+    for (std::size_t j = 0; j < batch.count; ++j) batch.field[j] += constant_;
 }
 
 void FieldSampler::fill_quadric_at_offsets(FieldBatch& batch) const {

@@ -49,6 +49,8 @@ class FieldSampler {
         double mean = 0.0;  ///< without its offset
     };
     void fill_quadric(FieldBatch& batch) const;
+    void fill_parabolas_of(FieldBatch& batch) const;
+    void add_constant(FieldBatch& batch) const;
     void fill_quadric_at_offsets(FieldBatch& batch) const;
     void add_kept_scalar_octaves(FieldBatch& batch, const KeptBatch& kept) const;
     void add_scalar_octaves(FieldBatch& batch, SlopeBatch* slopes,

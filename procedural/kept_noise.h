@@ -23,14 +23,17 @@ struct KeptNoise {
     float* noise = nullptr;  ///< null: not kept, worked out every time
     bool known = false;      ///< they are there already
 };
-/// As many as a sampler has keys, and the first texel of a batch among the numbers. Numbers are
-/// read (not written) up to batch_padding beyond the last texel.
+/// As many octaves as a sampler has keys, and the first texel of a batch among the numbers. Numbers
+/// are read (not written) up to batch_padding beyond the last texel. Where all is known, batches
+/// need no pieces.
 struct KeptBatch {
     std::span<const KeptNoise> octaves;
+    double* quadric = nullptr;  ///< its values; null: not kept
+    bool quadric_known = false;
     std::size_t at = 0;
 
     KeptBatch part(std::size_t first, std::size_t count) const {
-        return {octaves.subspan(first, count), at};
+        return {octaves.subspan(first, count), quadric, quadric_known, at};
     }
 };
 

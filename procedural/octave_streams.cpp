@@ -316,18 +316,22 @@ void OctaveStreams::add_kept_group(const Group& group, std::span<const Piece> pi
     add_sums(group.scale * stream_unit(group.kind), buffers.sums.values, count, values);
 }
 
-void OctaveStreams::add_kept(std::span<const Piece> pieces, const KeptBatch& kept,
-                             StreamBuffers& buffers, double* values) const {
+void OctaveStreams::add_kept(std::span<const Piece> pieces, std::size_t count,
+                             const KeptBatch& kept, StreamBuffers& buffers, double* values) const {
     std::size_t first = 0;
     for (const Group& group : groups_) {
         KeptBatch own = kept.part(first, group.octaves.size());
         first += group.octaves.size();
+        if (std::ranges::all_of(own.octaves, &KeptNoise::known)) {
+            add_kept_group(group, pieces, count, false, own, buffers, values);
+            continue;
+        }
         double* at = values;
         for_each_way(group, pieces,
-                     [&](std::span<const Piece> part, std::size_t count, bool scanned) {
-                         add_kept_group(group, part, count, scanned, own, buffers, at);
-                         own.at += count;
-                         at += count;
+                     [&](std::span<const Piece> part, std::size_t texels, bool scanned) {
+                         add_kept_group(group, part, texels, scanned, own, buffers, at);
+                         own.at += texels;
+                         at += texels;
                      });
     }
 }

@@ -51,9 +51,9 @@ class OctaveStreams {
     /// What the numbers depend on that add_kept keeps, in its order.
     std::vector<NoiseKey> noise_keys() const;
     /// As add() without slopes and offsets, to the bit, but evaluates only octaves whose noise is
-    /// not known, and keeps it. Not with a band limit.
-    void add_kept(std::span<const Piece> pieces, const KeptBatch& kept, StreamBuffers& buffers,
-                  double* values) const;
+    /// not known, and keeps it. Where all are known it needs no pieces. Not with a band limit.
+    void add_kept(std::span<const Piece> pieces, std::size_t count, const KeptBatch& kept,
+                  StreamBuffers& buffers, double* values) const;
 
   private:
     struct Group {

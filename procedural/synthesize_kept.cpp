@@ -82,14 +82,15 @@ void KeptSynthesis::find_runs() {
 
 std::size_t KeptSynthesis::bytes() const {
     const std::size_t field = field_.data() ? sizeof(double) : 0;
-    return row_begin_.back() * (field + sizeof(float) * octaves_.size());
+    const std::size_t quadric = quadric_.data() ? sizeof(double) : 0;
+    return row_begin_.back() * (field + quadric + sizeof(float) * octaves_.size());
 }
 
 /// Places for the keys' noise, those of before where they hold it already. What is not evaluated
 /// after all because of an exception is forgotten.
 std::vector<KeptSynthesis::KeptOctave> KeptSynthesis::keep(const std::vector<NoiseKey>& keys) {
     const std::size_t texels = row_begin_.back();
-    const std::size_t most = texels > 0 ? budget_ / texels : 0;  // bytes a texel
+    const std::size_t most = bytes_per_texel();
     if (most >= sizeof(double) && !field_.data()) field_ = KeptArray<double>(texels);
     const std::size_t kept =
         most < sizeof(double) ? 0 : std::min(keys.size(), (most - sizeof(double)) / sizeof(float));
@@ -103,6 +104,8 @@ std::vector<KeptSynthesis::KeptOctave> KeptSynthesis::keep(const std::vector<Noi
         octaves[k].known = true;
         before.erase(same);
     }
+    const std::size_t rest = most - std::min(most, sizeof(double) + kept * sizeof(float));
+    if (rest < sizeof(double)) quadric_ = {};
     for (KeptOctave& octave : octaves) {
         if (octave.known) continue;
         if (before.empty()) {
@@ -112,7 +115,22 @@ std::vector<KeptSynthesis::KeptOctave> KeptSynthesis::keep(const std::vector<Noi
             before.pop_back();
         }
     }
+    before.clear();
+    if (rest >= sizeof(double) && !quadric_.data()) {
+        quadric_ = KeptArray<double>(texels);
+        quadric_known_ = false;
+    }
     return octaves;
+}
+
+template <class Visit>
+void KeptSynthesis::for_each_batch(std::size_t y, const Visit& visit) const {
+    std::size_t left = 0;
+    for (const Run& run : runs(y)) left += run.count;
+    for (std::size_t at = row_begin_[y], count = 0; left > 0; left -= count, at += count) {
+        count = std::min(left, batch_capacity);
+        visit(at, count);
+    }
 }
 
 template <class Pixel>
@@ -122,12 +140,9 @@ void KeptSynthesis::recolor(const Texture& texture, int threads, Image<Pixel>& i
         const auto buffers = std::make_unique_for_overwrite<ColorBuffers>();
         for (std::size_t y = rows.begin(); y != rows.end(); ++y) {
             RowPainter<Pixel> paint(runs(y), image.row(y), colors);
-            std::size_t at = row_begin_[y], left = 0;
-            for (const Run& run : runs(y)) left += run.count;
-            for (std::size_t count = 0; left > 0; left -= count, at += count) {
-                count = std::min(left, batch_capacity);
+            for_each_batch(y, [&](std::size_t at, std::size_t count) {
                 paint(field_.data() + at, count, *buffers);
-            }
+            });
         }
     });
 }
@@ -138,22 +153,35 @@ void KeptSynthesis::evaluate(const Texture& texture, int threads, Image<Pixel>& 
     const PointColors<Pixel> colors(texture.colors);
     const FieldSampler sampler(texture, false, kernel_);
     field_known_ = false;
+    quadric_known_ = quadric_known_ && texture.quadric == texture_.quadric;
     const std::vector<NoiseKey> keys = sampler.noise_keys();
     std::vector<KeptOctave> octaves = keep(keys);
     std::vector<KeptNoise> kept(keys.size());
     std::ranges::transform(octaves, kept.begin(), [](const KeptOctave& octave) {
         return KeptNoise{octave.noise.data(), octave.known};
     });
+    const bool quadric_known = std::exchange(quadric_known_, false) && quadric_.data();
+    const bool all_known = quadric_known && std::ranges::all_of(kept, &KeptNoise::known);
     for_row_ranges(solid_->size, 8 * batch_capacity, threads, [&](const RowRange& rows) {
         const auto batch = std::make_unique_for_overwrite<Batch>();
         for (std::size_t y = rows.begin(); y != rows.end(); ++y) {
             RowPainter<Pixel> paint(runs(y), image.row(y), colors);
+            const auto fill = [&](std::size_t at, std::size_t count) {
+                sampler.values(*batch, {kept, quadric_.data(), quadric_known, at});
+                if (field_.data()) std::copy_n(batch->field, count, field_.data() + at);
+                paint(batch->field, count, batch->colors);
+            };
+            if (all_known) {
+                for_each_batch(y, [&](std::size_t at, std::size_t count) {
+                    batch->count = count;
+                    fill(at, count);
+                });
+                continue;
+            }
             std::size_t at = row_begin_[y];
             const auto empty = [&] {
                 if (batch->count == 0) return;
-                sampler.values(*batch, {kept, at});
-                if (field_.data()) std::copy_n(batch->field, batch->count, field_.data() + at);
-                paint(batch->field, batch->count, batch->colors);
+                fill(at, batch->count);
                 at += batch->count;
                 batch->pieces.clear();
                 batch->count = 0;
@@ -166,6 +194,7 @@ void KeptSynthesis::evaluate(const Texture& texture, int threads, Image<Pixel>& 
     work_.octaves_evaluated = kept.size() - work_.octaves_kept;
     octaves_ = std::move(octaves);
     field_known_ = field_.data() != nullptr;
+    quadric_known_ = quadric_.data() != nullptr;
     texture_ = texture;
 }
 

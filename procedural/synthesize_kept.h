@@ -43,8 +43,9 @@ class KeptSynthesis {
     };
 
     /// `solid` must outlive this. At most `budget` bytes are kept of texels: 8 each for the field,
-    /// then 4 for every octave of the texture, as many as fit. With less memory more is worked out
-    /// again; nothing else changes. (The texels' maps, 80 bytes a triangle, are not counted.)
+    /// then 4 for every octave of the texture, as many as fit, then 8 for the quadric. With less
+    /// memory more is worked out again; nothing else changes. (The texels' maps, 80 bytes a
+    /// triangle, are not counted.)
     KeptSynthesis(const SolidAtlas& solid, const Affine3& texture_from_atlas, std::size_t budget,
                   Kernel kernel = Kernel::automatic);
 
@@ -74,7 +75,13 @@ class KeptSynthesis {
     std::span<const Run> runs(std::size_t y) const {
         return {runs_.data() + run_begin_[y], run_begin_[y + 1] - run_begin_[y]};
     }
+    std::size_t bytes_per_texel() const {
+        return row_begin_.back() > 0 ? budget_ / row_begin_.back() : 0;
+    }
     std::vector<KeptOctave> keep(const std::vector<NoiseKey>& keys);
+    /// Calls visit(first, count) for the kept texels of a row, a batch at a time.
+    template <class Visit>
+    void for_each_batch(std::size_t y, const Visit& visit) const;
     template <class Pixel>
     void recolor(const Texture& texture, int threads, Image<Pixel>& image) const;
     template <class Pixel>
@@ -90,9 +97,9 @@ class KeptSynthesis {
     /// N+1 offsets into what is kept, multiples of a vector's length
     std::vector<std::size_t> row_begin_;
 
-    KeptArray<double> field_;
-    bool field_known_ = false;
-    Texture texture_;  ///< that the field is of
+    KeptArray<double> field_, quadric_;
+    bool field_known_ = false, quadric_known_ = false;
+    Texture texture_;  ///< that they are of
     std::vector<KeptOctave> octaves_;
     Work work_;
 };
