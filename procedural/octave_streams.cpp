@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <functional>
 #include <utility>
 
 #include "procedural/band_limit.h"
@@ -23,9 +23,9 @@ bool doubles(const Octave& octave, const Octave& before) {
 /// The crossovers: an octave that crosses fewer planes of the lattice per texel, |dx| + |dy| + |dz|
 /// for a step of a texel, is faster with shared corners. Hashes cost more where vectors have fewer
 /// than 16 lanes. Measured with `burl bench kernels`.
-constexpr double most_crossings(NoiseKind kind, bool slopes, bool wide_vectors) {
+constexpr double most_crossings(bool slopes, bool wide_vectors) {
     if (!wide_vectors) return 5.0 / 16;
-    return slopes || kind == NoiseKind::perlin ? 8.0 / 32 : 7.0 / 32;
+    return slopes ? 8.0 / 32 : 7.0 / 32;
 }
 
 /// Where scan-line polynomials are faster, by 3 % or more, than both others with AVX-512 and with
@@ -45,11 +45,6 @@ constexpr ScanRange scan_ranges[] = {
     {NoiseKind::value, false, 1, 512, 1.0 / 4},    {NoiseKind::value, false, 2, 512, 1.0 / 64},
     {NoiseKind::perlin, false, 24, 128, 1.0 / 32}, {NoiseKind::perlin, false, 24, 256, 3.0 / 16},
     {NoiseKind::perlin, false, 1, 256, 1.0 / 4},   {NoiseKind::perlin, false, 1, 1024, 5.0 / 16}};
-
-bool applies(const ScanRange& range, NoiseKind kind, Fade fade, std::size_t octaves) {
-    const bool linear = kind == NoiseKind::value && fade == Fade::linear;
-    return range.kind == kind && range.linear == linear && octaves <= range.octaves;
-}
 
 void clear(OctaveSums& sums, std::size_t count, bool slopes) {
     std::fill_n(sums.values, count + batch_padding, 0.0f);
@@ -98,7 +93,13 @@ OctaveStreams::OctaveStreams(std::span<const Octave> octaves, Kernel kernel, boo
             {octave.noise.seed, int(group.octaves.size()), float(octave.scale / group.scale)});
         before = &octave;
     }
-    for (Group& group : groups_) group.shortest_scan = shortest_scan(group);
+    for (Group& group : groups_) {
+        group.scans = scan_limits(group);
+        if (kernel == Kernel::scanline && group.kind != NoiseKind::simplex)
+            group.shortest_scan = 0.0;
+        else if (!group.scans.empty())
+            group.shortest_scan = group.scans.back().shortest;
+    }
 }
 
 /// Whether a group is added up by scan-line polynomials on a piece's span, which nothing but the
@@ -107,24 +108,26 @@ bool OctaveStreams::scans(const Group& group, const Piece& piece) const {
     const double length = std::max(piece.length, piece.solid.first + double(piece.solid.count));
     if (length < group.shortest_scan || length > longest_scan_line) return false;
     if (kernel_ == Kernel::scanline) return true;
+    const auto allowed = std::ranges::find_if(
+        group.scans, [&](const ScanLimit& limit) { return length >= limit.shortest; });
     const Vec3d step = glm::abs(group.lattice_from_solid.linear * piece.solid.step);
-    const double finest = std::ldexp(step.x + step.y + step.z, int(group.octaves.size()) - 1);
-    return std::ranges::any_of(scan_ranges, [&](const ScanRange& range) {
-        return applies(range, group.kind, group.fade, group.octaves.size()) &&
-               length >= range.shortest && finest < range.most_crossings;
-    });
+    return step.x + step.y + step.z < allowed->most_crossings;
 }
 
-/// The shortest span that may be scanned.
-double OctaveStreams::shortest_scan(const Group& group) const {
-    double shortest = std::numeric_limits<double>::infinity();
-    if (group.kind == NoiseKind::simplex) return shortest;
-    if (kernel_ == Kernel::scanline) return 0.0;
-    if (kernel_ != Kernel::automatic) return shortest;
+/// What the table allows a group, longest spans first and with them the most crossings.
+std::vector<OctaveStreams::ScanLimit> OctaveStreams::scan_limits(const Group& group) const {
+    std::vector<ScanLimit> limits;
+    const bool linear = group.kind == NoiseKind::value && group.fade == Fade::linear;
     for (const ScanRange& range : scan_ranges)
-        if (applies(range, group.kind, group.fade, group.octaves.size()))
-            shortest = std::min(shortest, range.shortest);
-    return shortest;
+        if (kernel_ == Kernel::automatic && range.kind == group.kind && range.linear == linear &&
+            group.octaves.size() <= range.octaves)
+            limits.push_back(
+                {range.shortest, std::ldexp(range.most_crossings, 1 - int(group.octaves.size()))});
+    std::ranges::sort(limits, std::greater(), &ScanLimit::shortest);
+    for (std::size_t i = limits.size(); i-- > 1;)
+        limits[i - 1].most_crossings =
+            std::max(limits[i - 1].most_crossings, limits[i].most_crossings);
+    return limits;
 }
 
 /// Number of a group's coarsest octaves that share corners where the first crosses so many planes
@@ -132,7 +135,7 @@ double OctaveStreams::shortest_scan(const Group& group) const {
 std::size_t OctaveStreams::sharing(const Group& group, double crossings, bool slopes) const {
     if (kernel_ == Kernel::direct || group.kind == NoiseKind::simplex) return 0;
     if (kernel_ == Kernel::share) return group.octaves.size();
-    const double most = most_crossings(group.kind, slopes, wide_vectors_);
+    const double most = most_crossings(slopes, wide_vectors_);
     std::size_t count = 0;
     while (count < group.octaves.size() && std::ldexp(crossings, int(count)) < most) ++count;
     return count;

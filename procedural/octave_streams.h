@@ -3,6 +3,7 @@
 // coordinates: an octave joins the one before it if its coordinates are exactly twice as large and
 // its amplitude at most half as large, so that the shared coordinate's rounding, doubled too,
 // weighs no more than in the first. The others have groups of their own.
+#include <limits>
 #include <vector>
 
 #include "procedural/kept_noise.h"
@@ -56,6 +57,11 @@ class OctaveStreams {
                   StreamBuffers& buffers, double* values) const;
 
   private:
+    /// Spans this long are added up by scan-line polynomials where the first octave crosses fewer
+    /// planes per texel.
+    struct ScanLimit {
+        double shortest = 0.0, most_crossings = 0.0;
+    };
     struct Group {
         NoiseKind kind = NoiseKind::value;
         Fade fade = Fade::smooth;
@@ -63,14 +69,15 @@ class OctaveStreams {
         Affine3 lattice_from_solid;
         double scale = 0.0;  ///< of the first octave
         std::vector<StreamOctave> octaves;
-        double shortest_scan = 0.0;  ///< of spans that scan-line polynomials may add up
+        std::vector<ScanLimit> scans{};
+        double shortest_scan = std::numeric_limits<double>::infinity();  ///< of those it may scan
     };
     /// How a group's octaves are added up.
     struct Plan {
         std::size_t shared = 0;  ///< number of its coarsest octaves that share corners
         bool slopes = false;
     };
-    double shortest_scan(const Group& group) const;
+    std::vector<ScanLimit> scan_limits(const Group& group) const;
     bool scans(const Group& group, const Piece& piece) const;
     std::size_t sharing(const Group& group, double crossings, bool slopes) const;
     template <class Visit>
