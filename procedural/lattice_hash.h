@@ -1,9 +1,9 @@
 #pragma once
 // The random numbers at lattice points, from arithmetic instead of Perlin's tables: a sum of prime
 // multiples of the coordinates (a sum, because exclusive-or makes more than half the points of a
-// block share their value with another), then Wellons' two-multiply mixer "lowbias32" without its
-// last xorshift, which would only reach bits that are not used. All in 32-bit unsigned integers, so
-// a shader computes the same bits.
+// block about the origin share their value with another), then Wellons' two-multiply mixer
+// "lowbias32" without its last xorshift, which would only reach bits that are not used. All in
+// 32-bit unsigned integers, so a shader computes the same bits.
 #include <array>
 #include <cstddef>
 #include <cstdint>
