@@ -18,7 +18,8 @@ constexpr std::size_t cache_line = 64, huge_page = std::size_t(2) << 20;
 
 void* allocate_pixels(std::size_t bytes) {
     const std::size_t alignment = bytes < 2 * huge_page ? cache_line : huge_page;
-    if (bytes > std::numeric_limits<std::size_t>::max() - alignment) throw std::bad_alloc();
+    constexpr std::size_t most = std::numeric_limits<std::ptrdiff_t>::max();
+    if (bytes > most - alignment) throw std::bad_alloc();
     const std::size_t whole = (bytes + alignment - 1) / alignment * alignment;
     void* pixels = std::aligned_alloc(alignment, whole > 0 ? whole : alignment);
     if (!pixels) throw std::bad_alloc();
