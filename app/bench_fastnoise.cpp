@@ -5,7 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "procedural/noise_kernels.h"
+#include "procedural/simd_level.h"
+#include "procedural/texel_batch.h"
 #endif
 
 namespace burl {

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "atlas/error.h"
-#include "procedural/noise_kernels.h"
+#include "procedural/texel_batch.h"
 
 namespace burl {
 

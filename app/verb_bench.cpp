@@ -24,7 +24,8 @@
 #include "app/simd_limit.h"
 #include "app/verbs.h"
 #include "atlas/error.h"
-#include "procedural/noise_kernels.h"
+#include "procedural/simd_level.h"
+#include "procedural/texel_batch.h"
 
 namespace burl {
 

@@ -9,7 +9,8 @@
 #include <glm/glm.hpp>
 #include <nlohmann/json.hpp>
 
-#include "procedural/noise_kernels.h"
+#include "procedural/simd_level.h"
+#include "procedural/texel_batch.h"
 
 namespace burl {
 

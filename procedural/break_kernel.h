@@ -1,5 +1,5 @@
 #pragma once
-// Which texels of a batch a filter has work with, vectorised as in noise_kernels.h: those whose
+// Which texels of a batch a filter has work with, vectorised as in texel_batch.h: those whose
 // values of f may reach a break of the map.
 #include "procedural/slope_kernels.h"
 

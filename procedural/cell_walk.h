@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "procedural/noise_kernels.h"
+#include "procedural/texel_batch.h"
 
 namespace burl {
 

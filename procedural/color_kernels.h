@@ -1,5 +1,5 @@
 #pragma once
-// The last steps of an 8-bit texture, vectorised as in noise_kernels.h: codes from a table, pixels
+// The last steps of an 8-bit texture, vectorised as in texel_batch.h: codes from a table, pixels
 // of three bytes from codes of four.
 #include <cstddef>
 #include <cstdint>

@@ -6,6 +6,7 @@
 
 #include "procedural/kept_noise.h"
 #include "procedural/octave_streams.h"
+#include "procedural/quadric_kernel.h"
 #include "procedural/slope_kernels.h"
 #include "procedural/texel_piece.h"
 

@@ -11,7 +11,8 @@
 #include <cstdint>
 #include <string>
 
-#include "procedural/noise_kernels.h"
+#include "procedural/noise_spec.h"
+#include "procedural/texel_batch.h"
 
 namespace burl {
 

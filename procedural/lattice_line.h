@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "procedural/lattice_site.h"
-#include "procedural/noise_kernels.h"
+#include "procedural/texel_batch.h"
 
 namespace burl {
 

@@ -1,5 +1,5 @@
 #pragma once
-// The exact filters of map_filter.h on streams of footprints, vectorised as in noise_kernels.h and
+// The exact filters of map_filter.h on streams of footprints, vectorised as in texel_batch.h and
 // with the same bits on every instruction set. The map is taken apart into what its breaks do: a
 // periodic map is its mean plus, per jump and per kink, a Bernoulli polynomial of the distance to
 // it, and a clamped one its low end plus powers of what lies beyond a break. So no piece is looked
@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "procedural/map_pieces.h"
-#include "procedural/noise_kernels.h"
+#include "procedural/texel_batch.h"
 
 namespace burl {
 

@@ -9,8 +9,8 @@
 #endif
 
 #include "procedural/lattice_hash.h"
-#include "procedural/noise_kernels.h"
 #include "procedural/perlin_noise.h"
+#include "procedural/texel_batch.h"
 #include "procedural/vector_types-inl.h"
 
 #ifndef BURL_PERLIN_GRADIENTS
@@ -97,20 +97,31 @@ struct ValueCorner {
     }
 };
 
+#if HWY_TARGET <= HWY_AVX3  // sixteen lanes: the gradients' components fit a vector
+/// The gradient with its number in the upper four bits of h.
+struct PerlinGradient {
+    Float along[3];
+
+    HWY_ATTR HWY_INLINE explicit PerlinGradient(Bit h)
+        : along{Component(h, 0), Component(h, 1), Component(h, 2)} {}
+
+  private:
+    static HWY_ATTR HWY_INLINE Float Component(Bit h, int axis) {
+        const Floats d;
+        return hn::TableLookupLanes(hn::Load(d, perlin_gradients.components[axis]),
+                                    hn::IndicesFromVec(d, hn::ShiftRight<28>(h)));
+    }
+};
+#endif
+
 /// gradient_dot with the gradient's number in the upper four bits of h.
 struct PerlinCorner {
-#if HWY_TARGET <= HWY_AVX3  // sixteen lanes: the gradients' components fit a vector
+#if HWY_TARGET <= HWY_AVX3
     HWY_ATTR HWY_INLINE Float operator()(Bit h, Float x, Float y, Float z) const {
-        const Floats d;
-        const auto number = hn::IndicesFromVec(d, hn::ShiftRight<28>(h));
-        const auto component = [&](const float* table) HWY_ATTR {
-            return hn::TableLookupLanes(hn::Load(d, table), number);
-        };
         // A component that is 0 adds a zero, which changes no bits but a zero's sign.
-        const Float gx = component(perlin_gradients.components[0]),
-                    gy = component(perlin_gradients.components[1]),
-                    gz = component(perlin_gradients.components[2]);
-        return hn::Add(hn::Add(hn::Mul(gx, x), hn::Mul(gy, y)), hn::Mul(gz, z));
+        const PerlinGradient g(h);
+        return hn::Add(hn::Add(hn::Mul(g.along[0], x), hn::Mul(g.along[1], y)),
+                       hn::Mul(g.along[2], z));
     }
 #else
     HWY_ATTR HWY_INLINE Float operator()(Bit h, Float x, Float y, Float z) const {

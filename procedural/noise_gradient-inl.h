@@ -19,13 +19,9 @@ namespace HWY_NAMESPACE {
 /// 1, -1 or 0, times `weight`: from the axes from which PerlinCorner takes its terms.
 #if HWY_TARGET <= HWY_AVX3
 HWY_ATTR HWY_INLINE void AddCornerGradient(Bit h, Float weight, Float* sum) {
-    const Floats d;
-    const auto number = hn::IndicesFromVec(d, hn::ShiftRight<28>(h));
-    for (int axis = 0; axis < 3; ++axis) {
-        const Float component =
-            hn::TableLookupLanes(hn::Load(d, perlin_gradients.components[axis]), number);
-        sum[axis] = hn::Add(sum[axis], hn::Mul(component, weight));
-    }
+    const PerlinGradient gradient(h);
+    for (int axis = 0; axis < 3; ++axis)
+        sum[axis] = hn::Add(sum[axis], hn::Mul(gradient.along[axis], weight));
 }
 #else
 HWY_ATTR HWY_INLINE void AddCornerGradient(Bit h, Float weight, Float* sum) {

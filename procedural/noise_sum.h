@@ -3,15 +3,15 @@
 // warps and round mappings: the coordinates come as float64 arrays and are split, once for all
 // octaves that double one another, into fixed-point numbers of 32 bits of cell and 32 of place, so
 // that an octave's error does not grow with the distance from the origin. Vectorised as in
-// noise_kernels.h and with the same bits on every instruction set.
+// texel_batch.h and with the same bits on every instruction set.
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <vector>
 
 #include "procedural/fractal_sum.h"
-#include "procedural/noise_kernels.h"
 #include "procedural/noise_spec.h"
+#include "procedural/texel_batch.h"
 
 namespace burl {
 

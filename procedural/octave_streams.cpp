@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "procedural/band_limit.h"
+#include "procedural/simd_level.h"
 #include "procedural/simplex_kernel.h"
 
 namespace burl {

@@ -1,7 +1,6 @@
 #include "procedural/offset_kernel.h"
 
 #include <algorithm>
-#include <bit>
 
 // This file is compiled once per instruction set.
 // clang-format off
@@ -11,27 +10,12 @@
 #include <hwy/highway.h>
 // clang-format on
 
+#include "procedural/fixed_point-inl.h"
 #include "procedural/piece_lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace burl {
 namespace HWY_NAMESPACE {
-
-using Longs = hn::RebindToUnsigned<Doubles>;
-
-/// |cells| < 2^51 in units of 2^-32 cells: the nearest integer and the rest, both as the low bits
-/// of a sum with a magic number, the latter's doubles being 2^-32 apart.
-HWY_ATTR HWY_INLINE hn::Vec<Longs> Fixed(Double cells) {
-    const Doubles d;
-    const Longs bits;
-    constexpr double fixed_magic = 0x1.8p20;
-    const auto magic = hn::Set(d, round_magic);
-    const auto shifted = hn::Add(cells, magic);
-    const auto rest = hn::Sub(cells, hn::Sub(shifted, magic));
-    const auto whole = hn::ShiftLeft<32>(hn::BitCast(bits, shifted));
-    const auto zero = hn::Set(bits, std::bit_cast<std::uint64_t>(fixed_magic));
-    return hn::Add(whole, hn::Sub(hn::BitCast(bits, hn::Add(rest, hn::Set(d, fixed_magic))), zero));
-}
 
 /// Adds to coordinates from number `at` on, cells and places apart.
 HWY_ATTR HWY_INLINE void AddTo(Bit cells, Bit places, std::uint32_t* to_cells,
@@ -56,19 +40,11 @@ HWY_ATTR HWY_INLINE void MoveTexels(const TexelOffsets& offsets, std::size_t at,
         const auto sum = hn::Add(hn::Mul(offset(offsets.u), hn::Set(d, u)),
                                  hn::Mul(offset(offsets.v), hn::Set(d, v)));
         const auto own = hn::Lt(LaneNumbers(), hn::Set(d, double(count) - double(j)));
-        return Fixed(hn::IfThenElseZero(own, sum));
+        return FixedPoint(hn::IfThenElseZero(own, sum));
     };
     for (std::size_t j = 0; j < count; j += hn::Lanes(Bits())) {
-#if HWY_TARGET == HWY_SCALAR
-        const std::uint64_t by = hn::GetLane(moved(j));
-        AddTo(hn::Set(Bits(), std::uint32_t(by >> 32)), hn::Set(Bits(), std::uint32_t(by)),
-              cells + at + j, places + at + j);
-#else
-        const Bit low = hn::BitCast(Bits(), moved(j)),
-                  high = hn::BitCast(Bits(), moved(j + hn::Lanes(d)));
-        AddTo(hn::ConcatOdd(Bits(), high, low), hn::ConcatEven(Bits(), high, low), cells + at + j,
-              places + at + j);
-#endif
+        const Halves by(moved(j), moved(j + hn::Lanes(d)));
+        AddTo(by.upper, by.lower, cells + at + j, places + at + j);
     }
 }
 

@@ -2,8 +2,8 @@
 // The colours of field values as they are, unfiltered, for runs of texels at once: in 8 bits by
 // table and vectorised, otherwise texel by texel.
 #include "procedural/color_table.h"
-#include "procedural/noise_kernels.h"
 #include "procedural/pixel_encoder.h"
+#include "procedural/texel_batch.h"
 
 namespace burl {
 

@@ -99,12 +99,8 @@ HWY_ATTR HWY_INLINE VectorSample SampleOf(ValueCorner corner, Bit h, Float x, Fl
 }
 HWY_ATTR HWY_INLINE VectorSample SampleOf(PerlinCorner corner, Bit h, Float x, Float y, Float z) {
 #if HWY_TARGET <= HWY_AVX3
-    const Floats d;
-    const auto number = hn::IndicesFromVec(d, hn::ShiftRight<28>(h));
-    const auto component = [&](int axis) HWY_ATTR {
-        return hn::TableLookupLanes(hn::Load(d, perlin_gradients.components[axis]), number);
-    };
-    const Float gx = component(0), gy = component(1), gz = component(2);
+    const PerlinGradient g(h);
+    const Float gx = g.along[0], gy = g.along[1], gz = g.along[2];
 #else
     const Float one = hn::Set(Floats(), 1.0f), zero = hn::Zero(Floats());
     const Float gx = corner(h, one, zero, zero), gy = corner(h, zero, one, zero),

@@ -7,10 +7,8 @@
 #define BURL_POINT_SITES_INL_H
 #endif
 
-#include <bit>
-
+#include "procedural/fixed_point-inl.h"
 #include "procedural/lattice_site.h"
-#include "procedural/vector_types-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace burl {
@@ -33,38 +31,23 @@ struct PointAxis {
     }
 };
 
-/// y, |y| < 2^51, as a fixed-point number.
-HWY_ATTR HWY_INLINE hn::Vec<hn::RebindToUnsigned<Doubles>> FixedPoint(Double y) {
-    const Doubles d;
-    const hn::RebindToUnsigned<Doubles> bits;
-    // Between 2^20 and 2^21 doubles are 2^-32 apart: a sum with this one is a fixed-point number.
-    constexpr double fixed_magic = 0x1.8p20;
-    constexpr auto zero = std::bit_cast<std::uint64_t>(fixed_magic);
-    const Double from_middle = hn::Sub(y, hn::Set(d, 0.5));
-    const Double shifted = hn::Add(from_middle, hn::Set(d, round_magic));
-    const Double place = hn::Sub(from_middle, hn::Sub(shifted, hn::Set(d, round_magic)));
-    const auto fixed = hn::BitCast(bits, hn::Add(place, hn::Set(d, fixed_magic)));
-    // A sum: place 1/2 carries into the next cell.
-    return hn::Add(hn::ShiftLeft<32>(hn::BitCast(bits, shifted)),
-                   hn::Add(fixed, hn::Set(bits, (std::uint64_t(1) << 31) - zero)));
-}
-
 /// frequency * x of a vector of points; what reaches `limit` or is not a number counts as 0.
 HWY_ATTR HWY_INLINE PointAxis SplitPoints(const double* x, double frequency, double limit) {
     const Doubles d;
+    const Double half = hn::Set(d, 0.5);
     const auto fixed = [&](const double* at) HWY_ATTR {
         const Double y = hn::Mul(hn::Set(d, frequency), hn::Load(d, at));
-        return FixedPoint(hn::IfThenElseZero(hn::Lt(hn::Abs(y), hn::Set(d, limit)), y));
+        const Double near = hn::IfThenElseZero(hn::Lt(hn::Abs(y), hn::Set(d, limit)), y);
+        // From the middle of a cell; a sum again: place 1/2 carries into the next cell.
+        return hn::Add(FixedPoint(hn::Sub(near, half)), hn::Set(Longs(), std::uint64_t(1) << 31));
     };
-    const auto low = fixed(x);
 #if HWY_TARGET == HWY_SCALAR
-    const std::uint64_t bits = hn::GetLane(low);
-    return {hn::Set(Bits(), std::uint32_t(bits >> 32)), hn::Set(Bits(), std::uint32_t(bits))};
+    const Long low = fixed(x);
+    const Halves at(low, low);
 #else
-    const auto high = fixed(x + hn::Lanes(d));
-    const Bit a = hn::BitCast(Bits(), low), b = hn::BitCast(Bits(), high);
-    return {hn::ConcatOdd(Bits(), b, a), hn::ConcatEven(Bits(), b, a)};
+    const Halves at(fixed(x), fixed(x + hn::Lanes(d)));
 #endif
+    return {at.upper, at.lower};
 }
 
 /// Whether any of a vector of points has a coordinate that frequency takes to `limit` or further.

@@ -43,6 +43,21 @@ HWY_ATTR void MakeParabolas(const Quadric& q, double constant, std::span<const P
     }
 }
 
+HWY_ATTR void FillParabolas(std::span<const ParabolaLine> lines, double* values) {
+    const Doubles d;
+    const auto lanes = hn::Set(d, double(hn::Lanes(d)));
+    for (const ParabolaLine& line : lines) {
+        const auto c0 = hn::Set(d, line.c0), c1 = hn::Set(d, line.c1), c2 = hn::Set(d, line.c2);
+        auto x = hn::Add(LaneNumbers(), hn::Set(d, line.first));
+        for (std::size_t j = 0; j < line.count; j += hn::Lanes(d)) {
+            const auto slope = hn::Add(c1, hn::Mul(x, c2));
+            hn::StoreU(hn::Add(c0, hn::Mul(x, slope)), d, values + j);
+            x = hn::Add(x, lanes);
+        }
+        values += line.count;
+    }
+}
+
 }  // namespace HWY_NAMESPACE
 }  // namespace burl
 HWY_AFTER_NAMESPACE();
@@ -51,10 +66,15 @@ HWY_AFTER_NAMESPACE();
 namespace burl {
 
 HWY_EXPORT(MakeParabolas);
+HWY_EXPORT(FillParabolas);
 
 void make_parabolas(const Quadric& quadric, double constant, std::span<const Piece> pieces,
                     std::span<ParabolaLine> parabolas) {
     HWY_DYNAMIC_DISPATCH(MakeParabolas)(quadric, constant, pieces, parabolas);
+}
+
+void fill_parabolas(std::span<const ParabolaLine> lines, double* values) {
+    HWY_DYNAMIC_DISPATCH(FillParabolas)(lines, values);
 }
 
 }  // namespace burl

@@ -1,6 +1,6 @@
 #pragma once
 // Simplex noise in three dimensions (Perlin 2001, appendix B) on streams of texels, vectorised as
-// in noise_kernels.h and with the same bits on every instruction set. The simplex is chosen by
+// in texel_batch.h and with the same bits on every instruction set. The simplex is chosen by
 // whole numbers from the stream's fixed-point coordinates, so rounding never picks another one.
 #include "procedural/slope_kernels.h"
 

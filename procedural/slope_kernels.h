@@ -2,7 +2,7 @@
 // Noise together with its gradient (Hart et al. 1999, eq. 10, and DNoise, Perlin 1985), on streams
 // of texels: what f changes by along a texel's two sides is what a filter needs. Gradients of all
 // octaves of a stream are added up in its lattice coordinates, and only their sum is looked at
-// along the sides. Vectorised as in noise_kernels.h and with the same bits on every instruction
+// along the sides. Vectorised as in texel_batch.h and with the same bits on every instruction
 // set.
 #include "procedural/octaves.h"
 #include "procedural/stream_kernels.h"

@@ -1,5 +1,5 @@
 #pragma once
-// SrgbEncoder's 8-bit codes for streams of values, vectorised as in noise_kernels.h.
+// SrgbEncoder's 8-bit codes for streams of values, vectorised as in texel_batch.h.
 #include <cstddef>
 #include <cstdint>
 #include <vector>

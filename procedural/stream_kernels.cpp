@@ -12,6 +12,7 @@
 #include <hwy/highway.h>
 // clang-format on
 
+#include "procedural/fixed_point-inl.h"
 #include "procedural/piece_lanes-inl.h"
 #include "procedural/stream_noise-inl.h"
 
@@ -19,12 +20,8 @@ HWY_BEFORE_NAMESPACE();
 namespace burl {
 namespace HWY_NAMESPACE {
 
-/// Between 2^20 and 2^21 doubles are 2^-32 apart: a sum with this one is a fixed-point number.
-constexpr double fixed_magic = 0x1.8p20;
 /// Lines that stay this close to the cell of their start can be worked out that way.
 constexpr double fixed_reach = 0x1p18;
-
-using Longs = hn::RebindToUnsigned<Doubles>;
 
 /// Up to `capacity` pieces in the lattice: on an axis texel x of its line has the fixed-point bits
 /// of from + x * step, plus offset.
@@ -73,14 +70,11 @@ HWY_ATTR void MapPieces(const Affine3& map, const LineLimits& limits, std::span<
             hard = hn::IfThenElse(near, hard, hn::Set(d, 1.0));
             planes = hn::Add(planes, speed);
             if (wraps) start = Wrapped(start, limits.period);
-            // The nearest cell: added to the magic number, it makes the low bits of a double.
-            const auto shifted = hn::Add(start, hn::Set(d, round_magic));
-            const auto local = hn::Sub(start, hn::Sub(shifted, hn::Set(d, round_magic)));
-            const auto cell = hn::ShiftLeft<32>(hn::BitCast(Longs(), shifted));
-            const auto zero = hn::Set(Longs(), std::bit_cast<std::uint64_t>(fixed_magic));
-            hn::Store(hn::Add(local, hn::Set(d, fixed_magic)), d, lines.from[axis] + i);
+            const NearestInteger cell(start);
+            hn::Store(hn::Add(cell.rest, hn::Set(d, fixed_magic)), d, lines.from[axis] + i);
             hn::Store(step, d, lines.step[axis] + i);
-            hn::Store(hn::Sub(cell, zero), Longs(), lines.offset[axis] + i);
+            hn::Store(hn::Sub(cell.integer, hn::Set(Longs(), fixed_zero)), Longs(),
+                      lines.offset[axis] + i);
         }
         hn::Store(planes, d, lines.planes + i);
         hn::Store(hard, d, lines.hard + i);
@@ -90,30 +84,22 @@ HWY_ATTR void MapPieces(const Affine3& map, const LineLimits& limits, std::span<
 /// An axis of a line, in every lane.
 struct FixedAxis {
     Double from, step;
-    hn::Vec<Longs> offset;
+    Long offset;
 
     HWY_ATTR HWY_INLINE FixedAxis(const PieceLines& lines, std::size_t i, int axis)
         : from(hn::Set(Doubles(), lines.from[axis][i])),
           step(hn::Set(Doubles(), lines.step[axis][i])),
           offset(hn::Set(Longs(), lines.offset[axis][i])) {}
 
-    HWY_ATTR HWY_INLINE hn::Vec<Longs> At(Double x) const {
+    HWY_ATTR HWY_INLINE Long At(Double x) const {
         return hn::Add(hn::BitCast(Longs(), hn::Add(from, hn::Mul(x, step))), offset);
     }
     /// A vector of floats of texels, half at x, half at x + lanes.
     HWY_ATTR HWY_INLINE void Store(Double x, Double lanes, std::uint32_t* cells,
                                    std::uint32_t* places) const {
-#if HWY_TARGET == HWY_SCALAR
-        (void)lanes;
-        const std::uint64_t coordinate = hn::GetLane(At(x));
-        *cells = std::uint32_t(coordinate >> 32);
-        *places = std::uint32_t(coordinate);
-#else
-        const Bit low = hn::BitCast(Bits(), At(x)),
-                  high = hn::BitCast(Bits(), At(hn::Add(x, lanes)));
-        hn::StoreU(hn::ConcatOdd(Bits(), high, low), Bits(), cells);
-        hn::StoreU(hn::ConcatEven(Bits(), high, low), Bits(), places);
-#endif
+        const Halves at(At(x), At(hn::Add(x, lanes)));
+        hn::StoreU(at.upper, Bits(), cells);
+        hn::StoreU(at.lower, Bits(), places);
     }
 };
 

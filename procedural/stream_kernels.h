@@ -1,7 +1,11 @@
 #pragma once
 // Octaves that double one another's lattice coordinates, on streams of texels: the coordinates are
 // worked out once, in fixed point, where doubling is a shift that loses nothing. Vectorised as in
-// noise_kernels.h and with the same bits on every instruction set.
+// texel_batch.h and with the same bits on every instruction set.
+#include <cstdint>
+#include <span>
+
+#include "procedural/noise_spec.h"
 #include "procedural/texel_piece.h"
 
 namespace burl {

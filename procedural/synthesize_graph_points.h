@@ -9,6 +9,7 @@
 #include "procedural/filter.h"
 #include "procedural/graph_values.h"
 #include "procedural/pixel_encoder.h"
+#include "procedural/quadric_kernel.h"
 #include "procedural/row_tasks.h"
 #include "procedural/sample_pattern.h"
 #include "procedural/srgb_kernels.h"

@@ -1,6 +1,6 @@
 #pragma once
 // Where the texels of a batch come from: pieces of the atlas's spans.
-#include "procedural/noise_kernels.h"
+#include "procedural/texel_batch.h"
 
 namespace burl {
 

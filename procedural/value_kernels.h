@@ -1,13 +1,13 @@
 #pragma once
 // Arithmetic on arrays of float64, one operation over a whole batch at a time: what texture graphs
-// become when only values are asked for (value_program.h). Vectorised as in noise_kernels.h and
+// become when only values are asked for (value_program.h). Vectorised as in texel_batch.h and
 // with the same bits on every instruction set.
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
-#include "procedural/noise_kernels.h"
+#include "procedural/texel_batch.h"
 
 namespace burl {
 

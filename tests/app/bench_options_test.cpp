@@ -6,7 +6,8 @@
 
 #include "app/simd_limit.h"
 #include "atlas/error.h"
-#include "procedural/noise_kernels.h"
+#include "procedural/simd_level.h"
+#include "procedural/texel_batch.h"
 #include "tests/app/run_program.h"
 
 namespace burl {

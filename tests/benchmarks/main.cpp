@@ -1,6 +1,7 @@
 #include "app/simd_limit.h"
 #include "atlas/error.h"
-#include "procedural/noise_kernels.h"
+#include "procedural/simd_level.h"
+#include "procedural/texel_batch.h"
 #include "tests/benchmarks/micro_benchmarks.h"
 
 namespace {

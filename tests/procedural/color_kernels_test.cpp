@@ -1,12 +1,14 @@
 // Codes from tables and pixels from codes against loops over single texels.
 #include "procedural/color_kernels.h"
 
+#include <limits>
 #include <random>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "procedural/noise_kernels.h"
+#include "procedural/color_table.h"
+#include "procedural/texel_batch.h"
 
 namespace burl {
 namespace {
@@ -19,6 +21,35 @@ std::vector<ColorCode> random_table(std::mt19937& random, std::size_t size) {
                 bits >> 24 > 40};
     }
     return table;
+}
+
+TEST(ColorKernels, IndexColorsAsTheMapDoes) {
+    std::mt19937 random(1);
+    std::vector<double> f{0.0,
+                          1.0,
+                          -1.0,
+                          0.5,
+                          -0.25,
+                          2.75,
+                          -1e-20,
+                          1e300,
+                          -1e300,
+                          1e15,
+                          -1e15,
+                          0.9999999999999999,
+                          std::numeric_limits<double>::infinity(),
+                          -std::numeric_limits<double>::infinity(),
+                          std::numeric_limits<double>::quiet_NaN()};
+    std::uniform_real_distribution<double> anywhere(-4.0, 4.0);
+    while (f.size() < 200) f.push_back(anywhere(random));
+    const std::size_t count = f.size();
+    f.resize(count + batch_padding);
+    std::vector<std::int32_t> entries(count + batch_padding);
+    for (const Wrap wrap : {Wrap::repeat, Wrap::clamp}) {
+        index_colors(wrap, f.data(), count, 1000, entries.data());
+        for (std::size_t j = 0; j < count; ++j)
+            EXPECT_EQ(entries[j], std::int32_t(map_index(wrap, f[j]) * 1000.0)) << f[j];
+    }
 }
 
 TEST(ColorKernels, LookUpCodesAndTellTheUnfinished) {

@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include <gtest/gtest.h>
+
 #include "procedural/graph_evaluator.h"
 #include "procedural/graph_json.h"
 
@@ -116,6 +118,24 @@ inline std::vector<Vec3d> random_points(std::size_t count, double reach, std::ui
     std::vector<Vec3d> points(count);
     for (Vec3d& p : points) p = {coordinate(random), coordinate(random), coordinate(random)};
     return points;
+}
+
+/// What a batch of points gives is what each of them gives by itself, to the bit.
+inline void expect_batches_equal_points(const GraphEvaluator& evaluate,
+                                        const std::vector<Vec3d>& points,
+                                        const std::vector<Footprint>& footprints,
+                                        std::string_view name) {
+    GraphEvaluator::Scratch scratch = evaluate.make_scratch(), other = evaluate.make_scratch();
+    std::vector<GraphSample> all(points.size());
+    evaluate(points, footprints, scratch, all);
+    for (std::size_t i = 0; i < points.size(); i += 23) {
+        GraphSample one;
+        evaluate({&points[i], 1}, {&footprints[i], 1}, other, {&one, 1});
+        for (std::size_t c = 0; c < 4; ++c) {
+            EXPECT_EQ(one.channels[c].value, all[i].channels[c].value) << name;
+            EXPECT_EQ(one.channels[c].slope, all[i].channels[c].slope) << name;
+        }
+    }
 }
 
 }  // namespace burl

@@ -4,6 +4,7 @@
 
 #include "graph_cases.h"
 #include "procedural/graph_values.h"
+#include "procedural/simd_level.h"
 #include "procedural/synthesize_graph.h"
 #include "tests/procedural/only_target.h"
 #include "tests/procedural/synthetic_atlas.h"
@@ -177,17 +178,7 @@ TEST(GraphFloat32, GradientsDoNotDependOnTheBatch) {
     for (const GraphCase& graph : graph_cases) {
         const GraphEvaluator evaluate(graph_of(graph.json), {FilterKind::trapezoid},
                                       PrecisionKind::float32);
-        GraphEvaluator::Scratch scratch = evaluate.make_scratch(), other = evaluate.make_scratch();
-        std::vector<GraphSample> all(points.size());
-        evaluate(points, footprints, scratch, all);
-        for (std::size_t i = 0; i < points.size(); i += 23) {
-            GraphSample one;
-            evaluate({&points[i], 1}, {&footprints[i], 1}, other, {&one, 1});
-            for (std::size_t c = 0; c < 4; ++c) {
-                EXPECT_EQ(one.channels[c].value, all[i].channels[c].value) << graph.node;
-                EXPECT_EQ(one.channels[c].slope, all[i].channels[c].slope) << graph.node;
-            }
-        }
+        expect_batches_equal_points(evaluate, points, footprints, graph.node);
     }
 }
 

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "procedural/noise.h"
+#include "procedural/simd_level.h"
 #include "procedural/value_program.h"
 #include "tests/procedural/only_target.h"
 

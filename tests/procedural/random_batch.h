@@ -3,9 +3,29 @@
 #include <random>
 #include <vector>
 
+#include "procedural/noise_spec.h"
 #include "procedural/texel_piece.h"
 
 namespace burl::test {
+
+/// Every noise whose corners texels can share.
+struct NoiseName {
+    NoiseKind kind = NoiseKind::value;
+    Fade fade = Fade::smooth;
+};
+inline constexpr NoiseName shared_noises[] = {{NoiseKind::value, Fade::linear},
+                                              {NoiseKind::value, Fade::smooth},
+                                              {NoiseKind::value, Fade::quintic},
+                                              {NoiseKind::perlin, Fade::quintic}};
+
+/// Texels `first` to first + count - 1 of a span of `length`.
+inline Piece piece(const Vec3d& start, const Vec3d& step, double first, std::size_t count,
+                   double length) {
+    Piece result;
+    result.solid = {start, step, first, count};
+    result.length = length;
+    return result;
+}
 
 inline Vec3d random_vector(std::mt19937& random, double size) {
     std::uniform_real_distribution<double> unit(-size, size);

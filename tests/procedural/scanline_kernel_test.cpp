@@ -10,34 +10,19 @@
 
 #include "procedural/noise.h"
 #include "procedural/octave_streams.h"
+#include "procedural/simd_level.h"
+#include "tests/procedural/random_batch.h"
 
 namespace burl {
 namespace {
 
-struct NoiseName {
-    NoiseKind kind;
-    Fade fade;
-};
-constexpr NoiseName noises[] = {{NoiseKind::value, Fade::linear},
-                                {NoiseKind::value, Fade::smooth},
-                                {NoiseKind::value, Fade::quintic},
-                                {NoiseKind::perlin, Fade::quintic}};
+using test::NoiseName;
+using test::piece;
+using test::random_vector;
+constexpr auto& noises = test::shared_noises;
 
 double error_of(NoiseKind kind) {
     return kind == NoiseKind::perlin ? 2.5e-7 : 2.0e-7;
-}
-
-/// Texels `first` to first + count - 1 of a span of `length`.
-Piece piece(const Vec3d& start, const Vec3d& step, double first, std::size_t count, double length) {
-    Piece result;
-    result.solid = {start, step, first, count};
-    result.length = length;
-    return result;
-}
-
-Vec3d random_vector(std::mt19937& random, double size) {
-    std::uniform_real_distribution<double> unit(-size, size);
-    return {unit(random), unit(random), unit(random)};
 }
 
 class Scan {

@@ -14,17 +14,9 @@ namespace burl {
 namespace {
 
 using test::for_each_texel;
+using test::NoiseName;
 using test::random_batch;
-
-struct NoiseName {
-    NoiseKind kind;
-    Fade fade;
-};
-
-constexpr NoiseName noises[] = {{NoiseKind::value, Fade::linear},
-                                {NoiseKind::value, Fade::smooth},
-                                {NoiseKind::value, Fade::quintic},
-                                {NoiseKind::perlin, Fade::quintic}};
+constexpr auto& noises = test::shared_noises;
 
 struct Sums {
     alignas(64) float values[batch_capacity + batch_padding] = {};

@@ -13,21 +13,15 @@
 #include "procedural/perlin_noise.h"
 #include "procedural/quadric_kernel.h"
 #include "procedural/share_kernels.h"
+#include "tests/procedural/random_batch.h"
 
 namespace burl {
 namespace {
 
-Piece piece(const Vec3d& start, const Vec3d& step, double first, std::size_t count, double length) {
-    Piece result;
-    result.solid = {start, step, first, count};
-    result.length = length;
-    return result;
-}
-
-Vec3d random_vector(std::mt19937& random, double size) {
-    std::uniform_real_distribution<double> unit(-size, size);
-    return {unit(random), unit(random), unit(random)};
-}
+using test::NoiseName;
+using test::piece;
+using test::random_vector;
+constexpr auto& noises = test::shared_noises;
 
 /// Pieces of 1 to 40 texels, near and far, slow and fast; 0 where `far` is false.
 std::vector<Piece> random_pieces(std::mt19937& random, bool far) {
@@ -116,15 +110,6 @@ TEST(LatticeStream, DoesNotDependOnHowSpansAreCut) {
                 ASSERT_EQ(whole->at(axis, j), parts->at(axis, j)) << step;
     }
 }
-
-struct NoiseName {
-    NoiseKind kind;
-    Fade fade;
-};
-constexpr NoiseName noises[] = {{NoiseKind::value, Fade::linear},
-                                {NoiseKind::value, Fade::smooth},
-                                {NoiseKind::value, Fade::quintic},
-                                {NoiseKind::perlin, Fade::quintic}};
 
 /// The corners' numbers in float32, times 2^31 or slopes at twice the distance.
 float corner_number(NoiseKind kind, std::uint32_t hash, const std::array<float, 3>& twice_offset) {
@@ -337,6 +322,15 @@ TEST(OctaveStreams, TakeLongChainsOfOctavesApart) {
             ASSERT_NEAR(values[at], evaluate_field({}, octaves, p) - offsets, 2.5e-7) << name;
         });
     }
+}
+
+TEST(QuadricKernel, FillsParabolas) {
+    std::vector<double> values(batch_capacity + batch_padding);
+    fill_parabolas(std::vector<ParabolaLine>{{1.0, 2.0, 3.0, 0.0, 5}, {0.5, 0.25, -1.0, 10.0, 3}},
+                   values.data());
+    const std::vector<double> expected{
+        1, 6, 17, 34, 57, 0.5 + 2.5 - 100, 0.5 + 2.75 - 121, 0.5 + 3 - 144};
+    for (std::size_t j = 0; j < expected.size(); ++j) EXPECT_EQ(values[j], expected[j]);
 }
 
 TEST(QuadricKernel, GivesTheQuadricAlongLines) {

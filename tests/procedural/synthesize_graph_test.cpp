@@ -23,17 +23,7 @@ TEST(GraphEvaluator, BatchesEqualSinglePoints) {
     const std::vector<Footprint> footprints(points.size(), {{0.02, 0.01, 0}, {0, -0.03, 0.01}});
     for (const GraphCase& graph : graph_cases) {
         const GraphEvaluator evaluate(graph_of(graph.json));
-        GraphEvaluator::Scratch scratch = evaluate.make_scratch(), other = evaluate.make_scratch();
-        std::vector<GraphSample> all(points.size());
-        evaluate(points, footprints, scratch, all);
-        for (std::size_t i = 0; i < points.size(); i += 23) {
-            GraphSample one;
-            evaluate({&points[i], 1}, {&footprints[i], 1}, other, {&one, 1});
-            for (std::size_t c = 0; c < 4; ++c) {
-                EXPECT_EQ(one.channels[c].value, all[i].channels[c].value) << graph.node;
-                EXPECT_EQ(one.channels[c].slope, all[i].channels[c].slope) << graph.node;
-            }
-        }
+        expect_batches_equal_points(evaluate, points, footprints, graph.node);
     }
 }
 

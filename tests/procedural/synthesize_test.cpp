@@ -4,8 +4,9 @@
 #include <tbb/global_control.h>
 
 #include "procedural/noise.h"
-#include "procedural/noise_kernels.h"
+#include "procedural/simd_level.h"
 #include "procedural/srgb.h"
+#include "procedural/texel_batch.h"
 #include "tests/procedural/noise_cases.h"
 #include "tests/procedural/only_target.h"
 #include "tests/procedural/synthetic_atlas.h"
