@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "app/embedded.h"
+#include "app/gl_source.h"
 #include "atlas/error.h"
 
 namespace burl {
@@ -26,13 +26,6 @@ std::string_view error_name(GLenum error) {
     }
 }
 
-std::string_view embedded_shader(std::string_view name) {
-    for (const EmbeddedFile& file : embedded_shaders()) {
-        if (file.name == name) return file.content;
-    }
-    throw Error(ExitCode::runtime, fmt::format("the shader {} is not in this program", name));
-}
-
 template <class Get, class GetLog>
 std::string info_log(GLuint object, Get get, GetLog get_log) {
     GLint length = 0;
@@ -46,7 +39,8 @@ std::string info_log(GLuint object, Get get, GetLog get_log) {
 /// A compiled shader, deleted at the end of the scope that links it.
 class Shader {
   public:
-    Shader(const GladGLContext& gl, GLenum kind, const std::string& name, std::string_view source)
+    Shader(const GladGLContext& gl, GLenum kind, const std::string& name, std::string_view source,
+           const GlProgram::Reword& reword)
         : gl_(gl), shader_(gl.CreateShader(kind)) {
         const char* text = source.data();
         const auto length = GLint(source.size());
@@ -55,8 +49,9 @@ class Shader {
         GLint compiled = GL_FALSE;
         gl_.GetShaderiv(shader_, GL_COMPILE_STATUS, &compiled);
         if (compiled == GL_TRUE) return;
-        const std::string log = info_log(shader_, gl_.GetShaderiv, gl_.GetShaderInfoLog);
+        std::string log = info_log(shader_, gl_.GetShaderiv, gl_.GetShaderInfoLog);
         gl_.DeleteShader(shader_);
+        if (reword) log = reword(kind, log);
         throw Error(ExitCode::runtime,
                     fmt::format("the {} shader of {} does not compile: {}",
                                 kind == GL_VERTEX_SHADER ? "vertex" : "fragment", name, log));
@@ -103,13 +98,14 @@ GlProgram::GlProgram(const GladGLContext& gl, std::string_view vertex_shader,
                      std::string_view fragment_shader)
     : GlProgram(gl) {
     link(fmt::format("{} + {}", vertex_shader, fragment_shader), embedded_shader(vertex_shader),
-         embedded_shader(fragment_shader));
+         embedded_shader(fragment_shader), {});
 }
 
 GlProgram GlProgram::from_source(const GladGLContext& gl, const std::string& name,
-                                 std::string_view vertex_source, std::string_view fragment_source) {
+                                 std::string_view vertex_source, std::string_view fragment_source,
+                                 const Reword& reword) {
     GlProgram program(gl);
-    program.link(name, vertex_source, fragment_source);
+    program.link(name, vertex_source, fragment_source, reword);
     return program;
 }
 
@@ -121,9 +117,9 @@ GlProgram::~GlProgram() {
 }
 
 void GlProgram::link(const std::string& name, std::string_view vertex_source,
-                     std::string_view fragment_source) {
-    const Shader vertex(*gl_, GL_VERTEX_SHADER, name, vertex_source);
-    const Shader fragment(*gl_, GL_FRAGMENT_SHADER, name, fragment_source);
+                     std::string_view fragment_source, const Reword& reword) {
+    const Shader vertex(*gl_, GL_VERTEX_SHADER, name, vertex_source, reword);
+    const Shader fragment(*gl_, GL_FRAGMENT_SHADER, name, fragment_source, reword);
     program_ = gl_->CreateProgram();
     gl_->AttachShader(program_, vertex.get());
     gl_->AttachShader(program_, fragment.get());
@@ -140,6 +136,33 @@ void GlProgram::link(const std::string& name, std::string_view vertex_source,
 
 GLint GlProgram::uniform(const char* name) const {
     return gl_->GetUniformLocation(program_, name);
+}
+
+namespace {
+
+template <class Function>
+Function float64_uniform(Function function) {
+    if (function == nullptr)
+        throw Error(ExitCode::unsupported, "this OpenGL has no float64 uniforms (4.0 brings them)");
+    return function;
+}
+
+}  // namespace
+
+void GlProgram::set(const char* name, double value) const {
+    float64_uniform(gl_->Uniform1d)(uniform(name), value);
+}
+void GlProgram::set(const char* name, const Vec3d& v) const {
+    float64_uniform(gl_->Uniform3d)(uniform(name), v.x, v.y, v.z);
+}
+void GlProgram::set(const char* name, const Vec4d& v) const {
+    float64_uniform(gl_->Uniform4d)(uniform(name), v.x, v.y, v.z, v.w);
+}
+void GlProgram::set(const char* name, const Mat3d& m) const {
+    float64_uniform(gl_->UniformMatrix3dv)(uniform(name), 1, GL_FALSE, &m[0][0]);
+}
+void GlProgram::set(const char* name, const Mat4d& m) const {
+    float64_uniform(gl_->UniformMatrix4dv)(uniform(name), 1, GL_FALSE, &m[0][0]);
 }
 
 GlFramebuffer::GlFramebuffer(const GladGLContext& gl, int width, int height)
