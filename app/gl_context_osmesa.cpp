@@ -1,12 +1,11 @@
-// OSMesa by dlopen: the few declarations it needs stand here, so neither its header nor its library
-// is a dependency of the build.
-#include <dlfcn.h>
+// OSMesa by dlopen: the few declarations it needs stand here.
 #include <glad/gl.h>
 
 #include <array>
 #include <cstdint>
 
 #include "app/gl_context.h"
+#include "app/gl_library.h"
 #include "atlas/error.h"
 
 namespace burl {
@@ -29,49 +28,48 @@ struct OsMesaLibrary {
     GlProcedure (*get_proc)(const char* name) = nullptr;
 };
 
-template <class Function>
-bool find(void* library, const char* name, Function& function) {
-    function = reinterpret_cast<Function>(dlsym(library, name));
-    return function != nullptr;
-}
-
-/// The library stays loaded until the program ends: LLVM inside it does not survive unloading.
 OsMesaLibrary load_library(std::span<const char* const> names) {
-    for (const char* name : names) {
-        void* const library = dlopen(name, RTLD_NOW | RTLD_LOCAL);
-        if (library == nullptr) continue;
-        OsMesaLibrary result;
-        result.name = name;
-        if (!find(library, "OSMesaCreateContextAttribs", result.create_context) ||
-            !find(library, "OSMesaDestroyContext", result.destroy_context) ||
-            !find(library, "OSMesaMakeCurrent", result.make_current) ||
-            !find(library, "OSMesaGetProcAddress", result.get_proc)) {
-            throw Error(ExitCode::unsupported,
-                        fmt::format("{} is too old to make an OpenGL 3.3 context; install the "
-                                    "package libosmesa6 (Mesa 12 or later)",
-                                    name));
-        }
-        return result;
+    const auto [library, name] = open_library(names);
+    if (library == nullptr)
+        throw Error(ExitCode::unsupported,
+                    "the software OpenGL library OSMesa was not found; install the package "
+                    "libosmesa6 to draw pictures");
+    OsMesaLibrary result;
+    result.name = name;
+    if (!find_function(library, "OSMesaCreateContextAttribs", result.create_context) ||
+        !find_function(library, "OSMesaDestroyContext", result.destroy_context) ||
+        !find_function(library, "OSMesaMakeCurrent", result.make_current) ||
+        !find_function(library, "OSMesaGetProcAddress", result.get_proc)) {
+        throw Error(ExitCode::unsupported,
+                    fmt::format("{} is too old to make an OpenGL 3.3 context; install the package "
+                                "libosmesa6 (Mesa 12 or later)",
+                                name));
     }
-    throw Error(ExitCode::unsupported,
-                "the software OpenGL library OSMesa was not found; install the package libosmesa6 "
-                "to draw pictures");
+    return result;
 }
 
-class OsMesaContext final : public GlContext {
-  public:
-    explicit OsMesaContext(std::span<const char* const> library_names)
-        : library_(load_library(library_names)) {
+/// Null when the library gives no core context.
+void* create_highest(const OsMesaLibrary& library) {
+    for (const auto& [major, minor] : gl_versions) {
         const std::array<int, 9> attributes{osmesa_format,
                                             GL_RGBA,
                                             osmesa_profile,
                                             osmesa_core_profile,
                                             osmesa_context_major_version,
-                                            3,
+                                            major,
                                             osmesa_context_minor_version,
-                                            3,
+                                            minor,
                                             0};
-        context_ = library_.create_context(attributes.data(), nullptr);
+        if (void* const context = library.create_context(attributes.data(), nullptr))
+            return context;
+    }
+    return nullptr;
+}
+
+class OsMesaContext final : public GlContext {
+  public:
+    explicit OsMesaContext(std::span<const char* const> library_names)
+        : library_(load_library(library_names)), context_(create_highest(library_)) {
         if (context_ == nullptr) {
             throw Error(ExitCode::unsupported,
                         fmt::format("{} gives no OpenGL 3.3 core context; install a later "
@@ -97,13 +95,7 @@ class OsMesaContext final : public GlContext {
     }
 
     GlProcedure get_proc(const char* name) override { return library_.get_proc(name); }
-
-    std::string description() const override {
-        const auto text = [&](GLenum name) {
-            return reinterpret_cast<const char*>(gl().GetString(name));
-        };
-        return fmt::format("OSMesa, {}, OpenGL {}", text(GL_RENDERER), text(GL_VERSION));
-    }
+    std::string origin() const override { return "OSMesa"; }
 
   private:
     void release() {
