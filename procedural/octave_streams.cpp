@@ -13,14 +13,6 @@ namespace burl {
 
 namespace {
 
-bool doubles(const Octave& octave, const Octave& before) {
-    const Affine3 &map = octave.lattice_from_solid, &half = before.lattice_from_solid;
-    return octave.noise.kind == before.noise.kind && octave.noise.fade == before.noise.fade &&
-           octave.noise.radius2 == before.noise.radius2 && map.linear == 2.0 * half.linear &&
-           map.offset == 2.0 * half.offset &&
-           std::abs(octave.scale) <= 0.5 * std::abs(before.scale);
-}
-
 /// The crossovers: an octave that crosses fewer planes of the lattice per texel, |dx| + |dy| + |dz|
 /// for a step of a texel, is faster with shared corners. Hashes cost more where vectors have fewer
 /// than 16 lanes. Measured with `burl bench kernels`.
@@ -67,34 +59,10 @@ void add_weighted(float weight, const OctaveSums& part, std::size_t at, std::siz
 
 }  // namespace
 
-bool has_kernel(const Octave& octave) {
-    const NoiseSpec& noise = octave.noise;
-    return (noise.kind == NoiseKind::value || noise.kind == NoiseKind::perlin ||
-            noise.kind == NoiseKind::simplex) &&
-           noise.period == Period<4>{} && !noise.time && octave.shape == OctaveShape::plain;
-}
-
 OctaveStreams::OctaveStreams(std::span<const Octave> octaves, Kernel kernel, bool band_limit)
     : kernel_(kernel), band_limit_(band_limit), wide_vectors_(simd_lanes() >= 16) {
-    const Octave* before = nullptr;
-    for (const Octave& octave : octaves) {
-        if (!has_kernel(octave)) continue;
-        const std::size_t most =
-            octave.noise.kind == NoiseKind::simplex ? most_simplex_doublings : most_doublings;
-        const bool full = !groups_.empty() && groups_.back().octaves.size() > most;
-        if (!before || full || !doubles(octave, *before))
-            groups_.push_back({octave.noise.kind,
-                               octave.noise.fade,
-                               octave.noise.radius2,
-                               octave.lattice_from_solid,
-                               octave.scale,
-                               {}});
-        Group& group = groups_.back();
-        group.octaves.push_back(
-            {octave.noise.seed, int(group.octaves.size()), float(octave.scale / group.scale)});
-        before = &octave;
-    }
-    for (Group& group : groups_) {
+    for (OctaveGroup& octaves_of : group_octaves(octaves)) {
+        Group& group = groups_.emplace_back(Group{std::move(octaves_of)});
         group.scans = scan_limits(group);
         if (kernel == Kernel::scanline && group.kind != NoiseKind::simplex)
             group.shortest_scan = 0.0;
@@ -202,9 +170,8 @@ OctaveStreams::Plan OctaveStreams::prepare(const Group& group, std::span<const P
                                            std::size_t count, StreamBuffers& buffers, bool slopes,
                                            const TexelOffsets* offsets) const {
     const Affine3& map = group.lattice_from_solid;
-    const double period = group.kind == NoiseKind::simplex ? simplex_period : 0.0;
     const double planes =
-        fill_stream(map, group.octaves.back().doublings, pieces, buffers.lattice, period);
+        fill_stream(map, group.finest(), pieces, buffers.lattice, group.period());
     if (offsets) move_stream(map, pieces, *offsets, buffers.lattice);
     const Plan plan{sharing(group, planes / double(count), slopes), slopes};
     if (plan.shared > 0) find_runs(buffers.lattice, int(plan.shared) - 1, count, buffers.runs);
@@ -228,7 +195,7 @@ void OctaveStreams::add_streamed(const Group& group, std::span<const Piece> piec
 
 void OctaveStreams::add_scanned(const Group& group, std::span<const Piece> pieces,
                                 std::size_t count, StreamBuffers& buffers, double* values) const {
-    map_scan_lines(group.lattice_from_solid, group.octaves.back().doublings, pieces, buffers.lines);
+    map_scan_lines(group.lattice_from_solid, group.finest(), pieces, buffers.lines);
     clear(buffers.sums, count, false);
     for (std::size_t k = group.octaves.size(); k-- > 0;)
         add_octave_scanline(group.kind, group.fade, group.octaves[k], buffers.lines,
@@ -282,7 +249,7 @@ std::vector<NoiseKey> OctaveStreams::noise_keys() const {
             key.noise.radius2 = group.radius2;
             key.lattice_from_solid = group.lattice_from_solid;
             key.doublings = octave.doublings;
-            key.most_doublings = group.octaves.back().doublings;
+            key.most_doublings = group.finest();
             keys.push_back(key);
         }
     return keys;
@@ -294,7 +261,7 @@ void OctaveStreams::add_kept_group(const Group& group, std::span<const Piece> pi
     Plan plan;
     if (!std::ranges::all_of(kept.octaves, &KeptNoise::known)) {
         if (scanned)
-            map_scan_lines(group.lattice_from_solid, group.octaves.back().doublings, pieces,
+            map_scan_lines(group.lattice_from_solid, group.finest(), pieces,
                            buffers.lines);
         else
             plan = prepare(group, pieces, count, buffers, false, nullptr);

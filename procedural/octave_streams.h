@@ -1,14 +1,12 @@
 #pragma once
-// The octaves of a texture that vectorised kernels know, in groups that share one stream of lattice
-// coordinates: an octave joins the one before it if its coordinates are exactly twice as large and
-// its amplitude at most half as large, so that the shared coordinate's rounding, doubled too,
-// weighs no more than in the first. The others have groups of their own.
+// The octaves of a texture that vectorised kernels know, added up group by group
+// (octave_groups.h), each in the way that is fastest for its pieces.
 #include <limits>
 #include <vector>
 
 #include "procedural/kept_noise.h"
 #include "procedural/kernel.h"
-#include "procedural/octaves.h"
+#include "procedural/octave_groups.h"
 #include "procedural/offset_kernel.h"
 #include "procedural/scanline_kernel.h"
 #include "procedural/share_kernels.h"
@@ -31,9 +29,6 @@ struct StreamBuffers {
     std::vector<ScanLine> lines;
     ScanSegments segments;
 };
-
-/// Whether a vectorised kernel knows the octave's noise.
-bool has_kernel(const Octave& octave);
 
 class OctaveStreams {
   public:
@@ -62,13 +57,7 @@ class OctaveStreams {
     struct ScanLimit {
         double shortest = 0.0, most_crossings = 0.0;
     };
-    struct Group {
-        NoiseKind kind = NoiseKind::value;
-        Fade fade = Fade::smooth;
-        double radius2 = 0.0;
-        Affine3 lattice_from_solid;
-        double scale = 0.0;  ///< of the first octave
-        std::vector<StreamOctave> octaves;
+    struct Group : OctaveGroup {
         std::vector<ScanLimit> scans{};
         double shortest_scan = std::numeric_limits<double>::infinity();  ///< of those it may scan
     };

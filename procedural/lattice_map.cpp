@@ -1,0 +1,115 @@
+#include "procedural/lattice_map.h"
+
+#include <algorithm>
+#include <bit>
+#include <memory>
+
+#include "procedural/quadric_kernel.h"
+#include "procedural/synthesize_pieces.h"
+
+namespace burl {
+
+namespace {
+
+/// A thread's part of the images.
+class LatticeMapRows {
+  public:
+    LatticeMapRows(const std::optional<LatticeStreamKey>& stream,
+                   const std::optional<Quadric>& quadric, const TexelArea& area, LatticeMap& map)
+        : stream_(stream), quadric_(quadric), area_(area), map_(map) {
+        if (!quadric) std::fill_n(batch_->field, batch_capacity, 0.0);
+    }
+
+    void add(const SolidAtlas& solid, std::span<const TexelMap> maps, std::size_t y) {
+        const auto spans = solid.row(y);
+        clear(y - area_.y);
+        for (const Span& span : spans) {
+            if (&spans.back() - &span >= map_prefetch) prefetch(maps[(&span)[map_prefetch].map]);
+            const std::size_t begin = std::max(span.x, area_.x);
+            const std::size_t end = std::min(span.x + span.count, area_.x + area_.width);
+            if (begin < end) add(span, maps[span.map], y, begin - span.x, end - span.x);
+        }
+    }
+
+    void flush() {
+        FieldBatch& batch = *batch_;
+        if (batch.count == 0) return;
+        if (stream_)
+            fill_stream(stream_->lattice_from_solid, stream_->doublings, batch.pieces,
+                        batch.streams.lattice, stream_->period);
+        if (quadric_) {
+            batch.parabolas.resize(batch.pieces.size());
+            make_parabolas(*quadric_, 0.0, batch.pieces, batch.parabolas);
+            fill_parabolas(batch.parabolas, batch.field);
+        }
+        std::size_t at = 0;
+        for (const Piece& piece : batch.pieces) {
+            store(piece, at);
+            at += piece.solid.count;
+        }
+        batch.pieces.clear();
+        batch.count = 0;
+    }
+
+  private:
+    void clear(std::size_t row) {
+        std::ranges::fill(map_.cells.row(row), MapTexel(0, 0, 0, std::uint32_t(no_quadric >> 32)));
+        std::ranges::fill(map_.places.row(row), MapTexel(0, 0, 0, std::uint32_t(no_quadric)));
+    }
+
+    /// Texels `done` to end - 1 of the span.
+    void add(const Span& span, const TexelMap& texel, std::size_t y, std::size_t done,
+             std::size_t end) {
+        const Vec3d start = texel(span.x, std::int64_t(y));
+        while (done < end) {
+            const std::size_t count = std::min(end - done, batch_capacity - batch_->count);
+            add_piece(span, texel, start, y, done, count, *batch_);
+            done += count;
+            if (batch_->count == batch_capacity) flush();
+        }
+    }
+
+    void store(const Piece& piece, std::size_t at) {
+        const LatticeStream& lattice = batch_->streams.lattice;
+        MapTexel* cells = &map_.cells(piece.x - area_.x, piece.y - area_.y);
+        MapTexel* places = &map_.places(piece.x - area_.x, piece.y - area_.y);
+        for (std::size_t j = at; j < at + piece.solid.count; ++j) {
+            const auto q = std::bit_cast<std::uint64_t>(batch_->field[j]);
+            const auto texel = [&](const auto& of, std::uint32_t half) {
+                return stream_ ? MapTexel(of[0][j], of[1][j], of[2][j], half)
+                               : MapTexel(0, 0, 0, half);
+            };
+            *cells++ = texel(lattice.cells, std::uint32_t(q >> 32));
+            *places++ = texel(lattice.places, std::uint32_t(q));
+        }
+    }
+
+    const std::optional<LatticeStreamKey>& stream_;
+    const std::optional<Quadric>& quadric_;
+    const TexelArea& area_;
+    LatticeMap& map_;
+    std::unique_ptr<FieldBatch> batch_ = std::make_unique_for_overwrite<FieldBatch>();
+};
+
+}  // namespace
+
+LatticeStreamKey stream_key(const OctaveGroup& group) {
+    return {group.lattice_from_solid, group.finest(), group.period()};
+}
+
+LatticeMap fill_lattice_map(const SolidAtlas& solid, std::span<const TexelMap> maps,
+                            const std::optional<LatticeStreamKey>& stream,
+                            const std::optional<Quadric>& quadric, const TexelArea& area,
+                            int threads) {
+    LatticeMap map{Image<MapTexel>::unset(area.width, area.height),
+                   Image<MapTexel>::unset(area.width, area.height)};
+    for_row_ranges(area.height, 8 * batch_capacity, threads, [&](const RowRange& rows) {
+        LatticeMapRows filler(stream, quadric, area, map);
+        for (std::size_t y = rows.begin(); y != rows.end(); ++y)
+            filler.add(solid, maps, area.y + y);
+        filler.flush();
+    });
+    return map;
+}
+
+}  // namespace burl
