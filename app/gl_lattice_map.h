@@ -5,18 +5,13 @@
 #include <memory>
 #include <optional>
 
-#include "app/gl_target.h"
+#include "app/gl_spans.h"
 #include "procedural/lattice_map.h"
 
 namespace burl {
 
-class GlSpans;
-
-enum class MapFill {
-    automatic,  ///< whichever is faster here
-    host,       ///< filled by the host, then uploaded
-    gpu         ///< drawn; needs OpenGL 4.0 (float64)
-};
+/// A tile as the host's fills take it.
+TexelArea area_of(const GlTile& tile);
 
 /// Two RGBA32UI textures.
 class GlLatticeMap {
@@ -27,6 +22,19 @@ class GlLatticeMap {
     /// Places in the cells along x, y, z and the lower half of the quadric.
     const GlTexture& places() const { return target_.texture(1); }
     GlSize size() const { return target_.size(); }
+    /// For reading back.
+    const GlTarget& target() const { return target_; }
+
+  private:
+    GlTarget target_;
+};
+
+/// A point map (procedural/point_map.h) as two RGBA32UI textures.
+class GlPointMap {
+  public:
+    explicit GlPointMap(GlTarget target) : target_(std::move(target)) {}
+    const GlTexture& xy() const { return target_.texture(0); }
+    const GlTexture& z_owner() const { return target_.texture(1); }
     /// For reading back.
     const GlTarget& target() const { return target_; }
 
@@ -49,15 +57,23 @@ class GlLatticeMapper {
     /// As fill_lattice_map, of the texels of `tile`, which lies in the atlas.
     GlLatticeMap make(const std::optional<LatticeStreamKey>& stream,
                       const std::optional<Quadric>& quadric, const GlTile& tile) const;
+    /// As fill_point_map in the lattice, for octaves that no stream serves.
+    GlPointMap make_points(const Affine3& lattice_from_texture, const GlTile& tile) const;
     /// Whether the graphics processor fills them.
-    bool draws() const { return spans_ != nullptr; }
+    bool draws() const { return drawing_ != nullptr; }
 
   private:
+    struct Drawing;
+    void draw(const LatticeStreamKey& stream, const Quadric& quadric, const GlTile& tile,
+              const GlTarget& target) const;
+    void fill(const std::optional<LatticeStreamKey>& stream, const std::optional<Quadric>& quadric,
+              const GlTile& tile, const GlTarget& target) const;
+
     const GladGLContext* gl_;
     const SolidAtlas* solid_;
     std::vector<TexelMap> maps_;
     int threads_;
-    std::unique_ptr<GlSpans> spans_;
+    std::unique_ptr<Drawing> drawing_;
 };
 
 }  // namespace burl

@@ -170,8 +170,7 @@ OctaveStreams::Plan OctaveStreams::prepare(const Group& group, std::span<const P
                                            std::size_t count, StreamBuffers& buffers, bool slopes,
                                            const TexelOffsets* offsets) const {
     const Affine3& map = group.lattice_from_solid;
-    const double planes =
-        fill_stream(map, group.finest(), pieces, buffers.lattice, group.period());
+    const double planes = fill_stream(map, group.finest(), pieces, buffers.lattice, group.period());
     if (offsets) move_stream(map, pieces, *offsets, buffers.lattice);
     const Plan plan{sharing(group, planes / double(count), slopes), slopes};
     if (plan.shared > 0) find_runs(buffers.lattice, int(plan.shared) - 1, count, buffers.runs);
@@ -261,8 +260,7 @@ void OctaveStreams::add_kept_group(const Group& group, std::span<const Piece> pi
     Plan plan;
     if (!std::ranges::all_of(kept.octaves, &KeptNoise::known)) {
         if (scanned)
-            map_scan_lines(group.lattice_from_solid, group.finest(), pieces,
-                           buffers.lines);
+            map_scan_lines(group.lattice_from_solid, group.finest(), pieces, buffers.lines);
         else
             plan = prepare(group, pieces, count, buffers, false, nullptr);
     }
