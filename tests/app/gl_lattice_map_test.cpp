@@ -9,6 +9,7 @@
 
 #include "app/sample_meshes.h"
 #include "atlas/mesh_atlas.h"
+#include "procedural/point_map.h"
 #include "procedural/simplex_kernel.h"
 #include "procedural/synthesize_pieces.h"
 #include "tests/app/gl_fixture.h"
@@ -36,31 +37,30 @@ SolidAtlas sample_atlas(const char* name, AtlasKind kind, std::uint32_t size) {
     return rasterize(mesh, atlas, map_positions(atlas.mesh(mesh), map));
 }
 
-/// Texels that differ from the host's fill.
+/// Texels of a target that differ from the host's.
+std::size_t differences(const GlTarget& target, std::size_t number,
+                        const Image<MapTexel>& expected) {
+    const auto texels = target.read<std::uint32_t>(number);
+    std::size_t wrong = 0;
+    for (std::size_t i = 0; i < expected.pixels().size(); ++i) {
+        const auto* t = &texels[4 * i];
+        wrong += MapTexel(t[0], t[1], t[2], t[3]) != expected.pixels()[i];
+    }
+    return wrong;
+}
+
+/// Of both textures, from the host's fill.
 std::size_t differences(const GlContext& context, MapFill fill, const SolidAtlas& solid,
                         const Affine3& move, const std::optional<LatticeStreamKey>& stream,
                         const std::optional<Quadric>& q, const GlTile& tile) {
     const LatticeMap expected =
-        fill_lattice_map(solid, moved_maps(solid.maps, move, 1), stream, q,
-                         {std::uint32_t(tile.origin.x), std::uint32_t(tile.origin.y),
-                          std::uint32_t(tile.size.x), std::uint32_t(tile.size.y)},
-                         1);
+        fill_lattice_map(solid, moved_maps(solid.maps, move, 1), stream, q, area_of(tile), 1);
     const GlLatticeMapper mapper(context.gl(), solid, move, 1, fill);
     EXPECT_EQ(mapper.draws(), fill == MapFill::gpu);
     const GlLatticeMap map = mapper.make(stream, q, tile);
     EXPECT_EQ(map.size(), tile.size);
-    const auto cells = map.target().read<std::uint32_t>(0);
-    const auto places = map.target().read<std::uint32_t>(1);
-    std::size_t wrong = 0;
-    for (std::size_t i = 0; i < expected.cells.pixels().size(); ++i) {
-        bool equal = true;
-        for (int k = 0; k < 4; ++k) {
-            equal &= cells[4 * i + std::size_t(k)] == expected.cells.pixels()[i][k];
-            equal &= places[4 * i + std::size_t(k)] == expected.places.pixels()[i][k];
-        }
-        wrong += !equal;
-    }
-    return wrong;
+    return differences(map.target(), 0, expected.cells) +
+           differences(map.target(), 1, expected.places);
 }
 
 TEST_F(GlLatticeMapTest, HoldsTheHostsNumbersForEveryKindOfAtlas) {
@@ -110,6 +110,24 @@ TEST_F(GlLatticeMapTest, DrawsTilesOfAnySize) {
         for (const MapFill fill : {MapFill::gpu, MapFill::host})
             EXPECT_EQ(differences(*context, fill, solid, Affine3{}, stream, quadric, tile), 0u)
                 << tile.origin.x << ' ' << tile.origin.y;
+}
+
+TEST_F(GlLatticeMapTest, HoldsTheHostsPoints) {
+    SyntheticAtlas atlas;
+    atlas.size = 70;
+    const SolidAtlas solid = atlas.make(12);
+    const Affine3 move{Mat3d(0.75), Vec3d(0.25, -1, 3)};
+    const GlTile tile{{3, 9}, {60, 50}};
+    for (const double frequency : {0.1, 1e6, 1e15})
+        for (const MapFill fill : {MapFill::gpu, MapFill::host}) {
+            const Affine3 map{frequency * lattice.linear, lattice.offset};
+            const PointMap expected =
+                fill_point_map(solid, moved_maps(solid.maps, move, 1), map, true, area_of(tile), 1);
+            const GlLatticeMapper mapper(context->gl(), solid, move, 1, fill);
+            const GlPointMap points = mapper.make_points(map, tile);
+            EXPECT_EQ(differences(points.target(), 0, expected.xy), 0u) << frequency;
+            EXPECT_EQ(differences(points.target(), 1, expected.z_owner), 0u) << frequency;
+        }
 }
 
 TEST_F(GlLatticeMapTest, NeedsNeitherStreamNorQuadric) {
