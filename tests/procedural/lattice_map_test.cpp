@@ -27,7 +27,6 @@ Texture texture_of(NoiseKind kind, double frequency) {
     term.seed = 5;
     term.octaves = 4;
     term.frequency = frequency * Vec3d(1.0, 0.5, 1.75);
-    term.phase = {0.125, -3.5, 100.25};
     term.range = NoiseRange::bipolar;
     texture.noise.push_back(term);
     return texture;
