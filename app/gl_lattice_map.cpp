@@ -2,16 +2,12 @@
 
 #include <cmath>
 
+#include "app/gl_map_upload.h"
 #include "procedural/lattice_site.h"
 #include "procedural/point_map.h"
 #include "procedural/synthesize_pieces.h"
 
 namespace burl {
-
-TexelArea area_of(const GlTile& tile) {
-    return {std::uint32_t(tile.origin.x), std::uint32_t(tile.origin.y), std::uint32_t(tile.size.x),
-            std::uint32_t(tile.size.y)};
-}
 
 namespace {
 
@@ -78,10 +74,12 @@ void GlLatticeMapper::draw(const LatticeStreamKey& stream, const Quadric& quadri
 void GlLatticeMapper::fill(const std::optional<LatticeStreamKey>& stream,
                            const std::optional<Quadric>& quadric, const GlTile& tile,
                            const GlTarget& target) const {
-    const LatticeMap map =
-        fill_lattice_map(*solid_, maps_, stream, quadric, area_of(tile), threads_);
-    upload(*gl_, target, 0, map.cells);
-    upload(*gl_, target, 1, map.places);
+    for_strips(tile, [&](const GlTile& strip, int row) {
+        const LatticeMap map =
+            fill_lattice_map(*solid_, maps_, stream, quadric, area_of(strip), threads_);
+        upload(*gl_, target, 0, row, map.cells);
+        upload(*gl_, target, 1, row, map.places);
+    });
 }
 
 GlPointMap GlLatticeMapper::make_points(const Affine3& lattice_from_texture,
@@ -95,10 +93,12 @@ GlPointMap GlLatticeMapper::make_points(const Affine3& lattice_from_texture,
         set_line(drawing_->points, lattice_from_texture, true);
         drawing_->spans.draw(drawing_->points, tile);
     } else {
-        const PointMap map =
-            fill_point_map(*solid_, maps_, lattice_from_texture, true, area_of(tile), threads_);
-        upload(*gl_, target, 0, map.xy);
-        upload(*gl_, target, 1, map.z_owner);
+        for_strips(tile, [&](const GlTile& strip, int row) {
+            const PointMap map = fill_point_map(*solid_, maps_, lattice_from_texture, true,
+                                                area_of(strip), threads_);
+            upload(*gl_, target, 0, row, map.xy);
+            upload(*gl_, target, 1, row, map.z_owner);
+        });
     }
     return GlPointMap(std::move(target));
 }

@@ -10,9 +10,6 @@
 
 namespace burl {
 
-/// A tile as the host's fills take it.
-TexelArea area_of(const GlTile& tile);
-
 /// Two RGBA32UI textures.
 class GlLatticeMap {
   public:

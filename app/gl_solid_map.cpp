@@ -1,6 +1,6 @@
 #include "app/gl_solid_map.h"
 
-#include "app/gl_spans.h"
+#include "app/gl_map_upload.h"
 
 namespace burl {
 
@@ -30,9 +30,11 @@ GlSolidMap make_solid_map(const GladGLContext& gl, const SolidAtlas& solid, cons
     if (draws_maps(gl, solid, fill)) {
         draw(gl, solid, map, base, tile, target);
     } else {
-        const SolidMap filled = fill_solid_map(solid, map, base, area_of(tile), threads);
-        upload(gl, target, 0, filled.local);
-        upload(gl, target, 1, filled.owners);
+        for_strips(tile, [&](const GlTile& strip, int row) {
+            const SolidMap filled = fill_solid_map(solid, map, base, area_of(strip), threads);
+            upload(gl, target, 0, row, filled.local);
+            upload(gl, target, 1, row, filled.owners);
+        });
     }
     return {std::move(target), base};
 }

@@ -4,7 +4,6 @@
 // shows (shaders/span.glsl).
 #include "app/gl_source.h"
 #include "app/gl_target.h"
-#include "atlas/image.h"
 #include "atlas/solid_atlas.h"
 
 namespace burl {
@@ -44,17 +43,5 @@ class GlSpans {
 /// Of a program with line.vert: points are mapped; with `in_lattice`, spans that reach
 /// lattice_limit on an axis are at 0 on it.
 void set_line(const GlProgram& program, const Affine3& map, bool in_lattice);
-
-/// Sets the first texels of a texture of a target, of its size, from the host.
-template <class Texel>
-void upload(const GladGLContext& gl, const GlTarget& target, std::size_t number,
-            const Image<Texel>& texels) {
-    const GlFormat& format = target.format(number);
-    gl.BindTexture(GL_TEXTURE_2D, target.texture(number).get());
-    gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
-    gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, GLsizei(texels.width()), GLsizei(texels.height()),
-                     format.layout, format.type, texels.pixels().data());
-    check_gl(gl, "uploading a map of an atlas");
-}
 
 }  // namespace burl

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "app/gl_map_upload.h"
 #include "app/sample_meshes.h"
 #include "atlas/mesh_atlas.h"
 #include "procedural/point_map.h"
