@@ -35,10 +35,12 @@ struct GlLatticeMapper::Drawing {
 
 GlLatticeMapper::GlLatticeMapper(const GladGLContext& gl, const SolidAtlas& solid,
                                  const Affine3& texture_from_atlas, int threads, MapFill fill)
-    : gl_(&gl),
-      solid_(&solid),
-      maps_(moved_maps(solid.maps, texture_from_atlas, threads)),
-      threads_(threads) {
+    : GlLatticeMapper(gl, solid, moved_maps(solid.maps, texture_from_atlas, threads), threads,
+                      fill) {}
+
+GlLatticeMapper::GlLatticeMapper(const GladGLContext& gl, const SolidAtlas& solid,
+                                 std::vector<TexelMap> maps, int threads, MapFill fill)
+    : gl_(&gl), solid_(&solid), maps_(std::move(maps)), threads_(threads) {
     if (draws_maps(gl, solid, fill))
         drawing_ = std::make_unique<Drawing>(
             Drawing{GlSpans(gl, solid, maps_),
@@ -82,7 +84,7 @@ void GlLatticeMapper::fill(const std::optional<LatticeStreamKey>& stream,
     });
 }
 
-GlPointMap GlLatticeMapper::make_points(const Affine3& lattice_from_texture,
+GlPointMap GlLatticeMapper::make_points(const Affine3& map, bool in_lattice,
                                         const GlTile& tile) const {
     GlTarget target(*gl_, tile.size, {GL_RGBA32UI, GL_RGBA32UI});
     if (drawing_) {
@@ -90,14 +92,14 @@ GlPointMap GlLatticeMapper::make_points(const Affine3& lattice_from_texture,
         target.clear(0, glm::uvec4(lower, upper, lower, upper));
         target.clear(1, glm::uvec4(lower, upper, no_owner, 0));
         drawing_->points.use();
-        set_line(drawing_->points, lattice_from_texture, true);
+        set_line(drawing_->points, map, in_lattice);
         drawing_->spans.draw(drawing_->points, tile);
     } else {
         for_strips(tile, [&](const GlTile& strip, int row) {
-            const PointMap map = fill_point_map(*solid_, maps_, lattice_from_texture, true,
-                                                area_of(strip), threads_);
-            upload(*gl_, target, 0, row, map.xy);
-            upload(*gl_, target, 1, row, map.z_owner);
+            const PointMap points =
+                fill_point_map(*solid_, maps_, map, in_lattice, area_of(strip), threads_);
+            upload(*gl_, target, 0, row, points.xy);
+            upload(*gl_, target, 1, row, points.z_owner);
         });
     }
     return GlPointMap(std::move(target));

@@ -48,14 +48,17 @@ class GlLatticeMapper {
     GlLatticeMapper(const GladGLContext& gl, const SolidAtlas& solid,
                     const Affine3& texture_from_atlas, int threads = 0,
                     MapFill fill = MapFill::automatic);
+    /// Of `maps`, those of the atlas's triangles in the space wanted, as they are.
+    GlLatticeMapper(const GladGLContext& gl, const SolidAtlas& solid, std::vector<TexelMap> maps,
+                    int threads = 0, MapFill fill = MapFill::automatic);
     GlLatticeMapper(GlLatticeMapper&&) noexcept;
     ~GlLatticeMapper();
 
     /// As fill_lattice_map, of the texels of `tile`, which lies in the atlas.
     GlLatticeMap make(const std::optional<LatticeStreamKey>& stream,
                       const std::optional<Quadric>& quadric, const GlTile& tile) const;
-    /// As fill_point_map in the lattice, for octaves that no stream serves.
-    GlPointMap make_points(const Affine3& lattice_from_texture, const GlTile& tile) const;
+    /// As fill_point_map: with `in_lattice` for octaves that no stream serves.
+    GlPointMap make_points(const Affine3& map, bool in_lattice, const GlTile& tile) const;
     /// Whether the graphics processor fills them.
     bool draws() const { return drawing_ != nullptr; }
 

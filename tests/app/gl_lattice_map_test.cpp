@@ -119,16 +119,18 @@ TEST_F(GlLatticeMapTest, HoldsTheHostsPoints) {
     const SolidAtlas solid = atlas.make(12);
     const Affine3 move{Mat3d(0.75), Vec3d(0.25, -1, 3)};
     const GlTile tile{{3, 9}, {60, 50}};
+    const std::vector<TexelMap> maps = moved_maps(solid.maps, move, 1);
     for (const double frequency : {0.1, 1e6, 1e15})
-        for (const MapFill fill : {MapFill::gpu, MapFill::host}) {
-            const Affine3 map{frequency * lattice.linear, lattice.offset};
-            const PointMap expected =
-                fill_point_map(solid, moved_maps(solid.maps, move, 1), map, true, area_of(tile), 1);
-            const GlLatticeMapper mapper(context->gl(), solid, move, 1, fill);
-            const GlPointMap points = mapper.make_points(map, tile);
-            EXPECT_EQ(differences(points.target(), 0, expected.xy), 0u) << frequency;
-            EXPECT_EQ(differences(points.target(), 1, expected.z_owner), 0u) << frequency;
-        }
+        for (const MapFill fill : {MapFill::gpu, MapFill::host})
+            for (const bool in_lattice : {false, true}) {
+                const Affine3 map{frequency * lattice.linear, lattice.offset};
+                const PointMap expected =
+                    fill_point_map(solid, maps, map, in_lattice, area_of(tile), 1);
+                const GlLatticeMapper mapper(context->gl(), solid, maps, 1, fill);
+                const GlPointMap points = mapper.make_points(map, in_lattice, tile);
+                EXPECT_EQ(differences(points.target(), 0, expected.xy), 0u) << frequency;
+                EXPECT_EQ(differences(points.target(), 1, expected.z_owner), 0u) << frequency;
+            }
 }
 
 TEST_F(GlLatticeMapTest, NeedsNeitherStreamNorQuadric) {
