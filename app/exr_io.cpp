@@ -1,40 +1,19 @@
-// OpenEXR writes into memory here, so that one piece of code (AtomicFile) meets the disk.
 #include "app/exr_io.h"
 
-#include <cstring>
 #include <exception>
 
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
-#include <ImfIO.h>
 #include <ImfOutputFile.h>
 #include <ImfTiledOutputFile.h>
 
 #include "app/atomic_file.h"
+#include "app/exr_stream.h"
 #include "atlas/error.h"
 
 namespace burl {
 namespace {
-
-class MemoryStream : public Imf::OStream {
-  public:
-    explicit MemoryStream(std::vector<std::uint8_t>& bytes)
-        : Imf::OStream("image"), bytes_(bytes) {}
-
-    void write(const char data[], int count) override {
-        const std::size_t end = position_ + std::size_t(count);
-        if (end > bytes_.size()) bytes_.resize(end);
-        std::memcpy(bytes_.data() + position_, data, std::size_t(count));
-        position_ = end;
-    }
-    std::uint64_t tellp() override { return position_; }
-    void seekp(std::uint64_t position) override { position_ = position; }
-
-  private:
-    std::vector<std::uint8_t>& bytes_;
-    std::size_t position_ = 0;
-};
 
 template <class Component>
 Imf::FrameBuffer frame_of(const Rgb<Component>* pixels, std::size_t width, Imf::PixelType type) {
@@ -84,7 +63,7 @@ void encode_levels_into(std::vector<std::uint8_t>& bytes, std::span<const Image<
     const Imf::PixelType type = depth == ExrDepth::half ? Imf::HALF : Imf::FLOAT;
     Imf::Header header = header_of(levels[0], type);
     header.setTileDescription({64, 64, Imf::MIPMAP_LEVELS, Imf::ROUND_DOWN});
-    MemoryStream stream(bytes);
+    ExrStream stream(bytes);
     Imf::TiledOutputFile file(stream, header);
     for (int l = 0; l < file.numLevels(); ++l) {
         const Image<RgbF>& image = levels[std::size_t(l)];
@@ -99,7 +78,7 @@ void encode_levels_into(std::vector<std::uint8_t>& bytes, std::span<const Image<
 void encode_into(std::vector<std::uint8_t>& bytes, const Image<RgbF>& image, ExrDepth depth) {
     const Imf::PixelType type = depth == ExrDepth::half ? Imf::HALF : Imf::FLOAT;
     const Imf::Header header = header_of(image, type);
-    MemoryStream stream(bytes);
+    ExrStream stream(bytes);
     Imf::OutputFile file(stream, header);
     if (depth == ExrDepth::half) {
         write_pixels(file, to_half(image).data(), image.width(), image.height(), type);

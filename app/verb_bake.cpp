@@ -14,6 +14,7 @@
 #include "app/lattice_check.h"
 #include "app/normal_error.h"
 #include "app/report.h"
+#include "app/solid_map_file.h"
 #include "app/verbs.h"
 #include "atlas/error.h"
 
@@ -28,7 +29,7 @@ struct BakeCommand {
     MeshOptions meshes;
     int threads = 0, depth = 8;
     double crease = 40.0;
-    std::string levels, normals, kernel = "auto";
+    std::string levels, normals, solid_map, kernel = "auto";
     std::optional<double> compress;
     bool json = false, quiet = false;
 };
@@ -79,6 +80,7 @@ std::vector<std::string> all_outputs(const BakeCommand& command, const Extras& e
     for (const std::string& path : frame_paths(command.out, command.animation))
         for (std::string& file : output_paths(path, extras.levels, extras.has_normals()))
             outputs.push_back(std::move(file));
+    if (!command.solid_map.empty()) outputs.push_back(command.solid_map);
     return outputs;
 }
 
@@ -133,6 +135,12 @@ void check_report(const BakeCommand& command, const Extras& extras) {
     check_side_output(command.report, "", taken);
 }
 
+void check_solid_map(const BakeCommand& command) {
+    if (command.solid_map.empty()) return;
+    const std::string taken[] = {command.out, command.mesh, command.recipe.recipe};
+    check_side_output(command.solid_map, ".exr", taken);
+}
+
 /// Everything that the command line can be wrong about, before any work starts.
 void check_command(const BakeCommand& command, const Recipe& recipe, const Extras& extras) {
     if (command.animation.asked() && holds_mesh(command.out))
@@ -142,6 +150,7 @@ void check_command(const BakeCommand& command, const Recipe& recipe, const Extra
                                 command.out));
     for (const std::string& path : frame_paths(command.out, command.animation))
         check_output(path, command.mesh, extras.levels, extras.has_normals());
+    check_solid_map(command);
     check_report(command, extras);
     check_compress(command.compress, recipe.atlas.kind);
     if (command.compress && extras.has_normals())
@@ -210,6 +219,11 @@ void run_bake(const BakeCommand& command) {
         written = write_texture(command, pipeline, paths[i], kind, extras);
         writing += written.seconds;
     }
+    Json solid_map;
+    if (!command.solid_map.empty()) {
+        const Vec3d base = write_solid_map(command.solid_map, pipeline, command.threads);
+        solid_map = {{"file", command.solid_map}, {"base", {base.x, base.y, base.z}}};
+    }
     Json seconds = {{"read", reading}};
     seconds.update(times_json(pipeline.times()));
     seconds["write"] = writing;
@@ -220,6 +234,7 @@ void run_bake(const BakeCommand& command) {
     Json report = bake_json(command, pipeline, extras, std::move(seconds));
     const BakedAtlas& baked = written.baked;
     if (baked.compressed) report["compressed"] = compress_json(baked);
+    if (!solid_map.empty()) report["solid_map"] = std::move(solid_map);
     if (!normals.empty()) report["normals"] = std::move(normals);
     if (command.animation.asked()) report["animation"] = command.animation.keys;
     if (!command.report.empty()) write_json(command.report, report);
@@ -256,7 +271,11 @@ void add_bake(CLI::App& program) {
                      "share a place, and the texture shrinks")
         ->check(in_range(0.0, 1.0))
         ->excludes("--levels");
-    for (const char* option : {"--levels", "--compress"})
+    verb->add_option("--solid-map", command->solid_map,
+                     "Write every texel's solid point and triangle to this .exr file, for shaders "
+                     "elsewhere")
+        ->excludes("--compress");
+    for (const char* option : {"--levels", "--compress", "--solid-map"})
         verb->get_option("--animate")->excludes(verb->get_option(option));
     verb->add_option("--normals", command->normals,
                      "Normal map of the recipe's bumps: tangent (the default; in the material of "

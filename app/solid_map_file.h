@@ -1,0 +1,23 @@
+#pragma once
+// The solid map of an atlas (procedural/point_map.h) as an OpenEXR file: with it, a shader made of
+// a recipe textures a baked mesh's atlas in another program.
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "procedural/point_map.h"
+
+namespace burl {
+
+class Pipeline;
+
+/// EXR file content: channels X, Y and Z (32-bit floats, the offset from the base), A (1 in spans,
+/// 0 elsewhere) and owner (32-bit, Span::map or no_owner); the header's "base" is the base in
+/// float64. Row 0 on top. Throws Error(runtime) when OpenEXR cannot encode it.
+std::vector<std::uint8_t> encode_solid_map(const SolidMap& map, const Vec3d& base);
+
+/// Writes that of the pipeline's atlas, in its recipe's texture coordinates (after solid.scale),
+/// whole or not at all. Returns the base. Throws Error(io).
+Vec3d write_solid_map(const std::string& path, Pipeline& pipeline, int threads);
+
+}  // namespace burl
