@@ -52,7 +52,7 @@ TEST_F(GlSolidMapTest, HasTheHostsOwnersAndPointsWhereverTheMeshLies) {
                                              double(local[4 * at + std::size_t(axis)]) - p[axis]));
                         }
                 EXPECT_EQ(owners, expected) << to_string(kind) << ' ' << distance;
-                EXPECT_LE(error, distance == 0.0 ? 1e-7 : 1e-6) << to_string(kind);
+                EXPECT_LE(error, 5e-8) << to_string(kind);
                 EXPECT_GT(error, 0.0);
             }
 }
