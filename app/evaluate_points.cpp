@@ -1,6 +1,7 @@
 #include "app/evaluate_points.h"
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 #include <utility>
 
@@ -131,6 +132,24 @@ std::vector<PointResult> evaluate_model(const Recipe& recipe, const PointFile& f
     return results;
 }
 
+/// Throws Error(unsupported) where an octave has lattice coordinates beyond farthest_cell.
+void check_reach(const NoiseOptions& noise, const PointFile& file) {
+    const double finest =
+        std::pow(std::max(noise.fractal.lacunarity, 1.0), double(noise.fractal.octaves) - 1.0);
+    for (std::size_t i = 0; i < file.points.size(); ++i)
+        for (const double x : file.points[i]) {
+            const double reach = finest * (std::abs(x) + std::abs(noise.warp));
+            if (reach <= farthest_cell) continue;
+            throw Error(
+                ExitCode::unsupported,
+                fmt::format("point {}: the noise reaches {:.2g} lattice cells from the origin, and "
+                            "beyond 2^46 (7e13) cells too little of a place within its cell is "
+                            "left; use points nearer to the origin, fewer octaves or a smaller "
+                            "lacunarity",
+                            i + 1, reach));
+        }
+}
+
 /// The other precision would be float64 again.
 std::vector<PointResult> only_float64(std::vector<PointResult> results) {
     for (PointResult& result : results) result.other.reset();
@@ -142,6 +161,7 @@ std::vector<PointResult> only_float64(std::vector<PointResult> results) {
 std::vector<PointResult> evaluate_points(NoiseOptions noise, const PointFile& file,
                                          const Precision& precision) {
     noise.resolve(file.dimensions);
+    check_reach(noise, file);
     std::vector<PointResult> results = evaluate_all(noise, file);
     if (precision.kind == PrecisionKind::float64) return only_float64(std::move(results));
     if (precision.kind != PrecisionKind::fixed) return results;

@@ -170,6 +170,8 @@ TEST(Eval, RefusesWhatItCannotDoInOneSentence) {
           {"1,2\n", "--noise value --precision fixed:8.8", 1, "3 dimensions"},
           {"1,2,3\n", "marble --set texture.input.noise.0.kind=cell --precision fixed:8.8", 1,
            "perlin"},
+          {"1,2,3\n1e14,0,0\n", "--noise value", 5, "point 2: the noise reaches 1e+14"},
+          {"1e8,0,0\n", "--noise perlin --octaves 24", 5, "point 1: the noise reaches 8.4e+14"},
           {"1,2,3\n", "marble --noise value", 1, "either"},
           {"1,2,3\n", "", 1, "either"},
           {"1,2,3\n", "no_such_recipe", 1, "no_such_recipe"}}) {
