@@ -29,7 +29,7 @@ std::vector<GlFact> gl_facts(GlContext& context) {
     limit("textures drawn together", GL_MAX_DRAW_BUFFERS, "");
     limit("largest target", GL_MAX_RENDERBUFFER_SIZE, " texels a side");
     GLint bits = 0;
-    gl.GetQueryiv(GL_TIME_ELAPSED, GL_QUERY_COUNTER_BITS, &bits);
+    gl.GetQueryiv(GL_TIMESTAMP, GL_QUERY_COUNTER_BITS, &bits);
     facts.push_back({"timer", fmt::format("{} bits", bits)});
     check_gl(gl, "asking for limits");
     return facts;

@@ -1,9 +1,8 @@
-// Logs are of three kinds: Mesa's "1:2(3): error", NVIDIA's "1(2) : error" and "ERROR: 1:2:" of
-// most others, 1 being the number that #line gave the part and 2 the line.
+// Logs are of three kinds: Mesa's "0:12(3): error", NVIDIA's "0(12) : error" and "ERROR: 0:12:" of
+// most others, 12 being a line of the whole text: Mesa shows no number that #line gives a part.
 #include "app/gl_source.h"
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 
 #include "app/embedded.h"
@@ -13,22 +12,36 @@ namespace burl {
 
 namespace {
 
-bool is_digit(char c) {
-    return std::isdigit(static_cast<unsigned char>(c)) != 0;
-}
-
-/// A version must come first, so a part's own line of it becomes an empty one.
-std::string without_version(std::string_view text) {
+/// A version must come first, so a part's own line of it becomes an empty one; the last line ends.
+std::string part_text(std::string_view text) {
+    if (text.starts_with("#version")) text.remove_prefix(std::min(text.find('\n'), text.size()));
     std::string result(text);
-    if (!text.starts_with("#version")) return result;
-    return result.substr(std::min(result.find('\n'), result.size()));
+    if (!result.ends_with('\n')) result += '\n';
+    return result;
 }
 
-/// Where a line of a log has the number of a part, or past its end.
-std::size_t number_place(std::string_view line) {
+/// Where a line of a log tells a line of the text.
+struct LogPlace {
+    std::size_t begin = 0, end = 0;  ///< of "0:12" or "0(12)" in the log's line
+    std::size_t line = 0;            ///< 12; 0: nowhere
+};
+
+LogPlace log_place(std::string_view line) {
+    LogPlace place;
     for (const std::string_view lead : {"ERROR: ", "WARNING: "})
-        if (line.starts_with(lead)) return lead.size();
-    return 0;
+        if (line.starts_with(lead)) place.begin = lead.size();
+    const std::string_view rest = line.substr(place.begin);
+    if (!rest.starts_with("0:") && !rest.starts_with("0(")) return place;
+    const char* const end = line.data() + line.size();
+    const auto [stop, failure] = std::from_chars(rest.data() + 2, end, place.line);
+    if (failure != std::errc()) return {};
+    place.end = std::size_t(stop - line.data());
+    if (rest[1] == '(') place.end = std::min(place.end + 1, line.size());
+    return place;
+}
+
+std::size_t line_count(std::string_view text) {
+    return std::size_t(std::ranges::count(text, '\n'));
 }
 
 }  // namespace
@@ -75,37 +88,40 @@ ShaderSource& ShaderSource::add(std::string_view embedded) {
 }
 
 ShaderSource& ShaderSource::add(std::string name, std::string_view text) {
-    parts_.push_back({std::move(name), without_version(text)});
+    parts_.push_back({std::move(name), part_text(text)});
     return *this;
 }
 
 std::string ShaderSource::text() const {
     std::string result = head_ + macros_;
-    for (std::size_t i = 0; i < parts_.size(); ++i)
-        result += fmt::format("#line 1 {}\n{}\n", i + 1, parts_[i].text);
+    for (const Part& part : parts_) result += part.text;
     return result;
+}
+
+std::string ShaderSource::place_of(std::size_t line) const {
+    std::string name = "(macros)";
+    std::size_t begin = 0, end = line_count(head_) + line_count(macros_);
+    for (const Part& part : parts_) {
+        if (line <= end) break;
+        name = part.name;
+        begin = end;
+        end += line_count(part.text);
+    }
+    return fmt::format("{}:{}", name, line - begin);
 }
 
 std::string ShaderSource::with_names(std::string_view log) const {
     std::string result;
     while (!log.empty()) {
-        const std::size_t end = std::min(log.find('\n'), log.size() - 1) + 1;
-        std::string_view line = log.substr(0, end);
-        log.remove_prefix(end);
-        const std::size_t place = number_place(line);
-        std::size_t number = 0;
-        const auto [stop, failure] =
-            std::from_chars(line.data() + place, line.data() + line.size(), number);
-        const std::string_view rest = line.substr(std::size_t(stop - line.data()));
-        const bool named = failure == std::errc() && number <= parts_.size() && rest.size() > 1 &&
-                           (rest[0] == ':' || rest[0] == '(') && is_digit(rest[1]);
-        if (!named) {
+        const std::size_t length = std::min(log.find('\n'), log.size() - 1) + 1;
+        const std::string_view line = log.substr(0, length);
+        log.remove_prefix(length);
+        const LogPlace place = log_place(line);
+        if (place.line == 0)
             result += line;
-            continue;
-        }
-        result += line.substr(0, place);
-        result += number == 0 ? "(macros)" : parts_[number - 1].name;
-        result += rest;
+        else
+            result += fmt::format("{}{}{}", line.substr(0, place.begin), place_of(place.line),
+                                  line.substr(place.end));
     }
     return result;
 }

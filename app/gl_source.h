@@ -33,13 +33,15 @@ class ShaderSource {
     ShaderSource& add(std::string name, std::string_view text);
 
     std::string text() const;
-    /// A compiler's log of text() with the parts' names for their numbers.
+    /// A compiler's log of text() with parts and their own lines for lines of the whole.
     std::string with_names(std::string_view log) const;
 
   private:
     struct Part {
         std::string name, text;
     };
+    std::string place_of(std::size_t line) const;
+
     std::string head_ = "#version 330 core\n", macros_;
     std::vector<Part> parts_;
 };

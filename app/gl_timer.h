@@ -1,7 +1,8 @@
 #pragma once
 // How long the graphics processor takes. OpenGL works behind the caller's back, so draws are timed
-// by a query in its own command stream and, as software OpenGL has no other clock than the host's,
-// by the host's clock until all is done.
+// by two time stamps in its own command stream (GL_TIMESTAMP; Mesa's llvmpipe gives nonsense for
+// GL_TIME_ELAPSED of draws that not all of its threads took part in), and by the host's clock until
+// all is done.
 #include <chrono>
 
 #include "app/gl_objects.h"
@@ -15,7 +16,7 @@ struct GlSeconds {
     double wall = 0.0;  ///< from start to the end of all commands, by the host's clock
 };
 
-/// One interval at a time; intervals of several timers of one context do not overlap.
+/// One interval at a time.
 class GlTimer {
   public:
     explicit GlTimer(const GladGLContext& gl);
@@ -26,7 +27,7 @@ class GlTimer {
 
   private:
     const GladGLContext& gl_;
-    GlName<&GladGLContext::DeleteQueries> query_;
+    GlName<&GladGLContext::DeleteQueries> first_, last_;
     bool has_clock_ = false;
     std::chrono::steady_clock::time_point begin_{};
 };

@@ -3,10 +3,12 @@
 
 #include "app/embedded.h"
 #include "app/figures.h"
+#include "app/gl_facts.h"
 #include "app/parameters.h"
 #include "app/report.h"
 #include "app/sample_meshes.h"
 #include "app/verbs.h"
+#include "atlas/error.h"
 #include "procedural/graph_table.h"
 #include "procedural/noise_names.h"
 
@@ -59,6 +61,13 @@ std::vector<Entry> parameter_entries() {
     return entries;
 }
 
+std::vector<Entry> gl_entries(const std::string& platform) {
+    const std::unique_ptr<GlContext> context = create_gl_context(platform);
+    std::vector<Entry> entries;
+    for (const GlFact& fact : gl_facts(*context)) entries.push_back({fact.name, fact.value});
+    return entries;
+}
+
 std::vector<Entry> entries_of(const std::string& what) {
     if (what == "recipes") return recipe_entries();
     if (what == "parameters") return parameter_entries();
@@ -92,8 +101,7 @@ std::vector<Entry> entries_of(const std::string& what) {
     return entries;
 }
 
-void print_entries(const std::string& what, bool json) {
-    const std::vector<Entry> entries = entries_of(what);
+void print_entries(const std::vector<Entry>& entries, bool json) {
     if (json) {
         Json list = Json::array();
         for (const Entry& entry : entries)
@@ -108,16 +116,27 @@ void print_entries(const std::string& what, bool json) {
 
 void add_list(CLI::App& program) {
     auto* verb = program.add_subcommand(
-        "list", "List recipes, meshes, atlases, noises, nodes, parameters or figures");
+        "list",
+        "List recipes, meshes, atlases, noises, nodes, parameters, figures, or this OpenGL");
     auto what = std::make_shared<std::string>();
+    auto platform = std::make_shared<std::string>(gl_platforms()[0]);
     auto json = std::make_shared<bool>(false);
     verb->add_option("what", *what,
-                     "recipes, meshes, atlases, noises, nodes, parameters or figures")
+                     "recipes, meshes, atlases, noises, nodes, parameters, figures or gl")
         ->required()
         ->check(CLI::IsMember(
-            {"recipes", "meshes", "atlases", "noises", "nodes", "parameters", "figures"}));
+            {"recipes", "meshes", "atlases", "noises", "nodes", "parameters", "figures", "gl"}));
+    auto* gl = verb->add_option("--gl", *platform,
+                                "gl: osmesa (software) or egl (a graphics "
+                                "processor)")
+                   ->capture_default_str();
     verb->add_flag("--json", *json, "Print JSON");
-    verb->callback([what, json] { print_entries(*what, *json); });
+    verb->callback([what, platform, gl, json] {
+        if (gl->count() > 0 && *what != "gl")
+            throw Error(ExitCode::usage,
+                        fmt::format("list {}: --gl does nothing there, leave it out", *what));
+        print_entries(*what == "gl" ? gl_entries(*platform) : entries_of(*what), *json);
+    });
 }
 
 }  // namespace burl

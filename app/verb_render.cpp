@@ -21,7 +21,7 @@ namespace {
 struct RenderCommand {
     DirectOptions options;
     AnimationOptions animation;
-    std::string out;
+    std::string out, platform = gl_platforms()[0];
     bool direct = false;
 };
 
@@ -47,7 +47,7 @@ Image<Rgb8> draw_scene(const RenderCommand& command) {
     for (const std::string& note : scene.notes) warn(note);
     check_side_output(command.out, ".png", scene.files);
     const Camera camera = orbit_camera(view, bounding_sphere(scene), picture.size);
-    const std::unique_ptr<GlContext> context = create_osmesa_context();
+    const std::unique_ptr<GlContext> context = create_gl_context(command.platform);
     return render_scene(*context, scene, camera, picture, filter);
 }
 
@@ -83,6 +83,10 @@ void add_render(CLI::App& program) {
     auto* direct = verb->add_flag(
         "--direct", command->direct,
         "Evaluate the recipe's texture for every sample, in float64: the ground truth");
+    verb->add_option("--gl", command->platform,
+                     "Draw with osmesa (software) or egl (a graphics processor)")
+        ->capture_default_str()
+        ->excludes(direct);
     command->animation.add(*verb);
     for (const char* option :
          {"--recipe", "--set", "--precision", "--animate", "--plane", "--widths"})

@@ -5,8 +5,12 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <map>
+#include <string_view>
 
-#include "app/gl_objects.h"
+#include "app/gl_facts.h"
+#include "app/gl_source.h"
+#include "app/gl_target.h"
 #include "tests/app/gl_fixture.h"
 
 namespace burl {
@@ -37,6 +41,65 @@ TEST(GlContext, LibraryWithoutTheFunctionsIsTooOld) {
     }
 }
 
+TEST(GlContext, MissingEglNamesThePackage) {
+    const std::array names{"libNoSuchEgl.so.1", "libNoSuchEgl.so"};
+    try {
+        create_egl_context(names);
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ExitCode::unsupported);
+        EXPECT_THAT(error.what(), HasSubstr("libegl1"));
+    }
+}
+
+TEST(GlContext, LibraryThatIsNoEglIsRefused) {
+    const std::array names{"libm.so.6"};
+    try {
+        create_egl_context(names);
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ExitCode::unsupported);
+        EXPECT_THAT(error.what(), HasSubstr("libm.so.6"));
+        EXPECT_THAT(error.what(), HasSubstr("libegl1"));
+    }
+}
+
+TEST(GlContext, UnknownPlatformsAreUsageErrors) {
+    try {
+        create_gl_context("metal");
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ExitCode::usage);
+        EXPECT_THAT(error.what(), HasSubstr("--gl metal"));
+    }
+}
+
+/// A driver that tells a version and has no other function.
+class OldContext final : public GlContext {
+  public:
+    OldContext() { load_functions("libOld.so"); }
+    void make_current() override {}
+    std::string origin() const override { return "old"; }
+    GlProcedure get_proc(const char* name) override {
+        if (std::string_view(name) != "glGetString") return nullptr;
+        return reinterpret_cast<GlProcedure>(&version);
+    }
+
+  private:
+    static const GLubyte* version(GLenum) { return reinterpret_cast<const GLubyte*>("2.1 Old"); }
+};
+
+TEST(GlContext, TooLowAVersionIsUnsupported) {
+    try {
+        OldContext();
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ExitCode::unsupported);
+        EXPECT_THAT(error.what(), HasSubstr("libOld.so gives OpenGL 2.1"));
+        EXPECT_THAT(error.what(), HasSubstr("3.3"));
+    }
+}
+
 using GlContextTest = GlTest;
 
 TEST_F(GlContextTest, GivesCoreFunctions) {
@@ -59,6 +122,45 @@ TEST_F(GlContextTest, ContextsAreIndependent) {
     other->make_current();
     other->gl().GetFloatv(GL_COLOR_CLEAR_VALUE, color.data());
     EXPECT_EQ(color[0], 0.25f);
+}
+
+/// Clears one texel and reads it back.
+float cleared_texel(GlContext& context, float value) {
+    context.make_current();
+    const GlTarget target(context.gl(), {1, 1}, {GL_R32F});
+    target.clear(0, Vec4f(value));
+    return target.read<float>()[0];
+}
+
+TEST_F(GlContextTest, EglDrawsBesideOsMesa) {
+    std::unique_ptr<GlContext> egl;
+    try {
+        egl = create_gl_context("egl");
+    } catch (const Error& error) {
+        GTEST_SKIP() << error.what();
+    }
+    EXPECT_THAT(egl->description(), HasSubstr("EGL"));
+    GLint profile = 0;
+    egl->gl().GetIntegerv(GL_CONTEXT_PROFILE_MASK, &profile);
+    EXPECT_EQ(profile & GL_CONTEXT_CORE_PROFILE_BIT, GL_CONTEXT_CORE_PROFILE_BIT);
+    for (const float value : {0.5f, -3.0f}) {
+        EXPECT_EQ(cleared_texel(*egl, value), value);
+        EXPECT_EQ(cleared_texel(*context, 2.0f * value), 2.0f * value);
+    }
+    const auto other = create_gl_context("egl");
+    egl.reset();
+    EXPECT_EQ(cleared_texel(*other, 7.0f), 7.0f);
+}
+
+TEST_F(GlContextTest, FactsAreThoseOfTheContext) {
+    std::map<std::string, std::string> facts;
+    for (const GlFact& fact : gl_facts(*context)) facts[fact.name] = fact.value;
+    EXPECT_EQ(facts["context"], "OSMesa");
+    EXPECT_THAT(facts["version"], HasSubstr("Mesa"));
+    GLint size = 0;
+    context->gl().GetIntegerv(GL_MAX_TEXTURE_SIZE, &size);
+    EXPECT_EQ(facts["largest texture"], fmt::format("{} texels a side", size));
+    EXPECT_EQ(facts["float64 in shaders"], has_float64(context->gl()) ? "yes" : "no");
 }
 
 TEST_F(GlContextTest, ErrorsNameTheActionOnce) {
