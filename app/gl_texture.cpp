@@ -22,6 +22,7 @@ constexpr std::array formats{
     GlFormat{GL_RGBA16F, "RGBA16F", GL_RGBA, GL_FLOAT, 4, 4},
     GlFormat{GL_R32F, "R32F", GL_RED, GL_FLOAT, 1, 4},
     GlFormat{GL_RG32F, "RG32F", GL_RG, GL_FLOAT, 2, 4},
+    GlFormat{GL_RGB32F, "RGB32F", GL_RGB, GL_FLOAT, 3, 4},
     GlFormat{GL_RGBA32F, "RGBA32F", GL_RGBA, GL_FLOAT, 4, 4},
     GlFormat{GL_R32UI, "R32UI", GL_RED_INTEGER, GL_UNSIGNED_INT, 1, 4},
     GlFormat{GL_RG32UI, "RG32UI", GL_RG_INTEGER, GL_UNSIGNED_INT, 2, 4},

@@ -19,7 +19,7 @@ struct GlFormat {
     int component_bytes = 0;  ///< in host memory
 };
 
-/// The formats synthesis uses: R, RG and RGBA of 8 bits, 16F, 32F and 32UI, RGB8, SRGB8,
+/// The formats synthesis uses: R, RG and RGBA of 8 bits, 16F, 32F and 32UI, RGB8, SRGB8, RGB32F,
 /// SRGB8_ALPHA8 and RGBA16. Half floats stand as floats in host memory. Throws Error(runtime) for
 /// others.
 const GlFormat& format_of(GLenum internal);

@@ -22,18 +22,6 @@ std::uint32_t log2_floor(std::uint32_t n) {
     return static_cast<std::uint32_t>(std::bit_width(n)) - 1;
 }
 
-/// 1 where a texel shows surface, 0 in gutters.
-Image<float> inner_texels(const PatchAtlas& atlas) {
-    const std::uint32_t size = atlas.atlas.options.size;
-    Image<float> inner(size, size, 0.0f);
-    for (const PatchBlock& block : atlas.layout.blocks) {
-        const std::uint32_t g = block.gutter, width = block.width - 2 * g;
-        for (std::uint32_t y = block.y + g; y < block.y + block.height - g; ++y)
-            std::ranges::fill(inner.row(y).subspan(block.x + g, width), 1.0f);
-    }
-    return inner;
-}
-
 Image<RgbF> times(Image<RgbF> image, const Image<float>& factor) {
     for (std::size_t y = 0; y < image.height(); ++y)
         for (std::size_t x = 0; x < image.width(); ++x) {
@@ -87,6 +75,17 @@ std::uint32_t last_pure_level(const MeshAtlas& atlas) {
     if (layout.options.kind != AtlasKind::quad) return 0;
     return std::min(log2_floor(narrowest_block(layout)),
                     static_cast<std::uint32_t>(std::countr_zero(layout.options.size)));
+}
+
+Image<float> inner_texels(const PatchAtlas& atlas) {
+    const std::uint32_t size = atlas.atlas.options.size;
+    Image<float> inner(size, size, 0.0f);
+    for (const PatchBlock& block : atlas.layout.blocks) {
+        const std::uint32_t g = block.gutter, width = block.width - 2 * g;
+        for (std::uint32_t y = block.y + g; y < block.y + block.height - g; ++y)
+            std::ranges::fill(inner.row(y).subspan(block.x + g, width), 1.0f);
+    }
+    return inner;
 }
 
 std::vector<Image<RgbF>> block_levels(const MeshAtlas& atlas, const Image<RgbF>& texture,

@@ -18,6 +18,9 @@ std::uint32_t last_level(const MeshAtlas& atlas);
 /// texels, 0 for strips, log2 of the narrowest block's side for quad.
 std::uint32_t last_pure_level(const MeshAtlas& atlas);
 
+/// 1 where a texel shows surface, 0 in gutters and between blocks.
+Image<float> inner_texels(const PatchAtlas& atlas);
+
 /// Levels 1 to `levels` (at most down to 1 x 1) of a texture in linear light. Level l has
 /// max(1, floor(N / 2^l)) texels a side, as in OpenGL; sums are in double, texels rounded once per
 /// level.

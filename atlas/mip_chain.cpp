@@ -2,7 +2,6 @@
 #include "atlas/mip_chain.h"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 #include <tbb/blocked_range.h>
@@ -31,13 +30,7 @@ void narrow(const Vec3d& sum, RgbF& value) {
     value = {float(sum.x), float(sum.y), float(sum.z)};
 }
 
-/// The old texels first, first+1, ... of one axis that a new texel covers, weights adding to 1.
-struct Taps {
-    std::size_t first = 0, count = 1;
-    std::array<double, 3> weight{1.0, 0.0, 0.0};
-};
-
-Taps taps(std::size_t size, std::size_t i) {
+MipTaps taps(std::size_t size, std::size_t i) {
     if (size == 1) return {};
     if (size % 2 == 0) return {2 * i, 2, {0.5, 0.5, 0.0}};
     const std::size_t half = size / 2;
@@ -45,15 +38,8 @@ Taps taps(std::size_t size, std::size_t i) {
     return {2 * i, 3, {double(half - i) / n, double(half) / n, double(i + 1) / n}};
 }
 
-std::vector<Taps> all_taps(std::size_t size) {
-    std::vector<Taps> result;
-    for (std::size_t i = 0; i < std::max<std::size_t>(1, size / 2); ++i)
-        result.push_back(taps(size, i));
-    return result;
-}
-
 template <class T>
-auto weighted(const Image<T>& image, const Taps& x, const Taps& y) {
+auto weighted(const Image<T>& image, const MipTaps& x, const MipTaps& y) {
     decltype(widen(T{})) sum(0.0);
     for (std::size_t j = 0; j < y.count; ++j)
         for (std::size_t i = 0; i < x.count; ++i)
@@ -63,9 +49,16 @@ auto weighted(const Image<T>& image, const Taps& x, const Taps& y) {
 
 }  // namespace
 
+std::vector<MipTaps> mip_taps(std::size_t size) {
+    std::vector<MipTaps> result;
+    for (std::size_t i = 0; i < std::max<std::size_t>(1, size / 2); ++i)
+        result.push_back(taps(size, i));
+    return result;
+}
+
 template <class T>
 Image<T> halve(const Image<T>& image) {
-    const std::vector<Taps> columns = all_taps(image.width()), rows = all_taps(image.height());
+    const std::vector<MipTaps> columns = mip_taps(image.width()), rows = mip_taps(image.height());
     Image<T> result(columns.size(), rows.size());
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rows.size(), 16), [&](const auto& range) {
         for (std::size_t y = range.begin(); y < range.end(); ++y)

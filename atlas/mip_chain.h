@@ -1,6 +1,8 @@
 #pragma once
 // MIP levels (Williams, "Pyramidal Parametrics", 1983) of an image of linear values: every level is
 // half as large as the one before and each of its texels the mean of what it covers.
+#include <array>
+#include <cstddef>
 #include <vector>
 
 #include "atlas/image.h"
@@ -22,6 +24,15 @@ struct MipChain {
 /// empty. T is float, Vec3f or RgbF.
 template <class T>
 Image<T> halve(const Image<T>& image);
+
+/// The old texels first, first+1, ... of one axis that a new texel covers, weights adding to 1.
+struct MipTaps {
+    std::size_t first = 0, count = 1;
+    std::array<double, 3> weight{1.0, 0.0, 0.0};
+};
+
+/// Of all new texels of an axis of `size` old ones: halve's weights are products of two axes'.
+std::vector<MipTaps> mip_taps(std::size_t size);
 
 /// All levels of a not empty image of any size, down to 1 x 1.
 template <class T>

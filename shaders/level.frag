@@ -1,0 +1,48 @@
+// One texel of a MIP level from the two or three texels each way of the level before it that it
+// covers, with the host's weights in the host's order (atlas/mip_chain.cpp): sums in float64, results
+// rounded once. With gutters (GUTTERS) two chains run side by side, means of all texels and sums of those
+// that show surface (colour times share, share); a level whose gutters count shows the one, later ones the
+// other.
+uniform sampler2D before;          // means of the level before, or the texture itself
+uniform sampler2D surface_before;  // its sums, or of the texture itself the share in .r
+uniform bool first;                // the level before is the texture itself
+uniform bool gutters_count;
+uniform ivec2 taps;                // old texels that a new one covers: 1, 2 or 3 each way
+layout(location = 0) out vec4 mean;
+layout(location = 1) out vec4 surface;
+layout(location = 2) out vec4 level;
+
+// Weights, three for each new texel of an axis.
+#if BURL_FLOAT64
+uniform usamplerBuffer columns, rows;
+double weight_of(usamplerBuffer weights, int i) { return packDouble2x32(texelFetch(weights, i).xy); }
+#else
+uniform samplerBuffer columns, rows;
+float weight_of(samplerBuffer weights, int i) { return texelFetch(weights, i).r; }
+#endif
+
+vec4 surface_of(ivec2 p, vec4 color) {
+    vec4 value = texelFetch(surface_before, p, 0);
+    return first ? vec4(color.rgb * value.r, value.r) : value;
+}
+
+void main() {
+    ivec2 p = ivec2(gl_FragCoord.xy);
+    real3 color_sum = real3(0.0);
+    real4 surface_sum = real4(0.0);
+    for (int j = 0; j < taps.y; ++j) {
+        real row = weight_of(rows, 3 * p.y + j);
+        for (int i = 0; i < taps.x; ++i) {
+            real weight = row * weight_of(columns, 3 * p.x + i);
+            ivec2 old = 2 * p + ivec2(i, j);
+            vec4 color = texelFetch(before, old, 0);
+            color_sum += weight * real3(color.rgb);
+#if GUTTERS
+            surface_sum += weight * real4(surface_of(old, color));
+#endif
+        }
+    }
+    mean = vec4(vec3(color_sum), 1.0);
+    surface = vec4(surface_sum);
+    level = gutters_count || surface.a <= 0.0 ? mean : vec4(surface.rgb / surface.a, 1.0);
+}
