@@ -100,6 +100,20 @@ TEST_F(GlLatticeMapTest, HoldsTheHostsNumbersFarOutAndOnSteepLines) {
             }
 }
 
+TEST_F(GlLatticeMapTest, CarriesWhereAPlaceRoundsToACell) {
+    SolidAtlas solid;
+    solid.size = 4;
+    solid.maps = {{Vec3d(-1e-20, 3.0 - 1e-15, -5), Vec3d(1e6), Vec3d(0.0), 0, 0}};
+    solid.spans = {{0, 4, 0}};
+    solid.row_begin = {0, 1, 1, 1, 1};
+    const LatticeStreamKey stream{Affine3{}, 0, 0.0};
+    const LatticeMap map =
+        fill_lattice_map(solid, solid.maps, stream, quadric, area_of(whole(solid)), 1);
+    ASSERT_EQ(map.cells(0, 0).x, 0u);  // not the cell that it lies in, -1
+    EXPECT_EQ(differences(*context, MapFill::gpu, solid, Affine3{}, stream, quadric, whole(solid)),
+              0u);
+}
+
 TEST_F(GlLatticeMapTest, DrawsTilesOfAnySize) {
     SyntheticAtlas atlas;
     atlas.size = 100;
@@ -111,6 +125,17 @@ TEST_F(GlLatticeMapTest, DrawsTilesOfAnySize) {
         for (const MapFill fill : {MapFill::gpu, MapFill::host})
             EXPECT_EQ(differences(*context, fill, solid, Affine3{}, stream, quadric, tile), 0u)
                 << tile.origin.x << ' ' << tile.origin.y;
+}
+
+TEST_F(GlLatticeMapTest, DrawsPartsOfTheLargestAtlas) {
+    SyntheticAtlas atlas;
+    atlas.size = max_atlas_size;
+    atlas.block = 999;
+    const SolidAtlas solid = atlas.make(13);
+    const LatticeStreamKey stream{lattice, 0, 0.0};
+    for (const GlTile& tile : {GlTile{{0, 8190}, {16384, 3}}, GlTile{{16001, 16370}, {383, 14}}})
+        EXPECT_EQ(differences(*context, MapFill::gpu, solid, Affine3{}, stream, quadric, tile), 0u)
+            << tile.origin.x;
 }
 
 TEST_F(GlLatticeMapTest, HoldsTheHostsPoints) {
