@@ -18,17 +18,27 @@ class LatticeMapRows {
                    const std::optional<Quadric>& quadric, const TexelArea& area, LatticeMap& map)
         : stream_(stream), quadric_(quadric), area_(area), map_(map) {
         if (!quadric) std::fill_n(batch_->field, batch_capacity, 0.0);
+        if (stream) return;
+        LatticeStream& lattice = batch_->streams.lattice;
+        for (int axis = 0; axis < 3; ++axis) {
+            std::fill_n(lattice.cells[axis], batch_capacity, 0u);
+            std::fill_n(lattice.places[axis], batch_capacity, 0u);
+        }
     }
 
     void add(const SolidAtlas& solid, std::span<const TexelMap> maps, std::size_t y) {
         const auto spans = solid.row(y);
-        clear(y - area_.y);
+        std::size_t owned = area_.x;
         for (const Span& span : spans) {
             if (&spans.back() - &span >= map_prefetch) prefetch(maps[(&span)[map_prefetch].map]);
             const std::size_t begin = std::max(span.x, area_.x);
             const std::size_t end = std::min(span.x + span.count, area_.x + area_.width);
-            if (begin < end) add(span, maps[span.map], y, begin - span.x, end - span.x);
+            if (begin >= end) continue;
+            mark_gap(owned, begin, y);
+            add(span, maps[span.map], y, begin - span.x, end - span.x);
+            owned = end;
         }
+        mark_gap(owned, area_.x + area_.width, y);
     }
 
     void flush() {
@@ -52,9 +62,12 @@ class LatticeMapRows {
     }
 
   private:
-    void clear(std::size_t row) {
-        std::ranges::fill(map_.cells.row(row), MapTexel(0, 0, 0, std::uint32_t(no_quadric >> 32)));
-        std::ranges::fill(map_.places.row(row), MapTexel(0, 0, 0, std::uint32_t(no_quadric)));
+    void mark_gap(std::size_t begin, std::size_t end, std::size_t y) {
+        if (begin == end) return;
+        std::fill_n(&map_.cells(begin - area_.x, y - area_.y), end - begin,
+                    MapTexel(0, 0, 0, std::uint32_t(no_quadric >> 32)));
+        std::fill_n(&map_.places(begin - area_.x, y - area_.y), end - begin,
+                    MapTexel(0, 0, 0, std::uint32_t(no_quadric)));
     }
 
     /// Texels `done` to end - 1 of the span.
@@ -75,12 +88,9 @@ class LatticeMapRows {
         MapTexel* places = &map_.places(piece.x - area_.x, piece.y - area_.y);
         for (std::size_t j = at; j < at + piece.solid.count; ++j) {
             const auto q = std::bit_cast<std::uint64_t>(batch_->field[j]);
-            const auto texel = [&](const auto& of, std::uint32_t half) {
-                return stream_ ? MapTexel(of[0][j], of[1][j], of[2][j], half)
-                               : MapTexel(0, 0, 0, half);
-            };
-            *cells++ = texel(lattice.cells, std::uint32_t(q >> 32));
-            *places++ = texel(lattice.places, std::uint32_t(q));
+            const auto &c = lattice.cells, &p = lattice.places;
+            *cells++ = {c[0][j], c[1][j], c[2][j], std::uint32_t(q >> 32)};
+            *places++ = {p[0][j], p[1][j], p[2][j], std::uint32_t(q)};
         }
     }
 
