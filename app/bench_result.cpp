@@ -56,6 +56,7 @@ Json result_json(const BenchResult& result) {
     json["error_max"] = result.error ? finite_or_null(result.error->max) : Json();
     json["error_rms"] = result.error ? finite_or_null(result.error->rms) : Json();
     json["psnr"] = result.error ? finite_or_null(result.error->psnr()) : Json();
+    if (result.texels_per_span) json["texels_per_span"] = *result.texels_per_span;
     return json;
 }
 
@@ -76,6 +77,8 @@ std::string result_table(std::span<const BenchResult> results) {
             text += fmt::format("{}{:<{}} {:>10} {:>21} {:>8} {:>10} {:>10} {:>7}\n",
                                 group == nullptr ? "" : "\n", t.group, widest, "ns/" + t.unit,
                                 "lowest - highest", "x first", "max error", "RMS error", "PSNR");
+            if (r.texels_per_span)
+                text += fmt::format("{:.1f} texels per span on average\n", *r.texels_per_span);
             group = &t.group;
         }
         text += fmt::format("{:<{}}", t.name, widest);

@@ -23,17 +23,19 @@ struct BenchError {
 struct BenchResult {
     BenchRow time;  ///< its group and name are the result's; no rounds: not timed
     std::optional<BenchError> error{};
+    /// Mean over the spans of the texture it baked; suites without one have none.
+    std::optional<double> texels_per_span{};
 };
 
 /// group, method, unit, ns_median, ns_lowest, ns_highest (per unit), times_first (the median over
 /// the rounds of its time over that of its group's first method), error_max, error_rms, psnr; null
-/// where something is not known or infinite.
+/// where something is not known or infinite; texels_per_span, where the suite has it.
 Json result_json(const BenchResult& result);
 
 /// The processor's name, how many threads it has and the instruction set the kernels use.
 Json machine_json();
 
-/// A table per group, for people.
+/// A table per group, for people; under its header how long its first result's spans are.
 std::string result_table(std::span<const BenchResult> results);
 
 }  // namespace burl

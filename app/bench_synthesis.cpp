@@ -1,6 +1,7 @@
 #include "app/bench_synthesis.h"
 
 #include <memory>
+#include <numeric>
 
 #include <fmt/format.h>
 
@@ -125,12 +126,20 @@ std::vector<BenchResult> bench_subject(const Subject& subject, int repeats) {
     std::vector<BenchResult> results;
     for (std::size_t i = 0; i < times.size(); ++i) {
         results.push_back({times[i]});
+        results.back().texels_per_span = mean_span(subject.pipeline->solid());
         if (defined) results.back().error = BenchError::of(subject.results[i](), reference);
     }
     return results;
 }
 
 }  // namespace
+
+double mean_span(const SolidAtlas& solid) {
+    const std::size_t texels =
+        std::accumulate(solid.spans.begin(), solid.spans.end(), std::size_t{0},
+                        [](std::size_t sum, const Span& span) { return sum + span.count; });
+    return double(texels) / double(solid.spans.size());
+}
 
 std::vector<BenchResult> bench_synthesis(int repeats, SynthesisSubjects subjects) {
     const std::size_t side = subjects.side;

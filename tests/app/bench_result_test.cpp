@@ -48,6 +48,7 @@ TEST(BenchResult, WhatIsNotKnownIsNull) {
     json = result_json(result);
     EXPECT_EQ(json.at("error_rms"), 0.0);
     EXPECT_TRUE(json.at("psnr").is_null()) << "infinite";
+    EXPECT_FALSE(json.contains("texels_per_span"));
     EXPECT_NE(result_table({&result, 1}).find("untimed"), std::string::npos);
 }
 
@@ -88,6 +89,31 @@ TEST(BenchSynthesis, RoundsToHalfACodeAndFloatsFurther) {
             EXPECT_EQ(r.error->max, 0.0);
         }
     }
+}
+
+TEST(BenchSynthesis, SaysHowLongSpansAre) {
+    SolidAtlas solid;
+    solid.size = 8;
+    for (const std::uint32_t count : {1u, 2u, 6u, 7u}) solid.spans.push_back({0, count, 0});
+    EXPECT_EQ(mean_span(solid), 4.0);
+
+    const auto mean_of = [](const Mesh& mesh, std::size_t side) {
+        const std::vector<BenchResult> rows = bench_synthesis(1, {mesh, {"marble"}, side});
+        for (const BenchResult& r : rows) {
+            EXPECT_EQ(r.texels_per_span, rows[0].texels_per_span);
+            EXPECT_EQ(result_json(r).at("texels_per_span"), *r.texels_per_span);
+        }
+        const std::string table = result_table(rows);
+        const std::size_t line = table.find('\n') + 1;  // under the header, and nowhere else
+        const std::size_t words = table.find(" texels per span on average\n");
+        EXPECT_NEAR(std::stod(table.substr(line)), *rows[0].texels_per_span, 0.05);
+        EXPECT_LT(words, table.find('\n', line));
+        EXPECT_EQ(table.find("texels per span", words + 5), std::string::npos);
+        return *rows[0].texels_per_span;
+    };
+    const double coarse = mean_of(bumpy_sphere(300), 128), fine = mean_of(bumpy_sphere(300), 256);
+    EXPECT_GT(coarse, 3.0);
+    EXPECT_NEAR(fine / coarse, 2.0, 0.4) << "triangles twice as wide have spans twice as long";
 }
 
 TEST(BenchSynthesis, TakesAnyMeshAndRecipe) {
