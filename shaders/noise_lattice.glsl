@@ -132,6 +132,11 @@ uvec3 lattice_index(uvec3 cell, ivec3 steps, uvec3 period) {
                  lattice_index(cell.z, steps.z, period.z));
 }
 
+uvec4 lattice_index(uvec4 cell, ivec4 steps, uvec4 period) {
+    return uvec4(lattice_index(cell.xyz, steps.xyz, period.xyz),
+                 lattice_index(cell.w, steps.w, period.w));
+}
+
 uint lattice_bits(uvec3 index, uint seed) {
     return mix_bits(seed * prime_seed + index.x * prime_x + index.y * prime_y + index.z * prime_z);
 }

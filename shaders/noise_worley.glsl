@@ -48,9 +48,7 @@ void visit_feature(uint seed, uvec4 cell, vec4 place, uvec4 period, ivec4 steps,
                    inout NearestFeatures nearest) {
     exact float border = gap_square(place.x, steps.x) + gap_square(place.y, steps.y) +
                          gap_square(place.z, steps.z) + gap_square(place.w, steps.w);
-    uvec4 index = uvec4(lattice_index(cell.xyz, steps.xyz, period.xyz),
-                        lattice_index(cell.w, steps.w, period.w));
-    uint h = lattice_bits(index, seed);
+    uint h = lattice_bits(lattice_index(cell, steps, period), seed);
     exact float square = way_square(place.x, feature_place(h, 0u), steps.x) +
                          way_square(place.y, feature_place(h, 1u), steps.y) +
                          way_square(place.z, feature_place(h, 2u), steps.z) +

@@ -1,7 +1,6 @@
-// Perlin's noises with tables: perlin2002 (published permutation) and perlin1985 (its own
-// permutation and gradients), procedural/point_noise-inl.h, perlin_noise.h and perlin1985.h. Before
-// it stand the tables, which procedural/glsl_noise.cpp writes: uint published_number(uint), uint
-// classic_number(uint), vec3 classic_gradient(uint). After noise_perlin.glsl.
+// Perlin's improved noise with the permutation that he published (procedural/perlin_noise.h,
+// point_noise-inl.h). After noise_perlin.glsl and the table, `uint published_number(uint)`, which
+// procedural/glsl_noise.cpp writes.
 
 // Numbers of the four corners of a square, to which the next coordinate is added.
 uvec4 published_square(uvec2 x, uvec2 y) {
@@ -58,27 +57,4 @@ float perlin2002_noise(uint seed, uvec4 low, uvec4 high, vec4 place) {
     float after = twice_lerp(v.z, perlin2002_square(lower, high.w, x, y, vec2(a.z, b.w), v.xy),
                              perlin2002_square(upper, high.w, x, y, vec2(b.z, b.w), v.xy));
     return twice_lerp(v.w, before, after) * 0.0625;
-}
-
-float classic_slope(uint number, vec3 d) {
-    return exact_dot(classic_gradient(number), d);
-}
-vec4 classic_slopes(uvec4 number, vec2 x, vec2 y, float z) {
-    return vec4(
-        classic_slope(number.x, vec3(x.x, y.x, z)), classic_slope(number.y, vec3(x.y, y.x, z)),
-        classic_slope(number.z, vec3(x.x, y.y, z)), classic_slope(number.w, vec3(x.y, y.y, z)));
-}
-
-float perlin1985_noise(uint seed, uvec3 low, uvec3 high, vec3 place) {
-    uvec3 shift = lattice_shift(seed);
-    low += shift;
-    high += shift;
-    vec3 a = place + 0.5, b = place - 0.5, v = smooth_fade(vec4(place + place, 0.0)).xyz;
-    uvec2 p = uvec2(classic_number(low.x), classic_number(high.x));
-    uvec4 square = uvec4(classic_number(p.x + low.y), classic_number(p.y + low.y),
-                         classic_number(p.x + high.y), classic_number(p.y + high.y));
-    vec2 x = vec2(a.x, b.x), y = vec2(a.y, b.y);
-    return twice_lerp(v.z, twice_lerp(v.xy, classic_slopes(square + low.z, x, y, a.z)),
-                      twice_lerp(v.xy, classic_slopes(square + high.z, x, y, b.z))) *
-           0.125;
 }
