@@ -25,6 +25,7 @@ struct OsMesaLibrary {
     void (*destroy_context)(void* context) = nullptr;
     unsigned char (*make_current)(void* context, void* buffer, unsigned type, int width,
                                   int height) = nullptr;
+    void* (*current_context)() = nullptr;
     GlProcedure (*get_proc)(const char* name) = nullptr;
 };
 
@@ -39,6 +40,7 @@ OsMesaLibrary load_library(std::span<const char* const> names) {
     if (!find_function(library, "OSMesaCreateContextAttribs", result.create_context) ||
         !find_function(library, "OSMesaDestroyContext", result.destroy_context) ||
         !find_function(library, "OSMesaMakeCurrent", result.make_current) ||
+        !find_function(library, "OSMesaGetCurrentContext", result.current_context) ||
         !find_function(library, "OSMesaGetProcAddress", result.get_proc)) {
         throw Error(ExitCode::unsupported,
                     fmt::format("{} is too old to make an OpenGL 3.3 context; install the package "
@@ -99,7 +101,8 @@ class OsMesaContext final : public GlContext {
 
   private:
     void release() {
-        library_.make_current(nullptr, nullptr, GL_UNSIGNED_BYTE, 0, 0);
+        if (library_.current_context() == context_)
+            library_.make_current(nullptr, nullptr, GL_UNSIGNED_BYTE, 0, 0);
         library_.destroy_context(context_);
     }
 

@@ -113,7 +113,7 @@ TEST_F(GlContextTest, GivesCoreFunctions) {
 }
 
 TEST_F(GlContextTest, ContextsAreIndependent) {
-    const auto other = create_osmesa_context();
+    auto other = create_osmesa_context();
     other->gl().ClearColor(0.25f, 0, 0, 0);
     context->make_current();
     std::array<float, 4> color{};
@@ -122,6 +122,12 @@ TEST_F(GlContextTest, ContextsAreIndependent) {
     other->make_current();
     other->gl().GetFloatv(GL_COLOR_CLEAR_VALUE, color.data());
     EXPECT_EQ(color[0], 0.25f);
+    // The end of one does not take the current one away.
+    context->make_current();
+    other.reset();
+    context->gl().ClearColor(0.5f, 0, 0, 0);
+    context->gl().GetFloatv(GL_COLOR_CLEAR_VALUE, color.data());
+    EXPECT_EQ(color[0], 0.5f);
 }
 
 /// Clears one texel and reads it back.

@@ -201,5 +201,43 @@ TEST(Program, HelpVersionAndLists) {
     EXPECT_EQ(run_burl(scratch, "").exit_code, 1);
 }
 
+TEST(Program, TellsItsOpenGl) {
+    const Scratch scratch;
+    for (const char* platform : {"osmesa", "egl"}) {
+        const Outcome outcome = run_burl(scratch, fmt::format("list gl --gl {}", platform));
+        if (outcome.exit_code == 5) {  // not installed, which is one sentence
+            expect_one_sentence(outcome.err);
+            continue;
+        }
+        ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+        for (const char* fact : {"renderer ", "version ", "largest texture ", "float64 "})
+            EXPECT_NE(outcome.out.find(fact), std::string::npos) << outcome.out;
+    }
+    for (const char* wrong : {"list gl --gl metal", "list recipes --gl egl"}) {
+        const Outcome outcome = run_burl(scratch, wrong);
+        EXPECT_EQ(outcome.exit_code, 1);
+        expect_one_sentence(outcome.err);
+        EXPECT_NE(outcome.err.find("--gl"), std::string::npos);
+    }
+}
+
+TEST(Program, DrawsTheSameThroughEveryPlatformOfSoftwareOpenGl) {
+    const Scratch scratch;
+    const std::string mesh = scratch.write("square.obj", square);
+    const auto draw = [&](const char* platform) {
+        return run_burl(scratch, fmt::format("render '{}' -o '{}.png' --size 64x48 --gl {}", mesh,
+                                             scratch / platform, platform));
+    };
+    if (draw("osmesa").exit_code == 5) GTEST_SKIP() << "OSMesa is not installed";
+    const Outcome egl = draw("egl");
+    if (egl.exit_code == 5) GTEST_SKIP() << egl.err;
+    ASSERT_EQ(egl.exit_code, 0) << egl.err;
+    // Another graphics processor rounds otherwise, here and there by more than a code at outlines.
+    const std::string renderer = run_burl(scratch, "list gl --gl egl").out;
+    if (renderer.find("llvmpipe") == std::string::npos) GTEST_SKIP() << renderer;
+    EXPECT_EQ(slurp(scratch / "egl.png"), slurp(scratch / "osmesa.png"));
+    EXPECT_EQ(draw("metal").exit_code, 1);
+}
+
 }  // namespace
 }  // namespace burl::test
