@@ -15,11 +15,12 @@ bool has_current_float64(GlContext& context) {
     return has_float64(context.gl());
 }
 
-GlProgram make_pass(GlContext& context, bool gutters, bool float64) {
+GlProgram make_pass(GlContext& context, bool even, bool gutters, bool float64) {
     const GladGLContext& gl = context.gl();
     return make_full_screen_program(gl, "the MIP levels",
                                     ShaderSource()
                                         .define_real(float64)
+                                        .define("EVEN", even ? "1" : "0")
                                         .define("GUTTERS", gutters ? "1" : "0")
                                         .add("level.frag"));
 }
@@ -91,26 +92,32 @@ GlBlockLevels::GlBlockLevels(GlContext& context, const MeshAtlas& atlas, bool fl
     : context_(context),
       atlas_(atlas),
       float64_(!float32 && has_current_float64(context)),
-      program_(make_pass(context, atlas.patches() != nullptr, float64_)),
+      even_(make_pass(context, true, atlas.patches() != nullptr, float64_)),
+      any_(make_pass(context, false, atlas.patches() != nullptr, float64_)),
       pass_(context.gl()),
       pure_(last_pure_level(atlas)) {}
 
 void GlBlockLevels::halve(Stage& stage, std::uint32_t level) const {
     const GladGLContext& gl = context_.gl();
-    const GlBufferTexture columns = weights_of(gl, stage.size.x, float64_),
-                          rows = weights_of(gl, stage.size.y, float64_);
+    const bool even = stage.size % 2 == GlSize(0);
+    const GlProgram& program = even ? even_ : any_;
     GlTarget target(gl, half(stage.size), {GL_RGBA32F, GL_RGBA32F, GL_RGBA32F});
     target.bind();
-    program_.use();
-    program_.set("first", int(stage.first));
-    program_.set("gutters_count", int(level <= pure_));
-    program_.set("taps", glm::ivec2(taps_of(stage.size.x), taps_of(stage.size.y)));
+    program.use();
+    program.set("first", int(stage.first));
+    program.set("gutters_count", int(level <= pure_));
+    program.set("taps", glm::ivec2(taps_of(stage.size.x), taps_of(stage.size.y)));
     const char* const samplers[] = {"before", "surface_before", "columns", "rows"};
-    for (int unit = 0; unit < 4; ++unit) program_.set(samplers[unit], unit);
+    for (int unit = 0; unit < 4; ++unit) program.set(samplers[unit], unit);
     bind_texture(gl, 0, stage.drawn ? stage.drawn->texture(0) : stage.means);
     bind_texture(gl, 1, stage.drawn ? stage.drawn->texture(1) : stage.surface);
-    columns.bind(2);
-    rows.bind(3);
+    std::optional<GlBufferTexture> columns, rows;
+    if (!even) {
+        columns = weights_of(gl, stage.size.x, float64_);
+        rows = weights_of(gl, stage.size.y, float64_);
+        columns->bind(2);
+        rows->bind(3);
+    }
     pass_.draw();
     check_gl(gl, fmt::format("drawing MIP level {}", level));
     stage = {target.size(), false, {}, {}, std::move(target)};

@@ -12,8 +12,8 @@ namespace burl {
 
 class GlBlockLevels {
   public:
-    /// Compiles the pass; both must outlive it. `float32`: sums in float32 even where shaders have
-    /// float64. The context becomes current. Throws Error(runtime).
+    /// Compiles the passes; both must outlive it. `float32`: sums in float32 even where shaders
+    /// have float64. The context becomes current. Throws Error(runtime).
     GlBlockLevels(GlContext& context, const MeshAtlas& atlas, bool float32 = false);
 
     /// Levels 1 to `levels` (at most down to 1 x 1) of a texture of the atlas's size in linear
@@ -34,7 +34,7 @@ class GlBlockLevels {
     GlContext& context_;
     const MeshAtlas& atlas_;
     bool float64_ = false;
-    GlProgram program_;
+    GlProgram even_, any_;  ///< for two even sides, for others
     GlFullScreen pass_;
     std::uint32_t pure_ = 0;
 };

@@ -7,13 +7,16 @@ uniform sampler2D before;          // means of the level before, or the texture 
 uniform sampler2D surface_before;  // its sums, or of the texture itself the share in .r
 uniform bool first;                // the level before is the texture itself
 uniform bool gutters_count;
-uniform ivec2 taps;                // old texels that a new one covers: 1, 2 or 3 each way
+#if !EVEN
+uniform ivec2 taps;  // old texels that a new one covers: 1, 2 or 3 each way
+#endif
 layout(location = 0) out vec4 mean;
 layout(location = 1) out vec4 surface;
 layout(location = 2) out vec4 level;
 
-// Weights, three for each new texel of an axis.
-#if BURL_FLOAT64
+// Weights, three for each new texel of an axis; of two even axes (EVEN) all are quarters.
+#if EVEN
+#elif BURL_FLOAT64
 uniform usamplerBuffer columns, rows;
 double weight_of(usamplerBuffer weights, int i) { return packDouble2x32(texelFetch(weights, i).xy); }
 #else
@@ -30,10 +33,15 @@ void main() {
     ivec2 p = ivec2(gl_FragCoord.xy);
     real3 color_sum = real3(0.0);
     real4 surface_sum = real4(0.0);
+#if EVEN
+    const ivec2 taps = ivec2(2);
+    const real weight = real(0.25);
+#endif
     for (int j = 0; j < taps.y; ++j) {
-        real row = weight_of(rows, 3 * p.y + j);
         for (int i = 0; i < taps.x; ++i) {
-            real weight = row * weight_of(columns, 3 * p.x + i);
+#if !EVEN
+            real weight = weight_of(rows, 3 * p.y + j) * weight_of(columns, 3 * p.x + i);
+#endif
             ivec2 old = 2 * p + ivec2(i, j);
             vec4 color = texelFetch(before, old, 0);
             color_sum += weight * real3(color.rgb);
