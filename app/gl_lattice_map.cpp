@@ -4,8 +4,9 @@
 
 #include "app/gl_map_upload.h"
 #include "procedural/lattice_site.h"
-#include "procedural/point_map.h"
+#include "procedural/synthesize_lattice_map.h"
 #include "procedural/synthesize_pieces.h"
+#include "procedural/synthesize_point_map.h"
 
 namespace burl {
 

@@ -2,7 +2,7 @@
 // The solid map of an atlas (procedural/point_map.h) as textures: what a shader needs to texture a
 // mesh's atlas by itself.
 #include "app/gl_lattice_map.h"
-#include "procedural/point_map.h"
+#include "procedural/synthesize_point_map.h"
 
 namespace burl {
 

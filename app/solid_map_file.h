@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "procedural/point_map.h"
+#include "procedural/synthesize_point_map.h"
 
 namespace burl {
 

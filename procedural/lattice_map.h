@@ -4,10 +4,8 @@
 // fixed point, and the quadric's value (Hart et al. 1999, eq. 1 and 3). The numbers are those that
 // host synthesis works with, to the bit, so that shaders need no float64 to agree with it.
 #include <cstdint>
-#include <optional>
 
 #include "atlas/image.h"
-#include "atlas/solid_atlas.h"
 #include "procedural/octave_groups.h"
 
 namespace burl {
@@ -20,7 +18,9 @@ struct LatticeStreamKey {
     bool operator==(const LatticeStreamKey&) const = default;
 };
 
-LatticeStreamKey stream_key(const OctaveGroup& group);
+inline LatticeStreamKey stream_key(const OctaveGroup& group) {
+    return {group.lattice_from_solid, group.finest(), group.period()};
+}
 
 /// Texels of an atlas: columns x to x + width - 1 of rows y to y + height - 1.
 struct TexelArea {
@@ -38,12 +38,5 @@ struct LatticeMap {
     Image<MapTexel> cells;   ///< cells along x, y and z modulo 2^32, upper half of q as float64
     Image<MapTexel> places;  ///< places in them in units of 2^-32 cells, lower half of q
 };
-
-/// `maps` are those of the atlas in the texture's space (moved_maps), q is without the octaves'
-/// offsets. The area lies in the atlas. `threads` 0 means all.
-LatticeMap fill_lattice_map(const SolidAtlas& solid, std::span<const TexelMap> maps,
-                            const std::optional<LatticeStreamKey>& stream,
-                            const std::optional<Quadric>& quadric, const TexelArea& area,
-                            int threads);
 
 }  // namespace burl

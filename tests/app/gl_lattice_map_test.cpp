@@ -10,9 +10,10 @@
 #include "app/gl_map_upload.h"
 #include "app/sample_meshes.h"
 #include "atlas/mesh_atlas.h"
-#include "procedural/point_map.h"
 #include "procedural/simplex_kernel.h"
+#include "procedural/synthesize_lattice_map.h"
 #include "procedural/synthesize_pieces.h"
+#include "procedural/synthesize_point_map.h"
 #include "tests/app/gl_fixture.h"
 #include "tests/procedural/synthetic_atlas.h"
 

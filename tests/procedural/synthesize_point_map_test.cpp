@@ -1,6 +1,6 @@
 // Point maps hold the places at which octaves without a stream are evaluated; solid maps every
 // texel's point and owner.
-#include "procedural/point_map.h"
+#include "procedural/synthesize_point_map.h"
 
 #include <bit>
 #include <cmath>

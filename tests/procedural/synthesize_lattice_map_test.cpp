@@ -1,6 +1,6 @@
 // Lattice maps hold the numbers host synthesis works with: noise evaluated from them is the host's
 // field, bit for bit, and their coordinates are those of the points that texels show.
-#include "procedural/lattice_map.h"
+#include "procedural/synthesize_lattice_map.h"
 
 #include <bit>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "procedural/point_map.h"
+#include "procedural/synthesize_point_map.h"
 
 #include <algorithm>
 #include <bit>

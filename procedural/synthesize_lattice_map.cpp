@@ -1,4 +1,4 @@
-#include "procedural/lattice_map.h"
+#include "procedural/synthesize_lattice_map.h"
 
 #include <algorithm>
 #include <bit>
@@ -102,10 +102,6 @@ class LatticeMapRows {
 };
 
 }  // namespace
-
-LatticeStreamKey stream_key(const OctaveGroup& group) {
-    return {group.lattice_from_solid, group.finest(), group.period()};
-}
 
 LatticeMap fill_lattice_map(const SolidAtlas& solid, std::span<const TexelMap> maps,
                             const std::optional<LatticeStreamKey>& stream,
