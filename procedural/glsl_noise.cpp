@@ -22,11 +22,12 @@ std::string byte_table(std::string_view name, const Table& table) {
                                    std::uint32_t(table[i + 3]) << 24;
         text += fmt::format("{}0x{:08x}u", i == 0 ? "" : i % 32 == 0 ? ",\n    " : ", ", word);
     }
-    return text + fmt::format(");\n"
-                              "uint {0}(uint i) {{\n"
-                              "    return {0}_words[i >> 2 & 63u] >> ((i & 3u) << 3) & 255u;\n"
-                              "}}\n",
-                              name);
+    return text + fmt::format(
+                      ");\n"
+                      "uint {0}(uint i) {{\n"
+                      "    return {0}_words[i >> 2 & 63u] >> ((i & 3u) << 3) & 255u;\n"
+                      "}}\n",
+                      name);
 }
 
 std::string published_tables() {
@@ -43,10 +44,11 @@ std::string classic_tables_text() {
         text += fmt::format("{}vec3({:.9g}, {:.9g}, {:.9g})", i == 0 ? "" : ",\n    ", g[0], g[1],
                             g[2]);
     }
-    return text + ");\n"
-                  "vec3 classic_gradient(uint number) {\n"
-                  "    return classic_gradients[number & 255u];\n"
-                  "}\n";
+    return text +
+           ");\n"
+           "vec3 classic_gradient(uint number) {\n"
+           "    return classic_gradients[number & 255u];\n"
+           "}\n";
 }
 
 std::vector<GlslPart> parts_of(NoiseKind kind) {
