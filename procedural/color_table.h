@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "atlas/vec.h"
@@ -39,6 +40,8 @@ class PreparedColorMap {
     /// Where segment i begins: below 0 and above 1 at the ends.
     double begin(std::size_t i) const { return segments_[i].position; }
     std::size_t segments() const { return segments_.size(); }
+    /// What the colour of segment i gains per unit of the index.
+    const Vec3d& slope(std::size_t i) const { return segments_[i].slope; }
     /// Linear light at index t of segment i.
     Vec3d color(std::size_t i, double t) const {
         return segments_[i].color + (t - segments_[i].position) * segments_[i].slope;
@@ -77,12 +80,17 @@ class ColorTable8 {
                  std::uint32_t* later) const;
     Wrap wrap() const { return wrap_; }
 
-  private:
     /// From this index on the code is `color`.
     struct Step {
         double index = 0.0;
         Rgb8 color;
     };
+    /// By rising index, the first at 0; one at infinity ends them.
+    std::span<const Step> steps() const { return steps_; }
+    /// The last step up to the begin of an entry, entry_count included.
+    std::uint32_t first_step(std::uint32_t entry) const { return first_step_[entry]; }
+
+  private:
     static std::vector<Step> steps_of(const PreparedColorMap& map);
     /// The colour of an entry that has several.
     Rgb8 searched(std::uint32_t entry, double f) const {

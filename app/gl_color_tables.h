@@ -1,0 +1,52 @@
+#pragma once
+// A colour map's tables (procedural/glsl_colors.h) where shaders read them, and the parts of
+// shaders that do.
+#include <optional>
+
+#include "app/gl_source.h"
+#include "app/gl_texture.h"
+#include "procedural/color_map.h"
+
+namespace burl {
+
+/// Kept until another map is asked for.
+class GlColorTables {
+  public:
+    explicit GlColorTables(const GladGLContext& gl) : gl_(&gl) {}
+
+    /// The map of the calls below.
+    void set_map(const ColorMap& map);
+
+    /// `uint color_code(real f)`: 8-bit codes, r + 2^8 g + 2^16 b. Uses three units.
+    void add_codes(ShaderSource& source);
+    void bind_codes(const GlProgram& program, int first_unit);
+    /// `real3 linear_color(real f)`. Uses one unit.
+    void add_linear(ShaderSource& source) const;
+    void bind_linear(const GlProgram& program, int first_unit);
+    /// `uint srgb16(real linear)`. Uses two units.
+    static void add_srgb16(ShaderSource& source);
+    void bind_srgb16(const GlProgram& program, int first_unit);
+
+  private:
+    struct Codes {
+        GlBufferTexture entries;
+        std::optional<GlBufferTexture> first, steps;  ///< where an entry may hold several steps
+    };
+    struct Segments {
+        GlBufferTexture texels;
+        int count = 0;
+    };
+    struct Thresholds {
+        GlBufferTexture first, thresholds;
+    };
+    const Codes& codes();
+    void add_index(ShaderSource& source) const;
+
+    const GladGLContext* gl_;
+    ColorMap map_;
+    std::optional<Codes> codes_;
+    std::optional<Segments> segments_;
+    std::optional<Thresholds> thresholds_;
+};
+
+}  // namespace burl

@@ -1,0 +1,92 @@
+#pragma once
+// Fills an atlas with a texture of the 1999 model (Hart et al. 1999, eq. 1 and 2) in one pass on
+// OpenGL: the texels' lattice coordinates come from maps, the noise is evaluated in a generated
+// fragment shader (procedural/glsl_field.h), colours are looked up in the host's tables. Where
+// OpenGL has float64 and rounds as IEEE 754 says, the bytes are those of host synthesis with
+// Kernel::direct.
+#include <map>
+#include <memory>
+#include <string>
+
+#include "app/gl_color_tables.h"
+#include "app/gl_map_cache.h"
+#include "app/gl_timer.h"
+#include "procedural/glsl_field.h"
+
+namespace burl {
+
+/// What the last synthesis did; seconds.
+struct GlWork {
+    int passes = 0;         ///< draws
+    int maps = 0;           ///< lattice maps made, not kept from before
+    double map = 0.0;       ///< making them
+    double compile = 0.0;   ///< shaders, where they are new
+    double colors = 0.0;    ///< tables of the colour map, where it is new
+    double draw = 0.0;      ///< from the first draw until all is done, by the host's clock
+    double gpu = 0.0;       ///< the same by OpenGL's clock; 0: it has none
+    double transfer = 0.0;  ///< reading back and packing
+};
+
+/// Sizes of what is held at a time.
+struct GlSynthesisLimits {
+    int tile = 2048;                                ///< largest side of a tile, in texels
+    std::size_t map_budget = std::size_t(1) << 30;  ///< bytes of maps kept between calls
+    bool float64 = true;                            ///< where OpenGL has it
+};
+
+/// Keeps programs, tables and maps between calls. The context it works in must outlive it.
+class GlSynthesis {
+  public:
+    explicit GlSynthesis(GlContext& context, const GlSynthesisLimits& limits = {});
+
+    /// Why a texture cannot be made; empty where it can.
+    std::string problem(const Texture& texture) const;
+
+    /// As synthesize_rgb8, _rgb16 or _rgbf without a filter, for Pixel Rgb8, Rgb16 or RgbF, or as
+    /// synthesize_field for float. An image of the atlas's size is written over. Throws Error:
+    /// unsupported where problem() has something to say, runtime when memory runs out.
+    template <class Pixel>
+    void synthesize(const SolidAtlas& solid, const Texture& texture,
+                    const Affine3& texture_from_atlas, int threads, Image<Pixel>& image);
+    /// The atlas of the calls before is about to change or go away.
+    void forget_atlas() { maps_.forget_atlas(); }
+
+    const GlWork& work() const { return work_; }
+    const GlContext& context() const { return *context_; }
+
+  private:
+    using Maps = std::vector<std::shared_ptr<const GlLatticeMap>>;
+
+    struct Field {
+        const Quadric& quadric;
+        const std::vector<OctaveGroup>& groups;
+        FieldUniforms uniforms;
+    };
+    template <class Pixel>
+    const GlProgram& program(const FieldShape& shape);
+    template <class Pixel>
+    void bind_colors(const GlProgram& program, int first_unit);
+    const GlProgram& compiled(const ShaderSource& source);
+    const GlTarget& target(GLenum internal, GlSize size);
+    Maps maps_of(const Field& field, const GlTile& tile);
+    template <class Pixel>
+    void draw(const Field& field, const GlProgram& program, const GlTile& tile);
+    void set_field(const GlProgram& program, const FieldUniforms& uniforms) const;
+    template <class Pixel>
+    void read(const GlTarget& target, const GlTile& tile, int threads, Image<Pixel>& image);
+
+    GlContext* context_;
+    const GladGLContext* gl_;
+    GlSynthesisLimits limits_;
+    bool float64_;
+    GlFullScreen full_screen_;
+    GlTimer timer_;
+    GlMapCache maps_;
+    GlColorTables colors_;
+    std::map<std::string, GlProgram> programs_;  ///< by the text of the fragment shader
+    std::optional<GlTarget> target_;
+    std::vector<std::byte> read_back_;
+    GlWork work_;
+};
+
+}  // namespace burl
