@@ -24,35 +24,55 @@ void GlMapCache::set_atlas(const SolidAtlas& solid, const Affine3& texture_from_
 }
 
 void GlMapCache::forget_atlas() {
-    kept_.clear();
+    lattices_.clear();
+    points_.clear();
     bytes_ = 0;
     mapper_.reset();
     solid_ = nullptr;
 }
 
-std::shared_ptr<const GlLatticeMap> GlMapCache::map(const std::optional<LatticeStreamKey>& stream,
-                                                    const std::optional<Quadric>& quadric,
-                                                    const GlTile& tile) {
-    for (Kept& kept : kept_)
-        if (kept.stream == stream && kept.quadric == quadric && same(kept.tile, tile)) {
-            kept.used = true;
-            return kept.map;
+template <class Key, class Map, class Make>
+std::shared_ptr<const Map> GlMapCache::found(std::vector<Kept<Key, Map>>& kept, const Key& key,
+                                             const GlTile& tile, const Make& make) {
+    for (auto& one : kept)
+        if (one.key == key && same(one.tile, tile)) {
+            one.used = true;
+            return one.map;
         }
     ++made_;
-    auto map = std::make_shared<const GlLatticeMap>(mapper_->make(stream, quadric, tile));
+    auto map = std::make_shared<const Map>(make());
     if (bytes_ + bytes_of(tile) <= budget_) {
         bytes_ += bytes_of(tile);
-        kept_.push_back({stream, quadric, tile, map});
+        kept.push_back({key, tile, map});
     }
     return map;
 }
 
-void GlMapCache::drop_unused() {
-    std::erase_if(kept_, [&](const Kept& kept) {
+std::shared_ptr<const GlLatticeMap> GlMapCache::map(const std::optional<LatticeStreamKey>& stream,
+                                                    const std::optional<Quadric>& quadric,
+                                                    const GlTile& tile) {
+    return found(lattices_, LatticeKey{stream, quadric}, tile,
+                 [&] { return mapper_->make(stream, quadric, tile); });
+}
+
+std::shared_ptr<const GlPointMap> GlMapCache::points(const Affine3& lattice_from_solid,
+                                                     const GlTile& tile) {
+    return found(points_, lattice_from_solid, tile,
+                 [&] { return mapper_->make_points(lattice_from_solid, true, tile); });
+}
+
+template <class Maps>
+void GlMapCache::drop_unused(Maps& maps) {
+    std::erase_if(maps, [&](const auto& kept) {
         if (!kept.used) bytes_ -= bytes_of(kept.tile);
         return !kept.used;
     });
-    for (Kept& kept : kept_) kept.used = false;
+    for (auto& kept : maps) kept.used = false;
+}
+
+void GlMapCache::drop_unused() {
+    drop_unused(lattices_);
+    drop_unused(points_);
 }
 
 }  // namespace burl

@@ -8,8 +8,8 @@
 #include <memory>
 #include <string>
 
-#include "app/gl_color_tables.h"
 #include "app/gl_map_cache.h"
+#include "app/gl_output.h"
 #include "app/gl_timer.h"
 #include "procedural/glsl_field.h"
 
@@ -25,6 +25,8 @@ struct GlWork {
     double draw = 0.0;      ///< from the first draw until all is done, by the host's clock
     double gpu = 0.0;       ///< the same by OpenGL's clock; 0: it has none
     double transfer = 0.0;  ///< reading back and packing
+
+    GlWork& operator+=(const GlWork& more);
 };
 
 /// Sizes of what is held at a time.
@@ -55,25 +57,21 @@ class GlSynthesis {
     const GlContext& context() const { return *context_; }
 
   private:
-    using Maps = std::vector<std::shared_ptr<const GlLatticeMap>>;
-
-    struct Field {
-        const Quadric& quadric;
-        const std::vector<OctaveGroup>& groups;
-        FieldUniforms uniforms;
+    /// A tile's maps.
+    struct Maps {
+        std::vector<std::shared_ptr<const GlLatticeMap>> lattices;
+        std::vector<std::shared_ptr<const GlPointMap>> points;  ///< of lone octaves
     };
     template <class Pixel>
     const GlProgram& program(const FieldShape& shape);
-    template <class Pixel>
-    void bind_colors(const GlProgram& program, int first_unit);
     const GlProgram& compiled(const ShaderSource& source);
     const GlTarget& target(GLenum internal, GlSize size);
-    Maps maps_of(const Field& field, const GlTile& tile);
+    Maps maps_of(const FieldOctaves& octaves, const Quadric& quadric, const GlTile& tile);
+    int bind_maps(const GlProgram& program, const Maps& maps) const;
     template <class Pixel>
-    void draw(const Field& field, const GlProgram& program, const GlTile& tile);
+    void draw(const FieldOctaves& octaves, const Quadric& quadric, const GlProgram& program,
+              const GlTile& tile);
     void set_field(const GlProgram& program, const FieldUniforms& uniforms) const;
-    template <class Pixel>
-    void read(const GlTarget& target, const GlTile& tile, int threads, Image<Pixel>& image);
 
     GlContext* context_;
     const GladGLContext* gl_;
@@ -85,7 +83,7 @@ class GlSynthesis {
     GlColorTables colors_;
     std::map<std::string, GlProgram> programs_;  ///< by the text of the fragment shader
     std::optional<GlTarget> target_;
-    std::vector<std::byte> read_back_;
+    GlReadBack read_back_;
     GlWork work_;
 };
 

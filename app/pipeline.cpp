@@ -16,7 +16,10 @@ Pipeline::Pipeline(Mesh mesh) : mesh_(std::move(mesh)) {}
 
 void Pipeline::set_recipe(const Recipe& recipe) {
     if (recipe.atlas != recipe_.atlas) atlas_.reset();
-    if (!atlas_ || recipe.solid.space != recipe_.solid.space) solid_.reset();
+    if (!atlas_ || recipe.solid.space != recipe_.solid.space) {
+        if (synthesizer_) synthesizer_->forget_atlas();
+        solid_.reset();
+    }
     recipe_ = recipe;
 }
 
@@ -100,6 +103,11 @@ template <class Pixel>
 Image<Pixel> Pipeline::synthesize() {
     const SolidAtlas& points = solid();
     return timed("synthesis", [&] {
+        if (synthesizer_) {
+            Image<Pixel> image;
+            synthesizer_->synthesize(points, recipe_, threads_, image);
+            return image;
+        }
         if (forward_)
             return synthesize_forward<Pixel>(points, recipe_.texture, texture_from_solid(recipe_),
                                              forward_precision(recipe_), threads_);

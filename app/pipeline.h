@@ -3,12 +3,14 @@
 // are kept, and a new recipe drops only those that it changes (mesh -> connectivity -> layout ->
 // spans -> pixels).
 #include <chrono>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "app/recipe.h"
+#include "app/texture_synthesizer.h"
 #include "atlas/mesh_atlas.h"
 #include "procedural/kernel.h"
 
@@ -35,6 +37,12 @@ class Pipeline {
     /// Whether textures come by forward differences, in the recipe's precision or else float64;
     /// check_forward (app/forward_check.h) must let the recipe pass then.
     void set_forward(bool forward) { forward_ = forward; }
+
+    /// Makes the textures from now on instead of the host; null: the host. Its problem() must be
+    /// empty for every recipe that is synthesised.
+    void set_synthesizer(std::shared_ptr<TextureSynthesizer> synthesizer) {
+        synthesizer_ = std::move(synthesizer);
+    }
 
     const Mesh& mesh() const { return mesh_; }
     /// The mesh whose triangles the atlas places: what is exported.
@@ -64,6 +72,7 @@ class Pipeline {
     int threads_ = 0;
     Kernel kernel_ = Kernel::automatic;
     bool forward_ = false;
+    std::shared_ptr<TextureSynthesizer> synthesizer_;
     std::optional<Connectivity> connectivity_;
     std::optional<MeshAtlas> atlas_;
     std::optional<SolidAtlas> solid_;

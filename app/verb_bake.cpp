@@ -11,6 +11,7 @@
 #include "app/command_options.h"
 #include "app/export.h"
 #include "app/forward_check.h"
+#include "app/gl_synthesizer.h"
 #include "app/lattice_check.h"
 #include "app/normal_error.h"
 #include "app/report.h"
@@ -30,6 +31,7 @@ struct BakeCommand {
     int threads = 0, depth = 8;
     double crease = 40.0;
     std::string levels, normals, solid_map, kernel = "auto";
+    std::string synth = "host", platform = gl_platforms()[0];
     std::optional<double> compress;
     bool json = false, quiet = false;
 };
@@ -159,6 +161,21 @@ void check_command(const BakeCommand& command, const Recipe& recipe, const Extra
                     "none to leave the bumps out");
 }
 
+/// Who makes the textures; null: the host. OpenGL has the bits of the kernels that share theirs.
+std::shared_ptr<TextureSynthesizer> synthesizer_of(const BakeCommand& command,
+                                                   std::span<const Recipe> recipes) {
+    const bool any =
+        command.kernel == "auto" || command.kernel == "direct" || command.kernel == "share";
+    if (!any && command.synth == "gl")
+        throw Error(ExitCode::usage,
+                    fmt::format("--kernel {} is the host's alone; leave it or --synth gl out",
+                                command.kernel));
+    const SynthesisChoice choice = command.synth == "host" || !any ? SynthesisChoice::host
+                                   : command.synth == "gl"         ? SynthesisChoice::gl
+                                                                   : SynthesisChoice::automatic;
+    return choose_synthesizer(choice, command.platform, recipes);
+}
+
 /// Strips may not hold the mesh at all, which is then the one thing to say.
 void lay_out(Pipeline& pipeline) {
     const AtlasKind kind = pipeline.recipe().atlas.kind;
@@ -204,6 +221,7 @@ void run_bake(const BakeCommand& command) {
     check_command(command, recipes[0], extras);
     const bool forward = command.kernel == forward_kernel;
     if (forward) std::for_each(recipes.begin(), recipes.end(), check_forward);
+    const std::shared_ptr<TextureSynthesizer> synthesizer = synthesizer_of(command, recipes);
     Pipeline pipeline(command.meshes.load(command.mesh));
     const double reading = seconds_since(start);
     for (const Recipe& recipe : recipes) check_lattice(recipe, pipeline.mesh());
@@ -211,6 +229,7 @@ void run_bake(const BakeCommand& command) {
     pipeline.set_threads(command.threads);
     pipeline.set_kernel(kernel_named(command.kernel));
     pipeline.set_forward(forward);
+    pipeline.set_synthesizer(synthesizer);
     lay_out(pipeline);
     Written written;
     double writing = 0.0;
@@ -234,6 +253,7 @@ void run_bake(const BakeCommand& command) {
     Json report = bake_json(command, pipeline, extras, std::move(seconds));
     const BakedAtlas& baked = written.baked;
     if (baked.compressed) report["compressed"] = compress_json(baked);
+    if (synthesizer) report["synthesis"] = synthesizer->report();
     if (!solid_map.empty()) report["solid_map"] = std::move(solid_map);
     if (!normals.empty()) report["normals"] = std::move(normals);
     if (command.animation.asked()) report["animation"] = command.animation.keys;
@@ -290,6 +310,16 @@ void add_bake(CLI::App& program) {
         ->capture_default_str();
     add_threads(*verb, command->threads);
     add_kernel(*verb, command->kernel);
+    verb->add_option("--synth", command->synth,
+                     "Who makes the texture: host, gl (OpenGL, the same texture), or auto, which "
+                     "is gl where a graphics processor is behind --gl")
+        ->check(CLI::IsMember({"host", "gl", "auto"}))
+        ->capture_default_str();
+    verb->add_option("--gl", command->platform,
+                     "OpenGL of --synth: osmesa (software) or egl (a graphics processor)")
+        ->check(
+            CLI::IsMember(std::vector<std::string>(gl_platforms().begin(), gl_platforms().end())))
+        ->capture_default_str();
     verb->add_flag("--json", command->json, "Print the report as JSON on stdout");
     verb->add_option("--report", command->report,
                      "Write the report as JSON to this file (- for stdout)");

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include "procedural/lattice_hash.h"
-#include "procedural/noise_names.h"
 
 namespace burl {
 
@@ -57,66 +56,58 @@ std::size_t octave_count(const FieldShape& shape) {
     return count;
 }
 
+bool has_simplex(const FieldShape& shape) {
+    return std::ranges::find(shape.groups, NoiseKind::simplex, &FieldShape::Group::kind) !=
+           shape.groups.end();
+}
+
 std::string uniforms_text(const FieldShape& shape) {
-    const std::size_t groups = shape.groups.size();
-    std::string text = fmt::format("uniform usampler2D map_cells[{0}], map_places[{0}];\n",
-                                   std::max<std::size_t>(groups, 1));
-    text += "uniform real constant;  // of all octaves\n";
-    if (groups == 0) return text;
-    text += fmt::format(
-        "uniform uvec3 seeds[{0}];\n"
-        "uniform float weights[{0}];\n"
-        "uniform real scales[{1}];  // of groups of octaves\n",
-        octave_count(shape), groups);
-    if (std::ranges::find(shape.groups, NoiseKind::simplex, &FieldShape::Group::kind) !=
-        shape.groups.end())
-        text += fmt::format("uniform float radii[{}];\n", groups);
+    std::string text = fmt::format(
+        "uniform usampler2D map_cells[{0}], map_places[{0}];\n"
+        "uniform real constant;  // of all octaves\n",
+        shape.maps());
+    if (!shape.groups.empty())
+        text += fmt::format(
+            "uniform uvec3 seeds[{0}];\n"
+            "uniform float weights[{0}];\n"
+            "uniform real scales[{1}];  // of groups of octaves\n",
+            octave_count(shape), shape.groups.size());
+    if (has_simplex(shape)) text += fmt::format("uniform float radii[{}];\n", shape.groups.size());
+    if (!shape.lone.empty())
+        text += fmt::format(
+            "uniform usampler2D lone_xy[{0}], lone_z[{0}];\n"
+            "uniform uint lone_seeds[{0}];\n"
+            "uniform real lone_times[{0}], lone_scales[{0}];\n",
+            shape.lone.size());
+    return text + "\n";
+}
+
+/// The noises of lone octaves and their shapes.
+std::string lone_functions(const FieldShape& shape) {
+    std::string text;
+    for (std::size_t i = 0; i < shape.lone.size(); ++i) {
+        text += glsl_site_noise(shape.lone[i].noise, fmt::format("lone_noise{}", i));
+        text += glsl_octave_shape(shape.lone[i].shape, fmt::format("lone_shape{}", i));
+    }
     return text;
 }
 
-}  // namespace
-
-FieldShape field_shape(const std::vector<OctaveGroup>& groups) {
-    FieldShape shape;
-    for (const OctaveGroup& group : groups)
-        shape.groups.push_back({group.kind, group.fade, group.octaves.size()});
-    return shape;
+std::string lone_text(std::size_t i) {
+    return fmt::format(
+        "    uvec4 xy{0} = texelFetch(lone_xy[{0}], texel, 0);\n"
+        "    uvec4 z{0} = texelFetch(lone_z[{0}], texel, 0);\n"
+        "    real3 p{0} = real3(real_from_bits(xy{0}.x, xy{0}.y), real_from_bits(xy{0}.z, "
+        "xy{0}.w),\n"
+        "                     real_from_bits(z{0}.x, z{0}.y));\n"
+        "    f += lone_scales[{0}] *\n"
+        "         real(lone_shape{0}(lone_noise{0}(lone_seeds[{0}], p{0}, lone_times[{0}])));\n",
+        i);
 }
 
-FieldUniforms field_uniforms(const std::vector<OctaveGroup>& groups,
-                             std::span<const Octave> octaves) {
-    FieldUniforms uniforms;
-    for (const OctaveGroup& group : groups) {
-        uniforms.scales.push_back(group.scale * stream_unit(group.kind));
-        uniforms.radii.push_back(float(group.radius2));
-        for (const StreamOctave& octave : group.octaves) {
-            uniforms.seeds.push_back(prepared_seed(group.kind, octave.seed));
-            uniforms.weights.push_back(octave.weight);
-        }
-    }
-    for (const Octave& octave : octaves) uniforms.constant += octave.offset;
-    return uniforms;
-}
-
-std::string no_field_shader(std::span<const Octave> octaves) {
-    for (const Octave& octave : octaves) {
-        if (has_kernel(octave)) continue;
-        const NoiseSpec& noise = octave.noise;
-        std::string what;
-        for (const auto& [name, kind, text] : noise_kinds)
-            if (kind == noise.kind) what = fmt::format("{} noise", name);
-        if (octave.shape != OctaveShape::plain) what += " with a shape";
-        if (noise.time) what += " with a time";
-        if (noise.period != Period<4>{}) what += " with a period";
-        return fmt::format("{} is not among the noises of the single pass on OpenGL", what);
-    }
-    return "";
-}
-
-std::string glsl_field(const FieldShape& shape) {
-    std::string text = uniforms_text(shape);
+std::string field_text(const FieldShape& shape) {
+    std::string text = uniforms_text(shape) + lone_functions(shape);
     text +=
-        "\n// f = q + the octaves' sums.\n"
+        "// f = q + the octaves' sums.\n"
         "real field(ivec2 texel) {\n"
         "    uvec4 cells = texelFetch(map_cells[0], texel, 0);\n"
         "    uvec4 places = texelFetch(map_places[0], texel, 0);\n"
@@ -126,7 +117,61 @@ std::string glsl_field(const FieldShape& shape) {
         text += group_text(shape.groups[i], i, first);
         first += shape.groups[i].octaves;
     }
+    for (std::size_t i = 0; i < shape.lone.size(); ++i) text += lone_text(i);
     return text + "    return f;\n}\n";
+}
+
+}  // namespace
+
+FieldOctaves::FieldOctaves(const Texture& texture) {
+    const std::vector<Octave> octaves = expand_octaves(texture);
+    groups = group_octaves(octaves);
+    for (const Octave& octave : octaves) {
+        constant += octave.offset;
+        if (!has_kernel(octave)) lone.push_back(octave);
+    }
+}
+
+FieldShape FieldOctaves::shape() const {
+    FieldShape shape;
+    for (const OctaveGroup& group : groups)
+        shape.groups.push_back({group.kind, group.fade, group.octaves.size()});
+    for (const Octave& octave : lone) {
+        shape.lone.push_back({octave.noise, octave.shape});
+        NoiseSpec& noise = shape.lone.back().noise;
+        noise.seed = 0;
+        if (noise.time) noise.time = 0.0;
+    }
+    return shape;
+}
+
+FieldUniforms FieldOctaves::uniforms() const {
+    FieldUniforms uniforms;
+    uniforms.constant = constant;
+    for (const OctaveGroup& group : groups) {
+        uniforms.scales.push_back(group.scale * stream_unit(group.kind));
+        uniforms.radii.push_back(float(group.radius2));
+        for (const StreamOctave& octave : group.octaves) {
+            uniforms.seeds.push_back(prepared_seed(group.kind, octave.seed));
+            uniforms.weights.push_back(octave.weight);
+        }
+    }
+    for (const Octave& octave : lone) {
+        uniforms.lone_seeds.push_back(octave.noise.seed);
+        uniforms.lone_times.push_back(octave.noise.time.value_or(0.0));
+        uniforms.lone_scales.push_back(octave.scale);
+    }
+    return uniforms;
+}
+
+std::vector<GlslPart> glsl_field(const FieldShape& shape) {
+    std::vector<NoiseSpec> noises;
+    for (const FieldShape::Lone& lone : shape.lone) noises.push_back(lone.noise);
+    std::vector<GlslPart> parts = glsl_noise_parts(noises);
+    parts.push_back({"real_bits.glsl"});
+    if (!shape.groups.empty()) parts.push_back({"stream_noise.glsl"});
+    parts.push_back({"field", field_text(shape)});
+    return parts;
 }
 
 }  // namespace burl

@@ -1,14 +1,16 @@
 #pragma once
 // The field f = q + sum_i a_i n_i of a 1999 texture (Hart et al. 1999, eq. 1) as the text of a
 // shader function, with the sequence of operations, and so the bits, of field_sampler.h: octaves of
-// one lattice are summed in float32 from the finest to the coarsest, groups and the quadric in
-// `real`. What a slider moves is a uniform: a new shader is needed only where the list of octaves
-// changes.
+// one lattice are summed in float32 from the finest to the coarsest, groups, octaves without a
+// stream kernel and the quadric in `real`. What a slider moves is a uniform: a new shader is needed
+// only where the list of octaves changes.
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
 
+#include "procedural/glsl_noise.h"
 #include "procedural/octave_groups.h"
 
 namespace burl {
@@ -21,8 +23,18 @@ struct FieldShape {
         std::size_t octaves = 0;
         bool operator==(const Group&) const = default;
     };
+    /// An octave that no stream kernel knows.
+    struct Lone {
+        NoiseSpec noise;  ///< seed and time are 0
+        OctaveShape shape = OctaveShape::plain;
+        bool operator==(const Lone&) const = default;
+    };
     std::vector<Group> groups;
+    std::vector<Lone> lone;
     bool operator==(const FieldShape&) const = default;
+
+    /// Lattice maps that are read: one a group, or a single one with the quadric alone.
+    std::size_t maps() const { return std::max<std::size_t>(groups.size(), 1); }
 };
 
 /// The values of the uniforms of the same names. Octaves are numbered through all groups, from the
@@ -32,19 +44,25 @@ struct FieldUniforms {
     std::vector<float> weights;
     std::vector<float> radii;    ///< squared, by group
     std::vector<double> scales;  ///< by group
-    double constant = 0.0;       ///< the octaves' offsets
+    std::vector<std::uint32_t> lone_seeds;
+    std::vector<double> lone_times, lone_scales;
+    double constant = 0.0;  ///< the octaves' offsets
 };
 
-FieldShape field_shape(const std::vector<OctaveGroup>& groups);
-FieldUniforms field_uniforms(const std::vector<OctaveGroup>& groups,
-                             std::span<const Octave> octaves);
+/// The octaves of a texture as the shader takes them.
+struct FieldOctaves {
+    std::vector<OctaveGroup> groups;
+    std::vector<Octave> lone;  ///< those without a kernel
+    double constant = 0.0;     ///< the sum of all offsets
 
-/// Why the text cannot be: octaves that no stream kernel knows; empty where it can.
-std::string no_field_shader(std::span<const Octave> octaves);
+    explicit FieldOctaves(const Texture& texture);
+    FieldShape shape() const;
+    FieldUniforms uniforms() const;
+};
 
-/// `real field(ivec2 texel)`, reading lattice maps (lattice_map.h) from the samplers map_cells[]
-/// and map_places[], one a group or a single one where there is none. NaN where no span shows
-/// anything. Stands behind real.glsl, noise_lattice.glsl, real_bits.glsl and stream_noise.glsl.
-std::string glsl_field(const FieldShape& shape);
+/// The parts of a shader that end with `real field(ivec2 texel)`: NaN where no span shows anything.
+/// It reads lattice maps (lattice_map.h) from the samplers map_cells[] and map_places[], and point
+/// maps (synthesize_point_map.h) of the lone octaves' lattices from lone_xy[] and lone_z[].
+std::vector<GlslPart> glsl_field(const FieldShape& shape);
 
 }  // namespace burl

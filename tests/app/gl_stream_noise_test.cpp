@@ -41,6 +41,12 @@ OctaveGroup group_of(NoiseKind kind, Fade fade, double radius2, int octaves) {
     return group;
 }
 
+FieldOctaves octaves_of(const OctaveGroup& group) {
+    FieldOctaves octaves{Texture()};
+    octaves.groups.push_back(group);
+    return octaves;
+}
+
 std::vector<float> host_sums(const OctaveGroup& group, const LatticeStream& stream) {
     alignas(64) static float sums[batch_capacity + batch_padding];
     std::fill(std::begin(sums), std::end(sums), 0.0f);
@@ -65,15 +71,17 @@ class GlStreamNoiseTest : public GlTest {
     std::vector<float> drawn_sums(const OctaveGroup& group, const LatticeStream& stream) {
         const GladGLContext& gl = context->gl();
         ShaderSource source;
-        for (const char* part :
-             {"real.glsl", "noise_lattice.glsl", "real_bits.glsl", "stream_noise.glsl"})
-            source.add(part);
-        source.add("field", glsl_field(field_shape({group})))
-            .add("main",
-                 "layout(location = 0) out float sum;\n"
-                 "void main() { sum = float(field(ivec2(gl_FragCoord.xy))); }\n");
+        const FieldOctaves octaves = octaves_of(group);
+        for (const GlslPart& part : glsl_field(octaves.shape()))
+            if (part.text.empty())
+                source.add(part.name);
+            else
+                source.add(part.name, part.text);
+        source.add("main",
+                   "layout(location = 0) out float sum;\n"
+                   "void main() { sum = float(field(ivec2(gl_FragCoord.xy))); }\n");
         const GlProgram program = make_full_screen_program(gl, "noise", source);
-        const FieldUniforms uniforms = field_uniforms({group}, {});
+        const FieldUniforms uniforms = octaves.uniforms();
         const GlTexture cells = upload(stream.cells), places = upload(stream.places);
         program.use();
         bind_texture(gl, 0, cells);

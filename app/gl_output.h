@@ -1,0 +1,127 @@
+#pragma once
+// What a kind of picture is drawn as on OpenGL, and read back as: the target's format and the last
+// part of the shader, which stands behind `real field(ivec2 texel)` and the colours' parts
+// (GlColorTables).
+#include <type_traits>
+#include <vector>
+
+#include "app/gl_color_tables.h"
+#include "app/gl_target.h"
+#include "atlas/image.h"
+#include "procedural/row_tasks.h"
+
+namespace burl {
+
+/// For Rgb8, Rgb16 and RgbF, and float, the field itself, 0 where no span shows anything.
+template <class Pixel>
+struct GlOutput;
+
+template <>
+struct GlOutput<Rgb8> {
+    static constexpr GLenum internal = GL_R32UI;
+    using Component = std::uint32_t;
+    static constexpr std::size_t components = 1;
+    static constexpr const char* text =
+        "layout(location = 0) out uint code;  // r + 2^8 g + 2^16 b\n"
+        "void main() { code = color_code(field(ivec2(gl_FragCoord.xy))); }\n";
+    static Rgb8 pixel(const Component* c) {
+        return {std::uint8_t(*c), std::uint8_t(*c >> 8), std::uint8_t(*c >> 16)};
+    }
+};
+
+template <>
+struct GlOutput<Rgb16> {
+    static constexpr GLenum internal = GL_RG32UI;
+    using Component = std::uint32_t;
+    static constexpr std::size_t components = 2;
+    static constexpr const char* text =
+        "layout(location = 0) out uvec2 codes;  // r + 2^16 g, b\n"
+        "void main() {\n"
+        "    real3 c = linear_color(field(ivec2(gl_FragCoord.xy)));\n"
+        "    codes = uvec2(srgb16(c.x) | srgb16(c.y) << 16, srgb16(c.z));\n"
+        "}\n";
+    static Rgb16 pixel(const Component* c) {
+        return {std::uint16_t(c[0]), std::uint16_t(c[0] >> 16), std::uint16_t(c[1])};
+    }
+};
+
+template <>
+struct GlOutput<RgbF> {
+    static constexpr GLenum internal = GL_RGBA32F;
+    using Component = float;
+    static constexpr std::size_t components = 4;
+    static constexpr const char* text =
+        "layout(location = 0) out vec4 color;  // linear light\n"
+        "void main() {\n"
+        "    color = vec4(vec3(linear_color(field(ivec2(gl_FragCoord.xy)))), 1.0);\n"
+        "}\n";
+    static RgbF pixel(const Component* c) { return {c[0], c[1], c[2]}; }
+};
+
+template <>
+struct GlOutput<float> {
+    static constexpr GLenum internal = GL_R32F;
+    using Component = float;
+    static constexpr std::size_t components = 1;
+    static constexpr const char* text =
+        "layout(location = 0) out float value;\n"
+        "void main() {\n"
+        "    real f = field(ivec2(gl_FragCoord.xy));\n"
+        "    value = isnan(f) ? 0.0 : float(f);\n"
+        "}\n";
+    static float pixel(const Component* c) { return *c; }
+};
+
+/// The colours' parts of a shader that makes such pixels, and the text above.
+template <class Pixel>
+void add_output(GlColorTables& colors, ShaderSource& source) {
+    if constexpr (std::is_same_v<Pixel, Rgb8>)
+        colors.add_codes(source);
+    else if constexpr (!std::is_same_v<Pixel, float>)
+        colors.add_linear(source);
+    if constexpr (std::is_same_v<Pixel, Rgb16>) GlColorTables::add_srgb16(source);
+    source.add("output", GlOutput<Pixel>::text);
+}
+
+/// Texture units that bind_output takes at most.
+inline constexpr int output_units = 3;
+
+/// The colours' tables and uniforms of such a program, which is in use.
+template <class Pixel>
+void bind_output(GlColorTables& colors, const GlProgram& program, int first_unit) {
+    if constexpr (std::is_same_v<Pixel, Rgb8>)
+        colors.bind_codes(program, first_unit);
+    else if constexpr (!std::is_same_v<Pixel, float>)
+        colors.bind_linear(program, first_unit);
+    if constexpr (std::is_same_v<Pixel, Rgb16>) colors.bind_srgb16(program, first_unit + 1);
+}
+
+/// Takes pictures from targets of GlOutput<Pixel>::internal, keeping the memory they go through.
+class GlReadBack {
+  public:
+    /// The texels of `target` from its corner on become those of the image at `tile`. `threads` 0
+    /// means all.
+    template <class Pixel>
+    void read(const GlTarget& target, const GlTile& tile, int threads, Image<Pixel>& image) {
+        using Output = GlOutput<Pixel>;
+        using Component = typename Output::Component;
+        const auto width = std::size_t(tile.size.x), height = std::size_t(tile.size.y);
+        const std::size_t count = width * height * Output::components;
+        if (bytes_.size() < count * sizeof(Component)) bytes_.resize(count * sizeof(Component));
+        auto* texels = reinterpret_cast<Component*>(bytes_.data());
+        target.read(std::span(texels, count), {{0, 0}, tile.size});
+        for_row_ranges(height, std::size_t(1) << 16, threads, [&](const RowRange& rows) {
+            for (std::size_t y = rows.begin(); y != rows.end(); ++y) {
+                const Component* from = texels + y * width * Output::components;
+                Pixel* to = &image(std::size_t(tile.origin.x), std::size_t(tile.origin.y) + y);
+                for (std::size_t x = 0; x < width; ++x)
+                    to[x] = Output::pixel(from + x * Output::components);
+            }
+        });
+    }
+
+  private:
+    std::vector<std::byte> bytes_;
+};
+
+}  // namespace burl

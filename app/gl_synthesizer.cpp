@@ -1,0 +1,114 @@
+#include "app/gl_synthesizer.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "app/gl_synthesize.h"
+
+namespace burl {
+
+namespace {
+
+class GlSynthesizer final : public TextureSynthesizer {
+  public:
+    explicit GlSynthesizer(std::unique_ptr<GlContext> context)
+        : context_(std::move(context)), textures_(*context_) {}
+
+    std::string problem(const Recipe& recipe) const override {
+        if (recipe.precision.kind.value_or(PrecisionKind::float32) != PrecisionKind::float32)
+            return "OpenGL computes in float32, and another precision is asked for";
+        if (recipe.filter.kind != FilterKind::none || recipe.filter.band_limit)
+            return "OpenGL has no filters";
+        if (!recipe.graph.empty())
+            return "OpenGL has no other textures than a color_map over a field";
+        return textures_.problem(recipe.texture);
+    }
+
+    void synthesize(const SolidAtlas& solid, const Recipe& recipe, int threads,
+                    Image<Rgb8>& image) override {
+        fill(solid, recipe, threads, image);
+    }
+    void synthesize(const SolidAtlas& solid, const Recipe& recipe, int threads,
+                    Image<Rgb16>& image) override {
+        fill(solid, recipe, threads, image);
+    }
+    void synthesize(const SolidAtlas& solid, const Recipe& recipe, int threads,
+                    Image<RgbF>& image) override {
+        fill(solid, recipe, threads, image);
+    }
+
+    void forget_atlas() override { textures_.forget_atlas(); }
+
+    nlohmann::ordered_json report() const override {
+        return {{"by", context_->description()},
+                {"passes", sum_.passes},
+                {"maps", sum_.maps},
+                {"seconds",
+                 {{"compile", sum_.compile},
+                  {"maps", sum_.map},
+                  {"draw", sum_.draw},
+                  {"gpu", sum_.gpu},
+                  {"transfer", sum_.transfer}}}};
+    }
+
+  private:
+    template <class Pixel>
+    void fill(const SolidAtlas& solid, const Recipe& recipe, int threads, Image<Pixel>& image) {
+        textures_.synthesize(solid, recipe.texture, texture_from_solid(recipe), threads, image);
+        sum_ += textures_.work();
+    }
+
+    std::unique_ptr<GlContext> context_;
+    GlSynthesis textures_;
+    GlWork sum_;
+};
+
+void check(const TextureSynthesizer& synthesizer, std::span<const Recipe> recipes) {
+    for (const Recipe& recipe : recipes)
+        if (const std::string why = synthesizer.problem(recipe); !why.empty())
+            throw Error(ExitCode::usage, fmt::format("--synth gl: {}; leave it out", why));
+}
+
+bool all_possible(const TextureSynthesizer& synthesizer, std::span<const Recipe> recipes) {
+    return std::ranges::all_of(
+        recipes, [&](const Recipe& recipe) { return synthesizer.problem(recipe).empty(); });
+}
+
+}  // namespace
+
+std::unique_ptr<TextureSynthesizer> make_gl_synthesizer(std::unique_ptr<GlContext> context) {
+    return std::make_unique<GlSynthesizer>(std::move(context));
+}
+
+bool is_software(const GlContext& context) {
+    const auto* renderer = reinterpret_cast<const char*>(context.gl().GetString(GL_RENDERER));
+    const std::string_view name(renderer ? renderer : "");
+    return std::ranges::any_of(
+        std::array{"llvmpipe", "softpipe", "swrast", "Software Rasterizer", "SwiftShader"},
+        [&](const char* software) { return name.find(software) != name.npos; });
+}
+
+std::unique_ptr<TextureSynthesizer> choose_synthesizer(SynthesisChoice choice,
+                                                       const std::string& platform,
+                                                       std::span<const Recipe> recipes) {
+    if (choice == SynthesisChoice::host) return nullptr;
+    if (choice == SynthesisChoice::gl) {
+        auto synthesizer = make_gl_synthesizer(create_gl_context(platform));
+        check(*synthesizer, recipes);
+        return synthesizer;
+    }
+    try {
+        auto context = create_gl_context(platform);
+        if (is_software(*context)) return nullptr;
+        auto synthesizer = make_gl_synthesizer(std::move(context));
+        return all_possible(*synthesizer, recipes) ? std::move(synthesizer) : nullptr;
+    } catch (const Error& error) {
+        if (error.code() == ExitCode::usage) throw;
+        return nullptr;  // no OpenGL here
+    }
+}
+
+}  // namespace burl

@@ -1,0 +1,34 @@
+#pragma once
+// Another way than the host's to fill an atlas with a recipe's texture, which the pipeline is given
+// without knowing what it is made of (OpenGL, which only the program links).
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "app/recipe.h"
+#include "atlas/image.h"
+#include "atlas/solid_atlas.h"
+
+namespace burl {
+
+class TextureSynthesizer {
+  public:
+    virtual ~TextureSynthesizer() = default;
+
+    /// What it cannot make of the recipe, as a clause; empty where it can make all.
+    virtual std::string problem(const Recipe& recipe) const = 0;
+    /// The texture of a recipe without problem(), to the letter that of the host. An image of the
+    /// atlas's size is written over. `threads` 0 means all.
+    virtual void synthesize(const SolidAtlas& solid, const Recipe& recipe, int threads,
+                            Image<Rgb8>& image) = 0;
+    virtual void synthesize(const SolidAtlas& solid, const Recipe& recipe, int threads,
+                            Image<Rgb16>& image) = 0;
+    virtual void synthesize(const SolidAtlas& solid, const Recipe& recipe, int threads,
+                            Image<RgbF>& image) = 0;
+    /// The atlas of the calls before is about to change or go away.
+    virtual void forget_atlas() = 0;
+    /// What all calls so far did: what by, passes, and seconds by what they went into.
+    virtual nlohmann::ordered_json report() const = 0;
+};
+
+}  // namespace burl
