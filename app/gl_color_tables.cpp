@@ -27,61 +27,57 @@ void GlColorTables::set_map(const ColorMap& map) {
     segments_.reset();
 }
 
-const GlColorTables::Codes& GlColorTables::codes() {
-    if (codes_) return *codes_;
-    const ColorSteps steps = color_steps(ColorTable8(map_));
-    codes_.emplace(Codes{table(*gl_, GL_RGBA32UI, steps.entries), {}, {}});
-    if (steps.several) {
-        codes_->first.emplace(table(*gl_, GL_R32UI, steps.first));
-        codes_->steps.emplace(table(*gl_, GL_RGBA32UI, steps.steps));
-    }
-    return *codes_;
-}
-
 void GlColorTables::add_index(ShaderSource& source) const {
     source.define("COLOR_REPEATS", map_.wrap == Wrap::repeat ? "1" : "0").add("color_index.glsl");
 }
 
 void GlColorTables::add_codes(ShaderSource& source) {
+    if (!codes_) {
+        const ColorSteps steps = color_steps(ColorTable8(map_));
+        codes_.emplace(Codes{table(*gl_, GL_RGBA32UI, steps.entries), {}, {}});
+        if (steps.several) {
+            codes_->first.emplace(table(*gl_, GL_R32UI, steps.first));
+            codes_->steps.emplace(table(*gl_, GL_RGBA32UI, steps.steps));
+        }
+    }
     add_index(source);
     source.define("COLOR_ENTRIES", fmt::format("{}.0", ColorTable8::entry_count))
-        .define("COLOR_SEVERAL", codes().steps ? "1" : "0")
+        .define("COLOR_SEVERAL", codes_->steps ? "1" : "0")
         .add("color_codes.glsl");
 }
 
-void GlColorTables::bind_codes(const GlProgram& program, int first_unit) {
-    const Codes& tables = codes();
-    bind(program, "color_entries", tables.entries, first_unit);
-    if (!tables.steps) return;
-    bind(program, "color_first", *tables.first, first_unit + 1);
-    bind(program, "color_steps", *tables.steps, first_unit + 2);
+void GlColorTables::bind_codes(const GlProgram& program, int first_unit) const {
+    bind(program, "color_entries", codes_->entries, first_unit);
+    if (!codes_->steps) return;
+    bind(program, "color_first", *codes_->first, first_unit + 1);
+    bind(program, "color_steps", *codes_->steps, first_unit + 2);
 }
 
-void GlColorTables::add_linear(ShaderSource& source) const {
-    add_index(source);
-    source.add("color_segments.glsl");
-}
-
-void GlColorTables::bind_linear(const GlProgram& program, int first_unit) {
+void GlColorTables::add_linear(ShaderSource& source) {
     if (!segments_) {
         const PreparedColorMap map(map_);
         segments_.emplace(
             Segments{table(*gl_, GL_RGBA32UI, color_segments(map)), int(map.segments())});
     }
+    add_index(source);
+    source.add("color_segments.glsl");
+}
+
+void GlColorTables::bind_linear(const GlProgram& program, int first_unit) const {
     bind(program, "color_segments", segments_->texels, first_unit);
     program.set("color_segment_count", segments_->count);
 }
 
 void GlColorTables::add_srgb16(ShaderSource& source) {
-    source.define("SRGB_BUCKETS", fmt::format("{}.0", SrgbThresholds::buckets)).add("srgb16.glsl");
-}
-
-void GlColorTables::bind_srgb16(const GlProgram& program, int first_unit) {
     if (!thresholds_) {
         const SrgbThresholds codes = srgb_thresholds();
         thresholds_.emplace(Thresholds{table(*gl_, GL_R32UI, codes.first),
                                        table(*gl_, GL_RG32UI, codes.thresholds)});
     }
+    source.define("SRGB_BUCKETS", fmt::format("{}.0", SrgbThresholds::buckets)).add("srgb16.glsl");
+}
+
+void GlColorTables::bind_srgb16(const GlProgram& program, int first_unit) const {
     bind(program, "srgb_first", thresholds_->first, first_unit);
     bind(program, "srgb_thresholds", thresholds_->thresholds, first_unit + 1);
 }

@@ -9,7 +9,8 @@
 
 namespace burl {
 
-/// Kept until another map is asked for.
+/// Kept until another map is asked for. What add_...() adds to a shader, bind_...() binds, made
+/// before: making a texture changes the bindings of a unit.
 class GlColorTables {
   public:
     explicit GlColorTables(const GladGLContext& gl) : gl_(&gl) {}
@@ -19,13 +20,13 @@ class GlColorTables {
 
     /// `uint color_code(real f)`: 8-bit codes, r + 2^8 g + 2^16 b. Uses three units.
     void add_codes(ShaderSource& source);
-    void bind_codes(const GlProgram& program, int first_unit);
+    void bind_codes(const GlProgram& program, int first_unit) const;
     /// `real3 linear_color(real f)`. Uses one unit.
-    void add_linear(ShaderSource& source) const;
-    void bind_linear(const GlProgram& program, int first_unit);
+    void add_linear(ShaderSource& source);
+    void bind_linear(const GlProgram& program, int first_unit) const;
     /// `uint srgb16(real linear)`. Uses two units.
-    static void add_srgb16(ShaderSource& source);
-    void bind_srgb16(const GlProgram& program, int first_unit);
+    void add_srgb16(ShaderSource& source);
+    void bind_srgb16(const GlProgram& program, int first_unit) const;
 
   private:
     struct Codes {
@@ -39,7 +40,6 @@ class GlColorTables {
     struct Thresholds {
         GlBufferTexture first, thresholds;
     };
-    const Codes& codes();
     void add_index(ShaderSource& source) const;
 
     const GladGLContext* gl_;

@@ -79,7 +79,7 @@ void add_output(GlColorTables& colors, ShaderSource& source) {
         colors.add_codes(source);
     else if constexpr (!std::is_same_v<Pixel, float>)
         colors.add_linear(source);
-    if constexpr (std::is_same_v<Pixel, Rgb16>) GlColorTables::add_srgb16(source);
+    if constexpr (std::is_same_v<Pixel, Rgb16>) colors.add_srgb16(source);
     source.add("output", GlOutput<Pixel>::text);
 }
 
@@ -88,7 +88,7 @@ inline constexpr int output_units = 3;
 
 /// The colours' tables and uniforms of such a program, which is in use.
 template <class Pixel>
-void bind_output(GlColorTables& colors, const GlProgram& program, int first_unit) {
+void bind_output(const GlColorTables& colors, const GlProgram& program, int first_unit) {
     if constexpr (std::is_same_v<Pixel, Rgb8>)
         colors.bind_codes(program, first_unit);
     else if constexpr (!std::is_same_v<Pixel, float>)

@@ -83,7 +83,7 @@ const GlProgram& GlSynthesis::compiled(const ShaderSource& source) {
 template <class Pixel>
 const GlProgram& GlSynthesis::program(const FieldShape& shape) {
     ShaderSource source;
-    source.define("BURL_FLOAT64", float64_ ? "1" : "0");
+    source.define_real(float64_);
     for (const GlslPart& part : glsl_field(shape))
         if (part.text.empty())
             source.add(part.name);
@@ -165,11 +165,12 @@ template <class Pixel>
 void GlSynthesis::draw(const FieldOctaves& octaves, const Quadric& quadric,
                        const GlProgram& program, const GlTile& tile) {
     const Maps maps = timed(work_.map, [&] { return maps_of(octaves, quadric, tile); });
+    const GlTarget& drawn = target(GlOutput<Pixel>::internal, tile.size);
     program.use();
-    const int unit = bind_maps(program, maps);
-    timed(work_.colors, [&] { bind_output<Pixel>(colors_, program, unit); });
+    // Bindings last: whatever makes a texture changes them.
+    bind_output<Pixel>(colors_, program, bind_maps(program, maps));
     set_field(program, octaves.uniforms());
-    target(GlOutput<Pixel>::internal, tile.size).bind({{0, 0}, tile.size});
+    drawn.bind({{0, 0}, tile.size});
     timer_.start();
     full_screen_.draw();
     const GlSeconds seconds = timer_.stop();

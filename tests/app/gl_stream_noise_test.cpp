@@ -71,6 +71,7 @@ class GlStreamNoiseTest : public GlTest {
     std::vector<float> drawn_sums(const OctaveGroup& group, const LatticeStream& stream) {
         const GladGLContext& gl = context->gl();
         ShaderSource source;
+        source.define_real(true);
         const FieldOctaves octaves = octaves_of(group);
         for (const GlslPart& part : glsl_field(octaves.shape()))
             if (part.text.empty())
@@ -83,6 +84,7 @@ class GlStreamNoiseTest : public GlTest {
         const GlProgram program = make_full_screen_program(gl, "noise", source);
         const FieldUniforms uniforms = octaves.uniforms();
         const GlTexture cells = upload(stream.cells), places = upload(stream.places);
+        const GlTarget target(gl, map_size, {GL_R32F});
         program.use();
         bind_texture(gl, 0, cells);
         bind_texture(gl, 1, places);
@@ -94,7 +96,6 @@ class GlStreamNoiseTest : public GlTest {
         gl.Uniform3uiv(program.uniform("seeds"), count, uniforms.seeds[0].data());
         gl.Uniform1fv(program.uniform("weights"), count, uniforms.weights.data());
         program.set("radii[0]", uniforms.radii[0]);
-        const GlTarget target(gl, map_size, {GL_R32F});
         target.bind();
         GlFullScreen(gl).draw();
         return target.read<float>();
