@@ -1,35 +1,13 @@
 #include "app/gl_synthesize.h"
 
-#include <chrono>
-
 #include <fmt/format.h>
 
 #include "app/gl_source.h"
+#include "app/stopwatch.h"
 
 namespace burl {
 
 namespace {
-
-/// Adds the seconds it lives to a sum.
-class Stopwatch {
-  public:
-    explicit Stopwatch(double& sum) : sum_(sum) {}
-    Stopwatch(const Stopwatch&) = delete;
-    Stopwatch& operator=(const Stopwatch&) = delete;
-    ~Stopwatch() {
-        sum_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-    }
-
-  private:
-    double& sum_;
-    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
-
-template <class Work>
-auto timed(double& sum, const Work& work) {
-    const Stopwatch stopwatch(sum);
-    return work();
-}
 
 int texture_units(const GladGLContext& gl) {
     GLint units = 0;
