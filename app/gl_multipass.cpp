@@ -174,8 +174,7 @@ void GlMultipass::bind_sources(const GlProgram& program, const GlLatticeMap& map
     program.set("map_cells", cells_unit);
     program.set("map_places", places_unit);
     program.set("tables", tables_unit);
-    if (pass.first != PassImage::none)
-        bind_texture(*gl_, first_unit, target(pass.first).texture());
+    if (pass.first != PassImage::none) bind_texture(*gl_, first_unit, target(pass.first).texture());
     if (pass.second != PassImage::none)
         bind_texture(*gl_, second_unit, target(pass.second).texture());
     bind_texture(*gl_, cells_unit, map.cells());

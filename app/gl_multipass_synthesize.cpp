@@ -29,8 +29,7 @@ void GlMultipassSynthesis::make_plan(const SolidAtlas& solid, const Texture& tex
     std::vector<LatticeBox> boxes;
     if (options_.precision == PassPrecision::fixed8)
         for (const OctaveGroup& group : groups_)
-            boxes.push_back(
-                lattice_box(solid, group.lattice_from_solid.after(texture_from_atlas)));
+            boxes.push_back(lattice_box(solid, group.lattice_from_solid.after(texture_from_atlas)));
     octaves_ = multipass_octaves(groups_, boxes);
     double constant = 0.0;
     for (const Octave& octave : octaves) constant += octave.offset;
@@ -56,10 +55,10 @@ void GlMultipassSynthesis::compile() {
     std::string text = source.text();
     auto found = programs_.find(text);
     if (found == programs_.end())
-        found = programs_
-                    .emplace(std::move(text),
-                             make_full_screen_program(*gl_, "the colour pass", source))
-                    .first;
+        found =
+            programs_
+                .emplace(std::move(text), make_full_screen_program(*gl_, "the colour pass", source))
+                .first;
     color_program_ = &found->second;
     passes_.compile();
 }

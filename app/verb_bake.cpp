@@ -11,8 +11,10 @@
 #include "app/command_options.h"
 #include "app/export.h"
 #include "app/forward_check.h"
+#include "app/gl_multipass_synthesizer.h"
 #include "app/gl_synthesizer.h"
 #include "app/lattice_check.h"
+#include "app/multipass_options.h"
 #include "app/normal_error.h"
 #include "app/report.h"
 #include "app/solid_map_file.h"
@@ -32,6 +34,7 @@ struct BakeCommand {
     double crease = 40.0;
     std::string levels, normals, solid_map, kernel = "auto";
     std::string synth = "host", platform = gl_platforms()[0];
+    MultipassCommand multipass;
     std::optional<double> compress;
     bool json = false, quiet = false;
 };
@@ -166,10 +169,13 @@ std::shared_ptr<TextureSynthesizer> synthesizer_of(const BakeCommand& command,
                                                    std::span<const Recipe> recipes) {
     const bool any =
         command.kernel == "auto" || command.kernel == "direct" || command.kernel == "share";
-    if (!any && command.synth == "gl")
+    const MultipassOptions multipass = command.multipass.options(command.synth);
+    if (!any && command.synth.starts_with("gl"))
         throw Error(ExitCode::usage,
-                    fmt::format("--kernel {} is the host's alone; leave it or --synth gl out",
-                                command.kernel));
+                    fmt::format("--kernel {} is the host's alone; leave it or --synth {} out",
+                                command.kernel, command.synth));
+    if (command.synth == multipass_synth)
+        return choose_multipass(multipass, command.platform, recipes);
     const SynthesisChoice choice = command.synth == "host" || !any ? SynthesisChoice::host
                                    : command.synth == "gl"         ? SynthesisChoice::gl
                                                                    : SynthesisChoice::automatic;
@@ -310,16 +316,19 @@ void add_bake(CLI::App& program) {
         ->capture_default_str();
     add_threads(*verb, command->threads);
     add_kernel(*verb, command->kernel);
-    verb->add_option("--synth", command->synth,
-                     "Who makes the texture: host, gl (OpenGL, the same texture), or auto, which "
-                     "is gl where a graphics processor is behind --gl")
-        ->check(CLI::IsMember({"host", "gl", "auto"}))
+    verb->add_option(
+            "--synth", command->synth,
+            "Who makes the texture: host, gl (OpenGL, the same texture), gl-multipass (the "
+            "papers' passes), or auto, which is gl where a graphics processor is behind "
+            "--gl")
+        ->check(CLI::IsMember({"host", "gl", multipass_synth, "auto"}))
         ->capture_default_str();
     verb->add_option("--gl", command->platform,
                      "OpenGL of --synth: osmesa (software) or egl (a graphics processor)")
         ->check(
             CLI::IsMember(std::vector<std::string>(gl_platforms().begin(), gl_platforms().end())))
         ->capture_default_str();
+    command->multipass.add(*verb);
     verb->add_flag("--json", command->json, "Print the report as JSON on stdout");
     verb->add_option("--report", command->report,
                      "Write the report as JSON to this file (- for stdout)");

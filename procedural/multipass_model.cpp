@@ -152,10 +152,10 @@ float MultipassModel::solid_code(const Pass& pass, std::size_t texel, unsigned a
 float MultipassModel::random_number(const Pass& pass, std::size_t texel) const {
     PassIntegers cell;
     for (std::size_t axis = 0; axis < 3; ++axis)
-        cell[axis] = fixed_ ? (std::uint32_t(images_.at(pass.first)[texel][axis]) &
-                               pass.bits.mask()) +
-                                  pass.bits.base[axis]
-                            : integers_.at(pass.first)[texel][axis];
+        cell[axis] = fixed_
+                         ? (std::uint32_t(images_.at(pass.first)[texel][axis]) & pass.bits.mask()) +
+                               pass.bits.base[axis]
+                         : integers_.at(pass.first)[texel][axis];
     const std::uint32_t h = LatticeHash::bits(cell, pass.seed);
     if (fixed_) return float(h >> 24 ^ 0x80);
     return float(std::int32_t(h) >> 8) * 0x1p-23f;
@@ -165,8 +165,7 @@ float MultipassModel::axis_number(const Pass& pass, std::size_t texel) const {
     const std::size_t axis = pass.axis;
     const std::uint32_t step = pass.upper ? 1 : 0;
     const std::uint32_t cell =
-        fixed_ ? ((std::uint32_t(images_.at(pass.first)[texel][axis]) + step) &
-                  pass.bits.mask()) +
+        fixed_ ? ((std::uint32_t(images_.at(pass.first)[texel][axis]) + step) & pass.bits.mask()) +
                      pass.bits.base[axis]
                : integers_.at(pass.first)[texel][axis] + step;
     return plan_.tables[pass.table][axis][cell & 255];
@@ -177,8 +176,8 @@ float MultipassModel::value_number(const Pass& pass, float x) const {
 }
 
 float MultipassModel::field_index(const Pass& pass, std::size_t texel) const {
-    const std::uint64_t bits = std::uint64_t(maps_[0].cells.pixels()[texel].w) << 32 |
-                               maps_[0].places.pixels()[texel].w;
+    const std::uint64_t bits =
+        std::uint64_t(maps_[0].cells.pixels()[texel].w) << 32 | maps_[0].places.pixels()[texel].w;
     const double sum = images_.at(pass.first)[texel][0];
     const double noise = fixed_ ? plan_.amplitude * ((sum - 128.0) / 127.5) : sum;
     const double t = map_index(plan_.wrap, (std::bit_cast<double>(bits) + plan_.constant) + noise);

@@ -26,9 +26,7 @@ class MultipassModel {
     void run() { run(plan_.passes); }
 
     const std::vector<PassTexel>& image(PassImage image) const { return images_.at(image); }
-    const std::vector<PassIntegers>& integers(PassImage image) const {
-        return integers_.at(image);
-    }
+    const std::vector<PassIntegers>& integers(PassImage image) const { return integers_.at(image); }
 
   private:
     void run(const Pass& pass);

@@ -151,9 +151,7 @@ class Planner {
         combine(corner, part_r);
         look_up();
     }
-    void look_up() {
-        add(PassKind::value_table, corner, corner).table = plan_.tables.size() - 1;
-    }
+    void look_up() { add(PassKind::value_table, corner, corner).table = plan_.tables.size() - 1; }
 
     void randomize_by_bits(const std::array<bool, 3>& upper) {
         const std::array parts{part_s, part_t, part_r};
@@ -258,6 +256,10 @@ MultipassPlan plan_multipass(const MultipassOptions& options,
 
 std::size_t count_passes(std::span<const Pass> passes) {
     return passes.size() - std::size_t(std::ranges::count(passes, PassKind::fill, &Pass::kind));
+}
+
+std::size_t passes_of_octave(const MultipassOptions& options, const MultipassOctave& octave) {
+    return count_passes(plan_multipass(options, {&octave, 1}, 0.0, Wrap::repeat).passes) - 1;
 }
 
 bool holds_integers(PassImage image, PassPrecision precision) {

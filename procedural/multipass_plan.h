@@ -63,15 +63,15 @@ struct MultipassOctave {
 /// Images that passes read and write. Those of integers are RGBA32UI but for fixed8.
 enum class PassImage {
     none,
-    solid,       ///< coordinates, b_i.b_f (fixed8)
-    integers,    ///< of the cell's lowest corner
+    solid,        ///< coordinates, b_i.b_f (fixed8)
+    integers,     ///< of the cell's lowest corner
     integers_up,  ///< of its opposite corner
-    shifted,     ///< integers at the top of their bytes (fixed8)
-    shifted_up,  ///< the same of the opposite corner (bits)
-    weights,     ///< fractions, faded
-    ramp,        ///< for the S-curve
-    cell,        ///< integers of one corner
-    part_s,      ///< one coordinate's part of a random number
+    shifted,      ///< integers at the top of their bytes (fixed8)
+    shifted_up,   ///< the same of the opposite corner (bits)
+    weights,      ///< fractions, faded
+    ramp,         ///< for the S-curve
+    cell,         ///< integers of one corner
+    part_s,       ///< one coordinate's part of a random number
     part_t,
     part_r,
     mixed,   ///< what bits randomise first
@@ -83,23 +83,23 @@ enum class PassImage {
 
 /// Images x (first) and y (second); 1 is the largest number an image of fixed8 holds.
 enum class PassKind {
-    fill,          ///< bias everywhere; OpenGL clears, so this is no pass
-    cells,         ///< integers of the lattice map after doublings
-    places,        ///< and fractions, in [0,1]
-    solid_map,     ///< both in 8 bits
-    step,          ///< x + 1, of integers
-    copy,          ///< x, of the channels in `mask`
-    transfer,      ///< scale x + bias, modulo 256 where `wraps` (PixelTransfer)
-    combine,       ///< x + (scale y + bias)
-    multiply,      ///< x y
-    isolate,       ///< channel `axis` of x
-    shift_left,    ///< x without its highest bit, doubled
-    blend_bit,     ///< 7/8 y + 1/8 of `colors` number 0 or 1, by the highest bit of x
-    hash,          ///< random number of integers x
-    axis_table,    ///< number `axis` of `table` at channel `axis` of x, one further where `upper`
-    value_table,   ///< the fourth of `table` at x
-    weigh,         ///< x times channel `axis` of y, or times 1 less that where not `upper`
-    field_index    ///< the colour map's index of quadric + constant + x
+    fill,         ///< bias everywhere; OpenGL clears, so this is no pass
+    cells,        ///< integers of the lattice map after doublings
+    places,       ///< and fractions, in [0,1]
+    solid_map,    ///< both in 8 bits
+    step,         ///< x + 1, of integers
+    copy,         ///< x, of the channels in `mask`
+    transfer,     ///< scale x + bias, modulo 256 where `wraps` (PixelTransfer)
+    combine,      ///< x + (scale y + bias)
+    multiply,     ///< x y
+    isolate,      ///< channel `axis` of x
+    shift_left,   ///< x without its highest bit, doubled
+    blend_bit,    ///< 7/8 y + 1/8 of `colors` number 0 or 1, by the highest bit of x
+    hash,         ///< random number of integers x
+    axis_table,   ///< number `axis` of `table` at channel `axis` of x, one further where `upper`
+    value_table,  ///< the fourth of `table` at x
+    weigh,        ///< x times channel `axis` of y, or times 1 less that where not `upper`
+    field_index   ///< the colour map's index of quadric + constant + x
 };
 
 struct Pass {
@@ -141,6 +141,8 @@ MultipassPlan plan_multipass(const MultipassOptions& options,
 
 /// Passes that draw.
 std::size_t count_passes(std::span<const Pass> passes);
+/// Those of one octave, up to its being added to the others.
+std::size_t passes_of_octave(const MultipassOptions& options, const MultipassOctave& octave);
 
 /// Whether the image is RGBA32UI.
 bool holds_integers(PassImage image, PassPrecision precision);

@@ -48,8 +48,7 @@ std::uint32_t BitRandomizer::operator()(const std::array<std::uint32_t, 3>& poin
     for (unsigned bit = 0; bit < bits; ++bit)
         for (unsigned axis = 0; axis < 3; ++axis)
             mixed = blended_by(point[axis] << (8 - bits + bit), coordinates[3 * bit + axis], mixed);
-    for (unsigned bit = 0; bit < 8; ++bit)
-        number = blended_by(mixed << bit, result[bit], number);
+    for (unsigned bit = 0; bit < 8; ++bit) number = blended_by(mixed << bit, result[bit], number);
     return number;
 }
 

@@ -15,9 +15,9 @@ constexpr int side = 64;
 
 /// Cells from -5 on, oblique to the lattice.
 LatticeMap slice() {
-    return lattice_slice(side, side,
-                         {Mat3d(0.17, 0.031, -0.05, -0.027, 0.21, 0.013, 0, 0, 1),
-                          Vec3d(-4.3, 0.2, 2.7)});
+    return lattice_slice(
+        side, side,
+        {Mat3d(0.17, 0.031, -0.05, -0.027, 0.21, 0.013, 0, 0, 1), Vec3d(-4.3, 0.2, 2.7)});
 }
 
 LatticeBox box() {
