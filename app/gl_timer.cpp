@@ -32,7 +32,9 @@ GlTimer::GlTimer(const GladGLContext& gl)
 void GlTimer::start() {
     gl_.Finish();
     begin_ = std::chrono::steady_clock::now();
-    if (has_clock_) gl_.QueryCounter(first_.get(), GL_TIMESTAMP);
+    if (!has_clock_) return;
+    gl_.QueryCounter(first_.get(), GL_TIMESTAMP);
+    gl_.Flush();  // llvmpipe would take it anew for every bin of the draws that follow
 }
 
 GlSeconds GlTimer::stop() {
