@@ -95,6 +95,7 @@ GraphValues::GraphValues(const TextureGraph& graph) {
             call.inputs[k] = &lowered[node.inputs[k]];
         call.place = lowered[node.place].place;
         call.program = &program_;
+        program_.begin_node(std::uint32_t(n));
         lowered.push_back(lowering_of(type_of(node).name)(call));
     }
     std::vector<Register> results = lowered.back().channels;

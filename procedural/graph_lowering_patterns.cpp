@@ -125,9 +125,9 @@ LoweredNode layer_over(const LoweringCall& call) {
 }
 
 LoweredNode image(const LoweringCall& call) {
-    LoweredNode result{call.program->add(ImageLookup{call.graph->images[call.node->image].pixels},
-                                         {call.axis(0), call.axis(1)}, 3),
-                       {}};
+    const ImageLookup lookup{call.graph->images[call.node->image].pixels,
+                             ImageWrap(int(call.parameter("wrap")))};
+    LoweredNode result{call.program->add(lookup, {call.axis(0), call.axis(1)}, 3), {}};
     result.channels.push_back(call.program->constant(1.0));
     return result;
 }

@@ -23,6 +23,8 @@ class GraphValues {
     Vec3d operator()(const Vec3d& point, Scratch& scratch) const;
 
     const ValueProgram& program() const { return program_; }
+    /// The program's arrays that hold red, green and blue.
+    const std::vector<Register>& results() const { return results_; }
 
   private:
     ValueProgram program_;

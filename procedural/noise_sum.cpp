@@ -16,33 +16,6 @@
 #include "procedural/point_noise-inl.h"
 #include "procedural/point_sites-inl.h"
 
-#ifndef BURL_NOISE_SUM_ONCE
-#define BURL_NOISE_SUM_ONCE
-namespace burl {
-
-/// Doublings after which coordinates are split anew: a place then has 25 bits left, as many as
-/// float32 holds.
-inline constexpr std::size_t most_shared_octaves = 8;
-
-/// Octaves [begin, end) of which each doubles the frequency of the one before.
-struct OctaveGroup {
-    std::size_t begin = 0, end = 0;
-};
-
-inline std::vector<OctaveGroup> groups_of(std::span<const SumOctave> octaves) {
-    std::vector<OctaveGroup> groups;
-    for (std::size_t k = 0; k < octaves.size(); ++k) {
-        const bool joins = !groups.empty() && k - groups.back().begin < most_shared_octaves &&
-                           octaves[k].frequency == 2.0 * octaves[k - 1].frequency;
-        if (!joins) groups.push_back({k, k});
-        groups.back().end = k + 1;
-    }
-    return groups;
-}
-
-}  // namespace burl
-#endif
-
 HWY_BEFORE_NAMESPACE();
 namespace burl {
 namespace HWY_NAMESPACE {
@@ -74,9 +47,8 @@ struct SharedSites {
 };
 
 template <OctaveShape shape, class Noise>
-HWY_ATTR HWY_INLINE Float GroupSum(const NoiseSum& sum, const OctaveGroup& group,
-                                   const Noise& noise, const PointArrays& points, std::size_t j,
-                                   Float total) {
+HWY_ATTR HWY_INLINE Float GroupSum(const NoiseSum& sum, const OctaveRun& group, const Noise& noise,
+                                   const PointArrays& points, std::size_t j, Float total) {
     const double frequency = sum.octaves[group.begin].frequency;
     const int last = int(group.end - group.begin) - 1;
     const auto add = [&](int k, const SharedSites& sites) HWY_ATTR {
@@ -100,7 +72,7 @@ template <OctaveShape shape, class Noise>
 HWY_ATTR void AddUpOf(const NoiseSum& sum, const Noise& noise, const PointArrays& points,
                       std::size_t count, double* out) {
     const Doubles d;
-    const std::vector<OctaveGroup> groups = groups_of(sum.octaves);
+    const std::vector<OctaveRun> groups = octave_runs(sum.octaves);
     HWY_ALIGN float totals[batch_capacity + batch_padding];
     for (std::size_t j = 0; j < count; j += hn::Lanes(Floats())) {
         Float total = hn::Zero(Floats());
@@ -149,7 +121,7 @@ HWY_ATTR HWY_INLINE Float ShareOf(Float kept, std::size_t k) {
 }
 
 template <OctaveShape shape, class Noise>
-HWY_ATTR HWY_INLINE void AddGroup(const NoiseSum& sum, const OctaveGroup& group, const Noise& noise,
+HWY_ATTR HWY_INLINE void AddGroup(const NoiseSum& sum, const OctaveRun& group, const Noise& noise,
                                   const PointArrays& points, std::size_t j, const Float* kept,
                                   double mean, VectorSums& sums) {
     const Floats d;
@@ -176,7 +148,7 @@ HWY_ATTR void AddUpSlopesOf(const NoiseSum& sum, const Noise& noise, const Point
                             std::size_t count, const VisibleOctaves& visible,
                             const SlopeArrays& out) {
     const Floats d;
-    const std::vector<OctaveGroup> groups = groups_of(sum.octaves);
+    const std::vector<OctaveRun> groups = octave_runs(sum.octaves);
     const Float zero = hn::Zero(d), offset = hn::Set(d, float(sum.offset));
     for (std::size_t j = 0; j < count; j += hn::Lanes(d)) {
         VectorSums sums{zero, {zero, zero, zero}};
@@ -222,6 +194,19 @@ HWY_AFTER_NAMESPACE();
 #include "procedural/noise.h"
 
 namespace burl {
+
+std::vector<OctaveRun> octave_runs(std::span<const SumOctave> octaves) {
+    // A place then has 25 bits left, as many as float32 holds.
+    constexpr std::size_t most_shared_octaves = 8;
+    std::vector<OctaveRun> runs;
+    for (std::size_t k = 0; k < octaves.size(); ++k) {
+        const bool joins = !runs.empty() && k - runs.back().begin < most_shared_octaves &&
+                           octaves[k].frequency == 2.0 * octaves[k - 1].frequency;
+        if (!joins) runs.push_back({k, k});
+        runs.back().end = k + 1;
+    }
+    return runs;
+}
 
 HWY_EXPORT(AddUp);
 HWY_EXPORT(AddUpSlopes);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "procedural/fractal_sum.h"
@@ -34,6 +35,15 @@ struct NoiseSum {
     double offset = 0.0;
     bool operator==(const NoiseSum&) const = default;
 };
+
+/// Octaves [begin, end) of which each doubles the frequency of the one before: coordinates are
+/// split once for all of them.
+struct OctaveRun {
+    std::size_t begin = 0, end = 0;
+};
+
+/// All octaves, in order.
+std::vector<OctaveRun> octave_runs(std::span<const SumOctave> octaves);
 
 /// x, y and z of points, aligned to 64 bytes and batch_padding longer than the count.
 using PointArrays = std::array<const double*, 3>;

@@ -22,6 +22,7 @@ class SrgbStreamEncoder {
         double code = 0.0;
     };
     static constexpr int bucket_count = 512;
+    const std::vector<Bucket>& buckets() const { return buckets_; }
 
   private:
     std::vector<Bucket> buckets_;

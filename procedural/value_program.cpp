@@ -73,7 +73,7 @@ void run_work(const GraphSlope& work, const StepArrays& arrays, GraphEvaluator::
 
 std::vector<Register> ValueProgram::add(ValueWork work, std::vector<Register> inputs,
                                         std::size_t count) {
-    ValueStep step{std::move(work), std::move(inputs), {}};
+    ValueStep step{std::move(work), std::move(inputs), {}, node_};
     for (const ValueStep& known : steps_)
         if (known.inputs == step.inputs && known.work == step.work) return known.outputs;
     for (std::size_t i = 0; i < count; ++i) step.outputs.push_back(registers_++);

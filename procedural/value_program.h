@@ -30,6 +30,7 @@ struct DotsWeight {
 /// Colour of an image at a point's first two coordinates: bilinear, for there is no footprint.
 struct ImageLookup {
     std::shared_ptr<const MipImage> pixels;
+    ImageWrap wrap = ImageWrap::repeat;  ///< that of `pixels`
     bool operator==(const ImageLookup&) const = default;
 };
 
@@ -47,6 +48,7 @@ struct ValueStep {
     ValueWork work;
     std::vector<Register> inputs;
     std::vector<Register> outputs;
+    std::uint32_t node = 0;  ///< of the graph, for which it was added first
     bool operator==(const ValueStep&) const = default;
 };
 
@@ -62,6 +64,8 @@ class ValueProgram {
         double* operator[](Register r) { return arrays[r].values; }
     };
 
+    /// What is added from now on belongs to this node of the graph.
+    void begin_node(std::uint32_t node) { node_ = node; }
     /// What `work` gives of the inputs, `count` arrays. Work that was added before is not added
     /// again.
     std::vector<Register> add(ValueWork work, std::vector<Register> inputs, std::size_t count = 1);
@@ -86,6 +90,7 @@ class ValueProgram {
     void share_arrays(std::vector<Register>& results);
 
     std::vector<ValueStep> steps_;
+    std::uint32_t node_ = 0;
     Register registers_ = 3;
     std::size_t fixed_steps_ = 0;  ///< the first ones do not depend on the point
 };
