@@ -1,0 +1,165 @@
+#include "procedural/glsl_steps.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "procedural/glsl_noise.h"
+
+namespace burl {
+
+GlslSteps::GlslSteps(const ValueProgram& program, GlslReal real) : real_(real) {
+    for (const ValueStep& step : program.steps()) {
+        const auto* operation = std::get_if<ValueOperation>(&step.work);
+        if (operation && operation->op == ValueOp::angle) has_angles_ = true;
+    }
+}
+
+GlslStep GlslSteps::write(const ValueWork& work, const Inputs& inputs) {
+    return std::visit([&](const auto& known) { return step(known, inputs); }, work);
+}
+
+GlslStep GlslSteps::value(const std::string& expression) {
+    const std::string name = fmt::format("v{}", values_++);
+    return {fmt::format("    exact real {} = {};\n", name, expression), {name}};
+}
+
+GlslStep GlslSteps::color(const std::string& expression) {
+    const std::string name = fmt::format("color{}", values_++);
+    return {fmt::format("    real3 {} = {};\n", name, expression),
+            {name + ".r", name + ".g", name + ".b"}};
+}
+
+GlslStep GlslSteps::step(const ValueOperation& operation, const Inputs& inputs) {
+    if (operation.op == ValueOp::constant) return {"", {number(operation.parameters[0])}};
+    return value(expression(operation, inputs));
+}
+
+std::string GlslSteps::expression(const ValueOperation& operation, const Inputs& in) const {
+    const auto [p, q, r, s] = operation.parameters;
+    const auto sum = [&](const std::vector<double>& factors, double constant) {
+        std::string text = glsl_sum(factors, in, constant, real_);
+        return constant == 0.0 && has_angles_ ? fmt::format("unsigned_zero({})", text) : text;
+    };
+    const std::string zero = number(0.0), one = number(1.0);
+    const auto product = [&](const std::string& a, const std::string& b) {
+        return a == one ? b : b == one ? a : fmt::format("{} * {}", a, b);
+    };
+    switch (operation.op) {
+        case ValueOp::constant:
+            break;
+        case ValueOp::affine:
+            return sum({p, q, r}, s);
+        case ValueOp::linear:
+            return sum({p}, q);
+        case ValueOp::combine:
+            return sum({p, q}, r);
+        case ValueOp::add:
+            return fmt::format("{} + {}", in[0], in[1]);
+        case ValueOp::multiply:
+            return fmt::format("{} * {}", in[0], in[1]);
+        case ValueOp::products:
+            return fmt::format("{} + {}", product(in[0], in[1]), product(in[2], in[3]));
+        case ValueOp::ratio:
+            return fmt::format("ratio({}, {})", in[0], in[1]);
+        case ValueOp::minimum:
+            return fmt::format("{1} < {0} ? {1} : {0}", in[0], in[1]);
+        case ValueOp::maximum:
+            return fmt::format("{0} < {1} ? {1} : {0}", in[0], in[1]);
+        case ValueOp::absolute:
+            return fmt::format("abs({})", in[0]);
+        case ValueOp::floor:
+            return fmt::format("floor({})", in[0]);
+        case ValueOp::fract:
+            return fmt::format("fraction_of({})", in[0]);
+        case ValueOp::odd:
+            return fmt::format("odd_cell({})", in[0]);
+        case ValueOp::at_least:
+            return fmt::format("{} >= {} ? {} : {}", in[0], number(p), one, zero);
+        case ValueOp::smoothstep:
+            return fmt::format("smooth_step({}, {}, {})", number(p), number(q), in[0]);
+        case ValueOp::lerp:
+            return fmt::format("blend({}, {}, {})", in[0], in[1], in[2]);
+        case ValueOp::length:
+            return fmt::format("length_of({}, {})", in[0], in[1]);
+        case ValueOp::power:
+            return p == std::floor(p) ? fmt::format("whole_power({}, {}u)", in[0], p)
+                                      : fmt::format("power({}, {})", in[0], number(p));
+        case ValueOp::sine:
+            return fmt::format("sine({})", in[0]);
+        case ValueOp::angle:
+            return fmt::format("angle({}, {})", in[0], in[1]);
+    }
+    return zero;
+}
+
+namespace {
+
+/// The colours' polynomial at x, whose coefficients depend on the piece that x lies in.
+std::string pieces_function(const std::string& name, const ColorPieces& pieces, GlslReal real) {
+    const std::size_t coefficients = pieces.degree + 1, stride = pieces.stride();
+    const bool repeats = pieces.argument == ColorPieces::Argument::repeat;
+    std::string text = fmt::format("real3 {}(real x) {{\n    real t = {}(x), begin;\n    real3 ",
+                                   name, repeats ? "repeated_index" : "clamped_index");
+    for (std::size_t k = 0; k < coefficients; ++k)
+        text += fmt::format("c{}{}", k, k + 1 < coefficients ? ", " : ";\n");
+    for (std::size_t i = 0; i < pieces.begins.size(); ++i) {
+        const double* piece = &pieces.table[i * stride];
+        const bool last = i + 1 == pieces.begins.size();
+        text += i == 0 ? "    " : " else ";
+        if (!last) text += fmt::format("if (t < {}) ", glsl_number(pieces.begins[i + 1], real));
+        text += fmt::format("{{\n        begin = {};\n", glsl_number(piece[0], real));
+        for (std::size_t k = 0; k < coefficients; ++k)
+            text += fmt::format("        c{} = real3({}, {}, {});\n", k,
+                                glsl_number(piece[1 + k], real),
+                                glsl_number(piece[1 + coefficients + k], real),
+                                glsl_number(piece[1 + 2 * coefficients + k], real));
+        text += "    }";
+    }
+    text += "\n    exact real u = t - begin;\n    exact real3 color = ";
+    for (std::size_t k = 0; k + 1 < coefficients; ++k) text += fmt::format("c{} + u * (", k);
+    text += fmt::format("c{}{};\n    return color;\n}}\n\n", coefficients - 1,
+                        std::string(coefficients - 1, ')'));
+    return text;
+}
+
+}  // namespace
+
+GlslStep GlslSteps::step(const ColorPieces& pieces, const Inputs& inputs) {
+    const std::string name = fmt::format("color_map{}", values_);
+    functions_ += pieces_function(name, pieces, real_);
+    return color(fmt::format("{}({})", name, inputs[0]));
+}
+
+GlslStep GlslSteps::step(const DotsWeight& dots, const Inputs& inputs) {
+    return value(fmt::format("dot_weight({}, {}, {}u, uvec2({}u, {}u), {})", inputs[0], inputs[1],
+                             dots.seed, dots.period_u, dots.period_v, number(dots.radius)));
+}
+
+GlslStep GlslSteps::step(const ImageLookup& lookup, const Inputs& inputs) {
+    auto known = std::find_if(images_.begin(), images_.end(), [&](const GlslImage& image) {
+        return image.pixels == lookup.pixels;
+    });
+    if (known == images_.end()) {
+        images_.push_back({fmt::format("image{}", images_.size()), lookup.pixels});
+        known = images_.end() - 1;
+        functions_ += fmt::format("uniform sampler2D {};\n\n", known->uniform);
+    }
+    return color(fmt::format("image_color({}, {}, {}, {})", known->uniform, inputs[0], inputs[1],
+                             int(lookup.wrap)));
+}
+
+/// The evaluator's; graphs with such steps have no shader.
+GlslStep GlslSteps::step(const GraphSlope&, const Inputs&) {
+    return {"", {number(0.0)}};
+}
+
+GlslTexture GlslSteps::texture(std::string body) const {
+    GlslTexture texture{glsl_noise_parts(noises_), images_};
+    for (const char* file : {"elementary.glsl", "graph.glsl"}) texture.parts.push_back({file});
+    texture.parts.push_back({"the graph", functions_ + body});
+    return texture;
+}
+
+}  // namespace burl

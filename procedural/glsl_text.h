@@ -1,0 +1,41 @@
+#pragma once
+// GLSL as text: numbers with all their digits, sums without needless factors, and shaders as lists
+// of parts, so that hand-written functions (shaders/*.glsl) stand in them by name. Knows no OpenGL.
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "procedural/glsl_noise.h"
+#include "procedural/mip_image.h"
+
+namespace burl {
+
+/// What `real` is in a shader (shaders/real.glsl).
+enum class GlslReal { float64, float32 };
+
+/// A uniform sampler2D of RGB texels in linear light, float32, level 0 of the image.
+struct GlslImage {
+    std::string uniform;
+    std::shared_ptr<const MipImage> pixels;
+};
+
+/// A shader's parts from real.glsl on; the last one defines `real3 texture_color(real3 solid)`,
+/// linear light at a point of solid space.
+struct GlslTexture {
+    std::vector<GlslPart> parts;
+    std::vector<GlslImage> images;
+};
+
+/// A finite number as GLSL reads it back, with a point or exponent; "lf" behind it in float64.
+std::string glsl_number(double value, GlslReal real);
+
+/// `text` as an operand: in parentheses where it begins with a sign.
+std::string glsl_operand(const std::string& text);
+
+/// The sum of factors[i] * terms[i], from left to right, and `constant`, without what does not
+/// change it (but the sign of a zero). `terms` are operands.
+std::string glsl_sum(const std::vector<double>& factors, const std::vector<std::string>& terms,
+                     double constant, GlslReal real);
+
+}  // namespace burl
