@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "app/gl_synthesize.h"
+#include "app/gl_graph.h"
 
 namespace burl {
 
@@ -15,16 +15,15 @@ namespace {
 class GlSynthesizer final : public TextureSynthesizer {
   public:
     explicit GlSynthesizer(std::unique_ptr<GlContext> context)
-        : context_(std::move(context)), textures_(*context_) {}
+        : context_(std::move(context)), textures_(*context_), graphs_(*context_) {}
 
     std::string problem(const Recipe& recipe) const override {
         if (recipe.precision.kind.value_or(PrecisionKind::float32) != PrecisionKind::float32)
             return "OpenGL computes in float32, and another precision is asked for";
         if (recipe.filter.kind != FilterKind::none || recipe.filter.band_limit)
             return "OpenGL has no filters";
-        if (!recipe.graph.empty())
-            return "OpenGL has no other textures than a color_map over a field";
-        return textures_.problem(recipe.texture);
+        return recipe.graph.empty() ? textures_.problem(recipe.texture)
+                                    : graphs_.problem(recipe.graph);
     }
 
     void synthesize(const SolidAtlas& solid, const Recipe& recipe, int threads,
@@ -40,7 +39,10 @@ class GlSynthesizer final : public TextureSynthesizer {
         fill(solid, recipe, threads, image);
     }
 
-    void forget_atlas() override { textures_.forget_atlas(); }
+    void forget_atlas() override {
+        textures_.forget_atlas();
+        graphs_.forget_atlas();
+    }
 
     nlohmann::ordered_json report() const override {
         return {{"by", context_->description()},
@@ -57,12 +59,17 @@ class GlSynthesizer final : public TextureSynthesizer {
   private:
     template <class Pixel>
     void fill(const SolidAtlas& solid, const Recipe& recipe, int threads, Image<Pixel>& image) {
-        textures_.synthesize(solid, recipe.texture, texture_from_solid(recipe), threads, image);
-        sum_ += textures_.work();
+        const Affine3 map = texture_from_solid(recipe);
+        if (recipe.graph.empty())
+            textures_.synthesize(solid, recipe.texture, map, threads, image);
+        else
+            graphs_.synthesize(solid, recipe.graph, map, threads, image);
+        sum_ += recipe.graph.empty() ? textures_.work() : graphs_.work();
     }
 
     std::unique_ptr<GlContext> context_;
     GlSynthesis textures_;
+    GlGraphSynthesis graphs_;
     GlWork sum_;
 };
 

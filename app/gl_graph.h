@@ -1,0 +1,72 @@
+#pragma once
+// Fills an atlas with a texture graph in one pass on OpenGL: every texel's point comes from a point
+// map, a shader generated from the graph (procedural/glsl_graph.h) works out its colour and encodes
+// it. Where OpenGL has float64 and rounds as IEEE 754 says, the bytes are those of
+// synthesize_graph_rgb8 and its like with filter `none` in float32.
+#include <list>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/gl_synthesize.h"
+#include "procedural/glsl_graph.h"
+
+namespace burl {
+
+/// Keeps programs and points between calls. The context it works in must outlive it.
+class GlGraphSynthesis {
+  public:
+    explicit GlGraphSynthesis(GlContext& context, const GlSynthesisLimits& limits = {});
+
+    /// Why a graph cannot be evaluated; empty where it can.
+    std::string problem(const TextureGraph& graph) const;
+
+    /// As synthesize_graph_rgb8, _rgb16 or _rgbf with filter `none`. An image of the atlas's size
+    /// is written over. Throws Error: unsupported where problem() has something to say, runtime
+    /// when memory runs out.
+    template <class Pixel>
+    void synthesize(const SolidAtlas& solid, const TextureGraph& graph,
+                    const Affine3& texture_from_atlas, int threads, Image<Pixel>& image);
+    /// The atlas of the calls before is about to change or go away.
+    void forget_atlas();
+
+    const GlWork& work() const { return work_; }
+
+  private:
+    struct KeptImage {
+        std::shared_ptr<const MipImage> pixels;
+        GlTexture texture;
+    };
+    struct KeptPoints {
+        GlTile tile;
+        GlPointMap points;
+    };
+    template <class Pixel>
+    const GlProgram& program(const GlslTexture& texture);
+    template <class Pixel>
+    void bind_inputs(const GlProgram& program, const GlslTexture& texture);
+    const GlTexture& image_texture(const std::shared_ptr<const MipImage>& pixels);
+    void set_atlas(const SolidAtlas& solid, const Affine3& texture_from_atlas, int threads);
+    const GlPointMap& points(const GlTile& tile);
+
+    GlContext* context_;
+    const GladGLContext* gl_;
+    GlSynthesisLimits limits_;
+    bool float64_;
+    GlFullScreen full_screen_;
+    GlTimer timer_;
+    std::map<std::string, GlProgram> programs_;  ///< by the text of the fragment shader
+    std::optional<GlBufferTexture> codes8_;
+    GlColorTables colors_;  ///< for 16-bit codes
+    std::vector<KeptImage> images_;
+    const SolidAtlas* solid_ = nullptr;
+    Affine3 texture_from_atlas_;
+    std::optional<GlLatticeMapper> mapper_;
+    std::list<KeptPoints> points_;  ///< as many as the limit allows, and one
+    GlReadBack read_back_;
+    GlWork work_;
+};
+
+}  // namespace burl
