@@ -5,12 +5,14 @@
 #include <fmt/format.h>
 
 #include "app/animation.h"
+#include "app/atomic_file.h"
 #include "app/bake_compress.h"
 #include "app/bake_levels.h"
 #include "app/bake_normals.h"
 #include "app/command_options.h"
 #include "app/export.h"
 #include "app/forward_check.h"
+#include "app/gl_emit.h"
 #include "app/gl_multipass_synthesizer.h"
 #include "app/gl_synthesizer.h"
 #include "app/lattice_check.h"
@@ -32,7 +34,7 @@ struct BakeCommand {
     MeshOptions meshes;
     int threads = 0, depth = 8;
     double crease = 40.0;
-    std::string levels, normals, solid_map, kernel = "auto";
+    std::string levels, normals, solid_map, emitted_glsl, kernel = "auto";
     std::string synth = "host", platform = gl_platforms()[0];
     MultipassCommand multipass;
     std::optional<double> compress;
@@ -85,7 +87,8 @@ std::vector<std::string> all_outputs(const BakeCommand& command, const Extras& e
     for (const std::string& path : frame_paths(command.out, command.animation))
         for (std::string& file : output_paths(path, extras.levels, extras.has_normals()))
             outputs.push_back(std::move(file));
-    if (!command.solid_map.empty()) outputs.push_back(command.solid_map);
+    for (const std::string& path : {command.solid_map, command.emitted_glsl})
+        if (!path.empty()) outputs.push_back(path);
     return outputs;
 }
 
@@ -146,6 +149,13 @@ void check_solid_map(const BakeCommand& command) {
     check_side_output(command.solid_map, ".exr", taken);
 }
 
+void check_emitted(const BakeCommand& command) {
+    if (command.emitted_glsl.empty()) return;
+    const std::string taken[] = {command.out, command.solid_map, command.mesh,
+                                 command.recipe.recipe};
+    check_side_output(command.emitted_glsl, "", taken);
+}
+
 /// Everything that the command line can be wrong about, before any work starts.
 void check_command(const BakeCommand& command, const Recipe& recipe, const Extras& extras) {
     if (command.animation.asked() && holds_mesh(command.out))
@@ -156,6 +166,7 @@ void check_command(const BakeCommand& command, const Recipe& recipe, const Extra
     for (const std::string& path : frame_paths(command.out, command.animation))
         check_output(path, command.mesh, extras.levels, extras.has_normals());
     check_solid_map(command);
+    check_emitted(command);
     check_report(command, extras);
     check_compress(command.compress, recipe.atlas.kind);
     if (command.compress && extras.has_normals())
@@ -215,6 +226,11 @@ Written write_texture(const BakeCommand& command, Pipeline& pipeline, const std:
     return written;
 }
 
+/// The texture as a shader, where it is asked for.
+std::string emitted_shader(const BakeCommand& command, const Recipe& recipe, const Mesh& mesh) {
+    return command.emitted_glsl.empty() ? "" : emit_glsl(recipe, texture_from_mesh(recipe, mesh));
+}
+
 void run_bake(const BakeCommand& command) {
     const auto start = Clock::now();
     const ImageKind kind = wanted_kind(command.out, command.depth);
@@ -231,6 +247,7 @@ void run_bake(const BakeCommand& command) {
     Pipeline pipeline(command.meshes.load(command.mesh));
     const double reading = seconds_since(start);
     for (const Recipe& recipe : recipes) check_lattice(recipe, pipeline.mesh());
+    const std::string shader = emitted_shader(command, recipes[0], pipeline.mesh());
     pipeline.set_recipe(recipes[0]);
     pipeline.set_threads(command.threads);
     pipeline.set_kernel(kernel_named(command.kernel));
@@ -244,6 +261,7 @@ void run_bake(const BakeCommand& command) {
         written = write_texture(command, pipeline, paths[i], kind, extras);
         writing += written.seconds;
     }
+    if (!command.emitted_glsl.empty()) write_file(command.emitted_glsl, shader);
     Json solid_map;
     if (!command.solid_map.empty()) {
         const Vec3d base = write_solid_map(command.solid_map, pipeline, command.threads);
@@ -303,6 +321,8 @@ void add_bake(CLI::App& program) {
         ->excludes("--compress");
     for (const char* option : {"--levels", "--compress", "--solid-map"})
         verb->get_option("--animate")->excludes(verb->get_option(option));
+    verb->add_option("--emit-glsl", command->emitted_glsl,
+                     "Write the texture as a GLSL 3.30 fragment shader to this file, for engines");
     verb->add_option("--normals", command->normals,
                      "Normal map of the recipe's bumps: tangent (the default; in the material of "
                      ".glb, .gltf and .obj, else beside as NAME_normal.png), object or none")

@@ -1,0 +1,107 @@
+// Shaders written for use elsewhere: every preset's compiles by itself and gives the host's
+// colours.
+#include "app/gl_emit.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "app/embedded.h"
+#include "app/gl_source.h"
+#include "app/gl_target.h"
+#include "app/pipeline.h"
+#include "app/sample_meshes.h"
+#include "procedural/synthesize_point_map.h"
+#include "tests/app/gl_fixture.h"
+#include "tests/procedural/graph_cases.h"
+
+namespace burl {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+class GlEmitTest : public GlTest {
+  protected:
+    /// What the shader's main function draws from the solid map.
+    std::vector<float> draw(const std::string& shader, const SolidMap& map, const Vec3d& base) {
+        const GladGLContext& gl = context->gl();
+        const GlProgram program = GlProgram::from_source(
+            gl, "an emitted shader", embedded_shader("full_screen.vert"), shader);
+        const GlSize size(int(map.local.width()), int(map.local.height()));
+        const GlTexture texture = make_texture(gl, GL_RGBA32F, size, map.local.pixels());
+        const GlTarget target(gl, size, {GL_RGBA32F});
+        target.bind();
+        program.use();
+        program.set("solid_map", 0);
+        program.set("solid_base", Vec3f(base));
+        bind_texture(gl, 0, texture);
+        GlFullScreen(gl).draw();
+        return target.read<float>();
+    }
+};
+
+std::vector<std::string> drawable_presets() {
+    std::vector<std::string> names;
+    for (const EmbeddedFile& preset : embedded_recipes())
+        names.emplace_back(preset.name.substr(0, preset.name.rfind('.')));
+    std::erase(names, "noise-slope");
+    return names;
+}
+
+class GlEmitPresetTest : public GlEmitTest, public testing::WithParamInterface<std::string> {};
+
+TEST_P(GlEmitPresetTest, GivesTheHostsColours) {
+    Pipeline pipeline(sample_mesh("sample:torus"));
+    const Recipe recipe = load_recipe(GetParam(), {"atlas.size=64", "atlas.kind=area"});
+    pipeline.set_recipe(recipe);
+    const Image<RgbF> expected = pipeline.synthesize<RgbF>();
+    const Affine3 map = texture_from_solid(recipe);
+    const Vec3d base = solid_base(pipeline.solid(), map);
+    const std::vector<float> colors =
+        draw(emit_glsl(recipe, texture_from_mesh(recipe, pipeline.mesh())),
+             fill_solid_map(pipeline.solid(), map, base, {0, 0, 64, 64}, 1), base);
+    int away = 0;
+    for (std::size_t i = 0; i < expected.pixels().size(); ++i) {
+        const RgbF& c = expected.pixels()[i];
+        const double error = std::max({std::abs(double(c.r) - double(colors[4 * i])),
+                                       std::abs(double(c.g) - double(colors[4 * i + 1])),
+                                       std::abs(double(c.b) - double(colors[4 * i + 2]))});
+        away += error <= 1e-4 ? 0 : 1;
+    }
+    // Where rounding takes a texel over a jump.
+    EXPECT_LE(away, GetParam() == "checker-floor" ? 200 : 20);
+}
+
+INSTANTIATE_TEST_SUITE_P(Presets, GlEmitPresetTest, testing::ValuesIn(drawable_presets()),
+                         [](const auto& test) {
+                             std::string name = test.param;
+                             std::replace(name.begin(), name.end(), '-', '_');
+                             return name;
+                         });
+
+Recipe recipe_of(const char* texture) {
+    return parse_recipe(fmt::format(R"({{"burl": 1, "name": "test", "texture": {}}})", texture),
+                        "test");
+}
+
+TEST(GlEmit, SaysWhatItIsAndHoldsNothingElse) {
+    const Affine3 map{Mat3d(0.25), Vec3d(1, 2, 3)};
+    const std::string text =
+        emit_glsl(recipe_of(R"({"node": "checkerboard_3d", "a": "#ff0000", "b": "#ffffff"})"), map);
+    EXPECT_TRUE(text.starts_with("#version 330 core\n"));
+    for (const char* part : {"texture test", "vec3 texture_color(vec3 solid)", "void main()",
+                             "uniform sampler2D solid_map", "vec3(1.0, 2.0, 3.0)"})
+        EXPECT_THAT(text, HasSubstr(part));
+    for (const char* part : {"real", "double", "exact", "sine", "mix_bits", "#if"})
+        EXPECT_THAT(text, Not(HasSubstr(part)));
+}
+
+TEST(GlEmit, SlopesAreRefused) {
+    EXPECT_THROW(emit_glsl(recipe_of(R"({"node": "slope", "input": {"node": "fbm"}})"), {}), Error);
+}
+
+}  // namespace
+}  // namespace burl
