@@ -92,7 +92,7 @@ const GlProgram& GlGraphSynthesis::program(const GlslTexture& texture) {
     if constexpr (std::is_same_v<Pixel, Rgb8>)
         source.define("SRGB8_BUCKETS", fmt::format("{}.0", SrgbStreamEncoder::bucket_count))
             .add("srgb8.glsl");
-    if constexpr (std::is_same_v<Pixel, Rgb16>) GlColorTables::add_srgb16(source);
+    if constexpr (std::is_same_v<Pixel, Rgb16>) colors_.add_srgb16(source);
     source.add("main", graph_main<Pixel>);
     std::string text = source.text();
     if (const auto found = programs_.find(text); found != programs_.end()) return found->second;
