@@ -44,7 +44,7 @@ std::vector<BakedImage> bake_levels(Pipeline& pipeline, const Image<RgbF>& textu
         if (!all) levels = last;
     }
     std::vector<BakedImage> result;
-    for (Image<RgbF>& level : block_levels(atlas, texture, levels))
+    for (Image<RgbF>& level : pipeline.levels(texture, levels))
         result.push_back(convert_to(std::move(level), kind));
     return result;
 }

@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
+#include <optional>
 #include <string_view>
 
 #include <fmt/format.h>
 
+#include "app/gl_block_levels.h"
 #include "app/gl_graph.h"
 
 namespace burl {
@@ -39,9 +42,22 @@ class GlSynthesizer final : public TextureSynthesizer {
         fill(solid, recipe, threads, image);
     }
 
+    std::vector<Image<RgbF>> levels(const MeshAtlas& atlas, const Image<RgbF>& texture,
+                                    std::uint32_t count) override {
+        const auto start = std::chrono::steady_clock::now();
+        context_->make_current();
+        if (!levels_) levels_.emplace(*context_, atlas);
+        std::vector<Image<RgbF>> result = (*levels_)(texture, count);
+        sum_.passes += int(result.size());
+        level_seconds_ +=
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        return result;
+    }
+
     void forget_atlas() override {
         textures_.forget_atlas();
         graphs_.forget_atlas();
+        levels_.reset();
     }
 
     nlohmann::ordered_json report() const override {
@@ -53,7 +69,8 @@ class GlSynthesizer final : public TextureSynthesizer {
                   {"maps", sum_.map},
                   {"draw", sum_.draw},
                   {"gpu", sum_.gpu},
-                  {"transfer", sum_.transfer}}}};
+                  {"transfer", sum_.transfer},
+                  {"levels", level_seconds_}}}};
     }
 
   private:
@@ -70,7 +87,9 @@ class GlSynthesizer final : public TextureSynthesizer {
     std::unique_ptr<GlContext> context_;
     GlSynthesis textures_;
     GlGraphSynthesis graphs_;
+    std::optional<GlBlockLevels> levels_;  ///< of the atlas at hand
     GlWork sum_;
+    double level_seconds_ = 0.0;  ///< compiling, drawing and transfer
 };
 
 void check(const TextureSynthesizer& synthesizer, std::span<const Recipe> recipes) {

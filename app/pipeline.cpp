@@ -118,6 +118,14 @@ Image<Pixel> Pipeline::synthesize() {
     });
 }
 
+std::vector<Image<RgbF>> Pipeline::levels(const Image<RgbF>& texture, std::uint32_t count) {
+    const MeshAtlas& layout = mesh_atlas();
+    return timed("levels", [&] {
+        return synthesizer_ ? synthesizer_->levels(layout, texture, count)
+                            : block_levels(layout, texture, count);
+    });
+}
+
 template <class Pixel>
 Image<Pixel> Pipeline::normal_map(double crease_degrees, bool tangent_space) {
     const SolidAtlas& points = solid();

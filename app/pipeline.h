@@ -55,6 +55,8 @@ class Pipeline {
     /// The texture; one of Rgb8, Rgb16 and RgbF.
     template <class Pixel>
     Image<Pixel> synthesize();
+    /// Levels 1 to `count` of a texture in linear light (atlas/block_levels.h).
+    std::vector<Image<RgbF>> levels(const Image<RgbF>& texture, std::uint32_t count);
     /// The recipe's bumps, which it must have, as a normal map of the atlas's mesh with the normals
     /// of app/normals.h, in the tangent frames of app/tangents.h or in the mesh's own directions;
     /// one of Rgb8 and Rgb16, linear codes, and RgbF, components from -1 to 1.

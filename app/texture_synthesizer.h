@@ -1,11 +1,14 @@
 #pragma once
 // Another way than the host's to fill an atlas with a recipe's texture, which the pipeline is given
 // without knowing what it is made of (OpenGL, which only the program links).
+#include <cstdint>
 #include <string>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
 #include "app/recipe.h"
+#include "atlas/block_levels.h"
 #include "atlas/image.h"
 #include "atlas/solid_atlas.h"
 
@@ -25,6 +28,11 @@ class TextureSynthesizer {
                             Image<Rgb16>& image) = 0;
     virtual void synthesize(const SolidAtlas& solid, const Recipe& recipe, int threads,
                             Image<RgbF>& image) = 0;
+    /// Levels 1 to `levels` of a texture in linear light, as block_levels (atlas/block_levels.h).
+    virtual std::vector<Image<RgbF>> levels(const MeshAtlas& atlas, const Image<RgbF>& texture,
+                                            std::uint32_t levels) {
+        return block_levels(atlas, texture, levels);
+    }
     /// The atlas of the calls before is about to change or go away.
     virtual void forget_atlas() = 0;
     /// What all calls so far did: what by, passes, and seconds by what they went into.

@@ -8,6 +8,8 @@
 #include <gtest/gtest.h>
 
 #include "app/bench_meshes.h"
+#include "app/gl_synthesizer.h"
+#include "app/pipeline.h"
 #include "tests/app/gl_fixture.h"
 
 namespace burl {
@@ -102,6 +104,20 @@ TEST_F(GlBlockLevelsTest, GuttersAreLeftOut) {
     float whitest = 0.0f;
     for (const RgbF& p : levels[0].pixels()) whitest = std::max(whitest, p.r);
     EXPECT_EQ(whitest, 1.0f);
+}
+
+TEST_F(GlBlockLevelsTest, BakesDrawThem) {
+    if (!has_float64(context->gl())) GTEST_SKIP() << "this OpenGL has no float64";
+    Pipeline pipeline(torus(120));
+    const std::shared_ptr<TextureSynthesizer> gl = make_gl_synthesizer(std::move(context));
+    pipeline.set_synthesizer(gl);
+    for (const int size : {128, 64}) {  // another atlas the second time
+        const int before = gl->report()["passes"];
+        pipeline.set_recipe(load_recipe("marble", {fmt::format("atlas.size={}", size)}));
+        const Image<RgbF> texture = noise(std::uint32_t(size), false);
+        EXPECT_TRUE(pipeline.levels(texture, 4) == block_levels(pipeline.mesh_atlas(), texture, 4));
+        EXPECT_EQ(gl->report()["passes"], before + 4);
+    }
 }
 
 }  // namespace
