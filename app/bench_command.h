@@ -13,6 +13,7 @@ struct BenchCommand {
     std::string suite, file, out;
     std::vector<std::string> recipes;  ///< empty: the suite's own
     std::string simd;                  ///< empty: the machine's best
+    std::string gl = "osmesa";         ///< where OpenGL comes from (app/gl_context.h)
     std::size_t size = 0;
     int repeats = 5;
     bool large = false, json = false;

@@ -27,6 +27,7 @@ constexpr std::array suites{
     Suite{"filter", "--repeats --json --simd", "texels a side", 8, 4096, "256"},
     Suite{"forward", "--repeats --json --simd", "texels a side of the cubes' faces", 2,
           batch_capacity, "256"},
+    Suite{"gl", "--repeats --json --simd --gl", "texels a side", 8, 4096, "256 and 1,024"},
     Suite{"kernels", "--repeats --json --simd", "texels of a span", 1, 16384, "16"},
     Suite{"mesh_io", "--repeats --json", "faces", 12, 10'000'000, "1,000,000"},
     Suite{"noise", "--repeats --json --simd", "samples, in batches of 1,024", batch_capacity,

@@ -6,12 +6,9 @@
 #include <fmt/format.h>
 
 #include "app/bench_meshes.h"
+#include "app/bench_values.h"
 #include "app/lattice_check.h"
 #include "app/pipeline.h"
-#include "procedural/color_table.h"
-#include "procedural/graph_evaluator.h"
-#include "procedural/octaves.h"
-#include "procedural/srgb.h"
 
 namespace burl {
 
@@ -19,70 +16,6 @@ namespace {
 
 /// Channels of the texels that show the mesh, in linear light.
 using Values = std::vector<double>;
-
-template <class Visit>
-void for_each_texel(const SolidAtlas& solid, const Visit& visit) {
-    for (std::uint32_t y = 0; y < solid.size; ++y)
-        for (const Span& span : solid.row(y))
-            for (std::uint32_t x = span.x; x < span.x + span.count; ++x)
-                visit(solid.maps[span.map], x, y);
-}
-
-void append(const Vec3d& color, Values& values) {
-    values.insert(values.end(), {color.x, color.y, color.z});
-}
-
-Values values_of(const SolidAtlas& solid, const Image<Rgb8>& image) {
-    Values values;
-    for_each_texel(solid, [&](const TexelMap&, std::uint32_t x, std::uint32_t y) {
-        append(linear_light(image(x, y)), values);
-    });
-    return values;
-}
-
-Values values_of(const SolidAtlas& solid, const Image<RgbF>& image) {
-    Values values;
-    for_each_texel(solid, [&](const TexelMap&, std::uint32_t x, std::uint32_t y) {
-        const RgbF& c = image(x, y);
-        append({c.r, c.g, c.b}, values);
-    });
-    return values;
-}
-
-/// A graph's values in float64.
-Values defined_graph(const SolidAtlas& solid, const Recipe& recipe) {
-    const GraphEvaluator evaluate(recipe.graph);
-    GraphEvaluator::Scratch scratch = evaluate.make_scratch();
-    const Affine3 from_solid = texture_from_solid(recipe);
-    std::vector<Vec3d> points;
-    Values values;
-    const auto flush = [&] {
-        std::vector<GraphSample> samples(points.size());
-        evaluate(points, {}, scratch, samples);
-        for (const GraphSample& sample : samples) append(sample.color(), values);
-        points.clear();
-    };
-    for_each_texel(solid, [&](const TexelMap& texel, std::uint32_t x, std::uint32_t y) {
-        points.push_back(from_solid(texel(x, y)));
-        if (points.size() == graph_batch_size) flush();
-    });
-    flush();
-    return values;
-}
-
-/// The texture's definition, texel by texel in float64.
-Values defined(const SolidAtlas& solid, const Recipe& recipe) {
-    if (!recipe.graph.empty()) return defined_graph(solid, recipe);
-    const std::vector<Octave> octaves = expand_octaves(recipe.texture);
-    const PreparedColorMap map(recipe.texture.colors);
-    const Affine3 from_solid = texture_from_solid(recipe);
-    Values values;
-    for_each_texel(solid, [&](const TexelMap& texel, std::uint32_t x, std::uint32_t y) {
-        append(map(evaluate_field(recipe.texture.quadric, octaves, from_solid(texel(x, y)))),
-               values);
-    });
-    return values;
-}
 
 /// A texture's cases and where each leaves what it computed.
 struct Subject {
@@ -101,15 +34,15 @@ struct Subject {
                              *image = p->synthesize<Pixel>();
                          },
                          group});
-        results.push_back([p = pipeline, image] { return values_of(p->solid(), *image); });
+        results.push_back([p = pipeline, image] { return color_values(p->solid(), *image); });
     }
 
     void add_definition() {
         auto values = std::make_shared<Values>();
         const double texels = double(pipeline->solid().size) * pipeline->solid().size;
-        cases.push_back({"float64 definition, 1 thread", texels, "texel",
-                         [p = pipeline, values] { *values = defined(p->solid(), p->recipe()); },
-                         group});
+        cases.push_back(
+            {"float64 definition, 1 thread", texels, "texel",
+             [p = pipeline, values] { *values = defined_colors(p->solid(), p->recipe()); }, group});
         results.push_back([values] { return *values; });
     }
 };

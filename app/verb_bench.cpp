@@ -20,6 +20,8 @@
 #include "app/command_options.h"
 #include "app/export.h"
 #include "app/file_bytes.h"
+#include "app/gl_bench.h"
+#include "app/gl_context.h"
 #include "app/report.h"
 #include "app/simd_limit.h"
 #include "app/verbs.h"
@@ -191,10 +193,64 @@ void run_kernel_bench(const BenchCommand& command) {
                    row.automatic, row.automatic / row.best());
 }
 
+Json gl_json(const GlBench& row) {
+    Json json = result_json(row.result);
+    json.update(Json{{"octaves", row.octaves},
+                     {"size", row.side},
+                     {"passes", row.passes},
+                     {"gpu_ms", row.parts.gpu * 1e3},
+                     {"draw_ms", row.parts.draw * 1e3},
+                     {"transfer_ms", row.parts.transfer * 1e3},
+                     {"cold_ms",
+                      {{"context", row.cold.context * 1e3},
+                       {"compile", row.cold.compile * 1e3},
+                       {"maps", row.cold.maps * 1e3},
+                       {"draw", row.cold.draw * 1e3},
+                       {"total", row.cold.total * 1e3}}}});
+    return json;
+}
+
+void print_gl(const GlBenchReport& report) {
+    fmt::print("{}\n", report.opengl);
+    std::string group;
+    for (const GlBench& row : report.rows) {
+        const BenchRow& time = row.result.time;
+        if (group != time.group)
+            fmt::print("\n{:<26} {:>9} {:>8} {:>6} {:>8} {:>8} {:>8} {:>9} {:>9} {:>9} {:>9}\n",
+                       time.group, "ms", "ns/texel", "passes", "GPU ms", "draw", "transfer",
+                       "cold ms", "(compile)", "max error", "RMS");
+        group = time.group;
+        fmt::print("{:<26} {:>9.2f} {:>8.2f}", time.name, time.median * 1e3, time.ns_per_unit());
+        fmt::print(" {:>6}", row.passes > 0 ? std::to_string(row.passes) : "");
+        if (row.cold.total > 0.0)
+            fmt::print(" {:>8.2f} {:>8.2f} {:>8.2f} {:>9.1f} {:>9.1f}", row.parts.gpu * 1e3,
+                       row.parts.draw * 1e3, row.parts.transfer * 1e3, row.cold.total * 1e3,
+                       row.cold.compile * 1e3);
+        else
+            fmt::print("{:>46}", "");
+        if (row.result.error)
+            fmt::print(" {:>9.3g} {:>9.3g}", row.result.error->max, row.result.error->rms);
+        fmt::print("\n");
+    }
+}
+
+void run_gl_bench(const BenchCommand& command) {
+    GlBenchSubjects subjects;
+    if (command.size > 0) subjects.sides = {std::uint32_t(command.size)};
+    const GlBenchReport report = bench_gl(command.gl, command.repeats, subjects);
+    const auto to_json = [&](const GlBench& row) {
+        Json json = gl_json(row);
+        json["opengl"] = report.opengl;
+        return json;
+    };
+    if (report_rows(command, report.rows, to_json)) print_gl(report);
+}
+
 void run_bench(const BenchCommand& command) {
     if (command.suite == "plot") return run_plot(command);
     if (!command.out.empty()) check_side_output(command.out, "", {});
     if (command.suite == "atlas") return run_atlas_bench(command);
+    if (command.suite == "gl") return run_gl_bench(command);
     if (command.suite == "filter") return run_filter_bench(command);
     if (command.suite == "noise")
         return report_results(
@@ -224,10 +280,10 @@ void run_bench(const BenchCommand& command) {
 void add_bench(CLI::App& program) {
     auto* verb = program.add_subcommand("bench", "Time a suite; medians of paired runs");
     auto command = std::make_shared<BenchCommand>();
-    verb->add_option(
-            "suite", command->suite,
-            "mesh_io, atlas, synthesis, resynthesis, filter, noise, forward, kernels, precision "
-            "or stability; or plot, which draws a report: burl bench plot F.json -o F.svg")
+    verb->add_option("suite", command->suite,
+                     "mesh_io, atlas, synthesis, resynthesis, filter, noise, forward, gl, kernels, "
+                     "precision or stability; or plot, which draws a report: burl bench plot "
+                     "F.json -o F.svg")
         ->required()
         ->check(CLI::IsMember(bench_suite_names()));
     verb->add_option(
@@ -247,6 +303,8 @@ void add_bench(CLI::App& program) {
     verb->add_option("--simd", command->simd,
                      "Instruction set of the kernels instead of the best this machine has, as "
                      "AVX2");
+    verb->add_option("--gl", command->gl, "gl: osmesa (software) or egl (a graphics processor)")
+        ->capture_default_str();
     verb->add_flag("--thorough", command->thorough,
                    "stability: every case there is, some minutes and 2 GB");
     verb->add_option("--case", command->one,
@@ -258,7 +316,7 @@ void add_bench(CLI::App& program) {
     verb->callback([command, verb] {
         std::vector<std::string> given;
         for (const char* option :
-             {"-o", "--size", "--repeats", "--large", "--recipe", "--simd", "--json"})
+             {"-o", "--size", "--repeats", "--large", "--recipe", "--simd", "--gl", "--json"})
             if (verb->count(option) > 0) given.emplace_back(option);
         check_bench(*command, given);
         if (!command->simd.empty()) limit_simd(command->simd);

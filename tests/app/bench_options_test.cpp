@@ -52,6 +52,9 @@ INSTANTIATE_TEST_SUITE_P(
         BadBench{"noise --size 100", "bench noise: --size 100 must be 1,024 to 10,000,000"},
         BadBench{"mesh_io --size 0", "bench mesh_io: --size 0 must be 12 to 10,000,000 faces"},
         BadBench{"atlas --size 100 --large", "bench atlas: --size names one number of faces"},
+        BadBench{"noise --gl egl", "bench noise: --gl does nothing"},
+        BadBench{"gl --size 5000", "bench gl: --size 5000 must be 8 to 4,096 texels"},
+        BadBench{"gl --gl metal", "--gl metal: it must be osmesa or egl"},
         BadBench{"noise --simd MMX", "--simd MMX: must be one of this machine's"},
         BadBench{"noise --size many", "--size"}, BadBench{"noise --repeats 0", "--repeats"},
         BadBench{"synthesis --recipe no-such-recipe", "no-such-recipe"}));
