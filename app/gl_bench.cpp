@@ -10,6 +10,7 @@
 #include "app/bench_meshes.h"
 #include "app/bench_values.h"
 #include "app/gl_block_levels.h"
+#include "app/gl_multipass_synthesize.h"
 #include "app/gl_synthesize.h"
 #include "app/pipeline.h"
 
@@ -60,7 +61,7 @@ class Way {
     virtual ~Way() = default;
     /// 8-bit sRGB into host memory.
     virtual void run() = 0;
-    /// Colours in linear light, of every step-th row.
+    /// Colours in linear light, of every step-th row; none of a way that is not the definition's.
     virtual std::vector<double> colors() = 0;
     virtual void describe(GlBench&) const {}
 
@@ -95,8 +96,8 @@ class GlWay final : public Way {
     /// make(GlContext&) gives the Synthesis. Makes the first picture.
     template <class Make>
     GlWay(const std::string& text, const Subject& subject, const std::string& platform,
-          const Make& make)
-        : Way(text), subject_(subject) {
+          const Make& make, bool is_defined = true)
+        : Way(text), subject_(subject), is_defined_(is_defined) {
         const auto start = Clock::now();
         context_ = create_gl_context(platform);
         cold_.context = seconds_since(start);
@@ -114,6 +115,7 @@ class GlWay final : public Way {
         gpu_.push_back(work.gpu), draw_.push_back(work.draw), transfer_.push_back(work.transfer);
     }
     std::vector<double> colors() override {
+        if (!is_defined_) return {};
         Image<RgbF> image;
         draw(image);
         return color_values(subject_.pipeline->solid(), image, subject_.step);
@@ -133,6 +135,7 @@ class GlWay final : public Way {
     }
 
     Subject subject_;
+    bool is_defined_;
     std::unique_ptr<GlContext> context_;
     std::optional<Synthesis> synthesis_;
     GlColdStart cold_;
@@ -141,6 +144,25 @@ class GlWay final : public Way {
 };
 
 using Ways = std::vector<std::shared_ptr<Way>>;
+
+struct Passes {
+    const char* name;
+    PassPrecision precision;
+    Randomizer randomizer;
+};
+
+/// The papers' passes at every precision, and of 4 octaves by their own random numbers, which are
+/// not the definition's; bit by bit they are thousands of passes, for small textures only.
+std::vector<Passes> passes_of(const Subject& subject) {
+    std::vector<Passes> passes{{"multipass 32f", PassPrecision::float32, Randomizer::hash},
+                               {"multipass 16f", PassPrecision::float16, Randomizer::hash},
+                               {"multipass 8", PassPrecision::fixed8, Randomizer::hash}};
+    if (subject.octaves == 4 && subject.side <= 512) {
+        passes.push_back({"multipass 32f, table", PassPrecision::float32, Randomizer::table});
+        passes.push_back({"multipass 8, bits", PassPrecision::fixed8, Randomizer::bits});
+    }
+    return passes;
+}
 
 Ways ways_of(const Subject& subject, const std::string& platform) {
     Ways ways;
@@ -153,6 +175,13 @@ Ways ways_of(const Subject& subject, const std::string& platform) {
                                                      limits.float64 = float64;
                                                      return GlSynthesis(context, limits);
                                                  }));
+    for (const Passes& passes : passes_of(subject))
+        ways.push_back(std::make_shared<GlWay<GlMultipassSynthesis>>(
+            passes.name, subject, platform,
+            [&](GlContext& context) {
+                return GlMultipassSynthesis(context, {passes.precision, passes.randomizer});
+            },
+            passes.randomizer == Randomizer::hash));
     return ways;
 }
 
@@ -168,9 +197,9 @@ std::vector<GlBench> bench_subject(const Subject& subject, const std::string& pl
         defined_colors(subject.pipeline->solid(), subject.pipeline->recipe(), subject.step);
     std::vector<GlBench> rows;
     for (std::size_t i = 0; i < ways.size(); ++i) {
-        GlBench row{{times[i], BenchError::of(ways[i]->colors(), reference)},
-                    subject.octaves,
-                    subject.side};
+        GlBench row{{times[i]}, subject.octaves, subject.side};
+        const std::vector<double> colors = ways[i]->colors();
+        if (!colors.empty()) row.result.error = BenchError::of(colors, reference);
         ways[i]->describe(row);
         rows.push_back(std::move(row));
     }
