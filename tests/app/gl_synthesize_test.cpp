@@ -80,5 +80,111 @@ TEST_F(GlSynthesizeTest, WiderPixelsHaveTheHostsBits) {
     expect_equal<RgbF>(gl, subject, recipe);
 }
 
+/// Marble with another list of terms.
+Recipe with_noise(const std::vector<NoiseTerm>& terms) {
+    Recipe recipe = load_recipe("marble");
+    recipe.texture.noise = terms;
+    return recipe;
+}
+
+TEST_F(GlSynthesizeTest, OctavesWithoutAStreamHaveTheHostsBits) {
+    NoiseTerm stream, worley, timed, ridged, periodic;
+    stream.kind = NoiseKind::simplex, stream.octaves = 2;
+    worley.kind = NoiseKind::worley, worley.amplitude = 0.3, worley.seed = 5;
+    timed.time = 1.25, timed.phase = Vec3d(0.3, 0.0, -7.0), timed.amplitude = 0.2;
+    ridged.kind = NoiseKind::perlin, ridged.shape = OctaveShape::ridged, ridged.octaves = 2;
+    periodic.period = {3, 0, 5}, periodic.frequency = Vec3d(2.0), periodic.amplitude = -0.4;
+    GlSynthesis gl(*context);
+    Subject subject("sample:torus", 64);
+    const Recipe recipe = with_noise({stream, worley, timed, ridged, periodic});
+    expect_equal<float>(gl, subject, recipe);
+    expect_equal<Rgb8>(gl, subject, recipe);
+}
+
+TEST_F(GlSynthesizeTest, ColoursJumpWhereTheHostsDo) {
+    GlSynthesis gl(*context);
+    Subject subject("sample:cube", 64);
+    Recipe recipe = load_recipe("marble");
+    // Far more steps than entries in the first hundredth, jumps, and ends that hold.
+    recipe.texture.colors.wrap = Wrap::clamp;
+    recipe.texture.colors.stops.clear();
+    for (int i = 0; i < 400; ++i)
+        recipe.texture.colors.stops.push_back(
+            {0.2 + 1e-5 * i, i % 2 == 0 ? Rgb8{0, 255, 7} : Rgb8{255, 0, 130}});
+    recipe.texture.colors.stops.push_back({0.6, {1, 2, 3}});
+    recipe.texture.colors.stops.push_back({0.6, {201, 202, 203}});
+    expect_equal<Rgb8>(gl, subject, recipe);
+    expect_equal<RgbF>(gl, subject, recipe);
+}
+
+TEST_F(GlSynthesizeTest, TilesAndThreadsLeaveNoTrace) {
+    GlSynthesisLimits limits;
+    limits.tile = 24;
+    limits.map_budget = 0;
+    GlSynthesis whole(*context), tiled(*context, limits);
+    Subject subject("sample:teapot", 64);
+    const Recipe recipe = load_recipe("wood");
+    const Affine3 map = texture_from_solid(recipe);
+    Image<Rgb8> one, two;
+    whole.synthesize(subject.solid(), recipe.texture, map, 1, one);
+    tiled.synthesize(subject.solid(), recipe.texture, map, 2, two);
+    EXPECT_EQ(differing(one, two), 0u);
+    EXPECT_EQ(whole.work().passes, 1);
+    EXPECT_EQ(tiled.work().passes, 9);
+    tiled.synthesize(subject.solid(), recipe.texture, map, 0, two);
+    EXPECT_EQ(tiled.work().maps, 9);
+    EXPECT_EQ(differing(one, two), 0u);
+}
+
+TEST_F(GlSynthesizeTest, EditsKeepMapsAndShaders) {
+    GlSynthesis gl(*context);
+    Subject subject("sample:teapot", 64);
+    Recipe recipe = load_recipe("marble");
+    expect_equal<Rgb8>(gl, subject, recipe);
+    EXPECT_EQ(gl.work().maps, 1);
+    EXPECT_GT(gl.work().compile, 0.0);
+    recipe.texture.noise[0].amplitude = 0.31;
+    recipe.texture.noise[0].seed = 77;
+    recipe.texture.colors.stops[1].color = {9, 99, 199};
+    expect_equal<Rgb8>(gl, subject, recipe);
+    EXPECT_EQ(gl.work().maps, 0);
+    EXPECT_EQ(gl.work().compile, 0.0);
+    recipe.texture.quadric.i = 0.75;
+    recipe.solid.scale = 5.0;
+    expect_equal<Rgb8>(gl, subject, recipe);
+    EXPECT_EQ(gl.work().maps, 1);
+    EXPECT_EQ(gl.work().compile, 0.0);
+}
+
+TEST_F(GlSynthesizeTest, WithoutFloat64TheFieldAgreesTo2em6) {
+    GlSynthesisLimits limits;
+    limits.float64 = false;
+    GlSynthesis gl(*context, limits);
+    Subject subject("sample:king", 64);
+    const Recipe recipe = load_recipe("marble");
+    const Affine3 map = texture_from_solid(recipe);
+    Image<float> drawn;
+    gl.synthesize(subject.solid(), recipe.texture, map, 0, drawn);
+    const Image<float> expected = on_host<float>(subject.solid(), recipe.texture, map);
+    float largest = 0.0f;
+    for (std::size_t i = 0; i < drawn.pixels().size(); ++i)
+        largest = std::max(largest, std::abs(drawn.pixels()[i] - expected.pixels()[i]));
+    EXPECT_LE(largest, 2e-6f);
+    EXPECT_GT(differing(drawn, Image<float>(64, 64)), 3000u);
+}
+
+TEST_F(GlSynthesizeTest, MoreLatticesThanTextureUnitsAreRefused) {
+    GlSynthesis gl(*context);
+    Subject subject("sample:cube", 64);
+    NoiseTerm term;
+    term.octaves = 24, term.lacunarity = 1.9;
+    const Recipe recipe = with_noise({term});
+    EXPECT_NE(gl.problem(recipe.texture), "");
+    Image<Rgb8> image;
+    EXPECT_THROW(
+        gl.synthesize(subject.solid(), recipe.texture, texture_from_solid(recipe), 0, image),
+        Error);
+}
+
 }  // namespace
 }  // namespace burl
