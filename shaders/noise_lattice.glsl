@@ -3,9 +3,9 @@
 // sequence of operations. After real.glsl.
 //
 // A point reaches a noise in one of two forms, as on the host:
-// - split: split_points(p), then cells_of(split, k) and places_of(split, k) after k doublings: the
-//   cell modulo 2^32, and the place in it from its middle, in [-1/2,1/2] (for sums of interpolated
-//   noise without period and time);
+// - split: split_points(p, limit), then cells_of(split, k) and places_of(split, k) after k
+//   doublings: the cell modulo 2^32, and the place in it from its middle, in [-1/2,1/2] (for sums
+//   of interpolated noise without period and time);
 // - as a site, lattice_site(p, period), period 0 being none: for everything else.
 
 const uint prime_x = 0x8da6b343u, prime_y = 0xd8163841u, prime_z = 0xcb1ab31fu,
@@ -63,8 +63,8 @@ struct SplitPoint {
     uvec3 cell, part;  // in units of 2^-32 cells: upper and lower 32 bits
 };
 
-void split_coordinate(real x, out uint cell, out uint part) {
-    real y = abs(x) < lattice_limit ? x : real(0.0);
+void split_coordinate(real x, real limit, out uint cell, out uint part) {
+    real y = abs(x) < limit ? x : real(0.0);
     exact real from_middle = y - real(0.5);
     real whole = roundEven(from_middle);
     exact real place = from_middle - whole;
@@ -77,11 +77,12 @@ void split_coordinate(real x, out uint cell, out uint part) {
     cell = low_bits(whole) + (part == 0u && place > real(0.0) ? 1u : 0u);
 }
 
-SplitPoint split_points(real3 p) {
+// What reaches `limit` counts as 0: lattice_limit, halved for each of the doublings to come.
+SplitPoint split_points(real3 p, real limit) {
     SplitPoint split;
-    split_coordinate(p.x, split.cell.x, split.part.x);
-    split_coordinate(p.y, split.cell.y, split.part.y);
-    split_coordinate(p.z, split.cell.z, split.part.z);
+    split_coordinate(p.x, limit, split.cell.x, split.part.x);
+    split_coordinate(p.y, limit, split.cell.y, split.part.y);
+    split_coordinate(p.z, limit, split.cell.z, split.part.z);
     return split;
 }
 
@@ -131,7 +132,6 @@ uvec3 lattice_index(uvec3 cell, ivec3 steps, uvec3 period) {
     return uvec3(lattice_index(cell.x, steps.x, period.x), lattice_index(cell.y, steps.y, period.y),
                  lattice_index(cell.z, steps.z, period.z));
 }
-
 uvec4 lattice_index(uvec4 cell, ivec4 steps, uvec4 period) {
     return uvec4(lattice_index(cell.xyz, steps.xyz, period.xyz),
                  lattice_index(cell.w, steps.w, period.w));
