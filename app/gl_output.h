@@ -1,7 +1,7 @@
 #pragma once
 // What a kind of picture is drawn as on OpenGL, and read back as: the target's format and the last
 // part of the shader, which stands behind `real field(ivec2 texel)` and the colours' parts
-// (GlColorTables).
+// (GlColorTables), or behind `real3 mean_color(ivec2 texel)` in linear light and the encoder's.
 #include <type_traits>
 #include <vector>
 
@@ -24,6 +24,12 @@ struct GlOutput<Rgb8> {
     static constexpr const char* text =
         "layout(location = 0) out uint code;  // r + 2^8 g + 2^16 b\n"
         "void main() { code = color_code(field(ivec2(gl_FragCoord.xy))); }\n";
+    static constexpr const char* mean_text =
+        "layout(location = 0) out uint code;\n"
+        "void main() {\n"
+        "    real3 c = mean_color(ivec2(gl_FragCoord.xy));\n"
+        "    code = srgb8(c.x) | srgb8(c.y) << 8 | srgb8(c.z) << 16;\n"
+        "}\n";
     static Rgb8 pixel(const Component* c) {
         return {std::uint8_t(*c), std::uint8_t(*c >> 8), std::uint8_t(*c >> 16)};
     }
@@ -38,6 +44,12 @@ struct GlOutput<Rgb16> {
         "layout(location = 0) out uvec2 codes;  // r + 2^16 g, b\n"
         "void main() {\n"
         "    real3 c = linear_color(field(ivec2(gl_FragCoord.xy)));\n"
+        "    codes = uvec2(srgb16(c.x) | srgb16(c.y) << 16, srgb16(c.z));\n"
+        "}\n";
+    static constexpr const char* mean_text =
+        "layout(location = 0) out uvec2 codes;\n"
+        "void main() {\n"
+        "    real3 c = mean_color(ivec2(gl_FragCoord.xy));\n"
         "    codes = uvec2(srgb16(c.x) | srgb16(c.y) << 16, srgb16(c.z));\n"
         "}\n";
     static Rgb16 pixel(const Component* c) {
@@ -55,6 +67,9 @@ struct GlOutput<RgbF> {
         "void main() {\n"
         "    color = vec4(vec3(linear_color(field(ivec2(gl_FragCoord.xy)))), 1.0);\n"
         "}\n";
+    static constexpr const char* mean_text =
+        "layout(location = 0) out vec4 color;\n"
+        "void main() { color = vec4(vec3(mean_color(ivec2(gl_FragCoord.xy))), 1.0); }\n";
     static RgbF pixel(const Component* c) { return {c[0], c[1], c[2]}; }
 };
 
@@ -81,6 +96,14 @@ void add_output(GlColorTables& colors, ShaderSource& source) {
         colors.add_linear(source);
     if constexpr (std::is_same_v<Pixel, Rgb16>) colors.add_srgb16(source);
     source.add("output", GlOutput<Pixel>::text);
+}
+
+/// The encoder's part of a shader of means over texels, and their text.
+template <class Pixel>
+void add_mean_output(GlColorTables& colors, ShaderSource& source) {
+    if constexpr (std::is_same_v<Pixel, Rgb8>) source.add("srgb8.glsl");
+    if constexpr (std::is_same_v<Pixel, Rgb16>) colors.add_srgb16(source);
+    source.add("output", GlOutput<Pixel>::mean_text);
 }
 
 /// Texture units that bind_output takes at most.

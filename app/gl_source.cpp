@@ -126,6 +126,14 @@ std::string ShaderSource::with_names(std::string_view log) const {
     return result;
 }
 
+void add_parts(ShaderSource& source, std::span<const GlslPart> parts) {
+    for (const GlslPart& part : parts)
+        if (part.text.empty())
+            source.add(part.name);
+        else
+            source.add(part.name, part.text);
+}
+
 GlProgram make_program(const GladGLContext& gl, const std::string& name, const ShaderSource& vertex,
                        const ShaderSource& fragment) {
     return GlProgram::from_source(

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/gl_objects.h"
+#include "procedural/glsl_noise.h"
 
 namespace burl {
 
@@ -45,6 +46,9 @@ class ShaderSource {
     std::string head_ = "#version 330 core\n", macros_;
     std::vector<Part> parts_;
 };
+
+/// Adds them in order.
+void add_parts(ShaderSource& source, std::span<const GlslPart> parts);
 
 /// Compiles and links; `name` stands in messages. Throws Error(runtime) with the compiler's log.
 GlProgram make_program(const GladGLContext& gl, const std::string& name, const ShaderSource& vertex,

@@ -15,6 +15,10 @@ int texture_units(const GladGLContext& gl) {
     return units;
 }
 
+bool is_plain(const Filter& filter) {
+    return filter.kind == FilterKind::none && !filter.band_limit;
+}
+
 /// Two textures a map, and the colours' tables.
 int units_of(const FieldShape& shape) {
     return 2 * int(shape.maps() + shape.lone.size()) + output_units;
@@ -39,9 +43,16 @@ GlSynthesis::GlSynthesis(GlContext& context, const GlSynthesisLimits& limits)
       maps_(*gl_, limits.map_budget),
       colors_(*gl_) {}
 
-std::string GlSynthesis::problem(const Texture& texture) const {
+void GlSynthesis::forget_atlas() {
+    maps_.forget_atlas();
+    if (filter_) filter_->forget_atlas();
+}
+
+std::string GlSynthesis::problem(const Texture& texture, const Filter& filter) const {
     const FieldShape shape = FieldOctaves(texture).shape();
-    if (units_of(shape) <= texture_units(*gl_)) return "";
+    if (std::string why = no_filter_shader(filter, shape, texture.colors); !why.empty()) return why;
+    const int more = is_plain(filter) ? 0 : GlMapFilter::units;
+    if (units_of(shape) + more <= texture_units(*gl_)) return "";
     return fmt::format(
         "its octaves lie in {} different lattices, for whose maps this OpenGL has too few texture "
         "units",
@@ -49,26 +60,29 @@ std::string GlSynthesis::problem(const Texture& texture) const {
 }
 
 const GlProgram& GlSynthesis::compiled(const ShaderSource& source) {
-    constexpr std::size_t most_programs = 64;
     std::string text = source.text();
     if (const auto found = programs_.find(text); found != programs_.end()) return found->second;
-    if (programs_.size() == most_programs) programs_.clear();
     GlProgram program = timed(
         work_.compile, [&] { return make_full_screen_program(*gl_, "the single pass", source); });
     return programs_.emplace(std::move(text), std::move(program)).first->second;
 }
 
 template <class Pixel>
-const GlProgram& GlSynthesis::program(const FieldShape& shape) {
-    ShaderSource source;
-    source.define_real(float64_);
-    for (const GlslPart& part : glsl_field(shape))
-        if (part.text.empty())
-            source.add(part.name);
-        else
-            source.add(part.name, part.text);
-    timed(work_.colors, [&] { add_output<Pixel>(colors_, source); });
-    return compiled(source);
+GlSynthesis::Programs GlSynthesis::programs(const FieldShape& shape, bool filtered) {
+    constexpr std::size_t most_programs = 64;
+    if (programs_.size() + 2 > most_programs) programs_.clear();
+    ShaderSource colors;
+    colors.define_real(float64_);
+    ShaderSource means = colors;
+    if (filtered)
+        filter_->add_field(colors, shape);
+    else
+        add_parts(colors, glsl_field(shape));
+    timed(work_.colors, [&] { add_output<Pixel>(colors_, colors); });
+    if (!filtered || !filter_->has_means()) return {&compiled(colors)};
+    filter_->add_means(means, shape);
+    if constexpr (!std::is_same_v<Pixel, float>) add_mean_output<Pixel>(colors_, means);
+    return {&compiled(colors), &compiled(means)};
 }
 
 const GlTarget& GlSynthesis::target(GLenum internal, GlSize size) {
@@ -138,41 +152,64 @@ void GlSynthesis::set_field(const GlProgram& program, const FieldUniforms& unifo
     set_real("lone_scales", uniforms.lone_scales);
 }
 
+/// What a program reads.
+template <class Pixel>
+void GlSynthesis::set_up(const FieldOctaves& octaves, const Maps& maps, const GlProgram& program,
+                         bool filtered) {
+    program.use();
+    const int unit = bind_maps(program, maps);
+    bind_output<Pixel>(colors_, program, unit);
+    if (filtered) filter_->bind(program, unit + output_units);
+    set_field(program, octaves.uniforms());
+}
+
 /// A tile of the picture, into target().
 template <class Pixel>
 void GlSynthesis::draw(const FieldOctaves& octaves, const Quadric& quadric,
-                       const GlProgram& program, const GlTile& tile) {
-    const Maps maps = timed(work_.map, [&] { return maps_of(octaves, quadric, tile); });
-    const GlTarget& drawn = target(GlOutput<Pixel>::internal, tile.size);
-    program.use();
+                       const Programs& programs, const GlTile& tile, bool filtered) {
+    const Maps maps = timed(work_.map, [&] {
+        if (filtered) filter_->set_field(octaves.groups, quadric, tile);
+        return maps_of(octaves, quadric, tile);
+    });
+    const GlTarget& into = target(GlOutput<Pixel>::internal, tile.size);
     // Bindings last: whatever makes a texture changes them.
-    bind_output<Pixel>(colors_, program, bind_maps(program, maps));
-    set_field(program, octaves.uniforms());
-    drawn.bind({{0, 0}, tile.size});
+    if (programs.means) set_up<Pixel>(octaves, maps, *programs.means, filtered);
+    set_up<Pixel>(octaves, maps, *programs.colors, filtered);
+    into.bind({{0, 0}, tile.size});
     timer_.start();
-    full_screen_.draw();
+    if (programs.means)
+        filter_->draw(full_screen_, into.size(), *programs.colors, *programs.means);
+    else
+        full_screen_.draw();
     const GlSeconds seconds = timer_.stop();
     work_.draw += seconds.wall;
     work_.gpu += seconds.gpu;
-    ++work_.passes;
+    work_.passes += programs.means ? 2 : 1;
 }
 
 template <class Pixel>
 void GlSynthesis::synthesize(const SolidAtlas& solid, const Texture& texture,
-                             const Affine3& texture_from_atlas, int threads, Image<Pixel>& image) {
-    if (const std::string why = problem(texture); !why.empty())
+                             const Affine3& texture_from_atlas, int threads, Image<Pixel>& image,
+                             const Filter& filter) {
+    if (const std::string why = problem(texture, filter); !why.empty())
         throw Error(ExitCode::unsupported, why);
     context_->make_current();
     work_ = {};
     if (image.width() != solid.size || image.height() != solid.size)
         image = Image<Pixel>::unset(solid.size, solid.size);
     const FieldOctaves octaves(texture);
+    const bool filtered = !is_plain(filter) && !std::is_same_v<Pixel, float>;
     maps_.set_atlas(solid, texture_from_atlas, threads);
     colors_.set_map(texture.colors);
-    const GlProgram& program = this->program<Pixel>(octaves.shape());
+    if (filtered) {
+        if (!filter_) filter_.emplace(*gl_, float64_, limits_.map_budget / 2);
+        filter_->set_atlas(solid, texture_from_atlas, threads);
+        filter_->set_map(texture.colors, filter);
+    }
+    const Programs programs = this->programs<Pixel>(octaves.shape(), filtered);
     const int made = maps_.made();
     for_tiles({int(solid.size), int(solid.size)}, limits_.tile, [&](const GlTile& tile) {
-        draw<Pixel>(octaves, texture.quadric, program, tile);
+        draw<Pixel>(octaves, texture.quadric, programs, tile, filtered);
         timed(work_.transfer, [&] { read_back_.read(*target_, tile, threads, image); });
     });
     maps_.drop_unused();
@@ -180,12 +217,12 @@ void GlSynthesis::synthesize(const SolidAtlas& solid, const Texture& texture,
 }
 
 template void GlSynthesis::synthesize(const SolidAtlas&, const Texture&, const Affine3&, int,
-                                      Image<Rgb8>&);
+                                      Image<Rgb8>&, const Filter&);
 template void GlSynthesis::synthesize(const SolidAtlas&, const Texture&, const Affine3&, int,
-                                      Image<Rgb16>&);
+                                      Image<Rgb16>&, const Filter&);
 template void GlSynthesis::synthesize(const SolidAtlas&, const Texture&, const Affine3&, int,
-                                      Image<RgbF>&);
+                                      Image<RgbF>&, const Filter&);
 template void GlSynthesis::synthesize(const SolidAtlas&, const Texture&, const Affine3&, int,
-                                      Image<float>&);
+                                      Image<float>&, const Filter&);
 
 }  // namespace burl

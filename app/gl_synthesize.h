@@ -9,6 +9,7 @@
 #include <string>
 
 #include "app/gl_map_cache.h"
+#include "app/gl_map_filter.h"
 #include "app/gl_output.h"
 #include "app/gl_timer.h"
 #include "procedural/glsl_field.h"
@@ -41,17 +42,19 @@ class GlSynthesis {
   public:
     explicit GlSynthesis(GlContext& context, const GlSynthesisLimits& limits = {});
 
-    /// Why a texture cannot be made; empty where it can.
-    std::string problem(const Texture& texture) const;
+    /// Why a texture cannot be made so; empty where it can.
+    std::string problem(const Texture& texture, const Filter& filter = {}) const;
 
-    /// As synthesize_rgb8, _rgb16 or _rgbf without a filter, for Pixel Rgb8, Rgb16 or RgbF, or as
-    /// synthesize_field for float. An image of the atlas's size is written over. Throws Error:
-    /// unsupported where problem() has something to say, runtime when memory runs out.
+    /// As synthesize_rgb8, _rgb16 or _rgbf, for Pixel Rgb8, Rgb16 or RgbF, or as
+    /// synthesize_field, unfiltered, for float. An image of the atlas's size is written over.
+    /// Throws Error: unsupported where problem() has something to say, runtime when memory runs
+    /// out.
     template <class Pixel>
     void synthesize(const SolidAtlas& solid, const Texture& texture,
-                    const Affine3& texture_from_atlas, int threads, Image<Pixel>& image);
+                    const Affine3& texture_from_atlas, int threads, Image<Pixel>& image,
+                    const Filter& filter = {});
     /// The atlas of the calls before is about to change or go away.
-    void forget_atlas() { maps_.forget_atlas(); }
+    void forget_atlas();
 
     const GlWork& work() const { return work_; }
     const GlContext& context() const { return *context_; }
@@ -62,15 +65,22 @@ class GlSynthesis {
         std::vector<std::shared_ptr<const GlLatticeMap>> lattices;
         std::vector<std::shared_ptr<const GlPointMap>> points;  ///< of lone octaves
     };
+    /// `means`: of a filter's second draw, null where it has none.
+    struct Programs {
+        const GlProgram *colors = nullptr, *means = nullptr;
+    };
     template <class Pixel>
-    const GlProgram& program(const FieldShape& shape);
+    Programs programs(const FieldShape& shape, bool filtered);
     const GlProgram& compiled(const ShaderSource& source);
     const GlTarget& target(GLenum internal, GlSize size);
     Maps maps_of(const FieldOctaves& octaves, const Quadric& quadric, const GlTile& tile);
     int bind_maps(const GlProgram& program, const Maps& maps) const;
     template <class Pixel>
-    void draw(const FieldOctaves& octaves, const Quadric& quadric, const GlProgram& program,
-              const GlTile& tile);
+    void set_up(const FieldOctaves& octaves, const Maps& maps, const GlProgram& program,
+                bool filtered);
+    template <class Pixel>
+    void draw(const FieldOctaves& octaves, const Quadric& quadric, const Programs& programs,
+              const GlTile& tile, bool filtered);
     void set_field(const GlProgram& program, const FieldUniforms& uniforms) const;
 
     GlContext* context_;
@@ -81,6 +91,7 @@ class GlSynthesis {
     GlTimer timer_;
     GlMapCache maps_;
     GlColorTables colors_;
+    std::optional<GlMapFilter> filter_;          ///< once there is one
     std::map<std::string, GlProgram> programs_;  ///< by the text of the fragment shader
     std::optional<GlTarget> target_;
     GlReadBack read_back_;

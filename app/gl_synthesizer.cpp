@@ -23,10 +23,10 @@ class GlSynthesizer final : public TextureSynthesizer {
     std::string problem(const Recipe& recipe) const override {
         if (recipe.precision.kind.value_or(PrecisionKind::float32) != PrecisionKind::float32)
             return "OpenGL computes in float32, and another precision is asked for";
+        if (recipe.graph.empty()) return textures_.problem(recipe.texture, recipe.filter);
         if (recipe.filter.kind != FilterKind::none || recipe.filter.band_limit)
-            return "OpenGL has no filters";
-        return recipe.graph.empty() ? textures_.problem(recipe.texture)
-                                    : graphs_.problem(recipe.graph);
+            return "OpenGL filters no graphs";
+        return graphs_.problem(recipe.graph);
     }
 
     void synthesize(const SolidAtlas& solid, const Recipe& recipe, int threads,
@@ -78,7 +78,7 @@ class GlSynthesizer final : public TextureSynthesizer {
     void fill(const SolidAtlas& solid, const Recipe& recipe, int threads, Image<Pixel>& image) {
         const Affine3 map = texture_from_solid(recipe);
         if (recipe.graph.empty())
-            textures_.synthesize(solid, recipe.texture, map, threads, image);
+            textures_.synthesize(solid, recipe.texture, map, threads, image, recipe.filter);
         else
             graphs_.synthesize(solid, recipe.graph, map, threads, image);
         sum_ += recipe.graph.empty() ? textures_.work() : graphs_.work();

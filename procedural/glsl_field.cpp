@@ -61,27 +61,6 @@ bool has_simplex(const FieldShape& shape) {
            shape.groups.end();
 }
 
-std::string uniforms_text(const FieldShape& shape) {
-    std::string text = fmt::format(
-        "uniform usampler2D map_cells[{0}], map_places[{0}];\n"
-        "uniform real constant;  // of all octaves\n",
-        shape.maps());
-    if (!shape.groups.empty())
-        text += fmt::format(
-            "uniform uvec3 seeds[{0}];\n"
-            "uniform float weights[{0}];\n"
-            "uniform real scales[{1}];  // of groups of octaves\n",
-            octave_count(shape), shape.groups.size());
-    if (has_simplex(shape)) text += fmt::format("uniform float radii[{}];\n", shape.groups.size());
-    if (!shape.lone.empty())
-        text += fmt::format(
-            "uniform usampler2D lone_xy[{0}], lone_z[{0}];\n"
-            "uniform uint lone_seeds[{0}];\n"
-            "uniform real lone_times[{0}], lone_scales[{0}];\n",
-            shape.lone.size());
-    return text + "\n";
-}
-
 /// The noises of lone octaves and their shapes.
 std::string lone_functions(const FieldShape& shape) {
     std::string text;
@@ -105,7 +84,7 @@ std::string lone_text(std::size_t i) {
 }
 
 std::string field_text(const FieldShape& shape) {
-    std::string text = uniforms_text(shape) + lone_functions(shape);
+    std::string text = glsl_field_uniforms(shape) + lone_functions(shape);
     text +=
         "// f = q + the octaves' sums.\n"
         "real field(ivec2 texel) {\n"
@@ -162,6 +141,27 @@ FieldUniforms FieldOctaves::uniforms() const {
         uniforms.lone_scales.push_back(octave.scale);
     }
     return uniforms;
+}
+
+std::string glsl_field_uniforms(const FieldShape& shape) {
+    std::string text = fmt::format(
+        "uniform usampler2D map_cells[{0}], map_places[{0}];\n"
+        "uniform real constant;  // of all octaves\n",
+        shape.maps());
+    if (!shape.groups.empty())
+        text += fmt::format(
+            "uniform uvec3 seeds[{0}];\n"
+            "uniform float weights[{0}];\n"
+            "uniform real scales[{1}];  // of groups of octaves\n",
+            octave_count(shape), shape.groups.size());
+    if (has_simplex(shape)) text += fmt::format("uniform float radii[{}];\n", shape.groups.size());
+    if (!shape.lone.empty())
+        text += fmt::format(
+            "uniform usampler2D lone_xy[{0}], lone_z[{0}];\n"
+            "uniform uint lone_seeds[{0}];\n"
+            "uniform real lone_times[{0}], lone_scales[{0}];\n",
+            shape.lone.size());
+    return text + "\n";
 }
 
 std::vector<GlslPart> glsl_field(const FieldShape& shape) {

@@ -60,6 +60,9 @@ struct FieldOctaves {
     FieldUniforms uniforms() const;
 };
 
+/// The uniforms that a field is made of.
+std::string glsl_field_uniforms(const FieldShape& shape);
+
 /// The parts of a shader that end with `real field(ivec2 texel)`: NaN where no span shows anything.
 /// It reads lattice maps (lattice_map.h) from the samplers map_cells[] and map_places[], and point
 /// maps (synthesize_point_map.h) of the lone octaves' lattices from lone_xy[] and lone_z[].

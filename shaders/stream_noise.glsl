@@ -143,21 +143,31 @@ vec3 simplex_gradient(uint hash) {
     return turn == 1u ? vec3(p, q, r) : turn == 2u ? vec3(r, p, q) : vec3(q, r, p);
 }
 
-// A corner's kernel t^4 (g . d), t = radius2 - d . d where positive.
-float simplex_kernel(uvec3 corner, vec3 offset, float radius2) {
-    vec3 g = simplex_gradient(pattern_hash(corner));
+// Height of a corner's kernel: t^4 (g . d) with t = radius2 - d . d where positive.
+float simplex_height(vec3 offset, float radius2) {
     exact float square = offset.x * offset.x + offset.y * offset.y + offset.z * offset.z;
-    exact float slope = g.x * offset.x + g.y * offset.y + g.z * offset.z;
-    exact float t = max(radius2 - square, 0.0);
-    exact float t4 = (t * t) * (t * t);
-    return t4 * slope;
+    return max(radius2 - square, 0.0);
 }
 
+float simplex_kernel(uvec3 corner, vec3 offset, float radius2) {
+    vec3 g = simplex_gradient(pattern_hash(corner));
+    float t = simplex_height(offset, radius2);
+    exact float t4 = (t * t) * (t * t);
+    return t4 * exact_dot(g, offset);
+}
+
+// Corners of the simplex from the lowest to the highest, and the texel's offsets from them.
+struct SimplexCorners {
+    uvec3 corner[4];
+    vec3 offset[4];
+};
+
 // `shift` is what the octave's seed adds to corners (lattice_shift).
-float stream_simplex(StreamSite site, uvec3 shift, float radius2) {
+SimplexCorners simplex_corners(StreamSite site, uvec3 shift) {
     const uint one = 1u << 29;
     uvec3 p = site.place >> 3;
-    // A third of the coordinates' sum, which skews them. It is 1 too small: so small sums have signs.
+    // A third of the coordinates' sum, which skews them. It is 1 too small: so small sums have
+    // signs.
     uint rest, unused;
     uint cells = third(site.cell.x + site.cell.y + site.cell.z, rest);
     uint skew = third(p.x + p.y + p.z - 3u * one + rest * one, unused);
@@ -171,16 +181,20 @@ float stream_simplex(StreamSite site, uvec3 shift, float radius2) {
 
     // The largest offset goes first; of equals the one along the lower axis.
     bool xy = way.x < way.y, xz = way.x < way.z, yz = way.y < way.z;
-    bvec3 first = bvec3(!(xy || xz), xy && !yz, xz && yz);
-    bvec3 last = bvec3(xy && xz, !xy && yz, !(xz || yz));
-    uvec3 second_step = uvec3(first), third_step = uvec3(1u) - uvec3(last);
-    exact vec3 second = (offset + 0.16666667163372039794921875) - vec3(second_step);
-    exact vec3 near_last = offset - 0.666666686534881591796875;
-    exact vec3 third_offset = near_last + (vec3(1.0) - vec3(third_step));
+    uvec3 first = uvec3(bvec3(!(xy || xz), xy && !yz, xz && yz));
+    uvec3 last = uvec3(bvec3(xy && xz, !xy && yz, !(xz || yz)));
+    exact vec3 second = (offset + 0.16666667163372039794921875) - vec3(first);
+    exact vec3 third_offset = (offset - 0.666666686534881591796875) + vec3(last);
     exact vec3 highest = offset - 0.5;
-    exact float noise = simplex_kernel(corner, offset, radius2) +
-                        simplex_kernel(corner + second_step, second, radius2) +
-                        simplex_kernel(corner + third_step, third_offset, radius2) +
-                        simplex_kernel(corner + 1u, highest, radius2);
+    return SimplexCorners(uvec3[4](corner, corner + first, corner + 1u - last, corner + 1u),
+                          vec3[4](offset, second, third_offset, highest));
+}
+
+float stream_simplex(StreamSite site, uvec3 shift, float radius2) {
+    SimplexCorners at = simplex_corners(site, shift);
+    exact float noise = simplex_kernel(at.corner[0], at.offset[0], radius2) +
+                        simplex_kernel(at.corner[1], at.offset[1], radius2) +
+                        simplex_kernel(at.corner[2], at.offset[2], radius2) +
+                        simplex_kernel(at.corner[3], at.offset[3], radius2);
     return noise;
 }
