@@ -34,15 +34,16 @@ void GlColorTables::add_index(ShaderSource& source) const {
 void GlColorTables::add_codes(ShaderSource& source) {
     if (!codes_) {
         const ColorSteps steps = color_steps(ColorTable8(map_));
-        codes_.emplace(Codes{table(*gl_, GL_RGBA32UI, steps.entries), {}, {}});
-        if (steps.several) {
+        codes_.emplace(
+            Codes{table(*gl_, GL_RGBA32UI, steps.entries), {}, {}, steps.count, steps.most});
+        if (steps.most > 1) {
             codes_->first.emplace(table(*gl_, GL_R32UI, steps.first));
             codes_->steps.emplace(table(*gl_, GL_RGBA32UI, steps.steps));
         }
     }
     add_index(source);
-    source.define("COLOR_ENTRIES", fmt::format("{}.0", ColorTable8::entry_count))
-        .define("COLOR_SEVERAL", codes_->steps ? "1" : "0")
+    source.define("COLOR_ENTRIES", fmt::format("{}.0", codes_->count))
+        .define("COLOR_STEPS", fmt::format("{}", codes_->most))
         .add("color_codes.glsl");
 }
 

@@ -32,6 +32,7 @@ class GlColorTables {
     struct Codes {
         GlBufferTexture entries;
         std::optional<GlBufferTexture> first, steps;  ///< where an entry may hold several steps
+        std::uint32_t count, most;                    ///< of ColorSteps
     };
     struct Segments {
         GlBufferTexture texels;

@@ -160,6 +160,7 @@ void GlSynthesis::set_up(const FieldOctaves& octaves, const Maps& maps, const Gl
     const int unit = bind_maps(program, maps);
     bind_output<Pixel>(colors_, program, unit);
     if (filtered) filter_->bind(program, unit + output_units);
+    program.set("map_scale", 1.0f / glm::vec2(maps.lattices[0]->size()));
     set_field(program, octaves.uniforms());
 }
 

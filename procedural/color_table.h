@@ -87,8 +87,6 @@ class ColorTable8 {
     };
     /// By rising index, the first at 0; one at infinity ends them.
     std::span<const Step> steps() const { return steps_; }
-    /// The last step up to the begin of an entry, entry_count included.
-    std::uint32_t first_step(std::uint32_t entry) const { return first_step_[entry]; }
 
   private:
     static std::vector<Step> steps_of(const PreparedColorMap& map);

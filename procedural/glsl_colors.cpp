@@ -20,22 +20,39 @@ std::uint32_t code_of(const Rgb8& color) {
     return std::uint32_t(color.r) | std::uint32_t(color.g) << 8 | std::uint32_t(color.b) << 16;
 }
 
+/// Within one of `count` entries, not at its begin, rounded up to a power of two.
+std::uint32_t most_steps(std::span<const ColorTable8::Step> steps, std::uint32_t count) {
+    std::uint32_t most = 1, entry = 0, in_entry = 0;
+    for (const ColorTable8::Step& step : steps.first(steps.size() - 1)) {
+        const double place = step.index * count;
+        const auto own = std::uint32_t(place);
+        in_entry = (own == entry ? in_entry : 0) + (double(own) < place ? 1 : 0);
+        entry = own;
+        most = std::max(most, in_entry);
+    }
+    return std::bit_ceil(most);
+}
+
 }  // namespace
 
 ColorSteps color_steps(const ColorTable8& table) {
     const auto steps = table.steps();
     ColorSteps result;
+    result.count = 1u << 14;
+    result.most = most_steps(steps, result.count);
+    for (std::uint32_t count = 1u << 15; count <= 1u << 16; count *= 2)
+        if (const std::uint32_t most = most_steps(steps, count); most < result.most)
+            result.count = count, result.most = most;
+    std::uint32_t first = 0;
+    for (std::uint32_t i = 0; i <= result.count; ++i) {
+        while (steps[first + 1].index <= double(i) / result.count) ++first;
+        result.entries.emplace_back(code_of(steps[first].color), halves(steps[first + 1].index),
+                                    code_of(steps[first + 1].color));
+        result.first.push_back(first);
+    }
     for (const ColorTable8::Step& step : steps)
         result.steps.emplace_back(halves(step.index), code_of(step.color), 0u);
-    const auto last = std::uint32_t(steps.size() - 1);
-    for (std::uint32_t i = 0; i <= ColorTable8::entry_count; ++i) {
-        const std::uint32_t first = table.first_step(i), next = first + 1;
-        result.entries.emplace_back(code_of(steps[first].color), halves(steps[next].index),
-                                    code_of(steps[next].color));
-        result.first.push_back(first);
-        const double end = double(i + 1) / ColorTable8::entry_count;
-        result.several = result.several || (next < last && steps[next + 1].index < end);
-    }
+    result.steps.insert(result.steps.end(), result.most, result.steps.back());
     return result;
 }
 

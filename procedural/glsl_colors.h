@@ -14,13 +14,17 @@ using TableTexel = glm::uvec4;
 
 /// For color_codes.glsl. A code is r + 2^8 g + 2^16 b.
 struct ColorSteps {
-    /// Per entry of ColorTable8: the code at its begin, the index of the next step, its code.
+    /// Per entry of [0,1] cut into equal parts, and one for 1 itself: the code at its begin, the
+    /// index of the next step, its code.
     std::vector<TableTexel> entries;
-    /// Whether some entry has more than one step; then the two others are needed.
-    bool several = false;
-    std::vector<std::uint32_t> first;  ///< per entry: its first step's number
-    std::vector<TableTexel> steps;     ///< index, code, 0; the last at infinity
+    std::uint32_t count = 0;  ///< of entries, without the last
+    /// Steps in one entry at most, rounded up to a power of two: where there are two or more, a
+    /// shader looks further from the entry's first on.
+    std::uint32_t most = 1;
+    std::vector<std::uint32_t> first;  ///< per entry: the number of the last step up to its begin
+    std::vector<TableTexel> steps;     ///< index, code, 0; `most` and more at infinity end them
 };
+/// 2^14 to 2^16 entries, as many as lessen `most`.
 ColorSteps color_steps(const ColorTable8& table);
 
 /// For color_segments.glsl: four texels a segment, which hold where it begins, its colour there and

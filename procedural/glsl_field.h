@@ -65,7 +65,8 @@ std::string glsl_field_uniforms(const FieldShape& shape);
 
 /// The parts of a shader that end with `real field(ivec2 texel)`: NaN where no span shows anything.
 /// It reads lattice maps (lattice_map.h) from the samplers map_cells[] and map_places[], and point
-/// maps (synthesize_point_map.h) of the lone octaves' lattices from lone_xy[] and lone_z[].
+/// maps (synthesize_point_map.h) of the lone octaves' lattices from lone_xy[] and lone_z[];
+/// `map_scale` is 1 / the maps' width and height.
 std::vector<GlslPart> glsl_field(const FieldShape& shape);
 
 }  // namespace burl

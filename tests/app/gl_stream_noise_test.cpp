@@ -90,6 +90,7 @@ class GlStreamNoiseTest : public GlTest {
         bind_texture(gl, 1, places);
         program.set("map_cells[0]", 0);
         program.set("map_places[0]", 1);
+        program.set("map_scale", 1.0f / glm::vec2(map_size));
         program.set("constant", 0.0);
         program.set("scales[0]", 1.0);
         const auto count = GLsizei(uniforms.seeds.size());
