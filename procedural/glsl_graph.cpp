@@ -62,6 +62,10 @@ std::string no_graph_shader(const TextureGraph& graph) {
     for (std::size_t n = 1; n < graph.nodes.size(); ++n)
         if (type_of(graph.nodes[n]).name == "slope")
             return "its node slope asks for a gradient, which shaders do not compute";
+    for (const Texture& texture : graph.textures)
+        if (texture.colors.stops.size() > most_glsl_stops)
+            return fmt::format("a colour map of it has {} stops, and shaders take at most {}",
+                               texture.colors.stops.size(), most_glsl_stops);
     return "";
 }
 

@@ -96,28 +96,34 @@ std::string GlslSteps::expression(const ValueOperation& operation, const Inputs&
 
 namespace {
 
-/// The colours' polynomial at x, whose coefficients depend on the piece that x lies in.
-std::string pieces_function(const std::string& name, const ColorPieces& pieces, GlslReal real) {
-    const std::size_t coefficients = pieces.degree + 1, stride = pieces.stride();
-    const bool repeats = pieces.argument == ColorPieces::Argument::repeat;
-    std::string text = fmt::format("real3 {}(real x) {{\n    real t = {}(x), begin;\n    real3 ",
-                                   name, repeats ? "repeated_index" : "clamped_index");
+/// "begin = ...;", "c0 = real3(...);" and so on, what piece i has, each on a line of its own.
+std::string piece_lines(const ColorPieces& pieces, std::size_t i, GlslReal real) {
+    const std::size_t coefficients = pieces.degree + 1;
+    const double* piece = &pieces.table[i * pieces.stride()];
+    const char* indent = i == 0 ? "    " : "        ";
+    const auto number = [&](std::size_t k) { return glsl_number(piece[k], real); };
+    std::string lines = fmt::format("{}{}begin = {};\n", indent, i == 0 ? "real " : "", number(0));
     for (std::size_t k = 0; k < coefficients; ++k)
-        text += fmt::format("c{}{}", k, k + 1 < coefficients ? ", " : ";\n");
+        lines += fmt::format("{}{}c{} = real3({}, {}, {});\n", indent, i == 0 ? "real3 " : "", k,
+                             number(1 + k), number(1 + coefficients + k),
+                             number(1 + 2 * coefficients + k));
+    return lines;
+}
+
+/// The colours' polynomial at x, whose coefficients are those of the last piece that begins up to
+/// there. (Not one comparison inside the other: llvmpipe goes wrong where more than 80 are.)
+std::string pieces_function(const std::string& name, const ColorPieces& pieces, GlslReal real) {
+    const std::size_t coefficients = pieces.degree + 1;
+    const bool repeats = pieces.argument == ColorPieces::Argument::repeat;
+    std::string text = fmt::format("real3 {}(real x) {{\n    real t = {}(x);\n", name,
+                                   repeats ? "repeated_index" : "clamped_index");
     for (std::size_t i = 0; i < pieces.begins.size(); ++i) {
-        const double* piece = &pieces.table[i * stride];
-        const bool last = i + 1 == pieces.begins.size();
-        text += i == 0 ? "    " : " else ";
-        if (!last) text += fmt::format("if (t < {}) ", glsl_number(pieces.begins[i + 1], real));
-        text += fmt::format("{{\n        begin = {};\n", glsl_number(piece[0], real));
-        for (std::size_t k = 0; k < coefficients; ++k)
-            text += fmt::format("        c{} = real3({}, {}, {});\n", k,
-                                glsl_number(piece[1 + k], real),
-                                glsl_number(piece[1 + coefficients + k], real),
-                                glsl_number(piece[1 + 2 * coefficients + k], real));
-        text += "    }";
+        const std::string lines = piece_lines(pieces, i, real);
+        text += i == 0 ? lines
+                       : fmt::format("    if (t >= {}) {{\n{}    }}\n",
+                                     glsl_number(pieces.begins[i], real), lines);
     }
-    text += "\n    exact real u = t - begin;\n    exact real3 color = ";
+    text += "    exact real u = t - begin;\n    exact real3 color = ";
     for (std::size_t k = 0; k + 1 < coefficients; ++k) text += fmt::format("c{} + u * (", k);
     text += fmt::format("c{}{};\n    return color;\n}}\n\n", coefficients - 1,
                         std::string(coefficients - 1, ')'));

@@ -12,14 +12,18 @@
 #include "app/gl_source.h"
 #include "app/gl_target.h"
 #include "app/pipeline.h"
-#include "app/sample_meshes.h"
+#include "app/bench_meshes.h"
 #include "procedural/synthesize_point_map.h"
 #include "tests/app/gl_fixture.h"
+#include "tests/app/run_program.h"
 #include "tests/procedural/graph_cases.h"
 
 namespace burl {
 namespace {
 
+using test::Outcome;
+using test::run_burl;
+using test::Scratch;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -54,7 +58,7 @@ std::vector<std::string> drawable_presets() {
 class GlEmitPresetTest : public GlEmitTest, public testing::WithParamInterface<std::string> {};
 
 TEST_P(GlEmitPresetTest, GivesTheHostsColours) {
-    Pipeline pipeline(sample_mesh("sample:torus"));
+    Pipeline pipeline(torus(300));
     const Recipe recipe = load_recipe(GetParam(), {"atlas.size=64", "atlas.kind=area"});
     pipeline.set_recipe(recipe);
     const Image<RgbF> expected = pipeline.synthesize<RgbF>();
@@ -97,6 +101,32 @@ TEST(GlEmit, SaysWhatItIsAndHoldsNothingElse) {
         EXPECT_THAT(text, HasSubstr(part));
     for (const char* part : {"real", "double", "exact", "sine", "mix_bits", "#if"})
         EXPECT_THAT(text, Not(HasSubstr(part)));
+}
+
+TEST(GlEmit, BakesWriteIt) {
+    const Scratch scratch;
+    const std::string bake = "bake sample:cube --quiet -s 64 -o '" + scratch / "t.png" + "' ";
+    const std::string report = scratch / "t.json";
+    const Outcome outcome =
+        run_burl(scratch, bake + "--recipe windy --emit-glsl '" + scratch / "t.frag" +
+                              "' --report '" + report + "'");
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const std::string text = test::slurp(scratch / "t.frag");
+    EXPECT_TRUE(text.starts_with("#version 330 core\n// Solid texture windy,"));
+    EXPECT_THAT(text, HasSubstr("// windy (node "));
+    EXPECT_THAT(test::slurp(report), HasSubstr("t.frag"));
+}
+
+TEST(GlEmit, BakesThatCannotWriteItWriteNothing) {
+    const Scratch scratch;
+    const std::string bake = "bake sample:cube --quiet -s 64 -o '" + scratch / "t.png" + "' ";
+    const Outcome slope =
+        run_burl(scratch, bake + "--recipe noise-slope --emit-glsl '" + scratch / "t.frag" + "'");
+    EXPECT_EQ(slope.exit_code, int(ExitCode::unsupported));
+    EXPECT_THAT(slope.err, HasSubstr("slope"));
+    const Outcome same = run_burl(scratch, bake + "--emit-glsl '" + scratch / "t.png" + "'");
+    EXPECT_EQ(same.exit_code, int(ExitCode::io));
+    EXPECT_EQ(scratch.files(), 0u);
 }
 
 TEST(GlEmit, SlopesAreRefused) {

@@ -13,7 +13,7 @@
 #include "app/embedded.h"
 #include "app/gl_synthesizer.h"
 #include "app/pipeline.h"
-#include "app/sample_meshes.h"
+#include "app/bench_meshes.h"
 #include "procedural/graph_table.h"
 #include "procedural/noise_names.h"
 #include "procedural/synthesize_graph.h"
@@ -69,6 +69,19 @@ void expect_equal(GlGraphSynthesis& gl, std::string_view name, const TextureGrap
     if (name != "constant") {
         EXPECT_GT(colors_of(expected), 1u) << name;
     }
+}
+
+TEST_F(GlGraphTest, ColourMapsMayHaveManyStops) {
+    const auto colors = [](int stops) {
+        std::string json = R"({"node": "color_map", "input": {"node": "coordinate"}, "stops": [)";
+        for (int i = 0; i < stops; ++i)
+            json += fmt::format(R"({}[{}, "#{:06x}"])", i == 0 ? "" : ", ", double(i) / stops,
+                                i * 977 % 0xffffff);
+        return graph_of(json + "]}");
+    };
+    GlGraphSynthesis gl(*context);
+    expect_equal(gl, "many stops", colors(int(most_glsl_stops)), SyntheticAtlas{}.make(2));
+    EXPECT_THAT(gl.problem(colors(int(most_glsl_stops) + 1)), HasSubstr("257 stops"));
 }
 
 TEST_F(GlGraphTest, CasesAreOfAllNodes) {
@@ -180,7 +193,7 @@ class GlGraphPresetTest : public GlTest, public testing::WithParamInterface<std:
 
 TEST_P(GlGraphPresetTest, HasTheHostsBytes) {
     GlGraphSynthesis gl(*context);
-    Pipeline pipeline(sample_mesh("sample:torus"));
+    Pipeline pipeline(torus(300));
     const Recipe recipe = load_recipe(GetParam(), {"atlas.size=64", "atlas.kind=area"});
     pipeline.set_recipe(recipe);
     const Affine3 map = texture_from_solid(recipe);
@@ -197,7 +210,7 @@ INSTANTIATE_TEST_SUITE_P(Presets, GlGraphPresetTest, testing::ValuesIn(graph_pre
                          });
 
 TEST_F(GlGraphTest, BakesThroughOpenGlHaveTheHostsBytes) {
-    Pipeline pipeline(sample_mesh("sample:torus"));
+    Pipeline pipeline(torus(300));
     pipeline.set_recipe(load_recipe("checks", {"atlas.size=64"}));
     const Image<Rgb8> expected = pipeline.synthesize<Rgb8>();
     const std::shared_ptr<TextureSynthesizer> gl = make_gl_synthesizer(create_osmesa_context());
