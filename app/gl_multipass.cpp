@@ -213,7 +213,7 @@ void GlMultipass::run(std::span<const GlLatticeMap* const> maps, std::span<const
     check_gl(*gl_, "drawing the passes of noise");
 }
 
-/// Both neighbours of 1 + 3/2^12 are halves: one is nearer, the other nearer to 0.
+/// 1 + 3/2^12 lies between 1 and 1 + 4/2^12, which is the nearer of these two half floats.
 HalfRounding half_rounding(const GladGLContext& gl) {
     const GlTarget target(gl, {1, 1}, {GL_RGBA16F});
     const GlProgram program = make_full_screen_program(

@@ -75,6 +75,14 @@ TEST_F(GlMultipassSynthesizeTest, Float32HasTheHostsIndexTo2e6) {
         EXPECT_LE(distance_of(gl, subject.solid(), recipe).largest, 2e-6) << recipe.name;
 }
 
+TEST_F(GlMultipassSynthesizeTest, WithoutFloat64AsWell) {
+    Subject subject;
+    GlSynthesisLimits limits;
+    limits.float64 = false;
+    GlMultipassSynthesis gl(*context, {}, limits);
+    EXPECT_LE(distance_of(gl, subject.solid(), load_recipe("marble")).largest, 2e-6);
+}
+
 TEST_F(GlMultipassSynthesizeTest, FewerBitsAreFurtherAway) {
     Subject subject;
     const Recipe recipe = load_recipe("marble");
@@ -111,6 +119,23 @@ TEST_F(GlMultipassSynthesizeTest, ColorsAreTheHostsButForRounding) {
     gl.synthesize(subject.solid(), recipe.texture, map, 0, again);
     EXPECT_EQ(differing(colors, again), 0u);
     EXPECT_EQ(gl.work().maps, 0) << "kept";
+}
+
+TEST_F(GlMultipassSynthesizeTest, WiderPixelsAreNearTheHosts) {
+    Subject subject;
+    const Recipe recipe = load_recipe("marble");
+    const Affine3 map = texture_from_solid(recipe);
+    GlMultipassSynthesis gl(*context, {});
+    Image<RgbF> linear;
+    Image<Rgb16> codes;
+    gl.synthesize(subject.solid(), recipe.texture, map, 0, linear);
+    gl.synthesize(subject.solid(), recipe.texture, map, 0, codes);
+    const Image<RgbF> host_linear = synthesize_rgbf(subject.solid(), recipe.texture, map, 0);
+    const Image<Rgb16> host_codes = synthesize_rgb16(subject.solid(), recipe.texture, map, 0);
+    for (std::size_t i = 0; i < linear.pixels().size(); ++i) {
+        ASSERT_NEAR(linear.pixels()[i].g, host_linear.pixels()[i].g, 2e-5f) << i;
+        ASSERT_NEAR(int(codes.pixels()[i].g), int(host_codes.pixels()[i].g), 2) << i;
+    }
 }
 
 TEST_F(GlMultipassSynthesizeTest, TilesLeaveNoTrace) {
