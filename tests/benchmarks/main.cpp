@@ -36,5 +36,6 @@ int main(int argc, char** argv) {
     burl::register_stream_benchmarks();
     burl::register_color_benchmarks();
     burl::register_baseline_benchmarks();
+    burl::register_map_benchmarks();
     benchmark::RunSpecifiedBenchmarks();
 }

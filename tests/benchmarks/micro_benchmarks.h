@@ -16,6 +16,8 @@ void register_stream_benchmarks();
 void register_color_benchmarks();
 /// Other libraries' noises at the same number of points, where the build found them.
 void register_baseline_benchmarks();
+/// Lattice maps of a whole atlas for OpenGL.
+void register_map_benchmarks();
 
 /// A full batch of spans of `length` texels that cross `crossings` lattice planes a texel in the
 /// solid's own cells, turned at random.
