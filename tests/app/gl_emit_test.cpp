@@ -8,11 +8,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "app/bench_meshes.h"
 #include "app/embedded.h"
 #include "app/gl_source.h"
 #include "app/gl_target.h"
 #include "app/pipeline.h"
-#include "app/bench_meshes.h"
 #include "procedural/synthesize_point_map.h"
 #include "tests/app/gl_fixture.h"
 #include "tests/app/run_program.h"

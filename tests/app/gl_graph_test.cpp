@@ -10,10 +10,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "app/bench_meshes.h"
 #include "app/embedded.h"
 #include "app/gl_synthesizer.h"
 #include "app/pipeline.h"
-#include "app/bench_meshes.h"
 #include "procedural/graph_table.h"
 #include "procedural/noise_names.h"
 #include "procedural/synthesize_graph.h"
