@@ -17,6 +17,14 @@ std::string column(const Vec3d& v) {
     return fmt::format("vec3({}, {}, {})", number(v.x), number(v.y), number(v.z));
 }
 
+/// A name as a comment takes it: GLSL 3.30 is ASCII, and a backslash or a line's end would end the
+/// comment elsewhere.
+std::string in_comment(std::string name) {
+    for (char& c : name)
+        if (c < ' ' || c > '~' || c == '\\') c = '?';
+    return name;
+}
+
 std::string header(const Recipe& recipe) {
     return fmt::format(R"(#version 330 core
 // Solid texture {}, written by Burl {} from its recipe.
@@ -28,7 +36,8 @@ std::string header(const Recipe& recipe) {
 // writes. Encode the colours as sRGB, or let the target do it. They are point samples, and Burl's own
 // up to rounding to float32.
 )",
-                       recipe.name.empty() ? "without a name" : recipe.name, burl_version());
+                       recipe.name.empty() ? "without a name" : in_comment(recipe.name),
+                       burl_version());
 }
 
 std::string matrix(const Affine3& map) {
@@ -57,7 +66,7 @@ std::string images_text(const GlslTexture& texture, const TextureGraph& graph) {
                 text += fmt::format(
                     "// {} is the image {}, decoded to linear light (an sRGB texture), "
                     "its top row first.\n",
-                    image.uniform, known.file);
+                    image.uniform, in_comment(known.file));
                 break;
             }
     return text;

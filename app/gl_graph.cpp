@@ -169,9 +169,9 @@ template <class Pixel>
 void GlGraphSynthesis::synthesize(const SolidAtlas& solid, const TextureGraph& graph,
                                   const Affine3& texture_from_atlas, int threads,
                                   Image<Pixel>& image) {
+    context_->make_current();
     if (const std::string why = problem(graph); !why.empty())
         throw Error(ExitCode::unsupported, why);
-    context_->make_current();
     work_ = {};
     if (image.width() != solid.size || image.height() != solid.size)
         image = Image<Pixel>::unset(solid.size, solid.size);

@@ -63,7 +63,10 @@ class GlMultipassSynthesizer final : public TextureSynthesizer {
         fill(solid, recipe, threads, image);
     }
 
-    void forget_atlas() override { textures_.forget_atlas(); }
+    void forget_atlas() override {
+        context_->make_current();
+        textures_.forget_atlas();
+    }
 
     Json report() const override {
         const MultipassOptions& options = textures_.options();

@@ -192,9 +192,9 @@ template <class Pixel>
 void GlSynthesis::synthesize(const SolidAtlas& solid, const Texture& texture,
                              const Affine3& texture_from_atlas, int threads, Image<Pixel>& image,
                              const Filter& filter) {
+    context_->make_current();
     if (const std::string why = problem(texture, filter); !why.empty())
         throw Error(ExitCode::unsupported, why);
-    context_->make_current();
     work_ = {};
     if (image.width() != solid.size || image.height() != solid.size)
         image = Image<Pixel>::unset(solid.size, solid.size);

@@ -10,6 +10,7 @@
 
 #include "app/gl_block_levels.h"
 #include "app/gl_graph.h"
+#include "atlas/block_levels.h"
 
 namespace burl {
 
@@ -44,6 +45,10 @@ class GlSynthesizer final : public TextureSynthesizer {
 
     std::vector<Image<RgbF>> levels(const MeshAtlas& atlas, const Image<RgbF>& texture,
                                     std::uint32_t count) override {
+        // Where tiles do not divide the side a level would need the whole texture at a time.
+        if (texture.width() > std::size_t(largest_tile) &&
+            texture.width() % std::size_t(largest_tile) != 0)
+            return block_levels(atlas, texture, count);
         const auto start = std::chrono::steady_clock::now();
         context_->make_current();
         if (!levels_) levels_.emplace(*context_, atlas);
@@ -55,6 +60,7 @@ class GlSynthesizer final : public TextureSynthesizer {
     }
 
     void forget_atlas() override {
+        context_->make_current();
         textures_.forget_atlas();
         graphs_.forget_atlas();
         levels_.reset();
@@ -67,6 +73,7 @@ class GlSynthesizer final : public TextureSynthesizer {
                 {"seconds",
                  {{"compile", sum_.compile},
                   {"maps", sum_.map},
+                  {"colors", sum_.colors},
                   {"draw", sum_.draw},
                   {"gpu", sum_.gpu},
                   {"transfer", sum_.transfer},
@@ -95,7 +102,8 @@ class GlSynthesizer final : public TextureSynthesizer {
 void check(const TextureSynthesizer& synthesizer, std::span<const Recipe> recipes) {
     for (const Recipe& recipe : recipes)
         if (const std::string why = synthesizer.problem(recipe); !why.empty())
-            throw Error(ExitCode::usage, fmt::format("--synth gl: {}; leave it out", why));
+            throw Error(ExitCode::unsupported,
+                        fmt::format("--synth gl: {}; use --synth host", why));
 }
 
 bool all_possible(const TextureSynthesizer& synthesizer, std::span<const Recipe> recipes) {

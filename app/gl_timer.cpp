@@ -26,7 +26,6 @@ GLuint64 nanoseconds(const GladGLContext& gl, GLuint query) {
 }  // namespace
 
 GlTimer::GlTimer(const GladGLContext& gl)
-
     : gl_(gl), first_(gl, make_query(gl)), last_(gl, make_query(gl)), has_clock_(has_clock(gl)) {}
 
 void GlTimer::start() {
@@ -43,7 +42,8 @@ GlSeconds GlTimer::stop() {
     GlSeconds seconds;
     seconds.wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
     if (has_clock_)
-        seconds.gpu = double(nanoseconds(gl_, last_.get()) - nanoseconds(gl_, first_.get())) * 1e-9;
+        seconds.gpu =
+            double(GLint64(nanoseconds(gl_, last_.get()) - nanoseconds(gl_, first_.get()))) * 1e-9;
     check_gl(gl_, "timing");
     return seconds;
 }

@@ -20,8 +20,8 @@ class TextureSynthesizer {
 
     /// What it cannot make of the recipe, as a clause; empty where it can make all.
     virtual std::string problem(const Recipe& recipe) const = 0;
-    /// The texture of a recipe without problem(), to the letter that of the host. An image of the
-    /// atlas's size is written over. `threads` 0 means all.
+    /// The texture of a recipe without problem(), as near to the host's as the way allows. An image
+    /// of the atlas's size is written over. `threads` 0 means all.
     virtual void synthesize(const SolidAtlas& solid, const Recipe& recipe, int threads,
                             Image<Rgb8>& image) = 0;
     virtual void synthesize(const SolidAtlas& solid, const Recipe& recipe, int threads,

@@ -1,6 +1,8 @@
 // `burl bake`: a mesh without UVs in, a textured scene out (the whole pipeline, headless).
 #include <algorithm>
 #include <chrono>
+#include <filesystem>
+#include <iterator>
 
 #include <fmt/format.h>
 
@@ -81,12 +83,18 @@ struct Extras {
     bool has_normals() const { return normals != NormalSpace::none; }
 };
 
-/// Every file that will be written.
-std::vector<std::string> all_outputs(const BakeCommand& command, const Extras& extras) {
+/// The files of the textures and the scene.
+std::vector<std::string> texture_outputs(const BakeCommand& command, const Extras& extras) {
     std::vector<std::string> outputs;
     for (const std::string& path : frame_paths(command.out, command.animation))
         for (std::string& file : output_paths(path, extras.levels, extras.has_normals()))
             outputs.push_back(std::move(file));
+    return outputs;
+}
+
+/// Every file that will be written.
+std::vector<std::string> all_outputs(const BakeCommand& command, const Extras& extras) {
+    std::vector<std::string> outputs = texture_outputs(command, extras);
     for (const std::string& path : {command.solid_map, command.emitted_glsl})
         if (!path.empty()) outputs.push_back(path);
     return outputs;
@@ -135,25 +143,26 @@ void print_summary(const Json& report, const std::vector<std::string>& paths) {
         atlas["relative_scale"].get<double>(), report["seconds"]["total"].get<double>());
 }
 
-void check_report(const BakeCommand& command, const Extras& extras) {
-    if (command.report.empty() || command.report == "-") return;
-    std::vector<std::string> taken = all_outputs(command, extras);
-    taken.push_back(command.mesh);
-    taken.push_back(command.recipe.recipe);
-    check_side_output(command.report, "", taken);
+/// Every file that is read.
+std::vector<std::string> all_inputs(const BakeCommand& command, const Recipe& recipe) {
+    std::vector<std::string> inputs{command.mesh, command.recipe.recipe};
+    const auto folder = std::filesystem::path(command.recipe.recipe).parent_path();
+    for (const GraphImage& image : recipe.graph.images) inputs.push_back(folder / image.file);
+    return inputs;
 }
 
-void check_solid_map(const BakeCommand& command) {
-    if (command.solid_map.empty()) return;
-    const std::string taken[] = {command.out, command.mesh, command.recipe.recipe};
-    check_side_output(command.solid_map, ".exr", taken);
-}
-
-void check_emitted(const BakeCommand& command) {
-    if (command.emitted_glsl.empty()) return;
-    const std::string taken[] = {command.out, command.solid_map, command.mesh,
-                                 command.recipe.recipe};
-    check_side_output(command.emitted_glsl, "", taken);
+/// What is written beside the textures must leave them, one another and all that is read alone.
+void check_side_outputs(const BakeCommand& command, const Recipe& recipe, const Extras& extras) {
+    std::vector<std::string> taken = texture_outputs(command, extras);
+    std::ranges::move(all_inputs(command, recipe), std::back_inserter(taken));
+    const auto check = [&](const std::string& path, std::string_view extension) {
+        if (path.empty() || path == "-") return;
+        check_side_output(path, extension, taken);
+        taken.push_back(path);
+    };
+    check(command.solid_map, ".exr");
+    check(command.emitted_glsl, "");
+    check(command.report, "");
 }
 
 /// Everything that the command line can be wrong about, before any work starts.
@@ -165,9 +174,7 @@ void check_command(const BakeCommand& command, const Recipe& recipe, const Extra
                                 command.out));
     for (const std::string& path : frame_paths(command.out, command.animation))
         check_output(path, command.mesh, extras.levels, extras.has_normals());
-    check_solid_map(command);
-    check_emitted(command);
-    check_report(command, extras);
+    check_side_outputs(command, recipe, extras);
     check_compress(command.compress, recipe.atlas.kind);
     if (command.compress && extras.has_normals())
         throw Error(ExitCode::usage,

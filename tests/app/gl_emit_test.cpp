@@ -126,7 +126,19 @@ TEST(GlEmit, BakesThatCannotWriteItWriteNothing) {
     EXPECT_THAT(slope.err, HasSubstr("slope"));
     const Outcome same = run_burl(scratch, bake + "--emit-glsl '" + scratch / "t.png" + "'");
     EXPECT_EQ(same.exit_code, int(ExitCode::io));
+    const std::string scene = "bake sample:cube --quiet -s 64 --levels 2 -o '" + scratch / "t.obj" +
+                              "' --solid-map '" + scratch / "s.exr" + "' ";
+    for (const char* taken : {"t.mtl", "t.png", "t.1.png", "s.exr"})
+        EXPECT_EQ(run_burl(scratch, scene + "--emit-glsl '" + scratch / taken + "'").exit_code,
+                  int(ExitCode::io))
+            << taken;
     EXPECT_EQ(scratch.files(), 0u);
+}
+
+TEST(GlEmit, NamesStayInTheirComment) {
+    Recipe recipe = load_recipe("marble");
+    recipe.name = "a\n#error x\\";
+    EXPECT_THAT(emit_glsl(recipe, {}), HasSubstr("// Solid texture a?#error x?, written"));
 }
 
 TEST(GlEmit, SlopesAreRefused) {
