@@ -1,8 +1,11 @@
 #include "app/gl_color_tables.h"
 
+#include <bit>
+
 #include <fmt/format.h>
 
 #include "procedural/glsl_colors.h"
+#include "procedural/srgb_kernels.h"
 
 namespace burl {
 
@@ -19,6 +22,17 @@ void bind(const GlProgram& program, const char* name, const GlBufferTexture& tab
 }
 
 }  // namespace
+
+GlBufferTexture srgb8_table(const GladGLContext& gl) {
+    const SrgbStreamEncoder encode;
+    std::vector<glm::uvec4> texels;
+    for (const SrgbStreamEncoder::Bucket& bucket : encode.buckets()) {
+        const auto bits = std::bit_cast<std::uint64_t>(bucket.threshold);
+        texels.emplace_back(std::uint32_t(bits), std::uint32_t(bits >> 32),
+                            std::uint32_t(bucket.code), 0u);
+    }
+    return {gl, GL_RGBA32UI, std::as_bytes(std::span(texels))};
+}
 
 void GlColorTables::set_map(const ColorMap& map) {
     if (map == map_) return;

@@ -9,6 +9,10 @@
 
 namespace burl {
 
+/// Of the linear codes in equal steps of which srgb8.glsl makes 8-bit codes: halves of the
+/// threshold in a bucket, and the code below it.
+GlBufferTexture srgb8_table(const GladGLContext& gl);
+
 /// Kept until another map is asked for. What add_...() adds to a shader, bind_...() binds, made
 /// before: making a texture changes the bindings of a unit.
 class GlColorTables {

@@ -1,5 +1,9 @@
 #include "app/gl_facts.h"
 
+#include <algorithm>
+#include <array>
+#include <string_view>
+
 #include <fmt/format.h>
 
 #include "app/gl_source.h"
@@ -33,6 +37,14 @@ std::vector<GlFact> gl_facts(GlContext& context) {
     facts.push_back({"timer", fmt::format("{} bits", bits)});
     check_gl(gl, "asking for limits");
     return facts;
+}
+
+bool is_software(const GladGLContext& gl) {
+    const auto* renderer = reinterpret_cast<const char*>(gl.GetString(GL_RENDERER));
+    const std::string_view name(renderer ? renderer : "");
+    return std::ranges::any_of(
+        std::array{"llvmpipe", "softpipe", "swrast", "Software Rasterizer", "SwiftShader"},
+        [&](const char* software) { return name.find(software) != name.npos; });
 }
 
 }  // namespace burl

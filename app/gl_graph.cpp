@@ -1,8 +1,7 @@
 #include "app/gl_graph.h"
 
-#include <bit>
-
 #include "app/gl_source.h"
+#include "app/stopwatch.h"
 #include "procedural/srgb_kernels.h"
 
 namespace burl {
@@ -35,25 +34,6 @@ constexpr const char* graph_main<RgbF> =
     "void main() {\n"
     "    color = vec4(vec3(texture_color(solid_point(ivec2(gl_FragCoord.xy)))), 1.0);\n"
     "}\n";
-
-template <class Work>
-auto timed(double& sum, const Work& work) {
-    const auto start = std::chrono::steady_clock::now();
-    auto result = work();
-    sum += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    return result;
-}
-
-GlBufferTexture bucket_table(const GladGLContext& gl) {
-    const SrgbStreamEncoder encode;
-    std::vector<glm::uvec4> texels;
-    for (const SrgbStreamEncoder::Bucket& bucket : encode.buckets()) {
-        const auto bits = std::bit_cast<std::uint64_t>(bucket.threshold);
-        texels.push_back(
-            {std::uint32_t(bits), std::uint32_t(bits >> 32), std::uint32_t(bucket.code), 0});
-    }
-    return {gl, GL_RGBA32UI, std::as_bytes(std::span(texels))};
-}
 
 constexpr int first_table = 2, first_image = 4;  // texture units, after the point map's
 
@@ -120,7 +100,7 @@ void GlGraphSynthesis::bind_inputs(const GlProgram& program, const GlslTexture& 
     program.set("point_xy", 0);
     program.set("point_z_owner", 1);
     if constexpr (std::is_same_v<Pixel, Rgb8>) {
-        if (!codes8_) codes8_.emplace(bucket_table(*gl_));
+        if (!codes8_) codes8_.emplace(srgb8_table(*gl_));
         codes8_->bind(first_table);
         program.set("srgb8_buckets", first_table);
     }

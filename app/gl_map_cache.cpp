@@ -2,18 +2,6 @@
 
 namespace burl {
 
-namespace {
-
-std::size_t bytes_of(const GlTile& tile) {
-    return 2 * sizeof(MapTexel) * std::size_t(tile.size.x) * std::size_t(tile.size.y);
-}
-
-bool same(const GlTile& a, const GlTile& b) {
-    return a.origin == b.origin && a.size == b.size;
-}
-
-}  // namespace
-
 void GlMapCache::set_atlas(const SolidAtlas& solid, const Affine3& texture_from_atlas,
                            int threads) {
     if (mapper_ && solid_ == &solid && texture_from_atlas_ == texture_from_atlas) return;
@@ -35,14 +23,14 @@ template <class Key, class Map, class Make>
 std::shared_ptr<const Map> GlMapCache::found(std::vector<Kept<Key, Map>>& kept, const Key& key,
                                              const GlTile& tile, const Make& make) {
     for (auto& one : kept)
-        if (one.key == key && same(one.tile, tile)) {
+        if (one.key == key && one.tile == tile) {
             one.used = true;
             return one.map;
         }
     ++made_;
     auto map = std::make_shared<const Map>(make());
-    if (bytes_ + bytes_of(tile) <= budget_) {
-        bytes_ += bytes_of(tile);
+    if (bytes_ + 2 * sizeof(MapTexel) * tile.texels() <= budget_) {
+        bytes_ += 2 * sizeof(MapTexel) * tile.texels();
         kept.push_back({key, tile, map});
     }
     return map;
@@ -64,7 +52,7 @@ std::shared_ptr<const GlPointMap> GlMapCache::points(const Affine3& lattice_from
 template <class Maps>
 void GlMapCache::drop_unused(Maps& maps) {
     std::erase_if(maps, [&](const auto& kept) {
-        if (!kept.used) bytes_ -= bytes_of(kept.tile);
+        if (!kept.used) bytes_ -= 2 * sizeof(MapTexel) * kept.tile.texels();
         return !kept.used;
     });
     for (auto& kept : maps) kept.used = false;

@@ -1,9 +1,8 @@
 #include "app/gl_map_filter.h"
 
-#include <bit>
-
 #include <fmt/format.h>
 
+#include "app/gl_color_tables.h"
 #include "app/gl_map_upload.h"
 #include "procedural/break_distance.h"
 #include "procedural/srgb_kernels.h"
@@ -14,30 +13,10 @@ namespace burl {
 
 namespace {
 
-/// Halves of the threshold in a bucket, and the code below it.
-GlBufferTexture srgb8_table(const GladGLContext& gl) {
-    const SrgbStreamEncoder encode;
-    std::vector<glm::uvec4> texels;
-    for (const SrgbStreamEncoder::Bucket& bucket : encode.buckets()) {
-        const auto bits = std::bit_cast<std::uint64_t>(bucket.threshold);
-        texels.emplace_back(std::uint32_t(bits), std::uint32_t(bits >> 32),
-                            std::uint32_t(bucket.code), 0u);
-    }
-    return {gl, GL_RGBA32UI, std::as_bytes(std::span(texels))};
-}
-
 GlBufferTexture distance_table(const GladGLContext& gl, const MapPieces& map) {
     const BreakDistance distances(map);
     return {gl, GL_R32F,
             std::as_bytes(std::span(distances.data(), BreakDistance::entry_count + 1))};
-}
-
-std::size_t bytes_of(const GlTile& tile) {
-    return sizeof(MapTexel) * std::size_t(tile.size.x) * std::size_t(tile.size.y);
-}
-
-bool same(const GlTile& a, const GlTile& b) {
-    return a.origin == b.origin && a.size == b.size;
 }
 
 }  // namespace
@@ -88,16 +67,16 @@ void GlMapFilter::set_field(std::span<const OctaveGroup> groups, const Quadric& 
 std::shared_ptr<const GlTexture> GlMapFilter::slope_map(const Quadric& quadric,
                                                         const GlTile& tile) {
     std::erase_if(kept_, [&](const SlopeMap& kept) {
-        if (kept.quadric != quadric) bytes_ -= bytes_of(kept.tile);
+        if (kept.quadric != quadric) bytes_ -= sizeof(MapTexel) * kept.tile.texels();
         return kept.quadric != quadric;
     });
     for (const SlopeMap& kept : kept_)
-        if (same(kept.tile, tile)) return kept.texture;
+        if (kept.tile == tile) return kept.texture;
     const Image<MapTexel> texels = fill_slope_map(*solid_, maps_, quadric, area_of(tile), threads_);
     auto texture = std::make_shared<const GlTexture>(
         make_texture(*gl_, GL_RGBA32UI, tile.size, std::as_bytes(texels.pixels())));
-    if (bytes_ + bytes_of(tile) <= budget_) {
-        bytes_ += bytes_of(tile);
+    if (bytes_ + sizeof(MapTexel) * tile.texels() <= budget_) {
+        bytes_ += sizeof(MapTexel) * tile.texels();
         kept_.push_back({quadric, tile, texture});
     }
     return texture;

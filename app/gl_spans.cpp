@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/gl_facts.h"
 #include "atlas/error.h"
 #include "procedural/lattice_site.h"
 
@@ -45,12 +46,6 @@ bool can_draw(const GladGLContext& gl, const SolidAtlas& solid) {
     gl.GetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
     return has_float64(gl) && gl.Uniform1d != nullptr &&
            map_texels * solid.maps.size() <= std::size_t(most);
-}
-
-/// Software, which shares the processor with the host.
-bool is_software(const GladGLContext& gl) {
-    const std::string_view renderer(reinterpret_cast<const char*>(gl.GetString(GL_RENDERER)));
-    return renderer.find("llvmpipe") != renderer.npos || renderer.find("softpipe") != renderer.npos;
 }
 
 std::span<const TexelMap> checked(const GladGLContext& gl, const SolidAtlas& solid,

@@ -1,14 +1,13 @@
 #include "app/gl_synthesizer.h"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <optional>
-#include <string_view>
 
 #include <fmt/format.h>
 
 #include "app/gl_block_levels.h"
+#include "app/gl_facts.h"
 #include "app/gl_graph.h"
 #include "atlas/block_levels.h"
 
@@ -117,14 +116,6 @@ std::unique_ptr<TextureSynthesizer> make_gl_synthesizer(std::unique_ptr<GlContex
     return std::make_unique<GlSynthesizer>(std::move(context));
 }
 
-bool is_software(const GlContext& context) {
-    const auto* renderer = reinterpret_cast<const char*>(context.gl().GetString(GL_RENDERER));
-    const std::string_view name(renderer ? renderer : "");
-    return std::ranges::any_of(
-        std::array{"llvmpipe", "softpipe", "swrast", "Software Rasterizer", "SwiftShader"},
-        [&](const char* software) { return name.find(software) != name.npos; });
-}
-
 std::unique_ptr<TextureSynthesizer> choose_synthesizer(SynthesisChoice choice,
                                                        const std::string& platform,
                                                        std::span<const Recipe> recipes) {
@@ -136,7 +127,7 @@ std::unique_ptr<TextureSynthesizer> choose_synthesizer(SynthesisChoice choice,
     }
     try {
         auto context = create_gl_context(platform);
-        if (is_software(*context)) return nullptr;
+        if (is_software(context->gl())) return nullptr;
         auto synthesizer = make_gl_synthesizer(std::move(context));
         return all_possible(*synthesizer, recipes) ? std::move(synthesizer) : nullptr;
     } catch (const Error& error) {

@@ -12,9 +12,6 @@ namespace burl {
 /// Throws Error(unsupported) as create_gl_context does.
 std::unique_ptr<TextureSynthesizer> make_gl_synthesizer(std::unique_ptr<GlContext> context);
 
-/// Whether the context's work is done by the machine's ordinary processors.
-bool is_software(const GlContext& context);
-
 /// What `--synth` means: null is the host. `gl` is OpenGL and throws Error: usage for a recipe that
 /// it cannot make, unsupported as create_gl_context. `automatic` is OpenGL where a graphics
 /// processor is behind it and the recipe can be made, and else the host: on software OpenGL the

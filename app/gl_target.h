@@ -16,6 +16,9 @@ namespace burl {
 struct GlTile {
     glm::ivec2 origin{0};
     GlSize size{0};
+
+    bool operator==(const GlTile&) const = default;
+    std::size_t texels() const { return std::size_t(size.x) * std::size_t(size.y); }
 };
 
 /// Largest side of a target that is drawn in tiles: 256 MiB of RGBA32F.
