@@ -51,16 +51,14 @@ class GlMultipassSynthesizer final : public TextureSynthesizer {
     }
 
     void synthesize(const SolidAtlas& solid, const Recipe& recipe, int threads,
-                    Image<Rgb8>& image) override {
-        fill(solid, recipe, threads, image);
-    }
-    void synthesize(const SolidAtlas& solid, const Recipe& recipe, int threads,
-                    Image<Rgb16>& image) override {
-        fill(solid, recipe, threads, image);
-    }
-    void synthesize(const SolidAtlas& solid, const Recipe& recipe, int threads,
-                    Image<RgbF>& image) override {
-        fill(solid, recipe, threads, image);
+                    ImageToFill image) override {
+        std::visit(
+            [&](auto* pixels) {
+                textures_.synthesize(solid, recipe.texture, texture_from_solid(recipe), threads,
+                                     *pixels);
+            },
+            image);
+        sum_ += textures_.work();
     }
 
     void forget_atlas() override {
@@ -86,12 +84,6 @@ class GlMultipassSynthesizer final : public TextureSynthesizer {
     }
 
   private:
-    template <class Pixel>
-    void fill(const SolidAtlas& solid, const Recipe& recipe, int threads, Image<Pixel>& image) {
-        textures_.synthesize(solid, recipe.texture, texture_from_solid(recipe), threads, image);
-        sum_ += textures_.work();
-    }
-
     /// Finest first, as they are added up.
     Json octaves_json() const {
         const bool fixed = textures_.options().precision == PassPrecision::fixed8;

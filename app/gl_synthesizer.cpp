@@ -30,16 +30,18 @@ class GlSynthesizer final : public TextureSynthesizer {
     }
 
     void synthesize(const SolidAtlas& solid, const Recipe& recipe, int threads,
-                    Image<Rgb8>& image) override {
-        fill(solid, recipe, threads, image);
-    }
-    void synthesize(const SolidAtlas& solid, const Recipe& recipe, int threads,
-                    Image<Rgb16>& image) override {
-        fill(solid, recipe, threads, image);
-    }
-    void synthesize(const SolidAtlas& solid, const Recipe& recipe, int threads,
-                    Image<RgbF>& image) override {
-        fill(solid, recipe, threads, image);
+                    ImageToFill image) override {
+        const Affine3 map = texture_from_solid(recipe);
+        std::visit(
+            [&](auto* pixels) {
+                if (recipe.graph.empty())
+                    textures_.synthesize(solid, recipe.texture, map, threads, *pixels,
+                                         recipe.filter);
+                else
+                    graphs_.synthesize(solid, recipe.graph, map, threads, *pixels);
+            },
+            image);
+        sum_ += recipe.graph.empty() ? textures_.work() : graphs_.work();
     }
 
     std::vector<Image<RgbF>> levels(const MeshAtlas& atlas, const Image<RgbF>& texture,
@@ -80,16 +82,6 @@ class GlSynthesizer final : public TextureSynthesizer {
     }
 
   private:
-    template <class Pixel>
-    void fill(const SolidAtlas& solid, const Recipe& recipe, int threads, Image<Pixel>& image) {
-        const Affine3 map = texture_from_solid(recipe);
-        if (recipe.graph.empty())
-            textures_.synthesize(solid, recipe.texture, map, threads, image, recipe.filter);
-        else
-            graphs_.synthesize(solid, recipe.graph, map, threads, image);
-        sum_ += recipe.graph.empty() ? textures_.work() : graphs_.work();
-    }
-
     std::unique_ptr<GlContext> context_;
     GlSynthesis textures_;
     GlGraphSynthesis graphs_;

@@ -12,8 +12,8 @@ namespace burl {
 /// Throws Error(unsupported) as create_gl_context does.
 std::unique_ptr<TextureSynthesizer> make_gl_synthesizer(std::unique_ptr<GlContext> context);
 
-/// What `--synth` means: null is the host. `gl` is OpenGL and throws Error: usage for a recipe that
-/// it cannot make, unsupported as create_gl_context. `automatic` is OpenGL where a graphics
+/// What `--synth` means: null is the host. `gl` is OpenGL and throws Error(unsupported) for a
+/// recipe that it cannot make, and as create_gl_context. `automatic` is OpenGL where a graphics
 /// processor is behind it and the recipe can be made, and else the host: on software OpenGL the
 /// host is the faster one (docs/opengl.md).
 enum class SynthesisChoice { host, gl, automatic };

@@ -105,7 +105,7 @@ Image<Pixel> Pipeline::synthesize() {
     return timed("synthesis", [&] {
         if (synthesizer_) {
             Image<Pixel> image;
-            synthesizer_->synthesize(points, recipe_, threads_, image);
+            synthesizer_->synthesize(points, recipe_, threads_, &image);
             return image;
         }
         if (forward_)

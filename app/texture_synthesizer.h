@@ -3,6 +3,7 @@
 // without knowing what it is made of (OpenGL, which only the program links).
 #include <cstdint>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -14,6 +15,9 @@
 
 namespace burl {
 
+/// An image to fill, of one of the kinds of pixels that textures have.
+using ImageToFill = std::variant<Image<Rgb8>*, Image<Rgb16>*, Image<RgbF>*>;
+
 class TextureSynthesizer {
   public:
     virtual ~TextureSynthesizer() = default;
@@ -23,11 +27,7 @@ class TextureSynthesizer {
     /// The texture of a recipe without problem(), as near to the host's as the way allows. An image
     /// of the atlas's size is written over. `threads` 0 means all.
     virtual void synthesize(const SolidAtlas& solid, const Recipe& recipe, int threads,
-                            Image<Rgb8>& image) = 0;
-    virtual void synthesize(const SolidAtlas& solid, const Recipe& recipe, int threads,
-                            Image<Rgb16>& image) = 0;
-    virtual void synthesize(const SolidAtlas& solid, const Recipe& recipe, int threads,
-                            Image<RgbF>& image) = 0;
+                            ImageToFill image) = 0;
     /// Levels 1 to `levels` of a texture in linear light, as block_levels (atlas/block_levels.h).
     virtual std::vector<Image<RgbF>> levels(const MeshAtlas& atlas, const Image<RgbF>& texture,
                                             std::uint32_t levels) {
