@@ -2,38 +2,10 @@
 
 #include "app/gl_source.h"
 #include "app/stopwatch.h"
-#include "procedural/srgb_kernels.h"
 
 namespace burl {
 
 namespace {
-
-/// The last part of the shader; targets and pixels are those of GlOutput.
-template <class Pixel>
-constexpr const char* graph_main = "";
-
-template <>
-constexpr const char* graph_main<Rgb8> =
-    "layout(location = 0) out uint codes;  // r + 2^8 g + 2^16 b\n"
-    "void main() {\n"
-    "    real3 c = texture_color(solid_point(ivec2(gl_FragCoord.xy)));\n"
-    "    codes = srgb8(c.r) | srgb8(c.g) << 8 | srgb8(c.b) << 16;\n"
-    "}\n";
-
-template <>
-constexpr const char* graph_main<Rgb16> =
-    "layout(location = 0) out uvec2 codes;  // r + 2^16 g, b\n"
-    "void main() {\n"
-    "    real3 c = texture_color(solid_point(ivec2(gl_FragCoord.xy)));\n"
-    "    codes = uvec2(srgb16(c.r) | srgb16(c.g) << 16, srgb16(c.b));\n"
-    "}\n";
-
-template <>
-constexpr const char* graph_main<RgbF> =
-    "layout(location = 0) out vec4 color;  // linear light\n"
-    "void main() {\n"
-    "    color = vec4(vec3(texture_color(solid_point(ivec2(gl_FragCoord.xy)))), 1.0);\n"
-    "}\n";
 
 constexpr int first_table = 2, first_image = 4;  // texture units, after the point map's
 
@@ -62,18 +34,9 @@ const GlProgram& GlGraphSynthesis::program(const GlslTexture& texture) {
     constexpr std::size_t most_programs = 64;
     ShaderSource source;
     source.define_real(float64_);
-    for (const GlslPart& part : texture.parts) {
-        if (part.text.empty())
-            source.add(part.name);
-        else
-            source.add(part.name, part.text);
-    }
+    add_parts(source, texture.parts);
     source.add("real_bits.glsl").add("point_texel.glsl");
-    if constexpr (std::is_same_v<Pixel, Rgb8>)
-        source.define("SRGB8_BUCKETS", fmt::format("{}.0", SrgbStreamEncoder::bucket_count))
-            .add("srgb8.glsl");
-    if constexpr (std::is_same_v<Pixel, Rgb16>) colors_.add_srgb16(source);
-    source.add("main", graph_main<Pixel>);
+    add_color_output<Pixel>(colors_, source, "texture_color(solid_point(texel))");
     std::string text = source.text();
     if (const auto found = programs_.find(text); found != programs_.end()) return found->second;
     if (programs_.size() == most_programs) programs_.clear();
@@ -88,6 +51,7 @@ const GlTexture& GlGraphSynthesis::image_texture(const std::shared_ptr<const Mip
         if (kept.pixels == pixels) return kept.texture;
     const Image<RgbF>& level = pixels->levels()[0];
     std::vector<Vec4f> texels;
+    texels.reserve(level.pixels().size());
     for (const RgbF& c : level.pixels()) texels.emplace_back(c.r, c.g, c.b, 1.0f);
     images_.push_back(
         {pixels, make_texture<Vec4f>(*gl_, GL_RGBA32F, {int(level.width()), int(level.height())},
@@ -133,11 +97,10 @@ void GlGraphSynthesis::set_atlas(const SolidAtlas& solid, const Affine3& texture
 const GlPointMap& GlGraphSynthesis::points(const GlTile& tile) {
     std::size_t bytes = 0;
     for (const KeptPoints& kept : points_) {
-        if (kept.tile.origin == tile.origin && kept.tile.size == tile.size) return kept.points;
-        bytes +=
-            2 * sizeof(MapTexel) * std::size_t(kept.tile.size.x) * std::size_t(kept.tile.size.y);
+        if (kept.tile == tile) return kept.points;
+        bytes += 2 * sizeof(MapTexel) * kept.tile.texels();
     }
-    if (bytes >= limits_.map_budget) points_.pop_back();
+    if (!points_.empty() && bytes >= limits_.map_budget) points_.pop_back();
     ++work_.maps;
     points_.push_back({tile, timed(work_.map, [&] {
                            return mapper_->make_points(texture_from_atlas_, false, tile);
@@ -158,6 +121,8 @@ void GlGraphSynthesis::synthesize(const SolidAtlas& solid, const TextureGraph& g
     const GlslTexture texture = glsl_graph(graph, float64_ ? GlslReal::float64 : GlslReal::float32);
     const GlProgram& program = this->program<Pixel>(texture);
     set_atlas(solid, texture_from_atlas, threads);
+    // Before anything is bound: making a texture changes the bindings of a unit.
+    for (const GlslImage& one : texture.images) image_texture(one.pixels);
     for_tiles({int(solid.size), int(solid.size)}, limits_.tile, [&](const GlTile& tile) {
         const GlPointMap& map = points(tile);
         const GlTarget target(*gl_, tile.size, {GlOutput<Pixel>::internal});
@@ -172,10 +137,7 @@ void GlGraphSynthesis::synthesize(const SolidAtlas& solid, const TextureGraph& g
         work_.draw += drawn.wall;
         work_.gpu += drawn.gpu;
         ++work_.passes;
-        timed(work_.transfer, [&] {
-            read_back_.read(target, tile, threads, image);
-            return true;
-        });
+        timed(work_.transfer, [&] { read_back_.read(target, tile, threads, image); });
     });
     images_.clear();
 }

@@ -51,12 +51,10 @@ void GlMapFilter::set_map(const ColorMap& map, const Filter& filter) {
                            distance_table(*gl_, pieces)});
 }
 
-void GlMapFilter::set_field(std::span<const OctaveGroup> groups, const Quadric& quadric,
-                            const GlTile& tile) {
+void GlMapFilter::set_field(std::span<const OctaveGroup> groups) {
     std::vector<Vec4f> sides = lattice_sides(maps_, groups);
     if (sides.empty()) sides.emplace_back(0.0f);
     sides_.emplace(*gl_, GLenum(GL_RGBA32F), std::as_bytes(std::span(sides)));
-    slopes_ = slope_map(quadric, tile);
     if (!filter_.band_limit) return;
     std::vector<float> shares = octave_shares(maps_, groups);
     if (shares.empty()) shares.push_back(1.0f);
@@ -103,7 +101,6 @@ void GlMapFilter::add_field(ShaderSource& source, const FieldShape& shape) const
 void GlMapFilter::add_means(ShaderSource& source, const FieldShape& shape) const {
     add(source, shape);
     source.define("COLOR_REPEATS", map_.wrap == Wrap::repeat ? "1" : "0")
-        .define("SRGB8_BUCKETS", fmt::format("{}.0", SrgbStreamEncoder::bucket_count))
         .add("color_index.glsl")
         .add("means", R"(
 real3 mean_color(ivec2 texel) {

@@ -30,8 +30,12 @@ class GlMapFilter {
     void forget_atlas();
     /// The map and filter of the calls below.
     void set_map(const ColorMap& map, const Filter& filter);
-    /// The field of the calls below: makes the slope map of the tile, or finds it.
-    void set_field(std::span<const OctaveGroup> groups, const Quadric& quadric, const GlTile& tile);
+    /// The octaves of the calls below.
+    void set_field(std::span<const OctaveGroup> groups);
+    /// The quadric and the tile of the draws below: makes their slope map, or finds it.
+    void set_tile(const Quadric& quadric, const GlTile& tile) {
+        slopes_ = slope_map(quadric, tile);
+    }
 
     /// Whether the filter takes two draws; else the first does it.
     bool has_means() const { return filter_.kind != FilterKind::none; }
@@ -39,7 +43,7 @@ class GlMapFilter {
     /// footprint of a filter that has means. The colours' parts
     /// follow.
     void add_field(ShaderSource& source, const FieldShape& shape) const;
-    /// For the second: `real3 mean_color(ivec2 texel)`. SRGB8_BUCKETS is defined, too.
+    /// For the second: `real3 mean_color(ivec2 texel)`.
     void add_means(ShaderSource& source, const FieldShape& shape) const;
     void bind(const GlProgram& program, int first_unit) const;
     /// Both draws, into a target of this size that is bound.

@@ -1,18 +1,23 @@
 #pragma once
 // What a kind of picture is drawn as on OpenGL, and read back as: the target's format and the last
 // part of the shader, which stands behind `real field(ivec2 texel)` and the colours' parts
-// (GlColorTables), or behind `real3 mean_color(ivec2 texel)` in linear light and the encoder's.
+// (GlColorTables), or behind a colour in linear light and the encoder's.
 #include <type_traits>
 #include <vector>
+
+#include <fmt/format.h>
 
 #include "app/gl_color_tables.h"
 #include "app/gl_target.h"
 #include "atlas/image.h"
 #include "procedural/row_tasks.h"
+#include "procedural/srgb_kernels.h"
 
 namespace burl {
 
-/// For Rgb8, Rgb16 and RgbF, and float, the field itself, 0 where no span shows anything.
+/// For Rgb8, Rgb16 and RgbF, and float, the field itself, 0 where no span shows anything. Of the
+/// shader's last part `color_text` draws `real3 color_at(ivec2 texel)`, in linear light, and
+/// `field_text` the field where that is something else.
 template <class Pixel>
 struct GlOutput;
 
@@ -21,13 +26,13 @@ struct GlOutput<Rgb8> {
     static constexpr GLenum internal = GL_R32UI;
     using Component = std::uint32_t;
     static constexpr std::size_t components = 1;
-    static constexpr const char* text =
+    static constexpr const char* field_text =
         "layout(location = 0) out uint code;  // r + 2^8 g + 2^16 b\n"
         "void main() { code = color_code(field(ivec2(gl_FragCoord.xy))); }\n";
-    static constexpr const char* mean_text =
-        "layout(location = 0) out uint code;\n"
+    static constexpr const char* color_text =
+        "layout(location = 0) out uint code;  // r + 2^8 g + 2^16 b\n"
         "void main() {\n"
-        "    real3 c = mean_color(ivec2(gl_FragCoord.xy));\n"
+        "    real3 c = color_at(ivec2(gl_FragCoord.xy));\n"
         "    code = srgb8(c.x) | srgb8(c.y) << 8 | srgb8(c.z) << 16;\n"
         "}\n";
     static Rgb8 pixel(const Component* c) {
@@ -40,16 +45,10 @@ struct GlOutput<Rgb16> {
     static constexpr GLenum internal = GL_RG32UI;
     using Component = std::uint32_t;
     static constexpr std::size_t components = 2;
-    static constexpr const char* text =
+    static constexpr const char* color_text =
         "layout(location = 0) out uvec2 codes;  // r + 2^16 g, b\n"
         "void main() {\n"
-        "    real3 c = linear_color(field(ivec2(gl_FragCoord.xy)));\n"
-        "    codes = uvec2(srgb16(c.x) | srgb16(c.y) << 16, srgb16(c.z));\n"
-        "}\n";
-    static constexpr const char* mean_text =
-        "layout(location = 0) out uvec2 codes;\n"
-        "void main() {\n"
-        "    real3 c = mean_color(ivec2(gl_FragCoord.xy));\n"
+        "    real3 c = color_at(ivec2(gl_FragCoord.xy));\n"
         "    codes = uvec2(srgb16(c.x) | srgb16(c.y) << 16, srgb16(c.z));\n"
         "}\n";
     static Rgb16 pixel(const Component* c) {
@@ -62,14 +61,9 @@ struct GlOutput<RgbF> {
     static constexpr GLenum internal = GL_RGBA32F;
     using Component = float;
     static constexpr std::size_t components = 4;
-    static constexpr const char* text =
+    static constexpr const char* color_text =
         "layout(location = 0) out vec4 color;  // linear light\n"
-        "void main() {\n"
-        "    color = vec4(vec3(linear_color(field(ivec2(gl_FragCoord.xy)))), 1.0);\n"
-        "}\n";
-    static constexpr const char* mean_text =
-        "layout(location = 0) out vec4 color;\n"
-        "void main() { color = vec4(vec3(mean_color(ivec2(gl_FragCoord.xy))), 1.0); }\n";
+        "void main() { color = vec4(vec3(color_at(ivec2(gl_FragCoord.xy))), 1.0); }\n";
     static RgbF pixel(const Component* c) { return {c[0], c[1], c[2]}; }
 };
 
@@ -78,7 +72,7 @@ struct GlOutput<float> {
     static constexpr GLenum internal = GL_R32F;
     using Component = float;
     static constexpr std::size_t components = 1;
-    static constexpr const char* text =
+    static constexpr const char* field_text =
         "layout(location = 0) out float value;\n"
         "void main() {\n"
         "    real f = field(ivec2(gl_FragCoord.xy));\n"
@@ -87,23 +81,28 @@ struct GlOutput<float> {
     static float pixel(const Component* c) { return *c; }
 };
 
-/// The colours' parts of a shader that makes such pixels, and the text above.
+/// The encoder's part of a shader that makes such pixels of `color`, an expression of `texel` in
+/// linear light, and the text above.
 template <class Pixel>
-void add_output(GlColorTables& colors, ShaderSource& source) {
+void add_color_output(GlColorTables& colors, ShaderSource& source, const char* color) {
     if constexpr (std::is_same_v<Pixel, Rgb8>)
-        colors.add_codes(source);
-    else if constexpr (!std::is_same_v<Pixel, float>)
-        colors.add_linear(source);
+        source.define("SRGB8_BUCKETS", fmt::format("{}.0", SrgbStreamEncoder::bucket_count))
+            .add("srgb8.glsl");
     if constexpr (std::is_same_v<Pixel, Rgb16>) colors.add_srgb16(source);
-    source.add("output", GlOutput<Pixel>::text);
+    source.add("output", fmt::format("real3 color_at(ivec2 texel) {{ return {}; }}\n", color) +
+                             GlOutput<Pixel>::color_text);
 }
 
-/// The encoder's part of a shader of means over texels, and their text.
+/// The colours' parts of a shader that makes such pixels of the field, and the text above.
 template <class Pixel>
-void add_mean_output(GlColorTables& colors, ShaderSource& source) {
-    if constexpr (std::is_same_v<Pixel, Rgb8>) source.add("srgb8.glsl");
-    if constexpr (std::is_same_v<Pixel, Rgb16>) colors.add_srgb16(source);
-    source.add("output", GlOutput<Pixel>::mean_text);
+void add_output(GlColorTables& colors, ShaderSource& source) {
+    if constexpr (std::is_same_v<Pixel, Rgb8>) colors.add_codes(source);
+    if constexpr (std::is_same_v<Pixel, Rgb8> || std::is_same_v<Pixel, float>) {
+        source.add("output", GlOutput<Pixel>::field_text);
+    } else {
+        colors.add_linear(source);
+        add_color_output<Pixel>(colors, source, "linear_color(field(texel))");
+    }
 }
 
 /// Texture units that bind_output takes at most.

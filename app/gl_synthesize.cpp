@@ -81,7 +81,8 @@ GlSynthesis::Programs GlSynthesis::programs(const FieldShape& shape, bool filter
     timed(work_.colors, [&] { add_output<Pixel>(colors_, colors); });
     if (!filtered || !filter_->has_means()) return {&compiled(colors)};
     filter_->add_means(means, shape);
-    if constexpr (!std::is_same_v<Pixel, float>) add_mean_output<Pixel>(colors_, means);
+    if constexpr (!std::is_same_v<Pixel, float>)
+        add_color_output<Pixel>(colors_, means, "mean_color(texel)");
     return {&compiled(colors), &compiled(means)};
 }
 
@@ -169,7 +170,7 @@ template <class Pixel>
 void GlSynthesis::draw(const FieldOctaves& octaves, const Quadric& quadric,
                        const Programs& programs, const GlTile& tile, bool filtered) {
     const Maps maps = timed(work_.map, [&] {
-        if (filtered) filter_->set_field(octaves.groups, quadric, tile);
+        if (filtered) filter_->set_tile(quadric, tile);
         return maps_of(octaves, quadric, tile);
     });
     const GlTarget& into = target(GlOutput<Pixel>::internal, tile.size);
@@ -206,6 +207,7 @@ void GlSynthesis::synthesize(const SolidAtlas& solid, const Texture& texture,
         if (!filter_) filter_.emplace(*gl_, float64_, limits_.map_budget / 2);
         filter_->set_atlas(solid, texture_from_atlas, threads);
         filter_->set_map(texture.colors, filter);
+        timed(work_.map, [&] { filter_->set_field(octaves.groups); });
     }
     const Programs programs = this->programs<Pixel>(octaves.shape(), filtered);
     const int made = maps_.made();

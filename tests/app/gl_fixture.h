@@ -2,10 +2,12 @@
 // Tests that draw with OpenGL: skipped, visibly, where OSMesa is not installed.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "app/gl_context.h"
 #include "atlas/error.h"
+#include "atlas/image.h"
 
 namespace burl {
 
@@ -21,5 +23,19 @@ class GlTest : public testing::Test {
 
     std::unique_ptr<GlContext> context;
 };
+
+/// Number of pixels in which two images differ, which must be of one size and not empty.
+template <class Pixel>
+std::size_t differing(const Image<Pixel>& a, const Image<Pixel>& b) {
+    EXPECT_FALSE(a.pixels().empty());
+    EXPECT_EQ(a.width(), b.width());
+    EXPECT_EQ(a.height(), b.height());
+    if (a.width() != b.width() || a.height() != b.height())
+        return std::max(a.pixels().size(), b.pixels().size());
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < a.pixels().size(); ++i)
+        count += a.pixels()[i] == b.pixels()[i] ? 0 : 1;
+    return count;
+}
 
 }  // namespace burl

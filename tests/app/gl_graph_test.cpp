@@ -47,14 +47,6 @@ Image<Pixel> drawn(GlGraphSynthesis& gl, const SolidAtlas& solid, const TextureG
     return image;
 }
 
-template <class Pixel>
-std::size_t differing(const Image<Pixel>& a, const Image<Pixel>& b) {
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < a.pixels().size(); ++i)
-        count += a.pixels()[i] == b.pixels()[i] ? 0 : 1;
-    return count;
-}
-
 std::size_t colors_of(const Image<RgbF>& image) {
     std::set<std::array<float, 3>> colors;
     for (const RgbF& c : image.pixels()) colors.insert({c.r, c.g, c.b});
@@ -153,6 +145,21 @@ TEST_F(GlGraphTest, ImagesHaveTheHostsBitsWhateverLiesBeyond) {
             "wrap": "{}"}})",
                                           wrap)),
                      solid);
+}
+
+TEST_F(GlGraphTest, EveryImageIsReadWhereItIsNamed) {
+    const auto image = [](const std::string& file) {
+        Image<Rgb8> pixels = case_image(file);
+        if (file == "turned.png")
+            for (std::size_t y = 0; y < pixels.height(); ++y) std::ranges::reverse(pixels.row(y));
+        return pixels;
+    };
+    const TextureGraph graph = graph_from_json(nlohmann::ordered_json::parse(R"({"node": "mix",
+        "a": {"node": "image", "file": "image.png"}, "b": {"node": "image", "file": "turned.png"},
+        "amount": {"node": "coordinate", "direction": [1, 1, 0]}})"),
+                                               image);
+    GlGraphSynthesis gl(*context);
+    expect_equal(gl, "two images", graph, SyntheticAtlas{}.make(5));
 }
 
 TEST_F(GlGraphTest, CodesAreTheHosts) {

@@ -98,14 +98,6 @@ TEST_F(GlMultipassSynthesizeTest, FewerBitsAreFurtherAway) {
     EXPECT_EQ(fixed.octaves().back().bits.integer + 3, fixed.octaves().front().bits.integer);
 }
 
-template <class Pixel>
-std::size_t differing(const Image<Pixel>& a, const Image<Pixel>& b) {
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < a.pixels().size(); ++i)
-        count += a.pixels()[i] == b.pixels()[i] ? 0 : 1;
-    return count;
-}
-
 TEST_F(GlMultipassSynthesizeTest, ColorsAreTheHostsButForRounding) {
     Subject subject;
     const Recipe recipe = load_recipe("marble");
@@ -150,6 +142,7 @@ TEST_F(GlMultipassSynthesizeTest, TilesLeaveNoTrace) {
     whole.synthesize(subject.solid(), recipe.texture, map, 0, one);
     parts.synthesize(subject.solid(), recipe.texture, map, 0, many);
     EXPECT_EQ(differing(one, many), 0u);
+    EXPECT_EQ(parts.work().passes, 4 * whole.work().passes);
 }
 
 TEST_F(GlMultipassSynthesizeTest, SaysWhatItCannotMake) {

@@ -37,14 +37,6 @@ Image<Pixel> on_host(const SolidAtlas& solid, const Texture& texture, const Affi
         return synthesize_field(solid, texture, map, 0, Kernel::direct);
 }
 
-template <class Pixel>
-std::size_t differing(const Image<Pixel>& a, const Image<Pixel>& b) {
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < a.pixels().size(); ++i)
-        count += a.pixels()[i] == b.pixels()[i] ? 0 : 1;
-    return count;
-}
-
 using GlSynthesizeTest = GlTest;
 
 template <class Pixel>
