@@ -1,3 +1,4 @@
+// `burl bench gl`: its rows, that times add up, and errors that belong to each precision.
 #include "app/gl_bench.h"
 
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// Shaders put together from parts: order, names of parts in compilers' messages, `real`.
 #include "app/gl_source.h"
 
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// Textures that are drawn to and read back, tiles of them, timers, and what does not fit.
 #include "app/gl_target.h"
 
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// GLSL made plain: reals as floats, only what a function needs, numbers that read back the same.
 #include "procedural/glsl_plain.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// Slope maps hold the quadric's slopes and owners; sides and shares of octaves beside them.
 #include "procedural/synthesize_slope_map.h"
 
 #include <bit>
