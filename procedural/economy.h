@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <stop_token>
 #include <string_view>
 
 namespace burl {
@@ -60,10 +61,12 @@ struct SynthesisWork {
     bool operator==(const SynthesisWork&) const = default;
 };
 
-/// What a synthesis may leave out, and where it adds what it did; null: nowhere.
+/// What a synthesis may leave out, and where it adds what it did; null: nowhere. Once `stop` is
+/// asked for, which another thread may do, it returns soon, and its result is worth nothing.
 struct Economy {
     Skips skips{};
     SynthesisWork* work = nullptr;
+    std::stop_token stop{};
 };
 
 }  // namespace burl
