@@ -49,6 +49,8 @@ struct SynthesisWork {
     std::array<std::uint64_t, skip_names.size()> texels_skipped{};
     std::array<std::uint64_t, skip_names.size()> octaves_skipped{};
 
+    void skip_texels(Skip why, std::uint64_t count) { texels_skipped[unsigned(why)] += count; }
+    void skip_octaves(Skip why, std::uint64_t count) { octaves_skipped[unsigned(why)] += count; }
     SynthesisWork& operator+=(const SynthesisWork& more) {
         texels += more.texels;
         octaves += more.octaves;

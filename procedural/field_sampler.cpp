@@ -67,10 +67,12 @@ void add_values_and_slopes(const Octave& octave, double scale, const LatticePiec
 
 }  // namespace
 
-FieldSampler::FieldSampler(const Texture& texture, bool band_limit, Kernel kernel)
+FieldSampler::FieldSampler(const Texture& texture, bool band_limit, Kernel kernel,
+                           const Skips& skips)
     : quadric_(texture.quadric),
-      streams_(expand_octaves(texture), kernel, band_limit),
-      band_limit_(band_limit) {
+      streams_(expand_octaves(texture), kernel, band_limit, skips),
+      band_limit_(band_limit),
+      skips_(skips) {
     for (const Octave& octave : expand_octaves(texture)) {
         constant_ += octave.offset;
         // (Octaves with a kernel have the mean 0.)
@@ -152,6 +154,10 @@ void FieldSampler::add_kept_scalar_octaves(FieldBatch& batch, const KeptBatch& k
     for (std::size_t k = 0; k < scalar_octaves_.size(); ++k) {
         const Octave& octave = scalar_octaves_[k].octave;
         const auto [noise, known] = kept.octaves[k];
+        if (known)
+            batch.streams.work.skip_octaves(Skip::kept_terms, batch.count);
+        else
+            batch.streams.work.octaves += batch.count;
         float* numbers = noise ? noise + kept.at : batch.streams.part.values;
         for (std::size_t i = 0, at = 0; !known && i < batch.pieces.size(); ++i) {
             fill_noise(octave, LatticePiece(octave.lattice_from_solid, batch.pieces[i], at),
@@ -171,13 +177,19 @@ void FieldSampler::add_scalar_octaves(FieldBatch& batch, SlopeBatch* slopes,
             const LatticePiece piece(octave.lattice_from_solid, solid, at);
             const double weight = band_limit_ ? band_weight(piece.line.step, piece.down) : 1.0;
             const double scale = weight * octave.scale, missing = (1.0 - weight) * mean;
-            if (weight > 0.0 && slopes)
-                add_values_and_slopes(octave, scale, piece, batch.field, *slopes);
-            else if (weight > 0.0)
-                add_values(octave, scale, piece, offsets, batch.field);
+            const std::size_t texels = solid.solid.count;
+            if (weight == 0.0 && skips_.allows(Skip::band_limit)) {
+                batch.streams.work.skip_octaves(Skip::band_limit, texels);
+            } else {
+                batch.streams.work.octaves += texels;
+                if (slopes)
+                    add_values_and_slopes(octave, scale, piece, batch.field, *slopes);
+                else
+                    add_values(octave, scale, piece, offsets, batch.field);
+            }
             if (weight < 1.0)
-                for (std::size_t j = 0; j < solid.solid.count; ++j) batch.field[at + j] += missing;
-            at += solid.solid.count;
+                for (std::size_t j = 0; j < texels; ++j) batch.field[at + j] += missing;
+            at += texels;
         }
     }
 }

@@ -29,7 +29,8 @@ struct FieldBatch {
 class FieldSampler {
   public:
     /// With `band_limit` octaves that a texel cannot show are left out, their mean stays.
-    FieldSampler(const Texture& texture, bool band_limit, Kernel kernel = Kernel::automatic);
+    FieldSampler(const Texture& texture, bool band_limit, Kernel kernel = Kernel::automatic,
+                 const Skips& skips = {});
 
     /// batch.field = f at the centres of the texels of batch.pieces.
     void values(FieldBatch& batch) const;
@@ -62,6 +63,7 @@ class FieldSampler {
     std::vector<ScalarOctave> scalar_octaves_;
     double constant_ = 0.0;
     bool band_limit_;
+    Skips skips_;
 };
 
 }  // namespace burl

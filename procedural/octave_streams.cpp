@@ -59,8 +59,9 @@ void add_weighted(float weight, const OctaveSums& part, std::size_t at, std::siz
 
 }  // namespace
 
-OctaveStreams::OctaveStreams(std::span<const Octave> octaves, Kernel kernel, bool band_limit)
-    : kernel_(kernel), band_limit_(band_limit), wide_vectors_(simd_lanes() >= 16) {
+OctaveStreams::OctaveStreams(std::span<const Octave> octaves, Kernel kernel, bool band_limit,
+                             const Skips& skips)
+    : kernel_(kernel), band_limit_(band_limit), skips_(skips), wide_vectors_(simd_lanes() >= 16) {
     for (OctaveGroup& octaves_of : group_octaves(octaves)) {
         Group& group = groups_.emplace_back(Group{std::move(octaves_of)});
         group.scans = scan_limits(group);
@@ -147,7 +148,11 @@ void OctaveStreams::add_limited(const Group& group, const Plan& plan, std::span<
     const auto [least, most] = std::ranges::minmax(buffers.squares);
     for (std::size_t k = group.octaves.size(); k-- > 0;) {
         const double finer = std::ldexp(1.0, 2 * int(k));
-        if (band_weight(finer * least) == 0.0) continue;
+        if (band_weight(finer * least) == 0.0 && skips_.allows(Skip::band_limit)) {
+            buffers.work.skip_octaves(Skip::band_limit, count);
+            continue;
+        }
+        buffers.work.octaves += count;
         if (band_weight(finer * most) == 1.0) {
             add_octave(group, group.octaves[k], plan, count, buffers, buffers.sums);
             continue;
@@ -185,8 +190,10 @@ void OctaveStreams::add_streamed(const Group& group, std::span<const Piece> piec
     if (band_limit_)
         add_limited(group, plan, pieces, count, buffers);
     else
-        for (std::size_t k = group.octaves.size(); k-- > 0;)
+        for (std::size_t k = group.octaves.size(); k-- > 0;) {
             add_octave(group, group.octaves[k], plan, count, buffers, buffers.sums);
+            buffers.work.octaves += count;
+        }
     const double unit = group.scale * stream_unit(group.kind);
     add_sums(unit, buffers.sums.values, count, values);
     if (slopes) add_slopes(group.lattice_from_solid, unit, pieces, buffers.sums.gradients, *slopes);
@@ -199,6 +206,7 @@ void OctaveStreams::add_scanned(const Group& group, std::span<const Piece> piece
     for (std::size_t k = group.octaves.size(); k-- > 0;)
         add_octave_scanline(group.kind, group.fade, group.octaves[k], buffers.lines,
                             buffers.segments, buffers.sums.values);
+    buffers.work.octaves += group.octaves.size() * count;
     add_sums(group.scale * stream_unit(group.kind), buffers.sums.values, count, values);
 }
 
@@ -270,8 +278,10 @@ void OctaveStreams::add_kept_group(const Group& group, std::span<const Piece> pi
         StreamOctave octave = group.octaves[k];
         if (known) {
             add_scaled(octave.weight, noise + kept.at, count, buffers.sums.values);
+            buffers.work.skip_octaves(Skip::kept_terms, count);
             continue;
         }
+        buffers.work.octaves += count;
         const float weight = std::exchange(octave.weight, 1.0f);
         clear(buffers.part, count, false);
         if (scanned)

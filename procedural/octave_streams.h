@@ -4,6 +4,7 @@
 #include <limits>
 #include <vector>
 
+#include "procedural/economy.h"
 #include "procedural/kept_noise.h"
 #include "procedural/kernel.h"
 #include "procedural/octave_groups.h"
@@ -28,13 +29,15 @@ struct StreamBuffers {
     std::vector<double> squares;
     std::vector<ScanLine> lines;
     ScanSegments segments;
+    SynthesisWork work;  ///< octaves evaluated and left out with these buffers
 };
 
 class OctaveStreams {
   public:
-    /// With `band_limit` octaves that a texel cannot show are left out.
+    /// With `band_limit` octaves that a texel cannot show are left out of the sum, and not
+    /// evaluated either where `skips` allows that.
     explicit OctaveStreams(std::span<const Octave> octaves, Kernel kernel = Kernel::automatic,
-                           bool band_limit = false);
+                           bool band_limit = false, const Skips& skips = {});
 
     /// values[j] += the octaves that have a kernel, without their offsets, at the centres of the
     /// pieces' texels, `count` in all, or at their `offsets`. Within a group the sum is float32,
@@ -91,6 +94,7 @@ class OctaveStreams {
     std::vector<Group> groups_;
     Kernel kernel_;
     bool band_limit_;
+    Skips skips_;
     bool wide_vectors_;
 };
 

@@ -5,6 +5,7 @@
 
 #include "procedural/synthesize_pieces.h"
 #include "procedural/texel_shaders.h"
+#include "procedural/work_sum.h"
 
 namespace burl {
 
@@ -42,38 +43,46 @@ void flush(ShadedBatch& batch, const FieldSampler& sampler, const Shader& shader
 }
 
 template <class Shader>
-void synthesize_rows(const SolidAtlas& solid, std::span<const TexelMap> maps,
-                     const FieldSampler& sampler, const Shader& shader, const RowRange& rows,
-                     Image<typename Shader::Pixel>& image) {
+SynthesisWork synthesize_rows(const SolidAtlas& solid, std::span<const TexelMap> maps,
+                              const FieldSampler& sampler, const Shader& shader,
+                              const RowRange& rows, Image<typename Shader::Pixel>& image) {
     const auto background = shader.background(0.0);
     const auto batch = std::make_unique_for_overwrite<ShadedBatch>();
+    SynthesisWork& work = batch->streams.work;
     const auto empty = [&] { flush(*batch, sampler, shader, image); };
     for (std::size_t y = rows.begin(); y != rows.end(); ++y) {
+        const std::size_t texels = texels_of(solid.row(y));
+        work.texels += texels;
+        work.skip_texels(Skip::unread_texels, solid.size - texels);
         fill_gaps(solid.row(y), background, image.row(y));
         add_row(solid, maps, y, *batch, empty);
     }
     empty();
+    return work += batch->corners.batch->streams.work;
 }
 
 template <class Shader>
 Image<typename Shader::Pixel> synthesize(const SolidAtlas& solid, const Texture& texture,
                                          const Affine3& map, const Filter& filter, int threads,
-                                         Kernel kernel, const Shader& shader) {
+                                         Kernel kernel, const Economy& economy,
+                                         const Shader& shader) {
     auto image = Image<typename Shader::Pixel>::unset(solid.size, solid.size);
-    const FieldSampler sampler(texture, filter.band_limit, kernel);
+    const FieldSampler sampler(texture, filter.band_limit, kernel, economy.skips);
+    WorkSum work(economy.work);
     const std::vector<TexelMap> maps = moved_maps(solid.maps, map, threads);
     for_row_ranges(solid.size, 8 * batch_capacity, threads, [&](const RowRange& rows) {
-        synthesize_rows(solid, maps, sampler, shader, rows, image);
+        work.add(synthesize_rows(solid, maps, sampler, shader, rows, image));
     });
     return image;
 }
 
 template <class Pixel>
 Image<Pixel> synthesize_colors(const SolidAtlas& solid, const Texture& texture, const Affine3& map,
-                               const Filter& filter, int threads, Kernel kernel) {
+                               const Filter& filter, int threads, Kernel kernel,
+                               const Economy& economy) {
     const ColorMap& colors = texture.colors;
     const auto run = [&](const auto& shader) {
-        return synthesize(solid, texture, map, filter, threads, kernel, shader);
+        return synthesize(solid, texture, map, filter, threads, kernel, economy, shader);
     };
     if (filter.kind == FilterKind::none) return run(PointColor<Pixel>(colors));
     if (filter.kind == FilterKind::supersample)
@@ -85,25 +94,30 @@ Image<Pixel> synthesize_colors(const SolidAtlas& solid, const Texture& texture, 
 
 Image<Rgb8> synthesize_rgb8(const SolidAtlas& solid, const Texture& texture,
                             const Affine3& texture_from_atlas, int threads, const Filter& filter,
-                            Kernel kernel) {
-    return synthesize_colors<Rgb8>(solid, texture, texture_from_atlas, filter, threads, kernel);
+                            Kernel kernel, const Economy& economy) {
+    return synthesize_colors<Rgb8>(solid, texture, texture_from_atlas, filter, threads, kernel,
+                                   economy);
 }
 
 Image<Rgb16> synthesize_rgb16(const SolidAtlas& solid, const Texture& texture,
                               const Affine3& texture_from_atlas, int threads, const Filter& filter,
-                              Kernel kernel) {
-    return synthesize_colors<Rgb16>(solid, texture, texture_from_atlas, filter, threads, kernel);
+                              Kernel kernel, const Economy& economy) {
+    return synthesize_colors<Rgb16>(solid, texture, texture_from_atlas, filter, threads, kernel,
+                                    economy);
 }
 
 Image<RgbF> synthesize_rgbf(const SolidAtlas& solid, const Texture& texture,
                             const Affine3& texture_from_atlas, int threads, const Filter& filter,
-                            Kernel kernel) {
-    return synthesize_colors<RgbF>(solid, texture, texture_from_atlas, filter, threads, kernel);
+                            Kernel kernel, const Economy& economy) {
+    return synthesize_colors<RgbF>(solid, texture, texture_from_atlas, filter, threads, kernel,
+                                   economy);
 }
 
 Image<float> synthesize_field(const SolidAtlas& solid, const Texture& texture,
-                              const Affine3& texture_from_atlas, int threads, Kernel kernel) {
-    return synthesize(solid, texture, texture_from_atlas, {}, threads, kernel, FieldCopy());
+                              const Affine3& texture_from_atlas, int threads, Kernel kernel,
+                              const Economy& economy) {
+    return synthesize(solid, texture, texture_from_atlas, {}, threads, kernel, economy,
+                      FieldCopy());
 }
 
 }  // namespace burl

@@ -4,6 +4,7 @@
 // the thread count.
 #include "atlas/image.h"
 #include "atlas/solid_atlas.h"
+#include "procedural/economy.h"
 #include "procedural/filter.h"
 #include "procedural/kernel.h"
 #include "procedural/texture.h"
@@ -12,21 +13,24 @@ namespace burl {
 
 /// `texture_from_atlas` maps the SolidAtlas's space to the texture's solid coordinates (the
 /// recipe's scale). `threads` 0 means all. `kernel` changes the time only, and only where there is
-/// no filter (or trapezoid2 without band limit). Texels outside every span get the colour of field
-/// 0.
+/// no filter (or trapezoid2 without band limit). `economy` says what may be left out, which no byte
+/// shows, and counts. Texels outside every span get the colour of field 0.
 Image<Rgb8> synthesize_rgb8(const SolidAtlas& solid, const Texture& texture,
                             const Affine3& texture_from_atlas, int threads,
-                            const Filter& filter = {}, Kernel kernel = Kernel::automatic);
+                            const Filter& filter = {}, Kernel kernel = Kernel::automatic,
+                            const Economy& economy = {});
 Image<Rgb16> synthesize_rgb16(const SolidAtlas& solid, const Texture& texture,
                               const Affine3& texture_from_atlas, int threads,
-                              const Filter& filter = {}, Kernel kernel = Kernel::automatic);
+                              const Filter& filter = {}, Kernel kernel = Kernel::automatic,
+                              const Economy& economy = {});
 Image<RgbF> synthesize_rgbf(const SolidAtlas& solid, const Texture& texture,
                             const Affine3& texture_from_atlas, int threads,
-                            const Filter& filter = {}, Kernel kernel = Kernel::automatic);
+                            const Filter& filter = {}, Kernel kernel = Kernel::automatic,
+                            const Economy& economy = {});
 
 /// The field itself, for tests and error measurements.
 Image<float> synthesize_field(const SolidAtlas& solid, const Texture& texture,
                               const Affine3& texture_from_atlas, int threads,
-                              Kernel kernel = Kernel::automatic);
+                              Kernel kernel = Kernel::automatic, const Economy& economy = {});
 
 }  // namespace burl

@@ -8,6 +8,18 @@ namespace burl {
 
 namespace {
 
+/// What synthesising all texels of an atlas takes. (The evaluator's octaves are counted as a value
+/// program has them.)
+SynthesisWork work_of(const SolidAtlas& solid, const ValueProgram& program, const Filter& filter) {
+    const std::uint64_t samples =
+        filter.kind == FilterKind::supersample ? std::uint64_t(filter.samples) : 1;
+    SynthesisWork work;
+    work.skip_texels(Skip::unread_texels, texels_outside(solid));
+    work.texels = std::uint64_t(solid.size) * solid.size - texels_outside(solid);
+    work.octaves = work.texels * samples * program.octaves();
+    return work;
+}
+
 struct GraphColor {
     Vec3d operator()(const TexelPlace&, double, double, const GraphSample& sample) const {
         return sample.color();
@@ -16,24 +28,27 @@ struct GraphColor {
 
 template <class Pixel>
 Image<Pixel> synthesize_points(const SolidAtlas& solid, const TextureGraph& graph,
-                               const Affine3& map, const Filter& filter, int threads) {
+                               const Affine3& map, const Filter& filter, int threads,
+                               const Economy& economy) {
     const GraphValues values(graph);
     GraphValues::Scratch scratch = values.make_scratch();
     Image<Pixel> image(solid.size, solid.size, PixelEncoder<Pixel>()(values(Vec3d(0.0), scratch)));
-    fill_points(solid, map, values, filter, threads, image);
+    fill_points(solid, map, values, filter, threads, economy, image);
     return image;
 }
 
 template <class Pixel>
 Image<Pixel> synthesize(const SolidAtlas& solid, const TextureGraph& graph, const Affine3& map,
-                        const Filter& filter, int threads, PrecisionKind precision) {
+                        const Filter& filter, int threads, PrecisionKind precision,
+                        const Economy& economy) {
     const bool points = filter.kind == FilterKind::none || filter.kind == FilterKind::supersample;
     if (points && precision == PrecisionKind::float32)
-        return synthesize_points<Pixel>(solid, graph, map, filter, threads);
+        return synthesize_points<Pixel>(solid, graph, map, filter, threads, economy);
     const PixelEncoder<Pixel> encode{};
     const GraphEvaluator evaluate(graph, filter, precision);
     Image<Pixel> image(solid.size, solid.size, encode(evaluate(Vec3d(0.0)).color()));
     fill_texels(solid, map, evaluate, filter, GraphColor{}, encode, threads, image);
+    if (economy.work) *economy.work += work_of(solid, GraphValues(graph).program(), filter);
     return image;
 }
 
@@ -41,20 +56,20 @@ Image<Pixel> synthesize(const SolidAtlas& solid, const TextureGraph& graph, cons
 
 Image<Rgb8> synthesize_graph_rgb8(const SolidAtlas& solid, const TextureGraph& graph,
                                   const Affine3& map, const Filter& filter, int threads,
-                                  PrecisionKind precision) {
-    return synthesize<Rgb8>(solid, graph, map, filter, threads, precision);
+                                  PrecisionKind precision, const Economy& economy) {
+    return synthesize<Rgb8>(solid, graph, map, filter, threads, precision, economy);
 }
 
 Image<Rgb16> synthesize_graph_rgb16(const SolidAtlas& solid, const TextureGraph& graph,
                                     const Affine3& map, const Filter& filter, int threads,
-                                    PrecisionKind precision) {
-    return synthesize<Rgb16>(solid, graph, map, filter, threads, precision);
+                                    PrecisionKind precision, const Economy& economy) {
+    return synthesize<Rgb16>(solid, graph, map, filter, threads, precision, economy);
 }
 
 Image<RgbF> synthesize_graph_rgbf(const SolidAtlas& solid, const TextureGraph& graph,
                                   const Affine3& map, const Filter& filter, int threads,
-                                  PrecisionKind precision) {
-    return synthesize<RgbF>(solid, graph, map, filter, threads, precision);
+                                  PrecisionKind precision, const Economy& economy) {
+    return synthesize<RgbF>(solid, graph, map, filter, threads, precision, economy);
 }
 
 }  // namespace burl

@@ -5,6 +5,7 @@
 // the thread count.
 #include "atlas/image.h"
 #include "atlas/solid_atlas.h"
+#include "procedural/economy.h"
 #include "procedural/filter.h"
 #include "procedural/graph.h"
 #include "procedural/precision.h"
@@ -14,15 +15,19 @@ namespace burl {
 /// `texture_from_atlas` maps the SolidAtlas's space to the texture's solid coordinates (the
 /// recipe's scale). With filter `none` texels are point samples, with `supersample` means of such,
 /// with any other kind the nodes filter over them (docs/nodes.md). `threads` 0 means all.
-/// `precision` is float32 or float64. Texels outside every span get the colour at the origin.
+/// `precision` is float32 or float64. `economy` says what may be left out, which no byte shows, and
+/// counts. Texels outside every span get the colour at the origin.
 Image<Rgb8> synthesize_graph_rgb8(const SolidAtlas& solid, const TextureGraph& graph,
                                   const Affine3& texture_from_atlas, const Filter& filter,
-                                  int threads, PrecisionKind precision = PrecisionKind::float32);
+                                  int threads, PrecisionKind precision = PrecisionKind::float32,
+                                  const Economy& economy = {});
 Image<Rgb16> synthesize_graph_rgb16(const SolidAtlas& solid, const TextureGraph& graph,
                                     const Affine3& texture_from_atlas, const Filter& filter,
-                                    int threads, PrecisionKind precision = PrecisionKind::float32);
+                                    int threads, PrecisionKind precision = PrecisionKind::float32,
+                                    const Economy& economy = {});
 Image<RgbF> synthesize_graph_rgbf(const SolidAtlas& solid, const TextureGraph& graph,
                                   const Affine3& texture_from_atlas, const Filter& filter,
-                                  int threads, PrecisionKind precision = PrecisionKind::float32);
+                                  int threads, PrecisionKind precision = PrecisionKind::float32,
+                                  const Economy& economy = {});
 
 }  // namespace burl

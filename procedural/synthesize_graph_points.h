@@ -6,6 +6,7 @@
 
 #include "atlas/image.h"
 #include "atlas/solid_atlas.h"
+#include "procedural/economy.h"
 #include "procedural/filter.h"
 #include "procedural/graph_values.h"
 #include "procedural/pixel_encoder.h"
@@ -14,6 +15,7 @@
 #include "procedural/sample_pattern.h"
 #include "procedural/srgb_kernels.h"
 #include "procedural/texel_piece.h"
+#include "procedural/work_sum.h"
 
 namespace burl {
 
@@ -72,6 +74,8 @@ class PointQueue {
 
     void flush() {
         if (count_ == 0) return;
+        work_.texels += count_;
+        work_.octaves += count_ * std::size_t(pattern_.samples()) * graph_.program().octaves();
         encode_(supersampled_ ? mean_colors() : point_colors(), count_, pixels_);
         const Pixel* from = pixels_;
         for (const Piece& piece : pieces_) {
@@ -81,6 +85,9 @@ class PointQueue {
         pieces_.clear();
         count_ = 0;
     }
+
+    /// Of the texels flushed.
+    const SynthesisWork& work() const { return work_; }
 
   private:
     std::array<const double*, 3> point_colors() {
@@ -132,15 +139,24 @@ class PointQueue {
     std::vector<Piece> pieces_;
     std::vector<ParabolaLine> lines_;
     std::size_t count_ = 0;
+    SynthesisWork work_;
     double weights_[value_batch];
     Pixel pixels_[value_batch];
 };
 
+/// Texels of the image that lie in no span.
+inline std::uint64_t texels_outside(const SolidAtlas& solid) {
+    std::uint64_t count = std::uint64_t(solid.size) * solid.size;
+    for (const Span& span : solid.spans) count -= span.count;
+    return count;
+}
+
 /// Fills the image's texels that lie in spans, as fill_texels (synthesize_graph_texels.h) does.
 template <class Pixel>
 void fill_points(const SolidAtlas& solid, const Affine3& map, const GraphValues& graph,
-                 const Filter& filter, int threads, Image<Pixel>& image) {
+                 const Filter& filter, int threads, const Economy& economy, Image<Pixel>& image) {
     const BatchEncoder<Pixel> encode;
+    WorkSum work(economy.work);
     for_row_ranges(solid.size, 16 * value_batch, threads, [&](const RowRange& rows) {
         const auto queue = std::make_unique<PointQueue<Pixel>>(graph, filter, encode, image);
         for (std::size_t y = rows.begin(); y != rows.end(); ++y)
@@ -152,7 +168,11 @@ void fill_points(const SolidAtlas& solid, const Affine3& map, const GraphValues&
                             map.linear * texel.step_y, double(span.count)});
             }
         queue->flush();
+        work.add(queue->work());
     });
+    SynthesisWork gaps;
+    gaps.skip_texels(Skip::unread_texels, texels_outside(solid));
+    work.add(gaps);
 }
 
 }  // namespace burl

@@ -24,6 +24,13 @@ inline std::vector<TexelMap> moved_maps(const std::vector<TexelMap>& maps, const
     return result;
 }
 
+/// Texels of a row's spans.
+inline std::size_t texels_of(std::span<const Span> spans) {
+    std::size_t count = 0;
+    for (const Span& span : spans) count += span.count;
+    return count;
+}
+
 /// What no span owns is background.
 template <class Pixel>
 void fill_gaps(std::span<const Span> spans, const Pixel& background, std::span<Pixel> row) {

@@ -175,6 +175,13 @@ void run_step(const ValueStep& step, std::size_t count, ValueProgram::Scratch& s
 
 }  // namespace
 
+std::size_t ValueProgram::octaves() const {
+    std::size_t count = 0;
+    for (std::size_t i = fixed_steps_; i < steps_.size(); ++i)
+        if (const auto* sum = std::get_if<NoiseSum>(&steps_[i].work)) count += sum->octaves.size();
+    return count;
+}
+
 ValueProgram::Scratch ValueProgram::make_scratch() const {
     Scratch scratch;
     scratch.arrays.resize(registers_);

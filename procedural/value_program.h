@@ -83,6 +83,8 @@ class ValueProgram {
     void run(std::size_t count, Scratch& scratch) const;
 
     const std::vector<ValueStep>& steps() const { return steps_; }
+    /// Octaves of noise that a point takes.
+    std::size_t octaves() const;
 
   private:
     void drop_unread(const std::vector<Register>& results);
