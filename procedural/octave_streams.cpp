@@ -301,6 +301,11 @@ void OctaveStreams::add_kept(std::span<const Piece> pieces, std::size_t count,
     for (const Group& group : groups_) {
         KeptBatch own = kept.part(first, group.octaves.size());
         first += group.octaves.size();
+        if (std::ranges::none_of(own.octaves,
+                                 [](const KeptNoise& octave) { return octave.noise; })) {
+            add_values(group, pieces, buffers, values);
+            continue;
+        }
         if (std::ranges::all_of(own.octaves, &KeptNoise::known)) {
             add_kept_group(group, pieces, count, false, own, buffers, values);
             continue;

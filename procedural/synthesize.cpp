@@ -70,9 +70,10 @@ Image<typename Shader::Pixel> synthesize(const SolidAtlas& solid, const Texture&
     const FieldSampler sampler(texture, filter.band_limit, kernel, economy.skips);
     WorkSum work(economy.work);
     const std::vector<TexelMap> maps = moved_maps(solid.maps, map, threads);
-    for_row_ranges(solid.size, 8 * batch_capacity, threads, [&](const RowRange& rows) {
+    const auto fill_rows = [&](const RowRange& rows) {
         work.add(synthesize_rows(solid, maps, sampler, shader, rows, image));
-    });
+    };
+    for_row_ranges(solid.size, 8 * batch_capacity, threads, fill_rows, economy.stop);
     return image;
 }
 

@@ -6,6 +6,7 @@
 #include "procedural/forward_field.h"
 #include "procedural/pixel_encoder.h"
 #include "procedural/row_tasks.h"
+#include "procedural/work_sum.h"
 
 namespace burl {
 
@@ -14,12 +15,14 @@ namespace {
 /// pixel(f) for every texel that a span owns.
 template <class Pixel, class Shade>
 Image<Pixel> fill(const SolidAtlas& solid, const Texture& texture, const Affine3& map,
-                  ForwardPrecision precision, int threads, const Pixel& background,
-                  const Shade& pixel) {
+                  ForwardPrecision precision, int threads, const Economy& economy,
+                  const Pixel& background, const Shade& pixel) {
     constexpr std::size_t texels_per_task = 8192;
     const std::vector<Octave> octaves = expand_octaves(texture);
     Image<Pixel> image(solid.size, solid.size, background);
-    for_row_ranges(solid.size, texels_per_task, threads, [&](const RowRange& rows) {
+    WorkSum total(economy.work);
+    const auto fill_rows = [&](const RowRange& rows) {
+        SynthesisWork work;
         std::vector<double> f(solid.size);
         for (std::size_t y = rows.begin(); y != rows.end(); ++y)
             for (const Span& span : solid.row(y)) {
@@ -29,8 +32,12 @@ Image<Pixel> fill(const SolidAtlas& solid, const Texture& texture, const Affine3
                 forward_values(texture.quadric, octaves, line, {.precision = precision}, f.data());
                 Pixel* pixels = &image(span.x, y);
                 for (std::size_t j = 0; j < span.count; ++j) pixels[j] = pixel(f[j]);
+                work.texels += span.count;
             }
-    });
+        work.octaves = work.texels * octaves.size();
+        total.add(work);
+    };
+    for_row_ranges(solid.size, texels_per_task, threads, fill_rows, economy.stop);
     return image;
 }
 
@@ -38,28 +45,28 @@ Image<Pixel> fill(const SolidAtlas& solid, const Texture& texture, const Affine3
 
 template <class Pixel>
 Image<Pixel> synthesize_forward(const SolidAtlas& solid, const Texture& texture, const Affine3& map,
-                                ForwardPrecision precision, int threads) {
+                                ForwardPrecision precision, int threads, const Economy& economy) {
     const PreparedColorMap color(texture.colors);
     const PixelEncoder<Pixel> encode;
     const auto pixel = [&](double f) { return encode(color(f)); };
-    return fill(solid, texture, map, precision, threads, pixel(0.0), pixel);
+    return fill(solid, texture, map, precision, threads, economy, pixel(0.0), pixel);
 }
 
 template <>
 Image<Rgb8> synthesize_forward(const SolidAtlas& solid, const Texture& texture, const Affine3& map,
-                               ForwardPrecision precision, int threads) {
+                               ForwardPrecision precision, int threads, const Economy& economy) {
     const ColorTable8 color(texture.colors);
-    return fill(solid, texture, map, precision, threads, color(0.0), color);
+    return fill(solid, texture, map, precision, threads, economy, color(0.0), color);
 }
 
 template Image<Rgb16> synthesize_forward(const SolidAtlas&, const Texture&, const Affine3&,
-                                         ForwardPrecision, int);
+                                         ForwardPrecision, int, const Economy&);
 template Image<RgbF> synthesize_forward(const SolidAtlas&, const Texture&, const Affine3&,
-                                        ForwardPrecision, int);
+                                        ForwardPrecision, int, const Economy&);
 
 Image<double> forward_field_of_atlas(const SolidAtlas& solid, const Texture& texture,
                                      const Affine3& map, ForwardPrecision precision, int threads) {
-    return fill(solid, texture, map, precision, threads, 0.0, [](double f) { return f; });
+    return fill(solid, texture, map, precision, threads, {}, 0.0, [](double f) { return f; });
 }
 
 }  // namespace burl

@@ -47,7 +47,7 @@ Image<Pixel> synthesize(const SolidAtlas& solid, const TextureGraph& graph, cons
     const PixelEncoder<Pixel> encode{};
     const GraphEvaluator evaluate(graph, filter, precision);
     Image<Pixel> image(solid.size, solid.size, encode(evaluate(Vec3d(0.0)).color()));
-    fill_texels(solid, map, evaluate, filter, GraphColor{}, encode, threads, image);
+    fill_texels(solid, map, evaluate, filter, GraphColor{}, encode, threads, image, economy.stop);
     if (economy.work) *economy.work += work_of(solid, GraphValues(graph).program(), filter);
     return image;
 }

@@ -157,7 +157,7 @@ void fill_points(const SolidAtlas& solid, const Affine3& map, const GraphValues&
                  const Filter& filter, int threads, const Economy& economy, Image<Pixel>& image) {
     const BatchEncoder<Pixel> encode;
     WorkSum work(economy.work);
-    for_row_ranges(solid.size, 16 * value_batch, threads, [&](const RowRange& rows) {
+    const auto fill_rows = [&](const RowRange& rows) {
         const auto queue = std::make_unique<PointQueue<Pixel>>(graph, filter, encode, image);
         for (std::size_t y = rows.begin(); y != rows.end(); ++y)
             for (const Span& span : solid.row(y)) {
@@ -169,7 +169,8 @@ void fill_points(const SolidAtlas& solid, const Affine3& map, const GraphValues&
             }
         queue->flush();
         work.add(queue->work());
-    });
+    };
+    for_row_ranges(solid.size, 16 * value_batch, threads, fill_rows, economy.stop);
     SynthesisWork gaps;
     gaps.skip_texels(Skip::unread_texels, texels_outside(solid));
     work.add(gaps);

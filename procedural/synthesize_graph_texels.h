@@ -86,8 +86,8 @@ class TexelQueue {
 template <class Pixel, class Shade, class Encode>
 void fill_texels(const SolidAtlas& solid, const Affine3& map, const GraphEvaluator& evaluate,
                  const Filter& filter, const Shade& shade, const Encode& encode, int threads,
-                 Image<Pixel>& image) {
-    for_row_ranges(solid.size, 16 * graph_batch_size, threads, [&](const RowRange& rows) {
+                 Image<Pixel>& image, const std::stop_token& stop = {}) {
+    const auto fill_rows = [&](const RowRange& rows) {
         TexelQueue<Pixel, Shade, Encode> queue(evaluate, filter, shade, encode, image);
         for (std::size_t y = rows.begin(); y != rows.end(); ++y)
             for (const Span& span : solid.row(y)) {
@@ -98,7 +98,8 @@ void fill_texels(const SolidAtlas& solid, const Affine3& map, const GraphEvaluat
                         {x, std::uint32_t(y), span.map, map(texel(x, std::int64_t(y))), steps});
             }
         queue.flush();
-    });
+    };
+    for_row_ranges(solid.size, 16 * graph_batch_size, threads, fill_rows, stop);
 }
 
 }  // namespace burl

@@ -4,181 +4,220 @@
 #include <utility>
 
 #include "procedural/point_colors.h"
+#include "procedural/synthesize.h"
 #include "procedural/synthesize_pieces.h"
+#include "procedural/texel_shaders.h"
+#include "procedural/work_sum.h"
 
 namespace burl {
 
 namespace {
 
-/// Rows of what is kept begin at multiples of this: no vector reaches from one row into the next.
-constexpr std::size_t row_alignment = batch_padding;
-
 struct Batch : FieldBatch {
     ColorBuffers colors;
 };
 
-bool same_field(const Texture& a, const Texture& b) {
-    return a.quadric == b.quadric && a.noise == b.noise;
+bool wants_slopes(FilterKind kind) {
+    return kind != FilterKind::none && kind != FilterKind::supersample;
+}
+
+/// A batch's colours, looked up in its f.
+template <class Pixel>
+void paint(const PointColors<Pixel>& colors, const double* f, std::size_t count,
+           ColorBuffers& buffers, RowPainter<Pixel>& painter) {
+    colors.look_up(f, count, buffers);
+    painter(count, [&](std::size_t at, std::size_t part, Pixel* pixels) {
+        colors.pixels(f, at, part, buffers, pixels);
+    });
+}
+
+template <class Shader>
+void paint(const Shader& shader, ShadedBatch& batch, RowPainter<typename Shader::Pixel>& painter) {
+    shader.shade(batch);
+    painter(batch.count, [&](std::size_t at, std::size_t part, auto* pixels) {
+        shader.pixels(batch, at, part, pixels);
+    });
+}
+
+template <class Pixel>
+Image<Pixel> from_scratch(const SolidAtlas& solid, const Texture& texture, const Affine3& map,
+                          int threads, const Filter& filter, Kernel kernel,
+                          const Economy& economy) {
+    if constexpr (std::is_same_v<Pixel, Rgb8>)
+        return synthesize_rgb8(solid, texture, map, threads, filter, kernel, economy);
+    else if constexpr (std::is_same_v<Pixel, Rgb16>)
+        return synthesize_rgb16(solid, texture, map, threads, filter, kernel, economy);
+    else
+        return synthesize_rgbf(solid, texture, map, threads, filter, kernel, economy);
 }
 
 }  // namespace
 
-/// Puts a row's colours, which come in order, where they belong, and the background between them.
-template <class Pixel>
-class KeptSynthesis::RowPainter {
-  public:
-    RowPainter(std::span<const Run> runs, std::span<Pixel> row, const PointColors<Pixel>& colors)
-        : run_(runs.data()), row_(row), colors_(colors) {
-        const Pixel background = colors(0.0);
-        std::size_t x = 0;
-        for (const Run& run : runs) {
-            std::fill(row.begin() + std::ptrdiff_t(x), row.begin() + run.x, background);
-            x = run.x + run.count;
-        }
-        std::fill(row.begin() + std::ptrdiff_t(x), row.end(), background);
-    }
-
-    void operator()(const double* f, std::size_t count, ColorBuffers& buffers) {
-        colors_.look_up(f, count, buffers);
-        for (std::size_t at = 0; at < count;) {
-            const std::size_t part = std::min(count - at, run_->count - done_);
-            colors_.pixels(f, at, part, buffers, &row_[run_->x + done_]);
-            at += part;
-            done_ += part;
-            if (done_ == run_->count) ++run_, done_ = 0;
-        }
-    }
-
-  private:
-    const Run* run_;
-    std::size_t done_ = 0;  ///< texels of the run
-    std::span<Pixel> row_;
-    const PointColors<Pixel>& colors_;
-};
-
 KeptSynthesis::KeptSynthesis(const SolidAtlas& solid, const Affine3& texture_from_atlas,
                              std::size_t budget, Kernel kernel)
-    : solid_(&solid), texture_from_atlas_(texture_from_atlas), budget_(budget), kernel_(kernel) {
-    find_runs();
+    : solid_(&solid),
+      texture_from_atlas_(texture_from_atlas),
+      budget_(budget),
+      kernel_(kernel),
+      rows_(solid) {}
+
+void KeptSynthesis::set_map(const Affine3& texture_from_atlas) {
+    if (texture_from_atlas == texture_from_atlas_) return;
+    texture_from_atlas_ = texture_from_atlas;
+    maps_.clear();
+    forget();
 }
 
-void KeptSynthesis::find_runs() {
-    std::size_t kept = 0;
-    for (std::size_t y = 0; y < solid_->size; ++y) {
-        row_begin_.push_back(kept);
-        run_begin_.push_back(runs_.size());
-        for (const Span& span : solid_->row(y)) {
-            const bool goes_on =
-                runs_.size() > run_begin_.back() && runs_.back().x + runs_.back().count == span.x;
-            if (!goes_on) runs_.push_back({span.x, 0});
-            runs_.back().count += span.count;
-            kept += span.count;
-        }
-        kept = (kept + row_alignment - 1) / row_alignment * row_alignment;
-    }
-    row_begin_.push_back(kept);
-    run_begin_.push_back(runs_.size());
+/// The memory stays, for what comes next.
+void KeptSynthesis::forget() {
+    known_field_.reset();
+    known_quadric_.reset();
+    for (KeptOctave& octave : octaves_) octave.key.doublings = -1;  // nobody's
+}
+
+void KeptSynthesis::forget_octaves() {
+    octaves_.clear();
+    keys_.clear();
+    quadric_ = {};
+    known_quadric_.reset();
+}
+
+KeptSynthesis::FieldKey KeptSynthesis::field_key(const Texture& texture, const Filter& filter) {
+    const FilterKind kind = filter.kind == FilterKind::trapezoid2 || !wants_slopes(filter.kind)
+                                ? filter.kind
+                                : FilterKind::exact;
+    return {texture.quadric, texture.noise, kind, filter.band_limit};
 }
 
 std::size_t KeptSynthesis::bytes() const {
-    const std::size_t field = field_.data() ? sizeof(double) : 0;
-    const std::size_t quadric = quadric_.data() ? sizeof(double) : 0;
-    return row_begin_.back() * (field + quadric + sizeof(float) * octaves_.size());
+    const auto kept = [](const auto& array) { return array.data() ? sizeof(*array.data()) : 0; };
+    std::size_t bytes = kept(field_) + kept(quadric_) + kept(slopes_u_) + kept(slopes_v_);
+    for (const KeptOctave& octave : octaves_) bytes += kept(octave.noise);
+    return rows_.size() * bytes;
+}
+
+bool KeptSynthesis::keep_field(bool slopes) {
+    const std::size_t wanted = sizeof(double) + (slopes ? 2 * sizeof(float) : 0);
+    const bool fits = bytes_per_texel() >= wanted;
+    if (!slopes || !fits) slopes_u_ = {}, slopes_v_ = {};
+    if (!fits) field_ = {};
+    if (fits && slopes && !slopes_u_.data()) {
+        slopes_u_ = KeptArray<float>(rows_.size());
+        slopes_v_ = KeptArray<float>(rows_.size());
+    }
+    if (fits && !field_.data()) field_ = KeptArray<double>(rows_.size());
+    return fits;
+}
+
+/// Which octaves differ from those in their places before, for the second time running.
+std::vector<bool> KeptSynthesis::changed_again(const std::vector<NoiseKey>& keys) {
+    std::vector<bool> changed(keys.size()), again(keys.size());
+    for (std::size_t k = 0; k < keys.size(); ++k) {
+        changed[k] = k < keys_.size() && keys_[k] != keys[k];
+        again[k] = changed[k] && k < changed_.size() && changed_[k];
+    }
+    keys_ = keys;
+    changed_ = std::move(changed);
+    return again;
 }
 
 /// Places for the keys' noise, those of before where they hold it already. What is not evaluated
 /// after all because of an exception is forgotten.
 std::vector<KeptSynthesis::KeptOctave> KeptSynthesis::keep(const std::vector<NoiseKey>& keys) {
-    const std::size_t texels = row_begin_.back();
+    const std::vector<bool> restless = changed_again(keys);
     const std::size_t most = bytes_per_texel();
-    if (most >= sizeof(double) && !field_.data()) field_ = KeptArray<double>(texels);
-    const std::size_t kept =
-        most < sizeof(double) ? 0 : std::min(keys.size(), (most - sizeof(double)) / sizeof(float));
-
-    std::vector<KeptOctave> before = std::exchange(octaves_, {}), octaves(kept);
-    for (std::size_t k = 0; k < kept; ++k) {
+    std::size_t rest = keep_field(false) ? most - sizeof(double) : 0;
+    std::vector<KeptOctave> before = std::exchange(octaves_, {}), octaves(keys.size());
+    for (std::size_t k = 0; k < keys.size(); ++k) {
         octaves[k].key = keys[k];
         const auto same = std::ranges::find(before, keys[k], &KeptOctave::key);
-        if (same == before.end()) continue;
+        if (same == before.end() || rest < sizeof(float)) continue;
         octaves[k].noise = std::move(same->noise);
-        octaves[k].known = true;
+        octaves[k].known = octaves[k].noise.data() != nullptr;
         before.erase(same);
+        rest -= octaves[k].known ? sizeof(float) : 0;
     }
-    const std::size_t rest = most - std::min(most, sizeof(double) + kept * sizeof(float));
-    if (rest < sizeof(double)) quadric_ = {};
-    for (KeptOctave& octave : octaves) {
-        if (octave.known) continue;
+    std::erase_if(before, [](const KeptOctave& octave) { return !octave.noise.data(); });
+    for (std::size_t k = 0; k < keys.size(); ++k) {
+        if (octaves[k].known || restless[k] || rest < sizeof(float)) continue;
+        rest -= sizeof(float);
         if (before.empty()) {
-            octave.noise = KeptArray<float>(texels);
+            octaves[k].noise = KeptArray<float>(rows_.size());
         } else {
-            octave.noise = std::move(before.back().noise);
+            octaves[k].noise = std::move(before.back().noise);
             before.pop_back();
         }
     }
     before.clear();
-    if (rest >= sizeof(double) && !quadric_.data()) {
-        quadric_ = KeptArray<double>(texels);
-        quadric_known_ = false;
+    if (rest < sizeof(double)) {
+        quadric_ = {};
+        known_quadric_.reset();
+    } else if (!quadric_.data()) {
+        quadric_ = KeptArray<double>(rows_.size());
+        known_quadric_.reset();
     }
     return octaves;
 }
 
-template <class Visit>
-void KeptSynthesis::for_each_batch(std::size_t y, const Visit& visit) const {
-    std::size_t left = 0;
-    for (const Run& run : runs(y)) left += run.count;
-    for (std::size_t at = row_begin_[y], count = 0; left > 0; left -= count, at += count) {
-        count = std::min(left, batch_capacity);
-        visit(at, count);
-    }
+void KeptSynthesis::count_recolored(const Economy& economy) const {
+    if (!economy.work) return;
+    economy.work->texels += rows_.texels();
+    economy.work->skip_octaves(Skip::kept_terms, octaves_per_texel_ * rows_.texels());
 }
 
 template <class Pixel>
-void KeptSynthesis::recolor(const Texture& texture, int threads, Image<Pixel>& image) const {
+void KeptSynthesis::recolor(const Texture& texture, int threads, const Economy& economy,
+                            Image<Pixel>& image) const {
     const PointColors<Pixel> colors(texture.colors);
-    for_row_ranges(solid_->size, 8 * batch_capacity, threads, [&](const RowRange& rows) {
+    const Pixel background = colors(0.0);
+    const auto color_rows = [&](const RowRange& range) {
         const auto buffers = std::make_unique_for_overwrite<ColorBuffers>();
-        for (std::size_t y = rows.begin(); y != rows.end(); ++y) {
-            RowPainter<Pixel> paint(runs(y), image.row(y), colors);
-            for_each_batch(y, [&](std::size_t at, std::size_t count) {
-                paint(field_.data() + at, count, *buffers);
+        for (std::size_t y = range.begin(); y != range.end(); ++y) {
+            RowPainter<Pixel> painter(rows_.runs(y), image.row(y), background);
+            rows_.for_each_batch(y, [&](std::size_t at, std::size_t count) {
+                paint(colors, field_.data() + at, count, *buffers, painter);
             });
         }
-    });
+    };
+    for_row_ranges(solid_->size, 8 * batch_capacity, threads, color_rows, economy.stop);
+    count_recolored(economy);
 }
 
 template <class Pixel>
-void KeptSynthesis::evaluate(const Texture& texture, int threads, Image<Pixel>& image) {
-    if (maps_.empty()) maps_ = moved_maps(solid_->maps, texture_from_atlas_, threads);
+void KeptSynthesis::evaluate(const Texture& texture, int threads, const Economy& economy,
+                             Image<Pixel>& image) {
     const PointColors<Pixel> colors(texture.colors);
-    const FieldSampler sampler(texture, false, kernel_);
-    field_known_ = false;
-    quadric_known_ = quadric_known_ && texture.quadric == texture_.quadric;
+    const Pixel background = colors(0.0);
+    const FieldSampler sampler(texture, false, kernel_, economy.skips);
+    known_field_.reset();
     const std::vector<NoiseKey> keys = sampler.noise_keys();
     std::vector<KeptOctave> octaves = keep(keys);
     std::vector<KeptNoise> kept(keys.size());
     std::ranges::transform(octaves, kept.begin(), [](const KeptOctave& octave) {
         return KeptNoise{octave.noise.data(), octave.known};
     });
-    const bool quadric_known = std::exchange(quadric_known_, false) && quadric_.data();
+    const bool quadric_known = known_quadric_ == texture.quadric;
+    known_quadric_.reset();
     const bool all_known = quadric_known && std::ranges::all_of(kept, &KeptNoise::known);
-    for_row_ranges(solid_->size, 8 * batch_capacity, threads, [&](const RowRange& rows) {
+    WorkSum work(economy.work);
+    const auto fill_rows = [&](const RowRange& range) {
         const auto batch = std::make_unique_for_overwrite<Batch>();
-        for (std::size_t y = rows.begin(); y != rows.end(); ++y) {
-            RowPainter<Pixel> paint(runs(y), image.row(y), colors);
+        for (std::size_t y = range.begin(); y != range.end(); ++y) {
+            RowPainter<Pixel> painter(rows_.runs(y), image.row(y), background);
             const auto fill = [&](std::size_t at, std::size_t count) {
                 sampler.values(*batch, {kept, quadric_.data(), quadric_known, at});
                 if (field_.data()) std::copy_n(batch->field, count, field_.data() + at);
-                paint(batch->field, count, batch->colors);
+                paint(colors, batch->field, count, batch->colors, painter);
+                batch->streams.work.texels += count;
             };
             if (all_known) {
-                for_each_batch(y, [&](std::size_t at, std::size_t count) {
+                rows_.for_each_batch(y, [&](std::size_t at, std::size_t count) {
                     batch->count = count;
                     fill(at, count);
                 });
                 continue;
             }
-            std::size_t at = row_begin_[y];
+            std::size_t at = rows_.begin(y);
             const auto empty = [&] {
                 if (batch->count == 0) return;
                 fill(at, batch->count);
@@ -189,28 +228,128 @@ void KeptSynthesis::evaluate(const Texture& texture, int threads, Image<Pixel>& 
             add_row(*solid_, maps_, y, *batch, empty);
             empty();
         }
-    });
+        work.add(batch->streams.work);
+    };
+    for_row_ranges(solid_->size, 8 * batch_capacity, threads, fill_rows, economy.stop);
     work_.octaves_kept = std::size_t(std::ranges::count(kept, true, &KeptNoise::known));
     work_.octaves_evaluated = kept.size() - work_.octaves_kept;
+    octaves_per_texel_ = kept.size();
+    const bool stopped = economy.stop.stop_requested();
+    if (stopped) std::erase_if(octaves, [](const KeptOctave& octave) { return !octave.known; });
     octaves_ = std::move(octaves);
-    field_known_ = field_.data() != nullptr;
-    quadric_known_ = quadric_.data() != nullptr;
-    texture_ = texture;
+    if (quadric_.data() && (quadric_known || !stopped)) known_quadric_ = texture.quadric;
+    if (field_.data() && !stopped) known_field_ = field_key(texture, {});
+}
+
+template <class Shader>
+void KeptSynthesis::recolor_with(const Shader& shader, int threads, const Economy& economy,
+                                 Image<typename Shader::Pixel>& image) const {
+    const auto background = shader.background(0.0);
+    const auto color_rows = [&](const RowRange& range) {
+        const auto batch = std::make_unique_for_overwrite<ShadedBatch>();
+        for (std::size_t y = range.begin(); y != range.end(); ++y) {
+            RowPainter painter(rows_.runs(y), image.row(y), background);
+            rows_.for_each_batch(y, [&](std::size_t at, std::size_t count) {
+                batch->count = count;
+                std::copy_n(field_.data() + at, count, batch->field);
+                if (slopes_u_.data()) {
+                    std::copy_n(slopes_u_.data() + at, count, batch->slopes.u);
+                    std::copy_n(slopes_v_.data() + at, count, batch->slopes.v);
+                }
+                paint(shader, *batch, painter);
+            });
+        }
+    };
+    for_row_ranges(solid_->size, 8 * batch_capacity, threads, color_rows, economy.stop);
+    count_recolored(economy);
+}
+
+template <class Shader>
+void KeptSynthesis::evaluate_with(const Shader& shader, const Texture& texture,
+                                  const Filter& filter, int threads, const Economy& economy,
+                                  Image<typename Shader::Pixel>& image) {
+    const auto background = shader.background(0.0);
+    const FieldSampler sampler(texture, filter.band_limit, kernel_, economy.skips);
+    known_field_.reset();
+    const bool slopes = slopes_u_.data() != nullptr;
+    WorkSum work(economy.work);
+    const auto fill_rows = [&](const RowRange& range) {
+        const auto batch = std::make_unique_for_overwrite<ShadedBatch>();
+        for (std::size_t y = range.begin(); y != range.end(); ++y) {
+            RowPainter painter(rows_.runs(y), image.row(y), background);
+            std::size_t at = rows_.begin(y);
+            const auto empty = [&] {
+                const std::size_t count = batch->count;
+                if (count == 0) return;
+                shader.sample(sampler, *batch);
+                std::copy_n(batch->field, count, field_.data() + at);
+                if (slopes) {
+                    std::copy_n(batch->slopes.u, count, slopes_u_.data() + at);
+                    std::copy_n(batch->slopes.v, count, slopes_v_.data() + at);
+                }
+                paint(shader, *batch, painter);
+                batch->streams.work.texels += count;
+                at += count;
+                batch->pieces.clear();
+                batch->count = 0;
+            };
+            add_row(*solid_, maps_, y, *batch, empty);
+            empty();
+        }
+        work.add(batch->streams.work);
+        work.add(batch->corners.batch->streams.work);
+    };
+    for_row_ranges(solid_->size, 8 * batch_capacity, threads, fill_rows, economy.stop);
+    octaves_per_texel_ = sampler.noise_keys().size();
+    if (!economy.stop.stop_requested()) known_field_ = field_key(texture, filter);
+}
+
+template <class Pixel, class Shader>
+void KeptSynthesis::synthesize_with(const Shader& shader, const Texture& texture,
+                                    const Filter& filter, int threads, const Economy& economy,
+                                    Image<Pixel>& image) {
+    if (work_.field_kept) return recolor_with(shader, threads, economy, image);
+    forget_octaves();
+    if (keep_field(wants_slopes(filter.kind)))
+        evaluate_with(shader, texture, filter, threads, economy, image);
+    else
+        image = from_scratch<Pixel>(*solid_, texture, texture_from_atlas_, threads, filter, kernel_,
+                                    economy);
 }
 
 template <class Pixel>
-void KeptSynthesis::synthesize(const Texture& texture, int threads, Image<Pixel>& image) {
+void KeptSynthesis::synthesize(const Texture& texture, int threads, Image<Pixel>& image,
+                               const Filter& filter, const Economy& economy) {
+    work_ = {};
+    if (filter.kind == FilterKind::supersample) {
+        image = from_scratch<Pixel>(*solid_, texture, texture_from_atlas_, threads, filter, kernel_,
+                                    economy);
+        return;
+    }
     if (image.width() != solid_->size || image.height() != solid_->size)
         image = Image<Pixel>::unset(solid_->size, solid_->size);
-    work_ = {field_known_ && same_field(texture, texture_)};
-    if (work_.field_kept)
-        recolor(texture, threads, image);
+    if (maps_.empty()) maps_ = moved_maps(solid_->maps, texture_from_atlas_, threads);
+    if (economy.work)
+        economy.work->skip_texels(Skip::unread_texels,
+                                  std::uint64_t(solid_->size) * solid_->size - rows_.texels());
+    work_.field_kept = known_field_ == field_key(texture, filter);
+    const ColorMap& colors = texture.colors;
+    if (wants_slopes(filter.kind))
+        synthesize_with(FilteredColor<PointColor<Pixel>>(colors, filter.kind), texture, filter,
+                        threads, economy, image);
+    else if (filter.band_limit)
+        synthesize_with(PointColor<Pixel>(colors), texture, filter, threads, economy, image);
+    else if (work_.field_kept)
+        recolor(texture, threads, economy, image);
     else
-        evaluate(texture, threads, image);
+        evaluate(texture, threads, economy, image);
 }
 
-template void KeptSynthesis::synthesize(const Texture&, int, Image<Rgb8>&);
-template void KeptSynthesis::synthesize(const Texture&, int, Image<Rgb16>&);
-template void KeptSynthesis::synthesize(const Texture&, int, Image<RgbF>&);
+template void KeptSynthesis::synthesize(const Texture&, int, Image<Rgb8>&, const Filter&,
+                                        const Economy&);
+template void KeptSynthesis::synthesize(const Texture&, int, Image<Rgb16>&, const Filter&,
+                                        const Economy&);
+template void KeptSynthesis::synthesize(const Texture&, int, Image<RgbF>&, const Filter&,
+                                        const Economy&);
 
 }  // namespace burl

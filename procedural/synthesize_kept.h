@@ -1,39 +1,22 @@
 #pragma once
-// Textures synthesised again and again while somebody moves sliders: the field and every octave's
-// unscaled noise are kept, and the next texture evaluates only what it does not share with the last
-// one. Sums run over the kept noise in the order of a synthesis from scratch, so that the bytes are
-// the same.
-#include <cstdlib>
-#include <memory>
-#include <new>
+// Textures synthesised again and again while somebody moves sliders: the field, its slopes where a
+// filter wants them, and every octave's unscaled noise are kept, and the next texture evaluates
+// only what it does not share with the last one. Sums run over the kept noise in the order of a
+// synthesis from scratch, so that the bytes are the same.
+#include <optional>
 #include <vector>
 
 #include "atlas/image.h"
 #include "atlas/solid_atlas.h"
+#include "procedural/economy.h"
 #include "procedural/field_sampler.h"
+#include "procedural/filter.h"
 #include "procedural/kernel.h"
+#include "procedural/synthesize_kept_rows.h"
 
 namespace burl {
 
-/// Uninitialised numbers that begin on a line of the cache.
-template <class T>
-class KeptArray {
-  public:
-    KeptArray() = default;
-    explicit KeptArray(std::size_t count)
-        : data_(static_cast<T*>(std::aligned_alloc(64, count * sizeof(T) / 64 * 64 + 64))) {
-        if (!data_) throw std::bad_alloc();
-    }
-    T* data() const { return data_.get(); }
-
-  private:
-    struct Free {
-        void operator()(T* data) const { std::free(data); }
-    };
-    std::unique_ptr<T, Free> data_;
-};
-
-/// Textures without filter or band limit of one atlas. Not to be used by two threads at a time.
+/// Textures of one atlas. Not to be used by two threads at a time.
 class KeptSynthesis {
   public:
     /// What the last call did. Octaves are those of expand_octaves.
@@ -43,64 +26,85 @@ class KeptSynthesis {
     };
 
     /// `solid` must outlive this. At most `budget` bytes are kept of texels: 8 each for the field,
-    /// then 4 for every octave of the texture, as many as fit, then 8 for the quadric. With less
-    /// memory more is worked out again; nothing else changes. (The texels' maps, 80 bytes a
-    /// triangle, are not counted.)
+    /// then 4 for every octave of the texture, as many as fit, then 8 for the quadric; with a
+    /// filter 8 for the field and 8 for its slopes, no octaves. With less memory more is worked out
+    /// again; nothing else changes. (The texels' maps, 80 bytes a triangle, are not counted.)
     KeptSynthesis(const SolidAtlas& solid, const Affine3& texture_from_atlas, std::size_t budget,
                   Kernel kernel = Kernel::automatic);
 
+    /// Another map from the atlas's space to the texture's; all that was kept is worth nothing.
+    void set_map(const Affine3& texture_from_atlas);
+    Kernel kernel() const { return kernel_; }
+
     /// The bytes of synthesize_rgb8, _rgb16 or _rgbf, for Pixel Rgb8, Rgb16 or RgbF. An image of
     /// the atlas's size is written over; that spares the system clearing memory for another.
+    /// An octave that is new twice running, as while a slider of it moves, is not kept until it
+    /// stays. Supersampled textures, and without a filter those of a band limit, keep no octaves.
     template <class Pixel>
-    void synthesize(const Texture& texture, int threads, Image<Pixel>& image);
+    void synthesize(const Texture& texture, int threads, Image<Pixel>& image,
+                    const Filter& filter = {}, const Economy& economy = {});
 
     const Work& work() const { return work_; }
     /// Bytes kept of texels.
     std::size_t bytes() const;
 
   private:
-    /// Texels that follow one another in a row.
-    struct Run {
-        std::uint32_t x = 0, count = 0;
-    };
     struct KeptOctave {
-        NoiseKey key;
-        KeptArray<float> noise;
+        NoiseKey key{};
+        KeptArray<float> noise{};
         bool known = false;  ///< since before this call
     };
-    template <class Pixel>
-    class RowPainter;
+    /// What f and its slopes depend on besides the atlas; the kinds of filters that want the same
+    /// of f count as one of them.
+    struct FieldKey {
+        Quadric quadric{};
+        std::vector<NoiseTerm> noise{};
+        FilterKind kind = FilterKind::none;
+        bool band_limit = false;
+        bool operator==(const FieldKey&) const = default;
+    };
+    static FieldKey field_key(const Texture& texture, const Filter& filter);
 
-    void find_runs();
-    std::span<const Run> runs(std::size_t y) const {
-        return {runs_.data() + run_begin_[y], run_begin_[y + 1] - run_begin_[y]};
-    }
-    std::size_t bytes_per_texel() const {
-        return row_begin_.back() > 0 ? budget_ / row_begin_.back() : 0;
-    }
+    std::size_t bytes_per_texel() const { return rows_.size() > 0 ? budget_ / rows_.size() : 0; }
+    void forget();
+    void forget_octaves();
     std::vector<KeptOctave> keep(const std::vector<NoiseKey>& keys);
-    /// Calls visit(first, count) for the kept texels of a row, a batch at a time.
-    template <class Visit>
-    void for_each_batch(std::size_t y, const Visit& visit) const;
+    std::vector<bool> changed_again(const std::vector<NoiseKey>& keys);
+    /// Whether there is room for f, and for its slopes if the filter wants them.
+    bool keep_field(bool slopes);
+
     template <class Pixel>
-    void recolor(const Texture& texture, int threads, Image<Pixel>& image) const;
+    void recolor(const Texture& texture, int threads, const Economy& economy,
+                 Image<Pixel>& image) const;
     template <class Pixel>
-    void evaluate(const Texture& texture, int threads, Image<Pixel>& image);
+    void evaluate(const Texture& texture, int threads, const Economy& economy, Image<Pixel>& image);
+    /// By a shader (procedural/texel_shaders.h).
+    template <class Shader>
+    void recolor_with(const Shader& shader, int threads, const Economy& economy,
+                      Image<typename Shader::Pixel>& image) const;
+    template <class Shader>
+    void evaluate_with(const Shader& shader, const Texture& texture, const Filter& filter,
+                       int threads, const Economy& economy, Image<typename Shader::Pixel>& image);
+    template <class Pixel, class Shader>
+    void synthesize_with(const Shader& shader, const Texture& texture, const Filter& filter,
+                         int threads, const Economy& economy, Image<Pixel>& image);
+    void count_recolored(const Economy& economy) const;
 
     const SolidAtlas* solid_;
     Affine3 texture_from_atlas_;
     std::size_t budget_;
     Kernel kernel_;
     std::vector<TexelMap> maps_;  ///< of the texture's coordinates; empty before the first call
-    std::vector<Run> runs_;
-    std::vector<std::size_t> run_begin_;  ///< N+1 offsets into runs_
-    /// N+1 offsets into what is kept, multiples of a vector's length
-    std::vector<std::size_t> row_begin_;
+    KeptRows rows_;
 
     KeptArray<double> field_, quadric_;
-    bool field_known_ = false, quadric_known_ = false;
-    Texture texture_;  ///< that they are of
+    KeptArray<float> slopes_u_, slopes_v_;
+    std::optional<FieldKey> known_field_;
+    std::optional<Quadric> known_quadric_;
     std::vector<KeptOctave> octaves_;
+    std::vector<NoiseKey> keys_;  ///< of the last texture
+    std::vector<bool> changed_;   ///< which of them the texture before it did not have
+    std::uint64_t octaves_per_texel_ = 0;
     Work work_;
 };
 

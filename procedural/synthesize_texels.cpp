@@ -10,6 +10,7 @@
 #include "procedural/row_tasks.h"
 #include "procedural/sample_pattern.h"
 #include "procedural/texel_place.h"
+#include "procedural/work_sum.h"
 
 namespace burl {
 
@@ -61,13 +62,26 @@ const ExactField& seen_by(const ExactField& field, const Footprint& steps,
     return field.band_limited() ? limited.emplace(field.seen_by(steps)) : field;
 }
 
+/// Where the texels are, and how they are gone through.
+struct Task {
+    const SolidAtlas& solid;
+    const Affine3& map;
+    int threads = 0;
+    const Economy& economy;
+    std::uint64_t octaves = 0;  ///< evaluated per texel, for the economy's count
+};
+
 /// pixel(field, texel) for every texel that a span owns.
 template <class Pixel, class Field, class Shade>
-Image<Pixel> fill(const SolidAtlas& solid, const Affine3& map, int threads, const Field& whole,
-                  const Pixel& background, const Shade& pixel) {
+Image<Pixel> fill(const Task& task, const Field& whole, const Pixel& background,
+                  const Shade& pixel) {
+    const SolidAtlas& solid = task.solid;
+    const Affine3& map = task.map;
     constexpr std::size_t texels_per_task = 1024;
     Image<Pixel> image(solid.size, solid.size, background);
-    for_row_ranges(solid.size, texels_per_task, threads, [&](const RowRange& rows) {
+    WorkSum total(task.economy.work);
+    const auto fill_rows = [&](const RowRange& rows) {
+        SynthesisWork work;
         std::optional<Field> limited;
         for (std::size_t y = rows.begin(); y != rows.end(); ++y)
             for (const Span& span : solid.row(y)) {
@@ -77,8 +91,12 @@ Image<Pixel> fill(const SolidAtlas& solid, const Affine3& map, int threads, cons
                 for (std::uint32_t x = span.x; x < span.x + span.count; ++x)
                     image(x, y) = pixel(field, TexelPlace{x, std::uint32_t(y), span.map,
                                                           map(texel(x, std::int64_t(y))), steps});
+                work.texels += span.count;
             }
-    });
+        work.octaves = work.texels * task.octaves;
+        total.add(work);
+    };
+    for_row_ranges(solid.size, texels_per_task, task.threads, fill_rows, task.economy.stop);
     return image;
 }
 
@@ -123,29 +141,28 @@ Spread corner_spread(const ExactField& field, const TexelPlace& texel) {
 }
 
 template <class Pixel, class Field>
-Image<Pixel> sampled_colors(const SolidAtlas& solid, const ColorMap& colors, const Affine3& map,
-                            const Filter& filter, int threads, const Field& field) {
+Image<Pixel> sampled_colors(const Task& task, const ColorMap& colors, const Filter& filter,
+                            const Field& field) {
     const PreparedColorMap color(colors);
     const PixelEncoder<Pixel> encode;
     const Pixel background = encode(color(0.0));
     if (filter.kind == FilterKind::supersample) {
         const SamplePattern pattern(filter.samples);
-        return fill(solid, map, threads, field, background,
-                    [&](const Field& f, const TexelPlace& t) {
-                        return encode(supersampled(color, pattern, f, t));
-                    });
+        return fill(task, field, background, [&](const Field& f, const TexelPlace& t) {
+            return encode(supersampled(color, pattern, f, t));
+        });
     }
-    return fill(solid, map, threads, field, background,
+    return fill(task, field, background,
                 [&](const Field& f, const TexelPlace& t) { return encode(color(f(t.point))); });
 }
 
 template <class Pixel>
-Image<Pixel> filtered_colors(const SolidAtlas& solid, const ColorMap& colors, const Affine3& map,
-                             const Filter& filter, int threads, const ExactField& field) {
+Image<Pixel> filtered_colors(const Task& task, const ColorMap& colors, const Filter& filter,
+                             const ExactField& field) {
     const FilteredColors color(colors, filter.kind);
     const PixelEncoder<Pixel> encode;
     const bool curved = filter.kind == FilterKind::trapezoid2;
-    return fill(solid, map, threads, field, encode(PreparedColorMap(colors)(0.0)),
+    return fill(task, field, encode(PreparedColorMap(colors)(0.0)),
                 [&](const ExactField& f, const TexelPlace& t) {
                     const auto [middle, u, v] = curved ? corner_spread(f, t) : central_spread(f, t);
                     return encode(color(middle, u, v));
@@ -154,31 +171,42 @@ Image<Pixel> filtered_colors(const SolidAtlas& solid, const ColorMap& colors, co
 
 }  // namespace
 
+/// How often every octave is evaluated per texel.
+std::uint64_t evaluations(const Filter& filter) {
+    if (filter.kind == FilterKind::supersample) return std::uint64_t(filter.samples);
+    return filter.kind == FilterKind::trapezoid2 ? 5 : 1;
+}
+
 template <class Pixel>
 Image<Pixel> synthesize_texels(const SolidAtlas& solid, const Texture& texture, const Affine3& map,
-                               const Precision& precision, const Filter& filter, int threads) {
+                               const Precision& precision, const Filter& filter, int threads,
+                               const Economy& economy) {
+    const Task task{solid, map, threads, economy,
+                    evaluations(filter) * expand_octaves(texture).size()};
     if (precision.kind == PrecisionKind::fixed)
-        return sampled_colors<Pixel>(solid, texture.colors, map, filter, threads,
+        return sampled_colors<Pixel>(task, texture.colors, filter,
                                      FixedField(texture, precision.format));
     const ExactField field(texture, filter.band_limit);
     if (filter.kind == FilterKind::none || filter.kind == FilterKind::supersample)
-        return sampled_colors<Pixel>(solid, texture.colors, map, filter, threads, field);
-    return filtered_colors<Pixel>(solid, texture.colors, map, filter, threads, field);
+        return sampled_colors<Pixel>(task, texture.colors, filter, field);
+    return filtered_colors<Pixel>(task, texture.colors, filter, field);
 }
 
 template Image<Rgb8> synthesize_texels(const SolidAtlas&, const Texture&, const Affine3&,
-                                       const Precision&, const Filter&, int);
+                                       const Precision&, const Filter&, int, const Economy&);
 template Image<Rgb16> synthesize_texels(const SolidAtlas&, const Texture&, const Affine3&,
-                                        const Precision&, const Filter&, int);
+                                        const Precision&, const Filter&, int, const Economy&);
 template Image<RgbF> synthesize_texels(const SolidAtlas&, const Texture&, const Affine3&,
-                                       const Precision&, const Filter&, int);
+                                       const Precision&, const Filter&, int, const Economy&);
 
 Image<double> field_of_texels(const SolidAtlas& solid, const Texture& texture, const Affine3& map,
                               const Precision& precision, int threads) {
     const auto value = [](const auto& field, const TexelPlace& t) { return field(t.point); };
+    const Economy nothing;
+    const Task task{solid, map, threads, nothing, 0};
     if (precision.kind == PrecisionKind::fixed)
-        return fill(solid, map, threads, FixedField(texture, precision.format), 0.0, value);
-    return fill(solid, map, threads, ExactField(texture, false), 0.0, value);
+        return fill(task, FixedField(texture, precision.format), 0.0, value);
+    return fill(task, ExactField(texture, false), 0.0, value);
 }
 
 }  // namespace burl

@@ -4,6 +4,7 @@
 // Slow, but on all threads; the bytes do not depend on their number.
 #include "atlas/image.h"
 #include "atlas/solid_atlas.h"
+#include "procedural/economy.h"
 #include "procedural/filter.h"
 #include "procedural/precision.h"
 #include "procedural/texture.h"
@@ -12,11 +13,12 @@ namespace burl {
 
 /// As synthesize_rgb8 and its like (synthesize.h), for Rgb8, Rgb16 and RgbF. precision.kind must be
 /// float64 or fixed; for the latter has_fixed_point(texture) must hold, and the filter be `none` or
-/// `supersample` with all octaves.
+/// `supersample` with all octaves. `economy` counts, as if a texel showed all of every octave; all
+/// that may be left out is left out.
 template <class Pixel>
 Image<Pixel> synthesize_texels(const SolidAtlas& solid, const Texture& texture,
                                const Affine3& texture_from_atlas, const Precision& precision,
-                               const Filter& filter, int threads);
+                               const Filter& filter, int threads, const Economy& economy = {});
 
 /// The field itself, in any of the two precisions; 0 outside every span.
 Image<double> field_of_texels(const SolidAtlas& solid, const Texture& texture,

@@ -29,13 +29,14 @@ Texture many_terms() {
 }
 
 template <class Pixel>
-Image<Pixel> from_scratch(const SolidAtlas& solid, const Texture& texture, Kernel kernel) {
+Image<Pixel> from_scratch(const SolidAtlas& solid, const Texture& texture, Kernel kernel,
+                          const Filter& filter = {}) {
     if constexpr (std::is_same_v<Pixel, Rgb8>)
-        return synthesize_rgb8(solid, texture, twice, 1, {}, kernel);
+        return synthesize_rgb8(solid, texture, twice, 1, filter, kernel);
     else if constexpr (std::is_same_v<Pixel, Rgb16>)
-        return synthesize_rgb16(solid, texture, twice, 1, {}, kernel);
+        return synthesize_rgb16(solid, texture, twice, 1, filter, kernel);
     else
-        return synthesize_rgbf(solid, texture, twice, 1, {}, kernel);
+        return synthesize_rgbf(solid, texture, twice, 1, filter, kernel);
 }
 
 /// One thing about the texture that a slider would change.
@@ -84,8 +85,19 @@ void edit(Texture& texture, std::mt19937& random) {
     if (texture.noise.size() > 4) texture.noise.resize(2);
 }
 
+/// Now and then another filter, mostly none.
+void edit(Filter& filter, std::mt19937& random) {
+    if (random() % 3) return;
+    constexpr std::array kinds{
+        FilterKind::none,  FilterKind::none,      FilterKind::table_mip,  FilterKind::table_sat,
+        FilterKind::exact, FilterKind::trapezoid, FilterKind::trapezoid2, FilterKind::supersample};
+    filter.kind = kinds[random() % kinds.size()];
+    filter.samples = 4;
+    filter.band_limit = random() % 4 == 0;
+}
+
 template <class Pixel>
-void follow_edits(Kernel kernel, std::size_t budget, int edits) {
+void follow_edits(Kernel kernel, std::size_t budget, int edits, bool filters = false) {
     const tbb::global_control more(tbb::global_control::max_allowed_parallelism, 8);
     for (const std::uint32_t block : {11u, 1030u}) {
         const std::uint32_t size = block > 1000 ? 1030 : 37;
@@ -97,12 +109,14 @@ void follow_edits(Kernel kernel, std::size_t budget, int edits) {
         std::mt19937 random(std::uint32_t(budget % 1000 + block + std::size_t(kernel)));
         KeptSynthesis kept(solid, twice, budget, kernel);
         Texture texture = many_terms();
+        Filter filter;
         Image<Pixel> image;
         for (int i = 0; i < edits; ++i) {
-            kept.synthesize(texture, std::array{1, 2, 7, 0}[std::size_t(i) % 4], image);
-            ASSERT_EQ(image, from_scratch<Pixel>(solid, texture, kernel)) << "edit " << i;
+            kept.synthesize(texture, std::array{1, 2, 7, 0}[std::size_t(i) % 4], image, filter);
+            ASSERT_EQ(image, from_scratch<Pixel>(solid, texture, kernel, filter)) << "edit " << i;
             ASSERT_LE(kept.bytes(), budget);
             edit(texture, random);
+            if (filters) edit(filter, random);
         }
     }
 }
@@ -116,9 +130,92 @@ TEST(KeptSynthesis, GivesTheBytesOfASynthesisFromScratchAfterAnyEdit) {
     follow_edits<RgbF>(Kernel::automatic, plenty, 5);
 }
 
+TEST(KeptSynthesis, GivesTheSameBytesWithEveryFilter) {
+    follow_edits<Rgb8>(Kernel::automatic, plenty, 40, true);
+    follow_edits<Rgb16>(Kernel::automatic, plenty, 10, true);
+    follow_edits<RgbF>(Kernel::scanline, plenty, 10, true);
+}
+
 TEST(KeptSynthesis, GivesTheSameBytesWithinAnyBudget) {
-    for (const std::size_t bytes : {0, 8, 12, 30, 42})
-        follow_edits<Rgb8>(Kernel::automatic, bytes * 37 * 48 + 5, 4);
+    for (const std::size_t bytes : {0, 8, 12, 16, 30, 42})
+        follow_edits<Rgb8>(Kernel::automatic, bytes * 37 * 48 + 5, 6, bytes % 4 == 0);
+}
+
+TEST(KeptSynthesis, StartsAnewForAnotherMap) {
+    const SolidAtlas solid = SyntheticAtlas{40, 11, 10.0, 0.02, true}.make(1);
+    KeptSynthesis kept(solid, Affine3{}, plenty);
+    Image<Rgb8> image;
+    for (const Affine3& map : {Affine3{}, twice, twice, Affine3{}}) {
+        kept.set_map(map);
+        kept.synthesize(many_terms(), 1, image);
+        EXPECT_EQ(image, synthesize_rgb8(solid, many_terms(), map, 1));
+    }
+}
+
+TEST(KeptSynthesis, DoesNotKeepAnOctaveThatKeepsMoving) {
+    const SolidAtlas solid = SyntheticAtlas{40, 11, 10.0, 0.02, true}.make(1);
+    KeptSynthesis kept(solid, twice, plenty);
+    Texture texture = many_terms();
+    Image<Rgb8> image;
+    std::vector<std::size_t> bytes;
+    const auto next = [&] {
+        kept.synthesize(texture, 1, image);
+        EXPECT_EQ(image, from_scratch<Rgb8>(solid, texture, Kernel::automatic));
+        bytes.push_back(kept.bytes());
+        return kept.work().octaves_evaluated;
+    };
+    EXPECT_EQ(next(), 7u);
+    for (int i = 0; i < 3; ++i) {
+        texture.noise[2].phase.x += 0.1;
+        EXPECT_EQ(next(), 1u) << i;
+    }
+    EXPECT_EQ(bytes[1], bytes[0]);
+    EXPECT_LT(bytes[2], bytes[1]);
+    EXPECT_EQ(bytes[3], bytes[2]);
+    texture.noise[0].amplitude *= 0.9;
+    EXPECT_EQ(next(), 1u);
+    texture.noise[0].amplitude *= 0.9;
+    EXPECT_EQ(next(), 0u);
+    EXPECT_EQ(bytes.back(), bytes[0]);
+}
+
+TEST(KeptSynthesis, CountsWhatItDidAndSpared) {
+    const SolidAtlas solid = SyntheticAtlas{40, 11, 10.0, 0.02, true}.make(1);
+    std::uint64_t texels = 0;
+    for (const Span& span : solid.spans) texels += span.count;
+    KeptSynthesis kept(solid, twice, plenty);
+    Texture texture = many_terms();
+    Image<Rgb8> image;
+    const auto expect = [&](std::uint64_t octaves, std::uint64_t skipped) {
+        SynthesisWork work;
+        kept.synthesize(texture, 0, image, {}, {{}, &work});
+        EXPECT_EQ(work.texels, texels);
+        EXPECT_EQ(work.octaves, octaves * texels);
+        EXPECT_EQ(work.octaves_skipped[unsigned(Skip::kept_terms)], skipped * texels);
+        EXPECT_EQ(work.texels_skipped[unsigned(Skip::unread_texels)], 40 * 40 - texels);
+    };
+    expect(7, 0);
+    texture.noise[1].phase.x = 0.3;
+    expect(2, 5);
+    texture.colors.stops[0].color = {1, 2, 3};
+    expect(0, 7);
+}
+
+TEST(KeptSynthesis, KeepsWhatItHadWhenItIsStopped) {
+    const SolidAtlas solid = SyntheticAtlas{40, 11, 10.0, 0.02, true}.make(1);
+    KeptSynthesis kept(solid, twice, plenty);
+    Texture texture = many_terms();
+    Image<Rgb8> image;
+    kept.synthesize(texture, 1, image);
+    texture.noise[1].phase.x = 0.3;
+    std::stop_source stop;
+    stop.request_stop();
+    kept.synthesize(texture, 1, image, {}, {{}, nullptr, stop.get_token()});
+    texture.noise[2].phase.x = 0.3;
+    kept.synthesize(texture, 1, image);
+    EXPECT_EQ(image, from_scratch<Rgb8>(solid, texture, Kernel::automatic));
+    EXPECT_EQ(kept.work().octaves_evaluated, 3u);
+    EXPECT_EQ(kept.work().octaves_kept, 4u);
 }
 
 /// The work of going from one texture to the other.
