@@ -2,153 +2,258 @@
 
 #include <utility>
 
-#include "app/normals.h"
-#include "app/tangents.h"
-#include "procedural/synthesize.h"
-#include "procedural/synthesize_forward.h"
-#include "procedural/synthesize_graph.h"
+#include "atlas/solid_level.h"
 #include "procedural/synthesize_normals.h"
-#include "procedural/synthesize_texels.h"
 
 namespace burl {
 
-Pipeline::Pipeline(Mesh mesh) : mesh_(std::move(mesh)) {}
-
-void Pipeline::set_recipe(const Recipe& recipe) {
-    if (recipe.atlas != recipe_.atlas) atlas_.reset();
-    if (!atlas_ || recipe.solid.space != recipe_.solid.space) {
-        if (synthesizer_) synthesizer_->forget_atlas();
-        solid_.reset();
-    }
-    recipe_ = recipe;
-}
-
-template <class Stage>
-auto Pipeline::timed(const char* name, Stage&& stage) {
-    const auto start = std::chrono::steady_clock::now();
-    auto result = stage();
-    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-    times_.push_back({name, elapsed.count()});
-    return result;
-}
-
-const Connectivity& Pipeline::connectivity() {
-    if (!connectivity_) {
-        connectivity_ = timed("connectivity", [&] { return build_connectivity(mesh_); });
-    }
-    return *connectivity_;
-}
-
-const MeshAtlas& Pipeline::mesh_atlas() {
-    if (!atlas_) {
-        const Connectivity& edges = connectivity();
-        atlas_ = timed("layout", [&] { return build_atlas(mesh_, edges, recipe_.atlas); });
-    }
-    return *atlas_;
-}
-
-const SolidAtlas& Pipeline::solid() {
-    if (!solid_) {
-        const MeshAtlas& layout = mesh_atlas();
-        solid_ = timed("spans", [&] {
-            const Affine3 map = solid_from_mesh(mesh_, recipe_.solid.space);
-            return rasterize(mesh_, layout, map_positions(layout.mesh(mesh_), map));
-        });
-    }
-    return *solid_;
-}
-
 namespace {
 
-PrecisionKind bake_precision(const Recipe& recipe) {
-    return recipe.precision.kind.value_or(PrecisionKind::float32);
+std::uint64_t texels_of(const SolidAtlas& solid) {
+    std::uint64_t count = 0;
+    for (const Span& span : solid.spans) count += span.count;
+    return count;
 }
 
-Image<Rgb8> fill(const SolidAtlas& solid, const Recipe& recipe, int threads, Kernel kernel, Rgb8) {
-    if (!recipe.graph.empty())
-        return synthesize_graph_rgb8(solid, recipe.graph, texture_from_solid(recipe), recipe.filter,
-                                     threads, bake_precision(recipe));
-    return synthesize_rgb8(solid, recipe.texture, texture_from_solid(recipe), threads,
-                           recipe.filter, kernel);
-}
-Image<Rgb16> fill(const SolidAtlas& solid, const Recipe& recipe, int threads, Kernel kernel,
-                  Rgb16) {
-    if (!recipe.graph.empty())
-        return synthesize_graph_rgb16(solid, recipe.graph, texture_from_solid(recipe),
-                                      recipe.filter, threads, bake_precision(recipe));
-    return synthesize_rgb16(solid, recipe.texture, texture_from_solid(recipe), threads,
-                            recipe.filter, kernel);
-}
-Image<RgbF> fill(const SolidAtlas& solid, const Recipe& recipe, int threads, Kernel kernel, RgbF) {
-    if (!recipe.graph.empty())
-        return synthesize_graph_rgbf(solid, recipe.graph, texture_from_solid(recipe), recipe.filter,
-                                     threads, bake_precision(recipe));
-    return synthesize_rgbf(solid, recipe.texture, texture_from_solid(recipe), threads,
-                           recipe.filter, kernel);
+template <class Element>
+std::uint64_t bytes_of(const std::vector<Element>& elements) {
+    return elements.size() * sizeof(Element);
 }
 
-/// Graphs have both precisions in one place.
-bool goes_texel_by_texel(const Recipe& recipe) {
-    return recipe.graph.empty() && bake_precision(recipe) != PrecisionKind::float32;
-}
-
-ForwardPrecision forward_precision(const Recipe& recipe) {
-    return recipe.precision.kind == PrecisionKind::float32 ? ForwardPrecision::float32
-                                                           : ForwardPrecision::float64;
+template <class Pixel>
+std::uint64_t bytes_of(const Image<Pixel>& image) {
+    return image.width() * image.height() * sizeof(Pixel);
 }
 
 }  // namespace
 
+/// The latest normal map and what it is of.
+struct Pipeline::KeptNormals {
+    Bump bump;
+    SolidOptions solid;
+    Filter filter;
+    NormalFramesKey frames;
+    std::variant<Image<Rgb8>, Image<Rgb16>, Image<RgbF>> image{};
+
+    bool is_of(const Recipe& recipe, const NormalFramesKey& key) const {
+        return bump == recipe.bump && solid == recipe.solid && filter == recipe.filter &&
+               frames == key;
+    }
+};
+
+Pipeline::Pipeline(Mesh mesh) : mesh_(std::move(mesh)) {}
+
+void Pipeline::set_recipe(const Recipe& recipe) {
+    const bool forgets = !skips_.allows(Skip::stages);
+    if (forgets) connectivity_.reset();
+    if (forgets || recipe.atlas != recipe_.atlas) {
+        atlas_.reset();
+        frames_.reset();
+    }
+    if (!atlas_ || recipe.solid.space != recipe_.solid.space) forget_solid();
+    recipe_ = recipe;
+    records_.begin_recipe();
+}
+
+void Pipeline::set_kernel(Kernel kernel) {
+    if (kernel != way_.kernel) forget_pictures();
+    way_.kernel = kernel;
+}
+
+void Pipeline::set_forward(bool forward) {
+    if (forward != way_.forward) forget_pictures();
+    way_.forward = forward;
+}
+
+void Pipeline::set_synthesizer(std::shared_ptr<TextureSynthesizer> synthesizer) {
+    if (synthesizer != synthesizer_) forget_pictures();
+    synthesizer_ = std::move(synthesizer);
+}
+
+void Pipeline::set_cache(std::size_t bytes) {
+    if (bytes != cache_) levels_.clear(), normals_.reset();
+    cache_ = bytes;
+}
+
+void Pipeline::forget_solid() {
+    if (synthesizer_) synthesizer_->forget_atlas();
+    levels_.clear();
+    normals_.reset();
+    solid_.reset();
+}
+
+void Pipeline::forget_pictures() {
+    for (auto& [number, level] : levels_)
+        if (level.kept) level.kept->forget_picture();
+}
+
+std::size_t Pipeline::cached_bytes() const {
+    std::size_t bytes = 0;
+    for (const auto& [number, level] : levels_) bytes += level.kept ? level.kept->bytes() : 0;
+    return bytes;
+}
+
+const Connectivity& Pipeline::connectivity() {
+    if (connectivity_) {
+        records_.keep(Stage::connectivity);
+        return *connectivity_;
+    }
+    connectivity_ = records_.time(Stage::connectivity, [&](StageCost& cost) {
+        Connectivity edges = build_connectivity(mesh_);
+        cost.triangles = mesh_.triangles.size();
+        cost.bytes = bytes_of(edges.neighbours);
+        return edges;
+    });
+    return *connectivity_;
+}
+
+const MeshAtlas& Pipeline::mesh_atlas() {
+    if (atlas_) {
+        if (records_.keep(Stage::layout)) connectivity();
+        return *atlas_;
+    }
+    const Connectivity& edges = connectivity();
+    atlas_ = records_.time(Stage::layout, [&](StageCost& cost) {
+        MeshAtlas atlas = build_atlas(mesh_, edges, recipe_.atlas);
+        cost.triangles = atlas.atlas().corners.size();
+        cost.bytes = bytes_of(atlas.atlas().corners);
+        return atlas;
+    });
+    return *atlas_;
+}
+
+const SolidAtlas& Pipeline::finest_solid() {
+    if (solid_) {
+        if (records_.keep(Stage::spans)) mesh_atlas();
+        return *solid_;
+    }
+    const MeshAtlas& layout = mesh_atlas();
+    solid_ = records_.time(Stage::spans, [&](StageCost& cost) {
+        const Affine3 map = solid_from_mesh(mesh_, recipe_.solid.space);
+        auto solid = std::make_unique<const SolidAtlas>(
+            rasterize(mesh_, layout, map_positions(layout.mesh(mesh_), map)));
+        cost.triangles = layout.atlas().corners.size();
+        cost.work.texels = texels_of(*solid);
+        cost.bytes = bytes_of(solid->spans) + bytes_of(solid->maps);
+        return solid;
+    });
+    return *solid_;
+}
+
+const SolidAtlas& Pipeline::solid(std::uint32_t level) {
+    const SolidAtlas& finest = finest_solid();
+    if (level == 0) return finest;
+    Level& coarse = levels_[level];
+    if (!coarse.solid)
+        coarse.solid = std::make_unique<const SolidAtlas>(solid_level(finest, level));
+    return *coarse.solid;
+}
+
+/// The levels share the cache as they share a chain's texels: 3/4 for level 0, then a quarter each.
+KeptTexture& Pipeline::kept(std::uint32_t number) {
+    const SolidAtlas& points = solid(number);
+    Level& level = levels_[number];
+    const std::size_t budget = number < 16 ? (cache_ - cache_ / 4) >> (2 * number) : 0;
+    if (!level.kept) level.kept = std::make_unique<KeptTexture>(points, budget);
+    return *level.kept;
+}
+
 template <class Pixel>
-Image<Pixel> Pipeline::synthesize() {
-    const SolidAtlas& points = solid();
-    return timed("synthesis", [&] {
-        if (synthesizer_) {
-            Image<Pixel> image;
-            synthesizer_->synthesize(points, recipe_, threads_, &image);
+const Image<Pixel>* Pipeline::picture(std::uint32_t level, const std::stop_token& stop) {
+    KeptTexture& texture = kept(level);
+    if (skips_.allows(Skip::stages))
+        if (const Image<Pixel>* image = texture.find<Pixel>(recipe_)) {
+            records_.keep(Stage::synthesis);
             return image;
         }
-        if (forward_)
-            return synthesize_forward<Pixel>(points, recipe_.texture, texture_from_solid(recipe_),
-                                             forward_precision(recipe_), threads_);
-        if (goes_texel_by_texel(recipe_))
-            return synthesize_texels<Pixel>(points, recipe_.texture, texture_from_solid(recipe_),
-                                            recipe_.precision, recipe_.filter, threads_);
-        return fill(points, recipe_, threads_, kernel_, Pixel{});
+    Image<Pixel>& image = texture.open<Pixel>();
+    const bool done = records_.attempt(Stage::synthesis, [&](StageCost& cost) {
+        const Economy economy{skips_, &cost.work, stop};
+        if (synthesizer_ && level == 0)
+            synthesize_elsewhere(texture.solid(), &image, cost);
+        else
+            texture.fill(recipe_, way_, economy, image);
+        cost.bytes = bytes_of(image);
+        return !stop.stop_requested();
+    });
+    if (!done) return nullptr;
+    texture.close(recipe_);
+    return &image;
+}
+
+void Pipeline::synthesize_elsewhere(const SolidAtlas& points, ImageToFill image, StageCost& cost) {
+    synthesizer_->synthesize(points, recipe_, way_.threads, image);
+    cost.work.texels = texels_of(points);
+}
+
+template <class Pixel>
+Image<Pixel> Pipeline::synthesize(std::uint32_t level) {
+    if (cache_ > 0) return *picture<Pixel>(level);
+    const SolidAtlas& points = solid(level);
+    return records_.time(Stage::synthesis, [&](StageCost& cost) {
+        Image<Pixel> image;
+        if (synthesizer_ && level == 0)
+            synthesize_elsewhere(points, &image, cost);
+        else
+            image = fill_texture<Pixel>(points, recipe_, way_, {skips_, &cost.work});
+        cost.bytes = bytes_of(image);
+        return image;
     });
 }
 
 std::vector<Image<RgbF>> Pipeline::levels(const Image<RgbF>& texture, std::uint32_t count) {
     const MeshAtlas& layout = mesh_atlas();
-    return timed("levels", [&] {
-        return synthesizer_ ? synthesizer_->levels(layout, texture, count)
-                            : block_levels(layout, texture, count);
+    return records_.time(Stage::levels, [&](StageCost& cost) {
+        std::vector<Image<RgbF>> levels = synthesizer_
+                                              ? synthesizer_->levels(layout, texture, count)
+                                              : block_levels(layout, texture, count);
+        for (const Image<RgbF>& level : levels) {
+            cost.work.texels += level.width() * level.height();
+            cost.bytes += bytes_of(level);
+        }
+        return levels;
     });
+}
+
+const NormalFrames& Pipeline::frames(const NormalFramesKey& key) {
+    if (!frames_ || frames_->key != key) frames_ = make_normal_frames(mesh_, mesh_atlas(), key);
+    return *frames_;
 }
 
 template <class Pixel>
 Image<Pixel> Pipeline::normal_map(double crease_degrees, bool tangent_space) {
+    const NormalFramesKey key{recipe_.solid.space, crease_degrees, tangent_space};
     const SolidAtlas& points = solid();
-    return timed("normals", [&] {
-        const Mesh& placed = atlas_mesh();
-        const std::vector<Vec3d> positions =
-            map_positions(placed, solid_from_mesh(mesh_, recipe_.solid.space));
-        const std::vector<Vec3f> normals = corner_normals(placed, crease_degrees);
-        std::vector<Vec4f> tangents;
-        if (tangent_space)
-            tangents =
-                corner_tangents(placed.positions, placed.triangles, corner_uvs(atlas()), normals);
-        return synthesize_normals<Pixel>(points, {placed, atlas(), positions, normals, tangents},
-                                         recipe_.bump, texture_from_solid(recipe_), recipe_.filter,
-                                         threads_);
+    if (normals_ && normals_->is_of(recipe_, key))
+        if (const auto* image = std::get_if<Image<Pixel>>(&normals_->image)) {
+            records_.keep(Stage::normals);
+            return *image;
+        }
+    Image<Pixel> map = records_.time(Stage::normals, [&](StageCost& cost) {
+        const NormalFrames& surface = frames(key);
+        Image<Pixel> image = synthesize_normals<Pixel>(
+            points, {atlas_mesh(), atlas(), surface.positions, surface.normals, surface.tangents},
+            recipe_.bump, texture_from_solid(recipe_), recipe_.filter, way_.threads);
+        cost.work.texels = texels_of(points);
+        cost.bytes = bytes_of(image);
+        return image;
     });
+    if (cache_ > 0 && skips_.allows(Skip::stages))
+        normals_ = std::make_shared<KeptNormals>(
+            KeptNormals{recipe_.bump, recipe_.solid, recipe_.filter, key, map});
+    else
+        frames_.reset();
+    return map;
 }
 
 template Image<RgbF> Pipeline::normal_map(double, bool);
 template Image<Rgb8> Pipeline::normal_map(double, bool);
 template Image<Rgb16> Pipeline::normal_map(double, bool);
-template Image<Rgb8> Pipeline::synthesize();
-template Image<Rgb16> Pipeline::synthesize();
-template Image<RgbF> Pipeline::synthesize();
+template Image<Rgb8> Pipeline::synthesize(std::uint32_t);
+template Image<Rgb16> Pipeline::synthesize(std::uint32_t);
+template Image<RgbF> Pipeline::synthesize(std::uint32_t);
+template const Image<Rgb8>* Pipeline::picture(std::uint32_t, const std::stop_token&);
+template const Image<Rgb16>* Pipeline::picture(std::uint32_t, const std::stop_token&);
+template const Image<RgbF>* Pipeline::picture(std::uint32_t, const std::stop_token&);
 
 }  // namespace burl

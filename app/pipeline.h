@@ -1,27 +1,26 @@
 #pragma once
-// Mesh to pixels in one place, for the command line now and the editor later: the stages' results
-// are kept, and a new recipe drops only those that it changes (mesh -> connectivity -> layout ->
-// spans -> pixels).
-#include <chrono>
+// Mesh to pixels in one place, for the command line and for programs that edit a recipe: the
+// stages' results are kept, and a new recipe repeats only what it changes (mesh -> connectivity ->
+// layout -> spans -> field -> colours -> levels). docs/economy.md has the table.
+#include <map>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "app/fill_texture.h"
+#include "app/kept_texture.h"
+#include "app/normal_frames.h"
 #include "app/recipe.h"
+#include "app/stage_records.h"
 #include "app/texture_synthesizer.h"
 #include "atlas/mesh_atlas.h"
-#include "procedural/kernel.h"
 
 namespace burl {
 
-/// Seconds a stage took, in the order the stages ran; a stage that was kept is not listed.
-struct StageTime {
-    std::string stage;
-    double seconds = 0.0;
-};
-
+/// Not to be used by two threads at a time; a stop may be asked for by any.
 class Pipeline {
   public:
     /// Takes the mesh; all its points must be finite and at least one triangle present, as
@@ -31,18 +30,21 @@ class Pipeline {
     /// Keeps every result that the difference to the former recipe leaves valid.
     void set_recipe(const Recipe& recipe);
     /// 0 means as many as the machine has; no result depends on it.
-    void set_threads(int threads) { threads_ = threads; }
+    void set_threads(int threads) { way_.threads = threads; }
     /// Nor on this.
-    void set_kernel(Kernel kernel) { kernel_ = kernel; }
-    /// Whether textures come by forward differences, in the recipe's precision or else float64;
-    /// check_forward (app/forward_check.h) must let the recipe pass then.
-    void set_forward(bool forward) { forward_ = forward; }
+    void set_kernel(Kernel kernel);
+    /// Whether textures come by forward differences (HostWay::forward).
+    void set_forward(bool forward);
+    /// What may be left out; no result depends on it.
+    void set_skips(const Skips& skips) { skips_ = skips; }
+    /// More than one texture will be asked for: textures, normal maps, and of the field and its
+    /// octaves at most so many bytes are kept from one recipe to the next. 0, as at first: only
+    /// what picture() shows is kept.
+    void set_cache(std::size_t bytes);
 
     /// Makes the textures from now on instead of the host; null: the host. Its problem() must be
     /// empty for every recipe that is synthesised.
-    void set_synthesizer(std::shared_ptr<TextureSynthesizer> synthesizer) {
-        synthesizer_ = std::move(synthesizer);
-    }
+    void set_synthesizer(std::shared_ptr<TextureSynthesizer> synthesizer);
 
     const Mesh& mesh() const { return mesh_; }
     /// The mesh whose triangles the atlas places: what is exported.
@@ -51,10 +53,17 @@ class Pipeline {
     const Connectivity& connectivity();
     const MeshAtlas& mesh_atlas();
     const Atlas& atlas() { return mesh_atlas().atlas(); }
-    const SolidAtlas& solid();
-    /// The texture; one of Rgb8, Rgb16 and RgbF.
+    /// The texels' solid points; those of a level of the texture (atlas/solid_level.h).
+    const SolidAtlas& solid(std::uint32_t level = 0);
+    /// The texture, or without working out anything finer a level of it, always by the host: point
+    /// samples or filtered over the level's own texels, as the recipe says. One of Rgb8, Rgb16 and
+    /// RgbF.
     template <class Pixel>
-    Image<Pixel> synthesize();
+    Image<Pixel> synthesize(std::uint32_t level = 0);
+    /// The same for programs that show a texture while it changes. It stays until the next call for
+    /// that level. Null: `stop` came first, and no field or octave kept before is lost.
+    template <class Pixel>
+    const Image<Pixel>* picture(std::uint32_t level = 0, const std::stop_token& stop = {});
     /// Levels 1 to `count` of a texture in linear light (atlas/block_levels.h).
     std::vector<Image<RgbF>> levels(const Image<RgbF>& texture, std::uint32_t count);
     /// The recipe's bumps, which it must have, as a normal map of the atlas's mesh with the normals
@@ -63,22 +72,38 @@ class Pipeline {
     template <class Pixel>
     Image<Pixel> normal_map(double crease_degrees, bool tangent_space);
 
-    const std::vector<StageTime>& times() const { return times_; }
+    const StageRecords& records() const { return records_; }
+    /// Bytes that the cache holds of fields and octaves.
+    std::size_t cached_bytes() const;
 
   private:
-    template <class Stage>
-    auto timed(const char* name, Stage&& stage);
+    /// A texture's level: its points where they are not the atlas's own, and what is kept of it.
+    struct Level {
+        std::unique_ptr<const SolidAtlas> solid{};
+        std::unique_ptr<KeptTexture> kept{};
+    };
+    struct KeptNormals;
+
+    void forget_solid();
+    void forget_pictures();
+    KeptTexture& kept(std::uint32_t number);
+    const SolidAtlas& finest_solid();
+    void synthesize_elsewhere(const SolidAtlas& points, ImageToFill image, StageCost& cost);
+    const NormalFrames& frames(const NormalFramesKey& key);
 
     Mesh mesh_;
     Recipe recipe_;
-    int threads_ = 0;
-    Kernel kernel_ = Kernel::automatic;
-    bool forward_ = false;
+    HostWay way_;
+    Skips skips_;
+    std::size_t cache_ = 0;
     std::shared_ptr<TextureSynthesizer> synthesizer_;
     std::optional<Connectivity> connectivity_;
     std::optional<MeshAtlas> atlas_;
-    std::optional<SolidAtlas> solid_;
-    std::vector<StageTime> times_;
+    std::unique_ptr<const SolidAtlas> solid_;
+    std::map<std::uint32_t, Level> levels_;
+    std::optional<NormalFrames> frames_;
+    std::shared_ptr<KeptNormals> normals_;
+    StageRecords records_;
 };
 
 }  // namespace burl

@@ -25,8 +25,11 @@ Json capacity_json(const Capacity& capacity);
 /// What mapping and placing a patch atlas did.
 Json patches_json(const PatchAtlas& atlas);
 
-/// Seconds per stage, of all its runs.
-Json times_json(const std::vector<StageTime>& times);
+/// Seconds per stage that ran, of all its runs.
+Json times_json(const StageRecords& records);
+
+/// What every stage did and what it could leave out, by the reason (procedural/economy.h).
+Json stages_json(const StageRecords& records);
 
 /// Version, library versions and SIMD level.
 Json versions_json();

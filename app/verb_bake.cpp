@@ -11,7 +11,9 @@
 #include "app/bake_compress.h"
 #include "app/bake_levels.h"
 #include "app/bake_normals.h"
+#include "app/bake_report.h"
 #include "app/command_options.h"
+#include "app/economy_options.h"
 #include "app/export.h"
 #include "app/forward_check.h"
 #include "app/gl_emit.h"
@@ -19,8 +21,6 @@
 #include "app/gl_synthesizer.h"
 #include "app/lattice_check.h"
 #include "app/multipass_options.h"
-#include "app/normal_error.h"
-#include "app/report.h"
 #include "app/solid_map_file.h"
 #include "app/verbs.h"
 #include "atlas/error.h"
@@ -34,6 +34,7 @@ struct BakeCommand {
     RecipeOptions recipe;
     AnimationOptions animation;
     MeshOptions meshes;
+    EconomyOptions economy;
     int threads = 0, depth = 8;
     double crease = 40.0;
     std::string levels, normals, solid_map, emitted_glsl, kernel = "auto";
@@ -98,49 +99,6 @@ std::vector<std::string> all_outputs(const BakeCommand& command, const Extras& e
     for (const std::string& path : {command.solid_map, command.emitted_glsl})
         if (!path.empty()) outputs.push_back(path);
     return outputs;
-}
-
-Json bake_json(const BakeCommand& command, Pipeline& pipeline, const Extras& extras, Json seconds) {
-    const AtlasMetrics metrics = measure(pipeline.atlas_mesh(), pipeline.atlas(), pipeline.solid());
-    Json atlas = metrics_json(pipeline.atlas(), metrics);
-    if (const PatchAtlas* patches = pipeline.mesh_atlas().patches())
-        atlas["patch"] = patches_json(*patches);
-    return {{"input", command.mesh},
-            {"outputs", all_outputs(command, extras)},
-            {"recipe", Json::parse(to_json(pipeline.recipe()))},
-            {"mesh", mesh_json(pipeline.mesh(), pipeline.connectivity())},
-            {"atlas", std::move(atlas)},
-            {"capacity",
-             capacity_json(capacity(pipeline.mesh().triangles.size(), pipeline.recipe().atlas))},
-            {"mip_levels", extras.levels},
-            {"seconds", std::move(seconds)},
-            {"versions", versions_json()}};
-}
-
-/// How good the map of the pipeline's recipe is; nothing without a map, or where nobody asks.
-Json normals_json(const BakeCommand& command, Pipeline& pipeline,
-                  const std::optional<NormalMap>& map) {
-    if (!map || (!command.json && command.report.empty())) return {};
-    const NormalErrors errors = normal_errors(pipeline, ViewerFrames::of(pipeline, command.crease),
-                                              components(*map), map->tangent_space, 20000);
-    return {{"space", map->tangent_space ? "tangent" : "object"},
-            {"mean_tilt_degrees", errors.mean_tilt},
-            {"error_degrees",
-             {{"mean", errors.mean},
-              {"percentile99", errors.percentile99},
-              {"largest", errors.largest}}}};
-}
-
-/// `paths`: of all frames, or the one that was named.
-void print_summary(const Json& report, const std::vector<std::string>& paths) {
-    const Json& atlas = report["atlas"];
-    std::string name = paths.front();
-    if (paths.size() > 1) name += " to " + paths.back();
-    fmt::print(
-        "{}: {} triangles, {} atlas {} x {}, coverage {:.1f} %, relative scale {:.2f}, {:.2f} s\n",
-        name, report["mesh"]["triangles"].get<std::uint64_t>(), atlas["kind"].get<std::string>(),
-        atlas["size"].get<int>(), atlas["size"].get<int>(), 100.0 * atlas["coverage"].get<double>(),
-        atlas["relative_scale"].get<double>(), report["seconds"]["total"].get<double>());
 }
 
 /// Every file that is read.
@@ -260,11 +218,13 @@ void run_bake(const BakeCommand& command) {
     pipeline.set_kernel(kernel_named(command.kernel));
     pipeline.set_forward(forward);
     pipeline.set_synthesizer(synthesizer);
+    pipeline.set_skips(command.economy.skips());
+    pipeline.set_cache(command.economy.cache_bytes(paths.size() > 1));
     lay_out(pipeline);
     Written written;
     double writing = 0.0;
     for (std::size_t i = 0; i < paths.size(); ++i) {
-        pipeline.set_recipe(recipes[i]);
+        if (i > 0) pipeline.set_recipe(recipes[i]);
         written = write_texture(command, pipeline, paths[i], kind, extras);
         writing += written.seconds;
     }
@@ -275,13 +235,15 @@ void run_bake(const BakeCommand& command) {
         solid_map = {{"file", command.solid_map}, {"base", {base.x, base.y, base.z}}};
     }
     Json seconds = {{"read", reading}};
-    seconds.update(times_json(pipeline.times()));
+    seconds.update(times_json(pipeline.records()));
     seconds["write"] = writing;
     seconds["total"] = seconds_since(start);
-    Json normals = normals_json(command, pipeline, written.normals);
-    pipeline.set_recipe(recipes[0]);
+    Json normals;
+    if (written.normals && (command.json || !command.report.empty()))
+        normals = normals_json(pipeline, *written.normals, command.crease);
     extras.levels = std::uint32_t(written.levels);
-    Json report = bake_json(command, pipeline, extras, std::move(seconds));
+    Json report = bake_json(command.mesh, all_outputs(command, extras), recipes[0], pipeline,
+                            extras.levels, std::move(seconds));
     const BakedAtlas& baked = written.baked;
     if (baked.compressed) report["compressed"] = compress_json(baked);
     if (synthesizer) report["synthesis"] = synthesizer->report();
@@ -343,6 +305,8 @@ void add_bake(CLI::App& program) {
         ->capture_default_str();
     add_threads(*verb, command->threads);
     add_kernel(*verb, command->kernel);
+    command->economy.add_skips(*verb);
+    command->economy.add_cache(*verb);
     verb->add_option(
             "--synth", command->synth,
             "Who makes the texture: host, gl (OpenGL, the same texture), gl-multipass (the "

@@ -78,13 +78,9 @@ TEST(Animation, LaysTheMeshOutOnce) {
         pipeline.set_recipe(recipe);
         pipeline.synthesize<Rgb8>();
     }
-    const auto runs = [&](const std::string& stage) {
-        return std::count_if(pipeline.times().begin(), pipeline.times().end(),
-                             [&](const StageTime& time) { return time.stage == stage; });
-    };
-    EXPECT_EQ(runs("layout"), 1);
-    EXPECT_EQ(runs("spans"), 1);
-    EXPECT_EQ(runs("synthesis"), 5);
+    EXPECT_EQ(pipeline.records()[Stage::layout].runs, 1u);
+    EXPECT_EQ(pipeline.records()[Stage::spans].runs, 1u);
+    EXPECT_EQ(pipeline.records()[Stage::synthesis].runs, 5u);
 }
 
 TEST(Animation, LoopsWithPeriodicNoise) {

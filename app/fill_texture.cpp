@@ -1,0 +1,73 @@
+#include "app/fill_texture.h"
+
+#include "procedural/synthesize.h"
+#include "procedural/synthesize_forward.h"
+#include "procedural/synthesize_graph.h"
+#include "procedural/synthesize_texels.h"
+
+namespace burl {
+
+namespace {
+
+PrecisionKind bake_precision(const Recipe& recipe) {
+    return recipe.precision.kind.value_or(PrecisionKind::float32);
+}
+
+ForwardPrecision forward_precision(const Recipe& recipe) {
+    return recipe.precision.kind == PrecisionKind::float32 ? ForwardPrecision::float32
+                                                           : ForwardPrecision::float64;
+}
+
+/// The functions of a kind of pixel.
+template <class Pixel>
+struct Fast;
+template <>
+struct Fast<Rgb8> {
+    static constexpr auto model = synthesize_rgb8;
+    static constexpr auto graph = synthesize_graph_rgb8;
+};
+template <>
+struct Fast<Rgb16> {
+    static constexpr auto model = synthesize_rgb16;
+    static constexpr auto graph = synthesize_graph_rgb16;
+};
+template <>
+struct Fast<RgbF> {
+    static constexpr auto model = synthesize_rgbf;
+    static constexpr auto graph = synthesize_graph_rgbf;
+};
+
+}  // namespace
+
+bool has_fast_way(const Recipe& recipe, const HostWay& way) {
+    return !way.forward && recipe.graph.empty() && bake_precision(recipe) == PrecisionKind::float32;
+}
+
+bool has_fast_graph(const Recipe& recipe, const HostWay& way) {
+    return !way.forward && !recipe.graph.empty() &&
+           bake_precision(recipe) == PrecisionKind::float32;
+}
+
+template <class Pixel>
+Image<Pixel> fill_texture(const SolidAtlas& solid, const Recipe& recipe, const HostWay& way,
+                          const Economy& economy) {
+    const Affine3 map = texture_from_solid(recipe);
+    if (way.forward)
+        return synthesize_forward<Pixel>(solid, recipe.texture, map, forward_precision(recipe),
+                                         way.threads, economy);
+    if (!recipe.graph.empty())  // both precisions in one place
+        return Fast<Pixel>::graph(solid, recipe.graph, map, recipe.filter, way.threads,
+                                  bake_precision(recipe), economy);
+    if (!has_fast_way(recipe, way))
+        return synthesize_texels<Pixel>(solid, recipe.texture, map, recipe.precision, recipe.filter,
+                                        way.threads, economy);
+    return Fast<Pixel>::model(solid, recipe.texture, map, way.threads, recipe.filter, way.kernel,
+                              economy);
+}
+
+template Image<Rgb8> fill_texture(const SolidAtlas&, const Recipe&, const HostWay&, const Economy&);
+template Image<Rgb16> fill_texture(const SolidAtlas&, const Recipe&, const HostWay&,
+                                   const Economy&);
+template Image<RgbF> fill_texture(const SolidAtlas&, const Recipe&, const HostWay&, const Economy&);
+
+}  // namespace burl
