@@ -27,6 +27,11 @@ struct Span {
     std::uint32_t x = 0, count = 0, map = 0;
 };
 
+/// The span that a part was cut from (solid_tiles.h).
+struct WholeSpan {
+    std::uint32_t x = 0, count = 0;
+};
+
 struct SolidAtlas {
     std::uint32_t size = 0;              ///< N
     std::vector<Span> spans;             ///< by row, then x; spans of a row never overlap
@@ -37,7 +42,15 @@ struct SolidAtlas {
     /// them, averages over the block do), and those that a patch's gutters go on from: turned[k] by
     /// maps[maps.size() - turned.size() + k].
     std::vector<std::uint32_t> turned;
+    /// Of an atlas cut to some of its texels, per span the one it is a part of, from whose start
+    /// on the host works out its texels; empty: spans are whole.
+    std::vector<WholeSpan> wholes{};
 
+    /// `span` is one of this atlas's own.
+    WholeSpan whole(const Span& span) const {
+        if (wholes.empty()) return {span.x, span.count};
+        return wholes[std::size_t(&span - spans.data())];
+    }
     std::span<const Span> row(std::size_t y) const {
         return {spans.data() + row_begin[y], row_begin[y + 1] - row_begin[y]};
     }

@@ -27,11 +27,13 @@ Image<Pixel> fill(const SolidAtlas& solid, const Texture& texture, const Affine3
         for (std::size_t y = rows.begin(); y != rows.end(); ++y)
             for (const Span& span : solid.row(y)) {
                 const TexelMap& texel = solid.maps[span.map];
-                const LatticeLine line{map(texel(span.x, std::int64_t(y))),
-                                       map.linear * texel.step_x, 0.0, span.count};
+                const WholeSpan whole = solid.whole(span);  // differences add up from its start
+                const LatticeLine line{map(texel(whole.x, std::int64_t(y))),
+                                       map.linear * texel.step_x, 0.0, whole.count};
                 forward_values(texture.quadric, octaves, line, {.precision = precision}, f.data());
+                const double* own = f.data() + (span.x - whole.x);
                 Pixel* pixels = &image(span.x, y);
-                for (std::size_t j = 0; j < span.count; ++j) pixels[j] = pixel(f[j]);
+                for (std::size_t j = 0; j < span.count; ++j) pixels[j] = pixel(own[j]);
                 work.texels += span.count;
             }
         work.octaves = work.texels * octaves.size();

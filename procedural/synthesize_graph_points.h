@@ -63,7 +63,7 @@ class PointQueue {
         for (std::size_t done = 0; done < span.solid.count;) {
             Piece piece = span;
             piece.x += done;
-            piece.solid.first = double(done);
+            piece.solid.first = span.solid.first + double(done);
             piece.solid.count = std::min(span.solid.count - done, value_batch - count_);
             done += piece.solid.count;
             count_ += piece.solid.count;
@@ -162,10 +162,12 @@ void fill_points(const SolidAtlas& solid, const Affine3& map, const GraphValues&
         for (std::size_t y = rows.begin(); y != rows.end(); ++y)
             for (const Span& span : solid.row(y)) {
                 const TexelMap& texel = solid.maps[span.map];
-                queue->add({span.x, y,
-                            LatticeLine{map(texel(span.x, std::int64_t(y))),
-                                        map.linear * texel.step_x, 0.0, span.count},
-                            map.linear * texel.step_y, double(span.count)});
+                const WholeSpan whole = solid.whole(span);
+                queue->add(
+                    {span.x, y,
+                     LatticeLine{map(texel(whole.x, std::int64_t(y))), map.linear * texel.step_x,
+                                 double(span.x - whole.x), span.count},
+                     map.linear * texel.step_y, double(whole.count)});
             }
         queue->flush();
         work.add(queue->work());

@@ -35,7 +35,8 @@ class LatticeMapRows {
             const std::size_t end = std::min(span.x + span.count, area_.x + area_.width);
             if (begin >= end) continue;
             mark_gap(owned, begin, y);
-            add(span, maps[span.map], y, begin - span.x, end - span.x);
+            const WholeSpan whole = solid.whole(span);
+            add(whole, maps[span.map], y, begin - whole.x, end - whole.x);
             owned = end;
         }
         mark_gap(owned, area_.x + area_.width, y);
@@ -71,7 +72,7 @@ class LatticeMapRows {
     }
 
     /// Texels `done` to end - 1 of the span.
-    void add(const Span& span, const TexelMap& texel, std::size_t y, std::size_t done,
+    void add(const WholeSpan& span, const TexelMap& texel, std::size_t y, std::size_t done,
              std::size_t end) {
         const Vec3d start = texel(span.x, std::int64_t(y));
         while (done < end) {

@@ -52,9 +52,9 @@ inline void prefetch(const TexelMap& map) {
     __builtin_prefetch(bytes + sizeof(TexelMap) - 1);
 }
 
-/// Adds `count` texels of the span from number `first` on.
-inline void add_piece(const Span& span, const TexelMap& texel, const Vec3d& start, std::size_t y,
-                      std::size_t first, std::size_t count, FieldBatch& batch) {
+/// Adds `count` texels of the span from number `first` on; `start` is that of number 0.
+inline void add_piece(const WholeSpan& span, const TexelMap& texel, const Vec3d& start,
+                      std::size_t y, std::size_t first, std::size_t count, FieldBatch& batch) {
     // Filled in place, and not by emplace_back(): that clears it by `rep stos`, a quarter of the
     // time of all this, as are copies of vectors just written.
     static constexpr Piece blank;
@@ -80,10 +80,12 @@ void add_row(const SolidAtlas& solid, std::span<const TexelMap> maps, std::size_
     for (const Span& span : spans) {
         if (&spans.back() - &span >= map_prefetch) prefetch(maps[(&span)[map_prefetch].map]);
         const TexelMap& texel = maps[span.map];
-        const Vec3d start = texel(span.x, std::int64_t(y));
-        for (std::size_t done = 0; done < span.count;) {
-            const std::size_t count = std::min(span.count - done, batch_capacity - batch.count);
-            add_piece(span, texel, start, y, done, count, batch);
+        const WholeSpan whole = solid.whole(span);
+        const std::size_t before = span.x - whole.x, end = before + span.count;
+        const Vec3d start = texel(whole.x, std::int64_t(y));
+        for (std::size_t done = before; done < end;) {
+            const std::size_t count = std::min(end - done, batch_capacity - batch.count);
+            add_piece(whole, texel, start, y, done, count, batch);
             done += count;
             if (batch.count == batch_capacity) full();
         }

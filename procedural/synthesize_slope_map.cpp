@@ -23,13 +23,14 @@ class SlopeMapRows {
         std::ranges::fill(image_.row(y - area_.y), MapTexel(0));
         for (const Span& span : solid.row(y)) {
             const TexelMap& texel = maps[span.map];
-            const Vec3d start = texel(span.x, std::int64_t(y));
-            std::size_t done = std::max(span.x, area_.x) - span.x;
+            const WholeSpan whole = solid.whole(span);
+            const Vec3d start = texel(whole.x, std::int64_t(y));
+            std::size_t done = std::max(span.x, area_.x) - whole.x;
             const std::size_t end = std::min(span.x + span.count, area_.x + area_.width);
-            while (span.x + done < end) {
+            while (whole.x + done < end) {
                 const std::size_t count =
-                    std::min(end - span.x - done, batch_capacity - batch_->count);
-                add_piece(span, texel, start, y, done, count, *batch_);
+                    std::min(end - whole.x - done, batch_capacity - batch_->count);
+                add_piece(whole, texel, start, y, done, count, *batch_);
                 owners_.push_back(span.map);
                 done += count;
                 if (batch_->count == batch_capacity) flush();
