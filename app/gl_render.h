@@ -5,8 +5,10 @@
 
 #include "app/camera.h"
 #include "app/gl_context.h"
+#include "app/gl_scene.h"
 #include "app/scene.h"
 #include "app/shading.h"
+#include "app/view_texels.h"
 #include "atlas/image.h"
 
 namespace burl {
@@ -16,5 +18,15 @@ namespace burl {
 Image<Rgb8> render_scene(GlContext& context, const Scene& scene, const Camera& camera,
                          const PictureOptions& options,
                          std::optional<TextureFilter> filter = std::nullopt);
+
+/// The same of a scene that is on the GPU already; `context` is the one it was made in.
+Image<Rgb8> render_scene(GlContext& context, const GlScene& scene, const Camera& camera,
+                         const PictureOptions& options);
+
+/// The texels of texture `number` that such a picture looks up: hidden ones, those that look away
+/// and those outside the picture come by drawing it. `lookup` is that of lookup_of().
+ViewTexels view_texels(GlContext& context, const GlScene& scene, const Camera& camera,
+                       const PictureOptions& options, int number, const TextureLookup& lookup,
+                       const LookupSlack& slack);
 
 }  // namespace burl

@@ -41,7 +41,7 @@ void spread(std::vector<T>& values, const std::vector<Triangle>& triangles) {
 
 Scene load_scene(const std::string& path) {
     const std::string extension = extension_of(path);
-    Scene scene = extension == ".glb" || extension == ".gltf" ? load_gltf_scene(path)
+    Scene scene = extension == ".glb" || extension == ".gltf" ? load_gltf_scene(read_file(path))
                   : extension == ".obj"                       ? load_obj_scene(path)
                                                               : load_plain_mesh(path);
     if (scene.surfaces.empty()) throw invalid_file(path, 0, "the scene holds no triangle to draw");

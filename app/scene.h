@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/camera.h"
+#include "atlas/file_buffer.h"
 #include "atlas/image.h"
 #include "atlas/mesh.h"
 #include "atlas/vec.h"
@@ -66,7 +67,7 @@ struct Scene {
 Scene load_scene(const std::string& path);
 
 /// The two halves of load_scene that know materials.
-Scene load_gltf_scene(const std::string& path);
+Scene load_gltf_scene(const FileBuffer& file);
 Scene load_obj_scene(const std::string& path);
 
 /// Gives a surface with UVs tangents (app/tangents.h), and each corner a vertex of its own.

@@ -286,10 +286,10 @@ std::vector<std::string> files_beside(const tinygltf::Model& model, const std::s
 
 }  // namespace
 
-Scene load_gltf_scene(const std::string& path) {
-    const tinygltf::Model model = load_gltf(path);
-    Scene scene = GltfSceneLoader(model, path).load();
-    scene.files = files_beside(model, path);
+Scene load_gltf_scene(const FileBuffer& file) {
+    const tinygltf::Model model = load_gltf(file);
+    Scene scene = GltfSceneLoader(model, file.path).load();
+    scene.files = files_beside(model, file.path);
     return scene;
 }
 

@@ -1,5 +1,5 @@
-// `burl render`: a picture of a textured scene through OpenGL, or of the texture itself in float64
-// (--direct).
+// `burl render`: a picture of a textured scene through OpenGL, of a recipe on a mesh as if it had
+// been baked (--lazy), or of the texture itself in float64 (--direct).
 #include <optional>
 
 #include <fmt/format.h>
@@ -8,8 +8,11 @@
 #include "app/direct_picture.h"
 #include "app/export.h"
 #include "app/gl_context.h"
+#include "app/gl_lazy_picture.h"
 #include "app/gl_render.h"
 #include "app/image_io.h"
+#include "app/lattice_check.h"
+#include "app/report.h"
 #include "app/scene.h"
 #include "app/verbs.h"
 #include "atlas/error.h"
@@ -21,8 +24,8 @@ namespace {
 struct RenderCommand {
     DirectOptions options;
     AnimationOptions animation;
-    std::string out, platform = gl_platforms()[0];
-    bool direct = false;
+    std::string out, report, platform = gl_platforms()[0];
+    bool direct = false, lazy = false;
 };
 
 TextureFilter parse_lookup(const std::string& text) {
@@ -51,6 +54,37 @@ Image<Rgb8> draw_scene(const RenderCommand& command) {
     return render_scene(*context, scene, camera, picture, filter);
 }
 
+Json work_json(const LazyPicture& drawn) {
+    const ViewWork& work = drawn.work;
+    return {{"tiles", work.tiles},
+            {"texels_read", work.texels_read},
+            {"texels_synthesised", work.texels_made},
+            {"texels_whole", work.texels_whole},
+            {"seconds",
+             {{"finding", drawn.seconds_finding},
+              {"synthesis", drawn.seconds_synthesis},
+              {"drawing", drawn.seconds_drawing}}}};
+}
+
+/// A recipe on a mesh, of which only what the picture shows is worked out.
+Image<Rgb8> draw_lazily(const RenderCommand& command) {
+    const DirectOptions& options = command.options;
+    if (options.scene.empty()) throw Error(ExitCode::usage, "--lazy: a mesh is missing");
+    LazyOptions lazy;
+    lazy.picture = options.picture_options();
+    if (options.filter) lazy.filter = parse_lookup(*options.filter);
+    lazy.crease_degrees = options.crease;
+    const View view = options.parsed_view();
+    const Recipe recipe = options.recipe.load();
+    Pipeline pipeline(options.meshes.load(options.scene));
+    check_lattice(recipe, pipeline.mesh());
+    pipeline.set_recipe(recipe);
+    const std::unique_ptr<GlContext> context = create_gl_context(command.platform);
+    LazyPicture drawn = render_lazily(*context, pipeline, view, lazy);
+    if (!command.report.empty()) write_json(command.report, work_json(drawn));
+    return std::move(drawn.picture);
+}
+
 /// One picture, or one per frame.
 void draw_truth(const RenderCommand& command, const std::vector<std::string>& paths) {
     const std::vector<Recipe> recipes = frame_recipes(command.options.recipe, command.animation);
@@ -69,7 +103,12 @@ void run_render(const RenderCommand& command) {
     const std::vector<std::string> paths = frame_paths(command.out, command.animation);
     for (const std::string& path : paths) check_side_output(path, ".png", inputs(command.options));
     if (command.direct) return draw_truth(command, paths);
-    write_png(command.out, draw_scene(command));
+    if (!command.report.empty() && command.report != "-") {
+        std::vector<std::string> taken = inputs(command.options);
+        taken.push_back(command.out);
+        check_side_output(command.report, "", taken);
+    }
+    write_png(command.out, command.lazy ? draw_lazily(command) : draw_scene(command));
 }
 
 }  // namespace
@@ -87,11 +126,25 @@ void add_render(CLI::App& program) {
                      "Draw with osmesa (software) or egl (a graphics processor)")
         ->capture_default_str()
         ->excludes(direct);
+    auto* lazy = verb->add_flag("--lazy", command->lazy,
+                                "Draw a mesh with the recipe's texture as if it had been baked; "
+                                "only texels that the picture shows are worked out")
+                     ->excludes(direct);
+    verb->add_option("--report", command->report,
+                     "Write what --lazy worked out as JSON to this file (- for stdout)")
+        ->needs(lazy);
     command->animation.add(*verb);
-    for (const char* option :
-         {"--recipe", "--set", "--precision", "--animate", "--plane", "--widths"})
+    for (const char* option : {"--animate", "--plane", "--widths"})
         verb->get_option(option)->needs(direct);
-    verb->callback([command] { run_render(*command); });
+    verb->callback([command, verb] {
+        for (const char* option : {"--recipe", "--set", "--precision"})
+            if (verb->count(option) > 0 && !command->direct && !command->lazy)
+                throw Error(ExitCode::usage,
+                            fmt::format("{} goes with --direct or --lazy: a scene that is drawn "
+                                        "has its texture already",
+                                        option));
+        run_render(*command);
+    });
 }
 
 }  // namespace burl

@@ -1,4 +1,4 @@
-#version 330 core
+// Needs footprint.glsl.
 // Base colour in linear light, under a headlight: ambient + (1 - ambient) |n.v| as in
 // app/shading.h, with n bumped by a normal map as in procedural/tangent_frame.h. The target is linear float; sRGB encoding happens after averaging, on the host.
 in vec3 eye_position;
@@ -31,11 +31,10 @@ vec4 block_level(sampler2D map, float level) {
     return textureLod(map, clamp(texture_uv, low, high), level);
 }
 
-// Trilinear, the level chosen as OpenGL does (specification 8.14.1, the larger derivative).
+// Trilinear, the level chosen as OpenGL does.
 vec4 block_lookup(sampler2D map) {
     vec2 size = vec2(textureSize(map, 0));
-    vec2 along_x = dFdx(texture_uv) * size, along_y = dFdy(texture_uv) * size;
-    float footprint = max(max(dot(along_x, along_x), dot(along_y, along_y)), 1.0);
+    float footprint = max(footprint_squared(texture_uv, size), 1.0);
     float last = floor(log2(max(size.x, size.y)));
     float level = min(0.5 * log2(footprint), last);
     return mix(block_level(map, floor(level)), block_level(map, min(floor(level) + 1.0, last)),

@@ -1,0 +1,37 @@
+#pragma once
+// `burl render --lazy`: a recipe on a mesh as a picture without a baked texture. A first pass finds
+// what the picture looks up, the host works out that, and the second pass draws (virtual
+// texturing's loop, with nothing left to guess: both passes are of one picture).
+#include <optional>
+
+#include "app/gl_context.h"
+#include "app/gl_render.h"
+#include "app/pipeline.h"
+#include "app/view_texture.h"
+
+namespace burl {
+
+struct LazyOptions {
+    PictureOptions picture{};
+    std::optional<TextureFilter> filter{};  ///< instead of the one a bake asks for
+    HostWay way{};
+    double crease_degrees = 40.0;
+    std::uint32_t cell = view_cell;
+    bool everything = false;  ///< works out the whole atlas, for comparison
+};
+
+struct LazyPicture {
+    Image<Rgb8> picture;
+    ViewWork work{};
+    double seconds_finding = 0.0;    ///< what the view looks up
+    double seconds_synthesis = 0.0;  ///< of the texels
+    double seconds_drawing = 0.0;
+};
+
+/// The picture of the pipeline's recipe as baked into a .glb, with all MIP levels where they are
+/// looked up, bit for bit. Bumps are worked out for the whole atlas. The context becomes current.
+/// Throws Error as render_scene does.
+LazyPicture render_lazily(GlContext& context, Pipeline& pipeline, const View& view,
+                          const LazyOptions& options);
+
+}  // namespace burl

@@ -1,0 +1,153 @@
+#include "app/gl_scene.h"
+
+#include <algorithm>
+
+#include "app/gl_source.h"
+#include "app/shading.h"
+#include "app/view_texels.h"
+#include "atlas/error.h"
+
+namespace burl {
+
+namespace {
+
+GLint wrap_mode(TextureWrap wrap) {
+    switch (wrap) {
+        case TextureWrap::repeat:
+            return GL_REPEAT;
+        case TextureWrap::mirror:
+            return GL_MIRRORED_REPEAT;
+        case TextureWrap::clamp:
+            break;
+    }
+    return GL_CLAMP_TO_EDGE;
+}
+
+/// Rows lie without gaps.
+void upload_level(const GladGLContext& gl, GLint level, const Image<Rgb8>& image, bool is_color) {
+    gl.TexImage2D(GL_TEXTURE_2D, level, is_color ? GL_SRGB8 : GL_RGB8, GLsizei(image.width()),
+                  GLsizei(image.height()), 0, GL_RGB, GL_UNSIGNED_BYTE, image.pixels().data());
+}
+
+/// Box means, and in their place the file's own levels as far as those go.
+void upload_levels(const GladGLContext& gl, const SceneTexture& texture) {
+    gl.GenerateMipmap(GL_TEXTURE_2D);
+    for (std::size_t l = 1; l <= texture.levels.size(); ++l)
+        upload_level(gl, GLint(l), texture.levels[l - 1], texture.is_color);
+}
+
+void set_filter(const GladGLContext& gl, TextureFilter filter, const SceneTexture& texture) {
+    const bool nearest = filter == TextureFilter::nearest;
+    const bool mip = filter == TextureFilter::mip;
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, nearest ? GL_NEAREST : GL_LINEAR);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER,
+                     nearest ? GL_NEAREST : (mip ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR));
+    if (mip) upload_levels(gl, texture);
+}
+
+/// Colours as an sRGB texture: lookups decode each texel to linear light before they filter.
+GlTexture upload(const GladGLContext& gl, const SceneTexture& texture, TextureFilter filter) {
+    const Image<Rgb8>& image = texture.image;
+    GLint limit = 0;
+    gl.GetIntegerv(GL_MAX_TEXTURE_SIZE, &limit);
+    if (std::max(image.width(), image.height()) > std::size_t(limit)) {
+        throw Error(ExitCode::unsupported,
+                    fmt::format("the texture of {}x{} texels is larger than this OpenGL draws "
+                                "({}); bake it at --size {} or less",
+                                image.width(), image.height(), limit, limit));
+    }
+    GlTexture result = make_texture(gl);
+    gl.BindTexture(GL_TEXTURE_2D, result.get());
+    gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    upload_level(gl, 0, image, texture.is_color);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, wrap_mode(texture.wrap_u));
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, wrap_mode(texture.wrap_v));
+    set_filter(gl, filter, texture);
+    check_gl(gl, fmt::format("uploading a texture of {}x{} texels", image.width(), image.height()));
+    return result;
+}
+
+/// mesh.vert and a fragment shader that knows footprints.
+GlProgram scene_program(const GladGLContext& gl, const std::string& fragment) {
+    return make_program(gl, "the scene", ShaderSource().add("mesh.vert"),
+                        ShaderSource().add("footprint.glsl").add(fragment));
+}
+
+}  // namespace
+
+GlScene::GlScene(const GladGLContext& gl, const Scene& scene, std::optional<TextureFilter> filter)
+    : gl_(gl),
+      program_(scene_program(gl, "mesh.frag")),
+      lookups_(scene_program(gl, "mesh_lookups.frag")) {
+    for (std::size_t i = 0; i < scene.textures.size(); ++i) {
+        filters_.push_back(drawn_filter(scene, int(i), filter));
+        textures_.push_back(upload(gl, scene.textures[i], filters_.back()));
+    }
+    white_ = upload(gl, {Image<Rgb8>(1, 1, {255, 255, 255})}, TextureFilter::nearest);
+    for (const Surface& surface : scene.surfaces) surfaces_.emplace_back(gl, surface);
+}
+
+void GlScene::set_texture(int number, const SceneTexture& texture) {
+    const auto n = std::size_t(number);
+    textures_[n] = upload(gl_, texture, filters_[n]);
+}
+
+void GlScene::clear(const SampleTile& tile, const Vec3f& color) const {
+    gl_.Viewport(0, 0, tile.width, tile.height);
+    gl_.ClearColor(color.x, color.y, color.z, 1.0f);
+    gl_.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    gl_.Enable(GL_DEPTH_TEST);
+}
+
+/// White where there is none.
+void GlScene::bind(GLenum unit, int number) const {
+    const GlTexture& texture = number < 0 ? white_ : textures_[std::size_t(number)];
+    gl_.ActiveTexture(unit);
+    gl_.BindTexture(GL_TEXTURE_2D, texture.get());
+}
+
+void GlScene::draw(const Camera& camera, const PictureSize& samples, const SampleTile& tile,
+                   bool lit) const {
+    clear(tile, Vec3f(background_linear()));
+    program_.use();
+    program_.set("lit", lit ? 1 : 0);
+    program_.set("ambient", float(ambient));
+    program_.set("base_color", 0);
+    program_.set("normal_map", 1);
+    const TileView view(camera, samples, tile);
+    for (const GlSurface& surface : surfaces_) {
+        const SceneMaterial& material = surface.material();
+        const auto in_blocks = [&](int number) {
+            return surface.in_blocks() && number >= 0 &&
+                   filters_[std::size_t(number)] == TextureFilter::mip;
+        };
+        bind(GL_TEXTURE0, material.texture);
+        bind(GL_TEXTURE1, material.normals);
+        program_.set("bumped", surface.bumped() ? 1 : 0);
+        program_.set("normal_scale", material.normal_scale);
+        program_.set("base_color_factor", material.factor);
+        program_.set("in_blocks",
+                     in_blocks(material.texture) || in_blocks(material.normals) ? 1 : 0);
+        surface.draw(gl_, program_, view);
+    }
+    check_gl(gl_, "drawing");
+}
+
+void GlScene::draw_lookups(const Camera& camera, const PictureSize& samples, const SampleTile& tile,
+                           int number, std::uint32_t size) const {
+    clear(tile, Vec3f(0.0f));
+    lookups_.use();
+    lookups_.set("texture_size", glm::vec2(float(size)));
+    const TileView view(camera, samples, tile);
+    int first_triangle = 0;
+    for (const GlSurface& surface : surfaces_) {
+        const SceneMaterial& material = surface.material();
+        const bool shows = material.texture == number || material.normals == number;
+        lookups_.set("first_triangle", shows ? first_triangle : -1);
+        surface.draw(gl_, lookups_, view);
+        first_triangle += surface.triangles();
+    }
+    check_gl(gl_, "drawing what is looked up");
+}
+
+}  // namespace burl

@@ -1,0 +1,73 @@
+#pragma once
+// Which texels of a texture, and of which MIP levels, a picture looks up: the marking half of
+// virtual texturing's feedback (Barrett, "Sparse Virtual Textures", 2008). With the slack that
+// OpenGL takes, whatever it may read with a weight above 0 is marked, so that a picture of a
+// texture that holds nothing else has the same bits.
+#include <optional>
+#include <vector>
+
+#include "app/scene.h"
+#include "atlas/image.h"
+#include "atlas/texel_set.h"
+
+namespace burl {
+
+/// What a sample of a picture looks up: texture coordinates u, v; the square of the longer side of
+/// its footprint in texels of level 0; and its triangle's number, counted from 1 over the scene's
+/// surfaces, 0 where it does not see the texture.
+using LookupSample = Vec4f;
+
+/// How a square texture of a scene is looked up.
+struct TextureLookup {
+    std::uint32_t size = 0;  ///< texels a side
+    TextureFilter filter = TextureFilter::linear;
+    TextureWrap wrap_u = TextureWrap::repeat, wrap_v = TextureWrap::repeat;
+    /// Per triangle of the scene the block that lookups are clamped to (Surface::blocks); empty:
+    /// none are. With blocks the filter is `mip`.
+    std::vector<Vec4f> blocks{};
+};
+
+/// The filter texture `number` of the scene is drawn with: the one asked for, else its own. One in
+/// blocks is minified whatever the file asks of other viewers.
+TextureFilter drawn_filter(const Scene& scene, int number, std::optional<TextureFilter> filter);
+
+/// `size` is that of the texture, whatever the scene holds.
+TextureLookup lookup_of(const Scene& scene, int number, std::optional<TextureFilter> filter,
+                        std::uint32_t size);
+
+struct ViewTexels {
+    explicit ViewTexels(std::uint32_t size);
+
+    /// Per level from 0 on, the last 1 x 1 texel, those that lookups read.
+    std::vector<TexelSet> levels;
+
+    /// The texels of level 0 that are read or that those of other levels are means of.
+    TexelSet beneath() const;
+    /// Pairs of a 32 x 32 tile and a level with texels that are read.
+    std::uint64_t count_tiles() const;
+    ViewTexels& operator|=(const ViewTexels& other);
+};
+
+/// How far OpenGL's lookups may be from those of exact arithmetic.
+struct LookupSlack {
+    double coordinate = 0.0;  ///< texels of the level that is read
+    double square = 1.0;      ///< factor of a footprint's square, either way
+};
+inline constexpr LookupSlack no_slack{};
+
+/// What no OpenGL exceeds: coordinates are counted in 1/256 of a texel, or finer (SUBPIXEL_BITS is
+/// 8 in practice), and floats add less; a sampler's own choice of levels lies within half a level
+/// (specification 8.14.1), software's by another tenth; that of our shader, which lookups in blocks
+/// have, is only rounded.
+LookupSlack most_slack(const TextureLookup& lookup);
+
+/// Adds what `samples` look up, all threads at work; the result does not depend on their number.
+/// Texels that would weigh nothing are not read.
+void add_lookups(const Image<LookupSample>& samples, const TextureLookup& lookup,
+                 ViewTexels& texels, const LookupSlack& slack);
+inline void add_lookups(const Image<LookupSample>& samples, const TextureLookup& lookup,
+                        ViewTexels& texels) {
+    add_lookups(samples, lookup, texels, most_slack(lookup));
+}
+
+}  // namespace burl
