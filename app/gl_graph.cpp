@@ -18,9 +18,12 @@ GlGraphSynthesis::GlGraphSynthesis(GlContext& context, const GlSynthesisLimits& 
       float64_(limits.float64 && has_float64(*gl_)),
       full_screen_(*gl_),
       timer_(*gl_),
-      colors_(*gl_) {}
+      colors_(*gl_),
+      reals_(*gl_, float64_) {}
 
-std::string GlGraphSynthesis::problem(const TextureGraph& graph) const {
+std::string GlGraphSynthesis::problem(const TextureGraph& graph, const Filter& filter) const {
+    if (filter.kind != FilterKind::none && filter.kind != FilterKind::supersample)
+        return "of the filters OpenGL has supersample alone for graphs";
     if (std::string why = no_graph_shader(graph); !why.empty()) return why;
     GLint units = 0;
     gl_->GetIntegerv(GL_MAX_TEXTURE_IMAGE_UNITS, &units);
@@ -30,13 +33,18 @@ std::string GlGraphSynthesis::problem(const TextureGraph& graph) const {
 }
 
 template <class Pixel>
-const GlProgram& GlGraphSynthesis::program(const GlslTexture& texture) {
+const GlProgram& GlGraphSynthesis::program(const GlslTexture& texture, bool supersampled) {
     constexpr std::size_t most_programs = 64;
     ShaderSource source;
     source.define_real(float64_);
     add_parts(source, texture.parts);
-    source.add("real_bits.glsl").add("point_texel.glsl");
-    add_color_output<Pixel>(colors_, source, "texture_color(solid_point(texel))");
+    source.add("real_bits.glsl");
+    if (supersampled)
+        source.add("texel_line.glsl").add("supersample.glsl").add("graph_samples.glsl");
+    else
+        source.add("point_texel.glsl");
+    add_color_output<Pixel>(
+        colors_, source, supersampled ? "mean_color(texel)" : "texture_color(solid_point(texel))");
     std::string text = source.text();
     if (const auto found = programs_.find(text); found != programs_.end()) return found->second;
     if (programs_.size() == most_programs) programs_.clear();
@@ -61,8 +69,6 @@ const GlTexture& GlGraphSynthesis::image_texture(const std::shared_ptr<const Mip
 
 template <class Pixel>
 void GlGraphSynthesis::bind_inputs(const GlProgram& program, const GlslTexture& texture) {
-    program.set("point_xy", 0);
-    program.set("point_z_owner", 1);
     if constexpr (std::is_same_v<Pixel, Rgb8>) {
         if (!codes8_) codes8_.emplace(srgb8_table(*gl_));
         codes8_->bind(first_table);
@@ -78,6 +84,7 @@ void GlGraphSynthesis::bind_inputs(const GlProgram& program, const GlslTexture& 
 
 void GlGraphSynthesis::forget_atlas() {
     points_.clear();
+    lines_.reset();
     mapper_.reset();
     solid_ = nullptr;
 }
@@ -108,28 +115,58 @@ const GlPointMap& GlGraphSynthesis::points(const GlTile& tile) {
     return points_.back().points;
 }
 
+/// For samples beside the texels' centres.
+void GlGraphSynthesis::set_lines(const GlTile& tile, int threads) {
+    timed(work_.map, [&] {
+        if (!lines_) {
+            lines_.emplace(*gl_, limits_.map_budget);
+            lines_->set_atlas(*solid_, solid_->maps, threads);
+        }
+        lines_->set_tile(tile);
+    });
+}
+
+void GlGraphSynthesis::bind_points(const GlProgram& program, const GlPointMap& map) const {
+    program.set("point_xy", 0);
+    program.set("point_z_owner", 1);
+    bind_texture(*gl_, 0, map.xy());
+    bind_texture(*gl_, 1, map.z_owner());
+}
+
+void GlGraphSynthesis::bind_samples(const GlProgram& program, int samples) const {
+    lines_->bind(program, 0);
+    const auto& [linear, offset] = texture_from_atlas_;
+    reals_.set(program, "texture_from_atlas", std::array{linear[0], linear[1], linear[2], offset});
+    bind_pattern(program, SamplePattern(samples));
+}
+
 template <class Pixel>
 void GlGraphSynthesis::synthesize(const SolidAtlas& solid, const TextureGraph& graph,
                                   const Affine3& texture_from_atlas, int threads,
-                                  Image<Pixel>& image) {
+                                  Image<Pixel>& image, const Filter& filter) {
     context_->make_current();
-    if (const std::string why = problem(graph); !why.empty())
+    if (const std::string why = problem(graph, filter); !why.empty())
         throw Error(ExitCode::unsupported, why);
     work_ = {};
     if (image.width() != solid.size || image.height() != solid.size)
         image = Image<Pixel>::unset(solid.size, solid.size);
+    const bool supersampled = filter.kind == FilterKind::supersample;
     const GlslTexture texture = glsl_graph(graph, float64_ ? GlslReal::float64 : GlslReal::float32);
-    const GlProgram& program = this->program<Pixel>(texture);
+    const GlProgram& program = this->program<Pixel>(texture, supersampled);
     set_atlas(solid, texture_from_atlas, threads);
     // Before anything is bound: making a texture changes the bindings of a unit.
     for (const GlslImage& one : texture.images) image_texture(one.pixels);
     for_tiles({int(solid.size), int(solid.size)}, limits_.tile, [&](const GlTile& tile) {
-        const GlPointMap& map = points(tile);
+        // Bindings last: whatever makes a texture changes them.
+        const GlPointMap* map = supersampled ? nullptr : &points(tile);
+        if (supersampled) set_lines(tile, threads);
         const GlTarget target(*gl_, tile.size, {GlOutput<Pixel>::internal});
         program.use();
         bind_inputs<Pixel>(program, texture);
-        bind_texture(*gl_, 0, map.xy());
-        bind_texture(*gl_, 1, map.z_owner());
+        if (map)
+            bind_points(program, *map);
+        else
+            bind_samples(program, filter.samples);
         target.bind();
         timer_.start();
         full_screen_.draw();
@@ -143,10 +180,10 @@ void GlGraphSynthesis::synthesize(const SolidAtlas& solid, const TextureGraph& g
 }
 
 template void GlGraphSynthesis::synthesize(const SolidAtlas&, const TextureGraph&, const Affine3&,
-                                           int, Image<Rgb8>&);
+                                           int, Image<Rgb8>&, const Filter&);
 template void GlGraphSynthesis::synthesize(const SolidAtlas&, const TextureGraph&, const Affine3&,
-                                           int, Image<Rgb16>&);
+                                           int, Image<Rgb16>&, const Filter&);
 template void GlGraphSynthesis::synthesize(const SolidAtlas&, const TextureGraph&, const Affine3&,
-                                           int, Image<RgbF>&);
+                                           int, Image<RgbF>&, const Filter&);
 
 }  // namespace burl

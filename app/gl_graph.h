@@ -1,8 +1,9 @@
 #pragma once
 // Fills an atlas with a texture graph in one pass on OpenGL: every texel's point comes from a point
 // map, a shader generated from the graph (procedural/glsl_graph.h) works out its colour and encodes
-// it. Where OpenGL has float64 and rounds as IEEE 754 says, the bytes are those of
-// synthesize_graph_rgb8 and its like with filter `none` in float32.
+// it, or the weighted mean of its colours at several places in the texel. Where OpenGL has float64
+// and rounds as IEEE 754 says, the bytes are those of synthesize_graph_rgb8 and its like in
+// float32.
 #include <list>
 #include <map>
 #include <memory>
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "app/gl_synthesize.h"
+#include "app/gl_texel_lines.h"
 #include "procedural/glsl_graph.h"
 
 namespace burl {
@@ -20,15 +22,16 @@ class GlGraphSynthesis {
   public:
     explicit GlGraphSynthesis(GlContext& context, const GlSynthesisLimits& limits = {});
 
-    /// Why a graph cannot be evaluated; empty where it can.
-    std::string problem(const TextureGraph& graph) const;
+    /// Why a graph cannot be evaluated with a filter; empty where it can.
+    std::string problem(const TextureGraph& graph, const Filter& filter = {}) const;
 
-    /// As synthesize_graph_rgb8, _rgb16 or _rgbf with filter `none`. An image of the atlas's size
-    /// is written over. Throws Error: unsupported where problem() has something to say, runtime
-    /// when memory runs out.
+    /// As synthesize_graph_rgb8, _rgb16 or _rgbf. An image of the atlas's size is written over.
+    /// Throws Error: unsupported where problem() has something to say, runtime when memory runs
+    /// out.
     template <class Pixel>
     void synthesize(const SolidAtlas& solid, const TextureGraph& graph,
-                    const Affine3& texture_from_atlas, int threads, Image<Pixel>& image);
+                    const Affine3& texture_from_atlas, int threads, Image<Pixel>& image,
+                    const Filter& filter = {});
     /// The atlas of the calls before is about to change or go away.
     void forget_atlas();
 
@@ -44,9 +47,12 @@ class GlGraphSynthesis {
         GlPointMap points;
     };
     template <class Pixel>
-    const GlProgram& program(const GlslTexture& texture);
+    const GlProgram& program(const GlslTexture& texture, bool supersampled);
     template <class Pixel>
     void bind_inputs(const GlProgram& program, const GlslTexture& texture);
+    void bind_points(const GlProgram& program, const GlPointMap& map) const;
+    void set_lines(const GlTile& tile, int threads);
+    void bind_samples(const GlProgram& program, int samples) const;
     const GlTexture& image_texture(const std::shared_ptr<const MipImage>& pixels);
     void set_atlas(const SolidAtlas& solid, const Affine3& texture_from_atlas, int threads);
     const GlPointMap& points(const GlTile& tile);
@@ -64,7 +70,9 @@ class GlGraphSynthesis {
     const SolidAtlas* solid_ = nullptr;
     Affine3 texture_from_atlas_;
     std::optional<GlLatticeMapper> mapper_;
-    std::list<KeptPoints> points_;  ///< as many as the limit allows, and one
+    std::list<KeptPoints> points_;       ///< as many as the limit allows, and one
+    std::optional<GlTexelLines> lines_;  ///< of the atlas, once samples need them
+    GlRealUniforms reals_;
     GlReadBack read_back_;
     GlWork work_;
 };

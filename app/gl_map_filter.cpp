@@ -1,5 +1,7 @@
 #include "app/gl_map_filter.h"
 
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "app/gl_color_tables.h"
@@ -19,10 +21,18 @@ GlBufferTexture distance_table(const GladGLContext& gl, const MapPieces& map) {
             std::as_bytes(std::span(distances.data(), BreakDistance::entry_count + 1))};
 }
 
+/// An array of at least one texel.
+template <class Texel>
+GlBufferTexture table(const GladGLContext& gl, GLenum internal, std::vector<Texel> texels,
+                      const Texel& fill) {
+    if (texels.empty()) texels.push_back(fill);
+    return {gl, internal, std::as_bytes(std::span(texels))};
+}
+
 }  // namespace
 
 GlMapFilter::GlMapFilter(const GladGLContext& gl, bool float64, std::size_t budget)
-    : gl_(&gl), float64_(float64), budget_(budget), srgb8_(srgb8_table(gl)) {}
+    : gl_(&gl), reals_(gl, float64), budget_(budget), lines_(gl, budget), srgb8_(srgb8_table(gl)) {}
 
 void GlMapFilter::set_atlas(const SolidAtlas& solid, const Affine3& texture_from_atlas,
                             int threads) {
@@ -38,6 +48,7 @@ void GlMapFilter::forget_atlas() {
     kept_.clear();
     bytes_ = 0;
     slopes_.reset();
+    lines_known_ = false;
     solid_ = nullptr;
 }
 
@@ -51,31 +62,41 @@ void GlMapFilter::set_map(const ColorMap& map, const Filter& filter) {
                            distance_table(*gl_, pieces)});
 }
 
-void GlMapFilter::set_field(std::span<const OctaveGroup> groups) {
-    std::vector<Vec4f> sides = lattice_sides(maps_, groups);
-    if (sides.empty()) sides.emplace_back(0.0f);
-    sides_.emplace(*gl_, GLenum(GL_RGBA32F), std::as_bytes(std::span(sides)));
+void GlMapFilter::set_field(const FieldOctaves& octaves, const Quadric& quadric) {
+    quadric_ = quadric;
+    if (has_lines())
+        line_uniforms_ = line_uniforms(octaves, quadric);
+    else
+        sides_.emplace(table(*gl_, GL_RGBA32F, lattice_sides(maps_, octaves.groups), Vec4f(0.0f)));
     if (!filter_.band_limit) return;
-    std::vector<float> shares = octave_shares(maps_, groups);
-    if (shares.empty()) shares.push_back(1.0f);
-    shares_.emplace(*gl_, GLenum(GL_R32F), std::as_bytes(std::span(shares)));
+    shares_.emplace(table(*gl_, GL_R32F, octave_shares(maps_, octaves.groups), 1.0f));
+    lone_terms_.emplace(table(*gl_, GL_RGBA32UI, lone_terms(maps_, octaves.lone), Vec2d(0.0)));
+}
+
+void GlMapFilter::set_tile(const GlTile& tile) {
+    if (!has_lines()) {
+        slopes_ = slope_map(tile);
+        return;
+    }
+    if (!std::exchange(lines_known_, true)) lines_.set_atlas(*solid_, maps_, threads_);
+    lines_.set_tile(tile);
 }
 
 /// Other quadrics' are dropped.
-std::shared_ptr<const GlTexture> GlMapFilter::slope_map(const Quadric& quadric,
-                                                        const GlTile& tile) {
+std::shared_ptr<const GlTexture> GlMapFilter::slope_map(const GlTile& tile) {
     std::erase_if(kept_, [&](const SlopeMap& kept) {
-        if (kept.quadric != quadric) bytes_ -= sizeof(MapTexel) * kept.tile.texels();
-        return kept.quadric != quadric;
+        if (kept.quadric != quadric_) bytes_ -= sizeof(MapTexel) * kept.tile.texels();
+        return kept.quadric != quadric_;
     });
     for (const SlopeMap& kept : kept_)
         if (kept.tile == tile) return kept.texture;
-    const Image<MapTexel> texels = fill_slope_map(*solid_, maps_, quadric, area_of(tile), threads_);
+    const Image<MapTexel> texels =
+        fill_slope_map(*solid_, maps_, quadric_, area_of(tile), threads_);
     auto texture = std::make_shared<const GlTexture>(
         make_texture(*gl_, GL_RGBA32UI, tile.size, std::as_bytes(texels.pixels())));
     if (bytes_ + sizeof(MapTexel) * tile.texels() <= budget_) {
         bytes_ += sizeof(MapTexel) * tile.texels();
-        kept_.push_back({quadric, tile, texture});
+        kept_.push_back({quadric_, tile, texture});
     }
     return texture;
 }
@@ -99,6 +120,8 @@ void GlMapFilter::add_field(ShaderSource& source, const FieldShape& shape) const
 }
 
 void GlMapFilter::add_means(ShaderSource& source, const FieldShape& shape) const {
+    if (filter_.kind == FilterKind::supersample)
+        return add_parts(source, glsl_supersampled(shape, filter_.band_limit));
     add(source, shape);
     source.define("COLOR_REPEATS", map_.wrap == Wrap::repeat ? "1" : "0")
         .add("color_index.glsl")
@@ -111,41 +134,44 @@ real3 mean_color(ivec2 texel) {
 )");
 }
 
-/// Of a `real` uniform array, or one of real3.
-void GlMapFilter::set_numbers(const GlProgram& program, const char* name,
-                              std::span<const double> values, int components) const {
-    const std::vector<float> floats(values.begin(), values.end());
-    const GLint at = program.uniform(name);
-    const auto count = GLsizei(values.size()) / components;
-    if (components == 1 && float64_)
-        gl_->Uniform1dv(at, count, values.data());
-    else if (components == 1)
-        gl_->Uniform1fv(at, count, floats.data());
-    else if (float64_)
-        gl_->Uniform3dv(at, count, values.data());
-    else
-        gl_->Uniform3fv(at, count, floats.data());
+void GlMapFilter::bind_pieces(const GlProgram& program, int unit) const {
+    tables_->distances.bind(unit);
+    program.set("break_distances", unit);
+    const FilterUniforms& uniforms = tables_->uniforms;
+    reals_.set(program, "map_base", std::span(&uniforms.map_base, 1));
+    reals_.set(program, "break_jumps", uniforms.break_jumps);
+    reals_.set(program, "break_kinks", uniforms.break_kinks);
+    reals_.set(program, "break_positions", uniforms.break_positions);
+}
+
+void GlMapFilter::bind_lines(const GlProgram& program, int first_unit) const {
+    lines_.bind(program, first_unit);
+    reals_.set(program, "lattices", line_uniforms_.lattices);
+    reals_.set(program, "lone_lattices", line_uniforms_.lone_lattices);
+    reals_.set(program, "quadric", line_uniforms_.quadric);
+    bind_pattern(program, SamplePattern(filter_.samples));
 }
 
 void GlMapFilter::bind(const GlProgram& program, int first_unit) const {
-    bind_texture(*gl_, first_unit, *slopes_);
-    sides_->bind(first_unit + 1);
-    tables_->distances.bind(first_unit + 2);
-    srgb8_.bind(first_unit + 3);
-    program.set("slope_map", first_unit);
-    program.set("lattice_sides", first_unit + 1);
-    program.set("break_distances", first_unit + 2);
-    program.set("srgb8_buckets", first_unit + 3);
-    if (filter_.band_limit) shares_->bind(first_unit + 4);
-    program.set("octave_shares", first_unit + 4);
-    const auto colors = [&](const char* name, std::span<const Vec3d> values) {
-        if (!values.empty()) set_numbers(program, name, {&values[0].x, 3 * values.size()}, 3);
+    const auto bind_table = [&](const char* name, const GlBufferTexture& table, int unit) {
+        table.bind(unit);
+        program.set(name, unit);
     };
-    const FilterUniforms& uniforms = tables_->uniforms;
-    colors("map_base", std::span(&uniforms.map_base, 1));
-    colors("break_jumps", uniforms.break_jumps);
-    colors("break_kinks", uniforms.break_kinks);
-    set_numbers(program, "break_positions", uniforms.break_positions, 1);
+    if (has_lines()) {
+        bind_lines(program, first_unit);
+    } else {
+        bind_texture(*gl_, first_unit, *slopes_);
+        program.set("slope_map", first_unit);
+        bind_table("lattice_sides", *sides_, first_unit + 1);
+    }
+    bind_table("srgb8_buckets", srgb8_, first_unit + 2);
+    bind_pieces(program, first_unit + 3);
+    // Samplers of different kinds must name different units, whether they are read or not.
+    program.set("octave_shares", first_unit + 4);
+    program.set("lone_terms", first_unit + 5);
+    if (!filter_.band_limit) return;
+    shares_->bind(first_unit + 4);
+    lone_terms_->bind(first_unit + 5);
 }
 
 void GlMapFilter::draw(const GlFullScreen& full_screen, GlSize target, const GlProgram& straight,

@@ -1,27 +1,28 @@
 #pragma once
-// The exact filters of the colour map and octaves that fade (procedural/filter.h) in the single
-// pass: procedural/glsl_filter.h. Most texels of
-// a smooth texture need none, and llvmpipe runs both sides of a branch; so a first draw colours the
-// texels whose footprint holds no break of the map and marks them by their depth, and a second one
-// averages over the others alone.
+// Filters and octaves that fade (procedural/filter.h) in the single pass: procedural/glsl_filter.h,
+// glsl_line_field.h. Of the exact filters most texels of a smooth texture need none, and llvmpipe
+// runs both sides of a branch; so a first draw colours the texels whose footprint holds no break of
+// the map and marks them by their depth, and a second one averages over the others alone.
 #include <memory>
 #include <optional>
 #include <vector>
 
+#include "app/gl_real_uniforms.h"
 #include "app/gl_source.h"
-#include "app/gl_target.h"
+#include "app/gl_texel_lines.h"
 #include "atlas/solid_atlas.h"
 #include "procedural/glsl_filter.h"
+#include "procedural/glsl_line_field.h"
 
 namespace burl {
 
 class GlMapFilter {
   public:
     /// Texture units that bind() uses.
-    static constexpr int units = 5;
+    static constexpr int units = 6;
 
-    /// `budget`: of the slope maps kept between calls, in bytes. Without `float64` numbers are
-    /// float32.
+    /// `budget`: of the slope maps, or spans, kept between calls, in bytes. Without `float64`
+    /// numbers are float32.
     GlMapFilter(const GladGLContext& gl, bool float64, std::size_t budget);
 
     /// The atlas of the calls below, in the texture's space; it must outlive them.
@@ -31,17 +32,18 @@ class GlMapFilter {
     /// The map and filter of the calls below.
     void set_map(const ColorMap& map, const Filter& filter);
     /// The octaves of the calls below.
-    void set_field(std::span<const OctaveGroup> groups);
-    /// The quadric and the tile of the draws below: makes their slope map, or finds it.
-    void set_tile(const Quadric& quadric, const GlTile& tile) {
-        slopes_ = slope_map(quadric, tile);
-    }
+    void set_field(const FieldOctaves& octaves, const Quadric& quadric);
+    /// The tile of the draws below: makes its slope map or spans, or finds them.
+    void set_tile(const GlTile& tile);
 
-    /// Whether the filter takes two draws; else the first does it.
+    /// Whether there is a draw of colours at the texels' centres, and one of means: with both the
+    /// first leaves texels to the second.
+    bool has_colors() const { return filter_.kind != FilterKind::supersample; }
     bool has_means() const { return filter_.kind != FilterKind::none; }
+    /// Whether the second one reads `real3 linear_color(real f)`.
+    bool means_read_colors() const { return filter_.kind == FilterKind::supersample; }
     /// For the first draw: `real field(ivec2 texel)` that discards where a break lies in the
-    /// footprint of a filter that has means. The colours' parts
-    /// follow.
+    /// footprint of a filter that has means. The colours' parts follow.
     void add_field(ShaderSource& source, const FieldShape& shape) const;
     /// For the second: `real3 mean_color(ivec2 texel)`.
     void add_means(ShaderSource& source, const FieldShape& shape) const;
@@ -62,12 +64,13 @@ class GlMapFilter {
         std::shared_ptr<const GlTexture> texture;
     };
     void add(ShaderSource& source, const FieldShape& shape) const;
-    void set_numbers(const GlProgram& program, const char* name, std::span<const double> values,
-                     int components) const;
-    std::shared_ptr<const GlTexture> slope_map(const Quadric& quadric, const GlTile& tile);
+    bool has_lines() const { return filter_.kind == FilterKind::supersample; }
+    std::shared_ptr<const GlTexture> slope_map(const GlTile& tile);
+    void bind_pieces(const GlProgram& program, int unit) const;
+    void bind_lines(const GlProgram& program, int first_unit) const;
 
     const GladGLContext* gl_;
-    bool float64_;
+    GlRealUniforms reals_;
     std::size_t budget_, bytes_ = 0;
     const SolidAtlas* solid_ = nullptr;
     Affine3 texture_from_atlas_;
@@ -75,7 +78,11 @@ class GlMapFilter {
     int threads_ = 0;
     std::vector<SlopeMap> kept_;
     std::shared_ptr<const GlTexture> slopes_;
-    std::optional<GlBufferTexture> sides_, shares_;
+    GlTexelLines lines_;
+    bool lines_known_ = false;  ///< of the atlas
+    Quadric quadric_;
+    LineUniforms line_uniforms_;
+    std::optional<GlBufferTexture> sides_, shares_, lone_terms_;
     ColorMap map_;
     Filter filter_;
     std::optional<Tables> tables_;

@@ -118,6 +118,14 @@ void bind_output(const GlColorTables& colors, const GlProgram& program, int firs
     if constexpr (std::is_same_v<Pixel, Rgb16>) colors.bind_srgb16(program, first_unit + 1);
 }
 
+/// The same of a program of add_color_output, and of add_linear where it reads that.
+template <class Pixel>
+void bind_color_output(const GlColorTables& colors, const GlProgram& program, int first_unit,
+                       bool linear) {
+    if (linear) colors.bind_linear(program, first_unit);
+    if constexpr (std::is_same_v<Pixel, Rgb16>) colors.bind_srgb16(program, first_unit + 1);
+}
+
 /// Takes pictures from targets of GlOutput<Pixel>::internal, keeping the memory they go through.
 class GlReadBack {
   public:

@@ -41,7 +41,8 @@ GlSynthesis::GlSynthesis(GlContext& context, const GlSynthesisLimits& limits)
       full_screen_(*gl_),
       timer_(*gl_),
       maps_(*gl_, limits.map_budget),
-      colors_(*gl_) {}
+      colors_(*gl_),
+      reals_(*gl_, float64_) {}
 
 void GlSynthesis::forget_atlas() {
     maps_.forget_atlas();
@@ -74,16 +75,23 @@ GlSynthesis::Programs GlSynthesis::programs(const FieldShape& shape, bool filter
     ShaderSource colors;
     colors.define_real(float64_);
     ShaderSource means = colors;
-    if (filtered)
-        filter_->add_field(colors, shape);
-    else
-        add_parts(colors, glsl_field(shape));
-    timed(work_.colors, [&] { add_output<Pixel>(colors_, colors); });
-    if (!filtered || !filter_->has_means()) return {&compiled(colors)};
+    Programs result;
+    if (!filtered || filter_->has_colors()) {
+        if (filtered)
+            filter_->add_field(colors, shape);
+        else
+            add_parts(colors, glsl_field(shape));
+        timed(work_.colors, [&] { add_output<Pixel>(colors_, colors); });
+        result.colors = &compiled(colors);
+    }
+    if (!filtered || !filter_->has_means()) return result;
     filter_->add_means(means, shape);
-    if constexpr (!std::is_same_v<Pixel, float>)
+    if constexpr (!std::is_same_v<Pixel, float>) {
+        if (filter_->means_read_colors()) colors_.add_linear(means);
         add_color_output<Pixel>(colors_, means, "mean_color(texel)");
-    return {&compiled(colors), &compiled(means)};
+    }
+    result.means = &compiled(means);
+    return result;
 }
 
 const GlTarget& GlSynthesis::target(GLenum internal, GlSize size) {
@@ -127,20 +135,12 @@ int GlSynthesis::bind_maps(const GlProgram& program, const Maps& maps) const {
 }
 
 void GlSynthesis::set_field(const GlProgram& program, const FieldUniforms& uniforms) const {
-    const auto set_real = [&](const char* name, const std::vector<double>& values) {
-        const std::vector<float> floats(values.begin(), values.end());
-        const GLint place = program.uniform(name);
-        if (float64_)
-            gl_->Uniform1dv(place, GLsizei(values.size()), values.data());
-        else
-            gl_->Uniform1fv(place, GLsizei(values.size()), floats.data());
-    };
     const auto set_float = [&](const char* name, const std::vector<float>& values) {
         gl_->Uniform1fv(program.uniform(name), GLsizei(values.size()), values.data());
     };
-    set_real("constant", {uniforms.constant});
+    reals_.set(program, "constant", std::span(&uniforms.constant, 1));
     if (!uniforms.seeds.empty()) {
-        set_real("scales", uniforms.scales);
+        reals_.set(program, "scales", uniforms.scales);
         gl_->Uniform3uiv(program.uniform("seeds"), GLsizei(uniforms.seeds.size()),
                          uniforms.seeds[0].data());
         set_float("weights", uniforms.weights);
@@ -149,17 +149,20 @@ void GlSynthesis::set_field(const GlProgram& program, const FieldUniforms& unifo
     if (uniforms.lone_seeds.empty()) return;
     gl_->Uniform1uiv(program.uniform("lone_seeds"), GLsizei(uniforms.lone_seeds.size()),
                      uniforms.lone_seeds.data());
-    set_real("lone_times", uniforms.lone_times);
-    set_real("lone_scales", uniforms.lone_scales);
+    reals_.set(program, "lone_times", uniforms.lone_times);
+    reals_.set(program, "lone_scales", uniforms.lone_scales);
 }
 
 /// What a program reads.
 template <class Pixel>
 void GlSynthesis::set_up(const FieldOctaves& octaves, const Maps& maps, const GlProgram& program,
-                         bool filtered) {
+                         bool filtered, bool means) {
     program.use();
     const int unit = bind_maps(program, maps);
-    bind_output<Pixel>(colors_, program, unit);
+    if (!means)
+        bind_output<Pixel>(colors_, program, unit);
+    else
+        bind_color_output<Pixel>(colors_, program, unit, filter_->means_read_colors());
     if (filtered) filter_->bind(program, unit + output_units);
     program.set("map_scale", 1.0f / glm::vec2(maps.lattices[0]->size()));
     set_field(program, octaves.uniforms());
@@ -170,23 +173,24 @@ template <class Pixel>
 void GlSynthesis::draw(const FieldOctaves& octaves, const Quadric& quadric,
                        const Programs& programs, const GlTile& tile, bool filtered) {
     const Maps maps = timed(work_.map, [&] {
-        if (filtered) filter_->set_tile(quadric, tile);
+        if (filtered) filter_->set_tile(tile);
         return maps_of(octaves, quadric, tile);
     });
     const GlTarget& into = target(GlOutput<Pixel>::internal, tile.size);
     // Bindings last: whatever makes a texture changes them.
-    if (programs.means) set_up<Pixel>(octaves, maps, *programs.means, filtered);
-    set_up<Pixel>(octaves, maps, *programs.colors, filtered);
+    if (programs.means) set_up<Pixel>(octaves, maps, *programs.means, filtered, true);
+    if (programs.colors) set_up<Pixel>(octaves, maps, *programs.colors, filtered, false);
     into.bind({{0, 0}, tile.size});
     timer_.start();
-    if (programs.means)
+    const bool both = programs.colors && programs.means;
+    if (both)
         filter_->draw(full_screen_, into.size(), *programs.colors, *programs.means);
     else
         full_screen_.draw();
     const GlSeconds seconds = timer_.stop();
     work_.draw += seconds.wall;
     work_.gpu += seconds.gpu;
-    work_.passes += programs.means ? 2 : 1;
+    work_.passes += both ? 2 : 1;
 }
 
 template <class Pixel>
@@ -207,7 +211,7 @@ void GlSynthesis::synthesize(const SolidAtlas& solid, const Texture& texture,
         if (!filter_) filter_.emplace(*gl_, float64_, limits_.map_budget / 2);
         filter_->set_atlas(solid, texture_from_atlas, threads);
         filter_->set_map(texture.colors, filter);
-        timed(work_.map, [&] { filter_->set_field(octaves.groups); });
+        timed(work_.map, [&] { filter_->set_field(octaves, texture.quadric); });
     }
     const Programs programs = this->programs<Pixel>(octaves.shape(), filtered);
     const int made = maps_.made();

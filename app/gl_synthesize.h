@@ -65,7 +65,8 @@ class GlSynthesis {
         std::vector<std::shared_ptr<const GlLatticeMap>> lattices;
         std::vector<std::shared_ptr<const GlPointMap>> points;  ///< of lone octaves
     };
-    /// `means`: of a filter's second draw, null where it has none.
+    /// Of the draw of colours at the texels' centres, and of a filter's means: null where there is
+    /// none.
     struct Programs {
         const GlProgram *colors = nullptr, *means = nullptr;
     };
@@ -77,7 +78,7 @@ class GlSynthesis {
     int bind_maps(const GlProgram& program, const Maps& maps) const;
     template <class Pixel>
     void set_up(const FieldOctaves& octaves, const Maps& maps, const GlProgram& program,
-                bool filtered);
+                bool filtered, bool means);
     template <class Pixel>
     void draw(const FieldOctaves& octaves, const Quadric& quadric, const Programs& programs,
               const GlTile& tile, bool filtered);
@@ -91,6 +92,7 @@ class GlSynthesis {
     GlTimer timer_;
     GlMapCache maps_;
     GlColorTables colors_;
+    GlRealUniforms reals_;
     std::optional<GlMapFilter> filter_;          ///< once there is one
     std::map<std::string, GlProgram> programs_;  ///< by the text of the fragment shader
     std::optional<GlTarget> target_;

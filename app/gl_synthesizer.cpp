@@ -24,9 +24,7 @@ class GlSynthesizer final : public TextureSynthesizer {
         if (recipe.precision.kind.value_or(PrecisionKind::float32) != PrecisionKind::float32)
             return "OpenGL computes in float32, and another precision is asked for";
         if (recipe.graph.empty()) return textures_.problem(recipe.texture, recipe.filter);
-        if (recipe.filter.kind != FilterKind::none || recipe.filter.band_limit)
-            return "OpenGL filters no graphs";
-        return graphs_.problem(recipe.graph);
+        return graphs_.problem(recipe.graph, recipe.filter);
     }
 
     void synthesize(const SolidAtlas& solid, const Recipe& recipe, int threads,
@@ -38,7 +36,7 @@ class GlSynthesizer final : public TextureSynthesizer {
                     textures_.synthesize(solid, recipe.texture, map, threads, *pixels,
                                          recipe.filter);
                 else
-                    graphs_.synthesize(solid, recipe.graph, map, threads, *pixels);
+                    graphs_.synthesize(solid, recipe.graph, map, threads, *pixels, recipe.filter);
             },
             image);
         sum_ += recipe.graph.empty() ? textures_.work() : graphs_.work();

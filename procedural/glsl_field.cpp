@@ -20,19 +20,6 @@ std::string_view fade_name(Fade fade) {
     return fade == Fade::linear ? "linear" : fade == Fade::smooth ? "smooth" : "quintic";
 }
 
-/// The noise of a group's octave k, which is number `octave` of all.
-std::string octave_noise(const FieldShape::Group& group, std::size_t number, std::size_t k,
-                         std::size_t octave) {
-    const std::string site =
-        k == 0 ? fmt::format("site{}", number) : fmt::format("doubled(site{}, {})", number, k);
-    if (group.kind == NoiseKind::simplex)
-        return fmt::format("stream_simplex({}, seeds[{}], radii[{}])", site, octave, number);
-    const std::string name = group.kind == NoiseKind::perlin
-                                 ? "stream_perlin"
-                                 : fmt::format("stream_value_{}", fade_name(group.fade));
-    return fmt::format("{}({}, seeds[{}].x)", name, site, octave);
-}
-
 /// A group's sum, added to f. Its octaves are numbered from `first` on.
 std::string group_text(const FieldShape::Group& group, std::size_t number, std::size_t first) {
     std::string text;
@@ -46,7 +33,7 @@ std::string group_text(const FieldShape::Group& group, std::size_t number, std::
         text += fmt::format("    {0}sum{1} {2} weights[{3}] * {4};\n",
                             k + 1 == group.octaves ? "exact float " : "", number,
                             k + 1 == group.octaves ? "=" : "+=", first + k,
-                            octave_noise(group, number, k, first + k));
+                            glsl_octave_noise(group, number, k, first + k));
     return text + fmt::format("    f += scales[{0}] * real(sum{0});\n", number);
 }
 
@@ -59,16 +46,6 @@ std::size_t octave_count(const FieldShape& shape) {
 bool has_simplex(const FieldShape& shape) {
     return std::ranges::find(shape.groups, NoiseKind::simplex, &FieldShape::Group::kind) !=
            shape.groups.end();
-}
-
-/// The noises of lone octaves and their shapes.
-std::string lone_functions(const FieldShape& shape) {
-    std::string text;
-    for (std::size_t i = 0; i < shape.lone.size(); ++i) {
-        text += glsl_site_noise(shape.lone[i].noise, fmt::format("lone_noise{}", i));
-        text += glsl_octave_shape(shape.lone[i].shape, fmt::format("lone_shape{}", i));
-    }
-    return text;
 }
 
 std::string lone_text(std::size_t i) {
@@ -84,7 +61,7 @@ std::string lone_text(std::size_t i) {
 }
 
 std::string field_text(const FieldShape& shape) {
-    std::string text = glsl_field_uniforms(shape) + lone_functions(shape);
+    std::string text = glsl_field_uniforms(shape) + glsl_lone_functions(shape);
     text +=
         "// f = q + the octaves' sums.\n"
         "real field(ivec2 texel) {\n"
@@ -144,6 +121,27 @@ FieldUniforms FieldOctaves::uniforms() const {
     return uniforms;
 }
 
+std::string glsl_octave_noise(const FieldShape::Group& group, std::size_t number, std::size_t k,
+                              std::size_t octave) {
+    const std::string site =
+        k == 0 ? fmt::format("site{}", number) : fmt::format("doubled(site{}, {})", number, k);
+    if (group.kind == NoiseKind::simplex)
+        return fmt::format("stream_simplex({}, seeds[{}], radii[{}])", site, octave, number);
+    const std::string name = group.kind == NoiseKind::perlin
+                                 ? "stream_perlin"
+                                 : fmt::format("stream_value_{}", fade_name(group.fade));
+    return fmt::format("{}({}, seeds[{}].x)", name, site, octave);
+}
+
+std::string glsl_lone_functions(const FieldShape& shape) {
+    std::string text;
+    for (std::size_t i = 0; i < shape.lone.size(); ++i) {
+        text += glsl_site_noise(shape.lone[i].noise, fmt::format("lone_noise{}", i));
+        text += glsl_octave_shape(shape.lone[i].shape, fmt::format("lone_shape{}", i));
+    }
+    return text;
+}
+
 std::string glsl_field_uniforms(const FieldShape& shape) {
     std::string text = fmt::format(
         "uniform usampler2D map_cells[{0}], map_places[{0}];\n"
@@ -166,12 +164,17 @@ std::string glsl_field_uniforms(const FieldShape& shape) {
     return text + "\n";
 }
 
-std::vector<GlslPart> glsl_field(const FieldShape& shape) {
+std::vector<GlslPart> glsl_noises_of(const FieldShape& shape) {
     std::vector<NoiseSpec> noises;
     for (const FieldShape::Lone& lone : shape.lone) noises.push_back(lone.noise);
     std::vector<GlslPart> parts = glsl_noise_parts(noises);
     parts.push_back({"real_bits.glsl"});
     if (!shape.groups.empty()) parts.push_back({"stream_noise.glsl"});
+    return parts;
+}
+
+std::vector<GlslPart> glsl_field(const FieldShape& shape) {
+    std::vector<GlslPart> parts = glsl_noises_of(shape);
     parts.push_back({"field", field_text(shape)});
     return parts;
 }

@@ -60,6 +60,17 @@ struct FieldOctaves {
     FieldUniforms uniforms() const;
 };
 
+/// A group's octave k, number `octave` of all: its noise at the StreamSite siteN, N the group's
+/// number.
+std::string glsl_octave_noise(const FieldShape::Group& group, std::size_t number, std::size_t k,
+                              std::size_t octave);
+
+/// The functions lone_noiseN and lone_shapeN of the octaves without a stream kernel.
+std::string glsl_lone_functions(const FieldShape& shape);
+
+/// The parts that the functions above stand behind.
+std::vector<GlslPart> glsl_noises_of(const FieldShape& shape);
+
 /// The uniforms that a field is made of.
 std::string glsl_field_uniforms(const FieldShape& shape);
 

@@ -77,19 +77,22 @@ std::string mean_text(const FilterShape& shape, std::string_view name) {
 
 std::string no_filter_shader(const Filter& filter, const FieldShape& shape,
                              const ColorMap& colors) {
-    if (filter == Filter{FilterKind::none, filter.samples, false}) return "";
-    if (!shape.lone.empty())
-        return "OpenGL filters value, perlin and simplex noise without a period, a time and a "
-               "shape only";
     switch (filter.kind) {
-        case FilterKind::none:
+        case FilterKind::supersample:
             return "";
+        case FilterKind::none:
+            if (!filter.band_limit) return "";
+            break;
         case FilterKind::exact:
         case FilterKind::trapezoid:
             break;
         default:
-            return "of the filters OpenGL has none, exact and trapezoid only";
+            return "of the filters OpenGL has none, exact, trapezoid and supersample only";
     }
+    if (!shape.lone.empty())
+        return "but for supersample OpenGL filters value, perlin and simplex noise without a "
+               "period, a time and a shape only";
+    if (filter.kind == FilterKind::none) return "";
     const std::size_t breaks = MapPieces(colors).breaks().size();
     if (breaks <= most_shader_breaks) return "";
     return fmt::format("the colour map has {} breaks, and OpenGL filters at most {}", breaks,

@@ -114,4 +114,17 @@ std::vector<float> octave_shares(std::span<const TexelMap> maps,
     return shares;
 }
 
+std::vector<Vec2d> lone_terms(std::span<const TexelMap> maps, std::span<const Octave> octaves) {
+    std::vector<double> means;
+    for (const Octave& octave : octaves) means.push_back(octave_mean(octave));
+    std::vector<Vec2d> terms;
+    for (const TexelMap& map : maps)
+        for (std::size_t i = 0; i < octaves.size(); ++i) {
+            const Mat3d& linear = octaves[i].lattice_from_solid.linear;
+            const double weight = band_weight(linear * map.step_x, linear * map.step_y);
+            terms.emplace_back(weight * octaves[i].scale, (1.0 - weight) * means[i]);
+        }
+    return terms;
+}
+
 }  // namespace burl

@@ -23,4 +23,8 @@ std::vector<Vec4f> lattice_sides(std::span<const TexelMap> maps,
 std::vector<float> octave_shares(std::span<const TexelMap> maps,
                                  std::span<const OctaveGroup> groups);
 
+/// For each map of the atlas and each of the octaves, which have no stream kernel, two numbers: the
+/// scale of what the map's texels show of it, and the mean of what they do not.
+std::vector<Vec2d> lone_terms(std::span<const TexelMap> maps, std::span<const Octave> octaves);
+
 }  // namespace burl

@@ -152,10 +152,11 @@ TEST_F(GlMapFilterTest, Float32StaysNearTheHost) {
 TEST_F(GlMapFilterTest, OtherFiltersAreRefused) {
     GlSynthesis gl(*context);
     const Texture subject = texture(NoiseKind::value, Wrap::repeat);
-    for (const FilterKind kind : {FilterKind::table_mip, FilterKind::table_sat,
-                                  FilterKind::trapezoid2, FilterKind::supersample})
-        EXPECT_THAT(gl.problem(subject, filter(kind)), testing::HasSubstr("exact and trapezoid"));
-    EXPECT_EQ(gl.problem(subject, filter(FilterKind::exact)), "");
+    for (const FilterKind kind :
+         {FilterKind::table_mip, FilterKind::table_sat, FilterKind::trapezoid2})
+        EXPECT_THAT(gl.problem(subject, filter(kind)), testing::HasSubstr("exact, trapezoid"));
+    for (const FilterKind kind : {FilterKind::exact, FilterKind::supersample})
+        EXPECT_EQ(gl.problem(subject, filter(kind)), "");
     Texture striped = subject;
     for (int i = 0; i < 40; ++i)
         striped.colors.stops.push_back({0.9 + 0.001 * i, {std::uint8_t(i * 37), 0, 0}});

@@ -1,0 +1,161 @@
+#include "procedural/glsl_line_field.h"
+
+#include <fmt/format.h>
+
+namespace burl {
+
+namespace {
+
+/// `float group_sumN(StreamSite site, int shares)`: the group's octaves, numbered from `first` on.
+std::string sum_text(const FieldShape::Group& group, std::size_t number, std::size_t first,
+                     bool fading) {
+    std::string text = fmt::format(
+        "float group_sum{0}(StreamSite site{0}, int shares) {{\n"
+        "    exact float sum = 0.0;\n",
+        number);
+    for (std::size_t k = group.octaves; k-- > 0;)
+        text += fmt::format(
+            "    sum = sum + {}(weights[{}] * {});\n",
+            fading ? fmt::format("texelFetch(octave_shares, shares + {}).x * ", first + k) : "",
+            first + k, glsl_octave_noise(group, number, k, first + k));
+    return text + "    return sum;\n}\n";
+}
+
+/// What octave i, which has no stream kernel, adds to f at pI.
+std::string lone_text(std::size_t i, std::size_t count, bool fading) {
+    const std::string noise = fmt::format(
+        "real(lone_shape{0}(lone_noise{0}(lone_seeds[{0}], p{0}, lone_times[{0}])))", i);
+    if (!fading) return fmt::format("    f = f + lone_scales[{}] * {};\n", i, noise);
+    return fmt::format(
+        "    uvec4 term{0} = texelFetch(lone_terms, owner * {1} + {0});\n"
+        "    f = f + real_from_bits(term{0}.x, term{0}.y) * {2};\n"
+        "    f = f + real_from_bits(term{0}.z, term{0}.w);\n",
+        i, count, noise);
+}
+
+/// `real field_of(real q, StreamSite site0, ..., real3 p0, ..., int owner)`: f from the quadric's
+/// value, the sites in the groups' lattices and the points in those of the octaves without a
+/// stream.
+std::string field_of_text(const FieldShape& shape, bool fading) {
+    std::string sums, parameters, body;
+    std::size_t octaves = 0;
+    for (std::size_t i = 0; i < shape.groups.size(); ++i) {
+        sums += sum_text(shape.groups[i], i, octaves, fading);
+        parameters += fmt::format(", StreamSite site{}", i);
+        octaves += shape.groups[i].octaves;
+    }
+    for (std::size_t i = 0; i < shape.groups.size(); ++i)
+        body += fmt::format("    f = f + scales[{0}] * real(group_sum{0}(site{0}, owner * {1}));\n",
+                            i, octaves);
+    for (std::size_t i = 0; i < shape.lone.size(); ++i) {
+        parameters += fmt::format(", real3 p{}", i);
+        body += lone_text(i, shape.lone.size(), fading);
+    }
+    return sums + fmt::format(
+                      "real field_of(real q{}, int owner) {{\n"
+                      "    exact real f = q + constant;\n"
+                      "{}"
+                      "    return f;\n}}\n\n",
+                      parameters, body);
+}
+
+std::string uniforms_text(const FieldShape& shape) {
+    std::string text = glsl_field_uniforms(shape) +
+                       "uniform samplerBuffer octave_shares;\n"
+                       "uniform usamplerBuffer lone_terms;\n";
+    if (!shape.groups.empty())
+        text += fmt::format("uniform real3 lattices[{}];\n", 4 * shape.groups.size());
+    if (!shape.lone.empty())
+        text += fmt::format("uniform real3 lone_lattices[{}];\n", 4 * shape.lone.size());
+    return text + "\n";
+}
+
+/// The parts that a field on a texel's line stands behind, and itself.
+std::vector<GlslPart> field_parts(const FieldShape& shape, bool fading) {
+    std::vector<GlslPart> parts = glsl_noises_of(shape);
+    if (shape.groups.empty()) parts.push_back({"stream_noise.glsl"});
+    parts.push_back({"texel_line.glsl"});
+    parts.push_back({"line_field.glsl"});
+    parts.push_back({"field_of", uniforms_text(shape) + glsl_lone_functions(shape) +
+                                     field_of_text(shape, fading)});
+    return parts;
+}
+
+/// "lattices[4 i], lattices[4 i + 1], lattices[4 i + 2]".
+std::string columns(std::string_view lattices, std::size_t i) {
+    return fmt::format("{0}[{1}], {0}[{2}], {0}[{3}]", lattices, 4 * i, 4 * i + 1, 4 * i + 2);
+}
+
+/// Lines that declare loneI, the texel's line in the lattice of octave i.
+std::string lone_line_text(std::size_t i) {
+    return fmt::format("    TexelLine lone{} = in_lattice(mapped(line, {}, lone_lattices[{}]));\n",
+                       i, columns("lone_lattices", i), 4 * i + 3);
+}
+
+/// Lines that declare the texel's sites at its centre and its sides in the groups' lattices.
+std::string site_text(std::size_t i) {
+    return fmt::format(
+        "    StreamSite site{0} = StreamSite(texelFetch(map_cells[{0}], texel, 0).xyz,\n"
+        "                                  texelFetch(map_places[{0}], texel, 0).xyz);\n"
+        "    real3 u{0} = lattice_side(along({1}, line.step)),\n"
+        "          v{0} = lattice_side(along({1}, line.down));\n",
+        i, columns("lattices", i));
+}
+
+std::string mean_color_text(const FieldShape& shape) {
+    std::string before, arguments;
+    for (std::size_t i = 0; i < shape.groups.size(); ++i) {
+        before += site_text(i);
+        arguments += fmt::format(", moved(site{0}, u{0}, v{0}, offset)", i);
+    }
+    for (std::size_t i = 0; i < shape.lone.size(); ++i) {
+        before += lone_line_text(i);
+        arguments += fmt::format(", line_point(lone{}, offset)", i);
+    }
+    return fmt::format(R"(
+real3 linear_color(real f);
+
+real3 mean_color(ivec2 texel) {{
+    TexelLine line;
+    if (!texel_line(texel, line)) return linear_color(real(0.0));
+{}    exact real3 sum = real3(0.0);
+    exact real all = real(0.0);
+    for (int i = 0; i < sample_count; ++i) {{
+        real2 offset = sample_offset(i, texel + tile_origin);
+        real weight = gaussian_weight(offset);
+        real f = field_of(quadric_at(line_point(line, offset)){}, line.owner);
+        sum = sum + weight * linear_color(f);
+        all = all + weight;
+    }}
+    exact real3 mean = sum / all;
+    return mean;
+}}
+)",
+                       before, arguments);
+}
+
+}  // namespace
+
+LineUniforms line_uniforms(const FieldOctaves& octaves, const Quadric& quadric) {
+    LineUniforms uniforms;
+    const auto add = [](const Affine3& map, std::vector<Vec3d>& columns) {
+        for (int i = 0; i < 3; ++i) columns.push_back(map.linear[i]);
+        columns.push_back(map.offset);
+    };
+    for (const OctaveGroup& group : octaves.groups)
+        add(group.lattice_from_solid, uniforms.lattices);
+    for (const Octave& octave : octaves.lone)
+        add(octave.lattice_from_solid, uniforms.lone_lattices);
+    const auto& [a, b, c, d, e, f, g, h, i, j] = quadric;
+    uniforms.quadric = {a, b, c, d, e, f, g, h, i, j};
+    return uniforms;
+}
+
+std::vector<GlslPart> glsl_supersampled(const FieldShape& shape, bool fading) {
+    std::vector<GlslPart> parts = field_parts(shape, fading);
+    parts.push_back({"supersample.glsl"});
+    parts.push_back({"samples", mean_color_text(shape)});
+    return parts;
+}
+
+}  // namespace burl

@@ -1,0 +1,26 @@
+#pragma once
+// The field of a 1999 texture beside the texels' centres, as the text of shader functions with the
+// sequence of operations, and so the bits, of field_sampler.h: the lattice coordinates at the
+// centre are moved in fixed point, everything else is worked out from the line of points that the
+// texel's span shows (shaders/texel_line.glsl).
+#include <vector>
+
+#include "procedural/glsl_field.h"
+
+namespace burl {
+
+/// The values of the uniforms of the same names.
+struct LineUniforms {
+    std::vector<Vec3d> lattices;       ///< of the groups: the map's columns and offset, four each
+    std::vector<Vec3d> lone_lattices;  ///< of the octaves without a stream kernel
+    std::vector<double> quadric;       ///< a to j
+};
+LineUniforms line_uniforms(const FieldOctaves& octaves, const Quadric& quadric);
+
+/// The parts of a shader that end with `real3 mean_color(ivec2 texel)`, the weighted mean, in
+/// linear light, of the colours at the samples of supersample.glsl. `real3 linear_color(real f)`
+/// must follow. With `fading` octaves are as far as the buffers octave_shares and lone_terms
+/// (synthesize_slope_map.h) say.
+std::vector<GlslPart> glsl_supersampled(const FieldShape& shape, bool fading);
+
+}  // namespace burl

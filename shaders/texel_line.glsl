@@ -1,0 +1,47 @@
+// The span of an atlas that a texel lies in (atlas/solid_atlas.h), and the line of solid points that the span shows:
+// for shaders that look beside the texels' centres. After real_bits.glsl.
+uniform usampler2D span_map;        // procedural/synthesize_span_map.h
+uniform usamplerBuffer texel_maps;  // TexelMap as it lies in memory, five texels each
+uniform ivec2 tile_origin;          // of the target in the atlas
+
+// Texel j of the span shows start + j step, the one below it down more.
+struct TexelLine {
+    real3 start, step, down;
+    real column, count;  // the texel's own j; texels of the span
+    int owner;           // number of the triangle's map
+};
+
+// TexelMap::operator() at the span's first texel. False where no span shows anything.
+bool texel_line(ivec2 texel, out TexelLine line) {
+    uvec4 span = texelFetch(span_map, texel, 0);
+    bool shown = span.x != 0xffffffffu;
+    int owner = shown ? int(span.x) : 0, at = 5 * owner;
+    uvec4 m0 = texelFetch(texel_maps, at), m1 = texelFetch(texel_maps, at + 1), m2 = texelFetch(texel_maps, at + 2),
+          m3 = texelFetch(texel_maps, at + 3), m4 = texelFetch(texel_maps, at + 4);
+    real3 origin = real3(real_from_bits(m0.x, m0.y), real_from_bits(m0.z, m0.w), real_from_bits(m1.x, m1.y));
+    real3 step = real3(real_from_bits(m1.z, m1.w), real_from_bits(m2.x, m2.y), real_from_bits(m2.z, m2.w));
+    real3 down = real3(real_from_bits(m3.x, m3.y), real_from_bits(m3.z, m3.w), real_from_bits(m4.x, m4.y));
+    ivec2 place = texel + tile_origin;
+    real across = real(int(span.y) - int(m4.z)), up = real(place.y - int(m4.w));
+    exact real3 start = origin + across * step + up * down;
+    line = TexelLine(start, step, down, real(place.x - int(span.y)), real(int(span.z)), owner);
+    return shown;
+}
+
+// At an offset from the texel's centre, in texels.
+real3 line_point(TexelLine line, real2 offset) {
+    exact real3 point = line.start + (line.column + offset.x) * line.step + offset.y * line.down;
+    return point;
+}
+
+// A linear map's columns times v.
+real3 along(real3 x, real3 y, real3 z, real3 v) {
+    exact real3 sum = x * v.x + y * v.y + z * v.z;
+    return sum;
+}
+
+// Through an affine map, given by its columns and its offset.
+TexelLine mapped(TexelLine line, real3 x, real3 y, real3 z, real3 offset) {
+    exact real3 start = along(x, y, z, line.start) + offset;
+    return TexelLine(start, along(x, y, z, line.step), along(x, y, z, line.down), line.column, line.count, line.owner);
+}
