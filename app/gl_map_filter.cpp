@@ -7,6 +7,9 @@
 #include "app/gl_color_tables.h"
 #include "app/gl_map_upload.h"
 #include "procedural/break_distance.h"
+#include "procedural/color_mip.h"
+#include "procedural/color_sums.h"
+#include "procedural/glsl_colors.h"
 #include "procedural/srgb_kernels.h"
 #include "procedural/synthesize_pieces.h"
 #include "procedural/synthesize_slope_map.h"
@@ -19,6 +22,10 @@ GlBufferTexture distance_table(const GladGLContext& gl, const MapPieces& map) {
     const BreakDistance distances(map);
     return {gl, GL_R32F,
             std::as_bytes(std::span(distances.data(), BreakDistance::entry_count + 1))};
+}
+
+GlBufferTexture color_table(const GladGLContext& gl, std::span<const Vec3d> colors) {
+    return {gl, GL_RGBA32UI, std::as_bytes(std::span<const TableTexel>(color_texels(colors)))};
 }
 
 /// An array of at least one texel.
@@ -53,13 +60,32 @@ void GlMapFilter::forget_atlas() {
 }
 
 void GlMapFilter::set_map(const ColorMap& map, const Filter& filter) {
-    if (tables_ && map == map_ && filter == filter_) return;
+    if (std::exchange(map_known_, true) && map == map_ && filter == filter_) return;
     map_ = map;
     filter_ = filter;
+    pieces_.reset();
+    table_.reset();
+    if (tabled()) return make_table();
+    if (!has_colors() || !has_means()) return;
     const MapPieces pieces(map);
     const MapBreaks breaks(pieces);
-    tables_.emplace(Tables{filter_shape(breaks, filter.kind), filter_uniforms(breaks),
+    pieces_.emplace(Pieces{filter_shape(breaks, filter.kind), filter_uniforms(breaks),
                            distance_table(*gl_, pieces)});
+}
+
+void GlMapFilter::make_table() {
+    const Vec3d background = PreparedColorMap(map_)(0.0);
+    if (filter_.kind == FilterKind::table_mip) {
+        std::vector<Vec3d> colors;
+        const ColorMip mip(map_);
+        for (const auto& level : mip.levels())
+            colors.insert(colors.end(), level.begin(), level.end());
+        table_.emplace(Table{color_table(*gl_, colors), background});
+        return;
+    }
+    const ColorSums sums(map_, filter_.kind == FilterKind::table_sat3);
+    table_.emplace(Table{color_table(*gl_, sums.sums()), background, sums.first(),
+                         int(sums.sums().size()), sums.ends()});
 }
 
 void GlMapFilter::set_field(const FieldOctaves& octaves, const Quadric& quadric) {
@@ -103,13 +129,15 @@ std::shared_ptr<const GlTexture> GlMapFilter::slope_map(const GlTile& tile) {
 
 void GlMapFilter::add(ShaderSource& source, const FieldShape& shape) const {
     add_parts(source, glsl_field_slopes(shape, filter_.band_limit));
-    if (!has_means()) return;
-    source.add("map_filter.glsl").add("filter", glsl_map_filter(tables_->shape));
+    if (pieces_)
+        source.add("box_width.glsl")
+            .add("map_filter.glsl")
+            .add("filter", glsl_map_filter(pieces_->shape));
 }
 
 void GlMapFilter::add_field(ShaderSource& source, const FieldShape& shape) const {
     add(source, shape);
-    const char* test = has_means() ? "    if (has_break(f, slopes)) discard;\n" : "";
+    const char* test = pieces_ ? "    if (has_break(f, slopes)) discard;\n" : "";
     source.add("straight", fmt::format("real field(ivec2 texel) {{\n"
                                        "    vec2 slopes;\n"
                                        "    real f = field_and_slopes(texel, slopes);\n"
@@ -120,28 +148,54 @@ void GlMapFilter::add_field(ShaderSource& source, const FieldShape& shape) const
 }
 
 void GlMapFilter::add_means(ShaderSource& source, const FieldShape& shape) const {
-    if (filter_.kind == FilterKind::supersample)
-        return add_parts(source, glsl_supersampled(shape, filter_.band_limit));
+    if (sampled()) return add_parts(source, glsl_supersampled(shape, filter_.band_limit));
     add(source, shape);
-    source.define("COLOR_REPEATS", map_.wrap == Wrap::repeat ? "1" : "0")
-        .add("color_index.glsl")
-        .add("means", R"(
+    source.define("COLOR_REPEATS", map_.wrap == Wrap::repeat ? "1" : "0").add("color_index.glsl");
+    if (pieces_) {
+        source.add("means", R"(
 real3 mean_color(ivec2 texel) {
     vec2 slopes;
     real f = field_and_slopes(texel, slopes);
     return filtered_mean(f, slopes);
 }
 )");
+        return;
+    }
+    source.add("box_width.glsl").add("color_table.glsl");
+    if (filter_.kind == FilterKind::table_mip)
+        source.define("COLOR_MIP_FINEST", fmt::format("{}", ColorMip::finest))
+            .add("elementary.glsl")
+            .add("color_mip.glsl");
+    else
+        source.add("color_sums.glsl");
+    source.add("means", R"(
+real3 mean_color(ivec2 texel) {
+    vec2 slopes;
+    real f = field_and_slopes(texel, slopes);
+    real u = abs(real(slopes.x)), v = abs(real(slopes.y));
+    real3 mean = table_mean(f, box_width(max(u, v), min(u, v)));
+    return isnan(f) ? background : mean;
+}
+)");
 }
 
 void GlMapFilter::bind_pieces(const GlProgram& program, int unit) const {
-    tables_->distances.bind(unit);
+    pieces_->distances.bind(unit);
     program.set("break_distances", unit);
-    const FilterUniforms& uniforms = tables_->uniforms;
+    const FilterUniforms& uniforms = pieces_->uniforms;
     reals_.set(program, "map_base", std::span(&uniforms.map_base, 1));
     reals_.set(program, "break_jumps", uniforms.break_jumps);
     reals_.set(program, "break_kinks", uniforms.break_kinks);
     reals_.set(program, "break_positions", uniforms.break_positions);
+}
+
+void GlMapFilter::bind_table(const GlProgram& program, int unit) const {
+    table_->colors.bind(unit);
+    program.set("color_table", unit);
+    program.set("sums_count", table_->count);
+    reals_.set(program, "background", std::span(&table_->background, 1));
+    reals_.set(program, "sums_first", std::span(&table_->first, 1));
+    reals_.set(program, "sums_ends", table_->ends);
 }
 
 void GlMapFilter::bind_lines(const GlProgram& program, int first_unit) const {
@@ -153,8 +207,8 @@ void GlMapFilter::bind_lines(const GlProgram& program, int first_unit) const {
 }
 
 void GlMapFilter::bind(const GlProgram& program, int first_unit) const {
-    const auto bind_table = [&](const char* name, const GlBufferTexture& table, int unit) {
-        table.bind(unit);
+    const auto set = [&](const char* name, const GlBufferTexture& buffer, int unit) {
+        buffer.bind(unit);
         program.set(name, unit);
     };
     if (has_lines()) {
@@ -162,10 +216,11 @@ void GlMapFilter::bind(const GlProgram& program, int first_unit) const {
     } else {
         bind_texture(*gl_, first_unit, *slopes_);
         program.set("slope_map", first_unit);
-        bind_table("lattice_sides", *sides_, first_unit + 1);
+        set("lattice_sides", *sides_, first_unit + 1);
     }
-    bind_table("srgb8_buckets", srgb8_, first_unit + 2);
-    bind_pieces(program, first_unit + 3);
+    set("srgb8_buckets", srgb8_, first_unit + 2);
+    if (pieces_) bind_pieces(program, first_unit + 3);
+    if (table_) bind_table(program, first_unit + 3);
     // Samplers of different kinds must name different units, whether they are read or not.
     program.set("octave_shares", first_unit + 4);
     program.set("lone_terms", first_unit + 5);

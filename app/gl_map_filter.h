@@ -3,6 +3,7 @@
 // glsl_line_field.h. Of the exact filters most texels of a smooth texture need none, and llvmpipe
 // runs both sides of a branch; so a first draw colours the texels whose footprint holds no break of
 // the map and marks them by their depth, and a second one averages over the others alone.
+#include <array>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -38,10 +39,10 @@ class GlMapFilter {
 
     /// Whether there is a draw of colours at the texels' centres, and one of means: with both the
     /// first leaves texels to the second.
-    bool has_colors() const { return filter_.kind != FilterKind::supersample; }
+    bool has_colors() const { return !sampled() && !tabled(); }
     bool has_means() const { return filter_.kind != FilterKind::none; }
     /// Whether the second one reads `real3 linear_color(real f)`.
-    bool means_read_colors() const { return filter_.kind == FilterKind::supersample; }
+    bool means_read_colors() const { return sampled(); }
     /// For the first draw: `real field(ivec2 texel)` that discards where a break lies in the
     /// footprint of a filter that has means. The colours' parts follow.
     void add_field(ShaderSource& source, const FieldShape& shape) const;
@@ -53,10 +54,19 @@ class GlMapFilter {
               const GlProgram& bent);
 
   private:
-    struct Tables {
+    /// Of the exact filters.
+    struct Pieces {
         FilterShape shape;
         FilterUniforms uniforms;
         GlBufferTexture distances;
+    };
+    /// Of the 1999 paper's.
+    struct Table {
+        GlBufferTexture colors;
+        Vec3d background{0.0};
+        double first = 0.0;  ///< and the rest: color_sums.glsl
+        int count = 0;
+        std::array<Vec3d, 2> ends{};
     };
     struct SlopeMap {
         Quadric quadric;
@@ -64,9 +74,17 @@ class GlMapFilter {
         std::shared_ptr<const GlTexture> texture;
     };
     void add(ShaderSource& source, const FieldShape& shape) const;
-    bool has_lines() const { return filter_.kind == FilterKind::supersample; }
+    bool sampled() const { return filter_.kind == FilterKind::supersample; }
+    bool tabled() const {
+        return filter_.kind == FilterKind::table_mip || filter_.kind == FilterKind::table_sat ||
+               filter_.kind == FilterKind::table_sat3;
+    }
+    /// Whether fields are evaluated beside the texels' centres; else with their slopes.
+    bool has_lines() const { return sampled(); }
+    void make_table();
     std::shared_ptr<const GlTexture> slope_map(const GlTile& tile);
     void bind_pieces(const GlProgram& program, int unit) const;
+    void bind_table(const GlProgram& program, int unit) const;
     void bind_lines(const GlProgram& program, int first_unit) const;
 
     const GladGLContext* gl_;
@@ -85,7 +103,9 @@ class GlMapFilter {
     std::optional<GlBufferTexture> sides_, shares_, lone_terms_;
     ColorMap map_;
     Filter filter_;
-    std::optional<Tables> tables_;
+    bool map_known_ = false;
+    std::optional<Pieces> pieces_;
+    std::optional<Table> table_;
     GlBufferTexture srgb8_;
     GlRenderbuffer depth_;
     GlSize depth_size_{0};

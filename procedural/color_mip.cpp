@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "procedural/binary_log.h"
 #include "procedural/color_table.h"
 #include "procedural/map_filter.h"
 
@@ -38,7 +39,7 @@ Vec3d ColorMip::at_level(int level, double index) const {
 
 Vec3d ColorMip::operator()(double f, double width) const {
     const double index = map_index(wrap_, f);
-    const double level = std::log2(std::max(std::ldexp(width, finest), 1.0));
+    const double level = binary_log(std::max(std::ldexp(width, finest), 1.0));
     if (!(level < finest)) return levels_.back()[0];
     const int i = int(level);
     const Vec3d fine = at_level(i, index);

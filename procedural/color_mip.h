@@ -20,11 +20,14 @@ class ColorMip {
     /// f / 2^i.) A footprint beyond an end of a `clamp` map counts as lying at the end.
     Vec3d operator()(double f, double width) const;
 
+    /// 2^finest, ..., 1 entries; entry i from i to i + 1.
+    const std::vector<std::vector<Vec3d>>& levels() const { return levels_; }
+
   private:
     Vec3d at_level(int level, double index) const;
 
     Wrap wrap_;
-    std::vector<std::vector<Vec3d>> levels_;  ///< 2^finest, ..., 1 entries; entry i from i to i + 1
+    std::vector<std::vector<Vec3d>> levels_;
 };
 
 }  // namespace burl

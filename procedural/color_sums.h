@@ -3,6 +3,7 @@
 // map, two look-ups per mean. Kept for comparison with the exact filter. The paper's formulas for
 // the table's ends count one entry too many (eq. 15 and below): here a sum up to x is that of
 // [0, x), so that a constant map stays constant for every f and width.
+#include <array>
 #include <vector>
 
 #include "atlas/vec.h"
@@ -23,14 +24,20 @@ class ColorSums {
     /// that the footprint spans.
     Vec3d operator()(double f, double width) const;
 
+    /// Of all entries before first() + i, from entry 0 on.
+    const std::vector<Vec3d>& sums() const { return sums_; }
+    double first() const { return first_; }
+    /// Entries before 0 and from N on with `clamp`.
+    std::array<Vec3d, 2> ends() const { return {low_, high_}; }
+
   private:
     Vec3d stored(double x) const;
     Vec3d sum_to(double x) const;
 
     Wrap wrap_;
-    double first_ = 0.0;          ///< sums_[0] is the sum up to here, in entries
-    std::vector<Vec3d> sums_;     ///< of all entries before first_ + i, from entry 0 on
-    Vec3d low_{0.0}, high_{0.0};  ///< entries before 0 and from N on with `clamp`
+    double first_ = 0.0;  ///< sums_[0] is the sum up to here, in entries
+    std::vector<Vec3d> sums_;
+    Vec3d low_{0.0}, high_{0.0};
 };
 
 }  // namespace burl

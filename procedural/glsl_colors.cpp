@@ -68,6 +68,15 @@ std::vector<TableTexel> color_segments(const PreparedColorMap& map) {
     return texels;
 }
 
+std::vector<TableTexel> color_texels(std::span<const Vec3d> colors) {
+    std::vector<TableTexel> texels;
+    for (const Vec3d& color : colors) {
+        texels.push_back(two(color.x, color.y));
+        texels.push_back(two(color.z, 0.0));
+    }
+    return texels;
+}
+
 SrgbThresholds srgb_thresholds() {
     const SrgbEncoder<std::uint16_t> encode;
     SrgbThresholds result;

@@ -31,6 +31,9 @@ ColorSteps color_steps(const ColorTable8& table);
 /// the colour's slope, x, y and z; 0 at the end.
 std::vector<TableTexel> color_segments(const PreparedColorMap& map);
 
+/// For color_table.glsl: two texels a colour, x, y and z; 0.
+std::vector<TableTexel> color_texels(std::span<const Vec3d> colors);
+
 /// For srgb16.glsl.
 struct SrgbThresholds {
     static constexpr std::uint32_t buckets = 1u << 16;

@@ -83,16 +83,15 @@ std::string no_filter_shader(const Filter& filter, const FieldShape& shape,
         case FilterKind::none:
             if (!filter.band_limit) return "";
             break;
-        case FilterKind::exact:
-        case FilterKind::trapezoid:
-            break;
+        case FilterKind::trapezoid2:
+            return "OpenGL has every filter but trapezoid2";
         default:
-            return "of the filters OpenGL has none, exact, trapezoid and supersample only";
+            break;
     }
     if (!shape.lone.empty())
         return "but for supersample OpenGL filters value, perlin and simplex noise without a "
                "period, a time and a shape only";
-    if (filter.kind == FilterKind::none) return "";
+    if (filter.kind != FilterKind::exact && filter.kind != FilterKind::trapezoid) return "";
     const std::size_t breaks = MapPieces(colors).breaks().size();
     if (breaks <= most_shader_breaks) return "";
     return fmt::format("the colour map has {} breaks, and OpenGL filters at most {}", breaks,

@@ -1,7 +1,7 @@
 // The colour map's mean over a footprint, in linear light, from what the map's breaks do: the
 // closed forms of procedural/map_filter_kernels.cpp in their sequence of operations. A break's
-// shares are (jump, kink): its jump and its kink times these are added up. After color_index.glsl,
-// whose COLOR_REPEATS chooses the basis.
+// shares are (jump, kink): its jump and its kink times these are added up. After box_width.glsl;
+// COLOR_REPEATS (color_index.glsl) chooses the basis.
 
 // Antiderivatives of a unit jump and a unit kink at `position`, up to what differences take out.
 #if COLOR_REPEATS
@@ -132,9 +132,7 @@ Footprint footprint_of(real f, vec2 slopes, bool both_axes) {
     exact real total = f + wide + narrow;
     if (isnan(total) || isinf(total)) wide = narrow = real(0.0);
     if (both_axes) return Footprint(f, wide, narrow);
-    exact real ratio = narrow / wide;
-    exact real box = wide * sqrt(real(1.0) + ratio * ratio);
-    return Footprint(f, wide > real(0.0) ? box : real(0.0), real(0.0));
+    return Footprint(f, box_width(wide, narrow), real(0.0));
 }
 
 // 1 narrow, 2 box, 3 trapezoid. In float32 differences of broad forms cancel more.
