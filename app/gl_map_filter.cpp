@@ -128,7 +128,8 @@ std::shared_ptr<const GlTexture> GlMapFilter::slope_map(const GlTile& tile) {
 }
 
 void GlMapFilter::add(ShaderSource& source, const FieldShape& shape) const {
-    add_parts(source, glsl_field_slopes(shape, filter_.band_limit));
+    add_parts(source, has_lines() ? glsl_field_corners(shape, filter_.band_limit)
+                                  : glsl_field_slopes(shape, filter_.band_limit));
     if (pieces_)
         source.add("box_width.glsl")
             .add("map_filter.glsl")
@@ -202,6 +203,7 @@ void GlMapFilter::bind_lines(const GlProgram& program, int first_unit) const {
     lines_.bind(program, first_unit);
     reals_.set(program, "lattices", line_uniforms_.lattices);
     reals_.set(program, "lone_lattices", line_uniforms_.lone_lattices);
+    reals_.set(program, "lattice_limits", line_uniforms_.lattice_limits);
     reals_.set(program, "quadric", line_uniforms_.quadric);
     bind_pattern(program, SamplePattern(filter_.samples));
 }

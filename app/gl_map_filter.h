@@ -80,7 +80,7 @@ class GlMapFilter {
                filter_.kind == FilterKind::table_sat3;
     }
     /// Whether fields are evaluated beside the texels' centres; else with their slopes.
-    bool has_lines() const { return sampled(); }
+    bool has_lines() const { return sampled() || filter_.kind == FilterKind::trapezoid2; }
     void make_table();
     std::shared_ptr<const GlTexture> slope_map(const GlTile& tile);
     void bind_pieces(const GlProgram& program, int unit) const;

@@ -73,25 +73,22 @@ std::string mean_text(const FilterShape& shape, std::string_view name) {
                       name);
 }
 
+bool is_exact(FilterKind kind) {
+    return kind == FilterKind::exact || kind == FilterKind::trapezoid ||
+           kind == FilterKind::trapezoid2;
+}
+
 }  // namespace
 
 std::string no_filter_shader(const Filter& filter, const FieldShape& shape,
                              const ColorMap& colors) {
-    switch (filter.kind) {
-        case FilterKind::supersample:
-            return "";
-        case FilterKind::none:
-            if (!filter.band_limit) return "";
-            break;
-        case FilterKind::trapezoid2:
-            return "OpenGL has every filter but trapezoid2";
-        default:
-            break;
-    }
-    if (!shape.lone.empty())
-        return "but for supersample OpenGL filters value, perlin and simplex noise without a "
-               "period, a time and a shape only";
-    if (filter.kind != FilterKind::exact && filter.kind != FilterKind::trapezoid) return "";
+    const bool at_points =
+        filter.kind == FilterKind::supersample || filter.kind == FilterKind::trapezoid2;
+    const bool plain = filter.kind == FilterKind::none && !filter.band_limit;
+    if (!shape.lone.empty() && !at_points && !plain)
+        return "but for supersample and trapezoid2 OpenGL filters value, perlin and simplex noise "
+               "without a period, a time and a shape only";
+    if (!is_exact(filter.kind)) return "";
     const std::size_t breaks = MapPieces(colors).breaks().size();
     if (breaks <= most_shader_breaks) return "";
     return fmt::format("the colour map has {} breaks, and OpenGL filters at most {}", breaks,

@@ -1,6 +1,10 @@
 #include "procedural/glsl_line_field.h"
 
+#include <cmath>
+
 #include <fmt/format.h>
+
+#include "procedural/lattice_site.h"
 
 namespace burl {
 
@@ -64,7 +68,10 @@ std::string uniforms_text(const FieldShape& shape) {
                        "uniform samplerBuffer octave_shares;\n"
                        "uniform usamplerBuffer lone_terms;\n";
     if (!shape.groups.empty())
-        text += fmt::format("uniform real3 lattices[{}];\n", 4 * shape.groups.size());
+        text += fmt::format(
+            "uniform real3 lattices[{}];\n"
+            "uniform real lattice_limits[{}];\n",
+            4 * shape.groups.size(), 2 * shape.groups.size());
     if (!shape.lone.empty())
         text += fmt::format("uniform real3 lone_lattices[{}];\n", 4 * shape.lone.size());
     return text + "\n";
@@ -92,11 +99,17 @@ std::string lone_line_text(std::size_t i) {
                        i, columns("lone_lattices", i), 4 * i + 3);
 }
 
-/// Lines that declare the texel's sites at its centre and its sides in the groups' lattices.
+/// Lines that declare the texel's site at its centre in a group's lattice.
 std::string site_text(std::size_t i) {
     return fmt::format(
         "    StreamSite site{0} = StreamSite(texelFetch(map_cells[{0}], texel, 0).xyz,\n"
-        "                                  texelFetch(map_places[{0}], texel, 0).xyz);\n"
+        "                                  texelFetch(map_places[{0}], texel, 0).xyz);\n",
+        i);
+}
+
+/// Lines that declare its sides there.
+std::string side_text(std::size_t i) {
+    return fmt::format(
         "    real3 u{0} = lattice_side(along({1}, line.step)),\n"
         "          v{0} = lattice_side(along({1}, line.down));\n",
         i, columns("lattices", i));
@@ -105,7 +118,7 @@ std::string site_text(std::size_t i) {
 std::string mean_color_text(const FieldShape& shape) {
     std::string before, arguments;
     for (std::size_t i = 0; i < shape.groups.size(); ++i) {
-        before += site_text(i);
+        before += site_text(i) + side_text(i);
         arguments += fmt::format(", moved(site{0}, u{0}, v{0}, offset)", i);
     }
     for (std::size_t i = 0; i < shape.lone.size(); ++i) {
@@ -134,6 +147,58 @@ real3 mean_color(ivec2 texel) {{
                        before, arguments);
 }
 
+/// `real field_on(TexelLine line, real x)`, f at texel x of a row of corners.
+std::string corner_text(const FieldShape& shape) {
+    std::string before, arguments;
+    for (std::size_t i = 0; i < shape.groups.size(); ++i) {
+        before += fmt::format(
+            "    StreamSite site{0} = stream_site(mapped(line, {1}, lattices[{2}]), x,\n"
+            "        real2(lattice_limits[{3}], lattice_limits[{4}]));\n",
+            i, columns("lattices", i), 4 * i + 3, 2 * i, 2 * i + 1);
+        arguments += fmt::format(", site{}", i);
+    }
+    for (std::size_t i = 0; i < shape.lone.size(); ++i) {
+        before += lone_line_text(i);
+        arguments += fmt::format(", point_on(lone{}, x)", i);
+    }
+    return fmt::format(
+        "real field_on(TexelLine line, real x) {{\n"
+        "{}"
+        "    return field_of(parabola_at(line.start, line.step, x){}, line.owner);\n"
+        "}}\n\n",
+        before, arguments);
+}
+
+std::string corner_slopes_text(const FieldShape& shape) {
+    std::string before, arguments;
+    for (std::size_t i = 0; i < shape.groups.size(); ++i) {
+        before += site_text(i);
+        arguments += fmt::format(", site{}", i);
+    }
+    for (std::size_t i = 0; i < shape.lone.size(); ++i) {
+        before += lone_line_text(i);
+        arguments += fmt::format(", point_on(lone{}, line.column)", i);
+    }
+    return fmt::format(R"(
+real field_and_slopes(ivec2 texel, out vec2 slopes) {{
+    real q = real_from_bits(texelFetch(map_places[0], texel, 0).w, texelFetch(map_cells[0], texel, 0).w);
+    TexelLine line;
+    slopes = vec2(0.0);
+    if (!texel_line(texel, line)) return q;
+{}    real f = field_of(q{}, line.owner);
+    real4 at = real4(0.0);
+    for (int i = 0; i < 4; ++i)
+        at[i] = field_on(corner_line(line, real(i < 2 ? -0.5 : 0.5)), line.column + real(i & 1));
+    exact real more = (at.x - f) + (at.y - f) + (at.z - f) + (at.w - f);
+    exact real mean = f + (real(0.25) * more) / real(3.0);
+    exact real u = real(0.5) * ((at.y - at.x) + (at.w - at.z)), v = real(0.5) * ((at.z - at.x) + (at.w - at.y));
+    slopes = vec2(u, v);
+    return mean;
+}}
+)",
+                       before, arguments);
+}
+
 }  // namespace
 
 LineUniforms line_uniforms(const FieldOctaves& octaves, const Quadric& quadric) {
@@ -142,8 +207,11 @@ LineUniforms line_uniforms(const FieldOctaves& octaves, const Quadric& quadric) 
         for (int i = 0; i < 3; ++i) columns.push_back(map.linear[i]);
         columns.push_back(map.offset);
     };
-    for (const OctaveGroup& group : octaves.groups)
+    for (const OctaveGroup& group : octaves.groups) {
         add(group.lattice_from_solid, uniforms.lattices);
+        uniforms.lattice_limits.push_back(std::ldexp(lattice_limit, -group.finest()));
+        uniforms.lattice_limits.push_back(group.period());
+    }
     for (const Octave& octave : octaves.lone)
         add(octave.lattice_from_solid, uniforms.lone_lattices);
     const auto& [a, b, c, d, e, f, g, h, i, j] = quadric;
@@ -155,6 +223,12 @@ std::vector<GlslPart> glsl_supersampled(const FieldShape& shape, bool fading) {
     std::vector<GlslPart> parts = field_parts(shape, fading);
     parts.push_back({"supersample.glsl"});
     parts.push_back({"samples", mean_color_text(shape)});
+    return parts;
+}
+
+std::vector<GlslPart> glsl_field_corners(const FieldShape& shape, bool fading) {
+    std::vector<GlslPart> parts = field_parts(shape, fading);
+    parts.push_back({"corners", corner_text(shape) + corner_slopes_text(shape)});
     return parts;
 }
 

@@ -11,9 +11,10 @@ namespace burl {
 
 /// The values of the uniforms of the same names.
 struct LineUniforms {
-    std::vector<Vec3d> lattices;       ///< of the groups: the map's columns and offset, four each
-    std::vector<Vec3d> lone_lattices;  ///< of the octaves without a stream kernel
-    std::vector<double> quadric;       ///< a to j
+    std::vector<Vec3d> lattices;         ///< of the groups: the map's columns and offset, four each
+    std::vector<Vec3d> lone_lattices;    ///< of the octaves without a stream kernel
+    std::vector<double> lattice_limits;  ///< of the groups: the largest coordinate, the period
+    std::vector<double> quadric;         ///< a to j
 };
 LineUniforms line_uniforms(const FieldOctaves& octaves, const Quadric& quadric);
 
@@ -22,5 +23,10 @@ LineUniforms line_uniforms(const FieldOctaves& octaves, const Quadric& quadric);
 /// must follow. With `fading` octaves are as far as the buffers octave_shares and lone_terms
 /// (synthesize_slope_map.h) say.
 std::vector<GlslPart> glsl_supersampled(const FieldShape& shape, bool fading);
+
+/// The parts of a shader that end with `real field_and_slopes(ivec2 texel, out vec2 slopes)`, the
+/// field's mean over the texel and its changes along the texel's sides, from its values at centre
+/// and corners (corner_samples.h).
+std::vector<GlslPart> glsl_field_corners(const FieldShape& shape, bool fading);
 
 }  // namespace burl

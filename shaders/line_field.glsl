@@ -57,3 +57,78 @@ StreamSite moved(StreamSite site, real3 u, real3 v, real2 offset) {
     exact real3 by = offset.x * u + offset.y * v;
     return moved(site, by);
 }
+
+real dot_product(real3 a, real3 b) {
+    exact real sum = a.x * b.x + a.y * b.y + a.z * b.z;
+    return sum;
+}
+
+// The quadric's matrix times v.
+real3 curved(real3 v) {
+    exact real3 product = real3(quadric[0] * v.x + quadric[1] * v.y + quadric[2] * v.z,
+                                quadric[1] * v.x + quadric[4] * v.y + quadric[5] * v.z,
+                                quadric[2] * v.x + quadric[5] * v.y + quadric[7] * v.z);
+    return product;
+}
+
+// The quadric at start + x step as procedural/quadric_kernel.cpp has it: a parabola.
+real parabola_at(real3 start, real3 step, real x) {
+    real3 half_gradient = curved(start), linear = real3(quadric[3], quadric[6], quadric[8]);
+    exact real3 twice = half_gradient + real(2.0) * linear, once = half_gradient + linear;
+    exact real value = dot_product(twice, start) + quadric[9];
+    exact real slope = real(2.0) * dot_product(once, step);
+    real turn = dot_product(curved(step), step);
+    exact real q = value + x * (slope + x * turn);
+    return q;
+}
+
+#if REAL_IS_DOUBLE
+// Cell and place of a coordinate out of reach of fixed point, as FillHardLine of procedural/stream_kernels.cpp.
+uvec2 split(double x, double period) {
+    double cell = floor(x);
+    exact double wrapped = cell;
+    if (period > 0.0lf) wrapped = cell - period * floor(cell / period);
+    exact double place = floor((x - cell) * 4294967296.0lf);  // 2^32 where x - cell rounds to 1
+    exact double shifted_place = place + 4503599627370496.0lf;
+    return uvec2(low_bits(wrapped) + (place >= 4294967296.0lf ? 1u : 0u), unpackDouble2x32(shifted_place).x);
+}
+#endif
+
+// Texel x of a line that is `count` texels long and mapped to a lattice, as fill_stream has it. `limits`: beyond the
+// first the line stays at 0; the second is the period of the cells, 0 being 2^32.
+StreamSite stream_site(TexelLine line, real x, real2 limits) {
+#if REAL_IS_DOUBLE
+    exact dvec3 extent = line.count * abs(line.step), reach = abs(line.start) + extent;
+    bvec3 near = lessThan(reach, dvec3(limits.x));
+    bool hard = !(all(near) && all(lessThan(extent, dvec3(262144.0lf))));  // 2^18
+    uvec3 cell, place;
+    for (int axis = 0; axis < 3; ++axis) {
+        double start = line.start[axis];
+        exact double at = near[axis] ? start + x * line.step[axis] : 0.0lf;
+        uvec2 far = split(at, limits.y);
+        if (limits.y > 0.0lf) {
+            exact double periods = (start * (1.0lf / limits.y) + 6755399441055744.0lf) - 6755399441055744.0lf;
+            exact double wrapped = start - periods * limits.y;
+            start = wrapped;
+        }
+        exact double shifted = start + 6755399441055744.0lf;  // 1.5 2^52
+        exact double from = (start - (shifted - 6755399441055744.0lf)) + 1572864.0lf;  // 1.5 2^20
+        exact double fixed_point_sum = from + x * line.step[axis];
+        uvec2 bits = unpackDouble2x32(fixed_point_sum);
+        cell[axis] = hard ? far.x : unpackDouble2x32(shifted).x + bits.y - 0x41380000u;
+        place[axis] = hard ? far.y : bits.x;
+    }
+    return StreamSite(cell, place);
+#else
+    vec3 at = line.start + x * line.step;
+    uvec2 on_x = fixed_point(at.x), on_y = fixed_point(at.y), on_z = fixed_point(at.z);
+    return StreamSite(uvec3(on_x.x, on_y.x, on_z.x), uvec3(on_x.y, on_y.y, on_z.y));
+#endif
+}
+
+// The row of a texel's corners `side` rows below its centre: one longer than the span, from half a step before it on
+// (procedural/corner_samples.cpp).
+TexelLine corner_line(TexelLine line, real side) {
+    exact real3 start = line.start - real(0.5) * line.step + side * line.down;
+    return TexelLine(start, line.step, line.down, line.column, line.count + real(1.0), line.owner);
+}

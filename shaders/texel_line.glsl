@@ -34,6 +34,12 @@ real3 line_point(TexelLine line, real2 offset) {
     return point;
 }
 
+// Of texel x of the line, which need not be a whole number.
+real3 point_on(TexelLine line, real x) {
+    exact real3 point = line.start + x * line.step;
+    return point;
+}
+
 // A linear map's columns times v.
 real3 along(real3 x, real3 y, real3 z, real3 v) {
     exact real3 sum = x * v.x + y * v.y + z * v.z;

@@ -163,11 +163,9 @@ TEST_F(GlMapFilterTest, Float32StaysNearTheHost) {
     EXPECT_EQ(far, 0u);
 }
 
-TEST_F(GlMapFilterTest, OtherFiltersAreRefused) {
+TEST_F(GlMapFilterTest, MoreBreaksAndLoneOctavesAreRefused) {
     GlSynthesis gl(*context);
     const Texture subject = texture(NoiseKind::value, Wrap::repeat);
-    EXPECT_THAT(gl.problem(subject, filter(FilterKind::trapezoid2)),
-                testing::HasSubstr("but trapezoid2"));
     Texture striped = subject;
     for (int i = 0; i < 40; ++i)
         striped.colors.stops.push_back({0.9 + 0.001 * i, {std::uint8_t(i * 37), 0, 0}});

@@ -1,4 +1,5 @@
-// Supersampling through OpenGL against the host's, byte by byte.
+// Filters that look beside the texels' centres, supersampling and trapezoid2, through OpenGL
+// against the host's, byte by byte.
 #include <gtest/gtest.h>
 
 #include "app/gl_graph.h"
@@ -12,7 +13,7 @@
 namespace burl {
 namespace {
 
-using GlSupersampleTest = GlTest;
+using GlLineFieldTest = GlTest;
 
 const Affine3 somewhere{Mat3d(1.7), Vec3d(0.3, -0.2, 0.1)};
 
@@ -20,6 +21,13 @@ Filter samples(int count) {
     Filter filter;
     filter.kind = FilterKind::supersample;
     filter.samples = count;
+    return filter;
+}
+
+Filter corners(bool band_limit = false) {
+    Filter filter;
+    filter.kind = FilterKind::trapezoid2;
+    filter.band_limit = band_limit;
     return filter;
 }
 
@@ -64,37 +72,56 @@ Texture texture_of(std::vector<NoiseTerm> terms) {
 
 const SyntheticAtlas coarse{64, 16, 0.4, 0.03};
 
-TEST_F(GlSupersampleTest, StreamedNoisesHaveTheHostsBytes) {
+/// Of all kinds that have a stream kernel.
+Texture streamed_texture() {
+    return texture_of({term_of(NoiseKind::value, 2), term_of(NoiseKind::perlin, 1),
+                       term_of(NoiseKind::simplex, 1)});
+}
+
+TEST_F(GlLineFieldTest, SupersampledTexturesHaveTheHostsBytes) {
     GlSynthesis gl(*context);
     const SolidAtlas solid = coarse.make(3);
-    const Texture texture = texture_of({term_of(NoiseKind::value, 3), term_of(NoiseKind::perlin, 2),
-                                        term_of(NoiseKind::simplex, 2)});
-    expect_equal<Rgb8>(gl, solid, texture, samples(4));
-    expect_equal<Rgb16>(gl, solid, texture, samples(6));
-    expect_equal<RgbF>(gl, solid, texture, samples(5));
+    expect_equal<Rgb8>(gl, solid, streamed_texture(), samples(4));
+    expect_equal<Rgb16>(gl, solid, streamed_texture(), samples(6));
+    expect_equal<RgbF>(gl, solid, streamed_texture(), samples(5));
     EXPECT_EQ(gl.work().passes, 1);
 }
 
-TEST_F(GlSupersampleTest, OctavesWithoutAStreamHaveTheHostsBytes) {
-    NoiseTerm ridged = term_of(NoiseKind::perlin, 2), worley = term_of(NoiseKind::worley, 1);
+TEST_F(GlLineFieldTest, TexturesByCornersHaveTheHostsBytes) {
+    GlSynthesis gl(*context);
+    expect_equal<RgbF>(gl, coarse.make(3), streamed_texture(), corners());
+    EXPECT_EQ(gl.work().passes, 2);
+}
+
+TEST_F(GlLineFieldTest, OctavesWithoutAStreamHaveTheHostsBytes) {
+    NoiseTerm ridged = term_of(NoiseKind::perlin, 1), worley = term_of(NoiseKind::worley, 1);
     ridged.shape = OctaveShape::ridged;
     worley.range = NoiseRange::unit;
     GlSynthesis gl(*context);
     const SolidAtlas solid = coarse.make(5);
     expect_equal<RgbF>(gl, solid, texture_of({ridged, worley}), samples(4));
-    expect_equal<RgbF>(gl, solid, texture_of({worley, term_of(NoiseKind::value, 2)}), samples(3));
+    expect_equal<RgbF>(gl, solid, texture_of({worley, term_of(NoiseKind::value, 1)}), samples(3));
     expect_equal<RgbF>(gl, solid, texture_of({}), samples(3));
+    expect_equal<RgbF>(gl, solid, texture_of({}), corners());
 }
 
-TEST_F(GlSupersampleTest, FadingOctavesHaveTheHostsBytes) {
-    NoiseTerm ridged = term_of(NoiseKind::perlin, 3);
+TEST_F(GlLineFieldTest, CornersOfOctavesWithoutAStreamHaveTheHostsBytes) {
+    NoiseTerm ridged = term_of(NoiseKind::perlin, 1), worley = term_of(NoiseKind::worley, 1);
+    ridged.shape = OctaveShape::ridged;
+    GlSynthesis gl(*context);
+    expect_equal<RgbF>(gl, coarse.make(5), texture_of({ridged, worley}), corners());
+}
+
+TEST_F(GlLineFieldTest, FadingOctavesHaveTheHostsBytes) {
+    NoiseTerm ridged = term_of(NoiseKind::perlin, 2);
     ridged.shape = OctaveShape::ridged;
     Filter fading = samples(4);
     fading.band_limit = true;
-    const Texture texture = texture_of({term_of(NoiseKind::value, 3), ridged});
+    const Texture texture = texture_of({term_of(NoiseKind::value, 2), ridged});
     GlSynthesis gl(*context);
     const SolidAtlas solid = coarse.make(6);
     expect_equal<RgbF>(gl, solid, texture, fading);
+    expect_equal<RgbF>(gl, solid, texture, corners(true));
     EXPECT_GT(
         differing(on_host<RgbF>(solid, texture, samples(4)), on_host<RgbF>(solid, texture, fading)),
         1000u)
@@ -102,17 +129,19 @@ TEST_F(GlSupersampleTest, FadingOctavesHaveTheHostsBytes) {
 }
 
 /// Far lines, and such as cross more cells than fixed point has.
-TEST_F(GlSupersampleTest, FarAndFastLinesHaveTheHostsBytes) {
+TEST_F(GlLineFieldTest, FarAndFastLinesHaveTheHostsBytes) {
     GlSynthesis gl(*context);
     Texture texture = texture_of({term_of(NoiseKind::value, 2)});
     const SolidAtlas fast = SyntheticAtlas{64, 16, 1e5, 3e4}.make(9),
                      far = SyntheticAtlas{64, 16, 1e9, 0.03}.make(8);
     expect_equal<RgbF>(gl, fast, texture, samples(4));
+    expect_equal<RgbF>(gl, fast, texture, corners());
     texture.quadric = {};
     expect_equal<RgbF>(gl, far, texture, samples(4));
+    expect_equal<RgbF>(gl, far, texture, corners());
 }
 
-TEST_F(GlSupersampleTest, TilesAndEditsLeaveNoTrace) {
+TEST_F(GlLineFieldTest, TilesAndEditsLeaveNoTrace) {
     GlSynthesisLimits limits;
     limits.tile = 24;
     limits.map_budget = 0;
@@ -126,7 +155,7 @@ TEST_F(GlSupersampleTest, TilesAndEditsLeaveNoTrace) {
     EXPECT_EQ(gl.work().compile, 0.0);
 }
 
-TEST_F(GlSupersampleTest, Float32StaysNearTheHost) {
+TEST_F(GlLineFieldTest, Float32StaysNearTheHost) {
     GlSynthesisLimits limits;
     limits.float64 = false;
     GlSynthesis gl(*context, limits);
@@ -164,7 +193,7 @@ void expect_equal(GlGraphSynthesis& gl, const SolidAtlas& solid, std::string_vie
         << json << ": nothing to filter";
 }
 
-TEST_F(GlSupersampleTest, GraphsHaveTheHostsBytes) {
+TEST_F(GlLineFieldTest, GraphsHaveTheHostsBytes) {
     GlSynthesisLimits limits;
     limits.tile = 40;
     GlGraphSynthesis gl(*context, limits);
