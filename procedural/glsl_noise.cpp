@@ -74,6 +74,28 @@ std::vector<GlslPart> parts_of(NoiseKind kind) {
     return {};
 }
 
+/// What stands behind parts_of and noise_gradient.glsl.
+std::vector<GlslPart> gradient_parts_of(NoiseKind kind) {
+    switch (kind) {
+        case NoiseKind::value:
+            return {{"noise_value_gradient.glsl"}};
+        case NoiseKind::perlin:
+            return {{"noise_perlin_gradient.glsl"}};
+        case NoiseKind::perlin2002:
+            return {{"noise_perlin_gradient.glsl"}, {"noise_perlin2002_gradient.glsl"}};
+        case NoiseKind::perlin1985:
+            return {{"noise_perlin1985_gradient.glsl"}};
+        case NoiseKind::simplex:
+            return {{"noise_simplex_gradient.glsl"}};
+        case NoiseKind::worley:
+            return {{"noise_worley_gradient.glsl"}};
+        case NoiseKind::cell:
+        case NoiseKind::white:
+            return {};
+    }
+    return {};
+}
+
 std::string_view fade_name(Fade fade) {
     return fade == Fade::linear   ? "linear_fade"
            : fade == Fade::smooth ? "smooth_fade"
@@ -86,37 +108,60 @@ std::string_view feature_name(WorleyFeature feature) {
                                           : "worley_f2_f1";
 }
 
+/// What a function gives: a float, or a vec4 of the noise and its gradient.
+struct Form {
+    std::string_view type, suffix;
+    bool sloped = false;
+};
+constexpr Form value_form{"float", "noise"}, sample_form{"vec4", "sample", true};
+
+/// The fades of a value noise and, for a sample, their slopes.
+std::string fades(Fade fade, bool timed, const Form& form) {
+    const std::string t = timed ? "place + place" : "vec4(place + place, 0.0)";
+    const char* part = timed ? "" : ".xyz";
+    std::string text = fmt::format("{}({}){}", fade_name(fade), t, part);
+    if (form.sloped) text += fmt::format(", {}_slope({}){}", fade_name(fade), t, part);
+    return text;
+}
+
 /// Of the lattice planes `low` and `high` and the place, of three coordinates or four.
-std::string interpolated(const NoiseSpec& noise, bool timed) {
+std::string interpolated(const NoiseSpec& noise, bool timed, const Form& form) {
     switch (noise.kind) {
         case NoiseKind::value:
-            return fmt::format("value_noise(seed, low, high, {}({}){})", fade_name(noise.fade),
-                               timed ? "place + place" : "vec4(place + place, 0.0)",
-                               timed ? "" : ".xyz");
+            return fmt::format("value_{}(seed, low, high, {})", form.suffix,
+                               fades(noise.fade, timed, form));
         case NoiseKind::perlin:
-            return "perlin_noise(seed, low, high, place)";
+            return fmt::format("perlin_{}(seed, low, high, place)", form.suffix);
         case NoiseKind::perlin2002:
-            return "perlin2002_noise(seed, low, high, place)";
+            return fmt::format("perlin2002_{}(seed, low, high, place)", form.suffix);
         default:
-            return timed ? "0.0" : "perlin1985_noise(seed, low, high, place)";
+            return timed ? fmt::format("{}(0.0)", form.type)
+                         : fmt::format("perlin1985_{}(seed, low, high, place)", form.suffix);
     }
 }
 
+/// Random numbers have no slope where they have one.
+std::string flat(const std::string& number, const Form& form) {
+    return form.sloped ? fmt::format("vec4({}, 0.0, 0.0, 0.0)", number) : number;
+}
+
 /// Of the site, its cell in 32 bits, and if timed the fourth coordinate's cell_w and place_w.
-std::string from_cells(const NoiseSpec& noise, bool timed) {
+std::string from_cells(const NoiseSpec& noise, bool timed, const Form& form) {
     switch (noise.kind) {
         case NoiseKind::simplex:
-            return timed ? "simplex_noise(seed, site, cell_w, place_w)"
-                         : fmt::format("simplex_noise(seed, site, period.xyz, {:.9g})",
+            return timed ? fmt::format("simplex_{}(seed, site, cell_w, place_w)", form.suffix)
+                         : fmt::format("simplex_{}(seed, site, period.xyz, {:.9g})", form.suffix,
                                        float(noise.radius2));
         case NoiseKind::worley:
-            return fmt::format("{}(nearest_features(seed, cell, place, {}))",
-                               feature_name(noise.feature), timed ? "period" : "period.xyz");
+            return fmt::format("{}{}(nearest_features(seed, cell, place, {}))",
+                               feature_name(noise.feature), form.sloped ? "_sample" : "",
+                               timed ? "period" : "period.xyz");
         case NoiseKind::cell:
-            return "cell_noise(seed, cell)";
+            return flat("cell_noise(seed, cell)", form);
         default:
-            return timed ? "white_noise(seed, cell.xyz, site.place, cell.w, place_w)"
-                         : "white_noise(seed, cell, site.place)";
+            return flat(timed ? "white_noise(seed, cell.xyz, site.place, cell.w, place_w)"
+                              : "white_noise(seed, cell, site.place)",
+                        form);
     }
 }
 
@@ -131,31 +176,30 @@ Period<4> cell_periods(const NoiseSpec& noise) {
 
 }  // namespace
 
-std::vector<GlslPart> glsl_noise_parts(std::span<const NoiseSpec> noises) {
-    std::vector<GlslPart> parts{{"real.glsl"}, {"noise_lattice.glsl"}};
-    for (const NoiseSpec& noise : noises)
-        for (GlslPart& part : parts_of(noise.kind))
-            if (std::ranges::find(parts, part) == parts.end()) parts.push_back(std::move(part));
-    return parts;
+namespace {
+
+void add_new(std::vector<GlslPart>& parts, std::vector<GlslPart> more) {
+    for (GlslPart& part : more)
+        if (std::ranges::find(parts, part) == parts.end()) parts.push_back(std::move(part));
 }
 
-std::string glsl_split_noise(const NoiseSpec& noise, std::string_view name) {
+std::string split_function(const NoiseSpec& noise, std::string_view name, const Form& form) {
     return fmt::format(
-        "float {}(uint seed, uvec3 cell, vec3 place) {{\n"
+        "{} {}(uint seed, uvec3 cell, vec3 place) {{\n"
         "    uvec3 low = cell, high = cell + 1u;\n"
         "    return {};\n"
         "}}\n",
-        name, interpolated(noise, false));
+        form.type, name, interpolated(noise, false, form));
 }
 
-std::string glsl_site_noise(const NoiseSpec& noise, std::string_view name) {
+std::string site_function(const NoiseSpec& noise, std::string_view name, const Form& form) {
     const bool timed = noise.time.has_value();
     const Period<4> period = cell_periods(noise);
     std::string text = fmt::format(
-        "float {}(uint seed, real3 p, real time) {{\n"
+        "{} {}(uint seed, real3 p, real time) {{\n"
         "    const uvec4 period = uvec4({}u, {}u, {}u, {}u);\n"
         "    LatticeSite site = lattice_site(p, period.xyz);\n",
-        name, period[0], period[1], period[2], period[3]);
+        form.type, name, period[0], period[1], period[2], period[3]);
     if (timed)
         text +=
             "    real cell_w, place_w;\n"
@@ -167,13 +211,44 @@ std::string glsl_site_noise(const NoiseSpec& noise, std::string_view name) {
             "    uvec3 cell = cell_bits(site);\n"
             "    vec3 place = vec3(site.place);\n";
     if (!is_interpolated(noise.kind))
-        return text + fmt::format("    return {};\n}}\n", from_cells(noise, timed));
+        return text + fmt::format("    return {};\n}}\n", from_cells(noise, timed, form));
     const std::string_view size = timed ? "4" : "3", range = timed ? "" : ".xyz";
     return text + fmt::format(
                       "    uvec{0} low = cell;\n"
                       "    uvec{0} high = lattice_index(cell, ivec{0}(1), period{1});\n"
                       "    return {2};\n}}\n",
-                      size, range, interpolated(noise, timed));
+                      size, range, interpolated(noise, timed, form));
+}
+
+}  // namespace
+
+std::vector<GlslPart> glsl_noise_parts(std::span<const NoiseSpec> noises) {
+    std::vector<GlslPart> parts{{"real.glsl"}, {"noise_lattice.glsl"}};
+    for (const NoiseSpec& noise : noises) add_new(parts, parts_of(noise.kind));
+    return parts;
+}
+
+std::vector<GlslPart> glsl_gradient_parts(std::span<const NoiseSpec> noises) {
+    std::vector<GlslPart> parts;
+    if (!noises.empty()) parts.push_back({"noise_gradient.glsl"});
+    for (const NoiseSpec& noise : noises) add_new(parts, gradient_parts_of(noise.kind));
+    return parts;
+}
+
+std::string glsl_split_noise(const NoiseSpec& noise, std::string_view name) {
+    return split_function(noise, name, value_form);
+}
+
+std::string glsl_split_sample(const NoiseSpec& noise, std::string_view name) {
+    return split_function(noise, name, sample_form);
+}
+
+std::string glsl_site_noise(const NoiseSpec& noise, std::string_view name) {
+    return site_function(noise, name, value_form);
+}
+
+std::string glsl_site_sample(const NoiseSpec& noise, std::string_view name) {
+    return site_function(noise, name, sample_form);
 }
 
 std::string glsl_octave_shape(OctaveShape shape, std::string_view name) {

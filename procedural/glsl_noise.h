@@ -23,13 +23,24 @@ struct GlslPart {
 /// each, the kinds' own.
 std::vector<GlslPart> glsl_noise_parts(std::span<const NoiseSpec> noises);
 
+/// What noises with gradients (`..._sample`) need besides, behind all of those.
+std::vector<GlslPart> glsl_gradient_parts(std::span<const NoiseSpec> noises);
+
 /// `float NAME(uint seed, uvec3 cell, vec3 place)` for a noise with has_point_kernel: the bits of
 /// point_noise-inl.h times its unit. The cell counts modulo 2^32, the place from its middle.
 std::string glsl_split_noise(const NoiseSpec& noise, std::string_view name);
 
+/// `vec4 NAME(uint seed, uvec3 cell, vec3 place)`: the noise and its derivatives along x, y and z,
+/// with the bits of point_noise-inl.h's Sample times its unit.
+std::string glsl_split_sample(const NoiseSpec& noise, std::string_view name);
+
 /// `float NAME(uint seed, real3 p, real time)` for every noise: the bits of noise_value<float, 3>
 /// at p, with that seed and, if the noise has a time, that one.
 std::string glsl_site_noise(const NoiseSpec& noise, std::string_view name);
+
+/// `vec4 NAME(uint seed, real3 p, real time)`: the same with its gradient, as sample_noise<float,
+/// 3> has it.
+std::string glsl_site_sample(const NoiseSpec& noise, std::string_view name);
 
 /// `float NAME(float n)`: n, |n| or (1 - |n|)^2.
 std::string glsl_octave_shape(OctaveShape shape, std::string_view name);

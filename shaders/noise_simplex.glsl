@@ -72,9 +72,15 @@ uvec3 wrap_simplex(real3 corner, real3 period) {
     return uvec3(low_bits(corner.x), low_bits(corner.y), low_bits(corner.z));
 }
 
-// `period` of each axis: a multiple of 3; 768, after which the hash repeats, where the noise has
-// none. The site is in it.
-float simplex_noise(uint seed, LatticeSite site, uvec3 period, float radius2) {
+// The corners of the simplex that holds a point, one after the other: the lattice point in skewed
+// coordinates, the point's offset from it, and which step goes along each axis.
+struct SimplexWalk {
+    real3 corner;
+    vec3 offset;
+    ivec3 order;
+};
+
+SimplexWalk simplex_walk(LatticeSite site) {
     real cells = site.cell.x + site.cell.y + site.cell.z;
     real rest = whole_remainder(cells, real(3.0)), whole = (cells - rest) / real(3.0);
     exact real3 fraction = site.place + real(0.5);
@@ -84,18 +90,31 @@ float simplex_noise(uint seed, LatticeSite site, uvec3 period, float radius2) {
     exact real back = rest / real(3.0) / real(2.0) +
                       real(1.0) / real(3.0) / real(2.0) * (steps.x + steps.y + steps.z);
     exact real3 offset = fraction - steps + back;
-    real3 corner = site.cell + whole + steps;
+    return SimplexWalk(site.cell + whole + steps, vec3(offset), walk_order(offset));
+}
 
-    ivec3 order = walk_order(offset);
+// Step i.
+void step_walk(inout SimplexWalk walk, int i) {
+    vec3 along = vec3(equal(walk.order, ivec3(i)));
+    walk.corner += real3(along);
+    exact vec3 offset = (walk.offset + 0.16666667163372039794921875) - along;  // 1/6
+    walk.offset = offset;
+}
+
+// Of the corner. `period` of each axis: a multiple of 3; 768, after which the hash repeats, where
+// the noise has none. The site is in it.
+vec3 walk_gradient(SimplexWalk walk, uvec3 period, uvec3 shift) {
+    uvec3 index = wrap_simplex(walk.corner, real3(period)) + shift;
+    return bit_pattern_gradient(bit_pattern_sum(index));
+}
+
+float simplex_noise(uint seed, LatticeSite site, uvec3 period, float radius2) {
+    SimplexWalk walk = simplex_walk(site);
     uvec3 shift = lattice_shift(seed);
-    exact vec3 d = vec3(offset);
     exact float sum = 0.0;
     for (int i = 0; i < 4; ++i) {
-        uvec3 index = wrap_simplex(corner, real3(period)) + shift;
-        sum += simplex_kernel(bit_pattern_gradient(bit_pattern_sum(index)), d, radius2);
-        vec3 along = vec3(equal(order, ivec3(i)));
-        corner += real3(along);
-        d = (d + 0.16666667163372039794921875) - along;  // 1/6
+        sum += simplex_kernel(walk_gradient(walk, period, shift), walk.offset, radius2);
+        step_walk(walk, i);
     }
     return sum * 8.0;
 }
@@ -106,7 +125,14 @@ const double hypercube_stretch = 2.2360679774997896LF;  // sqrt 5
 const float hypercube_stretch = 2.2360679774997896;
 #endif
 
-float simplex_noise(uint seed, LatticeSite site, real cell_w, real place_w) {
+// The same in four dimensions.
+struct HypercubeWalk {
+    real4 corner;
+    vec4 offset;
+    ivec4 order;
+};
+
+HypercubeWalk hypercube_walk(LatticeSite site, real cell_w, real place_w) {
     real4 cell = real4(site.cell, cell_w);
     const real skew = (hypercube_stretch - real(1.0)) / real(4.0);
     exact real product = skew * (cell.x + cell.y + cell.z + cell.w);
@@ -119,18 +145,28 @@ float simplex_noise(uint seed, LatticeSite site, real cell_w, real place_w) {
     exact real back = rest / hypercube_stretch +
                       skew / hypercube_stretch * (steps.x + steps.y + steps.z + steps.w);
     exact real4 offset = fraction - steps + back;
-    real4 corner = cell + whole + steps;
+    return HypercubeWalk(cell + whole + steps, vec4(offset), walk_order(offset));
+}
 
-    ivec4 order = walk_order(offset);
-    exact vec4 d = vec4(offset);
+void step_walk(inout HypercubeWalk walk, int i) {
+    vec4 along = vec4(equal(walk.order, ivec4(i)));
+    walk.corner += real4(along);
+    exact vec4 offset = (walk.offset + 0.138196601125010515) - along;  // (1 - 1 / sqrt 5) / 4
+    walk.offset = offset;
+}
+
+vec4 walk_gradient(HypercubeWalk walk, uint seed) {
+    uvec4 index = uvec4(low_bits_of_sum(walk.corner.x), low_bits_of_sum(walk.corner.y),
+                        low_bits_of_sum(walk.corner.z), low_bits_of_sum(walk.corner.w));
+    return hypercube_gradient(lattice_bits(index, seed) >> 26);
+}
+
+float simplex_noise(uint seed, LatticeSite site, real cell_w, real place_w) {
+    HypercubeWalk walk = hypercube_walk(site, cell_w, place_w);
     exact float sum = 0.0;
     for (int i = 0; i < 5; ++i) {
-        uvec4 index = uvec4(low_bits_of_sum(corner.x), low_bits_of_sum(corner.y),
-                            low_bits_of_sum(corner.z), low_bits_of_sum(corner.w));
-        sum += simplex_kernel(hypercube_gradient(lattice_bits(index, seed) >> 26), d, 0.5);
-        vec4 along = vec4(equal(order, ivec4(i)));
-        corner += real4(along);
-        d = (d + 0.138196601125010515) - along;  // (1 - 1 / sqrt 5) / 4
+        sum += simplex_kernel(walk_gradient(walk, seed), walk.offset, 0.5);
+        step_walk(walk, i);
     }
     return sum * 62.0;
 }

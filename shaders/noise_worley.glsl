@@ -3,17 +3,21 @@
 // nearer can be: graphics processors and llvmpipe skip a loop where a branch would run for all.
 // After noise_lattice.glsl.
 
-// Squared distances of the two nearest so far.
+// Squared distances of the two nearest so far, and the ways from them to the point.
 struct NearestFeatures {
     float square1, square2;
+    vec4 way1, way2;
 };
 
-void keep_nearest(float square, inout NearestFeatures nearest) {
+void keep_nearest(float square, vec4 way, inout NearestFeatures nearest) {
     if (square < nearest.square1) {
         nearest.square2 = nearest.square1;
+        nearest.way2 = nearest.way1;
         nearest.square1 = square;
+        nearest.way1 = way;
     } else if (square < nearest.square2) {
         nearest.square2 = square;
+        nearest.way2 = way;
     }
 }
 
@@ -28,9 +32,10 @@ float gap_square(float place, int steps) {
     return steps == 0 ? 0.0 : gap * gap;
 }
 
-float way_square(float place, float feature, int steps) {
+// From a feature point's place in the cell that lies `steps` away.
+float feature_way(float place, float feature, int steps) {
     exact float way = place - ((feature - 0.5) + float(steps));
-    return way * way;
+    return way;
 }
 
 void visit_feature(uint seed, uvec3 cell, vec3 place, uvec3 period, ivec3 steps,
@@ -38,10 +43,11 @@ void visit_feature(uint seed, uvec3 cell, vec3 place, uvec3 period, ivec3 steps,
     exact float border =
         gap_square(place.x, steps.x) + gap_square(place.y, steps.y) + gap_square(place.z, steps.z);
     uint h = lattice_bits(lattice_index(cell, steps, period), seed);
-    exact float square = way_square(place.x, feature_place(h, 0u), steps.x) +
-                         way_square(place.y, feature_place(h, 1u), steps.y) +
-                         way_square(place.z, feature_place(h, 2u), steps.z);
-    if (border < nearest.square2) keep_nearest(square, nearest);
+    vec3 way = vec3(feature_way(place.x, feature_place(h, 0u), steps.x),
+                    feature_way(place.y, feature_place(h, 1u), steps.y),
+                    feature_way(place.z, feature_place(h, 2u), steps.z));
+    float square = exact_dot(way, way);
+    if (border < nearest.square2) keep_nearest(square, vec4(way, 0.0), nearest);
 }
 
 void visit_feature(uint seed, uvec4 cell, vec4 place, uvec4 period, ivec4 steps,
@@ -49,11 +55,12 @@ void visit_feature(uint seed, uvec4 cell, vec4 place, uvec4 period, ivec4 steps,
     exact float border = gap_square(place.x, steps.x) + gap_square(place.y, steps.y) +
                          gap_square(place.z, steps.z) + gap_square(place.w, steps.w);
     uint h = lattice_bits(lattice_index(cell, steps, period), seed);
-    exact float square = way_square(place.x, feature_place(h, 0u), steps.x) +
-                         way_square(place.y, feature_place(h, 1u), steps.y) +
-                         way_square(place.z, feature_place(h, 2u), steps.z) +
-                         way_square(place.w, feature_place(h, 3u), steps.w);
-    if (border < nearest.square2) keep_nearest(square, nearest);
+    vec4 way = vec4(feature_way(place.x, feature_place(h, 0u), steps.x),
+                    feature_way(place.y, feature_place(h, 1u), steps.y),
+                    feature_way(place.z, feature_place(h, 2u), steps.z),
+                    feature_way(place.w, feature_place(h, 3u), steps.w));
+    exact float square = exact_dot(way.xyz, way.xyz) + way.w * way.w;
+    if (border < nearest.square2) keep_nearest(square, way, nearest);
 }
 
 // Step number i of the (2 reach + 1)^n ones.
@@ -67,7 +74,7 @@ bool outermost(ivec4 steps, int reach) {
 }
 
 NearestFeatures nearest_features(uint seed, uvec3 cell, vec3 place, uvec3 period) {
-    NearestFeatures nearest = NearestFeatures(1e6, 1e6);
+    NearestFeatures nearest = NearestFeatures(1e6, 1e6, vec4(0.0), vec4(0.0));
     visit_feature(seed, cell, place, period, ivec3(0), nearest);
     for (int i = 0; i < 27; ++i) {
         ivec3 steps = steps_number(i, 1).xyz;
@@ -82,7 +89,7 @@ NearestFeatures nearest_features(uint seed, uvec3 cell, vec3 place, uvec3 period
 }
 
 NearestFeatures nearest_features(uint seed, uvec4 cell, vec4 place, uvec4 period) {
-    NearestFeatures nearest = NearestFeatures(1e6, 1e6);
+    NearestFeatures nearest = NearestFeatures(1e6, 1e6, vec4(0.0), vec4(0.0));
     visit_feature(seed, cell, place, period, ivec4(0), nearest);
     for (int i = 0; i < 81; ++i) {
         ivec4 steps = steps_number(i, 1);

@@ -71,17 +71,18 @@ class GlNoise : public GlTest, public testing::WithParamInterface<NoiseCase> {
                             std::span<const std::uint32_t>(texels));
     }
 
-    /// Draws `number(real3 p)` of every point; `functions` define it.
-    std::vector<float> draw(const NoiseSpec& noise, const std::string& functions) const {
+    /// Draws `number(real3 p)` of every point, a float or, `sloped`, a vec4; `functions` define it.
+    std::vector<float> draw(const NoiseSpec& noise, const std::string& functions,
+                            bool sloped = false) const {
         const GladGLContext& gl = context->gl();
         ShaderSource source;
-        source.define_real(true);
-        for (const GlslPart& part : glsl_noise_parts(std::span(&noise, 1)))
-            part.text.empty() ? source.add(part.name) : source.add(part.name, part.text);
+        source.define_real(true).define("number_type", sloped ? "vec4" : "float");
+        add_parts(source, glsl_noise_parts(std::span(&noise, 1)));
+        if (sloped) add_parts(source, glsl_gradient_parts(std::span(&noise, 1)));
         source.add("functions", functions);
         source.add("main", R"(
             uniform usampler2D xy, z;
-            out float result;
+            out number_type result;
             void main() {
                 ivec2 at = ivec2(gl_FragCoord.xy);
                 uvec4 a = texelFetch(xy, at, 0);
@@ -89,7 +90,7 @@ class GlNoise : public GlTest, public testing::WithParamInterface<NoiseCase> {
                                       packDouble2x32(texelFetch(z, at, 0).xy)));
             })");
         const GlProgram program = make_full_screen_program(gl, "noise", source);
-        const GlTarget target(gl, size, {GL_R32F});
+        const GlTarget target(gl, size, {sloped ? GLenum(GL_RGBA32F) : GLenum(GL_R32F)});
         const GlTexture xy = upload(0, 1), z = upload(2, 3);
         program.use();
         program.set("xy", 0);
@@ -105,8 +106,10 @@ class GlNoise : public GlTest, public testing::WithParamInterface<NoiseCase> {
 
     /// A zero's sign may differ.
     static std::size_t differences(const std::vector<float>& a, const std::vector<float>& b) {
+        EXPECT_EQ(a.size(), b.size());
         std::size_t different = 0;
-        for (std::size_t i = 0; i < count; ++i) different += a[i] == b[i] ? 0 : 1;
+        for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
+            different += a[i] == b[i] ? 0 : 1;
         return different;
     }
 
@@ -153,6 +156,56 @@ TEST_P(GlNoise, AtSplitPointsHasTheKernelsBits) {
             "}}\n",
             noise.seed);
     EXPECT_EQ(differences(draw(noise, functions), expected), 0u);
+}
+
+/// Noise and gradient as four floats a point.
+TEST_P(GlNoise, GradientsAtSitesHaveTheHostsBits) {
+    const NoiseSpec& noise = GetParam().noise;
+    std::vector<float> expected;
+    for (const Point<3>& p : points) {
+        const auto n = sample_noise<float, 3>(noise, p);
+        expected.insert(expected.end(), {n.value, n.gradient[0], n.gradient[1], n.gradient[2]});
+    }
+    const std::string functions =
+        glsl_site_sample(noise, "site_sample") +
+        fmt::format("vec4 number(real3 p) {{ return site_sample({}u, p, {:.17e}lf); }}\n",
+                    noise.seed, noise.time.value_or(0.0));
+    EXPECT_EQ(differences(draw(noise, functions, true), expected), 0u);
+}
+
+TEST_P(GlNoise, GradientsAtSplitPointsHaveTheKernelsBits) {
+    const NoiseSpec& noise = GetParam().noise;
+    if (!has_point_kernel(noise)) return;
+    alignas(64) double arrays[3][256 + batch_padding] = {};
+    alignas(64) float sums[5][256 + batch_padding] = {};
+    for (std::size_t j = 0; j < 256; ++j) sums[4][j] = float(j) / 100.0f;
+    const NoiseSum sum{
+        noise, OctaveShape::ridged, {{noise.seed, 1.0, 1.0}, {noise.seed, 2.0, 0.3}}, 0.0};
+    std::vector<float> expected;
+    for (std::size_t first = 0; first < count; first += 256) {
+        for (std::size_t j = 0; j < 256; ++j)
+            for (std::size_t axis = 0; axis < 3; ++axis) arrays[axis][j] = points[first + j][axis];
+        add_up_slopes(sum, {arrays[0], arrays[1], arrays[2]}, 256, {sums[4], 0.25},
+                      {sums[0], {sums[1], sums[2], sums[3]}});
+        for (std::size_t j = 0; j < 256; ++j)
+            expected.insert(expected.end(), {sums[0][j], sums[1][j], sums[2][j], sums[3][j]});
+    }
+    const std::string functions =
+        glsl_split_sample(noise, "split_sample") +
+        fmt::format(
+            "vec4 octave(SplitPoint s, int k, float weight) {{\n"
+            "    float kept = float(int(gl_FragCoord.x) + 64 * (int(gl_FragCoord.y) % 4)) / "
+            "100.0;\n"
+            "    return ridged_octave(split_sample({}u, cells_of(s, k), places_of(s, k)), weight,\n"
+            "        weight * float(1 << k), visible_share(kept, float(k)), 0.25);\n"
+            "}}\n"
+            "vec4 number(real3 p) {{\n"
+            "    exact vec4 sum = octave(split_points(p, 0.5 * lattice_limit), 1, 0.3);\n"
+            "    sum += octave(split_points(p, lattice_limit), 0, 1.0);\n"
+            "    return sum;\n"
+            "}}\n",
+            noise.seed);
+    EXPECT_EQ(differences(draw(noise, functions, true), expected), 0u);
 }
 
 NoiseSpec of(NoiseKind kind, std::uint32_t seed) {
