@@ -154,7 +154,7 @@ TEST(Pipeline, FollowsEditsOfEveryKindWithinAnyCache) {
         recipe_of({"filter.octaves=fade"}),
         recipe_of({"filter.octaves=fade", "texture.wrap=clamp"}),
         recipe_of({"filter.kind=supersample", "filter.samples=4"}),
-        recipe_of({"precision=float64"}),
+        recipe_of({"precision.kind=float64"}),
         recipe_of({}, "stripes"),
         recipe_of({}, "wrinkled"),
         recipe_of({"texture.wrap=clamp"}, "wrinkled"),
@@ -228,7 +228,7 @@ TEST(Pipeline, AStopLosesNothingThatWasKept) {
 TEST(Pipeline, StopsWheneverAnotherThreadAsks) {
     const std::vector<Recipe> recipes{four_terms(0.0), four_terms(0.5), recipe_of({}, "stripes"),
                                       recipe_of({"filter.kind=exact"}),
-                                      recipe_of({"precision=float64"})};
+                                      recipe_of({"precision.kind=float64"})};
     std::vector<Image<Rgb8>> expected;
     for (const Recipe& recipe : recipes) expected.push_back(baked_anew(recipe));
     Pipeline pipeline(cube_mesh());
