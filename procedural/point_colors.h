@@ -38,8 +38,19 @@ class PointColors<Rgb8> {
   public:
     explicit PointColors(const ColorMap& map) : table_(map) {}
     void look_up(const double* f, std::size_t count, ColorBuffers& buffers) const {
-        index_colors(table_.wrap(), f, count, ColorTable8::entry_count, buffers.entries);
-        table_.look_up(buffers.entries, f, count, buffers.codes, buffers.later);
+        index(f, count, buffers.entries);
+        look_up(buffers.entries, f, count, buffers);
+    }
+    /// The table's entries of f, which the map's colours do not change; written up to the end of a
+    /// vector of floats.
+    void index(const double* f, std::size_t count, std::int32_t* entries) const {
+        index_colors(table_.wrap(), f, count, ColorTable8::entry_count, entries);
+    }
+    /// As look_up(f, ...), from entries that begin on a line of the cache; f is looked at only
+    /// where a colour changes within an entry.
+    void look_up(const std::int32_t* entries, const double* f, std::size_t count,
+                 ColorBuffers& buffers) const {
+        table_.look_up(entries, f, count, buffers.codes, buffers.later);
     }
     void pixels(const double*, std::size_t at, std::size_t count, const ColorBuffers& buffers,
                 Rgb8* pixels) const {

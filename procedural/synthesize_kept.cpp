@@ -21,11 +21,10 @@ bool wants_slopes(FilterKind kind) {
     return kind != FilterKind::none && kind != FilterKind::supersample;
 }
 
-/// A batch's colours, looked up in its f.
+/// A batch's colours, which were looked up.
 template <class Pixel>
 void paint(const PointColors<Pixel>& colors, const double* f, std::size_t count,
-           ColorBuffers& buffers, RowPainter<Pixel>& painter) {
-    colors.look_up(f, count, buffers);
+           const ColorBuffers& buffers, RowPainter<Pixel>& painter) {
     painter(count, [&](std::size_t at, std::size_t part, Pixel* pixels) {
         colors.pixels(f, at, part, buffers, pixels);
     });
@@ -70,6 +69,7 @@ void KeptSynthesis::set_map(const Affine3& texture_from_atlas) {
 
 /// The memory stays, for what comes next.
 void KeptSynthesis::forget() {
+    moved_ = true;
     known_field_.reset();
     known_quadric_.reset();
     for (KeptOctave& octave : octaves_) octave.key.doublings = -1;  // nobody's
@@ -77,7 +77,8 @@ void KeptSynthesis::forget() {
 
 void KeptSynthesis::forget_octaves() {
     octaves_.clear();
-    keys_.clear();
+    last_keys_.clear();
+    entries_ = {};
     quadric_ = {};
     known_quadric_.reset();
 }
@@ -91,7 +92,8 @@ KeptSynthesis::FieldKey KeptSynthesis::field_key(const Texture& texture, const F
 
 std::size_t KeptSynthesis::bytes() const {
     const auto kept = [](const auto& array) { return array.data() ? sizeof(*array.data()) : 0; };
-    std::size_t bytes = kept(field_) + kept(quadric_) + kept(slopes_u_) + kept(slopes_v_);
+    std::size_t bytes =
+        kept(field_) + kept(quadric_) + kept(slopes_u_) + kept(slopes_v_) + kept(entries_);
     for (const KeptOctave& octave : octaves_) bytes += kept(octave.noise);
     return rows_.size() * bytes;
 }
@@ -109,22 +111,20 @@ bool KeptSynthesis::keep_field(bool slopes) {
     return fits;
 }
 
-/// Which octaves differ from those in their places before, for the second time running.
-std::vector<bool> KeptSynthesis::changed_again(const std::vector<NoiseKey>& keys) {
-    std::vector<bool> changed(keys.size()), again(keys.size());
-    for (std::size_t k = 0; k < keys.size(); ++k) {
-        changed[k] = k < keys_.size() && keys_[k] != keys[k];
-        again[k] = changed[k] && k < changed_.size() && changed_[k];
-    }
-    keys_ = keys;
-    changed_ = std::move(changed);
-    return again;
+/// Octaves are compared with those in their places before.
+void KeptSynthesis::note_changes(const std::vector<NoiseKey>& keys, const Quadric& quadric) {
+    octave_changes_.resize(keys.size());
+    for (std::size_t k = 0; k < keys.size(); ++k)
+        octave_changes_[k].note(moved_ || (k < last_keys_.size() && last_keys_[k] != keys[k]));
+    quadric_change_.note(moved_ || (last_quadric_ && *last_quadric_ != quadric));
+    moved_ = false;
+    last_keys_ = keys;
+    last_quadric_ = quadric;
 }
 
 /// Places for the keys' noise, those of before where they hold it already. What is not evaluated
 /// after all because of an exception is forgotten.
 std::vector<KeptSynthesis::KeptOctave> KeptSynthesis::keep(const std::vector<NoiseKey>& keys) {
-    const std::vector<bool> restless = changed_again(keys);
     const std::size_t most = bytes_per_texel();
     std::size_t rest = keep_field(false) ? most - sizeof(double) : 0;
     std::vector<KeptOctave> before = std::exchange(octaves_, {}), octaves(keys.size());
@@ -139,7 +139,7 @@ std::vector<KeptSynthesis::KeptOctave> KeptSynthesis::keep(const std::vector<Noi
     }
     std::erase_if(before, [](const KeptOctave& octave) { return !octave.noise.data(); });
     for (std::size_t k = 0; k < keys.size(); ++k) {
-        if (octaves[k].known || restless[k] || rest < sizeof(float)) continue;
+        if (octaves[k].known || octave_changes_[k].again || rest < sizeof(float)) continue;
         rest -= sizeof(float);
         if (before.empty()) {
             octaves[k].noise = KeptArray<float>(rows_.size());
@@ -152,10 +152,14 @@ std::vector<KeptSynthesis::KeptOctave> KeptSynthesis::keep(const std::vector<Noi
     if (rest < sizeof(double)) {
         quadric_ = {};
         known_quadric_.reset();
-    } else if (!quadric_.data()) {
-        quadric_ = KeptArray<double>(rows_.size());
-        known_quadric_.reset();
+    } else {
+        rest -= sizeof(double);
+        if (!quadric_.data()) {
+            quadric_ = KeptArray<double>(rows_.size());
+            known_quadric_.reset();
+        }
     }
+    if (rest < sizeof(std::int32_t)) entries_ = {};
     return octaves;
 }
 
@@ -165,21 +169,46 @@ void KeptSynthesis::count_recolored(const Economy& economy) const {
     economy.work->skip_octaves(Skip::kept_terms, octaves_per_texel_ * rows_.texels());
 }
 
+/// Whether there is room for them.
+bool KeptSynthesis::keep_entries() {
+    if (entries_.data()) return true;
+    if (bytes() + rows_.size() * sizeof(std::int32_t) > budget_) return false;
+    entries_ = KeptArray<std::int32_t>(rows_.size());
+    known_entries_.reset();
+    return true;
+}
+
 template <class Pixel>
 void KeptSynthesis::recolor(const Texture& texture, int threads, const Economy& economy,
-                            Image<Pixel>& image) const {
+                            Image<Pixel>& image) {
     const PointColors<Pixel> colors(texture.colors);
     const Pixel background = colors(0.0);
+    const bool indexed = std::is_same_v<Pixel, Rgb8> && keep_entries();
+    const bool known = indexed && known_entries_ == texture.colors.wrap;
+    if (indexed) known_entries_.reset();
+    const auto color = [&](std::size_t at, std::size_t count, ColorBuffers& buffers,
+                           RowPainter<Pixel>& painter) {
+        const double* f = field_.data() + at;
+        if constexpr (std::is_same_v<Pixel, Rgb8>)
+            if (indexed) {
+                std::int32_t* entries = entries_.data() + at;
+                if (!known) colors.index(f, count, entries);
+                colors.look_up(entries, f, count, buffers);
+                return paint(colors, f, count, buffers, painter);
+            }
+        colors.look_up(f, count, buffers);
+        paint(colors, f, count, buffers, painter);
+    };
     const auto color_rows = [&](const RowRange& range) {
         const auto buffers = std::make_unique_for_overwrite<ColorBuffers>();
         for (std::size_t y = range.begin(); y != range.end(); ++y) {
             RowPainter<Pixel> painter(rows_.runs(y), image.row(y), background);
-            rows_.for_each_batch(y, [&](std::size_t at, std::size_t count) {
-                paint(colors, field_.data() + at, count, *buffers, painter);
-            });
+            rows_.for_each_batch(
+                y, [&](std::size_t at, std::size_t count) { color(at, count, *buffers, painter); });
         }
     };
     for_row_ranges(solid_->size, 8 * batch_capacity, threads, color_rows, economy.stop);
+    if (indexed && (known || !economy.stop.stop_requested())) known_entries_ = texture.colors.wrap;
     count_recolored(economy);
 }
 
@@ -190,7 +219,9 @@ void KeptSynthesis::evaluate(const Texture& texture, int threads, const Economy&
     const Pixel background = colors(0.0);
     const FieldSampler sampler(texture, false, kernel_, economy.skips);
     known_field_.reset();
+    known_entries_.reset();
     const std::vector<NoiseKey> keys = sampler.noise_keys();
+    note_changes(keys, texture.quadric);
     std::vector<KeptOctave> octaves = keep(keys);
     std::vector<KeptNoise> kept(keys.size());
     std::ranges::transform(octaves, kept.begin(), [](const KeptOctave& octave) {
@@ -198,6 +229,8 @@ void KeptSynthesis::evaluate(const Texture& texture, int threads, const Economy&
     });
     const bool quadric_known = known_quadric_ == texture.quadric;
     known_quadric_.reset();
+    double* const quadric = quadric_known || !quadric_change_.again ? quadric_.data() : nullptr;
+    double* const field = field_.data();
     const bool all_known = quadric_known && std::ranges::all_of(kept, &KeptNoise::known);
     WorkSum work(economy.work);
     const auto fill_rows = [&](const RowRange& range) {
@@ -205,8 +238,9 @@ void KeptSynthesis::evaluate(const Texture& texture, int threads, const Economy&
         for (std::size_t y = range.begin(); y != range.end(); ++y) {
             RowPainter<Pixel> painter(rows_.runs(y), image.row(y), background);
             const auto fill = [&](std::size_t at, std::size_t count) {
-                sampler.values(*batch, {kept, quadric_.data(), quadric_known, at});
-                if (field_.data()) std::copy_n(batch->field, count, field_.data() + at);
+                sampler.values(*batch, {kept, quadric, quadric_known, at});
+                if (field) std::copy_n(batch->field, count, field + at);
+                colors.look_up(batch->field, count, batch->colors);
                 paint(colors, batch->field, count, batch->colors, painter);
                 batch->streams.work.texels += count;
             };
@@ -237,8 +271,8 @@ void KeptSynthesis::evaluate(const Texture& texture, int threads, const Economy&
     const bool stopped = economy.stop.stop_requested();
     if (stopped) std::erase_if(octaves, [](const KeptOctave& octave) { return !octave.known; });
     octaves_ = std::move(octaves);
-    if (quadric_.data() && (quadric_known || !stopped)) known_quadric_ = texture.quadric;
-    if (field_.data() && !stopped) known_field_ = field_key(texture, {});
+    if (quadric && (quadric_known || !stopped)) known_quadric_ = texture.quadric;
+    if (field && !stopped) known_field_ = field_key(texture, {});
 }
 
 template <class Shader>

@@ -4,6 +4,7 @@
 // only what it does not share with the last one. Sums run over the kept noise in the order of a
 // synthesis from scratch, so that the bytes are the same.
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "atlas/image.h"
@@ -26,9 +27,10 @@ class KeptSynthesis {
     };
 
     /// `solid` must outlive this. At most `budget` bytes are kept of texels: 8 each for the field,
-    /// then 4 for every octave of the texture, as many as fit, then 8 for the quadric; with a
-    /// filter 8 for the field and 8 for its slopes, no octaves. With less memory more is worked out
-    /// again; nothing else changes. (The texels' maps, 80 bytes a triangle, are not counted.)
+    /// then 4 for every octave of the texture, as many as fit, then 8 for the quadric, and while
+    /// colours change 4 for f's place in the colour map; with a filter 8 for the field and 8 for
+    /// its slopes, no octaves. With less memory more is worked out again; nothing else changes.
+    /// (The texels' maps, 80 bytes a triangle, are not counted.)
     KeptSynthesis(const SolidAtlas& solid, const Affine3& texture_from_atlas, std::size_t budget,
                   Kernel kernel = Kernel::automatic);
 
@@ -38,8 +40,9 @@ class KeptSynthesis {
 
     /// The bytes of synthesize_rgb8, _rgb16 or _rgbf, for Pixel Rgb8, Rgb16 or RgbF. An image of
     /// the atlas's size is written over; that spares the system clearing memory for another.
-    /// An octave that is new twice running, as while a slider of it moves, is not kept until it
-    /// stays. Supersampled textures, and without a filter those of a band limit, keep no octaves.
+    /// An octave or quadric that is new twice running, as while a slider of it moves, is not
+    /// kept until it stays. Supersampled textures, and without a filter those of a band limit, keep
+    /// no octaves.
     template <class Pixel>
     void synthesize(const Texture& texture, int threads, Image<Pixel>& image,
                     const Filter& filter = {}, const Economy& economy = {});
@@ -64,18 +67,23 @@ class KeptSynthesis {
         bool operator==(const FieldKey&) const = default;
     };
     static FieldKey field_key(const Texture& texture, const Filter& filter);
+    /// What changed from the texture before, and whether it had changed then, too.
+    struct Change {
+        bool now = false, again = false;
+        void note(bool changed) { again = std::exchange(now, changed) && changed; }
+    };
 
     std::size_t bytes_per_texel() const { return rows_.size() > 0 ? budget_ / rows_.size() : 0; }
     void forget();
     void forget_octaves();
     std::vector<KeptOctave> keep(const std::vector<NoiseKey>& keys);
-    std::vector<bool> changed_again(const std::vector<NoiseKey>& keys);
+    void note_changes(const std::vector<NoiseKey>& keys, const Quadric& quadric);
     /// Whether there is room for f, and for its slopes if the filter wants them.
     bool keep_field(bool slopes);
 
     template <class Pixel>
-    void recolor(const Texture& texture, int threads, const Economy& economy,
-                 Image<Pixel>& image) const;
+    void recolor(const Texture& texture, int threads, const Economy& economy, Image<Pixel>& image);
+    bool keep_entries();
     template <class Pixel>
     void evaluate(const Texture& texture, int threads, const Economy& economy, Image<Pixel>& image);
     /// By a shader (procedural/texel_shaders.h).
@@ -99,11 +107,16 @@ class KeptSynthesis {
 
     KeptArray<double> field_, quadric_;
     KeptArray<float> slopes_u_, slopes_v_;
+    KeptArray<std::int32_t> entries_;    ///< of the known field in tables of 8-bit colours
+    std::optional<Wrap> known_entries_;  ///< for which they hold
     std::optional<FieldKey> known_field_;
     std::optional<Quadric> known_quadric_;
     std::vector<KeptOctave> octaves_;
-    std::vector<NoiseKey> keys_;  ///< of the last texture
-    std::vector<bool> changed_;   ///< which of them the texture before it did not have
+    bool moved_ = false;  ///< since the last texture
+    std::vector<NoiseKey> last_keys_;
+    std::vector<Change> octave_changes_;
+    std::optional<Quadric> last_quadric_;
+    Change quadric_change_;
     std::uint64_t octaves_per_texel_ = 0;
     Work work_;
 };

@@ -286,6 +286,10 @@ TEST(KeptSynthesis, StatesTheBytesItKeeps) {
     Image<Rgb8> image;
     kept.synthesize(many_terms(), 1, image);
     EXPECT_EQ(kept.bytes(), std::size_t(64 * 64 * (8 + 7 * 4 + 8)));
+    Texture colors = many_terms();
+    colors.colors.stops[0].color = {1, 2, 3};
+    kept.synthesize(colors, 1, image);
+    EXPECT_EQ(kept.bytes(), std::size_t(64 * 64 * (8 + 7 * 4 + 8 + 4)));
 }
 
 TEST(KeptSynthesis, PaintsWhatNobodyOwnsAnew) {
