@@ -32,7 +32,7 @@ std::size_t take_apart(Texture& texture) {
     return terms.size();
 }
 
-/// A texture that its cases edit in turn.
+/// A texture and the slider that is dragged.
 struct Edited {
     std::shared_ptr<Pipeline> pipeline;
     Affine3 map;
@@ -52,35 +52,46 @@ struct Edited {
     void update() { kept.synthesize(texture, 1, image); }
 };
 
-std::vector<BenchCase> cases_of(const std::shared_ptr<Edited>& e, const std::string& group) {
-    const double texels = double(e->pipeline->solid().size) * e->pipeline->solid().size;
+/// Every kind of edit has a texture of its own, as a slider is dragged for a while.
+std::vector<BenchCase> cases_of(const std::shared_ptr<Pipeline>& pipeline,
+                                const std::string& group) {
+    const double texels = double(pipeline->solid().size) * pipeline->solid().size;
     std::vector<BenchCase> cases;
-    const auto add = [&](const std::string& name, auto run) {
-        cases.push_back({name, texels, "texel", run, group});
+    const auto add = [&](const std::string& name, auto edit) {
+        const auto e = std::make_shared<Edited>(pipeline);
+        e->update();
+        cases.push_back({name, texels, "texel",
+                         [e, edit] {
+                             edit(*e);
+                             e->update();
+                         },
+                         group});
     };
-    // Between two values, so that only the warm-up round changes which octaves share coordinates.
+    cases.push_back({"from scratch", texels, "texel",
+                     [pipeline] {
+                         const Recipe& recipe = pipeline->recipe();
+                         synthesize_rgb8(pipeline->solid(), recipe.texture,
+                                         texture_from_solid(recipe), 1);
+                     },
+                     group});
+    add("after a change of colours", [](Edited& e) {
+        std::swap(e.texture.colors.stops.front().color, e.texture.colors.stops.back().color);
+        e.texture.colors.stops.front().color.r ^= 1;
+    });
+    // Between two values, so that no change moves octaves to coordinates of their own.
     const auto swap = [](double& x, double a, double b) { x = x == a ? b : a; };
-    const double amplitude = e->term().amplitude, frequency = e->term().frequency.x;
-    add("from scratch", [e] {
-        e->image = synthesize_rgb8(e->pipeline->solid(), e->pipeline->recipe().texture, e->map, 1);
-    });
-    add("after a change of colours", [e] {
-        std::swap(e->texture.colors.stops.front().color, e->texture.colors.stops.back().color);
-        e->texture.colors.stops.front().color.r ^= 1;
-        e->update();
-    });
-    add("after a change of one octave's amplitude", [e, swap, amplitude] {
-        swap(e->term().amplitude, 0.9 * amplitude, 0.8 * amplitude);
-        e->update();
-    });
-    add("after a change of the quadric", [e, swap, j = e->texture.quadric.j] {
-        swap(e->texture.quadric.j, j + 0.125, j);
-        e->update();
-    });
-    add("after a change of one octave's frequency", [e, swap, frequency] {
-        swap(e->term().frequency.x, 1.01 * frequency, 1.02 * frequency);
-        e->update();
-    });
+    add("after a change of one octave's amplitude",
+        [swap, first = Edited(pipeline).term().amplitude](Edited& e) {
+            swap(e.term().amplitude, 0.9 * first, 0.8 * first);
+        });
+    add("after a change of the quadric",
+        [swap, j = pipeline->recipe().texture.quadric.j](Edited& e) {
+            swap(e.texture.quadric.j, j + 0.125, j);
+        });
+    add("after a change of one octave's frequency",
+        [swap, first = Edited(pipeline).term().frequency.x](Edited& e) {
+            swap(e.term().frequency.x, 1.01 * first, 1.02 * first);
+        });
     return cases;
 }
 
@@ -105,9 +116,8 @@ std::vector<BenchResult> bench_resynthesis(int repeats, SynthesisSubjects subjec
         const Recipe recipe = load_plain(name, subjects.side);
         check_lattice(recipe, pipeline->mesh());
         pipeline->set_recipe(recipe);
-        const auto edited = std::make_shared<Edited>(pipeline);
         const std::string group = fmt::format("{}, {} x {}", name, subjects.side, subjects.side);
-        for (const BenchRow& row : run_paired(cases_of(edited, group), repeats))
+        for (const BenchRow& row : run_paired(cases_of(pipeline, group), repeats))
             all.push_back({row});
     }
     return all;

@@ -112,14 +112,21 @@ bool KeptSynthesis::keep_field(bool slopes) {
 }
 
 /// Octaves are compared with those in their places before.
-void KeptSynthesis::note_changes(const std::vector<NoiseKey>& keys, const Quadric& quadric) {
+void KeptSynthesis::note_changes(const std::vector<NoiseKey>& keys, const FieldKey& field) {
     octave_changes_.resize(keys.size());
     for (std::size_t k = 0; k < keys.size(); ++k)
         octave_changes_[k].note(moved_ || (k < last_keys_.size() && last_keys_[k] != keys[k]));
-    quadric_change_.note(moved_ || (last_quadric_ && *last_quadric_ != quadric));
+    quadric_change_.note(moved_ || (last_field_ && last_field_->quadric != field.quadric));
+    std::vector<bool> cause;
+    if (moved_ || (last_field_ && *last_field_ != field)) {
+        cause.push_back(quadric_change_.now);
+        for (const Change& octave : octave_changes_) cause.push_back(octave.now);
+    }
+    field_again_ = !cause.empty() && cause == field_cause_;
+    field_cause_ = std::move(cause);
     moved_ = false;
     last_keys_ = keys;
-    last_quadric_ = quadric;
+    last_field_ = field;
 }
 
 /// Places for the keys' noise, those of before where they hold it already. What is not evaluated
@@ -186,6 +193,7 @@ void KeptSynthesis::recolor(const Texture& texture, int threads, const Economy& 
     const bool indexed = std::is_same_v<Pixel, Rgb8> && keep_entries();
     const bool known = indexed && known_entries_ == texture.colors.wrap;
     if (indexed) known_entries_.reset();
+    field_cause_.clear();
     const auto color = [&](std::size_t at, std::size_t count, ColorBuffers& buffers,
                            RowPainter<Pixel>& painter) {
         const double* f = field_.data() + at;
@@ -221,7 +229,7 @@ void KeptSynthesis::evaluate(const Texture& texture, int threads, const Economy&
     known_field_.reset();
     known_entries_.reset();
     const std::vector<NoiseKey> keys = sampler.noise_keys();
-    note_changes(keys, texture.quadric);
+    note_changes(keys, field_key(texture, {}));
     std::vector<KeptOctave> octaves = keep(keys);
     std::vector<KeptNoise> kept(keys.size());
     std::ranges::transform(octaves, kept.begin(), [](const KeptOctave& octave) {
@@ -230,7 +238,7 @@ void KeptSynthesis::evaluate(const Texture& texture, int threads, const Economy&
     const bool quadric_known = known_quadric_ == texture.quadric;
     known_quadric_.reset();
     double* const quadric = quadric_known || !quadric_change_.again ? quadric_.data() : nullptr;
-    double* const field = field_.data();
+    double* const field = field_again_ ? nullptr : field_.data();
     const bool all_known = quadric_known && std::ranges::all_of(kept, &KeptNoise::known);
     WorkSum work(economy.work);
     const auto fill_rows = [&](const RowRange& range) {

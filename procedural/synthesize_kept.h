@@ -40,9 +40,9 @@ class KeptSynthesis {
 
     /// The bytes of synthesize_rgb8, _rgb16 or _rgbf, for Pixel Rgb8, Rgb16 or RgbF. An image of
     /// the atlas's size is written over; that spares the system clearing memory for another.
-    /// An octave or quadric that is new twice running, as while a slider of it moves, is not
-    /// kept until it stays. Supersampled textures, and without a filter those of a band limit, keep
-    /// no octaves.
+    /// An octave or quadric that is new twice running, as while a slider of it moves, is not kept
+    /// until it stays, nor is a field that is new twice for the same reason. Supersampled textures,
+    /// and without a filter those of a band limit, keep no octaves.
     template <class Pixel>
     void synthesize(const Texture& texture, int threads, Image<Pixel>& image,
                     const Filter& filter = {}, const Economy& economy = {});
@@ -77,7 +77,7 @@ class KeptSynthesis {
     void forget();
     void forget_octaves();
     std::vector<KeptOctave> keep(const std::vector<NoiseKey>& keys);
-    void note_changes(const std::vector<NoiseKey>& keys, const Quadric& quadric);
+    void note_changes(const std::vector<NoiseKey>& keys, const FieldKey& field);
     /// Whether there is room for f, and for its slopes if the filter wants them.
     bool keep_field(bool slopes);
 
@@ -115,8 +115,11 @@ class KeptSynthesis {
     bool moved_ = false;  ///< since the last texture
     std::vector<NoiseKey> last_keys_;
     std::vector<Change> octave_changes_;
-    std::optional<Quadric> last_quadric_;
+    std::optional<FieldKey> last_field_;
     Change quadric_change_;
+    /// Whether the quadric and which octaves changed when f did last; empty: f did not.
+    std::vector<bool> field_cause_;
+    bool field_again_ = false;  ///< f changed for the same reason as before
     std::uint64_t octaves_per_texel_ = 0;
     Work work_;
 };

@@ -75,6 +75,7 @@ Texture random_texture(Chance& chance, const std::vector<NamedTerm>& kinds) {
     const std::size_t terms = chance.bits() % 4;
     for (std::size_t i = 0; i < terms; ++i) {
         NoiseTerm term = kinds[chance.bits() % kinds.size()].term;
+        if (term.kind == NoiseKind::worley && chance.bits() % 4) term = kinds[0].term;  // slow
         if (chance.bits() % 2) term.range = NoiseRange(chance.bits() % 2);
         term.frequency = (chance.bits() % 4 ? 4.0 : 60.0) * chance.vector();
         term.phase = 10.0 * chance.vector();
@@ -97,15 +98,16 @@ Texture random_texture(Chance& chance, const std::vector<NamedTerm>& kinds) {
 }
 
 Filter random_filter(Chance& chance) {
-    constexpr std::array kinds{
-        FilterKind::none,  FilterKind::none,      FilterKind::none,       FilterKind::table_mip,
-        FilterKind::exact, FilterKind::trapezoid, FilterKind::trapezoid2, FilterKind::supersample};
+    if (chance.bits() % 2) return {FilterKind::none, 4, chance.bits() % 4 == 0};
+    if (chance.bits() % 16 == 0) return {FilterKind::table_mip, 4, false};  // slow to set up
+    constexpr std::array kinds{FilterKind::exact, FilterKind::trapezoid, FilterKind::trapezoid2,
+                               FilterKind::supersample};
     return {kinds[chance.bits() % kinds.size()], 4, chance.bits() % 3 == 0};
 }
 
 TEST(Economy, ShowsInNoByteOfAThousandRecipesAtRandom) {
     const std::vector<NamedTerm> kinds = named_terms();
-    const SolidAtlas solid = SyntheticAtlas{24, 7, 3.0, 0.05, true}.make(5);
+    const SolidAtlas solid = SyntheticAtlas{20, 7, 3.0, 0.05, true}.make(5);
     KeptSynthesis kept(solid, {}, plenty);
     SynthesisWork with, bare;
     const auto compare = [&]<class Pixel>(std::uint32_t seed, auto synthesize, Image<Pixel> image) {
@@ -138,7 +140,7 @@ TEST(Economy, ShowsInNoByteOfAThousandRecipesAtRandom) {
 TEST(Economy, AddsUpWhateverTheThreads) {
     const std::vector<NamedTerm> kinds = named_terms();
     const SolidAtlas solid = SyntheticAtlas{100, 7, 3.0, 0.05, true}.make(5);
-    for (std::uint32_t seed = 0; seed < 20; ++seed) {
+    for (std::uint32_t seed = 0; seed < 10; ++seed) {
         Chance chance(seed);
         const Texture texture = random_texture(chance, kinds);
         const Filter filter = random_filter(chance);

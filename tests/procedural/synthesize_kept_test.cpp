@@ -179,6 +179,37 @@ TEST(KeptSynthesis, DoesNotKeepAnOctaveThatKeepsMoving) {
     EXPECT_EQ(bytes.back(), bytes[0]);
 }
 
+TEST(KeptSynthesis, KeepsAFieldAgainThatHasComeToRest) {
+    const SolidAtlas solid = SyntheticAtlas{40, 11, 10.0, 0.02, true}.make(1);
+    KeptSynthesis kept(solid, twice, plenty);
+    Texture texture = many_terms();
+    Image<Rgb8> image;
+    const auto next = [&] {
+        kept.synthesize(texture, 1, image);
+        EXPECT_EQ(image, from_scratch<Rgb8>(solid, texture, Kernel::automatic));
+    };
+    const auto move_amplitude = [&] {
+        texture.noise[2].amplitude *= 0.9;
+        next();
+    };
+    const auto keeps_field_for_colors = [&] {
+        texture.colors.stops[0].color.r ^= 1;
+        next();
+        EXPECT_EQ(kept.work().octaves_evaluated, 0u);
+        return kept.work().field_kept;
+    };
+    next();
+    for (int i = 0; i < 3; ++i) move_amplitude();
+    EXPECT_FALSE(keeps_field_for_colors());
+    EXPECT_TRUE(keeps_field_for_colors());
+    move_amplitude();
+    EXPECT_TRUE(keeps_field_for_colors());
+    move_amplitude();
+    texture.quadric.b += 0.1;
+    next();
+    EXPECT_TRUE(keeps_field_for_colors());
+}
+
 TEST(KeptSynthesis, CountsWhatItDidAndSpared) {
     const SolidAtlas solid = SyntheticAtlas{40, 11, 10.0, 0.02, true}.make(1);
     std::uint64_t texels = 0;
