@@ -60,7 +60,7 @@ Register LoweringCall::multiply(Register a, Register b) const {
 }
 
 Register LoweringCall::lerp(Register w, Register a, Register b) const {
-    if (a == b) return a;
+    if (program->same(a, b)) return a;
     const double *low = program->constant_of(a), *high = program->constant_of(b);
     if (low && high) return linear(*high - *low, w, *low);
     return program->add(ValueOp::lerp, {w, a, b});
@@ -84,7 +84,7 @@ Lowering lowering_of(std::string_view name) {
 
 }  // namespace
 
-GraphValues::GraphValues(const TextureGraph& graph) {
+GraphValues::GraphValues(const TextureGraph& graph, const Skips* skips) : program_(skips) {
     std::vector<LoweredNode> lowered(1);  // the solid point
     for (std::size_t n = 1; n < graph.nodes.size(); ++n) {
         const GraphNode& node = graph.nodes[n];

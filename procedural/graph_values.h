@@ -10,8 +10,9 @@ class GraphValues {
   public:
     using Scratch = ValueProgram::Scratch;
 
-    /// The graph must be valid (graph_from_json makes only such) and not empty.
-    explicit GraphValues(const TextureGraph& graph);
+    /// The graph must be valid (graph_from_json makes only such) and not empty. `skips` as a
+    /// ValueProgram takes them.
+    explicit GraphValues(const TextureGraph& graph, const Skips* skips = nullptr);
 
     Scratch make_scratch() const { return program_.make_scratch(); }
 

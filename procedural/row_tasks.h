@@ -33,4 +33,16 @@ void for_row_ranges(std::size_t size, std::size_t texels, int threads, const Wor
     arena.execute([&] { tbb::parallel_for(rows, unless_stopped, tbb::simple_partitioner()); });
 }
 
+/// Groups of so many rows that they have about so many texels or more: what is decided for a batch
+/// of texels of one group does not depend on who else works.
+struct RowGroups {
+    std::size_t size = 0, rows = 1;
+    RowGroups(std::size_t rows_in_all, std::size_t texels)
+        : size(rows_in_all), rows(std::max<std::size_t>(1, texels / (rows_in_all + 1))) {}
+
+    std::size_t count() const { return (size + rows - 1) / rows; }
+    /// The first row of a group, `size` after the last one.
+    std::size_t begin(std::size_t group) const { return std::min(size, group * rows); }
+};
+
 }  // namespace burl

@@ -30,7 +30,7 @@ template <class Pixel>
 Image<Pixel> synthesize_points(const SolidAtlas& solid, const TextureGraph& graph,
                                const Affine3& map, const Filter& filter, int threads,
                                const Economy& economy) {
-    const GraphValues values(graph);
+    const GraphValues values(graph, &economy.skips);
     GraphValues::Scratch scratch = values.make_scratch();
     Image<Pixel> image(solid.size, solid.size, PixelEncoder<Pixel>()(values(Vec3d(0.0), scratch)));
     fill_points(solid, map, values, filter, threads, economy, image);

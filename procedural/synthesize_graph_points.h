@@ -74,8 +74,7 @@ class PointQueue {
 
     void flush() {
         if (count_ == 0) return;
-        work_.texels += count_;
-        work_.octaves += count_ * std::size_t(pattern_.samples()) * graph_.program().octaves();
+        scratch_.work.texels += count_;
         encode_(supersampled_ ? mean_colors() : point_colors(), count_, pixels_);
         const Pixel* from = pixels_;
         for (const Piece& piece : pieces_) {
@@ -87,7 +86,7 @@ class PointQueue {
     }
 
     /// Of the texels flushed.
-    const SynthesisWork& work() const { return work_; }
+    const SynthesisWork& work() const { return scratch_.work; }
 
   private:
     std::array<const double*, 3> point_colors() {
@@ -139,7 +138,6 @@ class PointQueue {
     std::vector<Piece> pieces_;
     std::vector<ParabolaLine> lines_;
     std::size_t count_ = 0;
-    SynthesisWork work_;
     double weights_[value_batch];
     Pixel pixels_[value_batch];
 };
@@ -157,9 +155,11 @@ void fill_points(const SolidAtlas& solid, const Affine3& map, const GraphValues&
                  const Filter& filter, int threads, const Economy& economy, Image<Pixel>& image) {
     const BatchEncoder<Pixel> encode;
     WorkSum work(economy.work);
-    const auto fill_rows = [&](const RowRange& rows) {
+    const RowGroups groups(solid.size, 16 * value_batch);
+    const auto fill_rows = [&](const RowRange& range) {
         const auto queue = std::make_unique<PointQueue<Pixel>>(graph, filter, encode, image);
-        for (std::size_t y = rows.begin(); y != rows.end(); ++y)
+        for (std::size_t y = groups.begin(range.begin()); y != groups.begin(range.end()); ++y) {
+            if (y % groups.rows == 0) queue->flush();
             for (const Span& span : solid.row(y)) {
                 const TexelMap& texel = solid.maps[span.map];
                 const WholeSpan whole = solid.whole(span);
@@ -169,10 +169,11 @@ void fill_points(const SolidAtlas& solid, const Affine3& map, const GraphValues&
                                  double(span.x - whole.x), span.count},
                      map.linear * texel.step_y, double(whole.count)});
             }
+        }
         queue->flush();
         work.add(queue->work());
     };
-    for_row_ranges(solid.size, 16 * value_batch, threads, fill_rows, economy.stop);
+    for_row_ranges(groups.count(), 1, threads, fill_rows, economy.stop);
     SynthesisWork gaps;
     gaps.skip_texels(Skip::unread_texels, texels_outside(solid));
     work.add(gaps);

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "procedural/lattice_site.h"
+#include "procedural/value_guards.h"
 #include "procedural/value_noise.h"
 
 namespace burl {
@@ -71,12 +72,28 @@ void run_work(const GraphSlope& work, const StepArrays& arrays, GraphEvaluator::
 
 }  // namespace
 
+ValueProgram::ValueProgram(const Skips* skips)
+    : share_(!skips || skips->allows(Skip::subtrees)),
+      fix_(!skips || skips->allows(Skip::constants)),
+      guard_(skips && skips->allows(Skip::covered_layers)) {}
+
 std::vector<Register> ValueProgram::add(ValueWork work, std::vector<Register> inputs,
                                         std::size_t count) {
     ValueStep step{std::move(work), std::move(inputs), {}, node_};
-    for (const ValueStep& known : steps_)
-        if (known.inputs == step.inputs && known.work == step.work) return known.outputs;
-    for (std::size_t i = 0; i < count; ++i) step.outputs.push_back(registers_++);
+    const auto known = std::ranges::find_if(steps_, [&](const ValueStep& before) {
+        return before.work == step.work &&
+               std::ranges::equal(before.inputs, step.inputs,
+                                  [&](Register a, Register b) { return same(a, b); });
+    });
+    if (known != steps_.end() && share_) {
+        shared_.push_back(known->outputs.front());
+        return known->outputs;
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+        step.outputs.push_back(registers_++);
+        const Register first = known == steps_.end() ? step.outputs[i] : known->outputs[i];
+        original_.push_back(original_.size() > first ? original_[first] : first);
+    }
     return steps_.emplace_back(std::move(step)).outputs;
 }
 
@@ -119,7 +136,7 @@ void ValueProgram::put_fixed_first() {
     const auto rest = std::stable_partition(steps_.begin(), steps_.end(), [&](const ValueStep& s) {
         return !varies[s.outputs.front()];
     });
-    fixed_steps_ = std::size_t(rest - steps_.begin());
+    fixed_steps_ = fix_ ? std::size_t(rest - steps_.begin()) : 0;
 }
 
 /// An array is free after the last step that reads it; those of fixed steps stay.
@@ -151,17 +168,25 @@ void ValueProgram::share_arrays(std::vector<Register>& results) {
         for (Register& r : steps_[i].outputs) r = array[r];
     }
     for (Register& r : results) r = array[r];
+    for (ValueGuard& guard : guards_.guards) guard.weight = array[guard.weight];
     registers_ = arrays;
 }
 
 std::vector<Register> ValueProgram::finish(std::vector<Register> results) {
     drop_unread(results);
     put_fixed_first();
+    shared_octaves_ = octaves_of_shared();
+    if (guard_) guards_ = find_guards(steps_, fixed_steps_, registers_, results);
     share_arrays(results);
     return results;
 }
 
 namespace {
+
+std::size_t octaves_of(const ValueStep& step) {
+    const auto* sum = std::get_if<NoiseSum>(&step.work);
+    return sum ? sum->octaves.size() : 0;
+}
 
 void run_step(const ValueStep& step, std::size_t count, ValueProgram::Scratch& scratch,
               GraphEvaluator::Scratch& graph) {
@@ -173,12 +198,33 @@ void run_step(const ValueStep& step, std::size_t count, ValueProgram::Scratch& s
     std::visit([&](const auto& work) { run_work(work, arrays, graph); }, step.work);
 }
 
+/// Whether the points are where guards were made for.
+bool are_near(std::size_t count, ValueProgram::Scratch& scratch) {
+    bool near = true;
+    for (Register axis = 0; axis < 3; ++axis)
+        for (std::size_t j = 0; j < count; ++j)
+            near = near && std::abs(scratch[axis][j]) <= largest_guarded;
+    return near;
+}
+
+bool all_equal(const double* values, std::size_t count, double value) {
+    return std::all_of(values, values + count, [&](double x) { return x == value; });
+}
+
 }  // namespace
 
 std::size_t ValueProgram::octaves() const {
     std::size_t count = 0;
+    for (std::size_t i = fixed_steps_; i < steps_.size(); ++i) count += octaves_of(steps_[i]);
+    return count;
+}
+
+/// Octaves a point would take besides if equal work were done again.
+std::size_t ValueProgram::octaves_of_shared() const {
+    std::size_t count = 0;
     for (std::size_t i = fixed_steps_; i < steps_.size(); ++i)
-        if (const auto* sum = std::get_if<NoiseSum>(&steps_[i].work)) count += sum->octaves.size();
+        count += octaves_of(steps_[i]) *
+                 std::size_t(std::ranges::count(shared_, steps_[i].outputs.front()));
     return count;
 }
 
@@ -195,8 +241,27 @@ ValueProgram::Scratch ValueProgram::make_scratch() const {
 }
 
 void ValueProgram::run(std::size_t count, Scratch& scratch) const {
-    for (std::size_t i = fixed_steps_; i < steps_.size(); ++i)
+    SynthesisWork& work = scratch.work;
+    for (std::size_t i = 0; i < fixed_steps_; ++i)
+        work.skip_octaves(Skip::constants, octaves_of(steps_[i]) * count);
+    work.skip_octaves(Skip::subtrees, shared_octaves_ * count);
+    std::uint64_t covered = 0;
+    auto guard = guards_.by_step.begin();
+    for (std::size_t i = fixed_steps_; i < steps_.size(); ++i) {
+        for (; guard != guards_.by_step.end() && guards_.guards[*guard].first_step == i; ++guard) {
+            const auto& [weight, value, first_step] = guards_.guards[*guard];
+            if (all_equal(scratch[weight], count, value) && are_near(count, scratch))
+                covered |= std::uint64_t(1) << *guard;
+        }
+        const std::size_t octaves = octaves_of(steps_[i]) * count;
+        if (covered != 0 && (guards_.of_step[i] & covered) != 0) {
+            for (const Register r : steps_[i].outputs) std::fill_n(scratch[r], count, 0.0);
+            work.skip_octaves(Skip::covered_layers, octaves);
+            continue;
+        }
+        work.octaves += octaves;
         run_step(steps_[i], count, scratch, scratch.graphs[i]);
+    }
 }
 
 }  // namespace burl

@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "procedural/economy.h"
 #include "procedural/graph_evaluator.h"
 #include "procedural/noise_sum.h"
 #include "procedural/value_kernels.h"
@@ -52,8 +53,25 @@ struct ValueStep {
     bool operator==(const ValueStep&) const = default;
 };
 
+/// Where `weight` is `value` at every point of a batch, steps are left out.
+struct ValueGuard {
+    Register weight = 0;
+    double value = 0.0;
+    std::size_t first_step = 0;  ///< before which the weight is looked at
+};
+
+struct ValueGuards {
+    std::vector<ValueGuard> guards;
+    std::vector<std::size_t> by_step;    ///< their numbers, by first_step
+    std::vector<std::uint64_t> of_step;  ///< per step: bit g is set where guard g guards it
+};
+
 class ValueProgram {
   public:
+    /// Whether a batch looks at what it may leave out (value_guards.h) is said by `skips`, and
+    /// whether constants and equal work are; null: it does not, and they are.
+    explicit ValueProgram(const Skips* skips = nullptr);
+
     /// Arrays of one thread.
     struct Scratch {
         struct alignas(64) Array {
@@ -61,6 +79,7 @@ class ValueProgram {
         };
         std::vector<Array> arrays;
         std::vector<GraphEvaluator::Scratch> graphs;
+        SynthesisWork work;  ///< octaves of all runs with it
         double* operator[](Register r) { return arrays[r].values; }
     };
 
@@ -71,6 +90,8 @@ class ValueProgram {
     std::vector<Register> add(ValueWork work, std::vector<Register> inputs, std::size_t count = 1);
     Register add(ValueOp op, std::vector<Register> inputs, const std::array<double, 4>& p = {});
     Register constant(double value) { return add(ValueOp::constant, {}, {value}); }
+    /// Whether two registers hold the same numbers by the same work.
+    bool same(Register a, Register b) const { return original_[a] == original_[b]; }
     /// The number that a register always holds, if it is a constant.
     const double* constant_of(Register r) const;
 
@@ -91,7 +112,14 @@ class ValueProgram {
     void put_fixed_first();
     void share_arrays(std::vector<Register>& results);
 
+    std::size_t octaves_of_shared() const;
+
     std::vector<ValueStep> steps_;
+    std::vector<Register> original_{0, 1, 2};  ///< of equal work: what the first of it fills
+    std::vector<Register> shared_;             ///< what was asked for again
+    bool share_ = true, fix_ = true, guard_ = false;
+    ValueGuards guards_;
+    std::size_t shared_octaves_ = 0;
     std::uint32_t node_ = 0;
     Register registers_ = 3;
     std::size_t fixed_steps_ = 0;  ///< the first ones do not depend on the point
