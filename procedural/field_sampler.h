@@ -4,25 +4,12 @@
 #include <memory>
 #include <vector>
 
+#include "procedural/early_exit.h"
+#include "procedural/field_batch.h"
 #include "procedural/kept_noise.h"
 #include "procedural/octave_streams.h"
-#include "procedural/quadric_kernel.h"
-#include "procedural/slope_kernels.h"
-#include "procedural/texel_piece.h"
 
 namespace burl {
-
-/// What a thread works with: pieces of several spans packed into one stream of texels.
-struct FieldBatch {
-    std::vector<Piece> pieces;
-    std::size_t count = 0;
-    alignas(64) double field[batch_capacity + batch_padding];
-    SlopeBatch slopes;
-    TexelOffsets offsets;  ///< for values_at_offsets
-
-    std::vector<ParabolaLine> parabolas;
-    StreamBuffers streams;
-};
 
 /// Every texel is computed from its own span's start and its distance from it, so the batches'
 /// limits leave no trace.
@@ -37,6 +24,12 @@ class FieldSampler {
     /// The same to the bit, but evaluates only octaves whose noise is not known, and keeps it. Not
     /// with a band limit.
     void values(FieldBatch& batch, const KeptBatch& kept) const;
+    /// Looks at the blocks of texels of `pilot`, which lie all over the atlas, where
+    /// values_for_colors() had better leave out octaves. Those evaluated for that are not counted.
+    void plan_exit(const ColorMap& colors, FieldBatch& pilot, const ExitCosts& costs = {});
+    /// batch.field = f, or any number of which the colour map that was planned for makes the colour
+    /// of f, bit for bit.
+    void values_for_colors(FieldBatch& batch, ExitBuffers& buffers) const;
     /// What the kept noise depends on, octave by octave.
     std::vector<NoiseKey> noise_keys() const;
     /// Besides, batch.slopes = df/du and df/dv per texel.
@@ -50,20 +43,25 @@ class FieldSampler {
         Octave octave;
         double mean = 0.0;  ///< without its offset
     };
+    std::vector<OctaveRange> octave_ranges() const;
+    std::vector<double> decided_shares(const std::vector<ExitPoint>& points,
+                                       FieldBatch& pilot) const;
     void fill_quadric(FieldBatch& batch) const;
     void fill_parabolas_of(FieldBatch& batch) const;
     void add_constant(FieldBatch& batch) const;
     void fill_quadric_at_offsets(FieldBatch& batch) const;
     void add_kept_scalar_octaves(FieldBatch& batch, const KeptBatch& kept) const;
-    void add_scalar_octaves(FieldBatch& batch, SlopeBatch* slopes,
-                            const TexelOffsets* offsets) const;
+    void add_scalar_octaves(FieldBatch& batch, SlopeBatch* slopes, const TexelOffsets* offsets,
+                            const OpenBlocks* open = nullptr) const;
 
     Quadric quadric_;
     OctaveStreams streams_;
+    std::vector<Octave> streamed_octaves_;
     std::vector<ScalarOctave> scalar_octaves_;
     double constant_ = 0.0;
     bool band_limit_;
     Skips skips_;
+    ExitPlan exit_;
 };
 
 }  // namespace burl

@@ -4,6 +4,7 @@
 #include <limits>
 #include <vector>
 
+#include "procedural/early_exit.h"
 #include "procedural/economy.h"
 #include "procedural/kept_noise.h"
 #include "procedural/kernel.h"
@@ -53,6 +54,14 @@ class OctaveStreams {
     /// not known, and keeps it. Where all are known it needs no pieces. Not with a band limit.
     void add_kept(std::span<const Piece> pieces, std::size_t count, const KeptBatch& kept,
                   StreamBuffers& buffers, double* values) const;
+    /// noise[k][j] = octave k of noise_keys() at texel j, for k in [begin, end): what add_kept()
+    /// keeps of it, to the bit. The arrays are padded.
+    void fill_noise(std::size_t begin, std::size_t end, std::span<const Piece> pieces,
+                    StreamBuffers& buffers, std::span<float* const> noise) const;
+    /// As add() without slopes and offsets, to the bit, at the texels that are open in the end; at
+    /// the others a value of the same colour. Not with a band limit.
+    void add_open(const ExitPlan& plan, std::span<const Piece> pieces, std::size_t count,
+                  StreamBuffers& buffers, ExitBuffers& exit, double* values) const;
 
   private:
     /// Spans this long are added up by scan-line polynomials where the first octave crosses fewer
@@ -76,6 +85,22 @@ class OctaveStreams {
     void for_each_way(const Group& group, std::span<const Piece> pieces, Visit&& visit) const;
     void add_kept_group(const Group& group, std::span<const Piece> pieces, std::size_t count,
                         bool scanned, const KeptBatch& kept, StreamBuffers& buffers,
+                        double* values) const;
+    void fill_group_noise(const Group& group, std::size_t begin, std::size_t end,
+                          std::span<const Piece> pieces, std::size_t count, bool scanned,
+                          std::size_t at, StreamBuffers& buffers,
+                          std::span<float* const> noise) const;
+    static void add_stream_octave(const Group& group, const StreamOctave& octave, const Plan& plan,
+                                  std::size_t count, StreamBuffers& buffers, float* sums);
+    static bool look_at(const ExitPlan& plan, const ExitPoint& point, const double* estimate,
+                        ExitBuffers& exit, SynthesisWork& work, double* values);
+    Plan prepare_open(const Group& group, std::span<const Piece> pieces, std::size_t count,
+                      const OpenBlocks& open, StreamBuffers& buffers) const;
+    static void compact_group(const Plan& plan, std::size_t known, ExitBuffers& exit,
+                              StreamBuffers& buffers);
+    void add_group_open(const Group& group, std::size_t first, const ExitPlan& plan,
+                        std::span<const ExitPoint> points, std::span<const Piece> pieces,
+                        std::size_t count, StreamBuffers& buffers, ExitBuffers& exit,
                         double* values) const;
     void add_values(const Group& group, std::span<const Piece> pieces, StreamBuffers& buffers,
                     double* values) const;

@@ -45,12 +45,14 @@ void flush(ShadedBatch& batch, const FieldSampler& sampler, const Shader& shader
 template <class Shader>
 SynthesisWork synthesize_rows(const SolidAtlas& solid, std::span<const TexelMap> maps,
                               const FieldSampler& sampler, const Shader& shader,
-                              const RowRange& rows, Image<typename Shader::Pixel>& image) {
+                              const RowGroups& groups, const RowRange& range,
+                              Image<typename Shader::Pixel>& image) {
     const auto background = shader.background(0.0);
     const auto batch = std::make_unique_for_overwrite<ShadedBatch>();
     SynthesisWork& work = batch->streams.work;
     const auto empty = [&] { flush(*batch, sampler, shader, image); };
-    for (std::size_t y = rows.begin(); y != rows.end(); ++y) {
+    for (std::size_t y = groups.begin(range.begin()); y != groups.begin(range.end()); ++y) {
+        if (y % groups.rows == 0) empty();
         const std::size_t texels = texels_of(solid.row(y));
         work.texels += texels;
         work.skip_texels(Skip::unread_texels, solid.size - texels);
@@ -61,19 +63,26 @@ SynthesisWork synthesize_rows(const SolidAtlas& solid, std::span<const TexelMap>
     return work += batch->corners.batch->streams.work;
 }
 
+/// With `exits`, the shader's colour map, the field where it is not seen need not be right.
 template <class Shader>
 Image<typename Shader::Pixel> synthesize(const SolidAtlas& solid, const Texture& texture,
                                          const Affine3& map, const Filter& filter, int threads,
                                          Kernel kernel, const Economy& economy,
-                                         const Shader& shader) {
+                                         const Shader& shader, const ColorMap* exits = nullptr) {
     auto image = Image<typename Shader::Pixel>::unset(solid.size, solid.size);
-    const FieldSampler sampler(texture, filter.band_limit, kernel, economy.skips);
+    FieldSampler sampler(texture, filter.band_limit, kernel, economy.skips);
     WorkSum work(economy.work);
     const std::vector<TexelMap> maps = moved_maps(solid.maps, map, threads);
-    const auto fill_rows = [&](const RowRange& rows) {
-        work.add(synthesize_rows(solid, maps, sampler, shader, rows, image));
+    if (exits) {
+        const auto pilot = std::make_unique<FieldBatch>();
+        add_pilot(solid, maps, *pilot);
+        sampler.plan_exit(*exits, *pilot);
+    }
+    const RowGroups groups(solid.size, 8 * batch_capacity);
+    const auto fill_groups = [&](const RowRange& range) {
+        work.add(synthesize_rows(solid, maps, sampler, shader, groups, range, image));
     };
-    for_row_ranges(solid.size, 8 * batch_capacity, threads, fill_rows, economy.stop);
+    for_row_ranges(groups.count(), 1, threads, fill_groups, economy.stop);
     return image;
 }
 
@@ -85,7 +94,9 @@ Image<Pixel> synthesize_colors(const SolidAtlas& solid, const Texture& texture, 
     const auto run = [&](const auto& shader) {
         return synthesize(solid, texture, map, filter, threads, kernel, economy, shader);
     };
-    if (filter.kind == FilterKind::none) return run(PointColor<Pixel>(colors));
+    if (filter.kind == FilterKind::none)
+        return synthesize(solid, texture, map, filter, threads, kernel, economy,
+                          PointColor<Pixel>(colors), &colors);
     if (filter.kind == FilterKind::supersample)
         return run(SupersampledColor<Pixel>(colors, filter.samples));
     return run(FilteredColor<PointColor<Pixel>>(colors, filter.kind));

@@ -26,6 +26,7 @@ struct ShadedBatch : FieldBatch {
 
     CornerBuffers corners;
     FilterBuffers filter;
+    ExitBuffers exit;
     bool filtered[batch_capacity];  ///< whether `means` counts
     std::tuple<std::vector<Rgb16>, std::vector<RgbF>> means;
 };
@@ -49,7 +50,9 @@ class PointColor {
   public:
     using Pixel = P;
     explicit PointColor(const ColorMap& map) : colors_(map) {}
-    void sample(const FieldSampler& sampler, ShadedBatch& batch) const { sampler.values(batch); }
+    void sample(const FieldSampler& sampler, ShadedBatch& batch) const {
+        sampler.values_for_colors(batch, batch.exit);
+    }
     void shade(ShadedBatch& batch) const {
         std::fill_n(batch.filtered, batch.count, false);
         std::get<std::vector<P>>(batch.means).resize(batch_capacity);
@@ -75,7 +78,9 @@ class PointColor<Rgb8> {
   public:
     using Pixel = Rgb8;
     explicit PointColor(const ColorMap& map) : colors_(map) {}
-    void sample(const FieldSampler& sampler, ShadedBatch& batch) const { sampler.values(batch); }
+    void sample(const FieldSampler& sampler, ShadedBatch& batch) const {
+        sampler.values_for_colors(batch, batch.exit);
+    }
     void shade(ShadedBatch& batch) const {
         colors_.look_up(batch.field, batch.count, batch.point_colors);
     }
