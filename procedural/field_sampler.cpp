@@ -70,15 +70,25 @@ void add_values_and_slopes(const Octave& octave, double scale, const LatticePiec
     }
 }
 
+/// What is evaluated of a texture: those without amplitude come last, so that they change nothing
+/// about how the others are grouped.
+std::vector<Octave> octaves_of(const Texture& texture, const Skips& skips) {
+    std::vector<Octave> octaves = expand_octaves(texture);
+    if (skips.allows(Skip::zero_terms)) return octaves;
+    for (const Octave& octave : idle_octaves(texture)) octaves.push_back(octave);
+    return octaves;
+}
+
 }  // namespace
 
 FieldSampler::FieldSampler(const Texture& texture, bool band_limit, Kernel kernel,
                            const Skips& skips)
     : quadric_(texture.quadric),
-      streams_(expand_octaves(texture), kernel, band_limit, skips),
+      streams_(octaves_of(texture, skips), kernel, band_limit, skips),
       band_limit_(band_limit),
       skips_(skips) {
-    for (const Octave& octave : expand_octaves(texture)) {
+    if (skips.allows(Skip::zero_terms)) idle_octaves_ = idle_octaves(texture).size();
+    for (const Octave& octave : octaves_of(texture, skips)) {
         constant_ += octave.offset;
         // (Octaves with a kernel have the mean 0.)
         if (has_kernel(octave))
@@ -142,11 +152,13 @@ void FieldSampler::fill_parabolas_of(FieldBatch& batch) const {
 
 /// The noise's constant parts, apart from the quadric, which can so be kept when they change.
 void FieldSampler::add_constant(FieldBatch& batch) const {
+    batch.streams.work.skip_octaves(Skip::zero_terms, idle_octaves_ * batch.count);
     if (constant_ == 0.0) return;
     for (std::size_t j = 0; j < batch.count; ++j) batch.field[j] += constant_;
 }
 
 void FieldSampler::fill_quadric_at_offsets(FieldBatch& batch) const {
+    batch.streams.work.skip_octaves(Skip::zero_terms, idle_octaves_ * batch.count);
     std::size_t at = 0;
     for (const Piece& piece : batch.pieces)
         for (std::size_t j = 0; j < piece.solid.count; ++j, ++at) {

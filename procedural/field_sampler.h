@@ -59,6 +59,7 @@ class FieldSampler {
     std::vector<Octave> streamed_octaves_;
     std::vector<ScalarOctave> scalar_octaves_;
     double constant_ = 0.0;
+    std::size_t idle_octaves_ = 0;  ///< left out, of no amplitude
     bool band_limit_;
     Skips skips_;
     ExitPlan exit_;

@@ -10,9 +10,9 @@ namespace {
 
 bool doubles(const Octave& octave, const Octave& before) {
     const Affine3 &map = octave.lattice_from_solid, &half = before.lattice_from_solid;
-    return octave.noise.kind == before.noise.kind && octave.noise.fade == before.noise.fade &&
-           octave.noise.radius2 == before.noise.radius2 && map.linear == 2.0 * half.linear &&
-           map.offset == 2.0 * half.offset &&
+    return octave.scale != 0.0 && octave.noise.kind == before.noise.kind &&
+           octave.noise.fade == before.noise.fade && octave.noise.radius2 == before.noise.radius2 &&
+           map.linear == 2.0 * half.linear && map.offset == 2.0 * half.offset &&
            std::abs(octave.scale) <= 0.5 * std::abs(before.scale);
 }
 
@@ -49,8 +49,8 @@ std::vector<OctaveGroup> group_octaves(std::span<const Octave> octaves) {
         const bool full = !groups.empty() && groups.back().octaves.size() > most;
         if (!before || full || !doubles(octave, *before)) groups.push_back(group_from(octave));
         OctaveGroup& group = groups.back();
-        group.octaves.push_back(
-            {octave.noise.seed, int(group.octaves.size()), float(octave.scale / group.scale)});
+        const double weight = group.scale != 0.0 ? octave.scale / group.scale : 1.0;
+        group.octaves.push_back({octave.noise.seed, int(group.octaves.size()), float(weight)});
         before = &octave;
     }
     return groups;

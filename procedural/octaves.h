@@ -20,6 +20,8 @@ struct Octave {
 
 /// All octaves of all terms with a non-zero amplitude, in the order they are added.
 std::vector<Octave> expand_octaves(const Texture& texture);
+/// Those with an amplitude of zero, which expand_octaves leaves out.
+std::vector<Octave> idle_octaves(const Texture& texture);
 
 /// f(s) in float64 from octaves that were expanded before: evaluate_field for many points.
 double evaluate_field(const Quadric& quadric, std::span<const Octave> octaves, const Vec3d& s);

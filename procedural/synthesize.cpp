@@ -44,7 +44,7 @@ void flush(ShadedBatch& batch, const FieldSampler& sampler, const Shader& shader
 
 template <class Shader>
 SynthesisWork synthesize_rows(const SolidAtlas& solid, std::span<const TexelMap> maps,
-                              const FieldSampler& sampler, const Shader& shader,
+                              const FieldSampler& sampler, const Shader& shader, const Skips& skips,
                               const RowGroups& groups, const RowRange& range,
                               Image<typename Shader::Pixel>& image) {
     const auto background = shader.background(0.0);
@@ -54,9 +54,14 @@ SynthesisWork synthesize_rows(const SolidAtlas& solid, std::span<const TexelMap>
     for (std::size_t y = groups.begin(range.begin()); y != groups.begin(range.end()); ++y) {
         if (y % groups.rows == 0) empty();
         const std::size_t texels = texels_of(solid.row(y));
-        work.texels += texels;
-        work.skip_texels(Skip::unread_texels, solid.size - texels);
-        fill_gaps(solid.row(y), background, image.row(y));
+        if (skips.allows(Skip::unread_texels)) {
+            work.texels += texels;
+            work.skip_texels(Skip::unread_texels, solid.size - texels);
+            fill_gaps(solid.row(y), background, image.row(y));
+        } else {
+            work.texels += solid.size;
+            for (auto& pixel : image.row(y)) pixel = shader.background(0.0);
+        }
         add_row(solid, maps, y, *batch, empty);
     }
     empty();
@@ -80,7 +85,8 @@ Image<typename Shader::Pixel> synthesize(const SolidAtlas& solid, const Texture&
     }
     const RowGroups groups(solid.size, 8 * batch_capacity);
     const auto fill_groups = [&](const RowRange& range) {
-        work.add(synthesize_rows(solid, maps, sampler, shader, groups, range, image));
+        work.add(
+            synthesize_rows(solid, maps, sampler, shader, economy.skips, groups, range, image));
     };
     for_row_ranges(groups.count(), 1, threads, fill_groups, economy.stop);
     return image;

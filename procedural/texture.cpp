@@ -56,12 +56,13 @@ Period<4> octave_period(const NoiseTerm& term, double frequency) {
     return period;
 }
 
-void append_octaves(const NoiseTerm& term, std::vector<Octave>& octaves) {
+/// Those whose amplitude is zero, or the others.
+void append_octaves(const NoiseTerm& term, bool idle, std::vector<Octave>& octaves) {
     const Affine3 first = first_octave_map(term);
     double amplitude = term.amplitude, frequency = 1.0;
     if (term.normalized) amplitude /= octave_weights(term.gain, term.octaves);
     for (std::uint32_t k = 0; k < term.octaves; ++k) {
-        if (amplitude != 0.0) {
+        if ((amplitude == 0.0) == idle) {
             Octave octave = scaled_octave(term, amplitude);
             octave.noise = {term.kind,    term.fade,     term.feature,
                             term.radius2, term.seed + k, octave_period(term, frequency),
@@ -78,7 +79,13 @@ void append_octaves(const NoiseTerm& term, std::vector<Octave>& octaves) {
 
 std::vector<Octave> expand_octaves(const Texture& texture) {
     std::vector<Octave> octaves;
-    for (const NoiseTerm& term : texture.noise) append_octaves(term, octaves);
+    for (const NoiseTerm& term : texture.noise) append_octaves(term, false, octaves);
+    return octaves;
+}
+
+std::vector<Octave> idle_octaves(const Texture& texture) {
+    std::vector<Octave> octaves;
+    for (const NoiseTerm& term : texture.noise) append_octaves(term, true, octaves);
     return octaves;
 }
 

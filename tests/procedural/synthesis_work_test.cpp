@@ -69,6 +69,44 @@ TEST(SynthesisWork, CountsOctavesThatTexelsCannotShow) {
     EXPECT_LT(skipped, all.octaves / 2);
 }
 
+TEST(SynthesisWork, CountsTermsWithoutAmplitude) {
+    const SolidAtlas solid = atlas_with_gaps();
+    Texture texture = two_terms();
+    texture.noise[1].gain = 0.0;  // its second octave
+    NoiseTerm silent;
+    silent.amplitude = 0.0, silent.octaves = 4;
+    texture.noise.insert(texture.noise.begin() + 1, silent);
+    Texture idle = texture;
+    idle.noise.erase(idle.noise.begin() + 1);
+    const std::uint64_t texels = texels_in_spans(solid);
+    for (const FilterKind kind : {FilterKind::none, FilterKind::exact, FilterKind::supersample}) {
+        const std::uint64_t samples = kind == FilterKind::supersample ? 4 : 1;
+        SynthesisWork some, all;
+        Economy economy{{}, &all, {}};
+        economy.skips.forbid(Skip::zero_terms);
+        const Filter filter{kind, 4};
+        const auto image = synthesize_rgbf(solid, texture, identity, 2, filter, Kernel::automatic,
+                                           {{}, &some, {}});
+        EXPECT_EQ(synthesize_rgbf(solid, texture, identity, 2, filter, Kernel::automatic, economy),
+                  image);
+        EXPECT_EQ(synthesize_rgbf(solid, idle, identity, 2, filter), image);
+        EXPECT_EQ(some.octaves, 4 * texels * samples);
+        EXPECT_EQ(some.octaves_skipped[unsigned(Skip::zero_terms)], 5 * texels * samples);
+        EXPECT_EQ(all.octaves, 9 * texels * samples);
+    }
+}
+
+TEST(SynthesisWork, PaintsTexelsThatNobodyReadsOneByOneIfAsked) {
+    const SolidAtlas solid = atlas_with_gaps();
+    SynthesisWork work;
+    Economy economy{{}, &work, {}};
+    economy.skips.forbid(Skip::unread_texels);
+    EXPECT_EQ(synthesize_rgb8(solid, two_terms(), identity, 2, {}, Kernel::automatic, economy),
+              synthesize_rgb8(solid, two_terms(), identity, 2));
+    EXPECT_EQ(work.texels, 64u * 64u);
+    EXPECT_EQ(work.texels_skipped, SynthesisWork{}.texels_skipped);
+}
+
 TEST(SynthesisWork, CountsTheOctavesOfGraphs) {
     const TextureGraph graph = graph_from_json(nlohmann::ordered_json::parse(
         R"({"node": "mix", "a": {"node": "fbm", "octaves": 5},
