@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <limits>
 
 #include "atlas/mip_chain.h"
+#include "atlas/solid_level.h"
 
 namespace burl {
 namespace {
@@ -43,16 +45,35 @@ Image<RgbF> divided(const Image<RgbF>& sums, const Image<float>& weights, Image<
     return plain;
 }
 
-/// Inner texels' means for the levels after `pure`.
-void keep_gutters_out(const PatchAtlas& atlas, const Image<RgbF>& texture, std::uint32_t pure,
-                      std::vector<Image<RgbF>>& levels) {
-    Image<float> weights = inner_texels(atlas);
-    Image<RgbF> sums = times(texture, weights);
-    for (std::uint32_t l = 1; l <= levels.size(); ++l) {
+/// Inner texels' means for those of the levels after `first` that are after `pure`, too.
+void keep_gutters_out(const PatchAtlas& atlas, const Image<RgbF>& image, std::uint32_t first,
+                      std::uint32_t pure, std::vector<Image<RgbF>>& levels) {
+    Image<float> weights = inner_texels(atlas, first);
+    Image<RgbF> sums = times(image, weights);
+    for (std::uint32_t l = first + 1; l <= first + levels.size(); ++l) {
         sums = halve(sums);
         weights = halve(weights);
-        if (l > pure) levels[l - 1] = divided(sums, weights, std::move(levels[l - 1]));
+        Image<RgbF>& level = levels[l - first - 1];
+        if (l > pure) level = divided(sums, weights, std::move(level));
     }
+}
+
+/// Texels first, first + 1, ... of an axis by the share of them that lies in [begin, end).
+struct Shares {
+    std::size_t first = 0;
+    std::vector<float> values;
+};
+
+/// `scale` texels of level 0, whose numbers begin and end are, make one here.
+Shares shares_within(std::uint32_t begin, std::uint32_t end, double scale, std::uint32_t size) {
+    Shares shares;
+    shares.first = std::size_t(double(begin) / scale);
+    for (std::size_t i = shares.first; i < size && double(i) * scale < end; ++i) {
+        const double low = std::max(double(i) * scale, double(begin));
+        const double high = std::min(double(i + 1) * scale, double(end));
+        shares.values.push_back(float((high - low) / scale));
+    }
+    return shares;
 }
 
 }  // namespace
@@ -69,34 +90,49 @@ std::uint32_t last_pure_level(const MeshAtlas& atlas) {
     if (const PatchAtlas* patches = atlas.patches()) {
         // Blocks lie on multiples of 2g; the texture's own end must lie on one, too.
         const std::uint32_t aligned = 2 * std::max(patches->layout.gutter, 1u);
-        return std::min(log2_floor(aligned),
-                        static_cast<std::uint32_t>(std::countr_zero(layout.options.size)));
+        return static_cast<std::uint32_t>(
+            std::min(std::countr_zero(aligned), std::countr_zero(layout.options.size)));
     }
     if (layout.options.kind != AtlasKind::quad) return 0;
     return std::min(log2_floor(narrowest_block(layout)),
                     static_cast<std::uint32_t>(std::countr_zero(layout.options.size)));
 }
 
-Image<float> inner_texels(const PatchAtlas& atlas) {
-    const std::uint32_t size = atlas.atlas.options.size;
+std::uint32_t last_source_level(const MeshAtlas& atlas) {
+    if (const PatchAtlas* patches = atlas.patches()) {
+        const std::uint32_t pure = last_pure_level(atlas);
+        return pure - (patches->layout.gutter > 0 && pure > 0 ? 1 : 0);
+    }
+    const Atlas& layout = atlas.atlas();
+    const double texels = std::pow(double(layout.options.size), 2.0);
+    const double block = std::sqrt(texels / double(std::max<std::size_t>(layout.blocks.size(), 1)));
+    return log2_floor(std::max(std::uint32_t(block), 1u));
+}
+
+Image<float> inner_texels(const PatchAtlas& atlas, std::uint32_t level) {
+    const std::uint32_t size = level_size(atlas.atlas.options.size, level);
+    const double scale = double(atlas.atlas.options.size) / size;
     Image<float> inner(size, size, 0.0f);
     for (const PatchBlock& block : atlas.layout.blocks) {
-        const std::uint32_t g = block.gutter, width = block.width - 2 * g;
-        for (std::uint32_t y = block.y + g; y < block.y + block.height - g; ++y)
-            std::ranges::fill(inner.row(y).subspan(block.x + g, width), 1.0f);
+        const std::uint32_t g = block.gutter;
+        const Shares x = shares_within(block.x + g, block.x + block.width - g, scale, size);
+        const Shares y = shares_within(block.y + g, block.y + block.height - g, scale, size);
+        for (std::size_t j = 0; j < y.values.size(); ++j)
+            for (std::size_t i = 0; i < x.values.size(); ++i)
+                inner(x.first + i, y.first + j) += x.values[i] * y.values[j];
     }
     return inner;
 }
 
-std::vector<Image<RgbF>> block_levels(const MeshAtlas& atlas, const Image<RgbF>& texture,
-                                      std::uint32_t levels) {
+std::vector<Image<RgbF>> block_levels(const MeshAtlas& atlas, const Image<RgbF>& image,
+                                      std::uint32_t levels, std::uint32_t first) {
     std::vector<Image<RgbF>> result;
     const std::uint32_t last = std::min(levels, log2_floor(atlas.atlas().options.size));
-    for (std::uint32_t l = 1; l <= last; ++l)
-        result.push_back(halve(l == 1 ? texture : result.back()));
+    for (std::uint32_t l = first + 1; l <= last; ++l)
+        result.push_back(halve(result.empty() ? image : result.back()));
     const std::uint32_t pure = last_pure_level(atlas);
-    if (const PatchAtlas* patches = atlas.patches(); patches && last > pure)
-        keep_gutters_out(*patches, texture, pure, result);
+    if (const PatchAtlas* patches = atlas.patches(); patches && last > std::max(pure, first))
+        keep_gutters_out(*patches, image, first, pure, result);
     return result;
 }
 

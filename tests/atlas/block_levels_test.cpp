@@ -64,35 +64,97 @@ TEST(BlockLevels, AbovePureLevelsOnlyInnerTexelsCount) {
     }
 }
 
-TEST(BlockLevels, PureLevelsMixNoBlocks) {
-    for (const AtlasKind kind : {AtlasKind::patch, AtlasKind::quad}) {
-        const MeshAtlas atlas = atlas_of(made::box(4), kind, 256);
-        // Every block in a grey of its own: a mixture would show another one.
-        Image<RgbF> texture(256, 256);
-        std::vector<float> greys;
-        const auto paint = [&](const auto& block) {
-            const float grey = float(greys.size() + 1) / 1024.0f;
-            greys.push_back(grey);
-            for (std::uint32_t y = block.y; y < block.y + block.height; ++y)
-                std::ranges::fill(texture.row(y).subspan(block.x, block.width),
-                                  RgbF{grey, grey, grey});
-        };
+/// Every block in a grey of its own: a mixture shows another one.
+struct PaintedBlocks {
+    Image<RgbF> texture;
+    std::vector<float> greys;
+
+    explicit PaintedBlocks(const MeshAtlas& atlas)
+        : texture(atlas.atlas().options.size, atlas.atlas().options.size) {
         if (atlas.patches()) {
             for (const PatchBlock& block : atlas.patches()->layout.blocks) paint(block);
         } else {
             for (const Block& block : atlas.atlas().blocks) paint(block);
         }
+    }
+    template <class AnyBlock>
+    void paint(const AnyBlock& block) {
+        const float grey = float(greys.size() + 1) / 1024.0f;
+        greys.push_back(grey);
+        for (std::uint32_t y = block.y; y < block.y + block.height; ++y)
+            std::ranges::fill(texture.row(y).subspan(block.x, block.width), RgbF{grey, grey, grey});
+    }
+    /// Greys have few bits, so means of one of them are exact; what no block covers is 0.
+    bool mixes(const Image<RgbF>& level) const {
+        for (const RgbF& p : level.pixels())
+            if (p.r != 0.0f && std::find(greys.begin(), greys.end(), p.r) == greys.end())
+                return true;
+        return false;
+    }
+};
+
+TEST(BlockLevels, PureLevelsMixNoBlocks) {
+    struct Case {
+        AtlasKind kind;
+        std::uint32_t size, least;
+    };
+    // With 384 texels gutters are 3 wide and blocks lie on multiples of 6.
+    for (const auto& [kind, size, least] :
+         {Case{AtlasKind::patch, 256, 1}, Case{AtlasKind::patch, 384, 1},
+          Case{AtlasKind::quad, 256, 1}}) {
+        const MeshAtlas atlas = atlas_of(made::box(4), kind, size);
+        const PaintedBlocks blocks(atlas);
         const std::uint32_t pure = last_pure_level(atlas);
-        ASSERT_GE(pure, 1u);
-        for (const Image<RgbF>& level : block_levels(atlas, texture, pure))
-            for (const RgbF& p : level.pixels())
-                EXPECT_NE(std::find(greys.begin(), greys.end(), p.r), greys.end()) << p.r;
-        // And the next one does, unless there is only one block.
-        bool mixed = false;
-        const std::vector<Image<RgbF>> next = block_levels(atlas, texture, 8);
-        for (const RgbF& p : next.back().pixels())
-            mixed = mixed || std::find(greys.begin(), greys.end(), p.r) == greys.end();
-        EXPECT_EQ(mixed, greys.size() > 1);
+        ASSERT_GE(pure, least);
+        for (const Image<RgbF>& level : block_levels(atlas, blocks.texture, pure))
+            EXPECT_FALSE(blocks.mixes(level)) << size;
+        // And the last does, unless there is only one block.
+        EXPECT_EQ(blocks.mixes(block_levels(atlas, blocks.texture, 99).back()),
+                  blocks.greys.size() > 1);
+    }
+}
+
+TEST(BlockLevels, GoOnFromAnyLevelThatKeepsGuttersApart) {
+    const MeshAtlas atlas = atlas_of(made::ring(40, 20), AtlasKind::patch, 512);
+    ASSERT_TRUE(atlas.patches());
+    ASSERT_EQ(last_pure_level(atlas), 3u);
+    const auto whole = block_levels(atlas, noise(512), 9);
+    for (const std::uint32_t first : {1u, 2u}) {  // gutters are 4 texels wide
+        const auto rest = block_levels(atlas, whole[first - 1], 9, first);
+        ASSERT_EQ(rest.size(), 9u - first);
+        for (std::uint32_t l = first + 1; l <= 9; ++l) {
+            const Image<RgbF>&expected = whole[l - 1], &level = rest[l - first - 1];
+            ASSERT_EQ(level.width(), expected.width());
+            for (std::size_t i = 0; i < level.pixels().size(); ++i)
+                EXPECT_NEAR(level.pixels()[i].g, expected.pixels()[i].g, 1e-6) << first << l;
+        }
+    }
+    EXPECT_TRUE(block_levels(atlas, whole[8], 9, 9).empty());
+}
+
+TEST(BlockLevels, SharesOfSurfaceAreMeansOfInnerTexels) {
+    for (const std::uint32_t size : {512u, 300u}) {
+        const MeshAtlas atlas = atlas_of(made::ring(40, 20), AtlasKind::patch, size);
+        ASSERT_TRUE(atlas.patches());
+        const Image<float> all = inner_texels(*atlas.patches());
+        for (const std::uint32_t level : {1u, 2u, 3u, 4u}) {
+            const Image<float> shares = inner_texels(*atlas.patches(), level);
+            ASSERT_EQ(shares.width(), size >> level);
+            const double scale = double(size) / double(shares.width());
+            for (std::uint32_t y = 0; y < shares.height(); ++y)
+                for (std::uint32_t x = 0; x < shares.width(); ++x) {
+                    double sum = 0.0;  // over texels, by the share of them that is covered
+                    const auto part = [&](std::uint32_t i, std::uint32_t at) {
+                        return std::max(0.0, std::min(i + 1.0, (at + 1) * scale) -
+                                                 std::max(double(i), at * scale));
+                    };
+                    for (auto j = std::uint32_t(y * scale); j < size && j < (y + 1) * scale; ++j)
+                        for (auto i = std::uint32_t(x * scale); i < size && i < (x + 1) * scale;
+                             ++i)
+                            sum += part(i, x) * part(j, y) * double(all(i, j));
+                    EXPECT_NEAR(shares(x, y), sum / (scale * scale), 1e-6) << x << ", " << y;
+                }
+        }
     }
 }
 
