@@ -9,16 +9,25 @@
 
 namespace burl {
 
+/// Which levels, and how they come about.
+struct LevelsAsked {
+    std::uint32_t count = 0;  ///< 0: none
+    LevelRule rule{};
+};
+
 /// `text` is empty (none), a number or "all" (down to 1 x 1 of a texture of `size` texels a side);
-/// more than there are become all. Files of float images hold all levels or none. Throws
-/// Error(usage).
-std::uint32_t levels_asked(const std::string& text, std::uint32_t size, ImageKind kind);
+/// more than there are become all. Files of float images hold all levels or none. A rule's name
+/// (app/direct_levels.h) instead of "all" means all by that rule; or else `rule` names it, which
+/// may be empty. Throws Error(usage).
+LevelsAsked levels_asked(const std::string& text, const std::string& rule, std::uint32_t size,
+                         ImageKind kind);
 
 BakedImage convert_to(Image<RgbF> image, ImageKind kind);
 
-/// Levels 1 to `levels` of the texture, in linear light, converted. Strip atlases have as many as
-/// last_level says: more are said on stderr to be missing (in float images, to be mixtures).
+/// The levels asked for of the texture, which is in linear light, converted. Strip atlases have as
+/// many as last_level says: more are said on stderr to be missing (in float images, to be
+/// mixtures).
 std::vector<BakedImage> bake_levels(Pipeline& pipeline, const Image<RgbF>& texture,
-                                    std::uint32_t levels, ImageKind kind);
+                                    LevelsAsked asked, ImageKind kind);
 
 }  // namespace burl

@@ -7,7 +7,7 @@
 namespace burl {
 
 Json bake_json(const std::string& input, const std::vector<std::string>& outputs,
-               const Recipe& recipe, Pipeline& pipeline, std::uint32_t levels, Json seconds) {
+               const Recipe& recipe, Pipeline& pipeline, const LevelsAsked& levels, Json seconds) {
     const AtlasMetrics metrics = measure(pipeline.atlas_mesh(), pipeline.atlas(), pipeline.solid());
     Json atlas = metrics_json(pipeline.atlas(), metrics);
     if (const PatchAtlas* patches = pipeline.mesh_atlas().patches())
@@ -18,7 +18,8 @@ Json bake_json(const std::string& input, const std::vector<std::string>& outputs
             {"mesh", mesh_json(pipeline.mesh(), pipeline.connectivity())},
             {"atlas", std::move(atlas)},
             {"capacity", capacity_json(capacity(pipeline.mesh().triangles.size(), recipe.atlas))},
-            {"mip_levels", levels},
+            {"mip_levels", levels.count},
+            {"level_rule", levels.count == 0 ? Json() : Json(to_string(levels.rule))},
             {"seconds", std::move(seconds)},
             {"stages", stages_json(pipeline.records())},
             {"versions", versions_json()}};

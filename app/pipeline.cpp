@@ -201,17 +201,46 @@ Image<Pixel> Pipeline::synthesize(std::uint32_t level) {
     });
 }
 
-std::vector<Image<RgbF>> Pipeline::levels(const Image<RgbF>& texture, std::uint32_t count) {
+/// Forward differences know no filter, so that direct levels do without them.
+LevelSynthesis Pipeline::level_synthesis(StageCost& cost) const {
+    HostWay way = way_;
+    way.forward = false;
+    return [this, way, &cost](const SolidAtlas& solid, const Recipe& recipe) {
+        return fill_texture<RgbF>(solid, recipe, way, {skips_, &cost.work});
+    };
+}
+
+std::vector<Image<RgbF>> Pipeline::levels(const Image<RgbF>& texture, std::uint32_t count,
+                                          const LevelRule& rule) {
     const MeshAtlas& layout = mesh_atlas();
+    const SolidAtlas& points = finest_solid();
     return records_.time(Stage::levels, [&](StageCost& cost) {
-        std::vector<Image<RgbF>> levels = synthesizer_
-                                              ? synthesizer_->levels(layout, texture, count)
-                                              : block_levels(layout, texture, count);
+        std::vector<Image<RgbF>> levels =
+            rule.direct    ? direct_levels(layout, points, recipe_, texture, count, rule,
+                                           level_synthesis(cost))
+            : synthesizer_ ? synthesizer_->levels(layout, texture, count)
+                           : block_levels(layout, texture, count);
         for (const Image<RgbF>& level : levels) {
-            cost.work.texels += level.width() * level.height();
+            if (!rule.direct) cost.work.texels += level.width() * level.height();
             cost.bytes += bytes_of(level);
         }
         return levels;
+    });
+}
+
+Image<RgbF> Pipeline::level(std::uint32_t number, const LevelRule& rule) {
+    if (!rule.direct) {
+        Image<RgbF> texture = synthesize<RgbF>();
+        std::vector<Image<RgbF>> means = levels(texture, number);
+        return means.empty() ? texture : std::move(means.back());
+    }
+    const MeshAtlas& layout = mesh_atlas();
+    const SolidAtlas& points = finest_solid();
+    return records_.time(Stage::levels, [&](StageCost& cost) {
+        Image<RgbF> level =
+            direct_level(layout, points, recipe_, number, rule, level_synthesis(cost));
+        cost.bytes = bytes_of(level);
+        return level;
     });
 }
 

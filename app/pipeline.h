@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "app/direct_levels.h"
 #include "app/fill_texture.h"
 #include "app/kept_texture.h"
 #include "app/normal_frames.h"
@@ -64,8 +65,12 @@ class Pipeline {
     /// that level. Null: `stop` came first, and no field or octave kept before is lost.
     template <class Pixel>
     const Image<Pixel>* picture(std::uint32_t level = 0, const std::stop_token& stop = {});
-    /// Levels 1 to `count` of a texture in linear light (atlas/block_levels.h).
-    std::vector<Image<RgbF>> levels(const Image<RgbF>& texture, std::uint32_t count);
+    /// Levels 1 to `count` of a texture in linear light: averaged (atlas/block_levels.h), or
+    /// direct, always by the host (app/direct_levels.h).
+    std::vector<Image<RgbF>> levels(const Image<RgbF>& texture, std::uint32_t count,
+                                    const LevelRule& rule = {});
+    /// Such a level alone: by a direct rule without working out anything finer than it samples.
+    Image<RgbF> level(std::uint32_t number, const LevelRule& rule);
     /// The recipe's bumps, which it must have, as a normal map of the atlas's mesh with the normals
     /// of app/normals.h, in the tangent frames of app/tangents.h or in the mesh's own directions;
     /// one of Rgb8 and Rgb16, linear codes, and RgbF, components from -1 to 1.
@@ -88,6 +93,7 @@ class Pipeline {
     void forget_pictures();
     KeptTexture& kept(std::uint32_t number);
     const SolidAtlas& finest_solid();
+    LevelSynthesis level_synthesis(StageCost& cost) const;
     void synthesize_elsewhere(const SolidAtlas& points, ImageToFill image, StageCost& cost);
     const NormalFrames& frames(const NormalFramesKey& key);
 

@@ -37,7 +37,7 @@ struct BakeCommand {
     EconomyOptions economy;
     int threads = 0, depth = 8;
     double crease = 40.0;
-    std::string levels, normals, solid_map, emitted_glsl, kernel = "auto";
+    std::string levels, level_rule, normals, solid_map, emitted_glsl, kernel = "auto";
     std::string synth = "host", platform = gl_platforms()[0];
     MultipassCommand multipass;
     std::optional<double> compress;
@@ -57,9 +57,9 @@ BakedImage synthesize(Pipeline& pipeline, ImageKind kind) {
 }
 
 /// The texture in the kind the file wants; levels go into the options.
-BakedImage synthesize(Pipeline& pipeline, ImageKind kind, std::uint32_t levels,
+BakedImage synthesize(Pipeline& pipeline, ImageKind kind, const LevelsAsked& levels,
                       ExportOptions& options) {
-    if (levels == 0) return synthesize(pipeline, kind);
+    if (levels.count == 0) return synthesize(pipeline, kind);
     Image<RgbF> texture = pipeline.synthesize<RgbF>();
     options.levels = bake_levels(pipeline, texture, levels, kind);
     return convert_to(std::move(texture), kind);
@@ -79,7 +79,7 @@ void tell_fallback(Pipeline& pipeline) {
 
 /// What is written besides the texture.
 struct Extras {
-    std::uint32_t levels = 0;
+    LevelsAsked levels{};
     NormalSpace normals = NormalSpace::none;
     bool has_normals() const { return normals != NormalSpace::none; }
 };
@@ -88,7 +88,7 @@ struct Extras {
 std::vector<std::string> texture_outputs(const BakeCommand& command, const Extras& extras) {
     std::vector<std::string> outputs;
     for (const std::string& path : frame_paths(command.out, command.animation))
-        for (std::string& file : output_paths(path, extras.levels, extras.has_normals()))
+        for (std::string& file : output_paths(path, extras.levels.count, extras.has_normals()))
             outputs.push_back(std::move(file));
     return outputs;
 }
@@ -131,7 +131,7 @@ void check_command(const BakeCommand& command, const Recipe& recipe, const Extra
                                 "once without --animate: its texture coordinates fit every frame",
                                 command.out));
     for (const std::string& path : frame_paths(command.out, command.animation))
-        check_output(path, command.mesh, extras.levels, extras.has_normals());
+        check_output(path, command.mesh, extras.levels.count, extras.has_normals());
     check_side_outputs(command, recipe, extras);
     check_compress(command.compress, recipe.atlas.kind);
     if (command.compress && extras.has_normals())
@@ -203,7 +203,7 @@ void run_bake(const BakeCommand& command) {
     std::vector<Recipe> recipes = frame_recipes(command.recipe, command.animation);
     if (command.kernel == reference_kernel)
         std::for_each(recipes.begin(), recipes.end(), apply_reference);
-    Extras extras{levels_asked(command.levels, recipes[0].atlas.size, kind),
+    Extras extras{levels_asked(command.levels, command.level_rule, recipes[0].atlas.size, kind),
                   normals_asked(command.normals, recipes[0], command.out)};
     check_command(command, recipes[0], extras);
     const bool forward = command.kernel == forward_kernel;
@@ -241,7 +241,7 @@ void run_bake(const BakeCommand& command) {
     Json normals;
     if (written.normals && (command.json || !command.report.empty()))
         normals = normals_json(pipeline, *written.normals, command.crease);
-    extras.levels = std::uint32_t(written.levels);
+    extras.levels.count = std::uint32_t(written.levels);
     Json report = bake_json(command.mesh, all_outputs(command, extras), recipes[0], pipeline,
                             extras.levels, std::move(seconds));
     const BakedAtlas& baked = written.baked;
@@ -278,7 +278,13 @@ void add_bake(CLI::App& program) {
     command->recipe.add_precision(*verb, "float32");
     command->meshes.add(*verb);
     verb->add_option("--levels", command->levels,
-                     "MIP levels to write besides the texture: a number, or all");
+                     "MIP levels to write besides the texture: a number, all, or all by a rule, "
+                     "average or direct");
+    verb->add_option("--level-rule", command->level_rule,
+                     "MIP levels averaged from the level below (average, the default), or worked "
+                     "out from the recipe: direct, 16 samples a texel, or direct:N, N being 1, 4, "
+                     "16 or 64")
+        ->needs("--levels");
     verb->add_option("--compress", command->compress,
                      "Quad atlas: blocks that differ by no more than this (0 to 1, full scale) "
                      "share a place, and the texture shrinks")

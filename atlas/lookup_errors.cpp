@@ -63,12 +63,7 @@ struct Lookups {
     double plain(std::uint32_t l) const {
         const auto& points = l == 0 ? truth.points : truth.level_points;
         const auto& values = l == 0 ? truth.values : truth.levels[l - 1].means;
-        const Image<Vec3f>& level = chain.levels[l];
-        const double scale = double(level.width()) / atlas.options.size;
-        MeanSquare errors;
-        for (std::size_t i = 0; i < points.size(); ++i)
-            errors.add(bilinear(level, place(atlas, points[i]) * scale) - values[i]);
-        return errors.root();
+        return lookup_rmse(atlas, chain.levels[l], points, values);
     }
 
     double grazing(std::uint32_t l) const {
@@ -135,6 +130,15 @@ void measure_8bit(const Lookups& lookups, LookupErrors& errors) {
 }
 
 }  // namespace
+
+double lookup_rmse(const Atlas& atlas, const Image<Vec3f>& level,
+                   std::span<const SurfacePoint> points, std::span<const Vec3d> values) {
+    const double scale = double(level.width()) / atlas.options.size;
+    MeanSquare errors;
+    for (std::size_t i = 0; i < points.size(); ++i)
+        errors.add(bilinear(level, place(atlas, points[i]) * scale) - values[i]);
+    return errors.root();
+}
 
 LookupErrors measure_lookups(const Mesh& mesh, const Atlas& atlas, const TextureValues& texture,
                              std::span<const MeshEdge> edges, const SurfaceTruth& truth,

@@ -39,6 +39,10 @@ struct LookupErrors {
     std::vector<LevelError> levels;      ///< from level 0
 };
 
+/// Of plain bilinear lookups in any level of the atlas's texture, where they should give `values`.
+double lookup_rmse(const Atlas& atlas, const Image<Vec3f>& level,
+                   std::span<const SurfacePoint> points, std::span<const Vec3d> values);
+
 /// What is left of a linear value after storing it; both are in [0, 1].
 using StoredValue = std::function<double(double)>;
 

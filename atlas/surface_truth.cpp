@@ -85,9 +85,11 @@ SurfaceTruth surface_truth(const Mesh& mesh, const SolidColor& f, const TruthOpt
     truth.texel = std::sqrt(surface_area(mesh)) / double(options.size);
     for (std::uint32_t l = 1; l <= options.levels && (options.size >> l) > 0 && truth.texel > 0.0;
          ++l)
-        truth.levels.push_back(level_truth(mesh, f, truth.level_points,
-                                           std::ldexp(truth.texel, int(l) - 1), options.detail,
-                                           options.seed + 100 * l));
+        truth.levels.push_back(l < options.first_level
+                                   ? LevelTruth()
+                                   : level_truth(mesh, f, truth.level_points,
+                                                 std::ldexp(truth.texel, int(l) - 1),
+                                                 options.detail, options.seed + 100 * l));
     if (truth.texel > 0.0) truth.grazing = grazing_truth(mesh, f, options, truth.texel);
     return truth;
 }

@@ -16,6 +16,7 @@ struct TruthOptions {
     std::size_t points = 150000;       ///< points for level 0
     std::size_t grazing_points = 5000;
     std::uint32_t levels = 6;          ///< last level
+    std::uint32_t first_level = 1;     ///< levels before it get no means
     std::uint32_t grazing_levels = 3;  ///< last level with grazing footprints, if it is of 32
                                        ///< texels a side: each way they end 10.4 texels away
     double detail = 1.0 / 40;          ///< size of f's finest detail (surface_mean.h)
