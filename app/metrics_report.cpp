@@ -40,6 +40,12 @@ double seam_ratio(const LookupErrors& errors) {
                : std::nan("");
 }
 
+/// A level's, if there is one.
+std::optional<double> direct_rmse(const MeasuredAtlas& m, std::uint32_t level) {
+    if (level == 0 || level > m.direct.size()) return std::nullopt;
+    return m.direct[level - 1];
+}
+
 void print_lookups(const MeasuredAtlas& m) {
     if (!m.lookups) return;
     const LookupErrors& errors = *m.lookups;
@@ -48,14 +54,18 @@ void print_lookups(const MeasuredAtlas& m) {
         "({:.1f} % of points near a seam)\n",
         m.name, m.texture, errors.psnr, errors.psnr_8bit, seam_ratio(errors),
         100.0 * errors.seam_points);
-    fmt::print("{:<6} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>11}\n", "level", "rmse",
-               "8 bits", "truth +-", "8:1", "8:1 8bit", "mismatch", "foreign", "other chart");
-    for (const LevelError& e : errors.levels)
-        fmt::print("L{:<5} {:>9.5f} {:>9.5f} {:>9.5f} {:>9} {:>9} {:>9.5f} {:>9.4f} {:>11.4f}\n",
-                   e.level, e.rmse, e.rmse_8bit, e.truth_noise,
-                   e.grazing ? fmt::format("{:.5f}", e.grazing->rmse) : "-",
-                   e.grazing ? fmt::format("{:.5f}", e.grazing->rmse_8bit) : "-", e.mismatch,
-                   e.foreign, e.other_chart);
+    fmt::print("{:<6} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>11}\n", "level", "rmse",
+               "direct", "8 bits", "truth +-", "8:1", "8:1 8bit", "mismatch", "foreign",
+               "other chart");
+    for (const LevelError& e : errors.levels) {
+        const std::optional<double> direct = direct_rmse(m, e.level);
+        fmt::print(
+            "L{:<5} {:>9.5f} {:>9} {:>9.5f} {:>9.5f} {:>9} {:>9} {:>9.5f} {:>9.4f} {:>11.4f}\n",
+            e.level, e.rmse, direct ? fmt::format("{:.5f}", *direct) : "-", e.rmse_8bit,
+            e.truth_noise, e.grazing ? fmt::format("{:.5f}", e.grazing->rmse) : "-",
+            e.grazing ? fmt::format("{:.5f}", e.grazing->rmse_8bit) : "-", e.mismatch, e.foreign,
+            e.other_chart);
+    }
 }
 
 Json grazing_json(const LookupErrors& errors) {
@@ -69,17 +79,20 @@ Json grazing_json(const LookupErrors& errors) {
     return levels;
 }
 
-Json lookups_json(const std::string& texture, const LookupErrors& errors) {
+Json lookups_json(const MeasuredAtlas& m, const LookupErrors& errors) {
     Json levels = Json::array();
-    for (const LevelError& e : errors.levels)
+    for (const LevelError& e : errors.levels) {
+        const std::optional<double> direct = direct_rmse(m, e.level);
         levels.push_back({{"level", e.level},
                           {"rmse", e.rmse},
+                          {"rmse_direct", direct ? Json(*direct) : Json()},
                           {"rmse_8bit", e.rmse_8bit},
                           {"truth_noise", e.truth_noise},
                           {"mismatch", e.mismatch},
                           {"foreign", e.foreign},
                           {"other_chart", e.other_chart}});
-    return {{"texture", texture},
+    }
+    return {{"texture", m.texture},
             {"psnr", errors.psnr},
             {"psnr_8bit", errors.psnr_8bit},
             {"seam_rmse", errors.seam_rmse},
@@ -111,7 +124,7 @@ Json measured_json(const MeasuredAtlas& m) {
     json["flipped"] = shape.flipped;
     json["vanished"] = shape.vanished;
     json["images"] = m.images;
-    if (m.lookups) json["lookups"] = lookups_json(m.texture, *m.lookups);
+    if (m.lookups) json["lookups"] = lookups_json(m, *m.lookups);
     return json;
 }
 

@@ -18,6 +18,9 @@ struct MeasuredAtlas {
     std::string texture;  ///< what was looked up
     std::optional<LookupErrors> lookups;
     std::vector<std::string> images;  ///< files drawn
+    /// `rmse` of level 1 and up where they are worked out from the recipe (app/direct_levels.h) and
+    /// not averaged; empty: the texture is no recipe's, or the atlas not ours.
+    std::vector<double> direct{};
 };
 
 Json measured_json(const MeasuredAtlas& measured);

@@ -7,6 +7,7 @@
 
 #include "app/command_options.h"
 #include "app/image_io.h"
+#include "app/level_errors.h"
 #include "app/metric_texture.h"
 #include "app/metrics_pictures.h"
 #include "app/metrics_report.h"
@@ -66,10 +67,13 @@ class Measuring {
         };
         const std::string name(to_string(kind));
         if (!atlas.patches())
-            return measured(name, mesh(), edges_, atlas.atlas(), truth_, points_of);
+            return with_direct(measured(name, mesh(), edges_, atlas.atlas(), truth_, points_of),
+                               truth_);
         const Mesh& refined = pipeline_.atlas_mesh();
-        return measured(name, refined, mesh_edges(refined, build_connectivity(refined)),
-                        atlas.atlas(), refined_truth(atlas), points_of);
+        const std::optional<SurfaceTruth> truth = refined_truth(atlas);
+        return with_direct(measured(name, refined, mesh_edges(refined, build_connectivity(refined)),
+                                    atlas.atlas(), truth, points_of),
+                           truth);
     }
 
     MeasuredAtlas uv_atlas() {
@@ -79,6 +83,16 @@ class Measuring {
     }
 
   private:
+    /// Adds the errors of direct levels, of which only a recipe's texture has any.
+    MeasuredAtlas with_direct(MeasuredAtlas result, const std::optional<SurfaceTruth>& truth) {
+        if (!truth || texture_.name == metric_marble_name) return result;
+        const Image<RgbF> texture = pipeline_.synthesize<RgbF>();
+        const auto count = std::uint32_t(truth->levels.size());
+        result.direct = level_errors(pipeline_.atlas(),
+                                     pipeline_.levels(texture, count, {.direct = true}), *truth);
+        return result;
+    }
+
     std::optional<SurfaceTruth> refined_truth(const MeshAtlas& atlas) const {
         std::optional<SurfaceTruth> truth = truth_;
         if (!truth) return truth;
