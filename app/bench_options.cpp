@@ -29,6 +29,7 @@ constexpr std::array suites{
           batch_capacity, "256"},
     Suite{"gl", "--repeats --json --simd --gl", "texels a side", 8, 4096, "256 and 1,024"},
     Suite{"kernels", "--repeats --json --simd", "texels of a span", 1, 16384, "16"},
+    Suite{"levels", "--repeats --json --simd --recipe", "texels a side", 64, 4096, "512"},
     Suite{"mesh_io", "--repeats --json", "faces", 12, 10'000'000, "1,000,000"},
     Suite{"noise", "--repeats --json --simd", "samples, in batches of 1,024", batch_capacity,
           10'000'000, "65,536"},
@@ -67,11 +68,14 @@ void check_files(const BenchCommand& command) {
     if (command.suite == "plot" && (command.file.empty() || command.out.empty()))
         throw Error(ExitCode::usage,
                     "bench plot wants a report and an output: burl bench plot F.json -o F.svg");
-    const bool takes_mesh = command.suite == "synthesis" || command.suite == "resynthesis";
+    const bool takes_mesh =
+        command.suite == "synthesis" || command.suite == "resynthesis" || command.suite == "levels";
     if (command.suite != "plot" && !takes_mesh && !command.file.empty())
-        throw Error(ExitCode::usage,
-                    fmt::format("bench {}: only plot, synthesis and resynthesis take a file, {}",
-                                command.suite, command.file));
+        throw Error(
+            ExitCode::usage,
+            fmt::format("bench {}: only plot, synthesis, resynthesis and levels take a file, "
+                        "{}",
+                        command.suite, command.file));
 }
 
 }  // namespace

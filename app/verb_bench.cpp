@@ -11,6 +11,7 @@
 #include "app/bench_filter.h"
 #include "app/bench_forward.h"
 #include "app/bench_kernels.h"
+#include "app/bench_levels.h"
 #include "app/bench_noise.h"
 #include "app/bench_options.h"
 #include "app/bench_plot.h"
@@ -137,6 +138,31 @@ SynthesisSubjects subjects_of(const BenchCommand& command) {
     return subjects;
 }
 
+Json level_json(const LevelBench& row) {
+    Json json = result_json({row.time});
+    json.update(Json{{"recipe", row.recipe},
+                     {"level", row.level},
+                     {"rule", row.rule},
+                     {"samples_of_level_0", row.samples},
+                     {"rmse", row.rmse},
+                     {"rmse_of_average", row.of_average},
+                     {"truth_noise", row.truth_noise}});
+    return json;
+}
+
+void run_levels_bench(const BenchCommand& command) {
+    SynthesisSubjects subjects = subjects_of(command);
+    if (command.size == 0) subjects.side = 512;
+    const std::vector<LevelBench> rows = bench_levels(command.repeats, std::move(subjects));
+    if (!report_rows(command, rows, level_json)) return;
+    fmt::print("{:<26} {:<10} {:>8} {:>9} {:>8} {:>9} {:>9} {:>8}\n", "texture", "rule", "samples",
+               "RMSE", "of avg", "truth +-", "ms", "of avg");
+    for (const LevelBench& row : rows)
+        fmt::print("{:<26} {:<10} {:>8.4f} {:>9.5f} {:>8.3f} {:>9.5f} {:>9.2f} {:>8.3f}\n",
+                   row.time.group, row.rule, row.samples, row.rmse, row.of_average, row.truth_noise,
+                   row.time.median * 1e3, row.time.times_first);
+}
+
 void run_plot(const BenchCommand& command) {
     check_side_output(command.out, ".svg", {&command.file, 1});
     const std::vector<std::uint8_t> bytes = read_file_bytes(command.file);
@@ -259,6 +285,7 @@ void run_bench(const BenchCommand& command) {
         return report_results(command, bench_synthesis(command.repeats, subjects_of(command)));
     if (command.suite == "resynthesis")
         return report_results(command, bench_resynthesis(command.repeats, subjects_of(command)));
+    if (command.suite == "levels") return run_levels_bench(command);
     if (command.suite == "precision") return run_precision_bench(command);
     if (command.suite == "forward") return run_forward_bench(command);
     if (command.suite == "kernels") return run_kernel_bench(command);
@@ -280,24 +307,26 @@ void run_bench(const BenchCommand& command) {
 void add_bench(CLI::App& program) {
     auto* verb = program.add_subcommand("bench", "Time a suite; medians of paired runs");
     auto command = std::make_shared<BenchCommand>();
-    verb->add_option("suite", command->suite,
-                     "mesh_io, atlas, synthesis, resynthesis, filter, noise, forward, gl, kernels, "
-                     "precision or stability; or plot, which draws a report: burl bench plot "
-                     "F.json -o F.svg")
+    verb->add_option(
+            "suite", command->suite,
+            "mesh_io, atlas, synthesis, resynthesis, levels, filter, noise, forward, gl, "
+            "kernels, precision or stability; or plot, which draws a report: burl bench plot "
+            "F.json -o F.svg")
         ->required()
         ->check(CLI::IsMember(bench_suite_names()));
     verb->add_option(
         "file", command->file,
-        "plot: the report, as -o wrote it; synthesis and resynthesis: a mesh to texture");
+        "plot: the report, as -o wrote it; synthesis, resynthesis and levels: a mesh to texture");
     verb->add_option("--size", command->size, bench_size_help());
     verb->add_option("--repeats", command->repeats, "Counted rounds")
         ->check(CLI::Range(1, 1000))
         ->capture_default_str();
     verb->add_flag("--large", command->large, "atlas: also 1,000,000 faces, some minutes");
-    verb->add_option("-r,--recipe", command->recipes,
-                     "synthesis, resynthesis: preset or recipe file, may be repeated; marble, wood "
-                     "and clouds "
-                     "unless given")
+    verb->add_option(
+            "-r,--recipe", command->recipes,
+            "synthesis, resynthesis, levels: preset or recipe file, may be repeated; marble, wood "
+            "and clouds "
+            "unless given")
         ->allow_extra_args(false)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     verb->add_option("--simd", command->simd,

@@ -42,7 +42,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadBench{"mesh_io --simd AVX2", "bench mesh_io: --simd does nothing"},
         BadBench{"plot F.json --json -o F.svg", "bench plot: --json does nothing"},
         BadBench{"plot F.json", "bench plot wants a report and an output"},
-        BadBench{"noise F.json", "only plot, synthesis and resynthesis take a file"},
+        BadBench{"noise F.json", "only plot, synthesis, resynthesis and levels take a file"},
         BadBench{"filter --size 10000000",
                  "bench filter: --size 10000000 must be 8 to 4,096 texels"},
         BadBench{"synthesis --size 9000", "bench synthesis: --size 9000 must be 8 to 4,096 texels"},

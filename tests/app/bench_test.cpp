@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "app/bench_levels.h"
 #include "app/bench_meshes.h"
 #include "app/bench_precision.h"
 #include "atlas/metrics.h"
@@ -97,6 +98,26 @@ TEST(BenchPrecision, HalvesTheErrorWithEveryBit) {
             EXPECT_NEAR(rows[i - 2].psnr - rows[i].psnr, 12.0, 3.0);
         }
     }
+}
+
+// At 64 x 64 gutters are one texel wide, so that all levels have level 0's texels for samples.
+TEST(BenchLevels, EveryRuleOfEveryLevel) {
+    const std::vector<LevelBench> rows =
+        bench_levels(1, {.mesh = torus(100), .recipes = {"noise"}, .side = 64}, 40);
+    const std::vector<std::string> rules{"average", "direct:64", "direct:16", "direct:4",
+                                         "direct:1"};
+    ASSERT_EQ(rows.size(), 25u);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const LevelBench& row = rows[i];
+        EXPECT_EQ(row.level, i / 5 + 1);
+        EXPECT_EQ(row.rule, rules[i % 5]);
+        EXPECT_EQ(row.samples, 1.0);
+        EXPECT_GT(row.rmse, 0.0);
+        EXPECT_EQ(row.rmse, rows[i - i % 5].rmse);
+        EXPECT_EQ(row.of_average, 1.0);
+        EXPECT_GT(row.time.median, 0.0);
+    }
+    EXPECT_GT(rows.back().rmse, rows.front().rmse);
 }
 
 }  // namespace
