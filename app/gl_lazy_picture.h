@@ -14,10 +14,11 @@ namespace burl {
 struct LazyOptions {
     PictureOptions picture{};
     std::optional<TextureFilter> filter{};  ///< instead of the one a bake asks for
+    LevelRule rule{.direct = true};         ///< of the bake's --levels
     HostWay way{};
     double crease_degrees = 40.0;
     std::uint32_t cell = view_cell;
-    bool everything = false;  ///< works out the whole atlas, for comparison
+    Skips skips{};  ///< without Skip::unseen_tiles the whole atlas is worked out
 };
 
 struct LazyPicture {
@@ -29,8 +30,8 @@ struct LazyPicture {
 };
 
 /// The picture of the pipeline's recipe as baked into a .glb, with all MIP levels where they are
-/// looked up, bit for bit. Bumps are worked out for the whole atlas. The context becomes current.
-/// Throws Error as render_scene does.
+/// looked up, by the same rule, bit for bit. The context becomes current. Throws Error as
+/// render_scene does.
 LazyPicture render_lazily(GlContext& context, Pipeline& pipeline, const View& view,
                           const LazyOptions& options);
 

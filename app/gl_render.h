@@ -27,6 +27,6 @@ Image<Rgb8> render_scene(GlContext& context, const GlScene& scene, const Camera&
 /// and those outside the picture come by drawing it. `lookup` is that of lookup_of().
 ViewTexels view_texels(GlContext& context, const GlScene& scene, const Camera& camera,
                        const PictureOptions& options, int number, const TextureLookup& lookup,
-                       const LookupSlack& slack);
+                       const LookupSlack& slack = most_slack);
 
 }  // namespace burl

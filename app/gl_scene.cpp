@@ -117,17 +117,17 @@ void GlScene::draw(const Camera& camera, const PictureSize& samples, const Sampl
     const TileView view(camera, samples, tile);
     for (const GlSurface& surface : surfaces_) {
         const SceneMaterial& material = surface.material();
-        const auto in_blocks = [&](int number) {
-            return surface.in_blocks() && number >= 0 &&
-                   filters_[std::size_t(number)] == TextureFilter::mip;
+        const auto has_levels = [&](int number) {
+            return number >= 0 && filters_[std::size_t(number)] == TextureFilter::mip;
         };
+        const bool levels = has_levels(material.texture) || has_levels(material.normals);
         bind(GL_TEXTURE0, material.texture);
         bind(GL_TEXTURE1, material.normals);
         program_.set("bumped", surface.bumped() ? 1 : 0);
         program_.set("normal_scale", material.normal_scale);
         program_.set("base_color_factor", material.factor);
-        program_.set("in_blocks",
-                     in_blocks(material.texture) || in_blocks(material.normals) ? 1 : 0);
+        program_.set("levels", levels ? 1 : 0);
+        program_.set("in_blocks", levels && surface.in_blocks() ? 1 : 0);
         surface.draw(gl_, program_, view);
     }
     check_gl(gl_, "drawing");

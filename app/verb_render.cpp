@@ -6,6 +6,7 @@
 
 #include "app/animation.h"
 #include "app/direct_picture.h"
+#include "app/economy_options.h"
 #include "app/export.h"
 #include "app/gl_context.h"
 #include "app/gl_lazy_picture.h"
@@ -24,7 +25,8 @@ namespace {
 struct RenderCommand {
     DirectOptions options;
     AnimationOptions animation;
-    std::string out, report, platform = gl_platforms()[0];
+    EconomyOptions economy;
+    std::string out, report, level_rule = "direct", platform = gl_platforms()[0];
     bool direct = false, lazy = false;
 };
 
@@ -60,6 +62,7 @@ Json work_json(const LazyPicture& drawn) {
             {"texels_read", work.texels_read},
             {"texels_synthesised", work.texels_made},
             {"texels_whole", work.texels_whole},
+            {"octaves", work.synthesis.octaves},
             {"seconds",
              {{"finding", drawn.seconds_finding},
               {"synthesis", drawn.seconds_synthesis},
@@ -74,6 +77,8 @@ Image<Rgb8> draw_lazily(const RenderCommand& command) {
     lazy.picture = options.picture_options();
     if (options.filter) lazy.filter = parse_lookup(*options.filter);
     lazy.crease_degrees = options.crease;
+    lazy.skips = command.economy.skips();
+    lazy.rule = level_rule_named(command.level_rule);
     const View view = options.parsed_view();
     const Recipe recipe = options.recipe.load();
     Pipeline pipeline(options.meshes.load(options.scene));
@@ -133,6 +138,12 @@ void add_render(CLI::App& program) {
     verb->add_option("--report", command->report,
                      "Write what --lazy worked out as JSON to this file (- for stdout)")
         ->needs(lazy);
+    verb->add_option("--level-rule", command->level_rule,
+                     "How --lazy makes MIP levels, as burl bake does: average, direct or direct:N")
+        ->capture_default_str()
+        ->needs(lazy);
+    command->economy.add_skips(*verb);
+    verb->get_option("--no-skip")->needs(lazy);
     command->animation.add(*verb);
     for (const char* option : {"--animate", "--plane", "--widths"})
         verb->get_option(option)->needs(direct);

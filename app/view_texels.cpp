@@ -121,13 +121,17 @@ ViewTexels::ViewTexels(std::uint32_t size) {
     for (std::uint32_t n = size; n > 0; n /= 2) levels.emplace_back(n);
 }
 
-TexelSet ViewTexels::beneath() const {
-    TexelSet texels = levels.back();
-    for (std::size_t l = levels.size() - 1; l-- > 0;) {
-        texels = texels.beneath(levels[l].size());
-        texels |= levels[l];
+std::vector<TexelSet> ViewTexels::beneath(
+    const std::function<std::uint32_t(std::uint32_t)>& source) const {
+    std::vector<TexelSet> made;
+    for (std::uint32_t l = 0; l < levels.size(); ++l) {
+        made.emplace_back(levels[l].size());
+        TexelSet texels = levels[l];
+        const std::uint32_t from = source(l);
+        for (std::uint32_t k = l; k > from; --k) texels = texels.beneath(levels[k - 1].size());
+        made[from] |= texels;
     }
-    return texels;
+    return made;
 }
 
 std::uint64_t ViewTexels::count_tiles() const {
@@ -139,10 +143,6 @@ std::uint64_t ViewTexels::count_tiles() const {
 ViewTexels& ViewTexels::operator|=(const ViewTexels& other) {
     for (std::size_t l = 0; l < levels.size(); ++l) levels[l] |= other.levels[l];
     return *this;
-}
-
-LookupSlack most_slack(const TextureLookup& lookup) {
-    return {1.0 / 32, lookup.blocks.empty() ? 2.5 : 1.02};
 }
 
 void add_lookups(const Image<LookupSample>& samples, const TextureLookup& lookup,

@@ -3,6 +3,7 @@
 // virtual texturing's feedback (Barrett, "Sparse Virtual Textures", 2008). With the slack that
 // OpenGL takes, whatever it may read with a weight above 0 is marked, so that a picture of a
 // texture that holds nothing else has the same bits.
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -41,8 +42,9 @@ struct ViewTexels {
     /// Per level from 0 on, the last 1 x 1 texel, those that lookups read.
     std::vector<TexelSet> levels;
 
-    /// The texels of level 0 that are read or that those of other levels are means of.
-    TexelSet beneath() const;
+    /// Per level the texels that must be worked out where those of level l are means of samples of
+    /// level source(l), which is at most l and may be l itself.
+    std::vector<TexelSet> beneath(const std::function<std::uint32_t(std::uint32_t)>& source) const;
     /// Pairs of a 32 x 32 tile and a level with texels that are read.
     std::uint64_t count_tiles() const;
     ViewTexels& operator|=(const ViewTexels& other);
@@ -55,19 +57,13 @@ struct LookupSlack {
 };
 inline constexpr LookupSlack no_slack{};
 
-/// What no OpenGL exceeds: coordinates are counted in 1/256 of a texel, or finer (SUBPIXEL_BITS is
-/// 8 in practice), and floats add less; a sampler's own choice of levels lies within half a level
-/// (specification 8.14.1), software's by another tenth; that of our shader, which lookups in blocks
-/// have, is only rounded.
-LookupSlack most_slack(const TextureLookup& lookup);
+/// What no OpenGL exceeds: coordinates are counted in 1/256 of a texel, or finer, and floats add
+/// less; the level is chosen by our shader (mesh.frag) and only rounded, to 1/256 at worst.
+inline constexpr LookupSlack most_slack{1.0 / 32, 1.02};
 
 /// Adds what `samples` look up, all threads at work; the result does not depend on their number.
 /// Texels that would weigh nothing are not read.
 void add_lookups(const Image<LookupSample>& samples, const TextureLookup& lookup,
-                 ViewTexels& texels, const LookupSlack& slack);
-inline void add_lookups(const Image<LookupSample>& samples, const TextureLookup& lookup,
-                        ViewTexels& texels) {
-    add_lookups(samples, lookup, texels, most_slack(lookup));
-}
+                 ViewTexels& texels, const LookupSlack& slack = most_slack);
 
 }  // namespace burl

@@ -1,8 +1,14 @@
 #include "app/view_texture.h"
 
-#include "app/convert_image.h"
+#include <algorithm>
+
+#include "app/normal_frames.h"
 #include "atlas/block_levels.h"
+#include "atlas/solid_level.h"
 #include "atlas/solid_tiles.h"
+#include "procedural/row_tasks.h"
+#include "procedural/srgb.h"
+#include "procedural/synthesize_normals.h"
 
 namespace burl {
 
@@ -15,30 +21,100 @@ std::uint32_t levels_read(const MeshAtlas& atlas, const ViewTexels& view) {
     return level;
 }
 
+/// As to_rgb8() (convert_image.h) where somebody looks.
+Image<Rgb8> encoded(const Image<RgbF>& linear, const TexelSet& read, int threads) {
+    const SrgbEncoder<std::uint8_t> encode;
+    Image<Rgb8> image(linear.width(), linear.height());
+    for_row_ranges(linear.height(), 8192, threads, [&](const RowRange& rows) {
+        for (std::size_t y = rows.begin(); y != rows.end(); ++y)
+            read.for_each_run(std::uint32_t(y), {0, read.size()},
+                              [&](std::uint32_t first, std::uint32_t last) {
+                                  for (std::uint32_t x = first; x < last; ++x) {
+                                      const RgbF& p = linear(x, y);
+                                      image(x, y) = {encode(double(p.r)), encode(double(p.g)),
+                                                     encode(double(p.b))};
+                                  }
+                              });
+    });
+    return image;
+}
+
+/// Levels 1 to `count`, of direct ones only what is in `part`.
+std::vector<Image<RgbF>> levels_of(const ViewSource& source, const std::vector<TexelSet>& part,
+                                   const Image<RgbF>& texture, std::uint32_t count,
+                                   const HostWay& way, const Economy& economy) {
+    if (!source.rule.direct) return block_levels(source.layout, texture, count);
+    const auto fill = [&](const SolidAtlas& level, const Recipe& recipe) {
+        const auto texels = std::ranges::find(part, level.size, &TexelSet::size);
+        return fill_texture<RgbF>(cut_to(level, *texels), recipe, way, economy);
+    };
+    return direct_levels(source.layout, source.solid, source.recipe, texture, count, source.rule,
+                         fill);
+}
+
+void insert_all(TexelSet& texels) {
+    for (std::uint32_t y = 0; y < texels.size(); ++y) texels.insert({0, texels.size()}, y);
+}
+
 }  // namespace
 
-SolidAtlas view_atlas(const SolidAtlas& solid, const ViewTexels& view, std::uint32_t cell) {
-    return cut_to(solid, view.beneath().whole_cells(cell));
+std::uint32_t ViewSource::source(std::uint32_t level) const {
+    if (!rule.direct || level > last_level(layout)) return 0;
+    return source_level(layout, rule, level);
 }
 
-ViewWork view_work(const SolidAtlas& solid, const SolidAtlas& part, const ViewTexels& view) {
-    return {view.count_tiles(), texel_count(cut_to(solid, view.beneath())), texel_count(part),
-            texel_count(solid)};
+SolidAtlas ViewSource::level(std::uint32_t number) const {
+    return number == 0 ? solid : solid_level(solid, number);
 }
 
-SceneTexture view_texture(Pipeline& pipeline, const SolidAtlas& part, const ViewTexels& view,
-                          TextureFilter filter, const HostWay& way) {
+std::vector<TexelSet> view_part(const ViewSource& source, const ViewTexels& view,
+                                std::uint32_t cell) {
+    std::vector<TexelSet> part =
+        view.beneath([&](std::uint32_t level) { return source.source(level); });
+    for (TexelSet& texels : part) texels = texels.whole_cells(cell);
+    return part;
+}
+
+std::vector<TexelSet> whole_part(const ViewSource& source) {
+    ViewTexels all(source.solid.size);
+    for (TexelSet& level : all.levels) insert_all(level);
+    return view_part(source, all, 1);
+}
+
+std::uint64_t count_texels(const ViewSource& source, const std::vector<TexelSet>& part) {
+    std::uint64_t count = 0;
+    for (std::uint32_t l = 0; l < part.size(); ++l)
+        if (part[l].count() > 0) count += texel_count(cut_to(source.level(l), part[l]));
+    return count;
+}
+
+SceneTexture view_texture(const ViewSource& source, const std::vector<TexelSet>& part,
+                          const ViewTexels& view, TextureFilter filter, const HostWay& way,
+                          const Economy& economy) {
+    const SolidAtlas finest = cut_to(source.solid, part[0]);
     SceneTexture texture;
     if (filter != TextureFilter::mip) {
-        texture.image = fill_texture<Rgb8>(part, pipeline.recipe(), way);
+        texture.image = fill_texture<Rgb8>(finest, source.recipe, way, economy);
         return texture;
     }
-    const auto linear = fill_texture<RgbF>(part, pipeline.recipe(), way);
-    texture.image = to_rgb8(linear);
-    const std::uint32_t count = levels_read(pipeline.mesh_atlas(), view);
-    for (const Image<RgbF>& level : block_levels(pipeline.mesh_atlas(), linear, count))
-        texture.levels.push_back(to_rgb8(level));
+    const auto linear = fill_texture<RgbF>(finest, source.recipe, way, economy);
+    texture.image = encoded(linear, part[0], way.threads);
+    const std::uint32_t count = levels_read(source.layout, view);
+    for (const Image<RgbF>& level : levels_of(source, part, linear, count, way, economy))
+        texture.levels.push_back(
+            encoded(level, view.levels[texture.levels.size() + 1], way.threads));
     return texture;
+}
+
+Image<Rgb8> view_normals(const ViewSource& source, const Mesh& mesh, const TexelSet& texels,
+                         double crease_degrees, int threads) {
+    const Recipe& recipe = source.recipe;
+    const NormalFrames frames =
+        make_normal_frames(mesh, source.layout, {recipe.solid.space, crease_degrees, true});
+    return synthesize_normals<Rgb8>(
+        cut_to(source.solid, texels),
+        {mesh, source.layout.atlas(), frames.positions, frames.normals, frames.tangents},
+        recipe.bump, texture_from_solid(recipe), recipe.filter, threads);
 }
 
 }  // namespace burl

@@ -16,6 +16,7 @@ uniform float normal_scale;
 uniform mat3 normal_from_local;
 uniform vec4 base_color_factor;
 uniform bool in_blocks;  // lookups keep to the block
+uniform bool levels;     // lookups choose a level
 uniform bool lit;
 uniform float ambient;
 
@@ -31,18 +32,22 @@ vec4 block_level(sampler2D map, float level) {
     return textureLod(map, clamp(texture_uv, low, high), level);
 }
 
-// Trilinear, the level chosen as OpenGL does.
-vec4 block_lookup(sampler2D map) {
+// Trilinear, of a level that is not negative.
+vec4 block_lookup(sampler2D map, float level) {
     vec2 size = vec2(textureSize(map, 0));
-    float footprint = max(footprint_squared(texture_uv, size), 1.0);
     float last = floor(log2(max(size.x, size.y)));
-    float level = min(0.5 * log2(footprint), last);
+    level = min(level, last);
     return mix(block_level(map, floor(level)), block_level(map, min(floor(level) + 1.0, last)),
                fract(level));
 }
 
+// The level is chosen here, as the specification has it, and not by the sampler, which may be half
+// a level off: which texels are read is known beforehand (app/view_texels.h).
 vec4 lookup(sampler2D map) {
-    return in_blocks ? block_lookup(map) : texture(map, texture_uv);
+    if (!levels) return texture(map, texture_uv);
+    float footprint = footprint_squared(texture_uv, vec2(textureSize(map, 0)));
+    float level = 0.5 * log2(max(footprint, 1.0));
+    return in_blocks ? block_lookup(map, level) : textureLod(map, texture_uv, level);
 }
 
 // In eye space, of any length.
