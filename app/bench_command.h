@@ -36,6 +36,8 @@ bool report_rows(const BenchCommand& command, const Rows& rows, const ToJson& to
 
 /// The suite `forward`: runs it, prints and reports.
 void run_forward_bench(const BenchCommand& command);
+/// The suite `economy`.
+void run_economy_bench(const BenchCommand& command);
 /// The suite `stability`, or one of its cases.
 void run_stability_bench(const BenchCommand& command);
 

@@ -276,6 +276,7 @@ void run_bench(const BenchCommand& command) {
     if (command.suite == "plot") return run_plot(command);
     if (!command.out.empty()) check_side_output(command.out, "", {});
     if (command.suite == "atlas") return run_atlas_bench(command);
+    if (command.suite == "economy") return run_economy_bench(command);
     if (command.suite == "gl") return run_gl_bench(command);
     if (command.suite == "filter") return run_filter_bench(command);
     if (command.suite == "noise")
@@ -309,8 +310,8 @@ void add_bench(CLI::App& program) {
     auto command = std::make_shared<BenchCommand>();
     verb->add_option(
             "suite", command->suite,
-            "mesh_io, atlas, synthesis, resynthesis, levels, filter, noise, forward, gl, "
-            "kernels, precision or stability; or plot, which draws a report: burl bench plot "
+            "mesh_io, atlas, synthesis, resynthesis, levels, economy, filter, noise, forward, "
+            "gl, kernels, precision or stability; or plot, which draws a report: burl bench plot "
             "F.json -o F.svg")
         ->required()
         ->check(CLI::IsMember(bench_suite_names()));
@@ -332,7 +333,8 @@ void add_bench(CLI::App& program) {
     verb->add_option("--simd", command->simd,
                      "Instruction set of the kernels instead of the best this machine has, as "
                      "AVX2");
-    verb->add_option("--gl", command->gl, "gl: osmesa (software) or egl (a graphics processor)")
+    verb->add_option("--gl", command->gl,
+                     "gl, economy: osmesa (software) or egl (a graphics processor)")
         ->capture_default_str();
     verb->add_flag("--thorough", command->thorough,
                    "stability: every case there is, some minutes and 2 GB");
