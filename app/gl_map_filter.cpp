@@ -90,9 +90,9 @@ void GlMapFilter::make_table() {
 
 void GlMapFilter::set_field(const FieldOctaves& octaves, const Quadric& quadric) {
     quadric_ = quadric;
-    if (has_lines())
-        line_uniforms_ = line_uniforms(octaves, quadric);
-    else
+    lone_octaves_ = !octaves.lone.empty();
+    line_uniforms_ = line_uniforms(octaves, quadric);
+    if (!beside_centres())
         sides_.emplace(table(*gl_, GL_RGBA32F, lattice_sides(maps_, octaves.groups), Vec4f(0.0f)));
     if (!filter_.band_limit) return;
     shares_.emplace(table(*gl_, GL_R32F, octave_shares(maps_, octaves.groups), 1.0f));
@@ -100,10 +100,8 @@ void GlMapFilter::set_field(const FieldOctaves& octaves, const Quadric& quadric)
 }
 
 void GlMapFilter::set_tile(const GlTile& tile) {
-    if (!has_lines()) {
-        slopes_ = slope_map(tile);
-        return;
-    }
+    if (!beside_centres()) slopes_ = slope_map(tile);
+    if (!has_lines()) return;
     if (!std::exchange(lines_known_, true)) lines_.set_atlas(*solid_, maps_, threads_);
     lines_.set_tile(tile);
 }
@@ -128,8 +126,8 @@ std::shared_ptr<const GlTexture> GlMapFilter::slope_map(const GlTile& tile) {
 }
 
 void GlMapFilter::add(ShaderSource& source, const FieldShape& shape) const {
-    add_parts(source, has_lines() ? glsl_field_corners(shape, filter_.band_limit)
-                                  : glsl_field_slopes(shape, filter_.band_limit));
+    add_parts(source, beside_centres() ? glsl_field_corners(shape, filter_.band_limit)
+                                       : glsl_field_slopes(shape, filter_.band_limit));
     if (pieces_)
         source.add("box_width.glsl")
             .add("map_filter.glsl")
@@ -213,9 +211,9 @@ void GlMapFilter::bind(const GlProgram& program, int first_unit) const {
         buffer.bind(unit);
         program.set(name, unit);
     };
-    if (has_lines()) {
-        bind_lines(program, first_unit);
-    } else {
+    const int lines_unit = beside_centres() ? first_unit : first_unit + 6;
+    if (has_lines()) bind_lines(program, lines_unit);
+    if (!beside_centres()) {
         bind_texture(*gl_, first_unit, *slopes_);
         program.set("slope_map", first_unit);
         set("lattice_sides", *sides_, first_unit + 1);

@@ -19,8 +19,10 @@ namespace burl {
 
 class GlMapFilter {
   public:
-    /// Texture units that bind() uses.
-    static constexpr int units = 6;
+    /// Texture units that bind() uses at most.
+    static int units(const FieldShape& shape) {
+        return 6 + (shape.lone.empty() ? 0 : GlTexelLines::units);
+    }
 
     /// `budget`: of the slope maps, or spans, kept between calls, in bytes. Without `float64`
     /// numbers are float32.
@@ -80,7 +82,9 @@ class GlMapFilter {
                filter_.kind == FilterKind::table_sat3;
     }
     /// Whether fields are evaluated beside the texels' centres; else with their slopes.
-    bool has_lines() const { return sampled() || filter_.kind == FilterKind::trapezoid2; }
+    bool beside_centres() const { return sampled() || filter_.kind == FilterKind::trapezoid2; }
+    /// Whether texels' lines are read.
+    bool has_lines() const { return beside_centres() || lone_octaves_; }
     void make_table();
     std::shared_ptr<const GlTexture> slope_map(const GlTile& tile);
     void bind_pieces(const GlProgram& program, int unit) const;
@@ -97,7 +101,8 @@ class GlMapFilter {
     std::vector<SlopeMap> kept_;
     std::shared_ptr<const GlTexture> slopes_;
     GlTexelLines lines_;
-    bool lines_known_ = false;  ///< of the atlas
+    bool lines_known_ = false;   ///< of the atlas
+    bool lone_octaves_ = false;  ///< of the field, without a stream kernel
     Quadric quadric_;
     LineUniforms line_uniforms_;
     std::optional<GlBufferTexture> sides_, shares_, lone_terms_;

@@ -51,8 +51,8 @@ void GlSynthesis::forget_atlas() {
 
 std::string GlSynthesis::problem(const Texture& texture, const Filter& filter) const {
     const FieldShape shape = FieldOctaves(texture).shape();
-    if (std::string why = no_filter_shader(filter, shape, texture.colors); !why.empty()) return why;
-    const int more = is_plain(filter) ? 0 : GlMapFilter::units;
+    if (std::string why = no_filter_shader(filter, texture.colors); !why.empty()) return why;
+    const int more = is_plain(filter) ? 0 : GlMapFilter::units(shape);
     if (units_of(shape) + more <= texture_units(*gl_)) return "";
     return fmt::format(
         "its octaves lie in {} different lattices, for whose maps this OpenGL has too few texture "

@@ -2,9 +2,13 @@
 // which kink is in the text.
 #include "procedural/glsl_filter.h"
 
+#include <algorithm>
+#include <iterator>
+
 #include <fmt/format.h>
 
 #include "procedural/break_distance.h"
+#include "procedural/glsl_line_field.h"
 
 namespace burl {
 
@@ -52,6 +56,50 @@ std::string group_text(const FieldShape::Group& group, std::size_t number, std::
                       number, 2 * number, 2 * number + 1);
 }
 
+/// The noises of lone octaves with their gradients, lone_sampleI.
+std::string lone_functions(const FieldShape& shape) {
+    std::string text;
+    for (std::size_t i = 0; i < shape.lone.size(); ++i)
+        text += glsl_site_sample(shape.lone[i].noise, fmt::format("lone_sample{}", i));
+    return text;
+}
+
+/// What octave i, which has no stream kernel, adds to f and the slopes on the texel's `line`.
+std::string lone_text(std::size_t i, std::size_t count, OctaveShape shape, bool fading) {
+    const char* shaped = shape == OctaveShape::plain      ? "plain_sample"
+                         : shape == OctaveShape::absolute ? "absolute_sample"
+                                                          : "ridged_sample";
+    std::string text = glsl_lone_line(i);
+    text += fading ? fmt::format(
+                         "    uvec4 term{0} = texelFetch(lone_terms, line.owner * {1} + {0});\n"
+                         "    real scale{0} = real_from_bits(term{0}.x, term{0}.y);\n",
+                         i, count)
+                   : fmt::format("    real scale{0} = lone_scales[{0}];\n", i);
+    text += fmt::format(
+        "    vec4 n{0} = {1}(lone_sample{0}(lone_seeds[{0}], point_on(lone{0}, lone{0}.column),\n"
+        "                                   lone_times[{0}]));\n"
+        "    real3 gradient{0} = real3(n{0}.yzw);\n"
+        "    f += scale{0} * real(n{0}.x);\n"
+        "    slopes.x += float(scale{0} * dot_product(gradient{0}, lone{0}.step));\n"
+        "    slopes.y += float(scale{0} * dot_product(gradient{0}, lone{0}.down));\n",
+        i, shaped);
+    if (fading) text += fmt::format("    f += real_from_bits(term{0}.z, term{0}.w);\n", i);
+    return text;
+}
+
+/// What a field with slopes stands behind.
+std::vector<GlslPart> slope_parts(const FieldShape& shape) {
+    std::vector<NoiseSpec> noises;
+    for (const FieldShape::Lone& lone : shape.lone) noises.push_back(lone.noise);
+    std::vector<GlslPart> parts = glsl_noise_parts(noises);
+    if (!noises.empty()) std::ranges::copy(glsl_gradient_parts(noises), std::back_inserter(parts));
+    for (const char* file : {"real_bits.glsl", "stream_noise.glsl", "stream_gradient.glsl"})
+        parts.push_back({file});
+    if (!noises.empty())
+        for (const char* file : {"texel_line.glsl", "line_field.glsl"}) parts.push_back({file});
+    return parts;
+}
+
 /// `real3 NAME_mean(Footprint at)`.
 std::string mean_text(const FilterShape& shape, std::string_view name) {
     std::string text = fmt::format(
@@ -80,14 +128,7 @@ bool is_exact(FilterKind kind) {
 
 }  // namespace
 
-std::string no_filter_shader(const Filter& filter, const FieldShape& shape,
-                             const ColorMap& colors) {
-    const bool at_points =
-        filter.kind == FilterKind::supersample || filter.kind == FilterKind::trapezoid2;
-    const bool plain = filter.kind == FilterKind::none && !filter.band_limit;
-    if (!shape.lone.empty() && !at_points && !plain)
-        return "but for supersample and trapezoid2 OpenGL filters value, perlin and simplex noise "
-               "without a period, a time and a shape only";
+std::string no_filter_shader(const Filter& filter, const ColorMap& colors) {
     if (!is_exact(filter.kind)) return "";
     const std::size_t breaks = MapPieces(colors).breaks().size();
     if (breaks <= most_shader_breaks) return "";
@@ -98,10 +139,10 @@ std::string no_filter_shader(const Filter& filter, const FieldShape& shape,
 std::vector<GlslPart> glsl_field_slopes(const FieldShape& shape, bool fading) {
     std::size_t octaves = 0;
     for (const FieldShape::Group& group : shape.groups) octaves += group.octaves;
-    std::string text = glsl_field_uniforms(shape);
+    std::string text = glsl_line_uniforms(shape) + lone_functions(shape);
     text +=
         "uniform usampler2D slope_map;\n"
-        "uniform samplerBuffer lattice_sides, octave_shares;\n"
+        "uniform samplerBuffer lattice_sides;\n"
         "\n"
         "real field_and_slopes(ivec2 texel, out vec2 slopes_out) {\n"
         "    uvec4 cells = texelFetch(map_cells[0], texel, 0);\n"
@@ -116,12 +157,16 @@ std::vector<GlslPart> glsl_field_slopes(const FieldShape& shape, bool fading) {
         text += group_text(shape.groups[i], i, first, fading);
         first += shape.groups[i].octaves;
     }
+    if (!shape.lone.empty())
+        text +=
+            "    TexelLine line;\n"
+            "    texel_line(texel, line);\n";
+    for (std::size_t i = 0; i < shape.lone.size(); ++i)
+        text += lone_text(i, shape.lone.size(), shape.lone[i].shape, fading);
     text +=
         "    slopes_out = slopes;\n"
         "    return f;\n}\n";
-    std::vector<GlslPart> parts = glsl_noise_parts({});
-    for (const char* file : {"real_bits.glsl", "stream_noise.glsl", "stream_gradient.glsl"})
-        parts.push_back({file});
+    std::vector<GlslPart> parts = slope_parts(shape);
     parts.push_back({"slopes", text});
     return parts;
 }

@@ -15,12 +15,13 @@ namespace burl {
 inline constexpr std::size_t most_shader_breaks = 32;
 
 /// Why a texture cannot be filtered in a shader; empty where it can.
-std::string no_filter_shader(const Filter& filter, const FieldShape& shape, const ColorMap& colors);
+std::string no_filter_shader(const Filter& filter, const ColorMap& colors);
 
 /// The parts of a shader that end with `real field_and_slopes(ivec2 texel, out vec2 slopes)`, the
 /// field and what it changes by along the texel's sides, reading besides what glsl_field reads the
-/// sampler slope_map, the buffer lattice_sides and, where octaves fade, the buffer octave_shares
-/// (synthesize_slope_map.h).
+/// sampler slope_map, the buffer lattice_sides and, where octaves fade, the buffers octave_shares
+/// and lone_terms (synthesize_slope_map.h); octaves without a stream kernel are evaluated on the
+/// texel's line (glsl_line_field.h).
 std::vector<GlslPart> glsl_field_slopes(const FieldShape& shape, bool fading);
 
 /// What the text of a filter depends on.

@@ -63,27 +63,13 @@ std::string field_of_text(const FieldShape& shape, bool fading) {
                       parameters, body);
 }
 
-std::string uniforms_text(const FieldShape& shape) {
-    std::string text = glsl_field_uniforms(shape) +
-                       "uniform samplerBuffer octave_shares;\n"
-                       "uniform usamplerBuffer lone_terms;\n";
-    if (!shape.groups.empty())
-        text += fmt::format(
-            "uniform real3 lattices[{}];\n"
-            "uniform real lattice_limits[{}];\n",
-            4 * shape.groups.size(), 2 * shape.groups.size());
-    if (!shape.lone.empty())
-        text += fmt::format("uniform real3 lone_lattices[{}];\n", 4 * shape.lone.size());
-    return text + "\n";
-}
-
 /// The parts that a field on a texel's line stands behind, and itself.
 std::vector<GlslPart> field_parts(const FieldShape& shape, bool fading) {
     std::vector<GlslPart> parts = glsl_noises_of(shape);
     if (shape.groups.empty()) parts.push_back({"stream_noise.glsl"});
     parts.push_back({"texel_line.glsl"});
     parts.push_back({"line_field.glsl"});
-    parts.push_back({"field_of", uniforms_text(shape) + glsl_lone_functions(shape) +
+    parts.push_back({"field_of", glsl_line_uniforms(shape) + glsl_lone_functions(shape) +
                                      field_of_text(shape, fading)});
     return parts;
 }
@@ -91,12 +77,6 @@ std::vector<GlslPart> field_parts(const FieldShape& shape, bool fading) {
 /// "lattices[4 i], lattices[4 i + 1], lattices[4 i + 2]".
 std::string columns(std::string_view lattices, std::size_t i) {
     return fmt::format("{0}[{1}], {0}[{2}], {0}[{3}]", lattices, 4 * i, 4 * i + 1, 4 * i + 2);
-}
-
-/// Lines that declare loneI, the texel's line in the lattice of octave i.
-std::string lone_line_text(std::size_t i) {
-    return fmt::format("    TexelLine lone{} = in_lattice(mapped(line, {}, lone_lattices[{}]));\n",
-                       i, columns("lone_lattices", i), 4 * i + 3);
 }
 
 /// Lines that declare the texel's site at its centre in a group's lattice.
@@ -122,7 +102,7 @@ std::string mean_color_text(const FieldShape& shape) {
         arguments += fmt::format(", moved(site{0}, u{0}, v{0}, offset)", i);
     }
     for (std::size_t i = 0; i < shape.lone.size(); ++i) {
-        before += lone_line_text(i);
+        before += glsl_lone_line(i);
         arguments += fmt::format(", line_point(lone{}, offset)", i);
     }
     return fmt::format(R"(
@@ -158,7 +138,7 @@ std::string corner_text(const FieldShape& shape) {
         arguments += fmt::format(", site{}", i);
     }
     for (std::size_t i = 0; i < shape.lone.size(); ++i) {
-        before += lone_line_text(i);
+        before += glsl_lone_line(i);
         arguments += fmt::format(", point_on(lone{}, x)", i);
     }
     return fmt::format(
@@ -176,7 +156,7 @@ std::string corner_slopes_text(const FieldShape& shape) {
         arguments += fmt::format(", site{}", i);
     }
     for (std::size_t i = 0; i < shape.lone.size(); ++i) {
-        before += lone_line_text(i);
+        before += glsl_lone_line(i);
         arguments += fmt::format(", point_on(lone{}, line.column)", i);
     }
     return fmt::format(R"(
@@ -217,6 +197,25 @@ LineUniforms line_uniforms(const FieldOctaves& octaves, const Quadric& quadric) 
     const auto& [a, b, c, d, e, f, g, h, i, j] = quadric;
     uniforms.quadric = {a, b, c, d, e, f, g, h, i, j};
     return uniforms;
+}
+
+std::string glsl_line_uniforms(const FieldShape& shape) {
+    std::string text = glsl_field_uniforms(shape) +
+                       "uniform samplerBuffer octave_shares;\n"
+                       "uniform usamplerBuffer lone_terms;\n";
+    if (!shape.groups.empty())
+        text += fmt::format(
+            "uniform real3 lattices[{}];\n"
+            "uniform real lattice_limits[{}];\n",
+            4 * shape.groups.size(), 2 * shape.groups.size());
+    if (!shape.lone.empty())
+        text += fmt::format("uniform real3 lone_lattices[{}];\n", 4 * shape.lone.size());
+    return text + "\n";
+}
+
+std::string glsl_lone_line(std::size_t i) {
+    return fmt::format("    TexelLine lone{} = in_lattice(mapped(line, {}, lone_lattices[{}]));\n",
+                       i, columns("lone_lattices", i), 4 * i + 3);
 }
 
 std::vector<GlslPart> glsl_supersampled(const FieldShape& shape, bool fading) {

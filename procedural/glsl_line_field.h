@@ -3,6 +3,7 @@
 // sequence of operations, and so the bits, of field_sampler.h: the lattice coordinates at the
 // centre are moved in fixed point, everything else is worked out from the line of points that the
 // texel's span shows (shaders/texel_line.glsl).
+#include <string>
 #include <vector>
 
 #include "procedural/glsl_field.h"
@@ -17,6 +18,14 @@ struct LineUniforms {
     std::vector<double> quadric;         ///< a to j
 };
 LineUniforms line_uniforms(const FieldOctaves& octaves, const Quadric& quadric);
+
+/// The uniforms of a field and of its lines: what the uniforms above hold, and the buffers
+/// octave_shares and lone_terms.
+std::string glsl_line_uniforms(const FieldShape& shape);
+
+/// Lines of a function that declare loneI, its TexelLine `line` in the lattice of the I-th octave
+/// without a stream kernel.
+std::string glsl_lone_line(std::size_t i);
 
 /// The parts of a shader that end with `real3 mean_color(ivec2 texel)`, the weighted mean, in
 /// linear light, of the colours at the samples of supersample.glsl. `real3 linear_color(real f)`
