@@ -1,6 +1,7 @@
 #include "procedural/glsl_graph.h"
 
 #include <algorithm>
+#include <array>
 
 #include <fmt/format.h>
 
@@ -13,11 +14,19 @@ namespace burl {
 
 namespace {
 
+/// What functions with gradients need besides those of values.
+std::span<const std::string_view> graph_files(const ValueProgram& program) {
+    static constexpr std::array<std::string_view, 1> dual{"dual.glsl"};
+    for (const ValueStep& step : program.steps())
+        if (std::holds_alternative<GraphSlope>(step.work)) return dual;
+    return {};
+}
+
 /// Walks the program: one value per step, under the name of the node it was added for.
 class GraphWriter {
   public:
     GraphWriter(const TextureGraph& graph, GlslReal real)
-        : graph_(graph), values_(graph), steps_(values_.program(), real) {}
+        : graph_(graph), values_(graph), functions_(real), steps_(values_.program(), functions_) {}
 
     GlslTexture texture() {
         names_ = {"solid.x", "solid.y", "solid.z"};
@@ -25,7 +34,7 @@ class GraphWriter {
         std::string body = "real3 texture_color(real3 solid) {\n" + lines_;
         body += fmt::format("    return real3({}, {}, {});\n}}\n", name(values_.results()[0]),
                             name(values_.results()[1]), name(values_.results()[2]));
-        return steps_.texture(std::move(body));
+        return functions_.texture(body, graph_files(values_.program()));
     }
 
   private:
@@ -50,6 +59,7 @@ class GraphWriter {
 
     const TextureGraph& graph_;
     GraphValues values_;
+    GlslFunctions functions_;
     GlslSteps steps_;
     std::string lines_;
     std::vector<std::string> names_;  ///< what the program's arrays hold at the current step
@@ -59,9 +69,6 @@ class GraphWriter {
 }  // namespace
 
 std::string no_graph_shader(const TextureGraph& graph) {
-    for (std::size_t n = 1; n < graph.nodes.size(); ++n)
-        if (type_of(graph.nodes[n]).name == "slope")
-            return "its node slope asks for a gradient, which shaders do not compute";
     for (const Texture& texture : graph.textures)
         if (texture.colors.stops.size() > most_glsl_stops)
             return fmt::format("a colour map of it has {} stops, and shaders take at most {}",

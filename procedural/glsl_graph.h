@@ -10,8 +10,7 @@ namespace burl {
 /// Colour maps are written out, one comparison a stop.
 inline constexpr std::size_t most_glsl_stops = 256;
 
-/// Why there is no shader for a graph, as a clause; empty where there is one. The node `slope` asks
-/// for gradients, which shaders do not compute yet.
+/// Why there is no shader for a graph, as a clause; empty where there is one.
 std::string no_graph_shader(const TextureGraph& graph);
 
 /// The graph must be valid and not empty. Throws Error(unsupported) where there is no shader for

@@ -1,171 +1,189 @@
-// Sums of octaves: where coordinates are split once for several octaves, as noise_sum.h does where
-// it has a kernel, and octave by octave elsewhere.
+#include "procedural/glsl_noise_sum.h"
+
 #include <algorithm>
 
 #include <fmt/format.h>
-
-#include "procedural/glsl_noise.h"
-#include "procedural/glsl_steps.h"
-#include "procedural/noise_names.h"
 
 namespace burl {
 
 namespace {
 
 /// "real3(x, y, z)", times the frequency.
-std::string scaled_point(const std::vector<std::string>& inputs, const std::string& frequency) {
-    const std::string point =
-        inputs == std::vector<std::string>{"solid.x", "solid.y", "solid.z"}
-            ? "solid"
-            : fmt::format("real3({}, {}, {})", inputs[0], inputs[1], inputs[2]);
-    return frequency.empty() ? point : fmt::format("{} * {}", frequency, point);
+std::string scaled_point(const GlslNoiseSums::Point& point, const std::string& frequency) {
+    const std::string text = point == GlslNoiseSums::Point{"solid.x", "solid.y", "solid.z"}
+                                 ? "solid"
+                                 : fmt::format("real3({}, {}, {})", point[0], point[1], point[2]);
+    return frequency.empty() ? text : fmt::format("{} * {}", frequency, text);
 }
 
-/// A loop from the finest octave, whose amplitude is the least, to the coarsest; one octave needs
-/// none.
-std::string loop(std::size_t octaves, const std::string& line) {
+/// A loop over the octaves, from the finest, whose amplitude is the least, to the coarsest or
+/// `ascending`; one octave needs none.
+std::string loop(std::size_t octaves, const std::string& line, bool ascending = false) {
     if (octaves == 1) return "    " + line;
-    return fmt::format("    for (int k = {}; k >= 0; --k){}{}", octaves - 1,
-                       line.starts_with('{') ? " " : "\n        ", line);
+    const std::string head = ascending ? fmt::format("for (int k = 0; k < {}; ++k)", octaves)
+                                       : fmt::format("for (int k = {}; k >= 0; --k)", octaves - 1);
+    return fmt::format("    {}{}{}", head, line.starts_with('{') ? " " : "\n        ", line);
 }
 
-std::string sum_line(const std::string& total, const std::string& weight,
-                     const std::string& octave) {
+std::string weighed(const std::string& weight, const std::string& octave) {
     const bool one = weight == "1.0" || weight == "1.0lf";
-    return fmt::format("{0} = {0} + {1}{2};\n", total, one ? "" : weight + " * ", octave);
+    return one ? octave : weight + " * " + octave;
+}
+
+const char* shape_name(OctaveShape shape) {
+    return shape == OctaveShape::plain      ? "plain"
+           : shape == OctaveShape::absolute ? "absolute"
+                                            : "ridged";
+}
+
+std::string float_number(double x) {
+    return glsl_number(x, GlslReal::float32);
+}
+
+/// What `number(octave)` gives for each.
+template <class Number>
+std::vector<std::string> of_each(std::span<const SumOctave> octaves, const Number& number) {
+    std::vector<std::string> texts;
+    for (const SumOctave& octave : octaves) texts.push_back(number(octave));
+    return texts;
 }
 
 }  // namespace
 
-/// The name of a function for octaves of that noise.
-std::string GlslSteps::octave_noise(const NoiseSpec& noise) {
-    const auto known = std::find(noises_.begin(), noises_.end(), noise);
-    if (known != noises_.end()) return noise_names_[std::size_t(known - noises_.begin())];
-    const auto same_kind = std::count_if(noises_.begin(), noises_.end(),
-                                         [&](const NoiseSpec& n) { return n.kind == noise.kind; });
-    std::string name = "octave_";
-    for (const auto& kind : noise_kinds)
-        if (kind.value == noise.kind) name += kind.name;
-    if (same_kind > 0) name += fmt::format("_{}", same_kind + 1);
-    functions_ +=
-        has_point_kernel(noise) ? glsl_split_noise(noise, name) : glsl_site_noise(noise, name);
-    functions_ += "\n";
-    noises_.push_back(noise);
-    noise_names_.push_back(name);
-    return name;
-}
+/// Octaves of a sum, and how their noise becomes part of it.
+struct GlslNoiseSums::Octaves {
+    const NoiseSum& sum;
+    std::span<const SumOctave> octaves;
+    std::size_t first = 0;  ///< number of the first one in the sum
+    bool sloped = false;
+    std::string kept{};  ///< of slopes
+    double mean = 0.0;
 
-/// The call that shapes an octave.
-std::string GlslSteps::shaped(OctaveShape shape, const std::string& value) {
-    if (shape == OctaveShape::plain) return value;
-    const std::string name = shape == OctaveShape::absolute ? "absolute" : "ridged";
-    if (shapes_.insert(shape).second) functions_ += glsl_octave_shape(shape, name) + "\n";
-    return fmt::format("{}({})", name, value);
-}
-
-/// A constant array before the function; its name.
-std::string GlslSteps::array(const char* type, const std::vector<std::string>& values) {
-    const std::string list =
-        fmt::format("{0}[{1}]({2})", type, values.size(), fmt::join(values, ", "));
-    const auto [table, is_new] = tables_.try_emplace(list, fmt::format("table{}", tables_.size()));
-    if (is_new)
-        functions_ +=
-            fmt::format("const {} {}[{}] = {};\n\n", type, table->second, values.size(), list);
-    return table->second;
-}
-
-/// A number of octave k: an element of a table, or the number itself where there is one octave.
-std::string GlslSteps::of_octave(const char* type, const std::vector<std::string>& values) {
-    return values.size() > 1 ? array(type, values) + "[k]" : glsl_operand(values[0]);
-}
-
-std::string GlslSteps::seed_of_octave(std::span<const SumOctave> octaves) {
-    std::vector<std::string> seeds;
-    bool follow = true;
-    for (const SumOctave& octave : octaves) {
-        follow = follow && octave.seed == octaves[0].seed + std::uint32_t(seeds.size());
-        seeds.push_back(fmt::format("{}u", octave.seed));
+    Octaves part(const OctaveRun& run) const {
+        return {sum, octaves.subspan(run.begin, run.end - run.begin), run.begin, sloped, kept,
+                mean};
     }
-    if (seeds.size() == 1 || !follow) return of_octave("uint", seeds);
-    return seeds[0] == "0u" ? "uint(k)" : seeds[0] + " + uint(k)";
-}
+    /// k's number in the sum.
+    std::string number() const {
+        const char* k = octaves.size() > 1 ? "k" : "0";
+        return first == 0 ? k : fmt::format("{} + {}", first, k);
+    }
+};
 
-GlslStep GlslSteps::step(const NoiseSum& sum, const Inputs& inputs) {
-    if (sum.octaves.empty()) return {"", {number(sum.offset)}};
-    return has_point_kernel(sum.noise) ? split_sum(sum, inputs) : site_sum(sum, inputs);
+/// "total = total + weight * shape(octave);" of octave k of those that double one another.
+std::string GlslNoiseSums::sum_line(const Octaves& all, const std::string& split,
+                                    const std::string& total) {
+    const bool several = all.octaves.size() > 1;
+    const bool doubling = several && split != "at";
+    const char* k = doubling ? "k" : "0";
+    const std::string noise = fmt::format("{0}({1}, cells_of({2}, {3}), places_of({2}, {3}))",
+                                          functions_.octave(all.sum.noise, all.sloped),
+                                          functions_.seed_of_octave(all.octaves), split, k);
+    const std::string weight = functions_.of_octave(
+        "float", of_each(all.octaves, [](const auto& o) { return float_number(o.weight); }));
+    if (!all.sloped)
+        return fmt::format("{0} = {0} + {1};\n", total,
+                           weighed(weight, functions_.shaped(all.sum.shape, noise)));
+    const std::string steepness = functions_.of_octave(
+        "float",
+        of_each(all.octaves, [](const auto& o) { return float_number(o.weight * o.frequency); }));
+    const std::string share =
+        all.kept.empty() ? "1.0"
+                         : fmt::format("visible_share({}, float({}))", all.kept, all.number());
+    return fmt::format("{0} = {0} + {1}_octave({2}, {3}, {4}, {5}, {6});\n", total,
+                       shape_name(all.sum.shape), noise, weight, steepness, share,
+                       float_number(all.kept.empty() ? 0.0 : all.mean));
 }
 
 /// Octaves that double one another, from one split point.
-std::string GlslSteps::doubling_lines(const NoiseSum& sum, std::span<const SumOctave> octaves,
-                                      const Inputs& inputs, const std::string& total) {
-    const double frequency = octaves[0].frequency;
-    const std::string point = scaled_point(inputs, frequency == 1.0 ? "" : number(frequency));
-    const auto [split, is_new] = splits_.try_emplace(point, fmt::format("at{}", splits_.size()));
+std::string GlslNoiseSums::doubling_lines(const Octaves& octaves, const Point& point,
+                                          const std::string& total) {
+    const double frequency = octaves.octaves[0].frequency;
+    const std::string at =
+        scaled_point(point, frequency == 1.0 ? "" : functions_.number(frequency));
+    const auto [split, is_new] = splits_.try_emplace(at, fmt::format("at{}", splits_.size()));
     std::string lines;
     if (is_new)
         lines = fmt::format("    SplitPoint {} = split_points({}, lattice_limit);\n", split->second,
-                            point);
-    std::vector<std::string> weights;
-    for (const SumOctave& octave : octaves)
-        weights.push_back(glsl_number(octave.weight, GlslReal::float32));
-    const std::string noise =
-        fmt::format("{0}({1}, cells_of({2}, {3}), places_of({2}, {3}))", octave_noise(sum.noise),
-                    seed_of_octave(octaves), split->second, octaves.size() > 1 ? "k" : "0");
-    return lines + loop(octaves.size(),
-                        sum_line(total, of_octave("float", weights), shaped(sum.shape, noise)));
+                            at);
+    return lines + loop(octaves.octaves.size(), sum_line(octaves, split->second, total));
 }
 
 /// Octaves in a loop, each from a split point of its own.
-std::string GlslSteps::apart_lines(const NoiseSum& sum, const Inputs& inputs,
-                                   const std::string& total) {
-    std::vector<std::string> weights, frequencies;
-    for (const SumOctave& octave : sum.octaves) {
-        weights.push_back(glsl_number(octave.weight, GlslReal::float32));
-        frequencies.push_back(number(octave.frequency));
-    }
-    const std::string noise = fmt::format("{}({}, cells_of(at, 0), places_of(at, 0))",
-                                          octave_noise(sum.noise), seed_of_octave(sum.octaves));
+std::string GlslNoiseSums::apart_lines(const Octaves& all, const Point& point,
+                                       const std::string& total) {
+    const std::string frequency = functions_.of_octave(
+        "real",
+        of_each(all.octaves, [&](const auto& o) { return functions_.number(o.frequency); }));
     return loop(
-        weights.size(),
+        all.octaves.size(),
         fmt::format(
             "{{\n        SplitPoint at = split_points({}, lattice_limit);\n        {}    }}\n",
-            scaled_point(inputs, of_octave("real", frequencies)),
-            sum_line(total, of_octave("float", weights), shaped(sum.shape, noise))));
+            scaled_point(point, frequency), sum_line(all, "at", total)));
 }
 
-GlslStep GlslSteps::split_sum(const NoiseSum& sum, const Inputs& inputs) {
-    const std::string total = fmt::format("n{}", values_);
-    std::string lines = fmt::format("    exact float {} = 0.0;\n", total);
-    const std::vector<OctaveRun> runs = octave_runs(sum.octaves);
-    const bool apart = runs.size() > 2 && runs.size() == sum.octaves.size();
-    if (apart) lines += apart_lines(sum, inputs, total);
-    for (std::size_t g = apart ? 0 : runs.size(); g-- > 0;)
-        lines += doubling_lines(
-            sum, std::span(sum.octaves).subspan(runs[g].begin, runs[g].end - runs[g].begin), inputs,
-            total);
-    GlslStep written = value(
-        sum.offset == 0.0 ? fmt::format("real({})", total)
-                          : fmt::format("real({}) + {}", total, glsl_operand(number(sum.offset))));
-    written.lines.insert(0, lines);
-    return written;
+std::string GlslNoiseSums::split_lines(const Octaves& all, const Point& point,
+                                       const std::string& total) {
+    const std::vector<OctaveRun> runs = octave_runs(all.octaves);
+    if (runs.size() > 2 && runs.size() == all.octaves.size()) return apart_lines(all, point, total);
+    std::string lines;
+    for (std::size_t g = runs.size(); g-- > 0;)
+        lines += doubling_lines(all.part(runs[g]), point, total);
+    return lines;
 }
 
-GlslStep GlslSteps::site_sum(const NoiseSum& sum, const Inputs& inputs) {
-    std::vector<std::string> weights, frequencies;
-    for (const SumOctave& octave : sum.octaves) {
-        weights.push_back(number(octave.weight));
-        frequencies.push_back(number(octave.frequency));
-    }
+/// Octave k at a site of its own.
+std::string GlslNoiseSums::site_noise(const NoiseSum& sum, const Point& point, bool sloped) {
     const bool as_it_is = sum.octaves.size() == 1 && sum.octaves[0].frequency == 1.0;
-    const std::string point = scaled_point(inputs, as_it_is ? "" : of_octave("real", frequencies));
-    const std::string noise =
-        fmt::format("{}({}, {}, {})", octave_noise(sum.noise), seed_of_octave(sum.octaves), point,
-                    number(sum.noise.time.value_or(0.0)));
-    GlslStep written = value(number(sum.offset));
-    written.lines +=
-        loop(sum.octaves.size(), sum_line(written.outputs[0], of_octave("real", weights),
-                                          fmt::format("real({})", shaped(sum.shape, noise))));
-    return written;
+    const std::string frequency =
+        as_it_is ? "" : functions_.of_octave("real", of_each(sum.octaves, [&](const auto& o) {
+                                                 return functions_.number(o.frequency);
+                                             }));
+    return fmt::format("{}({}, {}, {})", functions_.octave(sum.noise, sloped),
+                       functions_.seed_of_octave(sum.octaves), scaled_point(point, frequency),
+                       functions_.number(sum.noise.time.value_or(0.0)));
+}
+
+GlslSum GlslNoiseSums::values(const NoiseSum& sum, const Point& point, const std::string& total) {
+    if (has_point_kernel(sum.noise)) {
+        const std::string lines = split_lines({sum, sum.octaves}, point, total);
+        const std::string offset =
+            sum.offset == 0.0 ? ""
+                              : fmt::format(" + {}", glsl_operand(functions_.number(sum.offset)));
+        return {fmt::format("    exact float {} = 0.0;\n{}", total, lines),
+                fmt::format("real({}){}", total, offset)};
+    }
+    const std::string weight = functions_.of_octave(
+        "real", of_each(sum.octaves, [&](const auto& o) { return functions_.number(o.weight); }));
+    const std::string octave =
+        fmt::format("real({})", functions_.shaped(sum.shape, site_noise(sum, point, false)));
+    return {fmt::format("    exact real {} = {};\n", total, functions_.number(sum.offset)) +
+                loop(sum.octaves.size(),
+                     fmt::format("{0} = {0} + {1};\n", total, weighed(weight, octave))),
+            total};
+}
+
+GlslSum GlslNoiseSums::slopes(const NoiseSum& sum, const Point& point, const std::string& kept,
+                              double mean, const std::string& total) {
+    const Octaves all{sum, sum.octaves, 0, true, kept, mean};
+    if (has_point_kernel(sum.noise)) {
+        const std::string lines = split_lines(all, point, total);
+        return {fmt::format("    exact vec4 {} = vec4(0.0);\n{}", total, lines), total};
+    }
+    const auto number = [&](double x) { return functions_.number(x); };
+    const std::string weight = functions_.of_octave(
+        "real", of_each(sum.octaves, [&](const auto& o) { return number(o.weight); }));
+    const std::string frequency = functions_.of_octave(
+        "real", of_each(sum.octaves, [&](const auto& o) { return number(o.frequency); }));
+    const std::string share =
+        kept.empty() ? number(1.0) : fmt::format("visible_part({}, real({}))", kept, all.number());
+    const std::string line =
+        fmt::format("{0} = add_octave({0}, {1}_sample({2}), {3}, {4}, {5}, {6});\n", total,
+                    shape_name(sum.shape), site_noise(sum, point, true), weight, frequency, share,
+                    number(kept.empty() ? 0.0 : mean));
+    return {
+        fmt::format("    real4 {} = real4(0.0);\n", total) + loop(sum.octaves.size(), line, true),
+        fmt::format("vec4({})", total)};
 }
 
 }  // namespace burl

@@ -5,11 +5,12 @@
 
 #include <fmt/format.h>
 
-#include "procedural/glsl_noise.h"
+#include "procedural/glsl_duals.h"
 
 namespace burl {
 
-GlslSteps::GlslSteps(const ValueProgram& program, GlslReal real) : real_(real) {
+GlslSteps::GlslSteps(const ValueProgram& program, GlslFunctions& functions)
+    : functions_(functions), sums_(functions) {
     for (const ValueStep& step : program.steps()) {
         const auto* operation = std::get_if<ValueOperation>(&step.work);
         if (operation && operation->op == ValueOp::angle) has_angles_ = true;
@@ -39,7 +40,7 @@ GlslStep GlslSteps::step(const ValueOperation& operation, const Inputs& inputs) 
 std::string GlslSteps::expression(const ValueOperation& operation, const Inputs& in) const {
     const auto [p, q, r, s] = operation.parameters;
     const auto sum = [&](const std::vector<double>& factors, double constant) {
-        std::string text = glsl_sum(factors, in, constant, real_);
+        std::string text = glsl_sum(factors, in, constant, functions_.real());
         return constant == 0.0 && has_angles_ ? fmt::format("unsigned_zero({})", text) : text;
     };
     const std::string zero = number(0.0), one = number(1.0);
@@ -132,9 +133,17 @@ std::string pieces_function(const std::string& name, const ColorPieces& pieces, 
 
 }  // namespace
 
+GlslStep GlslSteps::step(const NoiseSum& sum, const Inputs& inputs) {
+    if (sum.octaves.empty()) return {"", {number(sum.offset)}};
+    const GlslSum written = sums_.values(sum, inputs, fmt::format("n{}", values_));
+    GlslStep step = value(written.result);
+    step.lines.insert(0, written.lines);
+    return step;
+}
+
 GlslStep GlslSteps::step(const ColorPieces& pieces, const Inputs& inputs) {
-    const std::string name = fmt::format("color_map{}", values_);
-    functions_ += pieces_function(name, pieces, real_);
+    const std::string name = functions_.new_name("color_map");
+    functions_.add(pieces_function(name, pieces, functions_.real()));
     return color(fmt::format("{}({})", name, inputs[0]));
 }
 
@@ -144,28 +153,24 @@ GlslStep GlslSteps::step(const DotsWeight& dots, const Inputs& inputs) {
 }
 
 GlslStep GlslSteps::step(const ImageLookup& lookup, const Inputs& inputs) {
-    auto known = std::find_if(images_.begin(), images_.end(), [&](const GlslImage& image) {
-        return image.pixels == lookup.pixels;
-    });
-    if (known == images_.end()) {
-        images_.push_back({fmt::format("image{}", images_.size()), lookup.pixels});
-        known = images_.end() - 1;
-        functions_ += fmt::format("uniform sampler2D {};\n\n", known->uniform);
+    return color(fmt::format("image_color({}, {}, {}, {})", functions_.image(lookup.pixels),
+                             inputs[0], inputs[1], int(lookup.wrap)));
+}
+
+/// The graph becomes a function of its own, with gradients.
+GlslStep GlslSteps::step(const GraphSlope& slope, const Inputs&) {
+    const auto same = [&](const auto& known) {
+        return known.first->graph() == slope.graph->graph();
+    };
+    auto known = std::ranges::find_if(graphs_, same);
+    if (known == graphs_.end()) {
+        const std::string name = functions_.new_name("gradient");
+        functions_.add(glsl_gradient_function(slope.graph->graph(), name, functions_));
+        known = graphs_.emplace(graphs_.end(), slope.graph, name);
     }
-    return color(fmt::format("image_color({}, {}, {}, {})", known->uniform, inputs[0], inputs[1],
-                             int(lookup.wrap)));
-}
-
-/// The evaluator's; graphs with such steps have no shader.
-GlslStep GlslSteps::step(const GraphSlope&, const Inputs&) {
-    return {"", {number(0.0)}};
-}
-
-GlslTexture GlslSteps::texture(std::string body) const {
-    GlslTexture texture{glsl_noise_parts(noises_), images_};
-    for (const char* file : {"elementary.glsl", "graph.glsl"}) texture.parts.push_back({file});
-    texture.parts.push_back({"the graph", functions_ + body});
-    return texture;
+    const Vec3d& d = slope.direction;
+    return value(fmt::format("dot_of(real3({}, {}, {}), {}(solid).yzw)", number(d.x), number(d.y),
+                             number(d.z), known->second));
 }
 
 }  // namespace burl

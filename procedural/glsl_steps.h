@@ -1,11 +1,7 @@
 #pragma once
-// The steps of a value program as GLSL: lines of the function that evaluates it, functions and
-// uniforms that stand before it.
-#include <map>
-#include <set>
-#include <span>
-
-#include "procedural/glsl_text.h"
+// The steps of a value program as GLSL: lines of the function that evaluates it, and functions that
+// stand before it.
+#include "procedural/glsl_noise_sum.h"
 #include "procedural/value_program.h"
 
 namespace burl {
@@ -18,13 +14,10 @@ struct GlslStep {
 
 class GlslSteps {
   public:
-    GlslSteps(const ValueProgram& program, GlslReal real);
+    GlslSteps(const ValueProgram& program, GlslFunctions& functions);
 
     /// `inputs` are operands.
     GlslStep write(const ValueWork& work, const std::vector<std::string>& inputs);
-
-    /// Everything that the written steps need, and `body` after it.
-    GlslTexture texture(std::string body) const;
 
   private:
     using Inputs = std::vector<std::string>;
@@ -36,34 +29,17 @@ class GlslSteps {
     GlslStep step(const ImageLookup& lookup, const Inputs& inputs);
     GlslStep step(const GraphSlope& slope, const Inputs& inputs);
 
-    std::string number(double value) const { return glsl_number(value, real_); }
+    std::string number(double value) const { return functions_.number(value); }
     std::string expression(const ValueOperation& operation, const Inputs& in) const;
     /// "real vN = expression;"
     GlslStep value(const std::string& expression);
     GlslStep color(const std::string& expression);
 
-    // glsl_noise_sum.cpp
-    GlslStep split_sum(const NoiseSum& sum, const Inputs& inputs);
-    GlslStep site_sum(const NoiseSum& sum, const Inputs& inputs);
-    std::string doubling_lines(const NoiseSum& sum, std::span<const SumOctave> octaves,
-                               const Inputs& inputs, const std::string& total);
-    std::string apart_lines(const NoiseSum& sum, const Inputs& inputs, const std::string& total);
-    std::string of_octave(const char* type, const std::vector<std::string>& values);
-    std::string seed_of_octave(std::span<const SumOctave> octaves);
-    std::string octave_noise(const NoiseSpec& noise);
-    std::string shaped(OctaveShape shape, const std::string& value);
-    std::string array(const char* type, const std::vector<std::string>& values);
-
-    GlslReal real_;
+    GlslFunctions& functions_;
+    GlslNoiseSums sums_;
     bool has_angles_ = false;  ///< which alone tell signs of zeros apart
     std::size_t values_ = 0;
-    std::string functions_;
-    std::vector<GlslImage> images_;
-    std::vector<NoiseSpec> noises_;
-    std::vector<std::string> noise_names_;
-    std::set<OctaveShape> shapes_;
-    std::map<std::string, std::string> splits_;  ///< variables of split points, by what they split
-    std::map<std::string, std::string> tables_;  ///< names of constant arrays, by their text
+    std::vector<std::pair<std::shared_ptr<const GraphEvaluator>, std::string>> graphs_;
 };
 
 }  // namespace burl

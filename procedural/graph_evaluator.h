@@ -36,6 +36,7 @@ class GraphEvaluator {
                             PrecisionKind precision = PrecisionKind::float64);
 
     Scratch make_scratch() const { return Scratch(channel_count_); }
+    const TextureGraph& graph() const { return graph_; }
 
     /// samples[i] = the result at points[i] for footprints[i], or for point samples where no
     /// footprints are given. Any number of points.

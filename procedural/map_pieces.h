@@ -21,11 +21,18 @@ struct MapBreak {
 
 class MapPieces {
   public:
+    struct Piece {
+        double start = 0.0;
+        Vec3d color{0.0}, slope{0.0};   ///< c(start + x) = color + slope x, less mean()
+        Vec3d first{0.0}, second{0.0};  ///< antiderivatives at start
+    };
     explicit MapPieces(const ColorMap& map);
 
     Wrap wrap() const { return wrap_; }
     /// Ascending by position; positions of which nothing breaks are left out.
     const std::vector<MapBreak>& breaks() const { return breaks_; }
+    /// Ascending by start; the first goes on to the left, the last to the right.
+    const std::vector<Piece>& pieces() const { return pieces_; }
 
     /// Linear light of the piece that holds f (to the right of a break), evaluated at g: the piece
     /// is extended as far as g - f reaches.
@@ -39,11 +46,6 @@ class MapPieces {
     Vec3d second(double f) const;
 
   private:
-    struct Piece {
-        double start = 0.0;
-        Vec3d color{0.0}, slope{0.0};   ///< c(start + x) = color + slope x
-        Vec3d first{0.0}, second{0.0};  ///< antiderivatives at start
-    };
     void fill_pieces(const ColorMap& map);
     void take_mean_out();
     void integrate();
@@ -52,7 +54,7 @@ class MapPieces {
     double index(double f) const;
 
     Wrap wrap_;
-    std::vector<Piece> pieces_;  ///< the first goes on to the left, the last to the right
+    std::vector<Piece> pieces_;
     std::vector<MapBreak> breaks_;
     Vec3d mean_{0.0};
 };

@@ -53,9 +53,15 @@ real repeated_index(real x) {
     return part < real(1.0) ? part : real(0.0);  // just below a whole number: the next one
 }
 
-// 1 where half of the unit squares have a disk and (x, y) is inside; square (i, j) draws three
-// random numbers. `period` in squares, 0: none.
-real dot_weight(real x, real y, uint seed, uvec2 period, real radius) {
+// The disk of the unit square around (x, y), if it has one: (dx, dy) is the point from its middle.
+struct DotDisk {
+    bool there;
+    real dx, dy;
+};
+
+// Half of the squares have a disk; square (i, j) draws three random numbers. `period` in squares,
+// 0: none.
+DotDisk dot_disk(real x, real y, uint seed, uvec2 period, real radius) {
     exact real shift = real(0.5) - radius;
     exact real3 corner = real3(x + real(0.5), y + real(0.5), real(0.0));
     uvec2 square = cell_bits(lattice_site(corner, uvec3(period, 0u))).xy;
@@ -65,9 +71,15 @@ real dot_weight(real x, real y, uint seed, uvec2 period, real radius) {
     exact real chance = dot_random(0, 0);
     exact real dx = x - (floor(corner.x) + dot_random(1, 2));
     exact real dy = y - (floor(corner.y) + dot_random(4, 9));
-    exact real squares = dx * dx + dy * dy;
+    return DotDisk(chance >= real(0.0), dx, dy);
+}
+
+// 1 inside a disk.
+real dot_weight(real x, real y, uint seed, uvec2 period, real radius) {
+    DotDisk disk = dot_disk(x, y, seed, period, radius);
+    exact real squares = disk.dx * disk.dx + disk.dy * disk.dy;
     exact real inside = radius - sqrt(squares);
-    return chance >= real(0.0) && inside >= real(0.0) ? real(1.0) : real(0.0);
+    return disk.there && inside >= real(0.0) ? real(1.0) : real(0.0);
 }
 
 // Beyond an image lies itself again (0), black (1) or its border (2).

@@ -47,11 +47,10 @@ class GlEmitTest : public GlTest {
     }
 };
 
-std::vector<std::string> drawable_presets() {
+std::vector<std::string> presets() {
     std::vector<std::string> names;
     for (const EmbeddedFile& preset : embedded_recipes())
         names.emplace_back(preset.name.substr(0, preset.name.rfind('.')));
-    std::erase(names, "noise-slope");
     return names;
 }
 
@@ -79,7 +78,7 @@ TEST_P(GlEmitPresetTest, GivesTheHostsColours) {
     EXPECT_LE(away, GetParam() == "checker-floor" ? 200 : 20);
 }
 
-INSTANTIATE_TEST_SUITE_P(Presets, GlEmitPresetTest, testing::ValuesIn(drawable_presets()),
+INSTANTIATE_TEST_SUITE_P(Presets, GlEmitPresetTest, testing::ValuesIn(presets()),
                          [](const auto& test) {
                              std::string name = test.param;
                              std::replace(name.begin(), name.end(), '-', '_');
@@ -120,10 +119,6 @@ TEST(GlEmit, BakesWriteIt) {
 TEST(GlEmit, BakesThatCannotWriteItWriteNothing) {
     const Scratch scratch;
     const std::string bake = "bake sample:cube --quiet -s 64 -o '" + scratch / "t.png" + "' ";
-    const Outcome slope =
-        run_burl(scratch, bake + "--recipe noise-slope --emit-glsl '" + scratch / "t.frag" + "'");
-    EXPECT_EQ(slope.exit_code, int(ExitCode::unsupported));
-    EXPECT_THAT(slope.err, HasSubstr("slope"));
     const Outcome same = run_burl(scratch, bake + "--emit-glsl '" + scratch / "t.png" + "'");
     EXPECT_EQ(same.exit_code, int(ExitCode::io));
     const std::string scene = "bake sample:cube --quiet -s 64 --levels 2 -o '" + scratch / "t.obj" +
@@ -141,8 +136,13 @@ TEST(GlEmit, NamesStayInTheirComment) {
     EXPECT_THAT(emit_glsl(recipe, {}), HasSubstr("// Solid texture a?#error x?, written"));
 }
 
-TEST(GlEmit, SlopesAreRefused) {
-    EXPECT_THROW(emit_glsl(recipe_of(R"({"node": "slope", "input": {"node": "fbm"}})"), {}), Error);
+TEST(GlEmit, SlopesBecomeFunctionsWithGradients) {
+    const std::string text =
+        emit_glsl(recipe_of(R"({"node": "slope", "input": {"node": "fbm"}})"), {});
+    for (const char* part : {"vec4 gradient0(vec3 solid)", "perlin_sample", "dual_at"})
+        EXPECT_THAT(text, HasSubstr(part));
+    for (const char* part : {"real", "exact", "dual_sin", "simplex"})
+        EXPECT_THAT(text, Not(HasSubstr(part)));
 }
 
 }  // namespace
