@@ -9,6 +9,11 @@ namespace {
 
 constexpr int first_table = 2, first_image = 4;  // texture units, after the point map's
 
+/// Else texels are point samples, or several.
+bool nodes_filter(FilterKind kind) {
+    return kind != FilterKind::none && kind != FilterKind::supersample;
+}
+
 }  // namespace
 
 GlGraphSynthesis::GlGraphSynthesis(GlContext& context, const GlSynthesisLimits& limits)
@@ -22,9 +27,9 @@ GlGraphSynthesis::GlGraphSynthesis(GlContext& context, const GlSynthesisLimits& 
       reals_(*gl_, float64_) {}
 
 std::string GlGraphSynthesis::problem(const TextureGraph& graph, const Filter& filter) const {
-    if (filter.kind != FilterKind::none && filter.kind != FilterKind::supersample)
-        return "of the filters OpenGL has supersample alone for graphs";
-    if (std::string why = no_graph_shader(graph); !why.empty()) return why;
+    std::string why =
+        nodes_filter(filter.kind) ? no_filtered_shader(graph, filter) : no_graph_shader(graph);
+    if (!why.empty()) return why;
     GLint units = 0;
     gl_->GetIntegerv(GL_MAX_TEXTURE_IMAGE_UNITS, &units);
     if (first_image + int(graph.images.size()) <= units) return "";
@@ -33,18 +38,23 @@ std::string GlGraphSynthesis::problem(const TextureGraph& graph, const Filter& f
 }
 
 template <class Pixel>
-const GlProgram& GlGraphSynthesis::program(const GlslTexture& texture, bool supersampled) {
+const GlProgram& GlGraphSynthesis::program(const GlslTexture& texture, FilterKind kind) {
     constexpr std::size_t most_programs = 64;
     ShaderSource source;
     source.define_real(float64_);
     add_parts(source, texture.parts);
     source.add("real_bits.glsl");
-    if (supersampled)
-        source.add("texel_line.glsl").add("supersample.glsl").add("graph_samples.glsl");
-    else
+    const char* color = "texture_color(solid_point(texel))";
+    if (kind == FilterKind::none) {
         source.add("point_texel.glsl");
-    add_color_output<Pixel>(
-        colors_, source, supersampled ? "mean_color(texel)" : "texture_color(solid_point(texel))");
+    } else if (kind == FilterKind::supersample) {
+        source.add("texel_line.glsl").add("supersample.glsl").add("graph_samples.glsl");
+        color = "mean_color(texel)";
+    } else {
+        source.add("texel_line.glsl").add("graph_footprint.glsl");
+        color = "footprint_color(texel)";
+    }
+    add_color_output<Pixel>(colors_, source, color);
     std::string text = source.text();
     if (const auto found = programs_.find(text); found != programs_.end()) return found->second;
     if (programs_.size() == most_programs) programs_.clear();
@@ -53,17 +63,26 @@ const GlProgram& GlGraphSynthesis::program(const GlslTexture& texture, bool supe
     return programs_.emplace(std::move(text), std::move(made)).first->second;
 }
 
-/// The image's finest level, whose rows lie without gaps.
+/// All levels of the image.
 const GlTexture& GlGraphSynthesis::image_texture(const std::shared_ptr<const MipImage>& pixels) {
     for (const KeptImage& kept : images_)
         if (kept.pixels == pixels) return kept.texture;
-    const Image<RgbF>& level = pixels->levels()[0];
+    const std::vector<Image<RgbF>>& levels = pixels->levels();
     std::vector<Vec4f> texels;
-    texels.reserve(level.pixels().size());
-    for (const RgbF& c : level.pixels()) texels.emplace_back(c.r, c.g, c.b, 1.0f);
-    images_.push_back(
-        {pixels, make_texture<Vec4f>(*gl_, GL_RGBA32F, {int(level.width()), int(level.height())},
-                                     std::span<const Vec4f>(texels))});
+    for (std::size_t k = 0; k < levels.size(); ++k) {
+        texels.clear();
+        for (const RgbF& c : levels[k].pixels()) texels.emplace_back(c.r, c.g, c.b, 1.0f);
+        const GlSize size(int(levels[k].width()), int(levels[k].height()));
+        if (k == 0)
+            images_.push_back({pixels, make_texture<Vec4f>(*gl_, GL_RGBA32F, size,
+                                                           std::span<const Vec4f>(texels))});
+        else
+            gl_->TexImage2D(GL_TEXTURE_2D, GLint(k), GL_RGBA32F, size.x, size.y, 0, GL_RGBA,
+                            GL_FLOAT, texels.data());
+    }
+    gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, GLint(levels.size()) - 1);
+    gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST_MIPMAP_NEAREST);
+    check_gl(*gl_, "making an image's levels");
     return images_.back().texture;
 }
 
@@ -115,7 +134,7 @@ const GlPointMap& GlGraphSynthesis::points(const GlTile& tile) {
     return points_.back().points;
 }
 
-/// For samples beside the texels' centres.
+/// For samples beside the texels' centres, and for footprints.
 void GlGraphSynthesis::set_lines(const GlTile& tile, int threads) {
     timed(work_.map, [&] {
         if (!lines_) {
@@ -133,11 +152,12 @@ void GlGraphSynthesis::bind_points(const GlProgram& program, const GlPointMap& m
     bind_texture(*gl_, 1, map.z_owner());
 }
 
-void GlGraphSynthesis::bind_samples(const GlProgram& program, int samples) const {
+void GlGraphSynthesis::bind_lines(const GlProgram& program, const Filter& filter) const {
     lines_->bind(program, 0);
     const auto& [linear, offset] = texture_from_atlas_;
     reals_.set(program, "texture_from_atlas", std::array{linear[0], linear[1], linear[2], offset});
-    bind_pattern(program, SamplePattern(samples));
+    if (filter.kind == FilterKind::supersample)
+        bind_pattern(program, SamplePattern(filter.samples));
 }
 
 template <class Pixel>
@@ -150,23 +170,25 @@ void GlGraphSynthesis::synthesize(const SolidAtlas& solid, const TextureGraph& g
     work_ = {};
     if (image.width() != solid.size || image.height() != solid.size)
         image = Image<Pixel>::unset(solid.size, solid.size);
-    const bool supersampled = filter.kind == FilterKind::supersample;
-    const GlslTexture texture = glsl_graph(graph, float64_ ? GlslReal::float64 : GlslReal::float32);
-    const GlProgram& program = this->program<Pixel>(texture, supersampled);
+    const GlslReal real = float64_ ? GlslReal::float64 : GlslReal::float32;
+    const bool points_only = filter.kind == FilterKind::none;
+    const GlslTexture texture = nodes_filter(filter.kind) ? glsl_filtered_graph(graph, filter, real)
+                                                          : glsl_graph(graph, real);
+    const GlProgram& program = this->program<Pixel>(texture, filter.kind);
     set_atlas(solid, texture_from_atlas, threads);
     // Before anything is bound: making a texture changes the bindings of a unit.
     for (const GlslImage& one : texture.images) image_texture(one.pixels);
     for_tiles({int(solid.size), int(solid.size)}, limits_.tile, [&](const GlTile& tile) {
         // Bindings last: whatever makes a texture changes them.
-        const GlPointMap* map = supersampled ? nullptr : &points(tile);
-        if (supersampled) set_lines(tile, threads);
+        const GlPointMap* map = points_only ? &points(tile) : nullptr;
+        if (!map) set_lines(tile, threads);
         const GlTarget target(*gl_, tile.size, {GlOutput<Pixel>::internal});
         program.use();
         bind_inputs<Pixel>(program, texture);
         if (map)
             bind_points(program, *map);
         else
-            bind_samples(program, filter.samples);
+            bind_lines(program, filter);
         target.bind();
         timer_.start();
         full_screen_.draw();

@@ -1,7 +1,8 @@
 #pragma once
 // Fills an atlas with a texture graph in one pass on OpenGL: every texel's point comes from a point
 // map, a shader generated from the graph (procedural/glsl_graph.h) works out its colour and encodes
-// it, or the weighted mean of its colours at several places in the texel. Where OpenGL has float64
+// it, its mean over the texel by the nodes' own filters, or the weighted mean of its colours at
+// several places in the texel. Where OpenGL has float64
 // and rounds as IEEE 754 says, the bytes are those of synthesize_graph_rgb8 and its like in
 // float32.
 #include <list>
@@ -47,12 +48,12 @@ class GlGraphSynthesis {
         GlPointMap points;
     };
     template <class Pixel>
-    const GlProgram& program(const GlslTexture& texture, bool supersampled);
+    const GlProgram& program(const GlslTexture& texture, FilterKind kind);
     template <class Pixel>
     void bind_inputs(const GlProgram& program, const GlslTexture& texture);
     void bind_points(const GlProgram& program, const GlPointMap& map) const;
     void set_lines(const GlTile& tile, int threads);
-    void bind_samples(const GlProgram& program, int samples) const;
+    void bind_lines(const GlProgram& program, const Filter& filter) const;
     const GlTexture& image_texture(const std::shared_ptr<const MipImage>& pixels);
     void set_atlas(const SolidAtlas& solid, const Affine3& texture_from_atlas, int threads);
     const GlPointMap& points(const GlTile& tile);
@@ -71,7 +72,7 @@ class GlGraphSynthesis {
     Affine3 texture_from_atlas_;
     std::optional<GlLatticeMapper> mapper_;
     std::list<KeptPoints> points_;       ///< as many as the limit allows, and one
-    std::optional<GlTexelLines> lines_;  ///< of the atlas, once samples need them
+    std::optional<GlTexelLines> lines_;  ///< of the atlas, once a filter needs them
     GlRealUniforms reals_;
     GlReadBack read_back_;
     GlWork work_;

@@ -73,9 +73,31 @@ GlslNode marble(const GlslNodeCall& call) {
                                                   call.parameter("spline") == 1.0)));
 }
 
+/// "real2(...)": how the first two coordinates move along a step.
+std::string moved(const GlslNodeCall& call, char step) {
+    return fmt::format("real2({}, {})", call.text->along(call.axis(0), step),
+                       call.text->along(call.axis(1), step));
+}
+
+GlslNode image(const GlslNodeCall& call) {
+    GlslDuals& text = *call.text;
+    const auto& pixels = call.graph->images[call.node->image].pixels;
+    const std::string at = fmt::format("{}, {}, {}.x, {}.x", text.functions().image(pixels),
+                                       pixels->levels().size(), call.axis(0), call.axis(1));
+    const int wrap = int(call.parameter("wrap"));
+    const std::string u = moved(call, 'u'), v = moved(call, 'v');
+    const std::string sample =
+        call.parameter("lookup") == 1.0
+            ? fmt::format("ewa_sample({}, {}, {}, {}, {})", at, u, v,
+                          text.number(call.parameter("anisotropy")), wrap)
+            : fmt::format("trilinear_sample({}, trilinear_width({}, {}), {})", at, u, v, wrap);
+    return opaque(call, text.variable("DualColor", fmt::format("dual_image({}, {}, {})", sample,
+                                                               call.axis(0), call.axis(1))));
+}
+
 constexpr std::array table{NamedGlslNode{"color_map", color_map},
                            NamedGlslNode{"layer_over", layer_over}, NamedGlslNode{"uv", uv},
-                           NamedGlslNode{"marble", marble}};
+                           NamedGlslNode{"marble", marble}, NamedGlslNode{"image", image}};
 
 }  // namespace
 

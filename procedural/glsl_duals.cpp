@@ -108,7 +108,19 @@ GlslNode written(const GlslNodeCall& call) {
     return {{call.text->constant(0.0)}};
 }
 
-/// All nodes, one after the other; the last one's channels.
+/// Which nodes the last one needs, itself among them.
+std::vector<bool> needed_nodes(const TextureGraph& graph) {
+    std::vector<bool> needed(graph.nodes.size(), false);
+    needed.back() = true;
+    for (std::size_t n = graph.nodes.size(); n-- > 1;) {
+        if (!needed[n]) continue;
+        needed[graph.nodes[n].place] = true;
+        for (const std::uint32_t input : graph.nodes[n].inputs) needed[input] = true;
+    }
+    return needed;
+}
+
+/// The nodes, one after the other; the last one's channels.
 GlslNode write_nodes(const TextureGraph& graph, GlslDuals& text) {
     const auto solid = [&](const char* axis, const std::array<double, 3>& slope) {
         return text.dual(fmt::format("real4(solid.{}, {}, {}, {})", axis, text.number(slope[0]),
@@ -117,8 +129,13 @@ GlslNode write_nodes(const TextureGraph& graph, GlslDuals& text) {
     std::vector<GlslNode> nodes;
     nodes.reserve(graph.nodes.size());
     nodes.push_back({{solid("x", {1, 0, 0}), solid("y", {0, 1, 0}), solid("z", {0, 0, 1})}});
+    const std::vector<bool> needed = needed_nodes(graph);
     for (std::size_t n = 1; n < graph.nodes.size(); ++n) {
         const GraphNode& node = graph.nodes[n];
+        if (!needed[n]) {
+            nodes.emplace_back();
+            continue;
+        }
         GlslNodeCall call;
         call.graph = &graph;
         call.node = &node;

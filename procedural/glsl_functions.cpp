@@ -72,8 +72,7 @@ std::string GlslFunctions::image(const std::shared_ptr<const MipImage>& pixels) 
     return images_.back().uniform;
 }
 
-GlslTexture GlslFunctions::texture(const std::string& body,
-                                   std::span<const std::string_view> files) const {
+GlslTexture GlslFunctions::texture(const std::string& body, std::span<const GlslPart> more) const {
     std::vector<NoiseSpec> noises, sloped;
     for (const Octave& octave : octaves_) {
         noises.push_back(octave.noise);
@@ -82,7 +81,7 @@ GlslTexture GlslFunctions::texture(const std::string& body,
     GlslTexture texture{glsl_noise_parts(noises), images_};
     for (GlslPart& part : glsl_gradient_parts(sloped)) texture.parts.push_back(std::move(part));
     for (const char* file : {"elementary.glsl", "graph.glsl"}) texture.parts.push_back({file});
-    for (const std::string_view file : files) texture.parts.push_back({std::string(file)});
+    texture.parts.insert(texture.parts.end(), more.begin(), more.end());
     texture.parts.push_back({"the graph", text_ + body});
     return texture;
 }

@@ -34,9 +34,9 @@ class GlslFunctions {
     /// The name of its sampler.
     std::string image(const std::shared_ptr<const MipImage>& pixels);
 
-    /// Everything, the files it needs before it and `body` after it; `files` besides those of
-    /// values.
-    GlslTexture texture(const std::string& body, std::span<const std::string_view> files) const;
+    /// Everything, the files it needs before it and `body` after it; `more` parts behind the files
+    /// of values.
+    GlslTexture texture(const std::string& body, std::span<const GlslPart> more) const;
 
   private:
     struct Octave {

@@ -1,11 +1,11 @@
 #include "procedural/glsl_graph.h"
 
 #include <algorithm>
-#include <array>
 
 #include <fmt/format.h>
 
 #include "atlas/error.h"
+#include "procedural/glsl_duals.h"
 #include "procedural/glsl_steps.h"
 #include "procedural/graph_table.h"
 #include "procedural/graph_values.h"
@@ -15,10 +15,9 @@ namespace burl {
 namespace {
 
 /// What functions with gradients need besides those of values.
-std::span<const std::string_view> graph_files(const ValueProgram& program) {
-    static constexpr std::array<std::string_view, 1> dual{"dual.glsl"};
+std::vector<GlslPart> gradient_parts(const ValueProgram& program) {
     for (const ValueStep& step : program.steps())
-        if (std::holds_alternative<GraphSlope>(step.work)) return dual;
+        if (std::holds_alternative<GraphSlope>(step.work)) return {{"dual.glsl"}};
     return {};
 }
 
@@ -34,7 +33,7 @@ class GraphWriter {
         std::string body = "real3 texture_color(real3 solid) {\n" + lines_;
         body += fmt::format("    return real3({}, {}, {});\n}}\n", name(values_.results()[0]),
                             name(values_.results()[1]), name(values_.results()[2]));
-        return functions_.texture(body, graph_files(values_.program()));
+        return functions_.texture(body, gradient_parts(values_.program()));
     }
 
   private:
@@ -76,11 +75,41 @@ std::string no_graph_shader(const TextureGraph& graph) {
     return "";
 }
 
-GlslTexture glsl_graph(const TextureGraph& graph, GlslReal real) {
-    if (const std::string why = no_graph_shader(graph); !why.empty())
+std::string no_filtered_shader(const TextureGraph& graph, const Filter& filter) {
+    const bool tables = filter.kind == FilterKind::table_mip ||
+                        filter.kind == FilterKind::table_sat ||
+                        filter.kind == FilterKind::table_sat3;
+    for (std::size_t n = 1; n < graph.nodes.size(); ++n) {
+        const std::string_view name = type_of(graph.nodes[n]).name;
+        if (name == "color_map" && tables) return "colour tables filter graphs on the host alone";
+    }
+    return no_graph_shader(graph);
+}
+
+namespace {
+
+void check(const std::string& why) {
+    if (!why.empty())
         throw Error(ExitCode::unsupported,
                     fmt::format("the texture cannot be written as GLSL: {}", why));
+}
+
+}  // namespace
+
+GlslTexture glsl_graph(const TextureGraph& graph, GlslReal real) {
+    check(no_graph_shader(graph));
     return GraphWriter(graph, real).texture();
+}
+
+GlslTexture glsl_filtered_graph(const TextureGraph& graph, const Filter& filter, GlslReal real) {
+    check(no_filtered_shader(graph, filter));
+    GlslFunctions functions(real);
+    GlslFiltering filtering{filter, GlslMapTables(real)};
+    const std::string body = glsl_filtered_function(graph, "texture_color", functions, filtering);
+    std::vector<GlslPart> parts{
+        {"dual.glsl"}, {"colour maps", filtering.maps.text()}, {"dual_map.glsl"}};
+    if (!graph.images.empty()) parts.push_back({"dual_image.glsl"});
+    return functions.texture(body, parts);
 }
 
 TextureGraph graph_of_texture(const Texture& texture) {

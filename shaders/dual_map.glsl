@@ -110,6 +110,7 @@ real3 sum_over_breaks(PieceMap map, real t, PieceWidths w) {
 real3 mean_color(PieceMap map, real f, PieceWidths widths) {
     exact real zero = (f - f) + (widths.wide - widths.wide);
     if (zero != real(0.0)) return extended_color(map, real(0.0), real(0.0));
+    if (widths.wide == real(0.0)) return extended_color(map, f, f);
     exact real scale = min(real(1.0), real(1099511627776.0) / widths.wide);  // 2^40
     exact real part = f - floor(f), clamped = f * scale;
     real x = map.repeats ? part : clamped;

@@ -91,23 +91,27 @@ int image_index(real x, int size, int wrap) {
     return int(inside);
 }
 
-real3 image_texel(sampler2D image, real x, real y, ivec2 size, int wrap) {
+// From here on a coordinate holds no useful fraction of a texel.
+const real farthest_image = real(1099511627776.0);  // 2^40
+
+real3 image_texel(sampler2D image, int level, real x, real y, int wrap) {
+    ivec2 size = textureSize(image, level);
     ivec2 texel = ivec2(image_index(x, size.x, wrap), image_index(y, size.y, wrap));
     if (texel.x < 0 || texel.y < 0) return real3(0.0);
-    return real3(texelFetch(image, texel, 0).rgb);
+    return real3(texelFetch(image, texel, level).rgb);
 }
 
 // Bilinear, in linear light; (0,0) where a coordinate holds no useful fraction of a texel.
 real3 image_color(sampler2D image, real s, real t, int wrap) {
-    const real farthest = real(1099511627776.0);  // 2^40
+    if (!(abs(s) < farthest_image && abs(t) < farthest_image))
+        return image_texel(image, 0, real(0.0), real(0.0), wrap);
     ivec2 size = textureSize(image, 0);
-    if (!(abs(s) < farthest && abs(t) < farthest)) return image_texel(image, real(0.0), real(0.0), size, wrap);
     exact real x = s * real(size.x) - real(0.5), y = t * real(size.y) - real(0.5);
     real i = floor(x), j = floor(y);
     exact real u = x - i, v = y - j;
-    real3 a = image_texel(image, i, j, size, wrap), b = image_texel(image, i + real(1.0), j, size, wrap),
-          c = image_texel(image, i, j + real(1.0), size, wrap),
-          d = image_texel(image, i + real(1.0), j + real(1.0), size, wrap);
+    real3 a = image_texel(image, 0, i, j, wrap), b = image_texel(image, 0, i + real(1.0), j, wrap),
+          c = image_texel(image, 0, i, j + real(1.0), wrap),
+          d = image_texel(image, 0, i + real(1.0), j + real(1.0), wrap);
     exact real3 low = (real(1.0) - u) * a + u * b;
     exact real3 high = (real(1.0) - u) * c + u * d;
     exact real3 color = (real(1.0) - v) * low + v * high;

@@ -4,6 +4,30 @@ uniform usampler2D span_map;        // procedural/synthesize_span_map.h
 uniform usamplerBuffer texel_maps;  // TexelMap as it lies in memory, five texels each
 uniform ivec2 tile_origin;          // of the target in the atlas
 
+// A triangle's TexelMap (atlas/solid_atlas.h).
+struct TexelMapping {
+    real3 origin, step, down;
+    ivec2 corner;
+};
+
+TexelMapping texel_mapping(int owner) {
+    int at = 5 * owner;
+    uvec4 m0 = texelFetch(texel_maps, at), m1 = texelFetch(texel_maps, at + 1), m2 = texelFetch(texel_maps, at + 2),
+          m3 = texelFetch(texel_maps, at + 3), m4 = texelFetch(texel_maps, at + 4);
+    return TexelMapping(
+        real3(real_from_bits(m0.x, m0.y), real_from_bits(m0.z, m0.w), real_from_bits(m1.x, m1.y)),
+        real3(real_from_bits(m1.z, m1.w), real_from_bits(m2.x, m2.y), real_from_bits(m2.z, m2.w)),
+        real3(real_from_bits(m3.x, m3.y), real_from_bits(m3.z, m3.w), real_from_bits(m4.x, m4.y)),
+        ivec2(m4.zw));
+}
+
+// Of a texel of the atlas: TexelMap::operator().
+real3 texel_point(TexelMapping map, ivec2 texel) {
+    real across = real(texel.x - map.corner.x), up = real(texel.y - map.corner.y);
+    exact real3 point = map.origin + across * map.step + up * map.down;
+    return point;
+}
+
 // Texel j of the span shows start + j step, the one below it down more.
 struct TexelLine {
     real3 start, step, down;
@@ -11,20 +35,15 @@ struct TexelLine {
     int owner;           // number of the triangle's map
 };
 
-// TexelMap::operator() at the span's first texel. False where no span shows anything.
+// False where no span shows anything.
 bool texel_line(ivec2 texel, out TexelLine line) {
     uvec4 span = texelFetch(span_map, texel, 0);
     bool shown = span.x != 0xffffffffu;
-    int owner = shown ? int(span.x) : 0, at = 5 * owner;
-    uvec4 m0 = texelFetch(texel_maps, at), m1 = texelFetch(texel_maps, at + 1), m2 = texelFetch(texel_maps, at + 2),
-          m3 = texelFetch(texel_maps, at + 3), m4 = texelFetch(texel_maps, at + 4);
-    real3 origin = real3(real_from_bits(m0.x, m0.y), real_from_bits(m0.z, m0.w), real_from_bits(m1.x, m1.y));
-    real3 step = real3(real_from_bits(m1.z, m1.w), real_from_bits(m2.x, m2.y), real_from_bits(m2.z, m2.w));
-    real3 down = real3(real_from_bits(m3.x, m3.y), real_from_bits(m3.z, m3.w), real_from_bits(m4.x, m4.y));
+    int owner = shown ? int(span.x) : 0;
+    TexelMapping map = texel_mapping(owner);
     ivec2 place = texel + tile_origin;
-    real across = real(int(span.y) - int(m4.z)), up = real(place.y - int(m4.w));
-    exact real3 start = origin + across * step + up * down;
-    line = TexelLine(start, step, down, real(place.x - int(span.y)), real(int(span.z)), owner);
+    real3 start = texel_point(map, ivec2(int(span.y), place.y));
+    line = TexelLine(start, map.step, map.down, real(place.x - int(span.y)), real(int(span.z)), owner);
     return shown;
 }
 

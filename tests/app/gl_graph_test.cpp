@@ -188,6 +188,17 @@ constexpr std::array slope_cases{
 INSTANTIATE_TEST_SUITE_P(Nodes, GlGraphSlopeTest, testing::ValuesIn(slope_cases),
                          [](const auto& test) { return std::string(test.param.node); });
 
+/// Nodes of the graph that the slope's input does not read, colours among them.
+TEST_F(GlGraphTest, SlopesStandBesideColours) {
+    GlGraphSynthesis gl(*context);
+    expect_equal(gl, "beside colours", graph_of(R"({"node": "layer_over",
+        "base": {"node": "color_map", "stops": [[0, "#102030"], [1, "#f0e0d0"]],
+                 "input": {"node": "fbm"}},
+        "top": {"node": "marble"},
+        "opacity": {"node": "slope", "input": {"node": "fbm", "seed": 5}}})"),
+                 SyntheticAtlas{}.make(5));
+}
+
 TEST_P(GlGraphNoiseTest, SlopesHaveTheHostsBits) {
     GlGraphSynthesis gl(*context);
     const SolidAtlas solid = SyntheticAtlas{64, 16, 3.0, 0.04}.make(3);
