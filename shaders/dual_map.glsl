@@ -104,7 +104,13 @@ real3 sum_over_breaks(PieceMap map, real t, PieceWidths w) {
     return sum;
 }
 
-// ---- Broad ones: differences of antiderivatives ----
+// ---- Broad ones: differences of antiderivatives, which cancel more in float32 ----
+
+#if REAL_IS_DOUBLE
+const real narrow_support = 0.015625LF;
+#else
+const real narrow_support = 2.0;
+#endif
 
 // Mean of c(f + wide U + narrow V), U and V even in [-1/2, 1/2].
 real3 mean_color(PieceMap map, real f, PieceWidths widths) {
@@ -120,7 +126,7 @@ real3 mean_color(PieceMap map, real f, PieceWidths widths) {
     exact real sum = real(0.5) * support, difference = real(0.5) * (w.wide - w.narrow);
     if (!map.repeats && (x - sum >= real(1.0) || x + sum <= real(0.0)))
         return extended_color(map, x, x);
-    if (support < real(0.015625) || (w.narrow < real(0.001) * w.wide && support < real(2.0)))
+    if (support < narrow_support || (w.narrow < real(0.001) * w.wide && support < real(2.0)))
         return sum_over_breaks(map, x, w);
     exact real3 result;
     if (w.narrow < real(0.001) * w.wide * real(0.001)) {

@@ -80,6 +80,18 @@ TEST_P(GlGraphFilterNodeTest, HasTheHostsMeans) {
 INSTANTIATE_TEST_SUITE_P(Nodes, GlGraphFilterNodeTest, testing::ValuesIn(graph_cases),
                          [](const auto& test) { return std::string(test.param.node); });
 
+TEST_P(GlGraphFilterNodeTest, StaysCloseInFloat32) {
+    GlSynthesisLimits limits;
+    limits.float64 = false;
+    GlGraphSynthesis gl(*context, limits);
+    const SolidAtlas solid = SyntheticAtlas{64, 16, 0.0, 0.02}.make(7);
+    const TextureGraph graph = graph_of(GetParam().json);
+    Image<RgbF> image;
+    gl.synthesize(solid, graph, somewhere, 1, image, trapezoid);
+    // Means of jumps lose most: float coordinates over narrow boxes.
+    EXPECT_LE(distance(image, on_host(solid, graph, trapezoid)), 1e-4);
+}
+
 TEST_F(GlGraphFilterTest, BoardsHaveTheHostsMeans) {
     for (const char* board : {"checkerboard", "checkerboard_3d"})
         for (const char* aa : {"none", "supersample", "trapezoid"})
