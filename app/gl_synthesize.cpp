@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "app/gl_facts.h"
 #include "app/gl_source.h"
 #include "app/stopwatch.h"
 
@@ -42,9 +43,13 @@ GlSynthesis::GlSynthesis(GlContext& context, const GlSynthesisLimits& limits)
       timer_(*gl_),
       maps_(*gl_, limits.map_budget),
       colors_(*gl_),
-      reals_(*gl_, float64_) {}
+      reals_(*gl_, float64_) {
+    // On a graphics processor maps are drawn, and float64 is a matter of few texels.
+    if (float64_ && is_software(*gl_)) fixed_.emplace(*gl_, limits.tile, limits.map_budget);
+}
 
 void GlSynthesis::forget_atlas() {
+    if (fixed_) fixed_->forget_atlas();
     maps_.forget_atlas();
     if (filter_) filter_->forget_atlas();
 }
@@ -203,6 +208,11 @@ void GlSynthesis::synthesize(const SolidAtlas& solid, const Texture& texture,
     work_ = {};
     if (image.width() != solid.size || image.height() != solid.size)
         image = Image<Pixel>::unset(solid.size, solid.size);
+    if constexpr (std::is_same_v<Pixel, Rgb8>)
+        if (fixed_ && is_plain(filter) &&
+            fixed_->synthesize(solid, texture, texture_from_atlas, threads, image, work_))
+            return maps_.drop_unused();
+    if (fixed_) fixed_->drop_unused();
     const FieldOctaves octaves(texture);
     const bool filtered = !is_plain(filter) && !std::is_same_v<Pixel, float>;
     maps_.set_atlas(solid, texture_from_atlas, threads);
@@ -220,7 +230,7 @@ void GlSynthesis::synthesize(const SolidAtlas& solid, const Texture& texture,
         timed(work_.transfer, [&] { read_back_.read(*target_, tile, threads, image); });
     });
     maps_.drop_unused();
-    work_.maps = maps_.made() - made;
+    work_.maps += maps_.made() - made;
 }
 
 template void GlSynthesis::synthesize(const SolidAtlas&, const Texture&, const Affine3&, int,

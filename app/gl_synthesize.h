@@ -8,6 +8,7 @@
 #include <memory>
 #include <string>
 
+#include "app/gl_fixed_synthesize.h"
 #include "app/gl_map_cache.h"
 #include "app/gl_map_filter.h"
 #include "app/gl_output.h"
@@ -93,6 +94,7 @@ class GlSynthesis {
     GlMapCache maps_;
     GlColorTables colors_;
     GlRealUniforms reals_;
+    std::optional<GlFixedSynthesis> fixed_;      ///< where OpenGL is software
     std::optional<GlMapFilter> filter_;          ///< once there is one
     std::map<std::string, GlProgram> programs_;  ///< by the text of the fragment shader
     std::optional<GlTarget> target_;

@@ -29,6 +29,11 @@ constexpr std::array formats{
     GlFormat{GL_RGBA32UI, "RGBA32UI", GL_RGBA_INTEGER, GL_UNSIGNED_INT, 4, 4},
 };
 
+/// In host memory.
+std::size_t texel_bytes(const GlFormat& format) {
+    return std::size_t(format.components * format.component_bytes);
+}
+
 void check_limit(const GladGLContext& gl, GLenum name, std::size_t asked, std::string_view what) {
     GLint limit = 0;
     gl.GetIntegerv(name, &limit);
@@ -53,8 +58,7 @@ GlTexture make_texture(const GladGLContext& gl, GLenum internal, GlSize size,
     const std::string what =
         fmt::format("a {} texture of {}x{} texels", format.name, size.x, size.y);
     check_limit(gl, GL_MAX_TEXTURE_SIZE, std::size_t(std::max(size.x, size.y)), what);
-    const std::size_t bytes = std::size_t(size.x) * std::size_t(size.y) *
-                              std::size_t(format.components * format.component_bytes);
+    const std::size_t bytes = std::size_t(size.x) * std::size_t(size.y) * texel_bytes(format);
     if (!texels.empty() && texels.size() != bytes)
         throw Error(ExitCode::runtime,
                     fmt::format("{} takes {} bytes, not {}", what, bytes, texels.size()));
@@ -77,19 +81,30 @@ void bind_texture(const GladGLContext& gl, int unit, const GlTexture& texture) {
     gl.BindTexture(GL_TEXTURE_2D, texture.get());
 }
 
-GlBufferTexture::GlBufferTexture(const GladGLContext& gl, GLenum internal,
-                                 std::span<const std::byte> texels)
+GlBufferTexture::GlBufferTexture(const GladGLContext& gl, GLenum internal, std::size_t count)
     : gl_(&gl), buffer_(make_buffer(gl)), texture_(make_texture(gl)) {
     const GlFormat& format = format_of(internal);
-    const std::size_t count =
-        texels.size() / std::size_t(format.components * format.component_bytes);
     const std::string what = fmt::format("a {} array of {} texels", format.name, count);
     check_limit(gl, GL_MAX_TEXTURE_BUFFER_SIZE, count, what);
     gl.BindBuffer(GL_TEXTURE_BUFFER, buffer_.get());
-    gl.BufferData(GL_TEXTURE_BUFFER, GLsizeiptr(texels.size()), texels.data(), GL_STATIC_DRAW);
+    gl.BufferData(GL_TEXTURE_BUFFER, GLsizeiptr(count * texel_bytes(format)), nullptr,
+                  GL_STATIC_DRAW);
     gl.BindTexture(GL_TEXTURE_BUFFER, texture_.get());
     gl.TexBuffer(GL_TEXTURE_BUFFER, internal, buffer_.get());
     check_gl(gl, "making " + what);
+}
+
+GlBufferTexture::GlBufferTexture(const GladGLContext& gl, GLenum internal,
+                                 std::span<const std::byte> texels)
+    : GlBufferTexture(gl, internal, texels.size() / texel_bytes(format_of(internal))) {
+    set(0, texels);
+}
+
+void GlBufferTexture::set(std::size_t offset, std::span<const std::byte> texels) {
+    gl_->BindBuffer(GL_TEXTURE_BUFFER, buffer_.get());
+    gl_->BufferSubData(GL_TEXTURE_BUFFER, GLintptr(offset), GLsizeiptr(texels.size()),
+                       texels.data());
+    check_gl(*gl_, "setting an array");
 }
 
 void GlBufferTexture::bind(int unit) const {

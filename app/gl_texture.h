@@ -52,6 +52,10 @@ class GlBufferTexture {
     template <class T>
     GlBufferTexture(const GladGLContext& gl, GLenum internal, std::span<const T> texels)
         : GlBufferTexture(gl, internal, std::as_bytes(texels)) {}
+    /// An array of so many texels, undefined until they are set.
+    GlBufferTexture(const GladGLContext& gl, GLenum internal, std::size_t count);
+    /// Sets texels from byte `offset` on.
+    void set(std::size_t offset, std::span<const std::byte> texels);
     /// Makes it the buffer texture of a unit (0, 1, ...).
     void bind(int unit) const;
 

@@ -124,7 +124,7 @@ TEST_F(GlSynthesizeTest, TilesAndThreadsLeaveNoTrace) {
     EXPECT_EQ(whole.work().passes, 1);
     EXPECT_EQ(tiled.work().passes, 9);
     tiled.synthesize(subject.solid(), recipe.texture, map, 0, two);
-    EXPECT_EQ(tiled.work().maps, 9);
+    EXPECT_EQ(tiled.work().maps, 18);  // of the lattice and the quadric
     EXPECT_EQ(differing(one, two), 0u);
 }
 
@@ -133,7 +133,7 @@ TEST_F(GlSynthesizeTest, EditsKeepMapsAndShaders) {
     Subject subject("sample:teapot", 64);
     Recipe recipe = load_recipe("marble");
     expect_equal<Rgb8>(gl, subject, recipe);
-    EXPECT_EQ(gl.work().maps, 1);
+    EXPECT_EQ(gl.work().maps, 2);  // of the lattice and the quadric
     EXPECT_GT(gl.work().compile, 0.0);
     recipe.texture.noise[0].amplitude = 0.31;
     recipe.texture.noise[0].seed = 77;
@@ -142,9 +142,11 @@ TEST_F(GlSynthesizeTest, EditsKeepMapsAndShaders) {
     EXPECT_EQ(gl.work().maps, 0);
     EXPECT_EQ(gl.work().compile, 0.0);
     recipe.texture.quadric.i = 0.75;
-    recipe.solid.scale = 5.0;
     expect_equal<Rgb8>(gl, subject, recipe);
     EXPECT_EQ(gl.work().maps, 1);
+    recipe.solid.scale = 5.0;
+    expect_equal<Rgb8>(gl, subject, recipe);
+    EXPECT_EQ(gl.work().maps, 2);
     EXPECT_EQ(gl.work().compile, 0.0);
 }
 
