@@ -117,25 +117,41 @@ void AtomicFile::take_name() {
     }
 }
 
-void AtomicFile::write_through(const std::uint8_t* data, std::size_t count) {
-    while (count > 0) {
-        const ssize_t written = ::write(descriptor_, data, count);
+/// Calls write_some(rest) until nothing is left.
+template <class WriteSome>
+void AtomicFile::write_whole(std::span<const std::uint8_t> bytes, const WriteSome& write_some) {
+    while (!bytes.empty()) {
+        const ssize_t written = write_some(bytes);
         if (written < 0 && errno == EINTR) continue;
         if (written <= 0) throw write_error(target_, written < 0 ? errno : ENOSPC);
-        data += written;
-        count -= std::size_t(written);
+        bytes = bytes.subspan(std::size_t(written));
     }
 }
 
+void AtomicFile::write_through(std::span<const std::uint8_t> bytes) {
+    write_whole(bytes, [&](std::span<const std::uint8_t> rest) {
+        return ::write(descriptor_, rest.data(), rest.size());
+    });
+}
+
 void AtomicFile::flush() {
-    write_through(buffer_.data(), buffer_.size());
+    write_through(buffer_);
     buffer_.clear();
+}
+
+void AtomicFile::overwrite(std::uint64_t position, std::span<const std::uint8_t> bytes) {
+    flush();
+    const std::uint8_t* first = bytes.data();
+    write_whole(bytes, [&](std::span<const std::uint8_t> rest) {
+        return ::pwrite(descriptor_, rest.data(), rest.size(),
+                        off_t(position) + (rest.data() - first));
+    });
 }
 
 void AtomicFile::write(std::span<const std::uint8_t> bytes) {
     if (buffer_.size() + bytes.size() > buffer_size) flush();
     if (bytes.size() >= buffer_size) {
-        write_through(bytes.data(), bytes.size());
+        write_through(bytes);
     } else {
         buffer_.insert(buffer_.end(), bytes.begin(), bytes.end());
     }
@@ -163,6 +179,10 @@ void AtomicFile::commit() {
     finish();
     if (std::rename(temporary_.c_str(), real_path_.c_str()) != 0) throw write_error(target_, errno);
     temporary_.clear();
+}
+
+ByteSink sink_of(AtomicFile& file) {
+    return [&file](std::span<const std::uint8_t> bytes) { file.write(bytes); };
 }
 
 void commit_together(std::span<AtomicFile> files) {

@@ -11,6 +11,8 @@
 #include <string_view>
 #include <vector>
 
+#include "app/byte_sink.h"
+
 namespace burl {
 
 enum class Temporary {
@@ -33,6 +35,10 @@ class AtomicFile {
     void write(std::span<const std::uint8_t> bytes);
     void write(std::string_view text);
 
+    /// Puts bytes in the place of some written before, such as a header whose numbers were not
+    /// known. Throws Error(io).
+    void overwrite(std::uint64_t position, std::span<const std::uint8_t> bytes);
+
     /// Flushes everything to disk and gives it the temporary name; nothing may be written after.
     /// Throws Error(io).
     void finish();
@@ -45,7 +51,9 @@ class AtomicFile {
   private:
     friend void commit_together(std::span<AtomicFile> files);
     void flush();
-    void write_through(const std::uint8_t* data, std::size_t count);
+    void write_through(std::span<const std::uint8_t> bytes);
+    template <class WriteSome>
+    void write_whole(std::span<const std::uint8_t> bytes, const WriteSome& write_some);
     void take_name();
     void discard() noexcept;
 
@@ -56,6 +64,9 @@ class AtomicFile {
     bool replaces_ = false;  // the target existed before
     std::vector<std::uint8_t> buffer_;
 };
+
+/// Appends to the file, which must outlive it; for encoders that give their bytes piece by piece.
+ByteSink sink_of(AtomicFile& file);
 
 /// Commits files that only make sense together (.obj, .mtl, .png): all are finished before the
 /// first is renamed, in the order given, so put the one that names the others last. When a rename

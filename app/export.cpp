@@ -103,13 +103,14 @@ bool same_file(const std::string& a, const std::string& b) {
     return !whole.empty() && whole == fs::weakly_canonical(b, ignored);
 }
 
-/// PNG content in the image's own depth; float becomes 8 bits.
-std::vector<std::uint8_t> png_of(const BakedImage& image) {
-    if (const auto* rgb16 = std::get_if<Image<Rgb16>>(&image)) return encode_png(*rgb16);
-    if (const auto* rgb_float = std::get_if<Image<RgbF>>(&image)) {
-        return encode_png(to_rgb8(*rgb_float));
-    }
-    return encode_png(std::get<Image<Rgb8>>(image));
+/// PNG content in the image's own depth; float becomes 8 bits. The image must outlive it.
+ByteSource png_of(const BakedImage& image) {
+    return [&image](const ByteSink& sink) {
+        if (const auto* rgb16 = std::get_if<Image<Rgb16>>(&image)) return encode_png(*rgb16, sink);
+        if (const auto* linear = std::get_if<Image<RgbF>>(&image))
+            return encode_png(to_rgb8(*linear), sink);
+        encode_png(std::get<Image<Rgb8>>(image), sink);
+    };
 }
 
 /// Of 8 or 16 bits.
@@ -118,29 +119,32 @@ Image<RgbF> linear_of(const BakedImage& image) {
     return to_linear(std::get<Image<Rgb16>>(image));
 }
 
-std::vector<std::vector<std::uint8_t>> level_pngs(const ExportOptions& options) {
-    std::vector<std::vector<std::uint8_t>> pngs;
+std::vector<ByteSource> level_pngs(const ExportOptions& options) {
+    std::vector<ByteSource> pngs;
     for (const BakedImage& level : options.levels) pngs.push_back(png_of(level));
     return pngs;
 }
 
 /// PNG content of the normal map; empty without one.
-std::vector<std::uint8_t> normal_png(const ExportOptions& options) {
+ByteSource normal_png(const ExportOptions& options) {
     if (!options.normals) return {};
-    return std::visit(
-        [](const auto& image) { return encode_png(image, default_png_level, PngContent::data); },
-        options.normals->image);
+    return [&normals = options.normals->image](const ByteSink& sink) {
+        std::visit([&](const auto& image) { encode_png(image, sink, PngContent::data); }, normals);
+    };
 }
 
 /// NAME.png and NAME.1.png, NAME.2.png, ...; all or none.
 void export_png(const std::string& path, const BakedImage& image, const ExportOptions& options) {
     std::vector<AtomicFile> files;
     files.reserve(2 + options.levels.size());
-    if (options.normals) files.emplace_back(normal_map_path(path)).write(normal_png(options));
+    const auto add = [&](const std::string& file, const ByteSource& png) {
+        png(sink_of(files.emplace_back(file)));
+    };
+    if (options.normals) add(normal_map_path(path), normal_png(options));
     for (std::size_t l = 1; l <= options.levels.size(); ++l)
-        files.emplace_back(fs::path(path).replace_extension(level_extension(l)).string())
-            .write(png_of(options.levels[l - 1]));
-    files.emplace_back(path).write(png_of(image));
+        add(fs::path(path).replace_extension(level_extension(l)).string(),
+            png_of(options.levels[l - 1]));
+    add(path, png_of(image));
     commit_together(files);
 }
 
@@ -167,26 +171,37 @@ void write_exr_file(const std::string& path, const BakedImage& image,
 void export_exr(const std::string& path, const BakedImage& image, const ExportOptions& options) {
     if (!options.normals) return write_exr_file(path, image, options);
     AtomicFile normals(normal_map_path(path));
-    normals.write(normal_png(options));
+    normal_png(options)(sink_of(normals));
     write_exr_file(path, image, options);
     normals.commit();
 }
 
+/// The arrays of a glTF; the normals they are made of are gone afterwards.
+std::vector<PartVertices> gltf_vertices(const Mesh& mesh, const Atlas& atlas,
+                                        const ExportOptions& options) {
+    const std::vector<Vec3f> normals = corner_normals(mesh, options.crease_degrees);
+    std::vector<Vec4f> tangents;
+    if (options.normals && options.normals->tangent_space)
+        tangents = corner_tangents(mesh.positions, mesh.triangles, corner_uvs(atlas), normals);
+    return export_vertices(mesh, atlas, normals, tangents);
+}
+
 void export_mesh(const std::string& path, Format format, const Mesh& mesh, const Atlas& atlas,
                  const BakedImage& image, const ExportOptions& options) {
-    const std::vector<std::uint8_t> png = png_of(image);
-    const std::vector<Vec3f> normals = corner_normals(mesh, options.crease_degrees);
-    const std::vector<std::vector<std::uint8_t>> levels = level_pngs(options);
-    const std::vector<std::uint8_t> normal_map = normal_png(options);
-    const bool tangent_space = options.normals && options.normals->tangent_space;
-    if (format == Format::obj)
-        return write_obj(path, {mesh, atlas, normals, png, levels, normal_map, tangent_space});
-    std::vector<Vec4f> tangents;
-    if (tangent_space)
-        tangents = corner_tangents(mesh.positions, mesh.triangles, corner_uvs(atlas), normals);
-    const std::vector<PartVertices> vertices = export_vertices(mesh, atlas, normals, tangents);
-    const GltfContent content{mesh,      vertices, atlas.options, png, levels, options.recipe_json,
-                              normal_map};
+    const std::vector<ByteSource> levels = level_pngs(options);
+    if (format == Format::obj) {
+        const std::vector<Vec3f> normals = corner_normals(mesh, options.crease_degrees);
+        return write_obj(path, {mesh, atlas, normals, png_of(image), levels, normal_png(options),
+                                options.normals && options.normals->tangent_space});
+    }
+    const std::vector<PartVertices> vertices = gltf_vertices(mesh, atlas, options);
+    const GltfContent content{mesh,
+                              vertices,
+                              atlas.options,
+                              png_of(image),
+                              levels,
+                              options.recipe_json,
+                              normal_png(options)};
     format == Format::glb ? write_glb(path, content) : write_gltf(path, content);
 }
 

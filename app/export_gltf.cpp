@@ -1,6 +1,7 @@
 // Containers only: the document itself is made in gltf_scene.cpp.
 #include "app/export_gltf.h"
 
+#include <array>
 #include <filesystem>
 #include <limits>
 
@@ -32,42 +33,91 @@ std::string percent_encoded(const std::string& name) {
     return uri;
 }
 
-void write_words(AtomicFile& file, std::initializer_list<std::uint64_t> words) {
-    for (const std::uint64_t word : words) {
-        std::array<std::uint8_t, 4> bytes{};
-        for (std::size_t k = 0; k < 4; ++k) bytes[k] = std::uint8_t(word >> (8 * k));
+constexpr std::uint64_t most_bytes = std::numeric_limits<std::uint32_t>::max();
+
+Error too_long(const std::string& path) {
+    return Error(ExitCode::unsupported,
+                 fmt::format("{}: the result has more than 4 GiB, which no .glb holds; write a "
+                             ".gltf instead",
+                             path));
+}
+
+template <std::size_t Count>
+std::array<std::uint8_t, 4 * Count> as_words(const std::array<std::uint64_t, Count>& words) {
+    std::array<std::uint8_t, 4 * Count> bytes{};
+    for (std::size_t k = 0; k < bytes.size(); ++k)
+        bytes[k] = std::uint8_t(words[k / 4] >> (8 * (k % 4)));
+    return bytes;
+}
+
+/// The container's bytes before the buffer: its header, the document's with the document, the
+/// buffer's header. The document is filled up with spaces to `length` bytes, a multiple of 4.
+std::string glb_head(const std::string& json, std::size_t length, std::uint64_t binary_size) {
+    std::string head;
+    const auto append = [&](const auto& bytes) { head.append(bytes.begin(), bytes.end()); };
+    append(as_words<5>({0x46546C67, 2, 28 + length + binary_size, length, 0x4E4F534A}));
+    head += json;
+    head.resize(20 + length, ' ');
+    append(as_words<2>({binary_size, 0x004E4942}));
+    return head;
+}
+
+std::span<const std::uint8_t> bytes_of(const std::string& text) {
+    return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
+}
+
+void write_meshes(AtomicFile& file, const GltfScene& scene) {
+    for (const auto& bytes : scene.binary) {
         file.write(bytes);
+        file.write(padding_after(bytes.size()));
     }
+}
+
+/// Appends the image to the buffer and says in its view how long it is.
+void write_image(AtomicFile& file, GltfScene& scene, const ByteSource& png, std::size_t view) {
+    std::uint64_t size = 0;
+    png([&](std::span<const std::uint8_t> bytes) {
+        size += bytes.size();
+        if (scene.binary_size + size > most_bytes) throw too_long(file.target());
+        file.write(bytes);
+    });
+    file.write(padding_after(size));
+    Json& json = scene.json["bufferViews"][view];
+    json["byteOffset"] = scene.binary_size;
+    json["byteLength"] = size;
+    scene.binary_size += size + padding_after(size).size();
+}
+
+std::vector<ByteSource> images_of(const GltfContent& content) {
+    std::vector<ByteSource> images{content.png};
+    images.insert(images.end(), content.levels.begin(), content.levels.end());
+    if (content.normal_png) images.push_back(content.normal_png);
+    return images;
 }
 
 }  // namespace
 
+// Images become as long as they do: the head is written a second time over room for numbers of any
+// length.
 void write_glb(const std::string& path, const GltfContent& content) {
     GltfScene scene = build_gltf_scene(content);
-    const auto add_image = [&](std::span<const std::uint8_t> png) {
-        const std::size_t view = add_buffer_view(scene, png);
-        scene.json["images"].push_back({{"bufferView", view}, {"mimeType", "image/png"}});
-    };
-    add_image(content.png);
-    for (const std::vector<std::uint8_t>& level : content.levels) add_image(level);
-    if (!content.normal_png.empty()) add_image(content.normal_png);
-    scene.json["buffers"] = Json::array({{{"byteLength", scene.binary.size()}}});
-    std::string json = dump(scene.json, -1);
-    json.resize((json.size() + 3) / 4 * 4, ' ');
-
-    const std::uint64_t total = 12 + 8 + json.size() + 8 + scene.binary.size();
-    if (total > std::numeric_limits<std::uint32_t>::max()) {
-        throw Error(ExitCode::unsupported,
-                    fmt::format("{}: the result has {} bytes, a .glb holds at most 4 GiB; write a "
-                                ".gltf instead",
-                                path, total));
+    const std::vector<ByteSource> images = images_of(content);
+    const std::size_t views = scene.json["bufferViews"].size();
+    for (std::size_t i = 0; i < images.size(); ++i) {
+        scene.json["images"].push_back({{"bufferView", views + i}, {"mimeType", "image/png"}});
+        scene.json["bufferViews"].push_back(
+            {{"buffer", 0}, {"byteOffset", most_bytes}, {"byteLength", most_bytes}});
     }
+    scene.json["buffers"] = Json::array({{{"byteLength", most_bytes}}});
+    const std::size_t length = (dump(scene.json, -1).size() + 3) / 4 * 4;
     AtomicFile file(path);
-    write_words(file, {0x46546C67, 2, total});
-    write_words(file, {json.size(), 0x4E4F534A});
-    file.write(json);
-    write_words(file, {scene.binary.size(), 0x004E4942});
-    file.write(scene.binary);
+    file.write(glb_head("", length, 0));
+    write_meshes(file, scene);
+    for (std::size_t i = 0; i < images.size(); ++i) write_image(file, scene, images[i], views + i);
+    scene.json["buffers"][0]["byteLength"] = scene.binary_size;
+    const std::string head = glb_head(dump(scene.json, -1), length, scene.binary_size);
+    if (head.size() + scene.binary_size > most_bytes) throw too_long(path);
+    file.overwrite(0, bytes_of(head));
     file.commit();
 }
 
@@ -82,19 +132,18 @@ void write_gltf(const std::string& path, const GltfContent& content) {
     };
     std::vector<AtomicFile> files;
     files.reserve(4 + content.levels.size());
-    const auto add_image = [&](const std::filesystem::path& file,
-                               std::span<const std::uint8_t> png) {
+    const auto add_image = [&](const std::filesystem::path& file, const ByteSource& png) {
         scene.json["images"].push_back({{"uri", uri(file)}, {"mimeType", "image/png"}});
-        files.emplace_back(file.string()).write(png);
+        png(sink_of(files.emplace_back(file.string())));
     };
     add_image(beside(".png"), content.png);
     for (std::size_t l = 1; l <= content.levels.size(); ++l)
         add_image(beside(level_extension(l)), content.levels[l - 1]);
-    if (!content.normal_png.empty()) add_image(normal_map_path(path), content.normal_png);
+    if (content.normal_png) add_image(normal_map_path(path), content.normal_png);
     scene.json["buffers"] =
-        Json::array({{{"uri", uri(beside(".bin"))}, {"byteLength", scene.binary.size()}}});
+        Json::array({{{"uri", uri(beside(".bin"))}, {"byteLength", scene.binary_size}}});
 
-    files.emplace_back(beside(".bin").string()).write(scene.binary);
+    write_meshes(files.emplace_back(beside(".bin").string()), scene);
     files.emplace_back(path).write(dump(scene.json, 2) + "\n");
     commit_together(files);
 }

@@ -6,25 +6,25 @@
 #include <string>
 #include <vector>
 
+#include "app/byte_sink.h"
 #include "app/export_vertices.h"
 #include "atlas/atlas.h"
 #include "atlas/mesh.h"
 
 namespace burl {
 
-/// What a glTF file is made of; `png` is the texture's file content.
+/// What a glTF file is made of; images are file contents.
 struct GltfContent {
     const Mesh& mesh;
     std::span<const PartVertices> vertices;
     const AtlasOptions& atlas;
-    std::span<const std::uint8_t> png;
-    std::span<const std::vector<std::uint8_t>> levels;  ///< PNGs of MIP levels 1, 2, ...
-    std::string recipe_json;                            ///< for asset.extras; may be empty
-    /// A normal map in tangent space, for vertices with tangents; may be empty.
-    std::span<const std::uint8_t> normal_png{};
+    ByteSource png;
+    std::span<const ByteSource> levels;  ///< PNGs of MIP levels 1, 2, ...
+    std::string recipe_json;             ///< for asset.extras; may be empty
+    ByteSource normal_png{};  ///< in tangent space, for vertices with tangents; may be empty
 };
 
-/// One file with everything in it. Throws Error: io, or unsupported beyond 4 GiB.
+/// One file with everything in it, images last. Throws Error: io, or unsupported beyond 4 GiB.
 void write_glb(const std::string& path, const GltfContent& content);
 
 /// PATH, the buffer beside it in NAME.bin, the texture in NAME.png, MIP level l in NAME.l.png and

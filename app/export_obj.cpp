@@ -174,13 +174,13 @@ void write_obj(const std::string& path, const ObjContent& content) {
     std::vector<AtomicFile> files;
     files.reserve(4 + content.levels.size());
     for (std::size_t l = 1; l <= content.levels.size(); ++l)
-        files.emplace_back(beside(level_extension(l)).string()).write(content.levels[l - 1]);
-    if (!content.normal_png.empty()) {
-        files.emplace_back(normal_map_path(path)).write(content.normal_png);
+        content.levels[l - 1](sink_of(files.emplace_back(beside(level_extension(l)).string())));
+    if (content.normal_png) {
+        content.normal_png(sink_of(files.emplace_back(normal_map_path(path))));
         if (content.tangent_space)
             material += fmt::format("norm {}\n", name(normal_map_path(path)));
     }
-    files.emplace_back(beside(".png").string()).write(content.png);
+    content.png(sink_of(files.emplace_back(beside(".png").string())));
     files.emplace_back(beside(".mtl").string()).write(material);
     files.emplace_back(path).write(std::string_view(text.data(), text.size()));
     commit_together(files);

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/byte_sink.h"
 #include "atlas/atlas.h"
 #include "atlas/mesh.h"
 
@@ -14,11 +15,11 @@ namespace burl {
 struct ObjContent {
     const Mesh& mesh;
     const Atlas& atlas;
-    std::span<const Vec3f> normals;                     ///< per corner
-    std::span<const std::uint8_t> png;                  ///< the texture's file content
-    std::span<const std::vector<std::uint8_t>> levels;  ///< of MIP levels 1, 2, ...
-    std::span<const std::uint8_t> normal_png{};         ///< may be empty
-    bool tangent_space = true;                          ///< the normal map: named in the material
+    std::span<const Vec3f> normals;      ///< per corner
+    ByteSource png;                      ///< the texture's file content
+    std::span<const ByteSource> levels;  ///< of MIP levels 1, 2, ...
+    ByteSource normal_png{};             ///< may be empty
+    bool tangent_space = true;           ///< the normal map: named in the material
 };
 
 /// PATH, NAME.mtl, NAME.png, MIP level l in NAME.l.png and the normal map in NAME_normal.png beside

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <utility>
 
 #include "app/unique_rows.h"
 
@@ -76,8 +77,11 @@ std::array<float, 4> rectangle_of(const Atlas& atlas, const Block& block) {
     return {float(low.x), float(low.y), float(high.x), float(high.y)};
 }
 
-void unpack(const Mesh& mesh, const Vertices& vertices, PartVertices& out) {
-    for (const Vertices::Row& row : vertices.rows()) {
+void unpack(const Mesh& mesh, const std::vector<Vertices::Row>& rows, PartVertices& out) {
+    out.positions.reserve(rows.size());
+    out.uvs.reserve(rows.size());
+    out.normals.reserve(rows.size());
+    for (const Vertices::Row& row : rows) {
         const Vec3d p = (mesh.positions[row[0]] - out.centre) / out.scale;
         out.positions.push_back(Vec3f(p) + 0.0f);
         out.uvs.push_back({std::bit_cast<float>(row[1]), std::bit_cast<float>(row[2])});
@@ -95,6 +99,7 @@ PartVertices part_vertices(const Mesh& mesh, const Atlas& atlas, const CornerFra
     out.centre = box.centre();
     out.scale = safe_scale(box);
     Vertices vertices(part.triangle_count);
+    std::vector<std::uint32_t> block_of_vertex;
     out.indices.reserve(3 * std::size_t(part.triangle_count));
     for (std::size_t i = 0; i < part.triangle_count; ++i) {
         const std::size_t t = part.first_triangle + i;
@@ -104,11 +109,14 @@ PartVertices part_vertices(const Mesh& mesh, const Atlas& atlas, const CornerFra
             if (!frames.tangents.empty() && out.tangents.size() < vertices.rows().size())
                 out.tangents.push_back(frames.tangents[3 * t + k]);
             // Blocks do not touch at corners, so a vertex has one.
-            if (!blocks.empty() && out.blocks.size() < vertices.rows().size())
-                out.blocks.push_back(rectangle_of(atlas, atlas.blocks[blocks[t]]));
+            if (!blocks.empty() && block_of_vertex.size() < vertices.rows().size())
+                block_of_vertex.push_back(blocks[t]);
         }
     }
-    unpack(mesh, vertices, out);
+    unpack(mesh, std::move(vertices).take_rows(), out);
+    out.blocks.reserve(block_of_vertex.size());
+    for (const std::uint32_t block : block_of_vertex)
+        out.blocks.push_back(rectangle_of(atlas, atlas.blocks[block]));
     return out;
 }
 

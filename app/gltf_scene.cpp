@@ -42,7 +42,8 @@ std::size_t append(Json& array, Json value) {
 /// An accessor over bytes of its own.
 std::size_t add_accessor(GltfScene& scene, std::span<const std::uint8_t> bytes, Gl target,
                          Gl component, std::size_t count, const char* type) {
-    const std::size_t view = add_buffer_view(scene, bytes);
+    const std::size_t view = add_buffer_view(scene, bytes.size());
+    scene.binary.push_back(bytes);
     scene.json["bufferViews"][view]["target"] = int(target);
     return append(scene.json["accessors"], {{"bufferView", view},
                                             {"componentType", int(component)},
@@ -70,7 +71,7 @@ std::size_t add_indices(GltfScene& scene, const std::vector<std::uint32_t>& indi
         return add_accessor(scene, as_bytes(indices), gl_element_array_buffer, gl_unsigned_int,
                             indices.size(), "SCALAR");
     }
-    const std::vector<std::uint16_t> narrow(indices.begin(), indices.end());
+    const auto& narrow = scene.narrow_indices.emplace_back(indices.begin(), indices.end());
     return add_accessor(scene, as_bytes(narrow), gl_element_array_buffer, gl_unsigned_short,
                         narrow.size(), "SCALAR");
 }
@@ -167,7 +168,7 @@ void add_part(GltfScene& scene, const Part& part, const std::string& fallback_na
             add_node(scene, names(name), mesh, *place);
             continue;
         }
-        const PartVertices moved = placed(vertices, instance);
+        const PartVertices& moved = scene.placed.emplace_back(placed(vertices, instance));
         NodeTransform place;
         place.translation = moved.centre;
         place.scale = Vec3d(moved.scale);
@@ -215,18 +216,22 @@ Json textures(const GltfContent& content) {
     Json color{{"sampler", 0}, {"source", 0}};
     for (std::size_t l = 1; l <= levels; ++l) color["extras"]["burl_levels"].push_back(l);
     Json result = Json::array({color});
-    if (!content.normal_png.empty()) result.push_back({{"sampler", 0}, {"source", 1 + levels}});
+    if (content.normal_png) result.push_back({{"sampler", 0}, {"source", 1 + levels}});
     return result;
 }
 
 }  // namespace
 
-std::size_t add_buffer_view(GltfScene& scene, std::span<const std::uint8_t> bytes) {
-    const std::size_t offset = scene.binary.size();
-    scene.binary.insert(scene.binary.end(), bytes.begin(), bytes.end());
-    scene.binary.resize((scene.binary.size() + 3) / 4 * 4);
+std::span<const std::uint8_t> padding_after(std::uint64_t bytes) {
+    static constexpr std::array<std::uint8_t, 3> zeros{};
+    return {zeros.data(), std::size_t(-bytes % 4)};
+}
+
+std::size_t add_buffer_view(GltfScene& scene, std::uint64_t bytes) {
+    const std::uint64_t offset = scene.binary_size;
+    scene.binary_size += bytes + padding_after(bytes).size();
     return append(scene.json["bufferViews"],
-                  {{"buffer", 0}, {"byteOffset", offset}, {"byteLength", bytes.size()}});
+                  {{"buffer", 0}, {"byteOffset", offset}, {"byteLength", bytes}});
 }
 
 GltfScene build_gltf_scene(const GltfContent& content) {
@@ -242,7 +247,7 @@ GltfScene build_gltf_scene(const GltfContent& content) {
     for (const PartVertices& vertices : content.vertices) {
         add_part(scene, content.mesh.parts[vertices.part], fallback, vertices, names);
     }
-    scene.json["materials"] = Json::array({material(!content.normal_png.empty())});
+    scene.json["materials"] = Json::array({material(bool(content.normal_png))});
     scene.json["textures"] = textures(content);
     scene.json["samplers"] = Json::array({sampler(content.atlas)});
     return scene;

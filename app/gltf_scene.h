@@ -1,6 +1,8 @@
 #pragma once
 // The glTF document of a textured mesh: JSON and one binary buffer, before they become files.
 #include <cstdint>
+#include <deque>
+#include <span>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -10,16 +12,25 @@
 namespace burl {
 
 struct GltfScene {
-    nlohmann::ordered_json json;       ///< all but `buffers` and the image's source
-    std::vector<std::uint8_t> binary;  ///< what the bufferViews index; length a multiple of 4
+    nlohmann::ordered_json json;  ///< all but `buffers` and the image's source
+    /// What the bufferViews index, in order; each is followed by zeros up to a multiple of 4 bytes.
+    std::vector<std::span<const std::uint8_t>> binary;
+    std::uint64_t binary_size = 0;  ///< zeros included
+    /// What `binary` shows besides the content's own arrays.
+    std::deque<PartVertices> placed;
+    std::deque<std::vector<std::uint16_t>> narrow_indices;
 };
 
 /// Meshes (one per part, one primitive each), nodes (one per placement), material, sampler,
 /// textures; images are left to the caller: 0 is the texture, l its MIP level l, and the one after
-/// these the normal map, if any. The texture's extras.burl_levels lists the levels.
+/// these the normal map, if any. The texture's extras.burl_levels lists the levels. The scene shows
+/// the content's vertices, which must outlive it.
 GltfScene build_gltf_scene(const GltfContent& content);
 
-/// Appends bytes at a multiple of 4 and returns the number of the new bufferView.
-std::size_t add_buffer_view(GltfScene& scene, std::span<const std::uint8_t> bytes);
+/// A bufferView over so many bytes after those there are; returns its number.
+std::size_t add_buffer_view(GltfScene& scene, std::uint64_t bytes);
+
+/// Zeros that follow so many bytes.
+std::span<const std::uint8_t> padding_after(std::uint64_t bytes);
 
 }  // namespace burl

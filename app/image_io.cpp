@@ -6,6 +6,7 @@
 #include <bit>
 #include <csetjmp>
 #include <cstring>
+#include <exception>
 
 #include <png.h>
 #include <zlib.h>
@@ -48,15 +49,22 @@ void on_read(png_structp png, png_bytep out, std::size_t count) {
     source->rest = source->rest.subspan(count);
 }
 
+/// Where encoded bytes go, and what went wrong there.
+struct Target {
+    const ByteSink& sink;
+    std::exception_ptr thrown{};
+};
+
 void on_write(png_structp png, png_bytep data, std::size_t count) {
-    auto* out = static_cast<std::vector<std::uint8_t>*>(png_get_io_ptr(png));
-    bool stored = true;
+    auto* target = static_cast<Target*>(png_get_io_ptr(png));
+    bool taken = true;
     try {
-        out->insert(out->end(), data, data + count);
+        target->sink({data, count});
     } catch (...) {
-        stored = false;
+        target->thrown = std::current_exception();
+        taken = false;
     }
-    if (!stored) png_error(png, "out of memory");
+    if (!taken) png_error(png, "the bytes are not taken");
 }
 
 void on_flush(png_structp) {}
@@ -156,10 +164,9 @@ void set_method(Writer& w, const Raster& raster, int level) {
     png_set_compression_strategy(w.png, Z_RLE);
 }
 
-bool write_all(Writer& w, const Raster& raster, int level, PngContent content,
-               std::vector<std::uint8_t>* out) {
+bool write_all(Writer& w, const Raster& raster, int level, PngContent content, Target* target) {
     if (setjmp(png_jmpbuf(w.png))) return false;
-    png_set_write_fn(w.png, out, on_write, on_flush);
+    png_set_write_fn(w.png, target, on_write, on_flush);
     set_method(w, raster, level);
     png_set_IHDR(w.png, w.info, png_uint_32(raster.width), png_uint_32(raster.height), raster.bits,
                  raster.color_type, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
@@ -177,19 +184,27 @@ bool write_all(Writer& w, const Raster& raster, int level, PngContent content,
     return true;
 }
 
-std::vector<std::uint8_t> encode(const Raster& raster, int level, PngContent content) {
+void encode_to(const ByteSink& sink, const Raster& raster, int level, PngContent content) {
     if (raster.width > max_side || raster.height > max_side) {
         throw Error(ExitCode::runtime, fmt::format("an image of {} x {} is too large for PNG",
                                                    raster.width, raster.height));
     }
+    Writer writer;
+    Target target{sink};
+    if (writer.info && write_all(writer, raster, level, content, &target)) return;
+    if (target.thrown) std::rethrow_exception(target.thrown);
+    throw Error(ExitCode::runtime, fmt::format("the PNG image of {} x {} could not be encoded: {}",
+                                               raster.width, raster.height, writer.message.text));
+}
+
+std::vector<std::uint8_t> encode(const Raster& raster, int level, PngContent content) {
     std::vector<std::uint8_t> out;
     out.reserve(raster.stride() * raster.height / 2 + 1024);
-    Writer writer;
-    if (!writer.info || !write_all(writer, raster, level, content, &out)) {
-        throw Error(ExitCode::runtime,
-                    fmt::format("the PNG image of {} x {} could not be encoded: {}", raster.width,
-                                raster.height, writer.message.text));
-    }
+    encode_to(
+        [&](std::span<const std::uint8_t> bytes) {
+            out.insert(out.end(), bytes.begin(), bytes.end());
+        },
+        raster, level, content);
     return out;
 }
 
@@ -234,6 +249,14 @@ std::vector<std::uint8_t> encode_png(const Image<Rgb16>& image, int level, PngCo
     return encode(raster_of(image), level, content);
 }
 
+void encode_png(const Image<Rgb8>& image, const ByteSink& sink, PngContent content) {
+    encode_to(sink, raster_of(image), default_png_level, content);
+}
+
+void encode_png(const Image<Rgb16>& image, const ByteSink& sink, PngContent content) {
+    encode_to(sink, raster_of(image), default_png_level, content);
+}
+
 std::vector<std::uint8_t> encode_png(const IndexedImage& image) {
     Image<std::uint8_t> pixels = image.pixels;
     Raster raster{pixels.pixels().data(), pixels.width(), pixels.height()};
@@ -249,11 +272,15 @@ std::vector<std::uint8_t> encode_png(const IndexedImage& image) {
 }
 
 void write_png(const std::string& path, const Image<Rgb8>& image) {
-    write_file(path, encode_png(image));
+    AtomicFile file(path);
+    encode_png(image, sink_of(file));
+    file.commit();
 }
 
 void write_png(const std::string& path, const Image<Rgb16>& image) {
-    write_file(path, encode_png(image));
+    AtomicFile file(path);
+    encode_png(image, sink_of(file));
+    file.commit();
 }
 
 }  // namespace burl

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/byte_sink.h"
 #include "app/palette.h"
 #include "atlas/image.h"
 
@@ -32,6 +33,13 @@ std::vector<std::uint8_t> encode_png(const Image<Rgb8>& image, int level = defau
                                      PngContent content = PngContent::color);
 std::vector<std::uint8_t> encode_png(const Image<Rgb16>& image, int level = default_png_level,
                                      PngContent content = PngContent::color);
+
+/// The same bytes to a sink as they come: beside a texture of 16384 x 16384 texels there is no room
+/// for its file. What the sink throws comes out.
+void encode_png(const Image<Rgb8>& image, const ByteSink& sink,
+                PngContent content = PngContent::color);
+void encode_png(const Image<Rgb16>& image, const ByteSink& sink,
+                PngContent content = PngContent::color);
 
 /// A PNG with a palette, at zlib's level 9 (grey levels alone: without one); for small files.
 std::vector<std::uint8_t> encode_png(const IndexedImage& image);

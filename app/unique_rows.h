@@ -5,6 +5,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace burl {
@@ -28,6 +29,11 @@ class UniqueRows {
     }
 
     const std::vector<Row>& rows() const { return rows_; }
+    /// The rows, by number; what finds them is given up.
+    std::vector<Row> take_rows() && {
+        slots_ = {};
+        return std::move(rows_);
+    }
 
   private:
     static constexpr std::uint32_t empty = 0xffffffffu;

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "atlas/capacity.h"
+#include "atlas/freed_memory.h"
 
 namespace burl {
 
@@ -31,6 +32,23 @@ Atlas layout_pairs(const Mesh& mesh, const Connectivity& connectivity, const Atl
     return atlas;
 }
 
+/// Of which packing or rasterising leaves so much behind that it is worth giving back.
+constexpr std::size_t many_triangles = 100000;
+
+MeshAtlas pack(const Mesh& mesh, const Connectivity& connectivity, const AtlasOptions& options) {
+    if (options.kind != AtlasKind::patch)
+        return MeshAtlas(layout_atlas(mesh, connectivity, options));
+    check_size(options);
+    const std::string no_patches = why_no_patches(connectivity, options.size);
+    if (!no_patches.empty())
+        return MeshAtlas(layout_pairs(mesh, connectivity, options, no_patches));
+    if (auto patches = build_patch_atlas(mesh, connectivity, options))
+        return MeshAtlas(std::move(*patches));
+    return MeshAtlas(
+        layout_pairs(mesh, connectivity, options,
+                     fmt::format("the patches do not fit {0} x {0} texels", options.size)));
+}
+
 }  // namespace
 
 const Atlas& MeshAtlas::atlas() const {
@@ -45,22 +63,17 @@ const Mesh& MeshAtlas::mesh(const Mesh& input) const {
 
 MeshAtlas build_atlas(const Mesh& mesh, const Connectivity& connectivity,
                       const AtlasOptions& options) {
-    if (options.kind != AtlasKind::patch)
-        return MeshAtlas(layout_atlas(mesh, connectivity, options));
-    check_size(options);
-    const std::string no_patches = why_no_patches(connectivity, options.size);
-    if (!no_patches.empty())
-        return MeshAtlas(layout_pairs(mesh, connectivity, options, no_patches));
-    if (auto patches = build_patch_atlas(mesh, connectivity, options))
-        return MeshAtlas(std::move(*patches));
-    return MeshAtlas(
-        layout_pairs(mesh, connectivity, options,
-                     fmt::format("the patches do not fit {0} x {0} texels", options.size)));
+    MeshAtlas atlas = pack(mesh, connectivity, options);
+    if (mesh.triangles.size() > many_triangles) return_freed_memory();
+    return atlas;
 }
 
 SolidAtlas rasterize(const Mesh& input, const MeshAtlas& atlas, std::span<const Vec3d> positions) {
-    if (const PatchAtlas* patches = atlas.patches()) return rasterize_patches(*patches, positions);
-    return rasterize(input, atlas.atlas(), positions);
+    const PatchAtlas* patches = atlas.patches();
+    SolidAtlas solid = patches ? rasterize_patches(*patches, positions)
+                               : rasterize(input, atlas.atlas(), positions);
+    if (input.triangles.size() > many_triangles) return_freed_memory();
+    return solid;
 }
 
 }  // namespace burl

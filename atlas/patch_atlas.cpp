@@ -1,5 +1,6 @@
 #include "atlas/patch_atlas.h"
 
+#include <algorithm>
 #include <cmath>
 #include <unordered_map>
 
@@ -25,7 +26,7 @@ void refit(PatchCandidate& candidate) {
                  .aspect = candidate.layout.blocks[i].aspect(),
                  .least_gain = refit_gain});
         mapped.rectangle->coarse.reset();
-        mapped.uv = mapped.rectangle->uv;
+        mapped.uv = std::move(mapped.rectangle->uv);
         mapped.stretch = mapped.rectangle->stretch;
     });
 }
@@ -38,6 +39,7 @@ void place_corners(PatchAtlas& result) {
     atlas.corners.assign(count, {Vec2d(0.5), Vec2d(0.5), Vec2d(0.5)});
     atlas.charts.assign(count, 0);
     atlas.chart_count = static_cast<std::uint32_t>(result.maps.patches.size());
+    const auto lost = std::size_t(std::ranges::count(refined.patch, not_in_mesh));
     std::unordered_map<std::uint32_t, Vec2d> place_of_point;
     for (std::size_t t = 0; t < count; ++t) {
         const std::uint32_t p = refined.patch[t];
@@ -47,7 +49,7 @@ void place_corners(PatchAtlas& result) {
         for (std::size_t k = 0; k < 3; ++k) {
             const std::uint32_t vertex = mapped.patch.triangles[refined.in_patch[t]][k];
             atlas.corners[t][k] = result.layout.blocks[p].place(mapped.uv[vertex]);
-            place_of_point.emplace(refined.mesh.triangles[t][k], atlas.corners[t][k]);
+            if (lost > 0) place_of_point.emplace(refined.mesh.triangles[t][k], atlas.corners[t][k]);
         }
     }
     for (std::size_t t = 0; t < count; ++t) {

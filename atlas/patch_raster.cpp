@@ -99,19 +99,32 @@ class Rasterizer {
             else
                 fill_block(p);
         }
+        vertex_points_ = {};
+        map_of_triangle_ = {};
+        join_rows();
+        return std::move(solid_);
+    }
+
+  private:
+    /// Each row is given back once it is taken over: they are as large as all that follows.
+    void join_rows() {
+        std::size_t count = 0;
+        for (const auto& row : rows_) count += row.size();
+        solid_.spans.reserve(count);
+        solid_.row_begin.reserve(rows_.size() + 1);
         solid_.row_begin.push_back(0);
         for (auto& row : rows_) {
             std::sort(row.begin(), row.end(),
                       [](const Span& a, const Span& b) { return a.x < b.x; });
             solid_.spans.insert(solid_.spans.end(), row.begin(), row.end());
             solid_.row_begin.push_back(solid_.spans.size());
+            row = {};
         }
-        return std::move(solid_);
     }
 
-  private:
     void map_mesh_triangles() {
         const RefinedMesh& refined = atlas_.refined;
+        solid_.maps.reserve(refined.mesh.triangles.size());
         for (std::uint32_t t = 0; t < refined.mesh.triangles.size(); ++t) {
             const auto& [a, b, c] = refined.mesh.triangles[t];
             const std::array<Vec3d, 3> points{positions_[a], positions_[b], positions_[c]};

@@ -75,6 +75,10 @@ class Refiner {
         result_.mesh.name = mesh.name;
         result_.mesh.positions = mesh.positions;
         result_.mesh.parts = mesh.parts;
+        result_.mesh.triangles.reserve(mesh.triangles.size());
+        result_.mesh.source_faces.reserve(mesh.source_faces.size());
+        result_.patch.reserve(mesh.triangles.size());
+        result_.in_patch.reserve(mesh.triangles.size());
         result_.mesh.notes = mesh.notes;
     }
 

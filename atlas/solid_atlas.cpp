@@ -52,6 +52,9 @@ TexelMap turned_map(const TexelMap& map, const Block& block) {
 /// Fills solid.maps and solid.turned.
 void make_maps(SolidAtlas& solid, const Mesh& mesh, const Atlas& atlas,
                std::span<const Vec3d> positions) {
+    const auto turned = std::ranges::count_if(
+        atlas.blocks, [](const Block& block) { return block.fills_up && !block.collapsed(); });
+    solid.maps.reserve(mesh.triangles.size() + std::size_t(turned));
     solid.maps.resize(mesh.triangles.size());
     const auto make = [&](const Block& block, std::int32_t face,
                           const std::array<Vec2d, 3>& corners) {

@@ -53,6 +53,22 @@ class FileSizeLimit {
     void (*old_handler_)(int) = nullptr;
 };
 
+TEST(AtomicFile, BytesWrittenBeforeAreReplacedWhereverTheyAre) {
+    const ScratchFolder folder;
+    const std::string path = folder / "out.txt";
+    AtomicFile file(path);
+    const std::string large(1u << 20, 'x');
+    file.write("head....");
+    file.write(large);
+    file.write("tail");
+    const std::string number = "1234";
+    file.overwrite(4, {reinterpret_cast<const std::uint8_t*>(number.data()), number.size()});
+    file.overwrite(8 + large.size(), {reinterpret_cast<const std::uint8_t*>("T"), 1});
+    file.write(" and more");
+    file.commit();
+    EXPECT_EQ(content(path), "head1234" + large + "Tail and more");
+}
+
 TEST(AtomicFile, NothingShowsBeforeCommitAndAllAfter) {
     const ScratchFolder folder;
     const std::string path = folder / "out.txt";

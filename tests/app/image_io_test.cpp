@@ -96,6 +96,35 @@ TEST(Png, SixteenBitSamplesAreBigEndian) {
     EXPECT_NE(std::search(bytes.begin(), bytes.end(), row.begin(), row.end()), bytes.end());
 }
 
+TEST(Png, ComesPieceByPieceWithTheSameBytes) {
+    const Image<Rgb8> image = pattern8(700, 300);
+    std::vector<std::uint8_t> bytes;
+    std::size_t largest = 0, pieces = 0;
+    encode_png(image, [&](std::span<const std::uint8_t> piece) {
+        bytes.insert(bytes.end(), piece.begin(), piece.end());
+        largest = std::max(largest, piece.size());
+        ++pieces;
+    });
+    EXPECT_EQ(bytes, encode_png(image));
+    EXPECT_GT(pieces, 10u);
+    EXPECT_LT(largest, bytes.size() / 4);
+}
+
+TEST(Png, WhatTheSinkThrowsComesOut) {
+    const Error full(ExitCode::io, "a.png: the disk is full");
+    std::size_t calls = 0;
+    try {
+        encode_png(pattern8(40, 40), [&](std::span<const std::uint8_t>) {
+            if (++calls == 3) throw full;
+        });
+        FAIL() << "nothing was thrown";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ExitCode::io);
+        EXPECT_STREQ(error.what(), full.what());
+    }
+    EXPECT_EQ(calls, 3u);
+}
+
 TEST(Png, SaysItIsSrgb) {
     const auto bytes = encode_png(pattern8(2, 2));
     const std::string name = "sRGB";
