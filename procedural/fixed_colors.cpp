@@ -47,7 +47,7 @@ glm::uvec4 entry_of(std::span<const Change> changes, std::size_t& first, std::ui
     std::size_t count = 0;
     for (std::size_t i = first + 1; i < changes.size(); ++i, ++count) {
         if (changes[i].index * per_index > end) break;
-        if (count == 2) return glm::uvec4(changes[first].code | undecided);
+        if (count == 2) return glm::uvec4(changes[first].code | undecided_code);
         places[count] = std::uint32_t(std::floor(changes[i].index * per_index - begin));
         for (std::size_t k = count + 1; k < 3; ++k) texel[glm::length_t(k)] = changes[i].code;
     }
@@ -65,7 +65,7 @@ std::optional<FixedColors> fixed_colors(const ColorTable8& table) {
         std::uint32_t open = 0;
         for (std::uint32_t entry = 0; entry <= 1u << bits; ++entry) {
             colors.entries.push_back(entry_of(changes, first, entry, bits));
-            open += colors.entries.back().x >= undecided ? 1 : 0;
+            open += colors.entries.back().x >= undecided_code ? 1 : 0;
         }
         if (open <= 1u << bits >> 13) return colors;
     }

@@ -14,7 +14,7 @@ struct FixedColors {
     /// Two to the `bits` entries, and one for index 1: colours r + 2^8 g + 2^16 b before, between
     /// and after the changes, and the changes' places, the first in the lower 16 bits. Places are
     /// counted in 2^-15 of an entry, entries begin at `margin`. Colours of the few entries with
-    /// more changes are `undecided`.
+    /// more changes are `undecided_code`.
     std::vector<glm::uvec4> entries;
     int bits = 0;
     /// Places are whole steps: 2^-step_bits of the index.
@@ -26,7 +26,7 @@ struct FixedColors {
 };
 
 /// What is added to a colour that stays open.
-inline constexpr std::uint32_t undecided = 0xff000000u;
+inline constexpr std::uint32_t undecided_code = 0xff000000u;
 
 /// None where colours change so fast that entries would have to be too many.
 std::optional<FixedColors> fixed_colors(const ColorTable8& table);

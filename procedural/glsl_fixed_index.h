@@ -30,7 +30,7 @@ FixedUniforms fixed_uniforms(const FixedIndex& index, const FixedColors& colors,
 /// Macros that both shaders stand behind.
 std::vector<std::pair<std::string, std::string>> glsl_fixed_macros(const FixedShape& shape);
 
-/// The fragment shader, which draws `uint code`: r + 2^8 g + 2^16 b, with `undecided` where
+/// The fragment shader, which draws `uint code`: r + 2^8 g + 2^16 b, with `undecided_code` where
 /// that is so. It reads the buffers map_bases, map_sites0, map_sites1, ... (synthesize_site_map.h)
 /// and color_entries.
 std::vector<GlslPart> glsl_fixed_index(const FixedShape& shape);

@@ -120,7 +120,7 @@ std::optional<std::uint32_t> read(const FixedColors& colors, std::int64_t steps,
     const std::uint32_t code = place >= changes[1]   ? entry.z
                                : place >= changes[0] ? entry.y
                                                      : entry.x;
-    if (code >= undecided) return std::nullopt;
+    if (code >= undecided_code) return std::nullopt;
     return code;
 }
 
