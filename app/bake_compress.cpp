@@ -22,7 +22,7 @@ void check_compress(const std::optional<double>& most_error, AtlasKind kind) {
 
 BakedAtlas compressed_bake(const Atlas& atlas, BakedImage image,
                            const std::optional<double>& most_error) {
-    if (!most_error) return {atlas, std::move(image), std::nullopt};
+    if (!most_error) return {std::nullopt, std::move(image), std::nullopt};
     return std::visit(
         [&](const auto& picture) {
             auto result = compress_blocks(atlas, picture, *most_error);
@@ -34,7 +34,7 @@ BakedAtlas compressed_bake(const Atlas& atlas, BakedImage image,
 Json compress_json(const BakedAtlas& baked) {
     const CompressNotes& notes = *baked.compressed;
     const std::uint64_t bytes = texel_bytes(baked.image);
-    const Vec2d extent = baked.atlas.extent();
+    const Vec2d extent = baked.packed->extent();
     return {{"width", std::uint64_t(extent.x)},
             {"height", std::uint64_t(extent.y)},
             {"blocks", notes.blocks},
@@ -46,15 +46,15 @@ Json compress_json(const BakedAtlas& baked) {
             {"largest_error", notes.largest_error}};
 }
 
-void print_compressed(const BakedAtlas& baked) {
-    const CompressNotes& notes = *baked.compressed;
-    const Vec2d extent = baked.atlas.extent();
+void print_compressed(const Json& compressed) {
     fmt::print(
         "compressed to {} x {}: {} of {} blocks kept, {:.1f} % of the texels and bytes saved, "
         "largest error {:.4f}\n",
-        extent.x, extent.y, notes.places, notes.blocks,
-        100.0 * (1.0 - double(notes.texels_after) / double(notes.texels_before)),
-        notes.largest_error);
+        compressed["width"].get<std::uint64_t>(), compressed["height"].get<std::uint64_t>(),
+        compressed["places"].get<std::uint64_t>(), compressed["blocks"].get<std::uint64_t>(),
+        100.0 * (1.0 - compressed["texels_after"].get<double>() /
+                           compressed["texels_before"].get<double>()),
+        compressed["largest_error"].get<double>());
 }
 
 }  // namespace burl

@@ -10,9 +10,9 @@ namespace burl {
 
 /// What is written of a bake: the atlas with its picture, and what compressing found.
 struct BakedAtlas {
-    Atlas atlas;
+    std::optional<Atlas> packed;  ///< nothing: the pipeline's own
     BakedImage image;
-    std::optional<CompressNotes> compressed;
+    std::optional<CompressNotes> compressed;  ///< of `packed`
 };
 
 /// Throws Error(usage) before any work: `most_error` is asked for and the kind is not quad.
@@ -24,6 +24,7 @@ BakedAtlas compressed_bake(const Atlas& atlas, BakedImage image,
 
 /// Blocks, texels and uncompressed bytes before and after, and the largest error made.
 Json compress_json(const BakedAtlas& baked);
-void print_compressed(const BakedAtlas& baked);
+/// Prints what compress_json says.
+void print_compressed(const Json& compressed);
 
 }  // namespace burl

@@ -7,8 +7,8 @@
 namespace burl {
 
 Json bake_json(const std::string& input, const std::vector<std::string>& outputs,
-               const Recipe& recipe, Pipeline& pipeline, const LevelsAsked& levels, Json seconds) {
-    const AtlasMetrics metrics = measure(pipeline.atlas_mesh(), pipeline.atlas(), pipeline.solid());
+               const Recipe& recipe, Pipeline& pipeline, const AtlasMetrics& metrics,
+               const LevelsAsked& levels, Json seconds) {
     Json atlas = metrics_json(pipeline.atlas(), metrics);
     if (const PatchAtlas* patches = pipeline.mesh_atlas().patches())
         atlas["patch"] = patches_json(*patches);

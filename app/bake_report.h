@@ -14,7 +14,8 @@ namespace burl {
 /// The recipe, the pipeline's mesh and atlas, which are the recipe's, and what its stages did,
 /// after a bake of these MIP levels.
 Json bake_json(const std::string& input, const std::vector<std::string>& outputs,
-               const Recipe& recipe, Pipeline& pipeline, const LevelsAsked& levels, Json seconds);
+               const Recipe& recipe, Pipeline& pipeline, const AtlasMetrics& metrics,
+               const LevelsAsked& levels, Json seconds);
 
 /// How good the map of the pipeline's recipe is. (Measuring it takes a while.)
 Json normals_json(Pipeline& pipeline, const NormalMap& map, double crease_degrees);

@@ -16,6 +16,7 @@
 #include "app/verbs.h"
 #include "app/version.h"
 #include "atlas/error.h"
+#include "atlas/freed_memory.h"
 
 namespace {
 
@@ -65,6 +66,7 @@ int run(int argc, char** argv) {
     program.get_formatter()->column_width(34);
     burl::add_bake(program);
     burl::add_render(program);
+    burl::add_batch(program);
     burl::add_diff(program);
     burl::add_metrics(program);
     burl::add_bench(program);
@@ -87,6 +89,7 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
     open_standard_streams();
+    burl::return_large_blocks();
     // A reader that went away or a file-size limit is an error to report, not a reason to die.
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN);

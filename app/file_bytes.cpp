@@ -25,22 +25,47 @@ struct Descriptor {
     }
 };
 
+/// Opens the file; its size is 0 where it is none on a disk.
+struct Opened {
+    Descriptor file;
+    std::size_t size = 0;
+
+    explicit Opened(const std::string& path) : file{::open(path.c_str(), O_RDONLY | O_CLOEXEC)} {
+        struct stat status {};
+        if (file.fd < 0 || ::fstat(file.fd, &status) != 0) throw read_error(path, errno);
+        if (S_ISDIR(status.st_mode)) throw read_error(path, EISDIR);
+        if (S_ISREG(status.st_mode)) size = std::size_t(status.st_size);
+    }
+};
+
+/// How many bytes came; 0: the file's end.
+std::size_t read_some(const std::string& path, const Opened& opened,
+                      std::span<std::uint8_t> bytes) {
+    for (;;) {
+        const ssize_t got = ::read(opened.file.fd, bytes.data(), bytes.size());
+        if (got >= 0) return std::size_t(got);
+        if (errno != EINTR) throw read_error(path, errno);
+    }
+}
+
 }  // namespace
 
+void read_file_pieces(const std::string& path, const ByteSink& sink) {
+    const Opened opened(path);
+    std::vector<std::uint8_t> piece(1u << 18);
+    while (const std::size_t got = read_some(path, opened, piece))
+        sink(std::span(piece).first(got));
+}
+
 std::vector<std::uint8_t> read_file_bytes(const std::string& path) {
-    const Descriptor file{::open(path.c_str(), O_RDONLY | O_CLOEXEC)};
-    struct stat status {};
-    if (file.fd < 0 || ::fstat(file.fd, &status) != 0) throw read_error(path, errno);
-    if (S_ISDIR(status.st_mode)) throw read_error(path, EISDIR);
-    std::vector<std::uint8_t> bytes(S_ISREG(status.st_mode) ? std::size_t(status.st_size) : 0);
+    const Opened opened(path);
+    std::vector<std::uint8_t> bytes(opened.size);
     std::size_t filled = 0;
     for (;;) {
         if (filled == bytes.size()) bytes.resize(filled + (filled == 0 ? 4096 : filled / 8 + 4096));
-        const ssize_t got = ::read(file.fd, bytes.data() + filled, bytes.size() - filled);
-        if (got < 0 && errno == EINTR) continue;
-        if (got < 0) throw read_error(path, errno);
+        const std::size_t got = read_some(path, opened, std::span(bytes).subspan(filled));
         if (got == 0) break;
-        filled += std::size_t(got);
+        filled += got;
     }
     bytes.resize(filled);
     return bytes;

@@ -77,6 +77,10 @@ class Pipeline {
     template <class Pixel>
     Image<Pixel> normal_map(double crease_degrees, bool tangent_space);
 
+    /// Gives back what textures alone need, some 170 bytes a triangle; it is made again when it is
+    /// asked for.
+    void release_texels() { forget_solid(); }
+
     const StageRecords& records() const { return records_; }
     /// Bytes that the cache holds of fields and octaves.
     std::size_t cached_bytes() const;

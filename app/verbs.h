@@ -7,6 +7,7 @@ namespace burl {
 
 void add_bake(CLI::App& program);
 void add_render(CLI::App& program);
+void add_batch(CLI::App& program);
 void add_diff(CLI::App& program);
 void add_metrics(CLI::App& program);
 void add_bench(CLI::App& program);

@@ -1,0 +1,302 @@
+#include "app/bake_job.h"
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <iterator>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "app/atomic_file.h"
+#include "app/bake_compress.h"
+#include "app/bake_levels.h"
+#include "app/bake_report.h"
+#include "app/forward_check.h"
+#include "app/gl_emit.h"
+#include "app/gl_multipass_synthesizer.h"
+#include "app/gl_synthesizer.h"
+#include "app/lattice_check.h"
+#include "app/sha256.h"
+#include "app/solid_map_file.h"
+#include "app/up_to_date.h"
+#include "app/version.h"
+#include "atlas/error.h"
+
+namespace burl {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+BakedImage synthesize(Pipeline& pipeline, ImageKind kind) {
+    if (kind == ImageKind::rgb16) return pipeline.synthesize<Rgb16>();
+    if (kind == ImageKind::rgb_float) return pipeline.synthesize<RgbF>();
+    return pipeline.synthesize<Rgb8>();
+}
+
+/// The texture in the kind the file wants; levels go into the options.
+BakedImage synthesize(Pipeline& pipeline, ImageKind kind, const LevelsAsked& levels,
+                      ExportOptions& options) {
+    if (levels.count == 0) return synthesize(pipeline, kind);
+    Image<RgbF> texture = pipeline.synthesize<RgbF>();
+    options.levels = bake_levels(pipeline, texture, levels, kind);
+    return convert_to(std::move(texture), kind);
+}
+
+/// Said before any work starts (DESIGN section 6).
+void warn_if_starved(const Pipeline& pipeline) {
+    const std::string problem =
+        shortage(capacity(pipeline.mesh().triangles.size(), pipeline.recipe().atlas));
+    if (!problem.empty()) warn(fmt::format("{}: {}", pipeline.mesh().name, problem));
+}
+
+void tell_fallback(Pipeline& pipeline) {
+    const std::string& why = pipeline.atlas().notes.fallback;
+    if (!why.empty()) warn(fmt::format("{}: {}", pipeline.mesh().name, why));
+}
+
+/// Strips may not hold the mesh at all, which is then the one thing to say.
+void lay_out(Pipeline& pipeline) {
+    const AtlasKind kind = pipeline.recipe().atlas.kind;
+    const bool strips = kind != AtlasKind::patch && kind != AtlasKind::quad;
+    if (!strips) warn_if_starved(pipeline);
+    tell_fallback(pipeline);
+    if (strips) warn_if_starved(pipeline);
+}
+
+bool is_forward(const BakeCommand& command) {
+    return command.kernel == forward_kernel;
+}
+
+/// The recipe's images, from the folder of its file on.
+std::vector<std::string> image_files(const BakeCommand& command, const Recipe& recipe) {
+    std::vector<std::string> files;
+    const auto folder = std::filesystem::path(command.recipe.recipe).parent_path();
+    for (const GraphImage& image : recipe.graph.images) files.push_back(folder / image.file);
+    return files;
+}
+
+std::vector<Recipe> recipes_of(const BakeCommand& command) {
+    std::vector<Recipe> recipes = frame_recipes(command.recipe, command.animation);
+    if (command.kernel == reference_kernel)
+        std::for_each(recipes.begin(), recipes.end(), apply_reference);
+    return recipes;
+}
+
+/// The texture as a shader, where it is asked for.
+std::string emitted_shader(const BakeCommand& command, const Recipe& recipe, const Mesh& mesh) {
+    return command.emitted_glsl.empty() ? "" : emit_glsl(recipe, texture_from_mesh(recipe, mesh));
+}
+
+}  // namespace
+
+struct BakeJob::Written {
+    BakedAtlas baked;
+    std::optional<NormalMap> normals{};
+    std::size_t levels = 0;
+    double seconds = 0.0;
+};
+
+BakeJob::BakeJob(const BakeCommand& command, Json settings)
+    : command_(command),
+      settings_(std::move(settings)),
+      kind_(wanted_kind(command.out, command.depth)),
+      paths_(frame_paths(command.out, command.animation)),
+      recipes_(recipes_of(command)),
+      extras_{levels_asked(command.levels, command.level_rule, recipes_[0].atlas.size, kind_),
+              normals_asked(command.normals, recipes_[0], command.out)} {
+    check();
+    if (is_forward(command_)) std::for_each(recipes_.begin(), recipes_.end(), check_forward);
+}
+
+std::vector<std::string> BakeJob::texture_outputs(std::uint32_t levels) const {
+    std::vector<std::string> outputs;
+    for (const std::string& path : paths_)
+        for (std::string& file : output_paths(path, levels, extras_.has_normals()))
+            outputs.push_back(std::move(file));
+    return outputs;
+}
+
+std::vector<std::string> BakeJob::outputs(std::uint32_t levels) const {
+    std::vector<std::string> outputs = texture_outputs(levels);
+    for (const std::string& path : {command_.solid_map, command_.emitted_glsl})
+        if (!path.empty()) outputs.push_back(path);
+    return outputs;
+}
+
+std::vector<std::string> BakeJob::inputs() const {
+    std::vector<std::string> inputs{command_.mesh, command_.recipe.recipe};
+    std::ranges::move(image_files(command_, recipes_[0]), std::back_inserter(inputs));
+    return inputs;
+}
+
+/// What is written beside the textures must leave them, one another and all that is read alone.
+void BakeJob::check_side_outputs() const {
+    std::vector<std::string> taken = texture_outputs(extras_.levels.count);
+    std::ranges::move(inputs(), std::back_inserter(taken));
+    const auto check = [&](const std::string& path, std::string_view extension) {
+        if (path.empty() || path == "-") return;
+        check_side_output(path, extension, taken);
+        taken.push_back(path);
+    };
+    check(command_.solid_map, ".exr");
+    check(command_.emitted_glsl, "");
+    check(command_.report, "");
+    check(record_path(command_.out), "");
+}
+
+/// Everything that the command can be wrong about, before any work starts.
+void BakeJob::check() const {
+    if (command_.animation.asked() && holds_mesh(command_.out))
+        throw Error(ExitCode::usage,
+                    fmt::format("{}: --animate writes textures alone, .png or .exr; bake the mesh "
+                                "once without --animate: its texture coordinates fit every frame",
+                                command_.out));
+    for (const std::string& path : paths_)
+        check_output(path, command_.mesh, extras_.levels.count, extras_.has_normals());
+    check_side_outputs();
+    check_compress(command_.compress, recipes_[0].atlas.kind);
+    if (command_.compress && extras_.has_normals())
+        throw Error(ExitCode::usage,
+                    "--compress: blocks alike in colour may differ in their normals; add --normals "
+                    "none to leave the bumps out");
+}
+
+// OpenGL has the bits of the kernels that share theirs.
+std::shared_ptr<TextureSynthesizer> BakeJob::synthesizer() const {
+    const std::string &kernel = command_.kernel, &synth = command_.synth;
+    const bool any = kernel == "auto" || kernel == "direct" || kernel == "share";
+    const MultipassOptions multipass = command_.multipass.options(synth);
+    if (!any && synth.starts_with("gl"))
+        throw Error(ExitCode::usage,
+                    fmt::format("--kernel {} is the host's alone; leave it or --synth {} out",
+                                kernel, synth));
+    if (synth == multipass_synth) return choose_multipass(multipass, command_.platform, recipes_);
+    const SynthesisChoice choice = synth == "host" || !any ? SynthesisChoice::host
+                                   : synth == "gl"         ? SynthesisChoice::gl
+                                                           : SynthesisChoice::automatic;
+    return choose_synthesizer(choice, command_.platform, recipes_);
+}
+
+Json BakeJob::made_from() const {
+    std::vector<std::string> files = mesh_files(command_.mesh);
+    std::ranges::move(image_files(command_, recipes_[0]), std::back_inserter(files));
+    Json made_from = {{"burl", burl_version()},
+                      {"inputs", content_of(files)},
+                      {"recipe", Json::parse(to_json(recipes_[0]))},
+                      {"options", settings_}};
+    if (files.empty() || files[0] != command_.mesh) made_from["sample"] = command_.mesh;
+    if (recipes_.size() > 1) {
+        Sha256 hash;
+        for (const Recipe& recipe : recipes_) hash.add(to_json(recipe));
+        made_from["frames"] = hash.digest();
+    }
+    return made_from;
+}
+
+void BakeJob::set_up(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthesizer) const {
+    pipeline.set_recipe(recipes_[0]);
+    pipeline.set_threads(command_.threads);
+    pipeline.set_kernel(kernel_named(command_.kernel));
+    pipeline.set_forward(is_forward(command_));
+    pipeline.set_synthesizer(std::move(synthesizer));
+    pipeline.set_skips(command_.economy.skips());
+    pipeline.set_cache(command_.economy.cache_bytes(paths_.size() > 1));
+}
+
+/// The pipeline's recipe as a texture in its file. Where it `releases`, the texels' points are gone
+/// before the file is made, whose own buffers are as large.
+BakeJob::Written BakeJob::write_texture(Pipeline& pipeline, const std::string& path,
+                                        bool releases) const {
+    ExportOptions options;
+    Written written{compressed_bake(
+        pipeline.atlas(), synthesize(pipeline, kind_, extras_.levels, options), command_.compress)};
+    options.normals = bake_normals(pipeline, extras_.normals, command_.depth, command_.crease);
+    if (releases) pipeline.release_texels();
+    const auto writing = Clock::now();
+    options.crease_degrees = command_.crease;
+    options.recipe_json = to_json(pipeline.recipe());
+    const BakedAtlas& baked = written.baked;
+    export_scene(path, pipeline.atlas_mesh(), baked.packed ? *baked.packed : pipeline.atlas(),
+                 baked.image, options);
+    written.levels = options.levels.size();
+    written.normals = std::move(options.normals);
+    written.seconds = seconds_since(writing);
+    return written;
+}
+
+Json BakeJob::run(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthesizer,
+                  double reading, const Json& made_from, bool keeps) const {
+    const auto start = Clock::now();
+    for (const Recipe& recipe : recipes_) check_lattice(recipe, pipeline.mesh());
+    const std::string shader = emitted_shader(command_, recipes_[0], pipeline.mesh());
+    set_up(pipeline, synthesizer);
+    lay_out(pipeline);
+    const AtlasMetrics metrics = measure(pipeline.atlas_mesh(), pipeline.atlas(), pipeline.solid());
+    const bool needed_later = keeps || !command_.solid_map.empty() || extras_.has_normals();
+    Written written;
+    double writing = 0.0;
+    for (std::size_t i = 0; i < paths_.size(); ++i) {
+        if (i > 0) pipeline.set_recipe(recipes_[i]);
+        written = {};  // two textures need not be held at a time
+        written = write_texture(pipeline, paths_[i], !needed_later && i + 1 == paths_.size());
+        writing += written.seconds;
+    }
+    if (!command_.emitted_glsl.empty()) write_file(command_.emitted_glsl, shader);
+    Json solid_map;
+    if (!command_.solid_map.empty()) {
+        const Vec3d base = write_solid_map(command_.solid_map, pipeline, command_.threads);
+        solid_map = {{"file", command_.solid_map}, {"base", {base.x, base.y, base.z}}};
+    }
+    Json seconds = {{"read", reading}};
+    seconds.update(times_json(pipeline.records()));
+    seconds["write"] = writing;
+    seconds["total"] = reading + seconds_since(start);
+    Json normals;
+    if (written.normals && wants_report())
+        normals = normals_json(pipeline, *written.normals, command_.crease);
+    const LevelsAsked levels{std::uint32_t(written.levels), extras_.levels.rule};
+    const std::vector<std::string> files = outputs(levels.count);
+    Json report =
+        bake_json(command_.mesh, files, recipes_[0], pipeline, metrics, levels, std::move(seconds));
+    if (written.baked.compressed) report["compressed"] = compress_json(written.baked);
+    if (synthesizer) report["synthesis"] = synthesizer->report();
+    if (!solid_map.empty()) report["solid_map"] = std::move(solid_map);
+    if (!normals.empty()) report["normals"] = std::move(normals);
+    if (command_.animation.asked()) report["animation"] = command_.animation.keys;
+    write_record(command_.out, made_from, files, report);
+    return report;
+}
+
+std::optional<Json> BakeJob::known_report(const Json& made_from) const {
+    if (command_.force || !command_.economy.skips().allows(Skip::up_to_date)) return std::nullopt;
+    std::optional<Json> report = report_if_up_to_date(command_.out, made_from);
+    // Normals are measured for reports only.
+    const bool lacks = report && extras_.has_normals() && !report->contains("normals");
+    return lacks && wants_report() ? std::nullopt : report;
+}
+
+/// Whether that leaves a line for people to be said.
+bool BakeJob::write_reports(const Json& report) const {
+    if (!command_.report.empty()) write_json(command_.report, report);
+    if (command_.json) write_json("-", report);
+    return !command_.json && !command_.quiet && command_.report != "-";
+}
+
+void BakeJob::print_up_to_date(Json report) const {
+    report["up_to_date"] = true;
+    if (write_reports(report)) fmt::print("{}: up to date\n", paths_.front());
+}
+
+void BakeJob::print(const Json& report) const {
+    if (!write_reports(report)) return;
+    print_summary(report, paths_);
+    if (report.contains("compressed")) print_compressed(report["compressed"]);
+}
+
+}  // namespace burl

@@ -1,0 +1,79 @@
+#pragma once
+// One bake from its command to its files. The mesh comes in a pipeline, which several bakes may
+// share one after the other (`burl batch`).
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/bake_levels.h"
+#include "app/bake_normals.h"
+#include "app/bake_options.h"
+#include "app/export.h"
+#include "app/pipeline.h"
+#include "app/report.h"
+
+namespace burl {
+
+/// What is written besides the texture.
+struct BakeExtras {
+    LevelsAsked levels{};
+    NormalSpace normals = NormalSpace::none;
+    bool has_normals() const { return normals != NormalSpace::none; }
+};
+
+class BakeJob {
+  public:
+    /// Loads the recipe of every frame and checks all that can be known before the mesh is read.
+    /// `settings` are the command's (bake_settings). Throws Error.
+    BakeJob(const BakeCommand& command, Json settings);
+
+    const BakeCommand& command() const { return command_; }
+    /// Of the first frame.
+    const Recipe& recipe() const { return recipes_[0]; }
+    /// Every file that is read.
+    std::vector<std::string> inputs() const;
+    /// Every file that will be written, but for reports (strip atlases may have fewer levels).
+    std::vector<std::string> outputs() const { return outputs(extras_.levels.count); }
+
+    /// All that decides what the outputs will be (app/up_to_date.h). Throws Error(io).
+    Json made_from() const;
+
+    /// Who makes the textures; null: the host. Throws Error.
+    std::shared_ptr<TextureSynthesizer> synthesizer() const;
+
+    /// Writes the outputs, the report where one is asked for, and the record of `made_from`. The
+    /// pipeline has the command's mesh; `keeps` says whether another bake will want its atlas.
+    /// `reading`: seconds that the mesh took. Gives the report. Throws Error.
+    Json run(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthesizer, double reading,
+             const Json& made_from, bool keeps) const;
+
+    /// The report of an earlier bake whose outputs are up to date and may stay as they are.
+    std::optional<Json> known_report(const Json& made_from) const;
+
+    /// What `burl bake` says about it, and where.
+    void print(const Json& report) const;
+    /// The same of a report of earlier.
+    void print_up_to_date(Json report) const;
+
+  private:
+    struct Written;
+    void set_up(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthesizer) const;
+    Written write_texture(Pipeline& pipeline, const std::string& path, bool releases) const;
+    std::vector<std::string> texture_outputs(std::uint32_t levels) const;
+    std::vector<std::string> outputs(std::uint32_t levels) const;
+    void check() const;
+    void check_side_outputs() const;
+    bool write_reports(const Json& report) const;
+    bool wants_report() const { return command_.json || !command_.report.empty(); }
+
+    BakeCommand command_;
+    Json settings_;
+    ImageKind kind_;
+    std::vector<std::string> paths_;  ///< of all frames, or the one that was named
+    std::vector<Recipe> recipes_;     ///< of the same
+    BakeExtras extras_;
+};
+
+}  // namespace burl

@@ -1,0 +1,44 @@
+#pragma once
+// What `burl bake` is asked for, and the options that say so: those of every entry of a batch, too.
+#include <optional>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "app/animation.h"
+#include "app/command_options.h"
+#include "app/economy_options.h"
+#include "app/gl_context.h"
+#include "app/json_text.h"
+#include "app/multipass_options.h"
+
+namespace burl {
+
+struct BakeCommand {
+    std::string mesh, out, report;
+    RecipeOptions recipe;
+    AnimationOptions animation;
+    MeshOptions meshes;
+    EconomyOptions economy;
+    int threads = 0, depth = 8;
+    double crease = 40.0;
+    std::string levels, level_rule, normals, solid_map, emitted_glsl, kernel = "auto";
+    std::string synth = "host", platform = gl_platforms()[0];
+    MultipassCommand multipass;
+    std::optional<double> compress;
+    bool json = false, quiet = false;  ///< what is said on stdout
+    bool force = false;                ///< made again where it is up to date
+};
+
+/// The mesh, the output, and all that says how the one becomes the other.
+void add_bake_options(CLI::App& verb, BakeCommand& command);
+
+/// How a run goes, whatever it makes: --threads, --no-skip, --force and --cache.
+void add_run_options(CLI::App& verb, BakeCommand& command);
+
+/// The options of add_bake_options that are neither in the recipe nor among the files that are read
+/// or written, each as it was given or else its default. Two commands that agree in these, in their
+/// recipes and in their files' content make the same outputs.
+Json bake_settings(const CLI::App& verb);
+
+}  // namespace burl

@@ -1,0 +1,34 @@
+#pragma once
+// SHA-256 (FIPS 180-4): names the content of a file by a number that anyone can check, with
+// `sha256sum`, say.
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace burl {
+
+class Sha256 {
+  public:
+    void add(std::span<const std::uint8_t> bytes);
+    void add(std::string_view text);
+    /// Of all bytes added, as 64 lower-case hexadecimal digits; nothing may be added after.
+    std::string digest();
+
+  private:
+    void compress(const std::uint8_t* block);
+
+    std::array<std::uint32_t, 8> state_{0x6a09e667, 0xbb67ae85, 0x3c6ef372, 0xa54ff53a,
+                                        0x510e527f, 0x9b05688c, 0x1f83d9ab, 0x5be0cd19};
+    std::array<std::uint8_t, 64> block_{};
+    std::uint64_t length_ = 0;  ///< bytes added
+};
+
+/// Of a text.
+std::string sha256(std::string_view text);
+
+/// Of a file's content, which is not held in memory. Throws Error(io) naming the path.
+std::string sha256_of_file(const std::string& path);
+
+}  // namespace burl

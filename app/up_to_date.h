@@ -1,0 +1,34 @@
+#pragma once
+// Outputs that need not be made again. Beside its output OUT a bake leaves OUT.burl.json: what it
+// was made from (the inputs' content, the whole recipe, the options, the program's version), the
+// files it wrote and its report. Why a file of its own, and nothing in the outputs: a .bin or .mtl
+// has no place for it, one record covers all files of a bake, an output that was edited, replaced
+// or deleted since shows, and the outputs' own bytes go on depending on nothing but the picture.
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/json_text.h"
+
+namespace burl {
+
+/// "a.png.burl.json".
+std::string record_path(const std::string& out_path);
+
+/// All files that reading the mesh reads: a glTF's buffers besides the file. None for a sample mesh
+/// ("sample:teapot"). What cannot be read is left for the reader to say.
+std::vector<std::string> mesh_files(const std::string& mesh_path);
+
+/// Name (without its folder) and SHA-256 of every file that is one. Throws Error(io).
+Json content_of(std::span<const std::string> files);
+
+/// The report of the bake that made `out_path`, if that was made from the same and all its files
+/// are as it left them, by size and time; a record that is missing or damaged is none.
+std::optional<Json> report_if_up_to_date(const std::string& out_path, const Json& made_from);
+
+/// Leaves the record beside `out_path` after `outputs` were written. Throws Error(io).
+void write_record(const std::string& out_path, const Json& made_from,
+                  std::span<const std::string> outputs, const Json& report);
+
+}  // namespace burl

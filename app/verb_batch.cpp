@@ -1,0 +1,293 @@
+// `burl batch`: many bakes from one manifest. Bakes of one mesh follow one another on one pipeline,
+// so that the mesh is read once and atlas and texels' points are made once for all that agree in
+// them; those whose outputs are up to date cost no more than the hashes of their inputs.
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <new>
+#include <optional>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "app/bake_job.h"
+#include "app/batch_manifest.h"
+#include "app/up_to_date.h"
+#include "app/verbs.h"
+#include "atlas/error.h"
+
+namespace burl {
+
+namespace {
+
+struct BatchCommand {
+    std::string manifest, report;
+    BakeCommand run;  ///< add_run_options' only
+    bool json = false, quiet = false;
+};
+
+/// An entry on its way.
+struct Bake {
+    std::string where;
+    BakeJob job;
+    std::string status{};  ///< "written", "up to date" or "failed"
+    std::string problem{};
+    ExitCode code = ExitCode::ok;
+    double seconds = 0.0;
+    std::vector<std::string> shared{};  ///< what an entry before had made
+
+    void fail(ExitCode why, const std::string& sentence) {
+        status = "failed", code = why, problem = sentence;
+        warn(fmt::format("{}: {}", where, sentence));
+    }
+};
+
+class Problems {
+  public:
+    void add(ExitCode code, const std::string& where, const std::string& what) {
+        warn(fmt::format("{}: {}", where, what));
+        if (count_++ == 0) code_ = code;
+    }
+    void throw_if_any(const std::string& manifest, std::size_t entries) const {
+        if (count_ == 0) return;
+        throw Error(code_, fmt::format("{}: {} of {} bakes are wrong; nothing was baked", manifest,
+                                       count_, entries));
+    }
+
+  private:
+    std::size_t count_ = 0;
+    ExitCode code_ = ExitCode::ok;
+};
+
+std::string real_path(const std::string& path) {
+    std::error_code ignored;
+    const std::filesystem::path whole = std::filesystem::weakly_canonical(path, ignored);
+    return whole.empty() ? path : whole.string();
+}
+
+using BakeOfFile = std::map<std::string, const Bake*>;
+
+/// Why the bake may not write its outputs, which are added to those of the bakes before it; empty:
+/// no reason.
+std::string clash(const Bake& bake, const BakeOfFile& readers, BakeOfFile& writers) {
+    std::vector<std::string> files = bake.job.outputs();
+    files.push_back(record_path(bake.job.command().out));
+    for (const std::string& file : files) {
+        const auto [writer, fresh] = writers.emplace(real_path(file), &bake);
+        if (!fresh)
+            return fmt::format("{} is written by another bake, too: {}", file,
+                               writer->second->where);
+        const auto reader = readers.find(real_path(file));
+        if (reader != readers.end())
+            return fmt::format("{} is what another bake reads: {}", file, reader->second->where);
+    }
+    return {};
+}
+
+/// No two bakes may write one file, nor one what another reads.
+void check_outputs(const std::vector<Bake>& bakes, Problems& problems) {
+    BakeOfFile readers, writers;
+    for (const Bake& bake : bakes)
+        for (const std::string& file : bake.job.inputs()) readers.emplace(real_path(file), &bake);
+    for (const Bake& bake : bakes) {
+        const std::string problem = clash(bake, readers, writers);
+        if (!problem.empty()) problems.add(ExitCode::usage, bake.where, problem);
+    }
+}
+
+/// All entries, or, after a line for everything that is wrong, an Error.
+std::vector<Bake> check_manifest(const BatchCommand& command) {
+    std::vector<BatchEntry> entries = read_manifest(command.manifest);
+    std::vector<Bake> bakes;
+    Problems problems;
+    for (BatchEntry& entry : entries) {
+        entry.command.threads = command.run.threads;
+        entry.command.economy = command.run.economy;
+        entry.command.force = command.run.force;
+        try {
+            if (!entry.wrong.empty()) throw Error(ExitCode::invalid_file, entry.wrong);
+            bakes.push_back({entry.where, BakeJob(entry.command, entry.settings)});
+        } catch (const Error& error) {
+            problems.add(error.code(), entry.where, error.what());
+        }
+    }
+    check_outputs(bakes, problems);
+    problems.throw_if_any(command.manifest, entries.size());
+    return bakes;
+}
+
+/// Bakes with equal keys can use one pipeline.
+std::string mesh_key(const Bake& bake) {
+    const BakeCommand& command = bake.job.command();
+    return fmt::format("{} {} {}", command.meshes.read.weld, command.meshes.read.unshare_instances,
+                       real_path(command.mesh));
+}
+
+using Group = std::vector<Bake*>;
+
+/// Bakes that want the same atlas, and then the same space, follow one another, in the order of the
+/// first of them.
+void put_in_order(Group& group) {
+    const auto rank = [group](const auto& same) {
+        return [group, same](const Bake* bake) {
+            return std::ranges::find_if(group,
+                                        [&](const Bake* other) {
+                                            return same(bake->job.recipe(), other->job.recipe());
+                                        }) -
+                   group.begin();
+        };
+    };
+    const auto atlas = [](const Recipe& a, const Recipe& b) { return a.atlas == b.atlas; };
+    const auto space = [](const Recipe& a, const Recipe& b) {
+        return a.solid.space == b.solid.space;
+    };
+    std::ranges::stable_sort(group, {}, rank(space));
+    std::ranges::stable_sort(group, {}, rank(atlas));
+}
+
+std::vector<Group> groups_of(std::vector<Bake>& bakes) {
+    std::vector<Group> groups;
+    std::map<std::string, std::size_t> known;
+    for (Bake& bake : bakes) {
+        const auto [place, fresh] = known.emplace(mesh_key(bake), groups.size());
+        if (fresh) groups.emplace_back();
+        groups[place->second].push_back(&bake);
+    }
+    std::ranges::for_each(groups, put_in_order);
+    return groups;
+}
+
+/// A mesh that is read when the first bake needs it.
+class SharedMesh {
+  public:
+    /// Whether it was there already.
+    bool read(const BakeJob& job) {
+        if (pipeline_) return true;
+        if (problem_) throw *problem_;
+        const auto start = std::chrono::steady_clock::now();
+        try {
+            pipeline_.emplace(job.command().meshes.load(job.command().mesh));
+        } catch (const Error& error) {
+            problem_ = error;
+            throw;
+        }
+        seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        return false;
+    }
+    Pipeline& pipeline() { return *pipeline_; }
+    double seconds() const { return seconds_; }
+
+  private:
+    std::optional<Pipeline> pipeline_;
+    std::optional<Error> problem_;
+    double seconds_ = 0.0;
+};
+
+/// Stages that have not run again.
+std::vector<std::string> kept_stages(const StageRecords& before, const StageRecords& after) {
+    std::vector<std::string> names;
+    for (const Stage stage : {Stage::connectivity, Stage::layout, Stage::spans})
+        if (after[stage].runs > 0 && after[stage].runs == before[stage].runs)
+            names.emplace_back(stage_names[unsigned(stage)]);
+    return names;
+}
+
+void run(Bake& bake, SharedMesh& mesh, bool keeps) {
+    const Json made_from = bake.job.made_from();
+    if (bake.job.known_report(made_from)) {
+        bake.status = "up to date";
+        return;
+    }
+    const auto synthesizer = bake.job.synthesizer();
+    const bool had_mesh = mesh.read(bake.job);
+    const StageRecords before = mesh.pipeline().records();
+    bake.job.run(mesh.pipeline(), synthesizer, had_mesh ? 0.0 : mesh.seconds(), made_from, keeps);
+    if (had_mesh) {
+        bake.shared = kept_stages(before, mesh.pipeline().records());
+        bake.shared.insert(bake.shared.begin(), "mesh");
+    }
+    bake.status = "written";
+}
+
+/// What goes wrong with one bake is its own.
+void run_alone(Bake& bake, SharedMesh& mesh, bool keeps) {
+    const auto start = std::chrono::steady_clock::now();
+    try {
+        run(bake, mesh, keeps);
+    } catch (const Error& error) {
+        bake.fail(error.code(), error.what());
+    } catch (const std::bad_alloc&) {
+        bake.fail(ExitCode::runtime, "out of memory; try a smaller size or mesh");
+    }
+    bake.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+std::string line_of(const Bake& bake) {
+    const std::string& out = bake.job.command().out;
+    if (bake.status != "written") return fmt::format("{}: {}", out, bake.status);
+    const std::string shared =
+        bake.shared.empty() ? "" : fmt::format(", shared {}", fmt::join(bake.shared, ", "));
+    return fmt::format("{}: written, {:.2f} s{}", out, bake.seconds, shared);
+}
+
+Json batch_json(const std::vector<Bake>& bakes) {
+    Json list = Json::array();
+    std::map<std::string, std::size_t> counts{{"written", 0}, {"up to date", 0}, {"failed", 0}};
+    std::map<std::string, std::size_t> shared{
+        {"mesh", 0}, {"connectivity", 0}, {"layout", 0}, {"spans", 0}};
+    for (const Bake& bake : bakes) {
+        ++counts[bake.status];
+        for (const std::string& stage : bake.shared) ++shared[stage];
+        list.push_back({{"where", bake.where},
+                        {"input", bake.job.command().mesh},
+                        {"outputs", bake.job.outputs()},
+                        {"status", bake.status},
+                        {"seconds", bake.seconds},
+                        {"shared", bake.shared}});
+        if (!bake.problem.empty()) list.back()["problem"] = bake.problem;
+    }
+    return {{"bakes", std::move(list)}, {"counts", counts}, {"shared", shared}};
+}
+
+void run_batch(const BatchCommand& command) {
+    std::vector<Bake> bakes = check_manifest(command);
+    const bool speaks = !command.json && !command.quiet && command.report != "-";
+    for (Group& group : groups_of(bakes)) {
+        SharedMesh mesh;
+        for (std::size_t i = 0; i < group.size(); ++i) {
+            const bool keeps = i + 1 < group.size() &&
+                               group[i]->job.recipe().atlas == group[i + 1]->job.recipe().atlas;
+            run_alone(*group[i], mesh, keeps);
+            if (speaks) fmt::print("{}\n", line_of(*group[i]));
+        }
+    }
+    const Json report = batch_json(bakes);
+    if (!command.report.empty()) write_json(command.report, report);
+    if (command.json) write_json("-", report);
+    const auto failed = std::ranges::count(bakes, "failed", &Bake::status);
+    const auto first = std::ranges::find(bakes, "failed", &Bake::status);
+    if (failed > 0)
+        throw Error(first->code, fmt::format("{}: {} of {} bakes failed; the others are written",
+                                             command.manifest, failed, bakes.size()));
+}
+
+}  // namespace
+
+void add_batch(CLI::App& program) {
+    auto* verb = program.add_subcommand(
+        "batch", "Bake all that a manifest lists, sharing what several have in common");
+    auto command = std::make_shared<BatchCommand>();
+    verb->add_option("manifest", command->manifest,
+                     "JSON file with the bakes: objects of `burl bake`'s options")
+        ->required();
+    add_run_options(*verb, command->run);
+    verb->add_flag("--json", command->json, "Print the report as JSON on stdout");
+    verb->add_option("--report", command->report,
+                     "Write the report as JSON to this file (- for stdout)");
+    verb->add_flag("-q,--quiet", command->quiet, "Print nothing on stdout");
+    verb->callback([command] { run_batch(*command); });
+}
+
+}  // namespace burl

@@ -1,0 +1,150 @@
+// Outputs are made again exactly when something that decides them has changed.
+#include "app/up_to_date.h"
+
+#include <chrono>
+
+#include <nlohmann/json.hpp>
+
+#include "app/image_io.h"
+#include "app/sha256.h"
+#include "atlas/error.h"
+#include "tests/app/run_program.h"
+
+namespace burl::test {
+namespace {
+
+const char* const square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
+
+// The examples of FIPS 180-4's companion (NIST, "SHA256.pdf") and of RFC 6234.
+TEST(Sha256, HasThePublishedDigests) {
+    EXPECT_EQ(sha256(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+    EXPECT_EQ(sha256("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+    EXPECT_EQ(sha256("abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq"),
+              "248d6a61d20638b8e5c026930c3e6039a33ce45964ff2167f6ecedd419db06c1");
+    EXPECT_EQ(sha256(std::string(1000000, 'a')),
+              "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
+}
+
+TEST(Sha256, DoesNotDependOnThePieces) {
+    const std::string text(1000, 'x');
+    for (const std::size_t piece : {1u, 55u, 56u, 63u, 64u, 65u, 999u}) {
+        Sha256 hash;
+        for (std::size_t at = 0; at < text.size(); at += piece)
+            hash.add(std::string_view(text).substr(at, piece));
+        EXPECT_EQ(hash.digest(), sha256(text)) << piece;
+    }
+}
+
+TEST(Sha256, OfAFileIsOfItsContent) {
+    const Scratch scratch;
+    const std::string content(700000, 'y');
+    EXPECT_EQ(sha256_of_file(scratch.write("a.bin", content)), sha256(content));
+    EXPECT_THROW(sha256_of_file(scratch / "none"), Error);
+}
+
+TEST(UpToDate, AMeshIsReadFromItsFileAndAGltfsBuffers) {
+    const Scratch scratch;
+    EXPECT_TRUE(mesh_files("sample:teapot").empty());
+    EXPECT_EQ(mesh_files("a.obj"), std::vector<std::string>{"a.obj"});
+    const std::string gltf = scratch.write(
+        "a.gltf",
+        R"({"buffers": [{"uri": "two%20words.bin"}, {"uri": "data:,x"}, {"uri": "../no.bin"}]})");
+    EXPECT_EQ(mesh_files(gltf), (std::vector<std::string>{gltf, scratch / "two words.bin"}));
+    const std::string damaged = scratch.write("b.gltf", "{");
+    EXPECT_EQ(mesh_files(damaged), std::vector<std::string>{damaged});
+}
+
+TEST(UpToDate, ARecordThatIsDamagedIsNone) {
+    const Scratch scratch;
+    const std::string out = scratch.write("a.png", "picture");
+    const Json made_from = {{"burl", "1"}}, report = {{"mesh", 7}};
+    EXPECT_FALSE(report_if_up_to_date(out, made_from));
+    write_record(out, made_from, std::vector{out}, report);
+    EXPECT_EQ(report_if_up_to_date(out, made_from), report);
+    EXPECT_FALSE(report_if_up_to_date(out, {{"burl", "2"}}));
+    for (const char* content : {"", "{", "[]", R"({"made_from": {"burl": "1"}})",
+                                R"({"made_from": {"burl": "1"}, "outputs": [3], "report": {}})"}) {
+        scratch.write("a.png.burl.json", content);
+        EXPECT_FALSE(report_if_up_to_date(out, made_from)) << content;
+    }
+}
+
+class UpToDateBake : public testing::Test {
+  protected:
+    const Scratch scratch;
+    const std::string mesh = scratch.write("square.obj", square), out = scratch / "a.png";
+
+    /// Whether the bake had anything to do; its outputs are there afterwards.
+    bool bakes(const std::string& options = "") {
+        const auto before = fs::exists(out) ? fs::last_write_time(out) : fs::file_time_type();
+        const Outcome outcome =
+            run_burl(scratch, fmt::format("bake '{}' -o '{}' --size 64 {}", mesh, out, options));
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        EXPECT_TRUE(fs::exists(out));
+        const bool said = outcome.out.find("up to date") != std::string::npos;
+        const bool written = fs::last_write_time(out) != before;
+        EXPECT_EQ(said, !written) << outcome.out;
+        return written;
+    }
+};
+
+TEST_F(UpToDateBake, ASecondOneDoesNothingUnlessForced) {
+    EXPECT_TRUE(bakes());
+    EXPECT_FALSE(bakes());
+    EXPECT_FALSE(bakes("--threads 1"));
+    EXPECT_FALSE(bakes("--no-skip early-exit"));
+    EXPECT_TRUE(bakes("--force"));
+    EXPECT_FALSE(bakes());
+    EXPECT_TRUE(bakes("--no-skip up-to-date"));
+}
+
+TEST_F(UpToDateBake, WhateverDecidesTheOutputBringsItBack) {
+    EXPECT_TRUE(bakes());
+    for (const char* options :
+         {"--recipe wood", "--set texture.input.noise.0.amplitude=0.1", "--atlas quad",
+          "--depth 16", "--filter none", "--weld 0.01", "--levels 2", "--precision float64"}) {
+        EXPECT_TRUE(bakes(options)) << options;
+        EXPECT_FALSE(bakes(options)) << options;
+    }
+    EXPECT_TRUE(bakes());
+    scratch.write("square.obj", std::string(square) + "v 2 0 0\nf 2 5 3\n");
+    EXPECT_TRUE(bakes());
+    EXPECT_FALSE(bakes());
+}
+
+TEST_F(UpToDateBake, OutputsThatWereTouchedAreMadeAgain) {
+    EXPECT_TRUE(bakes("--levels 1"));
+    const Image<Rgb8> picture = read_png(out);
+    scratch.write("a.png", "painted over");
+    EXPECT_TRUE(bakes("--levels 1"));
+    EXPECT_EQ(read_png(out), picture);
+    fs::remove(scratch / "a.1.png");
+    EXPECT_TRUE(bakes("--levels 1"));
+    EXPECT_TRUE(fs::exists(scratch / "a.1.png"));
+    fs::remove(record_path(out));
+    EXPECT_TRUE(bakes("--levels 1"));
+    EXPECT_FALSE(bakes("--levels 1"));
+}
+
+TEST_F(UpToDateBake, TheReportIsThatOfTheBake) {
+    const std::string command = fmt::format("bake '{}' -o '{}' --size 64 --json", mesh, out);
+    const auto first = nlohmann::json::parse(run_burl(scratch, command).out);
+    auto second = nlohmann::json::parse(run_burl(scratch, command).out);
+    EXPECT_FALSE(first.contains("up_to_date"));
+    EXPECT_EQ(second["up_to_date"], true);
+    second.erase("up_to_date");
+    EXPECT_EQ(second, first);
+}
+
+TEST_F(UpToDateBake, TheRecordSaysWhatWentIn) {
+    EXPECT_TRUE(bakes("--recipe wood"));
+    const auto record = nlohmann::json::parse(slurp(record_path(out)));
+    EXPECT_EQ(record["made_from"]["inputs"][0]["file"], "square.obj");
+    EXPECT_EQ(record["made_from"]["inputs"][0]["sha256"], sha256(square));
+    EXPECT_EQ(record["made_from"]["recipe"]["name"], "wood");
+    EXPECT_EQ(record["outputs"][0]["file"], "a.png");
+    EXPECT_EQ(record["outputs"][0]["state"]["bytes"], fs::file_size(out));
+}
+
+}  // namespace
+}  // namespace burl::test
