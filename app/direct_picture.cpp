@@ -46,8 +46,10 @@ FilteredColor mapped(FilteredColor color, const Affine3& map) {
 }  // namespace
 
 void DirectOptions::add(CLI::App& verb) {
-    verb.add_option("scene", scene,
-                    "Scene (.glb .gltf .obj); with --direct any mesh, also sample:teapot and such");
+    verb.add_option(
+        "scene", scene,
+        "Scene (.glb .gltf .obj); with --direct or --lazy any mesh, also sample:teapot and "
+        "such");
     verb.add_option("--size", size, "Picture size in pixels, WxH (default 1024x768)");
     verb.add_option(
         "--view", view,
@@ -67,9 +69,9 @@ void DirectOptions::add(CLI::App& verb) {
     verb.add_flag("--widths", widths,
                   "With --direct: show the filter's width in place of the colour");
     recipe.add_recipe(verb);
-    recipe.add_precision(verb, "float64");
+    recipe.add_precision(verb, "float64, with --lazy float32");
     verb.add_option("--crease", crease,
-                    "Angle in degrees above which computed normals split (--direct)")
+                    "Angle in degrees above which computed normals split (--direct, --lazy)")
         ->check(in_range(0.0, 180.0))
         ->capture_default_str();
     meshes.add(verb);

@@ -8,9 +8,14 @@
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
+#include "atlas/error.h"
+
 namespace burl {
 
 namespace {
+
+/// Samples hold their triangle's number in a float.
+constexpr std::size_t most_numbered = std::size_t{1} << 24;
 
 struct Texels {
     std::int64_t first = 0, last = 0;  ///< both are read
@@ -114,6 +119,11 @@ TextureLookup lookup_of(const Scene& scene, int number, std::optional<TextureFil
                                                            : surface.blocks[triangle[2]]);
     }
     if (!any_blocks || lookup.filter != TextureFilter::mip) lookup.blocks.clear();
+    if (lookup.blocks.size() >= most_numbered)
+        throw Error(ExitCode::unsupported,
+                    fmt::format("the mesh has {} triangles; which texels a picture of a quad atlas "
+                                "shows is found for less than {}: bake it, or use a patch atlas",
+                                lookup.blocks.size(), most_numbered));
     return lookup;
 }
 

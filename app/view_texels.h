@@ -32,7 +32,8 @@ struct TextureLookup {
 /// blocks is minified whatever the file asks of other viewers.
 TextureFilter drawn_filter(const Scene& scene, int number, std::optional<TextureFilter> filter);
 
-/// `size` is that of the texture, whatever the scene holds.
+/// `size` is that of the texture, whatever the scene holds. Throws Error(unsupported) for blocks of
+/// 2^24 triangles or more.
 TextureLookup lookup_of(const Scene& scene, int number, std::optional<TextureFilter> filter,
                         std::uint32_t size);
 
