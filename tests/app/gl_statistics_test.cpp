@@ -100,8 +100,10 @@ TEST_P(GlPresetFilterTest, IsTheHostsAndRepeats) {
     ASSERT_EQ(first.pixels().size(), host.pixels().size());
     const Differences away = differences(first, host);
     EXPECT_EQ(away.not_numbers, 0u);
-    EXPECT_EQ(away.mean, 0.0);
-    EXPECT_EQ(away.largest, 0.0);
+    // Under a graph's filter the host takes sines, powers and lengths from the C library.
+    const bool nearly = !recipe.graph.empty() && filter != "none" && filter != "supersample";
+    EXPECT_LE(away.mean, nearly ? 1e-9 : 0.0);
+    EXPECT_LE(away.largest, nearly ? 2e-6 : 0.0);
     EXPECT_EQ(differing(drawn(*gl, pipeline), first), 0u) << "from the maps and shaders kept";
     gl->forget_atlas();
     EXPECT_EQ(differing(drawn(*gl, pipeline), first), 0u) << "from new maps";
