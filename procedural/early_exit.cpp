@@ -22,19 +22,24 @@ std::vector<ExitPoint> exit_points(const std::vector<IndexInterval>& intervals,
     return points;
 }
 
-std::vector<std::size_t> cheapest_exits(const std::vector<double>& decided, std::size_t streamed,
-                                        std::size_t octaves, const ExitCosts& costs) {
-    const double plain = costs.plain_octave * double(octaves - streamed);
+std::vector<std::size_t> cheapest_exits(const std::vector<double>& decided,
+                                        const std::vector<double>& octaves,
+                                        const ExitCosts& costs) {
+    const auto cost_of = [&](std::size_t begin, std::size_t end, double more) {
+        double sum = 0.0;
+        for (std::size_t k = begin; k < end; ++k) sum += octaves[k] + more;
+        return sum;
+    };
     // cost[k]: of a texel's octaves once texels were looked at after k of them; next[k]: where the
     // next look is.
     std::vector<double> cost(decided.size());
     std::vector<std::size_t> next(decided.size());
     const auto plan = [&](double share, std::size_t known, std::size_t from, std::size_t& look) {
-        look = octaves;
-        double best = share * (double(streamed - known) + plain);
+        look = octaves.size();
+        double best = share * cost_of(known, octaves.size(), 0.0);
         for (std::size_t k = from; k < decided.size(); ++k) {
-            const double more = double(k - known) * (1.0 + costs.octave_kept);
-            const double all = share * (more + costs.test) + cost[k];
+            const double all =
+                share * (cost_of(known, k, costs.octave_kept) + costs.test) + cost[k];
             if (all < best) best = all, look = k;
         }
         return best;
@@ -42,9 +47,9 @@ std::vector<std::size_t> cheapest_exits(const std::vector<double>& decided, std:
     for (std::size_t k = decided.size(); k-- > 0;)
         cost[k] = plan(1.0 - decided[k], k, k + 1, next[k]);
     std::vector<std::size_t> points;
-    std::size_t first = octaves;
-    if (plan(1.0, 0, 0, first) > 0.9 * (double(streamed) + plain)) return points;
-    for (std::size_t k = first; k < octaves; k = next[k]) points.push_back(k);
+    std::size_t first = octaves.size();
+    if (plan(1.0, 0, 0, first) > 0.8 * cost_of(0, octaves.size(), 0.0)) return points;
+    for (std::size_t k = first; k < octaves.size(); k = next[k]) points.push_back(k);
     return points;
 }
 

@@ -37,19 +37,21 @@ struct ExitPlan {
 std::vector<ExitPoint> exit_points(const std::vector<IndexInterval>& intervals,
                                    const std::vector<OctaveRange>& ranges);
 
-/// What octaves and tests cost, in units of an octave with a kernel. Measured; what is wrong here
-/// costs time, nothing else.
+/// What looks cost, in units of an octave whose kernel works out every corner by itself. Measured;
+/// what is wrong here costs time, nothing else.
 struct ExitCosts {
-    double octave_kept = 0.65;   ///< more than an octave that is not kept
-    double test = 0.65;          ///< one look at a texel
-    double plain_octave = 10.0;  ///< without kernel
+    double octave_kept = 0.65;  ///< more than an octave that is not kept
+    double test = 0.65;         ///< one look at a texel
 };
+/// The same for an octave that shares corners among texels, and one without a kernel.
+inline constexpr double shared_octave_cost = 0.25, plain_octave_cost = 10.0;
 
 /// The numbers of octaves after which to look, so that most is saved, given the share of texels
-/// decided after 0 octaves and more, up to the `streamed` ones with a kernel, of `octaves` in all;
-/// none where that saves less than a tenth.
-std::vector<std::size_t> cheapest_exits(const std::vector<double>& decided, std::size_t streamed,
-                                        std::size_t octaves, const ExitCosts& costs = {});
+/// decided after 0 octaves and more and every octave's cost; none where that saves less than a
+/// fifth.
+std::vector<std::size_t> cheapest_exits(const std::vector<double>& decided,
+                                        const std::vector<double>& octaves,
+                                        const ExitCosts& costs = {});
 
 /// The texels of a batch that are not decided, in blocks of batch_padding: whole vectors on every
 /// machine. Arrays of the open blocks follow one another in the batch's order.

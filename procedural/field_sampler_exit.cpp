@@ -58,8 +58,9 @@ void FieldSampler::plan_exit(const ColorMap& colors, FieldBatch& pilot, const Ex
         for (std::size_t k = 1; k < points.size(); ++k) points[k].decided.clear();
     if (std::ranges::all_of(points, [](const ExitPoint& p) { return p.decided.empty(); })) return;
     const std::vector<double> shares = decided_shares(points, pilot);
-    for (const std::size_t k :
-         cheapest_exits(shares, streamed_octaves_.size(), ranges.size(), costs))
+    std::vector<double> octaves = streams_.octave_costs(pilot.pieces, pilot.count, pilot.streams);
+    octaves.resize(ranges.size(), plain_octave_cost);
+    for (const std::size_t k : cheapest_exits(shares, octaves, costs))
         if (!points[k].decided.empty()) exit_.points.push_back(points[k]);
 }
 

@@ -58,6 +58,9 @@ class OctaveStreams {
     /// keeps of it, to the bit. The arrays are padded.
     void fill_noise(std::size_t begin, std::size_t end, std::span<const Piece> pieces,
                     StreamBuffers& buffers, std::span<float* const> noise) const;
+    /// What the octaves of noise_keys() cost at such pieces (early_exit.h).
+    std::vector<double> octave_costs(std::span<const Piece> pieces, std::size_t count,
+                                     StreamBuffers& buffers) const;
     /// As add() without slopes and offsets, to the bit, at the texels that are open in the end; at
     /// the others a value of the same colour. Not with a band limit.
     void add_open(const ExitPlan& plan, std::span<const Piece> pieces, std::size_t count,

@@ -10,6 +10,17 @@
 
 namespace burl {
 
+std::vector<double> OctaveStreams::octave_costs(std::span<const Piece> pieces, std::size_t count,
+                                                StreamBuffers& buffers) const {
+    std::vector<double> costs;
+    for (const Group& group : groups_) {
+        const Plan plan = prepare(group, pieces, count, buffers, false, nullptr);
+        for (const StreamOctave& octave : group.octaves)
+            costs.push_back(std::size_t(octave.doublings) < plan.shared ? shared_octave_cost : 1.0);
+    }
+    return costs;
+}
+
 /// sums[j] += the octave, at the first `count` texels of the stream.
 void OctaveStreams::add_stream_octave(const Group& group, const StreamOctave& octave,
                                       const Plan& plan, std::size_t count, StreamBuffers& buffers,
