@@ -21,11 +21,16 @@ struct Texels {
     std::int64_t first = 0, last = 0;  ///< both are read
 };
 
+/// std::floor of a number of no great size, which old instruction sets call a function for.
+std::int64_t floor_of(double x) {
+    const auto whole = std::int64_t(x);
+    return whole - (x < double(whole) ? 1 : 0);
+}
+
 /// Those of an axis of n texels that a lookup at `place` (in textures) reads.
 Texels read_by(double place, std::uint32_t n, bool linear, double slack) {
     const double x = place * n - (linear ? 0.5 : 0.0);
-    const double end = linear ? std::ceil(x + slack) : std::floor(x + slack);
-    return {std::int64_t(std::floor(x - slack)), std::int64_t(end)};
+    return {floor_of(x - slack), linear ? -floor_of(-(x + slack)) : floor_of(x + slack)};
 }
 
 std::uint32_t wrapped(std::int64_t x, std::uint32_t n, TextureWrap wrap) {
@@ -47,10 +52,10 @@ class Marker {
         if (!(sample.w > 0.0f) || !(std::abs(u) < 1e6) || !(std::abs(v) < 1e6)) return;
         if (lookup_.filter != TextureFilter::mip) return mark(0, u, v);
         const bool in_blocks = !lookup_.blocks.empty();
-        const double square = double(sample.z);
+        const double level = level_of(double(sample.z));
         const int coarsest = int(texels_.levels.size()) - 1;
-        const int first = std::clamp(int(std::floor(level(square / slack_.square))), 0, coarsest);
-        const int last = std::clamp(int(std::ceil(level(square * slack_.square))), 0, coarsest);
+        const int first = std::clamp(int(floor_of(level - slack_.level)), 0, coarsest);
+        const int last = std::clamp(int(-floor_of(-level - slack_.level)), 0, coarsest);
         for (int l = first; l <= last; ++l) {
             if (in_blocks)
                 mark_in(lookup_.blocks[std::size_t(sample.w) - 1], l, u, v);
@@ -60,9 +65,11 @@ class Marker {
     }
 
   private:
-    /// Infinite and undefined footprints are of the coarsest level.
-    static double level(double square) {
-        return square < 1e30 ? 0.5 * std::log2(std::max(square, 1.0)) : 50.0;
+    /// As lookup() of mesh.frag, but for the lower bound; of infinite and undefined footprints the
+    /// coarsest.
+    static double level_of(double square) {
+        if (square < 0.25) return -1.0;
+        return square < 1e30 ? 0.5 * std::log2(square) : 50.0;
     }
 
     /// As block_level() of mesh.frag.

@@ -54,13 +54,13 @@ struct ViewTexels {
 /// How far OpenGL's lookups may be from those of exact arithmetic.
 struct LookupSlack {
     double coordinate = 0.0;  ///< texels of the level that is read
-    double square = 1.0;      ///< factor of a footprint's square, either way
+    double level = 0.0;       ///< by which the level may be another, either way
 };
 inline constexpr LookupSlack no_slack{};
 
 /// What no OpenGL exceeds: coordinates are counted in 1/256 of a texel, or finer, and floats add
 /// less; the level is chosen by our shader (mesh.frag) and only rounded, to 1/256 at worst.
-inline constexpr LookupSlack most_slack{1.0 / 32, 1.02};
+inline constexpr LookupSlack most_slack{1.0 / 32, 1.0 / 64};
 
 /// Adds what `samples` look up, all threads at work; the result does not depend on their number.
 /// Texels that would weigh nothing are not read.
