@@ -18,7 +18,7 @@ struct EditBench {
 
 /// Marble's four octaves as terms of their own on a torus of `size` x `size` texels: the whole
 /// texture, and after a move of its colours, of one term's amplitude, of its phase, and of the
-/// camera alone. All threads; `repeats` paired rounds.
+/// camera alone, each as one of many moves of that slider. All threads; `repeats` paired rounds.
 std::vector<EditBench> bench_edits(int repeats, std::uint32_t size);
 
 /// Octaves that one synthesis left out.

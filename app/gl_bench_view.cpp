@@ -163,11 +163,8 @@ std::vector<std::uint32_t> bench_levels_seen(const std::string& platform, std::u
     std::vector<std::uint32_t> levels;
     for (const double distance : economy_distances) {
         const ViewTexels view = viewed.find({1024, 768}, {30.0, 20.0, distance}, no_slack);
-        const auto area = [&](std::size_t l) { return double(view.levels[l].count() << 2 * l); };
-        std::size_t most = 0;
-        for (std::size_t l = 1; l < view.levels.size(); ++l)
-            if (area(l) > area(most)) most = l;
-        levels.push_back(std::uint32_t(most));
+        const auto most = std::ranges::max_element(view.levels, {}, &TexelSet::count);
+        levels.push_back(std::uint32_t(most - view.levels.begin()));
     }
     return levels;
 }

@@ -41,7 +41,7 @@ std::vector<ViewBench> bench_views(const std::string& platform, const ViewBenchS
 /// Distances of the eye from the teapot, in radii of its sphere: near, over the room, far.
 inline constexpr double economy_distances[] = {3.5, 14.0, 56.0};
 
-/// The MIP level of its texture that most of the teapot shows from each of them.
+/// The MIP level of its texture of which the teapot shows the most texels from each of them.
 std::vector<std::uint32_t> bench_levels_seen(const std::string& platform, std::uint32_t size);
 
 }  // namespace burl

@@ -10,7 +10,7 @@ namespace burl {
 namespace {
 
 TEST(BenchEconomy, EditsDoWhatTheyChange) {
-    const std::vector<EditBench> rows = bench_edits(1, 64);
+    const std::vector<EditBench> rows = bench_edits(3, 64);
     ASSERT_EQ(rows.size(), 5u);
     const SynthesisWork &whole = rows[0].work, &colour = rows[1].work, &amplitude = rows[2].work,
                         &phase = rows[3].work, &camera = rows[4].work;
