@@ -78,7 +78,7 @@ std::string emit_glsl(const Recipe& recipe, const Affine3& texture_from_mesh) {
     const TextureGraph graph =
         recipe.graph.empty() ? graph_of_texture(recipe.texture) : recipe.graph;
     const GlslTexture texture = glsl_graph(graph, GlslReal::float32);
-    std::string text;
+    std::string text = glsl_constant_tables(texture.tables, GlslReal::float32);
     for (const GlslPart& part : texture.parts)
         if (part.name != "real.glsl")
             text += std::string(part.text.empty() ? embedded_shader(part.name) : part.text) + "\n";

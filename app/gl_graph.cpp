@@ -1,7 +1,10 @@
 #include "app/gl_graph.h"
 
+#include <algorithm>
+
 #include "app/gl_source.h"
 #include "app/stopwatch.h"
+#include "procedural/glsl_color_pieces.h"
 
 namespace burl {
 
@@ -12,6 +15,13 @@ constexpr int first_table = 2, first_image = 4;  // texture units, after the poi
 /// Else texels are point samples, or several.
 bool nodes_filter(FilterKind kind) {
     return kind != FilterKind::none && kind != FilterKind::supersample;
+}
+
+/// For glsl_buffer_tables.
+GlBufferTexture table_of(const GladGLContext& gl, const GlslTable& table, GlslReal real) {
+    const std::vector<float> floats(table.numbers.begin(), table.numbers.end());
+    if (real == GlslReal::float32) return {gl, GL_R32F, std::as_bytes(std::span(floats))};
+    return {gl, GL_RG32UI, std::as_bytes(std::span(table.numbers))};
 }
 
 }  // namespace
@@ -32,9 +42,14 @@ std::string GlGraphSynthesis::problem(const TextureGraph& graph, const Filter& f
     if (!why.empty()) return why;
     GLint units = 0;
     gl_->GetIntegerv(GL_MAX_TEXTURE_IMAGE_UNITS, &units);
-    if (first_image + int(graph.images.size()) <= units) return "";
-    return fmt::format("it reads {} images, and shaders of this OpenGL only {}",
-                       graph.images.size(), units - first_image);
+    const auto has_table = [](const Texture& texture) {
+        return texture.colors.stops.size() + 2 > most_compared_pieces;
+    };
+    const auto reads = std::ssize(graph.images) + std::ranges::count_if(graph.textures, has_table);
+    if (first_image + reads <= units) return "";
+    return fmt::format(
+        "it reads {} images and large colour maps, and shaders of this OpenGL only {}", reads,
+        units - first_image);
 }
 
 template <class Pixel>
@@ -42,7 +57,10 @@ const GlProgram& GlGraphSynthesis::program(const GlslTexture& texture, FilterKin
     constexpr std::size_t most_programs = 64;
     ShaderSource source;
     source.define_real(float64_);
-    add_parts(source, texture.parts);
+    const std::span parts(texture.parts);
+    add_parts(source, parts.first(1));  // real.glsl
+    source.add("tables", glsl_buffer_tables(texture.tables, real()));
+    add_parts(source, parts.subspan(1));
     source.add("real_bits.glsl");
     const char* color = "texture_color(solid_point(texel))";
     if (kind == FilterKind::none) {
@@ -87,7 +105,8 @@ const GlTexture& GlGraphSynthesis::image_texture(const std::shared_ptr<const Mip
 }
 
 template <class Pixel>
-void GlGraphSynthesis::bind_inputs(const GlProgram& program, const GlslTexture& texture) {
+void GlGraphSynthesis::bind_inputs(const GlProgram& program, const GlslTexture& texture,
+                                   std::span<const GlBufferTexture> tables) {
     if constexpr (std::is_same_v<Pixel, Rgb8>) {
         if (!codes8_) codes8_.emplace(srgb8_table(*gl_));
         codes8_->bind(first_table);
@@ -98,6 +117,11 @@ void GlGraphSynthesis::bind_inputs(const GlProgram& program, const GlslTexture& 
         const int unit = first_image + int(i);
         bind_texture(*gl_, unit, image_texture(texture.images[i].pixels));
         program.set(texture.images[i].uniform.c_str(), unit);
+    }
+    for (std::size_t i = 0; i < tables.size(); ++i) {
+        const int unit = first_image + int(texture.images.size() + i);
+        tables[i].bind(unit);
+        program.set(texture.tables[i].name.c_str(), unit);
     }
 }
 
@@ -170,21 +194,23 @@ void GlGraphSynthesis::synthesize(const SolidAtlas& solid, const TextureGraph& g
     work_ = {};
     if (image.width() != solid.size || image.height() != solid.size)
         image = Image<Pixel>::unset(solid.size, solid.size);
-    const GlslReal real = float64_ ? GlslReal::float64 : GlslReal::float32;
     const bool points_only = filter.kind == FilterKind::none;
-    const GlslTexture texture = nodes_filter(filter.kind) ? glsl_filtered_graph(graph, filter, real)
-                                                          : glsl_graph(graph, real);
+    const GlslTexture texture = nodes_filter(filter.kind)
+                                    ? glsl_filtered_graph(graph, filter, real())
+                                    : glsl_graph(graph, real());
     const GlProgram& program = this->program<Pixel>(texture, filter.kind);
     set_atlas(solid, texture_from_atlas, threads);
     // Before anything is bound: making a texture changes the bindings of a unit.
     for (const GlslImage& one : texture.images) image_texture(one.pixels);
+    std::vector<GlBufferTexture> tables;
+    for (const GlslTable& table : texture.tables) tables.push_back(table_of(*gl_, table, real()));
     for_tiles({int(solid.size), int(solid.size)}, limits_.tile, [&](const GlTile& tile) {
         // Bindings last: whatever makes a texture changes them.
         const GlPointMap* map = points_only ? &points(tile) : nullptr;
         if (!map) set_lines(tile, threads);
         const GlTarget target(*gl_, tile.size, {GlOutput<Pixel>::internal});
         program.use();
-        bind_inputs<Pixel>(program, texture);
+        bind_inputs<Pixel>(program, texture, tables);
         if (map)
             bind_points(program, *map);
         else

@@ -50,7 +50,9 @@ class GlGraphSynthesis {
     template <class Pixel>
     const GlProgram& program(const GlslTexture& texture, FilterKind kind);
     template <class Pixel>
-    void bind_inputs(const GlProgram& program, const GlslTexture& texture);
+    void bind_inputs(const GlProgram& program, const GlslTexture& texture,
+                     std::span<const GlBufferTexture> tables);
+    GlslReal real() const { return float64_ ? GlslReal::float64 : GlslReal::float32; }
     void bind_points(const GlProgram& program, const GlPointMap& map) const;
     void set_lines(const GlTile& tile, int threads);
     void bind_lines(const GlProgram& program, const Filter& filter) const;

@@ -8,6 +8,11 @@
 
 namespace burl {
 
+void GlslFunctions::add(GlslColorPieces pieces) {
+    add(pieces.text);
+    if (pieces.table) tables_.push_back(std::move(*pieces.table));
+}
+
 std::string GlslFunctions::new_name(std::string_view stem) {
     return fmt::format("{}{}", stem, names_++);
 }
@@ -78,7 +83,7 @@ GlslTexture GlslFunctions::texture(const std::string& body, std::span<const Glsl
         noises.push_back(octave.noise);
         if (octave.sloped) sloped.push_back(octave.noise);
     }
-    GlslTexture texture{glsl_noise_parts(noises), images_};
+    GlslTexture texture{glsl_noise_parts(noises), images_, tables_};
     for (GlslPart& part : glsl_gradient_parts(sloped)) texture.parts.push_back(std::move(part));
     for (const char* file : {"elementary.glsl", "graph.glsl"}) texture.parts.push_back({file});
     texture.parts.insert(texture.parts.end(), more.begin(), more.end());

@@ -5,6 +5,7 @@
 #include <span>
 #include <utility>
 
+#include "procedural/glsl_color_pieces.h"
 #include "procedural/glsl_text.h"
 #include "procedural/noise_sum.h"
 
@@ -19,6 +20,8 @@ class GlslFunctions {
 
     /// Text that the functions behind it may use.
     void add(const std::string& text) { text_ += text; }
+    /// The same, and its table.
+    void add(GlslColorPieces pieces);
     /// "STEM0", "STEM1" and so on.
     std::string new_name(std::string_view stem);
 
@@ -50,6 +53,7 @@ class GlslFunctions {
     std::string text_;
     std::size_t names_ = 0;
     std::vector<GlslImage> images_;
+    std::vector<GlslTable> tables_;
     std::vector<Octave> octaves_;
     std::set<OctaveShape> shapes_;
     std::vector<std::pair<std::string, std::string>> arrays_;  ///< text and name

@@ -65,13 +65,21 @@ class GraphWriter {
     std::uint32_t node_ = 0;
 };
 
+/// Why colour maps with gradients, which are written out, are too large; empty where none is.
+std::string too_many_stops(const TextureGraph& graph) {
+    for (const Texture& texture : graph.textures)
+        if (texture.colors.stops.size() > most_sloped_stops)
+            return fmt::format(
+                "a colour map of it has {} stops, and shaders with gradients take at most {}",
+                texture.colors.stops.size(), most_sloped_stops);
+    return "";
+}
+
 }  // namespace
 
 std::string no_graph_shader(const TextureGraph& graph) {
-    for (const Texture& texture : graph.textures)
-        if (texture.colors.stops.size() > most_glsl_stops)
-            return fmt::format("a colour map of it has {} stops, and shaders take at most {}",
-                               texture.colors.stops.size(), most_glsl_stops);
+    for (std::size_t n = 1; n < graph.nodes.size(); ++n)
+        if (type_of(graph.nodes[n]).name == "slope") return too_many_stops(graph);
     return "";
 }
 
@@ -83,7 +91,7 @@ std::string no_filtered_shader(const TextureGraph& graph, const Filter& filter) 
         const std::string_view name = type_of(graph.nodes[n]).name;
         if (name == "color_map" && tables) return "colour tables filter graphs on the host alone";
     }
-    return no_graph_shader(graph);
+    return too_many_stops(graph);
 }
 
 namespace {

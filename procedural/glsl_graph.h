@@ -8,8 +8,8 @@
 
 namespace burl {
 
-/// Colour maps are written out, one comparison a stop.
-inline constexpr std::size_t most_glsl_stops = 256;
+/// Of a colour map where gradients are asked for, by the node `slope` or a filter.
+inline constexpr std::size_t most_sloped_stops = 256;
 
 /// Why there is no shader for a graph, as a clause; empty where there is one.
 std::string no_graph_shader(const TextureGraph& graph);

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "procedural/glsl_color_pieces.h"
 #include "procedural/glsl_duals.h"
 
 namespace burl {
@@ -95,44 +96,6 @@ std::string GlslSteps::expression(const ValueOperation& operation, const Inputs&
     return zero;
 }
 
-namespace {
-
-/// "begin = ...;", "c0 = real3(...);" and so on, what piece i has, each on a line of its own.
-std::string piece_lines(const ColorPieces& pieces, std::size_t i, GlslReal real) {
-    const std::size_t coefficients = pieces.degree + 1;
-    const double* piece = &pieces.table[i * pieces.stride()];
-    const char* indent = i == 0 ? "    " : "        ";
-    const auto number = [&](std::size_t k) { return glsl_number(piece[k], real); };
-    std::string lines = fmt::format("{}{}begin = {};\n", indent, i == 0 ? "real " : "", number(0));
-    for (std::size_t k = 0; k < coefficients; ++k)
-        lines += fmt::format("{}{}c{} = real3({}, {}, {});\n", indent, i == 0 ? "real3 " : "", k,
-                             number(1 + k), number(1 + coefficients + k),
-                             number(1 + 2 * coefficients + k));
-    return lines;
-}
-
-/// The colours' polynomial at x, whose coefficients are those of the last piece that begins up to
-/// there. (Not one comparison inside the other: llvmpipe goes wrong where more than 80 are.)
-std::string pieces_function(const std::string& name, const ColorPieces& pieces, GlslReal real) {
-    const std::size_t coefficients = pieces.degree + 1;
-    const bool repeats = pieces.argument == ColorPieces::Argument::repeat;
-    std::string text = fmt::format("real3 {}(real x) {{\n    real t = {}(x);\n", name,
-                                   repeats ? "repeated_index" : "clamped_index");
-    for (std::size_t i = 0; i < pieces.begins.size(); ++i) {
-        const std::string lines = piece_lines(pieces, i, real);
-        text += i == 0 ? lines
-                       : fmt::format("    if (t >= {}) {{\n{}    }}\n",
-                                     glsl_number(pieces.begins[i], real), lines);
-    }
-    text += "    exact real u = t - begin;\n    exact real3 color = ";
-    for (std::size_t k = 0; k + 1 < coefficients; ++k) text += fmt::format("c{} + u * (", k);
-    text += fmt::format("c{}{};\n    return color;\n}}\n\n", coefficients - 1,
-                        std::string(coefficients - 1, ')'));
-    return text;
-}
-
-}  // namespace
-
 GlslStep GlslSteps::step(const NoiseSum& sum, const Inputs& inputs) {
     if (sum.octaves.empty()) return {"", {number(sum.offset)}};
     const GlslSum written = sums_.values(sum, inputs, fmt::format("n{}", values_));
@@ -143,7 +106,7 @@ GlslStep GlslSteps::step(const NoiseSum& sum, const Inputs& inputs) {
 
 GlslStep GlslSteps::step(const ColorPieces& pieces, const Inputs& inputs) {
     const std::string name = functions_.new_name("color_map");
-    functions_.add(pieces_function(name, pieces, functions_.real()));
+    functions_.add(glsl_color_pieces(name, pieces, functions_.real()));
     return color(fmt::format("{}({})", name, inputs[0]));
 }
 

@@ -35,4 +35,33 @@ std::string glsl_sum(const std::vector<double>& factors, const std::vector<std::
     return sum;
 }
 
+std::string glsl_buffer_tables(std::span<const GlslTable> tables, GlslReal real) {
+    std::string text;
+    for (const GlslTable& table : tables)
+        text += real == GlslReal::float64
+                    ? fmt::format(
+                          "uniform usamplerBuffer {0};\n"
+                          "double {0}_at(int i) {{ return packDouble2x32(texelFetch({0}, i).xy); "
+                          "}}\n",
+                          table.name)
+                    : fmt::format(
+                          "uniform samplerBuffer {0};\n"
+                          "float {0}_at(int i) {{ return texelFetch({0}, i).x; }}\n",
+                          table.name);
+    return text;
+}
+
+std::string glsl_constant_tables(std::span<const GlslTable> tables, GlslReal real) {
+    std::string text;
+    for (const GlslTable& table : tables) {
+        std::vector<std::string> numbers;
+        for (const double x : table.numbers) numbers.push_back(glsl_number(x, real));
+        text += fmt::format(
+            "const real {0}[{1}] = real[{1}](\n    {2});\n\n"
+            "real {0}_at(int i) {{\n    return {0}[i];\n}}\n\n",
+            table.name, numbers.size(), fmt::join(numbers, ",\n    "));
+    }
+    return text;
+}
+
 }  // namespace burl

@@ -14,9 +14,10 @@ Image<MapTexel> fill_span_map(const SolidAtlas& solid, const TexelArea& area, in
             for (const Span& span : solid.row(area.y + y)) {
                 const std::uint32_t begin = std::max(span.x, area.x),
                                     end = std::min(span.x + span.count, area.x + area.width);
+                const WholeSpan whole = solid.whole(span);
                 if (begin < end)
                     std::fill_n(&image(begin - area.x, y), end - begin,
-                                MapTexel(span.map, span.x, span.count, 0));
+                                MapTexel(span.map, whole.x, whole.count, 0));
             }
     });
     return image;

@@ -6,7 +6,8 @@
 
 namespace burl {
 
-/// The number of the span's map, its first column, its number of texels, 0. Where no span shows
+/// The number of the span's map, the first column and the number of texels of
+/// the whole span, 0. Where no span shows
 /// anything no_owner and zeros. The area lies in the atlas; `threads` 0 means all.
 Image<MapTexel> fill_span_map(const SolidAtlas& solid, const TexelArea& area, int threads);
 

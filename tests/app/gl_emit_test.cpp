@@ -45,6 +45,28 @@ class GlEmitTest : public GlTest {
         GlFullScreen(gl).draw();
         return target.read<float>();
     }
+
+    /// Texels of a torus whose colours are further than 1e-4 from the host's.
+    int texels_away(const Recipe& recipe) {
+        Pipeline pipeline(torus(300));
+        pipeline.set_recipe(recipe);
+        const Image<RgbF> expected = pipeline.synthesize<RgbF>();
+        const Affine3 map = texture_from_solid(recipe);
+        const Vec3d base = solid_base(pipeline.solid(), map);
+        const auto side = std::uint32_t(expected.width());
+        const std::vector<float> colors =
+            draw(emit_glsl(recipe, texture_from_mesh(recipe, pipeline.mesh())),
+                 fill_solid_map(pipeline.solid(), map, base, {0, 0, side, side}, 1), base);
+        int away = 0;
+        for (std::size_t i = 0; i < expected.pixels().size(); ++i) {
+            const RgbF& c = expected.pixels()[i];
+            const double error = std::max({std::abs(double(c.r) - double(colors[4 * i])),
+                                           std::abs(double(c.g) - double(colors[4 * i + 1])),
+                                           std::abs(double(c.b) - double(colors[4 * i + 2]))});
+            away += error <= 1e-4 ? 0 : 1;
+        }
+        return away;
+    }
 };
 
 std::vector<std::string> presets() {
@@ -57,25 +79,19 @@ std::vector<std::string> presets() {
 class GlEmitPresetTest : public GlEmitTest, public testing::WithParamInterface<std::string> {};
 
 TEST_P(GlEmitPresetTest, GivesTheHostsColours) {
-    Pipeline pipeline(torus(300));
     const Recipe recipe = load_recipe(GetParam(), {"atlas.size=64", "atlas.kind=area"});
-    pipeline.set_recipe(recipe);
-    const Image<RgbF> expected = pipeline.synthesize<RgbF>();
-    const Affine3 map = texture_from_solid(recipe);
-    const Vec3d base = solid_base(pipeline.solid(), map);
-    const std::vector<float> colors =
-        draw(emit_glsl(recipe, texture_from_mesh(recipe, pipeline.mesh())),
-             fill_solid_map(pipeline.solid(), map, base, {0, 0, 64, 64}, 1), base);
-    int away = 0;
-    for (std::size_t i = 0; i < expected.pixels().size(); ++i) {
-        const RgbF& c = expected.pixels()[i];
-        const double error = std::max({std::abs(double(c.r) - double(colors[4 * i])),
-                                       std::abs(double(c.g) - double(colors[4 * i + 1])),
-                                       std::abs(double(c.b) - double(colors[4 * i + 2]))});
-        away += error <= 1e-4 ? 0 : 1;
-    }
     // Where rounding takes a texel over a jump.
-    EXPECT_LE(away, GetParam() == "checker-floor" ? 200 : 20);
+    EXPECT_LE(texels_away(recipe), GetParam() == "checker-floor" ? 200 : 20);
+}
+
+TEST_F(GlEmitTest, ColourMapsOfManyStopsBecomeConstants) {
+    Recipe recipe = load_recipe("marble", {"atlas.size=64", "atlas.kind=area"});
+    std::vector<ColorStop>& stops = recipe.texture.colors.stops;
+    stops.clear();
+    for (int i = 0; i < 300; ++i)
+        stops.push_back({i / 300.0, {std::uint8_t(i % 2), std::uint8_t(i / 2), 100}});
+    EXPECT_THAT(emit_glsl(recipe, {}), HasSubstr("const float color_map"));
+    EXPECT_LE(texels_away(recipe), 20);
 }
 
 INSTANTIATE_TEST_SUITE_P(Presets, GlEmitPresetTest, testing::ValuesIn(presets()),

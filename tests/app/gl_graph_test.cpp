@@ -14,6 +14,7 @@
 #include "app/embedded.h"
 #include "app/gl_synthesizer.h"
 #include "app/pipeline.h"
+#include "procedural/glsl_color_pieces.h"
 #include "procedural/graph_table.h"
 #include "procedural/noise_names.h"
 #include "procedural/synthesize_graph.h"
@@ -76,17 +77,36 @@ void expect_equal(GlGraphSynthesis& gl, std::string_view name, const TextureGrap
     }
 }
 
+TextureGraph map_of(int stops) {
+    std::string json = R"({"node": "color_map", "input": {"node": "coordinate"}, "stops": [)";
+    for (int i = 0; i < stops; ++i)
+        json += fmt::format(R"({}[{}, "#{:06x}"])", i == 0 ? "" : ", ", double(i) / stops,
+                            i * 977 % 0xffffff);
+    return graph_of(json + "]}");
+}
+
 TEST_F(GlGraphTest, ColourMapsMayHaveManyStops) {
-    const auto colors = [](int stops) {
-        std::string json = R"({"node": "color_map", "input": {"node": "coordinate"}, "stops": [)";
-        for (int i = 0; i < stops; ++i)
-            json += fmt::format(R"({}[{}, "#{:06x}"])", i == 0 ? "" : ", ", double(i) / stops,
-                                i * 977 % 0xffffff);
-        return graph_of(json + "]}");
-    };
     GlGraphSynthesis gl(*context);
-    expect_equal(gl, "many stops", colors(int(most_glsl_stops)), SyntheticAtlas{}.make(2));
-    EXPECT_THAT(gl.problem(colors(int(most_glsl_stops) + 1)), HasSubstr("257 stops"));
+    const SolidAtlas solid = SyntheticAtlas{}.make(2);
+    for (const int stops : {int(most_compared_pieces) - 2, int(most_compared_pieces) + 1, 5000}) {
+        EXPECT_EQ(gl.problem(map_of(stops)), "");
+        expect_equal(gl, fmt::format("{} stops", stops), map_of(stops), solid);
+    }
+    const Filter exact{FilterKind::exact};
+    EXPECT_EQ(gl.problem(map_of(int(most_sloped_stops)), exact), "");
+    EXPECT_THAT(gl.problem(map_of(int(most_sloped_stops) + 1), exact), HasSubstr("257 stops"));
+}
+
+TEST_F(GlGraphTest, ManyStopsInFloat32) {
+    GlSynthesisLimits limits;
+    limits.float64 = false;
+    GlGraphSynthesis gl(*context, limits);
+    const SolidAtlas solid = SyntheticAtlas{}.make(2);
+    const TextureGraph graph = map_of(500);
+    const Image<RgbF> expected = on_host<RgbF>(solid, graph, somewhere),
+                      image = drawn<RgbF>(gl, solid, graph, somewhere);
+    for (std::size_t i = 0; i < image.pixels().size(); ++i)
+        EXPECT_NEAR(image.pixels()[i].r, expected.pixels()[i].r, 2e-4f);
 }
 
 TEST_F(GlGraphTest, CasesAreOfAllNodes) {

@@ -25,5 +25,16 @@ TEST(SpanMapTest, EveryTexelKnowsItsSpan) {
         }
 }
 
+TEST(SpanMapTest, PartsAreOfTheirWholeSpans) {
+    SolidAtlas solid = SyntheticAtlas{8, 8}.make(2);
+    solid.wholes.assign(solid.spans.size(), {0, 8});
+    for (Span& span : solid.spans) span.x += 3, span.count -= 4;
+    const Image<MapTexel> map = fill_span_map(solid, {0, 0, 8, 8}, 1);
+    EXPECT_EQ(map(2, 5), MapTexel(no_owner, 0, 0, 0));
+    EXPECT_EQ(map(3, 5), MapTexel(0, 0, 8, 0));
+    EXPECT_EQ(map(6, 5), MapTexel(0, 0, 8, 0));
+    EXPECT_EQ(map(7, 5), MapTexel(no_owner, 0, 0, 0));
+}
+
 }  // namespace
 }  // namespace burl
