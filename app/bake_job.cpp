@@ -176,11 +176,16 @@ std::shared_ptr<TextureSynthesizer> BakeJob::synthesizer() const {
         throw Error(ExitCode::usage,
                     fmt::format("--kernel {} is the host's alone; leave it or --synth {} out",
                                 kernel, synth));
-    if (synth == multipass_synth) return choose_multipass(multipass, command_.platform, recipes_);
+    if (synth == "host" && !command_.platform.empty())
+        throw Error(ExitCode::usage,
+                    "--gl says where OpenGL comes from, and the host makes the texture; add "
+                    "--synth gl, gl-multipass or auto, or leave --gl out");
+    const std::string platform = command_.platform.empty() ? gl_platforms()[0] : command_.platform;
+    if (synth == multipass_synth) return choose_multipass(multipass, platform, recipes_);
     const SynthesisChoice choice = synth == "host" || !any ? SynthesisChoice::host
                                    : synth == "gl"         ? SynthesisChoice::gl
                                                            : SynthesisChoice::automatic;
-    return choose_synthesizer(choice, command_.platform, recipes_);
+    return choose_synthesizer(choice, platform, recipes_);
 }
 
 Json BakeJob::made_from() const {

@@ -23,7 +23,7 @@ struct BakeCommand {
     int threads = 0, depth = 8;
     double crease = 40.0;
     std::string levels, level_rule, normals, solid_map, emitted_glsl, kernel = "auto";
-    std::string synth = "host", platform = gl_platforms()[0];
+    std::string synth = "host", platform{};  ///< of OpenGL; empty: the first
     MultipassCommand multipass;
     std::optional<double> compress;
     bool json = false, quiet = false;  ///< what is said on stdout

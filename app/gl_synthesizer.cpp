@@ -9,6 +9,7 @@
 #include "app/gl_block_levels.h"
 #include "app/gl_facts.h"
 #include "app/gl_graph.h"
+#include "app/measure_synthesis.h"
 #include "atlas/block_levels.h"
 
 namespace burl {
@@ -119,7 +120,9 @@ std::unique_ptr<TextureSynthesizer> choose_synthesizer(SynthesisChoice choice,
         auto context = create_gl_context(platform);
         if (is_software(context->gl())) return nullptr;
         auto synthesizer = make_gl_synthesizer(std::move(context));
-        return all_possible(*synthesizer, recipes) ? std::move(synthesizer) : nullptr;
+        if (recipes.empty() || !all_possible(*synthesizer, recipes)) return nullptr;
+        const SynthesisSeconds seconds = measure_synthesis(*synthesizer, recipes[0]);
+        return seconds.other < seconds.host ? std::move(synthesizer) : nullptr;
     } catch (const Error& error) {
         if (error.code() == ExitCode::usage) throw;
         return nullptr;  // no OpenGL here

@@ -40,6 +40,15 @@ TEST_F(BakeSynth, AutoIsTheHostOnSoftwareOpenGl) {
     EXPECT_FALSE(nlohmann::json::parse(test::slurp(scratch / "a.json")).contains("synthesis"));
 }
 
+TEST_F(BakeSynth, OpenGlThatNobodyAskedForIsRefused) {
+    for (const char* options : {"--gl osmesa", "--gl egl --synth host"}) {
+        const Outcome refused = bake("a.png", options);
+        EXPECT_EQ(refused.exit_code, int(ExitCode::usage)) << options;
+        EXPECT_THAT(refused.err, HasSubstr("--synth")) << options;
+    }
+    EXPECT_EQ(bake("a.png", "--gl osmesa --synth gl").exit_code, 0);
+}
+
 TEST_F(BakeSynth, WhatOpenGlCannotDoIsRefusedOrLeftToTheHost) {
     for (const char* option : {"--precision float64", "--kernel scanline", "--kernel forward"}) {
         const Outcome refused = bake("b.png", std::string("--synth gl ") + option);
