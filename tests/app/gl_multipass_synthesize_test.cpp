@@ -130,6 +130,41 @@ TEST_F(GlMultipassSynthesizeTest, WiderPixelsAreNearTheHosts) {
     }
 }
 
+/// All that the command line can ask for.
+std::vector<MultipassOptions> forms() {
+    std::vector<MultipassOptions> forms;
+    for (const PassPrecision precision :
+         {PassPrecision::float32, PassPrecision::float16, PassPrecision::fixed8})
+        for (const Randomizer randomizer : {Randomizer::hash, Randomizer::table})
+            forms.push_back({precision, randomizer});
+    forms.push_back({PassPrecision::fixed8, Randomizer::bits});
+    forms.push_back({PassPrecision::fixed8, Randomizer::bits, true});
+    return forms;
+}
+
+TEST_F(GlMultipassSynthesizeTest, EveryFormGivesIndicesAndTheSameAgain) {
+    Subject subject;
+    Recipe recipe = load_recipe("marble");
+    recipe.texture.noise[0].octaves = 2;
+    const Affine3 map = texture_from_solid(recipe);
+    for (const MultipassOptions& form : forms()) {
+        GlMultipassSynthesis gl(*context, form), fresh(*context, form);
+        ASSERT_EQ(gl.problem(recipe.texture), "");
+        Image<float> index, again, anew;
+        gl.synthesize(subject.solid(), recipe.texture, map, 0, index);
+        gl.synthesize(subject.solid(), recipe.texture, map, 1, again);
+        fresh.synthesize(subject.solid(), recipe.texture, map, 0, anew);
+        float least = 1.0f, largest = 0.0f;
+        for (const float i : index.pixels()) {
+            ASSERT_TRUE(i >= 0.0f && i <= 1.0f) << i;
+            least = std::min(least, i), largest = std::max(largest, i);
+        }
+        EXPECT_GT(largest - least, 0.5f) << int(form.precision) << int(form.randomizer);
+        EXPECT_EQ(differing(index, again), 0u) << int(form.precision) << int(form.randomizer);
+        EXPECT_EQ(differing(index, anew), 0u) << int(form.precision) << int(form.randomizer);
+    }
+}
+
 TEST_F(GlMultipassSynthesizeTest, TilesLeaveNoTrace) {
     Subject subject;
     const Recipe recipe = load_recipe("clouds");
