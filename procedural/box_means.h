@@ -52,8 +52,8 @@ inline Dual box_step(const Dual& x, double width) {
 inline Dual box_sin(const Dual& x, double width) {
     const double half = 0.5 * width;
     if (!(half < widest_box)) return 0.0;
-    const double damping = half > 1e-4 ? std::sin(half) / half : 1.0 - half * half / 6.0;
-    return chain(x, damping * std::sin(x.value), damping * std::cos(x.value));
+    const double damping = half > 1e-4 ? sine(half) / half : 1.0 - half * half / 6.0;
+    return chain(x, damping * sine(x.value), damping * cosine(x.value));
 }
 
 }  // namespace burl

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "atlas/vec.h"
+#include "procedural/elementary.h"
 
 namespace burl {
 
@@ -35,7 +36,7 @@ inline Dual chain(const Dual& x, double value, double derivative) {
 }
 
 inline Dual dual_sin(const Dual& x) {
-    return chain(x, std::sin(x.value), std::cos(x.value));
+    return chain(x, sine(x.value), cosine(x.value));
 }
 
 inline Dual dual_abs(const Dual& x) {
@@ -62,7 +63,7 @@ inline Dual dual_fract(const Dual& x) {
 inline Dual dual_power(const Dual& x, double e) {
     if (e == 0.0) return 1.0;
     if (x.value < 0.0 && e != std::floor(e)) return 0.0;
-    return chain(x, std::pow(x.value, e), e * std::pow(x.value, e - 1.0));
+    return chain(x, power(x.value, e), e * power(x.value, e - 1.0));
 }
 
 /// 0 up to low, 1 from high on, 3u^2 - 2u^3 between; a step where high <= low.
@@ -77,16 +78,16 @@ inline Dual dual_smoothstep(const Dual& low, const Dual& high, const Dual& x) {
 
 /// sqrt(x^2 + y^2); no slope at 0.
 inline Dual dual_length(const Dual& x, const Dual& y) {
-    const double length = std::hypot(x.value, y.value);
+    const double length = length_of(x.value, y.value);
     if (!(length > 0.0)) return length;
     return {length, (x.value / length) * x.slope + (y.value / length) * y.slope};
 }
 
 /// The angle of (x, y) in (-pi, pi]. Its slope goes on across the seam; at the origin it is 0.
 inline Dual dual_angle(const Dual& y, const Dual& x) {
-    const double length = std::hypot(x.value, y.value);
+    const double length = length_of(x.value, y.value);
     if (!(length > 0.0)) return 0.0;
-    return {std::atan2(y.value, x.value),
+    return {angle_of(y.value, x.value),
             ((x.value / length) * y.slope - (y.value / length) * x.slope) / length};
 }
 

@@ -76,7 +76,7 @@ struct NodeCall {
     }
     /// Width of the box with the variance of x over the sample.
     double box_width(const Dual& x, std::size_t i) const {
-        return std::hypot(along_u(x, i), along_v(x, i));
+        return length_of(along_u(x, i), along_v(x, i));
     }
 };
 

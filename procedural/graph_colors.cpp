@@ -10,7 +10,7 @@ void color_map(const NodeCall& call) {
     for (std::size_t i = 0; i < call.count(); ++i) {
         const Dual f = call.input(0, i);
         const double u = call.along_u(f, i), v = call.along_v(f, i);
-        const double x = std::isfinite(f.value) ? f.value : 0.0, width = std::hypot(u, v);
+        const double x = std::isfinite(f.value) ? f.value : 0.0, width = length_of(u, v);
         const Vec3d color = mean(x, u, v);
         Vec3d derivative = map.extended(x, x + 1.0) - map.extended(x, x);
         if (width > 1e-6)

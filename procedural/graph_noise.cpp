@@ -46,7 +46,7 @@ struct OctaveSum {
     double visible(double step) const {
         const double grows = std::log2(lacunarity);
         if (!(step > 0.0) || !(grows > 0.0)) return octaves;
-        return std::clamp((-1.0 - std::log2(step)) / grows, 0.0, octaves);
+        return std::clamp((-1.0 - binary_log(step)) / grows, 0.0, octaves);
     }
 
     /// `step`: length by which p moves across the sample. The last visible octave fades by

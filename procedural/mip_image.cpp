@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "procedural/elementary.h"
 #include "procedural/srgb.h"
 
 namespace burl {
@@ -154,7 +155,7 @@ ImageSample MipImage::bilinear(std::size_t level, double s, double t) const {
 
 ImageSample MipImage::trilinear(double s, double t, double width) const {
     const double last = double(levels_.size() - 1);
-    const double level = width > 0.0 ? last + std::log2(width) : -1.0;
+    const double level = width > 0.0 ? last + binary_log(width) : -1.0;
     if (!(level > 0.0)) return bilinear(0, s, t);
     if (level >= last) return {texel(levels_.size() - 1, 0, 0), {}, {}};
     const double below = std::floor(level);
@@ -173,7 +174,7 @@ ImageSample MipImage::ewa(double s, double t, Vec2d first, Vec2d second, double 
     }
     if (!(shorter > 0.0)) return trilinear(s, t, longer / anisotropy);
     const double last = double(levels_.size() - 1);
-    const double level = std::max(0.0, last + std::log2(shorter));
+    const double level = std::max(0.0, last + binary_log(shorter));
     if (level >= last) return {texel(levels_.size() - 1, 0, 0), {}, {}};
     const double below = std::floor(level);
     return blend(ellipse(std::size_t(below), s, t, first, second),
@@ -196,12 +197,14 @@ ImageSample MipImage::ellipse(std::size_t level, double s, double t, const Vec2d
                  reach_y = 2.0 * std::sqrt(a / determinant);
     ImageSample sum;
     double weights = 0.0, weights_by_x = 0.0, weights_by_y = 0.0;
+    constexpr double falloff = -2.8853900817779268;  // -2 / ln 2
+    const double end = binary_power(falloff);
     for (double j = std::ceil(y - reach_y); j <= y + reach_y; ++j)
         for (double i = std::ceil(x - reach_x); i <= x + reach_x; ++i) {
             const double dx = i - x, dy = j - y;
             const double r2 = a * dx * dx + b * dx * dy + c * dy * dy;
             if (r2 >= 1.0) continue;
-            const double gauss = std::exp(-2.0 * r2), weight = gauss - std::exp(-2.0);
+            const double gauss = binary_power(falloff * r2), weight = gauss - end;
             const double by_x = 2.0 * gauss * (2.0 * a * dx + b * dy),
                          by_y = 2.0 * gauss * (b * dx + 2.0 * c * dy);
             const Vec3d color = texel(level, i, j);

@@ -24,8 +24,14 @@ real4 dual_chain(real4 x, real value, real derivative) {
     return real4(value, zero == real(0.0) ? slope : real3(0.0));
 }
 
+// pi / 2, and -2 / ln 2. (Literals without LF are float32 numbers: constants that those do not hold are quotients.)
+#if REAL_IS_DOUBLE
+const double quarter_turn = 1.5707963267948966LF, gaussian_falloff = -2.8853900817779268LF;
+#else
+const float quarter_turn = 1.5707963267948966, gaussian_falloff = -2.8853900817779268;
+#endif
 real cosine(real x) {
-    exact real ahead = x + real(1.5707963267948966);
+    exact real ahead = x + quarter_turn;
     return sine(ahead);
 }
 real4 dual_sin(real4 x) {
@@ -139,7 +145,7 @@ real4 box_sin(real4 x, real width) {
     exact real half_width = real(0.5) * width;
     if (!(half_width < widest_box)) return dual(real(0.0));
     exact real near = real(1.0) - half_width * half_width / real(6.0);
-    exact real damping = half_width > real(1e-4) ? sine(half_width) / half_width : near;
+    exact real damping = half_width > real(1.0) / real(10000.0) ? sine(half_width) / half_width : near;
     exact real value = damping * sine(x.x), derivative = damping * cosine(x.x);
     return dual_chain(x, value, derivative);
 }

@@ -50,8 +50,6 @@ ImageSample trilinear_sample(sampler2D image, int levels, real s, real t, real w
                    bilinear_sample(image, below + 1, s, t, wrap), above);
 }
 
-const real image_falloff = real(-2.8853900817779268);  // -2 / ln 2
-
 ImageSample ellipse_sample(sampler2D image, int level, real s, real t, real2 first, real2 second,
                            int wrap) {
     if (!(abs(s) < farthest_image && abs(t) < farthest_image))
@@ -71,13 +69,13 @@ ImageSample ellipse_sample(sampler2D image, int level, real s, real t, real2 fir
                reach_y = real(2.0) * sqrt(a / determinant);
     exact real3 color = real3(0.0), by_s = real3(0.0), by_t = real3(0.0);
     exact real weights = real(0.0), weights_by_x = real(0.0), weights_by_y = real(0.0);
-    real end = binary_power(image_falloff);
+    real end = binary_power(gaussian_falloff);
     for (real j = ceil(y - reach_y); j <= y + reach_y; j += real(1.0))
         for (real i = ceil(x - reach_x); i <= x + reach_x; i += real(1.0)) {
             exact real dx = i - x, dy = j - y;
             exact real r2 = a * dx * dx + b * dx * dy + c * dy * dy;
             if (r2 >= real(1.0)) continue;
-            exact real gauss = binary_power(image_falloff * r2), weight = gauss - end;
+            exact real gauss = binary_power(gaussian_falloff * r2), weight = gauss - end;
             exact real by_x = real(2.0) * gauss * (real(2.0) * a * dx + b * dy),
                        by_y = real(2.0) * gauss * (b * dx + real(2.0) * c * dy);
             real3 texel = image_texel(image, level, i, j, wrap);

@@ -126,10 +126,10 @@ real3 mean_color(PieceMap map, real f, PieceWidths widths) {
     exact real sum = real(0.5) * support, difference = real(0.5) * (w.wide - w.narrow);
     if (!map.repeats && (x - sum >= real(1.0) || x + sum <= real(0.0)))
         return extended_color(map, x, x);
-    if (support < narrow_support || (w.narrow < real(0.001) * w.wide && support < real(2.0)))
+    if (support < narrow_support || (w.narrow < (real(1.0) / real(1000.0)) * w.wide && support < real(2.0)))
         return sum_over_breaks(map, x, w);
     exact real3 result;
-    if (w.narrow < real(0.001) * w.wide * real(0.001)) {
+    if (w.narrow < (real(1.0) / real(1000.0)) * w.wide * (real(1.0) / real(1000.0))) {
         exact real half_wide = real(0.5) * w.wide;
         result = map.mean +
                  (first_integral(map, x + half_wide) - first_integral(map, x - half_wide)) / w.wide;
@@ -157,7 +157,7 @@ DualColor dual_color(PieceMap map, real4 f, real u, real v, bool both_axes) {
     exact real3 derivative =
         extended_color(map, x, x + real(1.0)) - extended_color(map, x, x);
     exact real low = x - real(0.5) * width, high = x + real(0.5) * width;
-    if (width > real(1e-6))
+    if (width > real(1.0) / real(1000000.0))
         derivative = (extended_color(map, high, high) - extended_color(map, low, low)) / width;
     return DualColor(dual_chain(f, color.r, derivative.r), dual_chain(f, color.g, derivative.g),
                      dual_chain(f, color.b, derivative.b));
@@ -213,7 +213,7 @@ real supersampled_board(real3 p, real3 u, real3 v, int axes) {
         exact real sign = (real(1.0) - real(2.0) * odd_cell(q.x)) *
                           (real(1.0) - real(2.0) * odd_cell(q.y));
         if (axes == 3) sign = sign * (real(1.0) - real(2.0) * odd_cell(q.z));
-        exact real exponent = (du * du + dv * dv) * real(-2.8853900817779268);  // -2 / ln 2
+        exact real exponent = (du * du + dv * dv) * gaussian_falloff;
         real weight = binary_power(exponent);
         sum = sum + weight * (real(0.5) - real(0.5) * sign);
         weights = weights + weight;
@@ -257,10 +257,10 @@ DualColor dual_spline(real4 t, real3 points[9], bool b_spline) {
 // Share of an octave in whose lattice the footprint's sides are these (procedural/band_limit.h).
 real band_weight(real3 u, real3 v) {
     real squared = max(dot_of(u, u), dot_of(v, v));
-    if (squared < real(0.09)) return real(1.0);
-    if (!(squared < real(0.17))) return real(0.0);
+    if (squared < real(9.0) / real(100.0)) return real(1.0);
+    if (!(squared < real(17.0) / real(100.0))) return real(0.0);
     exact real left = real(-1.0) - real(0.5) * binary_log(squared);
-    exact real x = min(max((left - real(0.3)) / real(0.4), real(0.0)), real(1.0));
+    exact real x = min(max((left - real(3.0) / real(10.0)) / (real(2.0) / real(5.0)), real(0.0)), real(1.0));
     exact real weight = x * x * (real(3.0) - real(2.0) * x);
     return weight;
 }

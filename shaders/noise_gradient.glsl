@@ -50,7 +50,7 @@ float visible_share(float kept, float k) {
 
 // The same in `real`.
 real visible_part(float kept, real k) {
-    exact real away = (real(kept) - k - real(0.3)) * real(2.5);
+    exact real away = (real(kept) - k - real(3.0) / real(10.0)) * real(2.5);
     exact real u = min(max(away, real(0.0)), real(1.0));
     exact real part = u * u * (real(3.0) - real(2.0) * u);
     return part;

@@ -127,7 +127,6 @@ TEST_P(GlGraphNodeTest, HasTheHostsBits) {
 class GlGraphNoiseTest : public GlTest, public testing::WithParamInterface<Named<NoiseKind>> {};
 
 /// Slopes of all kinds of nodes: the host's own gradients, in float64 where they are not noise.
-/// Sine, angle and power come from the C library there and are polynomials here.
 class GlGraphSlopeTest : public GlTest, public testing::WithParamInterface<GraphCase> {};
 
 TEST_P(GlGraphSlopeTest, HasTheHostsBits) {
@@ -138,12 +137,7 @@ TEST_P(GlGraphSlopeTest, HasTheHostsBits) {
     const Image<RgbF> expected = on_host<RgbF>(solid, graph, somewhere),
                       image = drawn<RgbF>(gl, solid, graph, somewhere);
     EXPECT_GT(colors_of(expected), 1u);
-    const std::set<std::string_view> by_library{
-        "power", "sin", "rings", "sine", "wood_grain", "dots", "map_spherical", "map_cylindrical"};
-    if (by_library.contains(GetParam().node))
-        EXPECT_LE(share_beyond(image, expected, 2e-6), 0.0);
-    else
-        EXPECT_EQ(differing(image, expected), 0u);
+    EXPECT_EQ(differing(image, expected), 0u);
 }
 
 /// Inputs that vary, by every node that gives a number.
