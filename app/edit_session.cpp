@@ -1,0 +1,133 @@
+#include "app/edit_session.h"
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+#include "app/atomic_file.h"
+#include "atlas/error.h"
+
+namespace burl {
+
+namespace {
+
+constexpr std::size_t log_capacity = 1000;
+
+class Differences {
+  public:
+    RecipeSettings found;
+
+    void compare(const Json& base, const Json& value, const std::string& path) {
+        if (base == value) return;
+        if (base.is_object() && value.is_object()) {
+            if (base.contains("node") && base["node"] != value.value("node", "")) {
+                found.possible = false;
+                return;
+            }
+            return compare_objects(base, value, path);
+        }
+        const bool items = base.is_array() && value.is_array() && base.size() == value.size() &&
+                           !value.empty() && value[0].is_object();
+        if (!items) {
+            found.settings.push_back(fmt::format("{}={}", path, value.dump()));
+            return;
+        }
+        for (std::size_t i = 0; i < value.size(); ++i)
+            compare(base[i], value[i], fmt::format("{}.{}", path, i));
+    }
+
+  private:
+    void compare_objects(const Json& base, const Json& value, const std::string& path) {
+        for (const auto& [key, old] : base.items())
+            if (!value.contains(key)) found.possible = false;
+        for (const auto& [key, now] : value.items()) {
+            const std::string below = path.empty() ? key : fmt::format("{}.{}", path, key);
+            compare(base.contains(key) ? base[key] : Json(), now, below);
+        }
+    }
+};
+
+/// In single quotes where a shell would touch it.
+std::string quoted(const std::string& word) {
+    constexpr std::string_view plain =
+        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+./:=,@%";
+    if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;
+    std::string text = "'";
+    for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return text + "'";
+}
+
+}  // namespace
+
+EditSession::EditSession(Recipe recipe, std::string recipe_path)
+    : history_(std::move(recipe)), recipe_path_(std::move(recipe_path)) {}
+
+void EditSession::add(LogLine line) {
+    log_.push_back(std::move(line));
+    if (log_.size() > log_capacity) log_.pop_front();
+}
+
+template <class Load>
+bool EditSession::step(const Load& load) {
+    try {
+        history_.change(load());
+        return true;
+    } catch (const Error& error) {
+        complain(error.what());
+        return false;
+    }
+}
+
+bool EditSession::set(const std::string& path, const Json& value) {
+    return set(std::vector{fmt::format("{}={}", path, value.dump())});
+}
+
+bool EditSession::set(const std::vector<std::string>& settings) {
+    return step([&] { return parse_recipe(to_json(recipe()), recipe_path_, settings); });
+}
+
+bool EditSession::open_recipe(const std::string& path) {
+    history_.end_gesture();
+    if (!step([&] { return load_recipe(path); })) return false;
+    recipe_path_ = path;
+    history_.mark_saved();
+    tell(fmt::format("recipe {}", path));
+    return true;
+}
+
+bool EditSession::paste_recipe(const std::string& json) {
+    history_.end_gesture();
+    return step([&] { return parse_recipe(json, "the clipboard"); });
+}
+
+void EditSession::save_recipe(const std::string& path) {
+    write_file(path, to_json(recipe()));
+    recipe_path_ = path;
+    history_.end_gesture();
+    history_.mark_saved();
+    tell(fmt::format("saved {}", path));
+}
+
+RecipeSettings settings_between(const Recipe& base, const Recipe& recipe) {
+    Differences differences;
+    differences.compare(Json::parse(to_json(base)), Json::parse(to_json(recipe)), "");
+    if (!differences.found.possible) differences.found.settings.clear();
+    return std::move(differences.found);
+}
+
+std::string bake_command(const std::string& mesh, const std::string& base_path, const Recipe& base,
+                         const Recipe& recipe) {
+    const std::string name = recipe.name.empty() ? "texture" : recipe.name;
+    std::vector<std::string> words{"burl", "bake", mesh, "-o", name + ".glb", "--recipe"};
+    const RecipeSettings between = settings_between(base, recipe);
+    words.push_back(between.possible ? base_path : name + ".json");
+    for (const std::string& setting : between.settings) {
+        words.emplace_back("--set");
+        words.push_back(setting);
+    }
+    std::string line;
+    for (const std::string& word : words) line += (line.empty() ? "" : " ") + quoted(word);
+    return line;
+}
+
+}  // namespace burl

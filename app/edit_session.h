@@ -1,0 +1,70 @@
+#pragma once
+// What an editor holds besides its pictures: the recipe with its history, where it came from, and
+// what there was to tell. It knows neither windows nor OpenGL.
+#include <deque>
+#include <string>
+#include <vector>
+
+#include "app/edit_history.h"
+#include "app/json_text.h"
+
+namespace burl {
+
+/// A line for the log panel.
+struct LogLine {
+    bool problem = false;
+    std::string text;
+};
+
+class EditSession {
+  public:
+    /// `recipe_path`: a file or a preset's name, the origin of the images that it names.
+    EditSession(Recipe recipe, std::string recipe_path);
+
+    const EditHistory& history() const { return history_; }
+    EditHistory& history() { return history_; }
+    const Recipe& recipe() const { return history_.recipe(); }
+    const std::string& recipe_path() const { return recipe_path_; }
+
+    /// One parameter, by its path as --set takes it. A value that recipes refuse changes nothing,
+    /// is logged, and gives false.
+    bool set(const std::string& path, const Json& value);
+    /// Several at once, "path=value"; all or none.
+    bool set(const std::vector<std::string>& settings);
+    /// A file or preset as one step; what cannot be read is logged and gives false.
+    bool open_recipe(const std::string& path);
+    /// Recipe JSON (the clipboard's) as one step.
+    bool paste_recipe(const std::string& json);
+    /// Throws Error(io). The recipe counts as saved.
+    void save_recipe(const std::string& path);
+
+    void tell(std::string text) { add({false, std::move(text)}); }
+    void complain(std::string text) { add({true, std::move(text)}); }
+    /// The last thousand, oldest first.
+    const std::deque<LogLine>& log() const { return log_; }
+
+  private:
+    void add(LogLine line);
+    template <class Load>
+    bool step(const Load& load);
+
+    EditHistory history_;
+    std::string recipe_path_;
+    std::deque<LogLine> log_;
+};
+
+/// The settings ("path=value") that make `recipe` of `base`, as few as there are differences.
+/// Empty and false in `possible` where settings cannot: another kind of texture, another node.
+struct RecipeSettings {
+    bool possible = true;
+    std::vector<std::string> settings{};
+};
+RecipeSettings settings_between(const Recipe& base, const Recipe& recipe);
+
+/// `burl bake MESH -o OUT --recipe BASE --set ...`, quoted for a shell, that makes the recipe's
+/// texture; with the recipe's whole JSON to be saved where settings cannot say it ("--recipe
+/// NAME.json").
+std::string bake_command(const std::string& mesh, const std::string& base_path, const Recipe& base,
+                         const Recipe& recipe);
+
+}  // namespace burl

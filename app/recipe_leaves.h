@@ -1,0 +1,29 @@
+#pragma once
+// A recipe's parameters as a flat list, each with its entry in the parameter table: what sliders
+// are made from. Recipes of the 1999 model follow app/parameters.h, graphs the table of nodes.
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/json_text.h"
+#include "app/recipe.h"
+#include "procedural/parameter.h"
+
+namespace burl {
+
+struct RecipeLeaf {
+    std::string path;   ///< dotted, as --set takes it
+    std::string group;  ///< what it belongs to, such as "noise 1" or "wood_grain > fbm"
+    std::string label;  ///< its key
+    const Parameter* parameter = nullptr;  ///< of a static table
+    Json value;  ///< as it is; the default where the recipe's JSON has none
+};
+
+/// In the order of the JSON and its tables, colour maps' stops left out (they have an editor of
+/// their own). A parameter without default that the recipe leaves out is not listed.
+std::vector<RecipeLeaf> recipe_leaves(const Json& recipe);
+
+/// The colour maps of a recipe: paths of the nodes that have "stops".
+std::vector<std::string> color_map_paths(const Json& recipe);
+
+}  // namespace burl

@@ -1,0 +1,81 @@
+// Undo and redo as a person meets them: one step for every gesture, nothing lost, nothing for
+// gestures that change nothing.
+#include "app/edit_history.h"
+
+#include <gtest/gtest.h>
+
+namespace burl {
+namespace {
+
+Recipe scaled(double scale) {
+    Recipe recipe;
+    recipe.solid.scale = scale;
+    return recipe;
+}
+
+TEST(EditHistory, ADragIsOneStep) {
+    EditHistory history(scaled(1));
+    history.begin_gesture();
+    for (int i = 2; i < 50; ++i) history.change(scaled(i));
+    EXPECT_EQ(history.recipe(), scaled(49));
+    history.end_gesture();
+    ASSERT_TRUE(history.can_undo());
+    history.undo();
+    EXPECT_EQ(history.recipe(), scaled(1));
+    EXPECT_FALSE(history.can_undo());
+    history.redo();
+    EXPECT_EQ(history.recipe(), scaled(49));
+    EXPECT_FALSE(history.can_redo());
+}
+
+TEST(EditHistory, AGestureThatEndsWhereItBeganIsNoStep) {
+    EditHistory history(scaled(1));
+    history.begin_gesture();
+    history.change(scaled(2));
+    history.change(scaled(1));
+    history.end_gesture();
+    EXPECT_FALSE(history.can_undo());
+}
+
+TEST(EditHistory, UndoInTheMiddleOfAGestureTakesTheGestureBack) {
+    EditHistory history(scaled(1));
+    history.change(scaled(2));
+    history.begin_gesture();
+    history.change(scaled(3));
+    history.undo();
+    EXPECT_EQ(history.recipe(), scaled(2));
+    history.undo();
+    EXPECT_EQ(history.recipe(), scaled(1));
+    history.undo();
+    EXPECT_EQ(history.recipe(), scaled(1));
+    history.redo();
+    history.redo();
+    EXPECT_EQ(history.recipe(), scaled(3));
+}
+
+TEST(EditHistory, AChangeAfterUndoForgetsWhatWasUndone) {
+    EditHistory history(scaled(1));
+    history.change(scaled(2));
+    history.change(scaled(3));
+    history.undo();
+    history.change(scaled(4));
+    EXPECT_FALSE(history.can_redo());
+    history.undo();
+    EXPECT_EQ(history.recipe(), scaled(2));
+}
+
+TEST(EditHistory, ChangedIsAgainstWhatWasSaved) {
+    EditHistory history(scaled(1));
+    EXPECT_FALSE(history.changed());
+    history.change(scaled(2));
+    EXPECT_TRUE(history.changed());
+    history.mark_saved();
+    EXPECT_FALSE(history.changed());
+    history.undo();
+    EXPECT_TRUE(history.changed());
+    history.redo();
+    EXPECT_FALSE(history.changed());
+}
+
+}  // namespace
+}  // namespace burl

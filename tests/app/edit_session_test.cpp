@@ -1,0 +1,80 @@
+// What the editor does to recipes: good values become steps, bad ones a sentence and nothing else,
+// and the command line that it offers makes the same recipe.
+#include "app/edit_session.h"
+
+#include <gtest/gtest.h>
+
+#include "app/embedded.h"
+#include "tests/app/scratch_folder.h"
+
+namespace burl {
+namespace {
+
+EditSession marble_session() {
+    return {load_recipe("marble"), "marble"};
+}
+
+TEST(EditSession, AValueIsAStep) {
+    EditSession session = marble_session();
+    const Recipe before = session.recipe();
+    EXPECT_TRUE(session.set("texture.input.noise.0.amplitude", 0.75));
+    EXPECT_EQ(session.recipe(), load_recipe("marble", {"texture.input.noise.0.amplitude=0.75"}));
+    session.history().undo();
+    EXPECT_EQ(session.recipe(), before);
+}
+
+TEST(EditSession, ARefusedValueChangesNothingAndIsTold) {
+    EditSession session = marble_session();
+    const Recipe before = session.recipe();
+    EXPECT_FALSE(session.set("texture.input.noise.0.octaves", 99));
+    EXPECT_FALSE(session.set("texture.input.noise.0.octavse", 2));
+    EXPECT_FALSE(session.open_recipe("no-such-recipe"));
+    EXPECT_FALSE(session.paste_recipe("{\"burl\": 1"));
+    EXPECT_EQ(session.recipe(), before);
+    EXPECT_FALSE(session.history().can_undo());
+    ASSERT_EQ(session.log().size(), 4u);
+    for (const LogLine& line : session.log()) EXPECT_TRUE(line.problem);
+    EXPECT_NE(session.log()[0].text.find("octaves"), std::string::npos);
+}
+
+TEST(EditSession, SavesWhatOpensToTheSameRecipe) {
+    const ScratchFolder folder;
+    EditSession session = marble_session();
+    session.set("solid.scale", 2.5);
+    EXPECT_TRUE(session.history().changed());
+    const std::string path = folder / "mine.json";
+    session.save_recipe(path);
+    EXPECT_FALSE(session.history().changed());
+    EditSession other = marble_session();
+    ASSERT_TRUE(other.open_recipe(path));
+    EXPECT_EQ(other.recipe(), session.recipe());
+    EXPECT_FALSE(other.history().changed());
+    other.history().undo();
+    EXPECT_EQ(other.recipe(), load_recipe("marble"));
+}
+
+TEST(EditSession, SettingsBetweenRecipesMakeOneOfTheOther) {
+    const Recipe base = load_recipe("marble");
+    const std::vector<std::string> edits{
+        "solid.scale=3", "texture.input.noise.0.frequency=[1,2,3]",
+        "texture.stops=[[0,\"#000000\"],[0.5,\"#ff0000\"],[1,\"#ffffff\"]]", "filter.kind=exact",
+        "name=mine"};
+    const Recipe recipe = load_recipe("marble", edits);
+    const RecipeSettings between = settings_between(base, recipe);
+    ASSERT_TRUE(between.possible);
+    EXPECT_EQ(between.settings.size(), edits.size());
+    EXPECT_EQ(load_recipe("marble", between.settings), recipe);
+    EXPECT_TRUE(settings_between(base, base).settings.empty());
+    EXPECT_FALSE(settings_between(base, load_recipe("cloudy-planet")).possible);
+}
+
+TEST(EditSession, TheCommandLineIsQuotedForAShell) {
+    const Recipe base = load_recipe("marble");
+    const Recipe recipe = load_recipe("marble", {"name=it's", "solid.scale=3"});
+    EXPECT_EQ(bake_command("my mesh.obj", "marble", base, recipe),
+              "burl bake 'my mesh.obj' -o 'it'\\''s.glb' --recipe marble --set "
+              "'name=\"it'\\''s\"' --set solid.scale=3.0");
+}
+
+}  // namespace
+}  // namespace burl
