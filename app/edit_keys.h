@@ -1,0 +1,21 @@
+#pragma once
+// Hands input to Dear ImGui, and says which shortcuts were pressed.
+#include <imgui.h>
+
+#include <string_view>
+
+#include "app/edit_input.h"
+
+namespace burl {
+
+/// Tells ImGui where its keys are; once per context.
+void map_keys(ImGuiIO& io);
+
+/// One event of kinds move, button, wheel, key and text; nothing happens for others.
+void feed(ImGuiIO& io, const InputEvent& event);
+
+/// Whether the last letter of "Ctrl+Shift+Z" went down since the last frame with just these
+/// modifiers held.
+bool pressed(std::string_view shortcut);
+
+}  // namespace burl

@@ -1,0 +1,40 @@
+#pragma once
+// Draws Dear ImGui's lists with our own OpenGL layer, because the packaged backend loads OpenGL by
+// itself and cannot under OSMesa: so windows and headless runs draw the same pixels.
+#include <imgui.h>
+
+#include <cstdint>
+
+#include "app/gl_objects.h"
+
+namespace burl {
+
+/// A texture as ImGui names it.
+inline ImTextureID imgui_texture(const GlTexture& texture) {
+    return reinterpret_cast<ImTextureID>(std::uintptr_t(texture.get()));
+}
+
+class GlImGui {
+  public:
+    /// Takes the fonts of ImGui's current context, which must be complete; tells it that large
+    /// lists may be drawn. The OpenGL context must be current, here and in every call.
+    explicit GlImGui(const GladGLContext& gl);
+
+    /// Into the bound framebuffer, over its whole area, whose row 0 is the picture's lowest.
+    /// Textures are sampled as their parameters say. Throws Error(runtime) when OpenGL fails.
+    void draw(const ImDrawData& data) const;
+
+  private:
+    void upload_fonts();
+    void set_state(const ImDrawData& data, const glm::ivec2& pixels) const;
+    void draw(const ImDrawList& list, const ImDrawData& data, const glm::ivec2& pixels) const;
+    void draw(const ImDrawCmd& command, const ImDrawData& data, const glm::ivec2& pixels) const;
+
+    const GladGLContext* gl_;
+    GlProgram program_;
+    GlVertexArray vertex_array_;
+    GlBuffer vertices_, indices_;
+    GlTexture fonts_;
+};
+
+}  // namespace burl
