@@ -5,8 +5,8 @@
 
 namespace burl {
 
-EditWorker::EditWorker(Make make, std::function<void()> wake)
-    : make_(std::move(make)),
+EditWorker::EditWorker(Work work, std::function<void()> wake)
+    : work_(std::move(work)),
       wake_(std::move(wake)),
       thread_([this](const std::stop_token& ending) { run(ending); }) {}
 
@@ -51,7 +51,7 @@ void EditWorker::run(const std::stop_token& ending) {
         busy_ = true;
         const std::stop_token stop = current_.get_token();
         lock.unlock();
-        work(request, stop);
+        attempt(request, stop);
         lock.lock();
         busy_ = false;
         lock.unlock();
@@ -61,12 +61,9 @@ void EditWorker::run(const std::stop_token& ending) {
     }
 }
 
-void EditWorker::work(const WorkerRequest& request, const std::stop_token& stop) {
+void EditWorker::attempt(const WorkerRequest& request, const std::stop_token& stop) {
     try {
-        for (std::uint32_t level = request.coarsest + 1; level-- > request.finest;) {
-            if (stop.stop_requested() || !make_(request.recipe, level, stop)) return;
-            if (level > request.finest) wake_();
-        }
+        work_(request, stop);
     } catch (const std::exception& problem) {
         const std::scoped_lock lock(mutex_);
         problem_ = problem.what();

@@ -1,9 +1,7 @@
 #pragma once
-// Textures made beside the user interface: the latest recipe wins, work on an older one is told to
-// stop, and a texture comes coarse first and is refined (Hart et al. 1999 drew a low resolution
-// while a slider moved).
+// Work beside the user interface: the latest request wins, and work on an older one is told to
+// stop.
 #include <condition_variable>
-#include <cstdint>
 #include <functional>
 #include <mutex>
 #include <optional>
@@ -15,21 +13,20 @@
 
 namespace burl {
 
-/// What shall be shown: levels from `coarsest` down to `finest` of the recipe's texture, one after
-/// the other.
+/// A recipe to be shown; while its slider still moves a rough picture is enough.
 struct WorkerRequest {
     Recipe recipe{};
-    std::uint32_t coarsest = 0, finest = 0;
+    bool moving = false;
 };
 
-/// Runs `make` on a thread of its own. All functions may be called by one other thread.
+/// Runs `work` on a thread of its own. All functions may be called by one other thread.
 class EditWorker {
   public:
-    /// Makes a level and hands it over, to whom is its own affair; false when `stop` came first.
-    /// What it throws is kept for problem().
-    using Make = std::function<bool(const Recipe&, std::uint32_t level, const std::stop_token&)>;
-    /// `wake` is called by the worker's thread after every level and at the end of a request.
-    EditWorker(Make make, std::function<void()> wake);
+    /// Makes what is asked for, and hands it over to whom is its own affair; returns early once
+    /// `stop` is asked for. What it throws is kept for take_problem().
+    using Work = std::function<void(const WorkerRequest&, const std::stop_token& stop)>;
+    /// `wake` is called by the worker's thread at the end of every request.
+    EditWorker(Work work, std::function<void()> wake);
     EditWorker(const EditWorker&) = delete;
     EditWorker& operator=(const EditWorker&) = delete;
     /// Stops what is under way and waits for it.
@@ -46,9 +43,9 @@ class EditWorker {
 
   private:
     void run(const std::stop_token& ending);
-    void work(const WorkerRequest& request, const std::stop_token& stop);
+    void attempt(const WorkerRequest& request, const std::stop_token& stop);
 
-    Make make_;
+    Work work_;
     std::function<void()> wake_;
     mutable std::mutex mutex_;
     mutable std::condition_variable_any changed_;

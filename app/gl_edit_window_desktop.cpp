@@ -6,8 +6,8 @@
 #include <array>
 #include <utility>
 
-#include "app/gl_library.h"
 #include "app/gl_edit_window.h"
+#include "app/gl_library.h"
 #include "atlas/error.h"
 
 namespace burl {

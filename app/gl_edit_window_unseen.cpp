@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/gl_target.h"
 #include "app/gl_edit_window.h"
+#include "app/gl_target.h"
 
 namespace burl {
 

@@ -1,0 +1,80 @@
+#pragma once
+// The pipeline of the editor, on a thread of its own: takes meshes and recipes, and holds ready
+// what the windows show - the newest surface and the newest picture, rough ones first.
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "app/edit_worker.h"
+#include "app/level_choice.h"
+#include "app/pipeline.h"
+#include "app/scene.h"
+
+namespace burl {
+
+/// The mesh under one layout of its atlas.
+struct EditSurface {
+    std::uint64_t number = 0;  ///< another one for every layout
+    Scene scene{};             ///< without textures of its own (app/view_scene.h)
+    Sphere sphere{};
+    std::uint32_t size = 0;  ///< of the texture at level 0
+    std::size_t triangles = 0;
+    std::string atlas{};  ///< its kind
+    double layout_seconds = 0.0;
+};
+
+/// A level of the texture of the surface `surface`.
+struct EditPicture {
+    std::uint64_t number = 0, surface = 0;
+    std::uint32_t level = 0;
+    Image<Rgb8> texels{};
+    double seconds = 0.0;  ///< that making it took
+};
+
+class EditBaker {
+  public:
+    /// `wake` is called by another thread whenever there is something new. `budget`: seconds that a
+    /// picture may take while a slider moves.
+    explicit EditBaker(std::function<void()> wake, double budget = 0.03);
+
+    /// From now on this mesh; pictures come after the next request.
+    void set_mesh(Mesh mesh);
+    void request(const Recipe& recipe, bool moving) { worker_.request({recipe, moving}); }
+
+    /// The newest; null: none yet.
+    std::shared_ptr<const EditSurface> surface() const;
+    std::shared_ptr<const EditPicture> picture() const;
+    /// The stages of the pipeline, as of the newest picture.
+    StageRecords records() const;
+
+    bool idle() const { return worker_.idle(); }
+    void wait() const { worker_.wait(); }
+    std::optional<std::string> take_problem() { return worker_.take_problem(); }
+
+  private:
+    void work(const WorkerRequest& request, const std::stop_token& stop);
+    void take_mesh();
+    void publish_surface(Pipeline& pipeline);
+    void publish_picture(std::uint32_t level, const Image<Rgb8>& texels, double seconds);
+
+    std::function<void()> wake_;
+    double budget_;
+
+    mutable std::mutex mutex_;  ///< of the next five
+    std::optional<Mesh> next_mesh_;
+    std::shared_ptr<const EditSurface> surface_;
+    std::shared_ptr<const EditPicture> picture_;
+    StageRecords records_;
+    std::uint64_t numbers_ = 0;
+
+    std::unique_ptr<Pipeline> pipeline_;  ///< the worker's alone, as the rest
+    std::optional<LevelChoice> choice_;
+    AtlasOptions shown_atlas_;
+    bool fresh_ = true;  ///< no surface of this mesh was published
+
+    EditWorker worker_;  ///< last: it sees all the others
+};
+
+}  // namespace burl

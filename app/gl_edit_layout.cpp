@@ -1,0 +1,174 @@
+// What the editor's window shows where: the object on the left, the panels on the right, the menu
+// above; and the keys that act on the whole.
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include "app/edit_keys.h"
+#include "app/gl_edit_program.h"
+
+namespace burl {
+
+namespace {
+
+constexpr float side_share = 0.34f;
+constexpr double degrees_per_second = 20.0;
+constexpr ImGuiWindowFlags fixed =
+    ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
+    ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoTitleBar;
+
+bool typing() {
+    return ImGui::GetIO().WantTextInput;
+}
+
+}  // namespace
+
+void EditorProgram::compare() {
+    comparing_ = !comparing_;
+}
+
+void EditorProgram::shortcuts() {
+    if (pressed("F1")) keys_open_ = !keys_open_;
+    if (typing()) return;
+    if (pressed("Ctrl+Z")) session_.history().undo();
+    if (pressed("Ctrl+Y") || pressed("Ctrl+Shift+Z")) session_.history().redo();
+    if (pressed("Ctrl+C")) window_->set_clipboard(to_json(session_.recipe()));
+    if (pressed("Ctrl+V")) session_.paste_recipe(window_->clipboard());
+    if (pressed("Ctrl+Shift+C"))
+        window_->set_clipboard(bake_command(mesh_path_, opened_path_, opened_, session_.recipe()));
+    if (pressed("F")) camera_ = fitted(camera_);
+    if (pressed("1")) camera_ = from_front(camera_);
+    if (pressed("3")) camera_ = from_side(camera_);
+    if (pressed("7")) camera_ = from_top(camera_);
+    if (pressed("L")) lit_ = !lit_;
+    if (pressed("T")) turntable_ = !turntable_;
+    if (pressed("A")) compare();
+}
+
+void EditorProgram::menu() {
+    if (!ImGui::BeginMainMenuBar()) return;
+    const auto item = [&](const char* label, const char* key, bool enabled = true) {
+        const bool chosen = ImGui::MenuItem(label, key, false, enabled);
+        items_.note(fmt::format("menu:{}", label));
+        return chosen;
+    };
+    const auto opened = [&](const char* label) {
+        const bool open = ImGui::BeginMenu(label);
+        items_.note(fmt::format("menu:{}", label));
+        return open;
+    };
+    if (opened("Edit")) {
+        if (item("Undo", "Ctrl+Z", session_.history().can_undo())) session_.history().undo();
+        if (item("Redo", "Ctrl+Y", session_.history().can_redo())) session_.history().redo();
+        ImGui::EndMenu();
+    }
+    if (opened("View")) {
+        if (item("Fit", "F")) camera_ = fitted(camera_);
+        if (item("Front", "1")) camera_ = from_front(camera_);
+        if (item("Side", "3")) camera_ = from_side(camera_);
+        if (item("Top", "7")) camera_ = from_top(camera_);
+        if (item("Light", "L")) lit_ = !lit_;
+        if (item("Turntable", "T")) turntable_ = !turntable_;
+        ImGui::EndMenu();
+    }
+    if (opened("Help")) {
+        if (item("Keys", "F1")) keys_open_ = true;
+        ImGui::EndMenu();
+    }
+    if (comparing_) ImGui::TextUnformatted("  as it was opened (A)");
+    ImGui::EndMainMenuBar();
+}
+
+void EditorProgram::layout() {
+    menu();
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    const float top = ImGui::GetFrameHeight(), side = side_share * display.x;
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0f);
+    ImGui::SetNextWindowPos({0.0f, top});
+    ImGui::SetNextWindowSize({display.x - side, display.y - top});
+    object_window();
+    ImGui::SetNextWindowPos({display.x - side, top});
+    ImGui::SetNextWindowSize({side, display.y - top});
+    side_window();
+    ImGui::PopStyleVar();
+    if (keys_open_) keys_open_ = cheat_sheet({session_, items_});
+}
+
+void EditorProgram::object_input(const ImVec2& size) {
+    ImGui::InvisibleButton("object", size,
+                           ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
+                               ImGuiButtonFlags_MouseButtonMiddle);
+    items_.note("object");
+    const ImGuiIO& io = ImGui::GetIO();
+    moving_camera_ = ImGui::IsItemActive();
+    if (moving_camera_ && ImGui::IsMouseDown(0))
+        camera_ = orbited(camera_, {io.MouseDelta.x, io.MouseDelta.y}, double(size.y));
+    else if (moving_camera_)
+        camera_ = panned(camera_, {io.MouseDelta.x, io.MouseDelta.y}, double(size.y));
+    if (ImGui::IsItemHovered() && io.MouseWheel != 0.0f)
+        camera_ = zoomed(camera_, double(io.MouseWheel));
+    if (turntable_) {
+        camera_ = orbited(camera_, {-degrees_per_second * double(io.DeltaTime), 0.0}, 180.0);
+        moving_camera_ = true;
+    }
+}
+
+void EditorProgram::object_window() {
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
+    if (ImGui::Begin("Object", nullptr, fixed | ImGuiWindowFlags_NoScrollbar)) {
+        const ImVec2 low = ImGui::GetCursorScreenPos(), size = ImGui::GetContentRegionAvail();
+        if (size.x >= 1.0f && size.y >= 1.0f) {
+            object_input(size);
+            object_.show(baker_.surface(), baker_.picture());
+            const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
+            ObjectViewOptions options;
+            options.size = {int(size.x * scale.x), int(size.y * scale.y)};
+            options.camera = camera_;
+            options.lit = lit_;
+            options.supersample = moving_camera_ || session_.history().in_gesture() ? 1 : 2;
+            if (const GlTexture* texture = object_.draw(options))
+                ImGui::GetWindowDrawList()->AddImage(imgui_texture(*texture), low,
+                                                     {low.x + size.x, low.y + size.y});
+        }
+    }
+    ImGui::End();
+    ImGui::PopStyleVar();
+}
+
+void EditorProgram::side_window() {
+    const PanelContext context{session_, items_};
+    const auto tab = [&](const char* name, auto panel) {
+        const bool open = ImGui::BeginTabItem(name);
+        items_.note(fmt::format("tab:{}", name));
+        if (!open) return;
+        if (ImGui::BeginChild(name)) panel();
+        ImGui::EndChild();
+        ImGui::EndTabItem();
+    };
+    if (ImGui::Begin("Side", nullptr, fixed) && ImGui::BeginTabBar("tabs")) {
+        tab("Presets", [&] { presets_panel(context); });
+        tab("Parameters", [&] { parameters_panel(context); });
+        tab("Colours", [&] { color_maps_panel(context, stop_); });
+        tab("Metrics", [&] { metrics_panel(context, metrics()); });
+        tab("Log", [&] { log_panel(context); });
+        ImGui::EndTabBar();
+    }
+    ImGui::End();
+}
+
+MetricsView EditorProgram::metrics() const {
+    MetricsView view;
+    if (const auto surface = baker_.surface()) {
+        view.facts.emplace_back("triangles", fmt::format("{}", surface->triangles));
+        view.facts.emplace_back("atlas", fmt::format("{}, {} x {} texels", surface->atlas,
+                                                     surface->size, surface->size));
+    }
+    if (const auto picture = baker_.picture()) {
+        view.facts.emplace_back("level shown", fmt::format("{}", picture->level));
+        view.facts.emplace_back("made in", fmt::format("{:.1f} ms", 1e3 * picture->seconds));
+    }
+    view.facts.emplace_back("renderer", window_->context().description());
+    view.records = baker_.records();
+    return view;
+}
+
+}  // namespace burl

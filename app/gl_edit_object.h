@@ -1,0 +1,51 @@
+#pragma once
+// The editor's view of the object: a scene drawn into a texture that the panels show, with the
+// newest picture of its colours, drawn anew only when something about it has changed.
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "app/edit_baker.h"
+#include "app/edit_camera.h"
+#include "app/gl_scene.h"
+#include "app/gl_target.h"
+
+namespace burl {
+
+struct ObjectViewOptions {
+    PictureSize size{};  ///< in pixels
+    EditCamera camera{};
+    bool lit = true;
+    int supersample = 1;  ///< samples a side of a pixel: 1 while things move, 2 at rest
+    bool operator==(const ObjectViewOptions&) const = default;
+};
+
+class GlEditObject {
+  public:
+    explicit GlEditObject(const GladGLContext& gl);
+
+    /// What is shown from now on; null: nothing. Uploads only what is new.
+    void show(std::shared_ptr<const EditSurface> surface,
+              const std::shared_ptr<const EditPicture>& picture);
+    /// Draws if need be. Row 0 of the texture is the picture's top row. Null without a surface or
+    /// with a size of 0.
+    const GlTexture* draw(const ObjectViewOptions& options);
+
+  private:
+    void upload(const EditPicture& picture);
+    void make_targets(const ObjectViewOptions& options);
+    void draw_samples(const ObjectViewOptions& options) const;
+    void encode(const ObjectViewOptions& options) const;
+
+    const GladGLContext* gl_;
+    GlProgram encode_;
+    GlFullScreen pass_;
+    std::shared_ptr<const EditSurface> surface_;
+    std::unique_ptr<GlScene> scene_;
+    std::uint64_t picture_ = 0;
+    std::optional<GlTarget> samples_, shown_;
+    GlRenderbuffer depth_;
+    std::optional<ObjectViewOptions> drawn_;
+};
+
+}  // namespace burl

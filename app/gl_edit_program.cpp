@@ -1,0 +1,174 @@
+#include "app/gl_edit_program.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+#include "app/edit_keys.h"
+#include "app/image_io.h"
+#include "app/sample_meshes.h"
+#include "atlas/error.h"
+#include "atlas/mesh_io.h"
+
+namespace burl {
+
+namespace {
+
+Mesh load_mesh(const std::string& path) {
+    return is_sample_mesh(path) ? sample_mesh(path) : read_mesh(path);
+}
+
+bool is_recipe_file(const std::string& path) {
+    return std::filesystem::path(path).extension() == ".json";
+}
+
+}  // namespace
+
+EditorProgram::ImGuiOwner::ImGuiOwner() {
+    IMGUI_CHECKVERSION();
+    ImGui::CreateContext();
+    ImGuiIO& io = ImGui::GetIO();
+    io.IniFilename = nullptr;
+    io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
+    map_keys(io);
+    ImGui::StyleColorsDark();
+}
+
+EditorProgram::ImGuiOwner::~ImGuiOwner() {
+    ImGui::DestroyContext();
+}
+
+EditorProgram::EditorProgram(std::unique_ptr<GlWindow> window, const EditorOptions& options)
+    : window_(std::move(window)),
+      renderer_(window_->context().gl()),
+      session_(load_recipe(options.recipe, options.settings), options.recipe),
+      opened_(session_.recipe()),
+      opened_path_(options.recipe),
+      baker_([this] { window_->wake(); }),
+      object_(window_->context().gl()) {
+    ImGui::GetIO().FontGlobalScale = float(options.ui_scale);
+    ImGui::GetStyle().ScaleAllSizes(float(options.ui_scale));
+    mesh_path_ = options.mesh;
+    baker_.set_mesh(load_mesh(options.mesh));
+    session_.tell(fmt::format("mesh {}", options.mesh));
+    request_texture();
+}
+
+EditorProgram::~EditorProgram() {
+    baker_.wait();
+}
+
+void EditorProgram::open_mesh(const std::string& path) {
+    try {
+        baker_.set_mesh(load_mesh(path));
+    } catch (const Error& error) {
+        session_.complain(error.what());
+        return;
+    }
+    mesh_path_ = path;
+    requested_.reset();
+    session_.tell(fmt::format("mesh {}", path));
+}
+
+void EditorProgram::open(const std::string& path) {
+    if (!is_recipe_file(path)) return open_mesh(path);
+    if (!session_.open_recipe(path)) return;
+    opened_ = session_.recipe();
+    opened_path_ = path;
+}
+
+void EditorProgram::take(const InputEvent& event) {
+    feed(ImGui::GetIO(), event);
+    if (event.kind == InputKind::drop)
+        for (const std::string& file : event.files) open(file);
+    if (event.kind == InputKind::close) closing_ = true;
+}
+
+/// The recipe on the screen, or while comparing the one that was opened.
+void EditorProgram::request_texture() {
+    const WorkerRequest wanted{comparing_ ? opened_ : session_.recipe(),
+                               session_.history().in_gesture()};
+    const bool same = requested_ && requested_->recipe == wanted.recipe &&
+                      (requested_->moving == wanted.moving || !requested_->moving);
+    if (same) return;
+    requested_ = wanted;
+    baker_.request(wanted.recipe, wanted.moving);
+}
+
+bool EditorProgram::settled() const {
+    return baker_.idle() && !session_.history().in_gesture();
+}
+
+void EditorProgram::frame(const std::vector<InputEvent>& events) {
+    window_->context().make_current();
+    ImGuiIO& io = ImGui::GetIO();
+    const glm::ivec2 size = window_->size(), pixels = window_->pixels();
+    io.DisplaySize = {float(size.x), float(size.y)};
+    if (size.x > 0 && size.y > 0)
+        io.DisplayFramebufferScale = {float(pixels.x) / float(size.x),
+                                      float(pixels.y) / float(size.y)};
+    const double now = window_->seconds();
+    io.DeltaTime = float(std::clamp(now - last_seconds_, 1e-4, 0.25));
+    last_seconds_ = now;
+    for (const InputEvent& event : events) take(event);
+    if (const auto problem = baker_.take_problem()) session_.complain(*problem);
+    items_.clear();
+    ImGui::NewFrame();
+    shortcuts();
+    layout();
+    ImGui::Render();
+    request_texture();
+    draw_screen();
+}
+
+void EditorProgram::draw_screen() {
+    const GladGLContext& gl = window_->context().gl();
+    window_->bind_screen();
+    gl.ClearColor(0.1f, 0.1f, 0.1f, 1.0f);
+    gl.Disable(GL_SCISSOR_TEST);
+    gl.Clear(GL_COLOR_BUFFER_BIT);
+    renderer_.draw(*ImGui::GetDrawData());
+}
+
+Image<Rgb8> EditorProgram::screenshot() {
+    window_->context().make_current();
+    window_->bind_screen();
+    return read_screen(*window_, window_->context().gl());
+}
+
+void EditorProgram::run() {
+    while (!closing_) {
+        const bool busy = frames_to_draw_ > 0 || turntable_;
+        const std::vector<InputEvent> events = window_->poll(busy ? 0.0 : 1.0);
+        // A wake of the pipeline ends the waiting without an event: a frame is due, too.
+        frames_to_draw_ = events.empty() && !busy ? 1 : std::max(frames_to_draw_ - 1, 0);
+        if (!events.empty()) frames_to_draw_ = 3;
+        frame(events);
+        window_->present();
+    }
+}
+
+void EditorProgram::play(InputScript script, const std::string& folder) {
+    ScriptPlayer player(std::move(script));
+    frame({});
+    window_->present();
+    while (!player.done() && !closing_) {
+        ScriptPlayer::Frame next =
+            player.next([this](const std::string& item) { return items_.find(item); });
+        if (next.settle) {
+            baker_.wait();
+            frame({});
+            window_->present();
+        }
+        frame(next.events);
+        if (!next.screenshot.empty() && !folder.empty())
+            write_png((std::filesystem::path(folder) / (next.screenshot + ".png")).string(),
+                      screenshot());
+        window_->present();
+    }
+}
+
+}  // namespace burl

@@ -1,0 +1,88 @@
+#pragma once
+// The editor as a whole: a window, the panels, the session and the pipeline's thread, tied together
+// frame by frame. Everything it does follows from input events, so that scripts replay it.
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/edit_baker.h"
+#include "app/edit_items.h"
+#include "app/edit_panels.h"
+#include "app/edit_session.h"
+#include "app/gl_edit_imgui.h"
+#include "app/gl_edit_object.h"
+#include "app/gl_edit_window.h"
+
+namespace burl {
+
+struct EditorOptions {
+    std::string mesh = "sample:teapot", recipe = "marble";
+    std::vector<std::string> settings{};
+    double ui_scale = 1.0;
+};
+
+class EditorProgram {
+  public:
+    /// Reads the recipe and the mesh. Throws Error as they do.
+    EditorProgram(std::unique_ptr<GlWindow> window, const EditorOptions& options);
+    ~EditorProgram();
+
+    /// One frame: what happened since the last one, then the panels, then the picture.
+    void frame(const std::vector<InputEvent>& events);
+    /// Until the window is closed; waits while nothing happens.
+    void run();
+    /// Plays a script to its end; its screenshots go into `folder`, empty: nowhere. Waits at
+    /// "settle" for the pipeline. Throws Error as ScriptPlayer does, io for screenshots.
+    void play(InputScript script, const std::string& folder);
+
+    bool wants_to_close() const { return closing_; }
+    /// No texture is being made and what is there is shown.
+    bool settled() const;
+    /// What the last frame drew.
+    Image<Rgb8> screenshot();
+
+    EditSession& session() { return session_; }
+    const EditItems& items() const { return items_; }
+    const EditBaker& baker() const { return baker_; }
+    EditCamera& camera() { return camera_; }
+
+  private:
+    struct ImGuiOwner {
+        ImGuiOwner();
+        ~ImGuiOwner();
+    };
+    void take(const InputEvent& event);
+    void open(const std::string& path);
+    void open_mesh(const std::string& path);
+    void shortcuts();
+    void menu();
+    void layout();
+    void object_window();
+    void object_input(const ImVec2& size);
+    void side_window();
+    void draw_screen();
+    void request_texture();
+    void compare();
+    MetricsView metrics() const;
+
+    std::unique_ptr<GlWindow> window_;
+    ImGuiOwner imgui_;
+    GlImGui renderer_;
+    EditSession session_;
+    EditItems items_;
+    EditCamera camera_;
+    bool lit_ = true, turntable_ = false, keys_open_ = false, comparing_ = false, closing_ = false;
+    bool moving_camera_ = false;
+    StopSelection stop_;
+    std::string mesh_path_;
+    Recipe opened_;  ///< to compare with
+    std::string opened_path_;
+    std::optional<WorkerRequest> requested_;
+    double last_seconds_ = 0.0;
+    int frames_to_draw_ = 3;  ///< until the user interface has come to rest
+
+    EditBaker baker_;
+    GlEditObject object_;
+};
+
+}  // namespace burl
