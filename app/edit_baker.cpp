@@ -68,6 +68,9 @@ void EditBaker::take_mesh() {
 void EditBaker::publish_surface(Pipeline& pipeline) {
     auto surface = std::make_shared<EditSurface>();
     surface->scene = baked_scene(pipeline);
+    const int normals = baked_material(surface->scene).normals;
+    if (normals >= 0)  // flat until there is a map of them
+        surface->scene.textures[std::size_t(normals)].image = Image<Rgb8>(1, 1, {128, 128, 255});
     surface->sphere = bounding_sphere(surface->scene);
     surface->size = pipeline.recipe().atlas.size;
     surface->triangles = pipeline.mesh().triangles.size();

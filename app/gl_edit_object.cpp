@@ -45,7 +45,7 @@ void GlEditObject::upload(const EditPicture& picture) {
     texture.image = picture.texels;
     texture.filter = TextureFilter::mip;
     texture.wrap_u = texture.wrap_v = TextureWrap::clamp;
-    scene_->set_texture(color_texture, texture);
+    scene_->set_texture(baked_material(surface_->scene).texture, texture);
     picture_ = picture.number;
     drawn_.reset();
 }
