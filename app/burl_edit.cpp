@@ -4,6 +4,7 @@
 
 #include <cstdio>
 
+#include "app/atomic_file.h"
 #include "app/file_bytes.h"
 #include "app/gl_edit_program.h"
 #include "app/version.h"
@@ -13,12 +14,13 @@ namespace {
 
 struct Command {
     burl::EditorOptions editor;
-    std::string script, screenshots;
+    std::string script, screenshots, record;
     bool unseen = false, exit = false;
 };
 
-void run(const Command& command) {
+void run(Command command) {
     using namespace burl;
+    if (command.script.empty()) command.editor.autosave = autosave_file();
     InputScript script;
     if (!command.script.empty()) {
         const auto bytes = read_file_bytes(command.script);
@@ -27,8 +29,10 @@ void run(const Command& command) {
     auto window = command.unseen ? create_unseen_window(create_osmesa_context(), script.size)
                                  : create_desktop_window(script.size, "Burl");
     EditorProgram editor(std::move(window), command.editor);
+    if (!command.record.empty()) editor.record();
     if (!command.script.empty()) editor.play(script, command.screenshots);
     if (!command.exit && !command.unseen) editor.run();
+    if (editor.recording()) write_file(command.record, script_text(*editor.recording()));
 }
 
 }  // namespace
@@ -47,6 +51,7 @@ int main(int argc, char** argv) {
     auto* script = program.add_option("--script", command.script, "Input to replay");
     program.add_option("--screenshot-dir", command.screenshots, "Folder of the script's pictures")
         ->needs(script);
+    program.add_option("--record", command.record, "Write the input as a script to this file");
     program.add_flag("--exit", command.exit, "Leave at the script's end")->needs(script);
     program.add_flag("--unseen", command.unseen, "No window: draw with OSMesa")->needs(script);
     CLI11_PARSE(program, argc, argv);

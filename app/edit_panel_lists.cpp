@@ -103,8 +103,13 @@ bool cheat_sheet(const PanelContext& context) {
         ImGuiCond_Always, ImVec2(0.5f, 0.5f));
     if (ImGui::Begin("Keys", &open,
                      ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse)) {
-        if (ImGui::BeginTable("keys", 2)) {
-            for (const auto& [key, what] : keys) row(key, what);
+        if (ImGui::BeginTable("keys", 2, ImGuiTableFlags_SizingFixedFit)) {
+            for (const auto& [key, what] : keys) {
+                ImGui::TableNextColumn();
+                ImGui::TextUnformatted(key);
+                ImGui::TableNextColumn();
+                ImGui::TextUnformatted(what);
+            }
             ImGui::EndTable();
         }
         if (ImGui::Button("Close")) open = false;

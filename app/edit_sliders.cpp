@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 #include <imgui_stdlib.h>
 
 #include <algorithm>
@@ -68,8 +69,11 @@ ValueEdit edit_number(const Parameter& parameter, std::size_t item, double value
     if (ImGui::IsItemActive() && io.KeyShift && !io.KeyCtrl)
         moved = value + 0.1 * (range.high - range.low) * double(io.MouseDelta.x) /
                             double(ImGui::CalcItemWidth());
-    if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0))
+    if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0)) {
         moved = default_of(parameter, item).value_or(value);
+        ImGui::ClearActiveID();  // or the slider would follow the pointer again
+        edit.began = edit.ended = true;
+    }
     moved = snapped(parameter, moved);
     if (moved != value) edit.value = whole ? Json(std::int64_t(moved)) : Json(moved);
     return edit;

@@ -26,9 +26,27 @@ void EditorProgram::compare() {
     comparing_ = !comparing_;
 }
 
+void EditorProgram::open_dialog() {
+    ask_for_file(&EditorProgram::open, {"Open a mesh or recipe",
+                                        {".obj", ".ply", ".stl", ".off", ".gltf", ".glb", ".json"},
+                                        false,
+                                        {}});
+}
+
+void EditorProgram::export_dialog() {
+    ask_for_file(&EditorProgram::export_as, {"Export the textured mesh",
+                                             {".glb", ".gltf", ".obj", ".png", ".exr"},
+                                             true,
+                                             session_.recipe().name + ".glb"});
+}
+
 void EditorProgram::shortcuts() {
     if (pressed("F1")) keys_open_ = !keys_open_;
     if (typing()) return;
+    if (pressed("F12")) screenshot_due_ = true;
+    if (pressed("Ctrl+O")) open_dialog();
+    if (pressed("Ctrl+S")) save();
+    if (pressed("Ctrl+E")) export_dialog();
     if (pressed("Ctrl+Z")) session_.history().undo();
     if (pressed("Ctrl+Y") || pressed("Ctrl+Shift+Z")) session_.history().redo();
     if (pressed("Ctrl+C")) window_->set_clipboard(to_json(session_.recipe()));
@@ -44,38 +62,69 @@ void EditorProgram::shortcuts() {
     if (pressed("A")) compare();
 }
 
+bool EditorProgram::menu_item(const char* label, const char* key, bool enabled) {
+    const bool chosen = ImGui::MenuItem(label, key, false, enabled);
+    items_.note(fmt::format("menu:{}", label));
+    return chosen;
+}
+
+void EditorProgram::file_menu() {
+    if (menu_item("Open...", "Ctrl+O")) open_dialog();
+    if (menu_item("Save recipe", "Ctrl+S")) save();
+    if (menu_item("Export...", "Ctrl+E", !export_.busy())) export_dialog();
+    if (menu_item("Screenshot", "F12")) screenshot_due_ = true;
+    if (menu_item("Quit", "")) closing_ = true;
+}
+
+void EditorProgram::view_menu() {
+    if (menu_item("Fit", "F")) camera_ = fitted(camera_);
+    if (menu_item("Front", "1")) camera_ = from_front(camera_);
+    if (menu_item("Side", "3")) camera_ = from_side(camera_);
+    if (menu_item("Top", "7")) camera_ = from_top(camera_);
+    if (menu_item("Light", "L")) lit_ = !lit_;
+    if (menu_item("Turntable", "T")) turntable_ = !turntable_;
+}
+
 void EditorProgram::menu() {
     if (!ImGui::BeginMainMenuBar()) return;
-    const auto item = [&](const char* label, const char* key, bool enabled = true) {
-        const bool chosen = ImGui::MenuItem(label, key, false, enabled);
-        items_.note(fmt::format("menu:{}", label));
-        return chosen;
-    };
-    const auto opened = [&](const char* label) {
+    const auto under = [&](const char* label, auto entries) {
         const bool open = ImGui::BeginMenu(label);
         items_.note(fmt::format("menu:{}", label));
-        return open;
+        if (!open) return;
+        entries();
+        ImGui::EndMenu();
     };
-    if (opened("Edit")) {
-        if (item("Undo", "Ctrl+Z", session_.history().can_undo())) session_.history().undo();
-        if (item("Redo", "Ctrl+Y", session_.history().can_redo())) session_.history().redo();
-        ImGui::EndMenu();
-    }
-    if (opened("View")) {
-        if (item("Fit", "F")) camera_ = fitted(camera_);
-        if (item("Front", "1")) camera_ = from_front(camera_);
-        if (item("Side", "3")) camera_ = from_side(camera_);
-        if (item("Top", "7")) camera_ = from_top(camera_);
-        if (item("Light", "L")) lit_ = !lit_;
-        if (item("Turntable", "T")) turntable_ = !turntable_;
-        ImGui::EndMenu();
-    }
-    if (opened("Help")) {
-        if (item("Keys", "F1")) keys_open_ = true;
-        ImGui::EndMenu();
-    }
+    under("File", [&] { file_menu(); });
+    under("Edit", [&] {
+        if (menu_item("Undo", "Ctrl+Z", session_.history().can_undo())) session_.history().undo();
+        if (menu_item("Redo", "Ctrl+Y", session_.history().can_redo())) session_.history().redo();
+    });
+    under("View", [&] { view_menu(); });
+    under("Help", [&] {
+        if (menu_item("Keys", "F1")) keys_open_ = true;
+    });
+    ImGui::Text("  %s%s", session_.recipe().name.c_str(), session_.history().changed() ? " *" : "");
     if (comparing_) ImGui::TextUnformatted("  as it was opened (A)");
     ImGui::EndMainMenuBar();
+}
+
+void EditorProgram::recovery_window() {
+    if (!left_behind_) return;
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos({0.5f * display.x, 0.5f * display.y}, ImGuiCond_Always, {0.5f, 0.5f});
+    ImGui::Begin("Unsaved work", nullptr,
+                 ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse);
+    ImGui::TextUnformatted("The last run did not end well and left a recipe that was not saved.");
+    bool answered = false;
+    if (ImGui::Button("Take it")) answered = session_.paste_recipe(*left_behind_) || true;
+    items_.note("recover");
+    ImGui::SameLine();
+    if (ImGui::Button("Throw it away")) answered = true;
+    items_.note("do not recover");
+    ImGui::End();
+    if (!answered) return;
+    left_behind_.reset();
+    autosave_.clear();
 }
 
 void EditorProgram::layout() {
@@ -91,6 +140,8 @@ void EditorProgram::layout() {
     side_window();
     ImGui::PopStyleVar();
     if (keys_open_) keys_open_ = cheat_sheet({session_, items_});
+    recovery_window();
+    if (const auto path = dialog_.show(items_)) (this->*chosen_)(*path);
 }
 
 void EditorProgram::object_input(const ImVec2& size) {

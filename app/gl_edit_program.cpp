@@ -9,17 +9,11 @@
 
 #include "app/edit_keys.h"
 #include "app/image_io.h"
-#include "app/sample_meshes.h"
 #include "atlas/error.h"
-#include "atlas/mesh_io.h"
 
 namespace burl {
 
 namespace {
-
-Mesh load_mesh(const std::string& path) {
-    return is_sample_mesh(path) ? sample_mesh(path) : read_mesh(path);
-}
 
 bool is_recipe_file(const std::string& path) {
     return std::filesystem::path(path).extension() == ".json";
@@ -47,6 +41,9 @@ EditorProgram::EditorProgram(std::unique_ptr<GlWindow> window, const EditorOptio
       session_(load_recipe(options.recipe, options.settings), options.recipe),
       opened_(session_.recipe()),
       opened_path_(options.recipe),
+      autosave_(options.autosave),
+      left_behind_(autosave_.left_behind()),
+      export_([this] { window_->wake(); }),
       baker_([this] { window_->wake(); }),
       object_(window_->context().gl()) {
     ImGui::GetIO().FontGlobalScale = float(options.ui_scale);
@@ -59,6 +56,7 @@ EditorProgram::EditorProgram(std::unique_ptr<GlWindow> window, const EditorOptio
 
 EditorProgram::~EditorProgram() {
     baker_.wait();
+    export_.wait();
 }
 
 void EditorProgram::open_mesh(const std::string& path) {
@@ -87,6 +85,69 @@ void EditorProgram::take(const InputEvent& event) {
     if (event.kind == InputKind::close) closing_ = true;
 }
 
+/// What other threads had to tell, and what becomes due with time.
+void EditorProgram::take_news() {
+    if (const auto problem = baker_.take_problem()) session_.complain(*problem);
+    if (const auto outcome = export_.take_outcome()) {
+        if (outcome->problem)
+            session_.complain(outcome->text);
+        else
+            session_.tell(outcome->text);
+    }
+    if (!left_behind_) autosave_.keep(session_.history(), last_seconds_);
+}
+
+void EditorProgram::note(const std::vector<InputEvent>& events) {
+    if (!recording_) return;
+    recording_->size = window_->size();
+    ScriptStep step;
+    if (events.empty()) {
+        step.kind = ScriptStep::Kind::settle;
+        if (!recording_->steps.empty() && recording_->steps.back() == step) return;
+    } else {
+        step.kind = ScriptStep::Kind::events;
+        step.events = events;
+    }
+    recording_->steps.push_back(std::move(step));
+}
+
+void EditorProgram::save() {
+    if (session_.recipe_path().ends_with(".json"))
+        save_as(session_.recipe_path());
+    else
+        ask_for_file(&EditorProgram::save_as,
+                     {"Save the recipe", {".json"}, true, session_.recipe().name + ".json"});
+}
+
+void EditorProgram::save_as(const std::string& path) {
+    try {
+        session_.save_recipe(path);
+    } catch (const Error& error) {
+        session_.complain(error.what());
+    }
+}
+
+void EditorProgram::export_as(const std::string& path) {
+    session_.tell(fmt::format("exporting {}", path));
+    export_.start(mesh_path_, session_.recipe(), path);
+}
+
+void EditorProgram::take_screenshot() {
+    const std::string path = fmt::format("burl-{:03}.png", ++screenshots_);
+    try {
+        write_png(path, screenshot());
+        session_.tell(fmt::format("screenshot {}", path));
+    } catch (const Error& error) {
+        session_.complain(error.what());
+    }
+}
+
+void EditorProgram::ask_for_file(void (EditorProgram::*then)(const std::string&),
+                                 FileDialog::Wish wish) {
+    chosen_ = then;
+    dialog_.open(std::move(wish));
+}
+
 /// The recipe on the screen, or while comparing the one that was opened.
 void EditorProgram::request_texture() {
     const WorkerRequest wanted{comparing_ ? opened_ : session_.recipe(),
@@ -113,8 +174,9 @@ void EditorProgram::frame(const std::vector<InputEvent>& events) {
     const double now = window_->seconds();
     io.DeltaTime = float(std::clamp(now - last_seconds_, 1e-4, 0.25));
     last_seconds_ = now;
+    note(events);
     for (const InputEvent& event : events) take(event);
-    if (const auto problem = baker_.take_problem()) session_.complain(*problem);
+    take_news();
     items_.clear();
     ImGui::NewFrame();
     shortcuts();
@@ -122,6 +184,7 @@ void EditorProgram::frame(const std::vector<InputEvent>& events) {
     ImGui::Render();
     request_texture();
     draw_screen();
+    if (std::exchange(screenshot_due_, false)) take_screenshot();
 }
 
 void EditorProgram::draw_screen() {
@@ -149,6 +212,7 @@ void EditorProgram::run() {
         frame(events);
         window_->present();
     }
+    autosave_.clear();
 }
 
 void EditorProgram::play(InputScript script, const std::string& folder) {
@@ -159,6 +223,7 @@ void EditorProgram::play(InputScript script, const std::string& folder) {
         ScriptPlayer::Frame next =
             player.next([this](const std::string& item) { return items_.find(item); });
         if (next.settle) {
+            export_.wait();
             baker_.wait();
             frame({});
             window_->present();

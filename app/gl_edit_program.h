@@ -5,7 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "app/edit_autosave.h"
 #include "app/edit_baker.h"
+#include "app/edit_export.h"
+#include "app/edit_files.h"
 #include "app/edit_items.h"
 #include "app/edit_panels.h"
 #include "app/edit_session.h"
@@ -19,6 +22,7 @@ struct EditorOptions {
     std::string mesh = "sample:teapot", recipe = "marble";
     std::vector<std::string> settings{};
     double ui_scale = 1.0;
+    std::string autosave{};  ///< file (edit_autosave.h); empty: none
 };
 
 class EditorProgram {
@@ -34,6 +38,10 @@ class EditorProgram {
     /// Plays a script to its end; its screenshots go into `folder`, empty: nowhere. Waits at
     /// "settle" for the pipeline. Throws Error as ScriptPlayer does, io for screenshots.
     void play(InputScript script, const std::string& folder);
+
+    /// Frames from now on become steps of a script.
+    void record() { recording_.emplace(); }
+    const std::optional<InputScript>& recording() const { return recording_; }
 
     bool wants_to_close() const { return closing_; }
     /// No texture is being made and what is there is shown.
@@ -52,7 +60,20 @@ class EditorProgram {
         ~ImGuiOwner();
     };
     void take(const InputEvent& event);
+    void take_news();
+    void note(const std::vector<InputEvent>& events);
     void open(const std::string& path);
+    void save();
+    void ask_for_file(void (EditorProgram::*then)(const std::string&), FileDialog::Wish wish);
+    void save_as(const std::string& path);
+    void export_as(const std::string& path);
+    void take_screenshot();
+    void open_dialog();
+    void export_dialog();
+    bool menu_item(const char* label, const char* key, bool enabled = true);
+    void file_menu();
+    void view_menu();
+    void recovery_window();
     void open_mesh(const std::string& path);
     void shortcuts();
     void menu();
@@ -80,6 +101,14 @@ class EditorProgram {
     std::optional<WorkerRequest> requested_;
     double last_seconds_ = 0.0;
     int frames_to_draw_ = 3;  ///< until the user interface has come to rest
+    FileDialog dialog_;
+    void (EditorProgram::*chosen_)(const std::string&) = nullptr;  ///< takes the dialog's file
+    EditAutosave autosave_;
+    std::optional<std::string> left_behind_;  ///< by a run that did not end well
+    std::optional<InputScript> recording_;
+    int screenshots_ = 0;
+    bool screenshot_due_ = false;
+    EditExport export_;
 
     EditBaker baker_;
     GlEditObject object_;

@@ -1,0 +1,189 @@
+// The editor as a person uses it, without a display: scripts of real pointer and key events, and
+// what comes of them in the recipe, on the screen and on disk.
+#include "app/gl_edit_program.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "app/edit_export.h"
+#include "app/file_bytes.h"
+#include "app/shading.h"
+#include "tests/app/gl_fixture.h"
+#include "tests/app/scratch_folder.h"
+
+namespace burl {
+namespace {
+
+class GlEditProgramTest : public GlTest {
+  protected:
+    std::unique_ptr<EditorProgram> start(const std::string& recipe = "marble",
+                                         const std::string& autosave = "") {
+        EditorOptions options;
+        options.mesh = "sample:cube";
+        options.recipe = recipe;
+        options.settings = {"atlas.size=64", "atlas.tries=1"};
+        options.autosave = autosave;
+        if (!context) context = create_osmesa_context();
+        auto editor = std::make_unique<EditorProgram>(
+            create_unseen_window(std::move(context), {800, 500}), options);
+        play(*editor, R"({"settle": true}, {"wait": 2})");
+        return editor;
+    }
+
+    /// Steps as JSON, separated by commas.
+    static void play(EditorProgram& editor, const std::string& steps,
+                     const std::string& folder = "") {
+        editor.play(
+            parse_script(R"({"burl_input": 1, "size": [800, 500], "steps": [)" + steps + "]}",
+                         "test"),
+            folder);
+    }
+
+    static Image<Rgb8> settled(EditorProgram& editor) {
+        play(editor, R"({"events": [{"move": [1, 1]}]}, {"settle": true}, {"wait": 3})");
+        return editor.screenshot();
+    }
+
+    /// Of the right-hand side's first tab that was open at the start.
+    static std::size_t different(EditorProgram& editor, const Image<Rgb8>& before) {
+        return differing(before, settled(editor));
+    }
+};
+
+TEST_F(GlEditProgramTest, ShowsTheObjectWithItsTexture) {
+    const auto editor = start();
+    const Image<Rgb8> screen = settled(*editor);
+    std::size_t background = 0, other = 0;
+    for (std::size_t y = 40; y < 480; ++y)
+        for (std::size_t x = 10; x < 500; ++x)
+            ++(screen(x, y) == background_srgb ? background : other);
+    EXPECT_GT(background, 40000u);
+    EXPECT_GT(other, 20000u);
+    ASSERT_TRUE(editor->baker().picture());
+    EXPECT_EQ(editor->baker().picture()->level, 0u);
+}
+
+TEST_F(GlEditProgramTest, ADragOfASliderIsOneStepThatUndoTakesBack) {
+    const auto editor = start();
+    play(*editor, R"({"click": "tab:Parameters"}, {"wait": 2})");
+    const Image<Rgb8> before = settled(*editor);
+    const Recipe recipe = editor->session().recipe();
+    play(*editor, R"({"drag": "texture.input.noise.0.amplitude", "by": [30, 0]})");
+    EXPECT_GT(editor->session().recipe().texture.noise.front().amplitude,
+              recipe.texture.noise.front().amplitude);
+    EXPECT_GT(different(*editor, before), 3000u);
+    play(*editor, R"({"key": "Ctrl+Z"})");
+    EXPECT_EQ(editor->session().recipe(), recipe);
+    EXPECT_FALSE(editor->session().history().can_undo());
+    EXPECT_EQ(different(*editor, before), 0u);
+}
+
+TEST_F(GlEditProgramTest, SlidersTakeTypedNumbersAndGoBackToTheirDefault) {
+    const auto editor = start();
+    play(*editor, R"({"click": "tab:Parameters"}, {"wait": 2},
+        {"events": [{"key": "Ctrl", "down": true}]}, {"click": "solid.scale"},
+        {"events": [{"key": "Ctrl", "down": false}]}, {"type": "2.5"}, {"key": "Enter"})");
+    EXPECT_EQ(editor->session().recipe().solid.scale, 2.5);
+    play(*editor, R"({"wait": 30}, {"double_click": "solid.scale"}, {"wait": 2})");
+    EXPECT_EQ(editor->session().recipe().solid.scale, 1.0);
+}
+
+TEST_F(GlEditProgramTest, StopsAreAddedMovedAndDeleted) {
+    const auto editor = start();
+    const Recipe recipe = editor->session().recipe();
+    const std::size_t stops = recipe.texture.colors.stops.size();
+    play(*editor,
+         R"({"click": "tab:Colours"}, {"wait": 2}, {"click": "texture.bar"}, {"wait": 2})");
+    EXPECT_EQ(editor->session().recipe().texture.colors.stops.size(), stops + 1);
+    const auto at = editor->session().recipe().texture.colors.stops[1].position;
+    play(*editor, R"({"drag": "texture.stops.1", "by": [-12, 0]})");
+    EXPECT_LT(editor->session().recipe().texture.colors.stops[1].position, at);
+    play(*editor, R"({"wait": 2}, {"click": "texture.delete"})");
+    EXPECT_EQ(editor->session().recipe().texture.colors.stops.size(), stops);
+    play(*editor, R"({"key": "Ctrl+Z"}, {"key": "Ctrl+Z"}, {"key": "Ctrl+Z"})");
+    EXPECT_EQ(editor->session().recipe(), recipe);
+}
+
+TEST_F(GlEditProgramTest, TheCameraMovesAndTheRecipeStays) {
+    const auto editor = start();
+    const Image<Rgb8> before = settled(*editor);
+    const EditCamera camera = editor->camera();
+    play(*editor, R"({"drag": "object", "by": [80, 30]})");
+    EXPECT_NE(editor->camera().view.azimuth_degrees, camera.view.azimuth_degrees);
+    EXPECT_GT(different(*editor, before), 3000u);
+    const auto runs = editor->baker().records()[Stage::synthesis].runs;
+    play(*editor, R"({"wheel": "object", "by": [0, 2]}, {"key": "1"}, {"key": "F"})");
+    EXPECT_EQ(editor->camera().view.azimuth_degrees, 0.0);
+    EXPECT_EQ(editor->baker().records()[Stage::synthesis].runs, runs);
+    EXPECT_FALSE(editor->session().history().can_undo());
+}
+
+TEST_F(GlEditProgramTest, OpensWhatIsDroppedAndSaysWhatItCannotOpen) {
+    const ScratchFolder folder;
+    const auto editor = start();
+    EditSession other(load_recipe("wood", {"atlas.size=64", "atlas.tries=1"}), "wood");
+    other.save_recipe(folder / "wood.json");
+    play(*editor, R"({"drop": [")" + (folder / "wood.json") + R"("]}, {"settle": true})");
+    EXPECT_EQ(editor->session().recipe(), other.recipe());
+    play(*editor, R"({"drop": ["/nowhere/mesh.obj"]})");
+    ASSERT_FALSE(editor->session().log().empty());
+    EXPECT_TRUE(editor->session().log().back().problem);
+    EXPECT_EQ(editor->session().recipe(), other.recipe());
+}
+
+TEST_F(GlEditProgramTest, SavesAndExportsThroughTheDialog) {
+    const ScratchFolder folder;
+    const auto editor = start();
+    const std::string recipe = folder / "mine.json", picture = folder / "mine.png";
+    play(*editor,
+         R"({"key": "Ctrl+S"}, {"wait": 2}, {"double_click": "file name"}, {"key": "Ctrl+A"},
+        {"type": ")" +
+             recipe + R"("}, {"click": "file ok"}, {"wait": 2})");
+    EXPECT_EQ(load_recipe(recipe), editor->session().recipe());
+    play(*editor,
+         R"({"key": "Ctrl+E"}, {"wait": 2}, {"double_click": "file name"}, {"key": "Ctrl+A"},
+        {"type": ")" +
+             picture + R"("}, {"click": "file ok"}, {"settle": true})");
+    bake_file("sample:cube", editor->session().recipe(), folder / "expected.png");
+    EXPECT_EQ(read_file_bytes(picture), read_file_bytes(folder / "expected.png"));
+}
+
+TEST_F(GlEditProgramTest, OffersWhatACrashLeft) {
+    const ScratchFolder folder;
+    const std::string autosave = folder / "autosave.json";
+    const Recipe lost = load_recipe("wood", {"atlas.size=64", "atlas.tries=1"});
+    EditSession(lost, "").save_recipe(autosave);
+    const auto editor = start("marble", autosave);
+    play(*editor, R"({"click": "recover"}, {"wait": 1})");
+    EXPECT_EQ(editor->session().recipe(), lost);
+}
+
+TEST_F(GlEditProgramTest, ARecordingReplaysToTheSamePicture) {
+    const ScratchFolder folder;
+    InputScript recorded;
+    Image<Rgb8> first;
+    Recipe recipe;
+    {
+        const auto editor = start();
+        editor->record();
+        play(*editor, R"({"click": "tab:Parameters"}, {"wait": 2},
+            {"drag": "texture.input.noise.0.gain", "by": [25, 0]}, {"drag": "object", "by": [40, 0]},
+            {"settle": true}, {"wait": 2})");
+        recorded = *editor->recording();
+        first = settled(*editor);
+        recipe = editor->session().recipe();
+    }
+    const auto editor = start();
+    editor->play(parse_script(script_text(recorded), "recorded"), "");
+    EXPECT_EQ(editor->session().recipe(), recipe);
+    EXPECT_EQ(differing(first, settled(*editor)), 0u);
+}
+
+TEST_F(GlEditProgramTest, AnItemThatIsNotThereIsAnError) {
+    const auto editor = start();
+    EXPECT_THROW(play(*editor, R"({"click": "no such item"})"), Error);
+}
+
+}  // namespace
+}  // namespace burl
