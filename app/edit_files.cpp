@@ -44,7 +44,8 @@ std::vector<FolderEntry> list_folder(const std::string& folder,
 void FileDialog::open(Wish wish) {
     wish_ = std::move(wish);
     name_ = wish_.name;
-    folder_ = fs::absolute(folder_).lexically_normal().string();
+    std::error_code unknown;
+    folder_ = fs::weakly_canonical(fs::absolute(folder_), unknown).string();
     open_ = true;
     accepted_ = false;
 }

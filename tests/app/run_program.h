@@ -59,18 +59,24 @@ class Scratch {
     fs::path path_;
 };
 
-/// `burl ARGUMENTS`, with `prefix` (shell text such as "ulimit -f 1;") before it.
-inline Outcome run_burl(const Scratch& scratch, const std::string& arguments,
-                        const std::string& prefix = "") {
+/// `PROGRAM ARGUMENTS`, one of the built programs, with `prefix` (shell text such as "ulimit -f
+/// 1;") before it.
+inline Outcome run_program(const Scratch& scratch, const std::string& program,
+                           const std::string& arguments, const std::string& prefix = "") {
     const std::string out = scratch / "stdout.txt", err = scratch / "stderr.txt";
-    const std::string command = fmt::format("{} '{}/bin/burl' {} >'{}' 2>'{}' </dev/null", prefix,
-                                            BURL_BINARY_DIR, arguments, out, err);
+    const std::string command = fmt::format("{} '{}/bin/{}' {} >'{}' 2>'{}' </dev/null", prefix,
+                                            BURL_BINARY_DIR, program, arguments, out, err);
     const int status = std::system(command.c_str());
     Outcome outcome{WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), slurp(out),
                     slurp(err)};
     fs::remove(out);
     fs::remove(err);
     return outcome;
+}
+
+inline Outcome run_burl(const Scratch& scratch, const std::string& arguments,
+                        const std::string& prefix = "") {
+    return run_program(scratch, "burl", arguments, prefix);
 }
 
 /// One line that begins with the program's name.
