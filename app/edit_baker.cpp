@@ -81,8 +81,10 @@ void EditBaker::publish_surface(Pipeline& pipeline) {
     surface_ = std::move(surface);
 }
 
-void EditBaker::publish_picture(std::uint32_t level, const Image<Rgb8>& texels, double seconds) {
+void EditBaker::publish_picture(const WorkerRequest& request, std::uint32_t level,
+                                const Image<Rgb8>& texels, double seconds) {
     auto picture = std::make_shared<EditPicture>();
+    picture->request = request.number;
     picture->level = level;
     picture->texels = texels;
     picture->seconds = seconds;
@@ -111,7 +113,7 @@ void EditBaker::work(const WorkerRequest& request, const std::stop_token& stop) 
     refine<Rgb8>(*pipeline_, *choice_, drag, patience, stop,
                  [&](std::uint32_t level, const Image<Rgb8>& texels) {
                      const auto now = std::chrono::steady_clock::now();
-                     publish_picture(level, texels,
+                     publish_picture(request, level, texels,
                                      std::chrono::duration<double>(now - start).count());
                      start = std::chrono::steady_clock::now();
                  });

@@ -27,7 +27,7 @@ struct EditSurface {
 
 /// A level of the texture of the surface `surface`.
 struct EditPicture {
-    std::uint64_t number = 0, surface = 0;
+    std::uint64_t number = 0, surface = 0, request = 0;
     std::uint32_t level = 0;
     Image<Rgb8> texels{};
     double seconds = 0.0;  ///< that making it took
@@ -41,7 +41,11 @@ class EditBaker {
 
     /// From now on this mesh; pictures come after the next request.
     void set_mesh(Mesh mesh);
-    void request(const Recipe& recipe, bool moving) { worker_.request({recipe, moving}); }
+    /// Its number, from 1 on, which the pictures made for it have.
+    std::uint64_t request(const Recipe& recipe, bool moving) {
+        worker_.request({recipe, moving, ++requests_});
+        return requests_;
+    }
 
     /// The newest; null: none yet.
     std::shared_ptr<const EditSurface> surface() const;
@@ -57,10 +61,12 @@ class EditBaker {
     void work(const WorkerRequest& request, const std::stop_token& stop);
     void take_mesh();
     void publish_surface(Pipeline& pipeline);
-    void publish_picture(std::uint32_t level, const Image<Rgb8>& texels, double seconds);
+    void publish_picture(const WorkerRequest& request, std::uint32_t level,
+                         const Image<Rgb8>& texels, double seconds);
 
     std::function<void()> wake_;
     double budget_;
+    std::uint64_t requests_ = 0;
 
     mutable std::mutex mutex_;  ///< of the next five
     std::optional<Mesh> next_mesh_;

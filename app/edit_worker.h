@@ -2,6 +2,7 @@
 // Work beside the user interface: the latest request wins, and work on an older one is told to
 // stop.
 #include <condition_variable>
+#include <cstdint>
 #include <functional>
 #include <mutex>
 #include <optional>
@@ -17,6 +18,7 @@ namespace burl {
 struct WorkerRequest {
     Recipe recipe{};
     bool moving = false;
+    std::uint64_t number = 0;  ///< the caller's own
 };
 
 /// Runs `work` on a thread of its own. All functions may be called by one other thread.

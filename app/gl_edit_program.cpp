@@ -156,7 +156,7 @@ void EditorProgram::request_texture() {
                       (requested_->moving == wanted.moving || !requested_->moving);
     if (same) return;
     requested_ = wanted;
-    baker_.request(wanted.recipe, wanted.moving);
+    request_ = baker_.request(wanted.recipe, wanted.moving);
 }
 
 bool EditorProgram::settled() const {

@@ -53,6 +53,8 @@ class EditorProgram {
     const EditItems& items() const { return items_; }
     const EditBaker& baker() const { return baker_; }
     EditCamera& camera() { return camera_; }
+    /// Number of the last texture that was asked for.
+    std::uint64_t last_request() const { return request_; }
 
   private:
     struct ImGuiOwner {
@@ -99,6 +101,7 @@ class EditorProgram {
     Recipe opened_;  ///< to compare with
     std::string opened_path_;
     std::optional<WorkerRequest> requested_;
+    std::uint64_t request_ = 0;
     double last_seconds_ = 0.0;
     int frames_to_draw_ = 3;  ///< until the user interface has come to rest
     FileDialog dialog_;
