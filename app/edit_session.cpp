@@ -125,9 +125,8 @@ std::string bake_command(const std::string& mesh, const std::string& base_path, 
         words.emplace_back("--set");
         words.push_back(setting);
     }
-    std::string line;
-    for (const std::string& word : words) line += (line.empty() ? "" : " ") + quoted(word);
-    return line;
+    std::ranges::transform(words, words.begin(), quoted);
+    return fmt::format("{}", fmt::join(words, " "));
 }
 
 }  // namespace burl
