@@ -23,6 +23,7 @@
 #include "app/file_bytes.h"
 #include "app/gl_bench.h"
 #include "app/gl_context.h"
+#include "app/gl_edit_bench.h"
 #include "app/report.h"
 #include "app/simd_limit.h"
 #include "app/verbs.h"
@@ -272,10 +273,18 @@ void run_gl_bench(const BenchCommand& command) {
     if (report_rows(command, report.rows, to_json)) print_gl(report);
 }
 
+void run_editor_bench(const BenchCommand& command) {
+    constexpr double drag_seconds = 4.0;
+    const std::uint32_t side = command.size == 0 ? 1024 : std::uint32_t(command.size);
+    const std::vector<EditorBench> rows = bench_editor("sample:teapot", side, drag_seconds);
+    if (report_rows(command, rows, editor_bench_json)) fmt::print("{}", editor_bench_table(rows));
+}
+
 void run_bench(const BenchCommand& command) {
     if (command.suite == "plot") return run_plot(command);
     if (!command.out.empty()) check_side_output(command.out, "", {});
     if (command.suite == "atlas") return run_atlas_bench(command);
+    if (command.suite == "editor") return run_editor_bench(command);
     if (command.suite == "economy") return run_economy_bench(command);
     if (command.suite == "gl") return run_gl_bench(command);
     if (command.suite == "filter") return run_filter_bench(command);
