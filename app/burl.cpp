@@ -16,7 +16,6 @@
 #include "app/verbs.h"
 #include "app/version.h"
 #include "atlas/error.h"
-#include "atlas/freed_memory.h"
 
 namespace {
 
@@ -89,7 +88,6 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
     open_standard_streams();
-    burl::return_large_blocks();
     // A reader that went away or a file-size limit is an error to report, not a reason to die.
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN);

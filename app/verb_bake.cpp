@@ -6,6 +6,7 @@
 
 #include "app/bake_job.h"
 #include "app/verbs.h"
+#include "atlas/freed_memory.h"
 
 namespace burl {
 
@@ -15,6 +16,7 @@ Json bake(const BakeJob& job, const Json& made_from) {
     const std::shared_ptr<TextureSynthesizer> synthesizer = job.synthesizer();
     const auto start = std::chrono::steady_clock::now();
     Pipeline pipeline(job.command().meshes.load(job.command().mesh));
+    return_large_blocks(pipeline.mesh().triangles.size());
     const std::chrono::duration<double> reading = std::chrono::steady_clock::now() - start;
     return job.run(pipeline, synthesizer, reading.count(), made_from, false);
 }

@@ -17,6 +17,7 @@
 #include "app/up_to_date.h"
 #include "app/verbs.h"
 #include "atlas/error.h"
+#include "atlas/freed_memory.h"
 
 namespace burl {
 
@@ -169,6 +170,7 @@ class SharedMesh {
         const auto start = std::chrono::steady_clock::now();
         try {
             pipeline_.emplace(job.command().meshes.load(job.command().mesh));
+            return_large_blocks(pipeline_->mesh().triangles.size());
         } catch (const Error& error) {
             problem_ = error;
             throw;

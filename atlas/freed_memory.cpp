@@ -14,9 +14,9 @@ void return_freed_memory() {
 #endif
 }
 
-void return_large_blocks() {
+void return_large_blocks([[maybe_unused]] std::size_t triangles) {
 #if defined(__GLIBC__)
-    ::mallopt(M_MMAP_THRESHOLD, 1 << 20);
+    if (triangles > many_triangles) ::mallopt(M_MMAP_THRESHOLD, 1 << 20);
 #endif
 }
 

@@ -32,9 +32,6 @@ Atlas layout_pairs(const Mesh& mesh, const Connectivity& connectivity, const Atl
     return atlas;
 }
 
-/// Of which packing or rasterising leaves so much behind that it is worth giving back.
-constexpr std::size_t many_triangles = 100000;
-
 MeshAtlas pack(const Mesh& mesh, const Connectivity& connectivity, const AtlasOptions& options) {
     if (options.kind != AtlasKind::patch)
         return MeshAtlas(layout_atlas(mesh, connectivity, options));
