@@ -23,7 +23,7 @@ void EditWorker::request(WorkerRequest request) {
     {
         const std::scoped_lock lock(mutex_);
         waiting_ = std::move(request);
-        current_.request_stop();
+        if (!moving_) current_.request_stop();
     }
     changed_.notify_all();
 }
@@ -49,6 +49,7 @@ void EditWorker::run(const std::stop_token& ending) {
         const WorkerRequest request = *std::exchange(waiting_, std::nullopt);
         current_ = std::stop_source();
         busy_ = true;
+        moving_ = request.moving;
         const std::stop_token stop = current_.get_token();
         lock.unlock();
         attempt(request, stop);

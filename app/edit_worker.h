@@ -1,5 +1,5 @@
 #pragma once
-// Work beside the user interface: the latest request wins, and work on an older one is told to
+// Work beside the user interface: the latest request wins, and refining an older one is told to
 // stop.
 #include <condition_variable>
 #include <cstdint>
@@ -34,7 +34,9 @@ class EditWorker {
     /// Stops what is under way and waits for it.
     ~EditWorker();
 
-    /// From now on this counts; older requests are dropped or stopped.
+    /// From now on this counts: one that waits is dropped and one under way told to stop, but for
+    /// one of a moving slider, whose rough picture comes first. (A slider moves more often than
+    /// pictures take: nobody would see any.)
     void request(WorkerRequest request);
     /// Nothing is under way or waits.
     bool idle() const;
@@ -53,7 +55,7 @@ class EditWorker {
     mutable std::condition_variable_any changed_;
     std::optional<WorkerRequest> waiting_;
     std::stop_source current_{std::nostopstate};
-    bool busy_ = false;
+    bool busy_ = false, moving_ = false;  ///< what is under way
     std::optional<std::string> problem_;
     std::jthread thread_;  ///< last: it sees all the others
 };

@@ -49,12 +49,31 @@ TEST(EditWorker, ANewRequestStopsTheOldOne) {
             finished.push_back(request.recipe.solid.scale);
         },
         [] {});
-    worker.request({scaled(1), true});
+    worker.request({scaled(1), false});
     while (!started) std::this_thread::yield();
     EXPECT_FALSE(worker.idle());
     worker.request({scaled(2), false});
     worker.wait();
     EXPECT_EQ(finished, std::vector<double>{2});
+}
+
+TEST(EditWorker, ASlidersPictureComesBeforeTheNext) {
+    std::atomic<bool> started = false, go_on = false;
+    std::vector<std::pair<double, bool>> made;
+    EditWorker worker(
+        [&](const WorkerRequest& request, const std::stop_token& stop) {
+            started = true;
+            while (!go_on) std::this_thread::yield();
+            made.emplace_back(request.recipe.solid.scale, stop.stop_requested());
+        },
+        [] {});
+    worker.request({scaled(1), true});
+    while (!started) std::this_thread::yield();
+    worker.request({scaled(2), true});  // is dropped
+    worker.request({scaled(3), true});
+    go_on = true;
+    worker.wait();
+    EXPECT_EQ(made, (std::vector<std::pair<double, bool>>{{1, false}, {3, false}}));
 }
 
 TEST(EditWorker, EndsWhileAtWork) {
