@@ -36,6 +36,7 @@ Mesh teapot_behind_balls() {
         append(mesh, ball, sphere.radius / 3.0, sphere.centre + 1.2 * sphere.radius * direction);
     }
     mesh.parts = {{mesh.name, 0, std::uint32_t(mesh.triangles.size())}};
+    mesh.source_faces.clear();  // the balls have none
     return mesh;
 }
 

@@ -198,7 +198,7 @@ TEST(EarlyExit, NoColourShowsItHoweverOftenItLooks) {
             ASSERT_EQ(color(early->field[j]), color(exact->field[j])) << i << " " << j;
         decided += early->streams.work.octaves_skipped[unsigned(Skip::early_exit)] > 0;
     }
-    EXPECT_GT(decided, 8u);
+    EXPECT_GT(decided, 4u);
 }
 
 TEST(EarlyExit, CountsDependOnNothingElse) {
