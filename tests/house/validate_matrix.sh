@@ -32,4 +32,4 @@ if [ -n "$burl" ]; then
             >/dev/null 2>&1 || { echo "burl bake failed on bumps, $atlas"; exit 1; }
     done
 fi
-exec node "$here/validate_glb.mjs" "$modules" "$scratch"/*.gl*
+exec node "$here/validate_glb.mjs" "$modules" "$scratch"/*.glb "$scratch"/*.gltf
