@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include "tests/app/run_program.h"
+#include "tests/paths.h"
 
 namespace burl::test {
 namespace {
@@ -138,7 +139,7 @@ TEST(Program, PicturesAndReportsNeverReplaceWhatTheCommandNeeds) {
 TEST(Program, ClosedAndFullStandardStreams) {
     const Scratch scratch;
     const std::string mesh = scratch.write("m.obj", square + std::string("v 9 9 9\n"));
-    const std::string burl = fmt::format("'{}/bin/burl'", BURL_BINARY_DIR);
+    const std::string burl = fmt::format("'{}/bin/burl'", test::binary_folder());
     const auto status = [&](const std::string& arguments) {
         return WEXITSTATUS(std::system((burl + " " + arguments).c_str()));
     };

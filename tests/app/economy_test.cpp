@@ -12,6 +12,7 @@
 #include "procedural/synthesize.h"
 #include "procedural/synthesize_kept.h"
 #include "tests/app/sample_scene.h"
+#include "tests/paths.h"
 #include "tests/procedural/synthetic_atlas.h"
 
 namespace burl {
@@ -33,7 +34,8 @@ Skips without_any() {
 
 std::vector<std::string> preset_names() {
     std::vector<std::string> names;
-    for (const auto& file : std::filesystem::directory_iterator(BURL_SOURCE_DIR "/assets/recipes"))
+    for (const auto& file :
+         std::filesystem::directory_iterator(test::source_folder() + "/assets/recipes"))
         names.push_back(file.path().stem().string());
     std::ranges::sort(names);
     return names;

@@ -13,6 +13,7 @@
 #include "app/shading.h"
 #include "atlas/error.h"
 #include "tests/app/run_program.h"
+#include "tests/paths.h"
 
 namespace burl {
 namespace {
@@ -22,7 +23,7 @@ using test::Scratch;
 using test::slurp;
 
 std::string page() {
-    return slurp(test::fs::path(BURL_SOURCE_DIR) / "docs" / "figures.md");
+    return slurp(test::fs::path(test::source_folder()) / "docs" / "figures.md");
 }
 
 double mean_green(const Image<Rgb8>& image, std::size_t x0, std::size_t y0, std::size_t x1,
@@ -48,7 +49,7 @@ double variance(const Image<Rgb8>& image, std::size_t x0, std::size_t y0, std::s
 }
 
 TEST(Figures, AreSmallAndInTheRepository) {
-    const test::fs::path folder = test::fs::path(BURL_SOURCE_DIR) / "docs" / "figures";
+    const test::fs::path folder = test::fs::path(test::source_folder()) / "docs" / "figures";
     std::set<std::string> names;
     for (const Figure& figure : figures()) {
         EXPECT_TRUE(names.insert(figure.name + ".png").second) << figure.name;

@@ -15,6 +15,7 @@
 #include "procedural/graph_json.h"
 #include "procedural/graph_table.h"
 #include "tests/app/scratch_folder.h"
+#include "tests/paths.h"
 #include "tests/procedural/graph_cases.h"
 
 namespace burl {
@@ -246,7 +247,7 @@ TEST(GraphRecipe, SettingsReachIntoTheTree) {
 
 /// Rows of a section's table as sets of cells.
 std::set<std::vector<std::string>> table_rows(const std::string& heading) {
-    std::ifstream file(BURL_SOURCE_DIR "/docs/nodes.md");
+    std::ifstream file(test::source_folder() + "/docs/nodes.md");
     std::stringstream text;
     text << file.rdbuf();
     const std::string all = text.str();

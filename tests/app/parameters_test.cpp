@@ -13,12 +13,13 @@
 #include "app/embedded.h"
 #include "app/recipe.h"
 #include "atlas/atlas.h"
+#include "tests/paths.h"
 
 namespace burl {
 namespace {
 
 std::string documentation() {
-    std::ifstream file(BURL_SOURCE_DIR "/docs/recipes.md");
+    std::ifstream file(test::source_folder() + "/docs/recipes.md");
     std::stringstream text;
     text << file.rdbuf();
     return text.str();
@@ -126,7 +127,7 @@ TEST(Parameters, AllowTheAtlasSizesTheLayoutDoes) {
 TEST(Presets, AreAllDocumented) {
     const std::string all = documentation();
     const std::string text = all.substr(all.find("## Presets"));
-    const std::filesystem::directory_iterator files(BURL_SOURCE_DIR "/assets/recipes");
+    const std::filesystem::directory_iterator files(test::source_folder() + "/assets/recipes");
     EXPECT_EQ(std::distance(begin(files), end(files)), std::ssize(embedded_recipes()));
     for (const EmbeddedFile& file : embedded_recipes()) {
         const std::string_view name = file.name.substr(0, file.name.find('.'));

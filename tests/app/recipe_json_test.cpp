@@ -6,6 +6,7 @@
 #include "app/embedded.h"
 #include "app/recipe.h"
 #include "atlas/error.h"
+#include "tests/paths.h"
 
 namespace burl {
 namespace {
@@ -275,12 +276,13 @@ TEST(Settings, WrongValuesAreUsageErrorsThatNameTheSetting) {
 TEST(Presets, AreFoundByName) {
     EXPECT_EQ(load_recipe("marble").name, "marble");
     EXPECT_EQ(load_recipe("marble", {"atlas.size=64"}).atlas.size, 64u);
-    EXPECT_EQ(load_recipe(BURL_SOURCE_DIR "/assets/recipes/wood.json"), load_recipe("wood"));
+    EXPECT_EQ(load_recipe(test::source_folder() + "/assets/recipes/wood.json"),
+              load_recipe("wood"));
     EXPECT_THAT(message_of(ExitCode::usage, [] { load_recipe("mrable"); }),
                 HasSubstr("did you mean \"marble\"?"));
     EXPECT_THAT(message_of(ExitCode::io, [] { load_recipe("no/such/file.json"); }),
                 HasSubstr("no/such/file.json"));
-    EXPECT_THAT(message_of(ExitCode::io, [] { load_recipe(BURL_SOURCE_DIR "/assets"); }),
+    EXPECT_THAT(message_of(ExitCode::io, [] { load_recipe(test::source_folder() + "/assets"); }),
                 HasSubstr("assets"));
 }
 

@@ -11,6 +11,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "tests/paths.h"
+
 namespace burl::test {
 
 namespace fs = std::filesystem;
@@ -34,7 +36,7 @@ class Scratch {
         const auto* info = testing::UnitTest::GetInstance()->current_test_info();
         std::string name = fmt::format("{}.{}", info->test_suite_name(), info->name());
         for (char& c : name) c = c == '/' ? '-' : c;
-        path_ = fs::path(BURL_BINARY_DIR) / "scratch" / name;
+        path_ = fs::path(test::binary_folder()) / "scratch" / name;
         fs::remove_all(path_);
         fs::create_directories(path_);
     }
@@ -65,7 +67,7 @@ inline Outcome run_program(const Scratch& scratch, const std::string& program,
                            const std::string& arguments, const std::string& prefix = "") {
     const std::string out = scratch / "stdout.txt", err = scratch / "stderr.txt";
     const std::string command = fmt::format("{} '{}/bin/{}' {} >'{}' 2>'{}' </dev/null", prefix,
-                                            BURL_BINARY_DIR, program, arguments, out, err);
+                                            test::binary_folder(), program, arguments, out, err);
     const int status = std::system(command.c_str());
     Outcome outcome{WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), slurp(out),
                     slurp(err)};

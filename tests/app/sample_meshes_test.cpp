@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "atlas/error.h"
+#include "tests/paths.h"
 
 namespace burl {
 namespace {
@@ -13,7 +14,7 @@ TEST(SampleMeshes, AreTheFilesOfTheBuild) {
     EXPECT_GE(names.size(), 6u);
     for (const std::string& name : names) {
         const Mesh sample = sample_mesh("sample:" + name);
-        const Mesh file = read_mesh(std::string(BURL_MESH_DIR) + "/" + name + ".obj");
+        const Mesh file = read_mesh(test::mesh_folder() + "/" + name + ".obj");
         EXPECT_EQ(sample.positions, file.positions) << name;
         EXPECT_EQ(sample.triangles, file.triangles) << name;
         EXPECT_EQ(sample.name, name);

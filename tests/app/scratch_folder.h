@@ -6,13 +6,15 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include "tests/paths.h"
+
 namespace burl {
 
 class ScratchFolder {
   public:
     ScratchFolder() {
         const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-        path_ = std::filesystem::path(BURL_BINARY_DIR) / "scratch" /
+        path_ = std::filesystem::path(test::binary_folder()) / "scratch" /
                 (std::string(test->test_suite_name()) + "." + test->name() + "." +
                  std::to_string(::getpid()));
         std::filesystem::remove_all(path_);

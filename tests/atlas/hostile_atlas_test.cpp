@@ -11,6 +11,7 @@
 #include "atlas/metric_texels.h"
 #include "atlas/patch_frame.h"
 #include "made_patches.h"
+#include "tests/paths.h"
 
 namespace burl {
 namespace {
@@ -21,7 +22,7 @@ std::vector<made::Named> hostile_meshes() {
     meshes.push_back({"ring", made::ring(12, 8)});
     meshes.push_back({"box", made::box(3)});
     meshes.push_back({"many pieces", made::soup(300, 5)});
-    const std::filesystem::path nasty = std::string(BURL_SOURCE_DIR) + "/assets/meshes/nasty";
+    const std::filesystem::path nasty = test::source_folder() + "/assets/meshes/nasty";
     for (const auto& file : std::filesystem::directory_iterator(nasty))
         meshes.push_back({file.path().filename().string(), read_mesh(file.path().string())});
     return meshes;

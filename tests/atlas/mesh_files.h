@@ -13,13 +13,14 @@
 #include "atlas/error.h"
 #include "atlas/mesh_builder.h"
 #include "atlas/mesh_readers.h"
+#include "tests/paths.h"
 
 namespace burl::test {
 
-/// BURL_BINARY_DIR/tmp/<suite>.<test>/, made if need be.
+/// binary_folder()/tmp/<suite>.<test>/, made if need be.
 inline std::filesystem::path test_folder() {
     const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-    const auto folder = std::filesystem::path(BURL_BINARY_DIR) / "tmp" /
+    const auto folder = std::filesystem::path(test::binary_folder()) / "tmp" /
                         (std::string(info->test_suite_name()) + "." + info->name());
     std::filesystem::create_directories(folder);
     return folder;

@@ -13,6 +13,7 @@
 
 #include "atlas/mesh.h"
 #include "atlas/mesh_io.h"
+#include "tests/paths.h"
 
 namespace burl {
 namespace {
@@ -20,11 +21,11 @@ namespace {
 constexpr double pi = std::numbers::pi;
 
 Mesh made(const std::string& name) {
-    return read_mesh(std::string(BURL_MESH_DIR) + "/" + name);
+    return read_mesh(test::mesh_folder() + "/" + name);
 }
 
 Mesh nasty(const std::string& name) {
-    return read_mesh(std::string(BURL_SOURCE_DIR) + "/assets/meshes/nasty/" + name + ".obj");
+    return read_mesh(test::source_folder() + "/assets/meshes/nasty/" + name + ".obj");
 }
 
 /// What counting directed edges tells.

@@ -10,6 +10,7 @@
 #include "procedural/noise_names.h"
 #include "procedural/perlin_noise.h"
 #include "procedural/value_noise.h"
+#include "tests/paths.h"
 
 namespace burl {
 namespace {
@@ -31,7 +32,7 @@ std::string trimmed(const std::string& text) {
 
 /// The rows of the tables whose first two columns have these names.
 std::vector<Row> table(const std::string& first, const std::string& second) {
-    std::ifstream page(BURL_SOURCE_DIR "/docs/numerics.md");
+    std::ifstream page(test::source_folder() + "/docs/numerics.md");
     EXPECT_TRUE(page);
     std::vector<Row> rows;
     bool inside = false;

@@ -1,0 +1,18 @@
+// The one place of the tests that is compiled with absolute paths (tests/paths.h).
+#include "tests/paths.h"
+
+namespace burl::test {
+
+std::string source_folder() {
+    return BURL_SOURCE_DIR;
+}
+
+std::string binary_folder() {
+    return BURL_BINARY_DIR;
+}
+
+std::string mesh_folder() {
+    return BURL_MESH_DIR;
+}
+
+}  // namespace burl::test
