@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "app/key_track.h"
+#include "app/paint_stroke.h"
 #include "atlas/atlas.h"
 #include "atlas/solid_atlas.h"
 #include "procedural/bump.h"
@@ -16,7 +18,9 @@ namespace burl {
 
 struct SolidOptions {
     SolidSpace space = SolidSpace::unit;
-    double scale = 1.0;  ///< texture coordinates = scale * solid coordinates
+    double scale = 1.0;
+    Vec3d rotate{0.0};     ///< degrees about x, then y, then z
+    Vec3d translate{0.0};  ///< texture coordinates = scale * rotated solid coordinates + translate
     bool operator==(const SolidOptions&) const = default;
 };
 
@@ -29,6 +33,8 @@ struct Recipe {
     Bump bump;
     Filter filter;
     Precision precision;
+    std::vector<PaintStroke> paint;  ///< over the texture, in this order
+    KeyedAnimation animation;
     bool operator==(const Recipe&) const = default;
 };
 
