@@ -16,6 +16,7 @@
 #include "app/image_io.h"
 #include "app/level_names.h"
 #include "app/normals.h"
+#include "app/real_path.h"
 #include "app/tangents.h"
 #include "atlas/error.h"
 
@@ -99,8 +100,7 @@ void check_file(const std::string& path, const std::string& input_path) {
 bool same_file(const std::string& a, const std::string& b) {
     std::error_code ignored;
     if (fs::equivalent(a, b, ignored)) return true;
-    const fs::path whole = fs::weakly_canonical(a, ignored);
-    return !whole.empty() && whole == fs::weakly_canonical(b, ignored);
+    return real_path(a) == real_path(b);
 }
 
 /// PNG content in the image's own depth; float becomes 8 bits. The image must outlive it.

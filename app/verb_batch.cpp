@@ -3,7 +3,6 @@
 // them; those whose outputs are up to date cost no more than the hashes of their inputs.
 #include <algorithm>
 #include <chrono>
-#include <filesystem>
 #include <map>
 #include <memory>
 #include <new>
@@ -14,6 +13,7 @@
 
 #include "app/bake_job.h"
 #include "app/batch_manifest.h"
+#include "app/real_path.h"
 #include "app/up_to_date.h"
 #include "app/verbs.h"
 #include "atlas/error.h"
@@ -61,12 +61,6 @@ class Problems {
     std::size_t count_ = 0;
     ExitCode code_ = ExitCode::ok;
 };
-
-std::string real_path(const std::string& path) {
-    std::error_code ignored;
-    const std::filesystem::path whole = std::filesystem::weakly_canonical(path, ignored);
-    return whole.empty() ? path : whole.string();
-}
 
 using BakeOfFile = std::map<std::string, const Bake*>;
 
