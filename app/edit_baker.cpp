@@ -48,6 +48,11 @@ std::shared_ptr<const EditPicture> EditBaker::picture() const {
     return picture_;
 }
 
+std::shared_ptr<const SurfacePick> EditBaker::pick() const {
+    const std::scoped_lock lock(mutex_);
+    return pick_;
+}
+
 StageRecords EditBaker::records() const {
     const std::scoped_lock lock(mutex_);
     return records_;
@@ -79,6 +84,20 @@ void EditBaker::publish_surface(Pipeline& pipeline) {
     const std::scoped_lock lock(mutex_);
     surface->number = ++numbers_;
     surface_ = std::move(surface);
+}
+
+/// Once for every surface.
+void EditBaker::publish_pick() {
+    const std::shared_ptr<const EditSurface> surface = this->surface();
+    if (!surface || (pick_ && &pick_->scene() == &surface->scene)) return;
+    // The scene lives as long as its surface.
+    auto pick =
+        std::make_shared<const SurfacePick>(std::shared_ptr<const Scene>(surface, &surface->scene));
+    {
+        const std::scoped_lock lock(mutex_);
+        pick_ = std::move(pick);
+    }
+    wake_();
 }
 
 void EditBaker::publish_picture(const WorkerRequest& request, std::uint32_t level,
@@ -117,6 +136,7 @@ void EditBaker::work(const WorkerRequest& request, const std::stop_token& stop) 
                                      std::chrono::duration<double>(now - start).count());
                      start = std::chrono::steady_clock::now();
                  });
+    publish_pick();
 }
 
 }  // namespace burl

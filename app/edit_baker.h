@@ -10,7 +10,7 @@
 #include "app/edit_worker.h"
 #include "app/level_choice.h"
 #include "app/pipeline.h"
-#include "app/scene.h"
+#include "app/surface_pick.h"
 
 namespace burl {
 
@@ -50,6 +50,9 @@ class EditBaker {
     /// The newest; null: none yet.
     std::shared_ptr<const EditSurface> surface() const;
     std::shared_ptr<const EditPicture> picture() const;
+    /// What finds places on the newest surface; null, or that of an older surface (its scene() is
+    /// another), until the newest surface's first picture is done.
+    std::shared_ptr<const SurfacePick> pick() const;
     /// The stages of the pipeline, as of the newest picture.
     StageRecords records() const;
 
@@ -61,6 +64,7 @@ class EditBaker {
     void work(const WorkerRequest& request, const std::stop_token& stop);
     void take_mesh();
     void publish_surface(Pipeline& pipeline);
+    void publish_pick();
     void publish_picture(const WorkerRequest& request, std::uint32_t level,
                          const Image<Rgb8>& texels, double seconds);
 
@@ -68,10 +72,11 @@ class EditBaker {
     double budget_;
     std::uint64_t requests_ = 0;
 
-    mutable std::mutex mutex_;  ///< of the next five
+    mutable std::mutex mutex_;  ///< of the next six
     std::optional<Mesh> next_mesh_;
     std::shared_ptr<const EditSurface> surface_;
     std::shared_ptr<const EditPicture> picture_;
+    std::shared_ptr<const SurfacePick> pick_;
     StageRecords records_;
     std::uint64_t numbers_ = 0;
 

@@ -68,4 +68,9 @@ Camera camera_of(const EditCamera& camera, const Sphere& sphere, const PictureSi
     return result;
 }
 
+Ray ray_of(const EditCamera& camera, const Sphere& sphere, const PictureSize& size,
+           const Vec2d& pixel) {
+    return ray_through(camera_of(camera, sphere, size), size, pixel);
+}
+
 }  // namespace burl

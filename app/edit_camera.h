@@ -1,6 +1,6 @@
 #pragma once
 // The editor's camera: an orbit about a point that can be moved, as hands expect it.
-#include "app/camera.h"
+#include "app/ray.h"
 
 namespace burl {
 
@@ -30,5 +30,9 @@ EditCamera from_side(EditCamera camera);
 EditCamera from_top(EditCamera camera);
 
 Camera camera_of(const EditCamera& camera, const Sphere& sphere, const PictureSize& size);
+
+/// Through a point of the picture, in its pixels, from its left upper corner.
+Ray ray_of(const EditCamera& camera, const Sphere& sphere, const PictureSize& size,
+           const Vec2d& pixel);
 
 }  // namespace burl
