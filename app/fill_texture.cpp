@@ -1,5 +1,6 @@
 #include "app/fill_texture.h"
 
+#include "app/paint_texture.h"
 #include "procedural/synthesize.h"
 #include "procedural/synthesize_forward.h"
 #include "procedural/synthesize_graph.h"
@@ -49,8 +50,8 @@ bool has_fast_graph(const Recipe& recipe, const HostWay& way) {
 }
 
 template <class Pixel>
-Image<Pixel> fill_texture(const SolidAtlas& solid, const Recipe& recipe, const HostWay& way,
-                          const Economy& economy) {
+Image<Pixel> fill_unpainted(const SolidAtlas& solid, const Recipe& recipe, const HostWay& way,
+                            const Economy& economy) {
     const Affine3 map = texture_from_solid(recipe);
     if (way.forward)
         return synthesize_forward<Pixel>(solid, recipe.texture, map, forward_precision(recipe),
@@ -65,9 +66,23 @@ Image<Pixel> fill_texture(const SolidAtlas& solid, const Recipe& recipe, const H
                               economy);
 }
 
+template <class Pixel>
+Image<Pixel> fill_texture(const SolidAtlas& solid, const Recipe& recipe, const HostWay& way,
+                          const Economy& economy) {
+    auto image = fill_unpainted<Pixel>(solid, recipe, way, economy);
+    paint_over(solid, recipe.paint, way.threads, image);
+    return image;
+}
+
 template Image<Rgb8> fill_texture(const SolidAtlas&, const Recipe&, const HostWay&, const Economy&);
 template Image<Rgb16> fill_texture(const SolidAtlas&, const Recipe&, const HostWay&,
                                    const Economy&);
 template Image<RgbF> fill_texture(const SolidAtlas&, const Recipe&, const HostWay&, const Economy&);
+template Image<Rgb8> fill_unpainted(const SolidAtlas&, const Recipe&, const HostWay&,
+                                    const Economy&);
+template Image<Rgb16> fill_unpainted(const SolidAtlas&, const Recipe&, const HostWay&,
+                                     const Economy&);
+template Image<RgbF> fill_unpainted(const SolidAtlas&, const Recipe&, const HostWay&,
+                                    const Economy&);
 
 }  // namespace burl

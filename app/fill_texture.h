@@ -18,7 +18,7 @@ struct HostWay {
     bool operator==(const HostWay&) const = default;
 };
 
-/// Everything of a recipe that a texture of a given atlas depends on.
+/// Everything of a recipe that a texture of a given atlas depends on, but for the paint over it.
 struct TextureKey {
     SolidOptions solid{};
     Texture texture{};
@@ -38,6 +38,10 @@ struct TextureKey {
 template <class Pixel>
 Image<Pixel> fill_texture(const SolidAtlas& solid, const Recipe& recipe, const HostWay& way,
                           const Economy& economy = {});
+/// The same without the recipe's paint.
+template <class Pixel>
+Image<Pixel> fill_unpainted(const SolidAtlas& solid, const Recipe& recipe, const HostWay& way,
+                            const Economy& economy = {});
 
 /// Whether it is the 1999 model in float32 by its fast way, whose parts can be kept
 /// (procedural/synthesize_kept.h).

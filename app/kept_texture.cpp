@@ -26,7 +26,7 @@ void KeptTexture::fill(const Recipe& recipe, const HostWay& way, const Economy& 
     else if (keeps && has_fast_graph(recipe, way) && KeptGraph::splits(recipe.graph, recipe.filter))
         number().synthesize(recipe.graph, texture_from_solid(recipe), way.threads, image, economy);
     else
-        image = fill_texture<Pixel>(*solid_, recipe, way, economy);
+        image = fill_unpainted<Pixel>(*solid_, recipe, way, economy);
 }
 
 template void KeptTexture::fill(const Recipe&, const HostWay&, const Economy&, Image<Rgb8>&);

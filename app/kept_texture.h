@@ -1,6 +1,6 @@
 #pragma once
-// One atlas's texture from one recipe to the next: the picture itself, which does while nothing of
-// its recipe changes, and the field and octaves it was made of, within a budget.
+// One atlas's texture, before paint, from one recipe to the next: the picture itself, which does
+// while nothing of its recipe changes, and the field and octaves it was made of, within a budget.
 #include <optional>
 #include <variant>
 
@@ -29,10 +29,15 @@ class KeptTexture {
         return picture_.emplace<Image<Pixel>>();
     }
     /// It has become this recipe's.
-    void close(const Recipe& recipe) { key_.emplace(recipe); }
+    void close(const Recipe& recipe) {
+        key_.emplace(recipe);
+        ++number_of_picture_;
+    }
+    /// From 1 on, another one for every picture.
+    std::uint64_t number_of_picture() const { return number_of_picture_; }
     void forget_picture() { key_.reset(); }
 
-    /// As fill_texture, into `image`, from what is kept where that serves.
+    /// As fill_unpainted, into `image`, from what is kept where that serves.
     template <class Pixel>
     void fill(const Recipe& recipe, const HostWay& way, const Economy& economy,
               Image<Pixel>& image);
@@ -50,6 +55,7 @@ class KeptTexture {
     std::size_t budget_;
     std::variant<std::monostate, Image<Rgb8>, Image<Rgb16>, Image<RgbF>> picture_;
     std::optional<TextureKey> key_;
+    std::uint64_t number_of_picture_ = 0;
     std::optional<KeptSynthesis> terms_;  ///< of the 1999 model, or
     std::optional<KeptGraph> number_;     ///< of a graph
 };

@@ -9,6 +9,11 @@
 
 namespace burl {
 
+enum class PaintMode {
+    paint,  ///< lays colour over what is there
+    erase   ///< takes paint away, down to the texture
+};
+
 /// A ball moved along a line of points; it covers what it touches of the surface.
 struct PaintStroke {
     std::vector<Vec3d> points{};  ///< in solid space, before scale and rotation
@@ -16,6 +21,7 @@ struct PaintStroke {
     double hardness = 0.5;        ///< share of the radius that is covered evenly, 0 to 1
     double opacity = 1.0;         ///< 0 to 1
     Rgb8 color{0, 0, 0};          ///< sRGB
+    PaintMode mode = PaintMode::paint;
     bool operator==(const PaintStroke&) const = default;
 };
 

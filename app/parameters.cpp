@@ -116,6 +116,17 @@ constexpr std::array table{
               "fixed: bits before the point, the sign's among them"},
     Parameter{"precision.fraction_bits", integer, 2, 16, 1, 1, "bits", "8", "",
               "fixed: bits after the point"},
+    Parameter{"paint.*.mode", choice, 0, 0, 0, 1, "", "\"paint\"", "paint|erase",
+              "erase: takes away the paint of the strokes before it"},
+    Parameter{"paint.*.color", color, 0, 0, 0, 1, "", "\"#000000\"", "", "sRGB colour"},
+    Parameter{"paint.*.radius", number, 1e-6, 1e6, 0.005, 1, "solid units", "0.05", "",
+              "of the ball that is moved along the points; solid.scale does not change it"},
+    Parameter{"paint.*.hardness", number, 0, 1, 0.05, 1, "", "0.5", "",
+              "share of the radius that is covered evenly; from there on less and less"},
+    Parameter{"paint.*.opacity", number, 0, 1, 0.05, 1, "", "1", "",
+              "share of the stroke's colour where it covers most"},
+    Parameter{"paint.*.points.*", numbers, -1e9, 1e9, 0.01, 3, "solid units", "", "",
+              "a point of the stroke's line, before solid.scale"},
 };
 
 /// Levenshtein's distance: insertions, deletions and replacements of single characters.

@@ -159,8 +159,8 @@ KeptTexture& Pipeline::kept(std::uint32_t number) {
 }
 
 template <class Pixel>
-const Image<Pixel>* Pipeline::picture(std::uint32_t level, const std::stop_token& stop) {
-    KeptTexture& texture = kept(level);
+const Image<Pixel>* Pipeline::unpainted(KeptTexture& texture, std::uint32_t level,
+                                        const std::stop_token& stop) {
     if (skips_.allows(Skip::stages))
         if (const Image<Pixel>* image = texture.find<Pixel>(recipe_)) {
             records_.keep(Stage::synthesis);
@@ -181,6 +181,33 @@ const Image<Pixel>* Pipeline::picture(std::uint32_t level, const std::stop_token
     return &image;
 }
 
+/// Paint is kept for as long as the atlas's points are.
+template <class Pixel>
+const Image<Pixel>* Pipeline::picture(std::uint32_t level, const std::stop_token& stop) {
+    KeptTexture& texture = kept(level);
+    const Image<Pixel>* base = unpainted<Pixel>(texture, level, stop);
+    std::unique_ptr<KeptPaint>& layer = levels_[level].paint;
+    if (!skips_.allows(Skip::stages) || recipe_.paint.empty()) layer.reset();
+    if (!base || recipe_.paint.empty()) return base;
+    return records_.time(Stage::paint, [&](StageCost& cost) {
+        if (!layer) layer = std::make_unique<KeptPaint>(texture.solid(), way_.threads);
+        const Image<Pixel>& painted =
+            layer->show(*base, texture.number_of_picture(), recipe_.paint, cost.work.texels);
+        cost.bytes = bytes_of(painted);
+        return &painted;
+    });
+}
+
+template <class Pixel>
+void Pipeline::paint(const SolidAtlas& points, Image<Pixel>& image) {
+    if (recipe_.paint.empty()) return;
+    records_.time(Stage::paint, [&](StageCost& cost) {
+        cost.work.texels = paint_over(points, recipe_.paint, way_.threads, image);
+        cost.bytes = bytes_of(image);
+        return true;
+    });
+}
+
 void Pipeline::synthesize_elsewhere(const SolidAtlas& points, ImageToFill image, StageCost& cost) {
     synthesizer_->synthesize(points, recipe_, way_.threads, image);
     cost.work.texels = texels_of(points);
@@ -190,15 +217,17 @@ template <class Pixel>
 Image<Pixel> Pipeline::synthesize(std::uint32_t level) {
     if (cache_ > 0) return *picture<Pixel>(level);
     const SolidAtlas& points = solid(level);
-    return records_.time(Stage::synthesis, [&](StageCost& cost) {
-        Image<Pixel> image;
+    Image<Pixel> image;
+    records_.time(Stage::synthesis, [&](StageCost& cost) {
         if (synthesizer_ && level == 0)
             synthesize_elsewhere(points, &image, cost);
         else
-            image = fill_texture<Pixel>(points, recipe_, way_, {skips_, &cost.work});
+            image = fill_unpainted<Pixel>(points, recipe_, way_, {skips_, &cost.work});
         cost.bytes = bytes_of(image);
-        return image;
+        return true;
     });
+    paint(points, image);
+    return image;
 }
 
 /// Forward differences know no filter, so that direct levels do without them.

@@ -1,7 +1,7 @@
 #pragma once
 // Mesh to pixels in one place, for the command line and for programs that edit a recipe: the
 // stages' results are kept, and a new recipe repeats only what it changes (mesh -> connectivity ->
-// layout -> spans -> field -> colours -> levels). docs/economy.md has the table.
+// layout -> spans -> field -> colours -> paint -> levels). docs/economy.md has the table.
 #include <map>
 #include <memory>
 #include <optional>
@@ -12,6 +12,7 @@
 
 #include "app/direct_levels.h"
 #include "app/fill_texture.h"
+#include "app/kept_paint.h"
 #include "app/kept_texture.h"
 #include "app/normal_frames.h"
 #include "app/recipe.h"
@@ -90,6 +91,7 @@ class Pipeline {
     struct Level {
         std::unique_ptr<const SolidAtlas> solid{};
         std::unique_ptr<KeptTexture> kept{};
+        std::unique_ptr<KeptPaint> paint{};
     };
     struct KeptNormals;
 
@@ -98,6 +100,11 @@ class Pipeline {
     KeptTexture& kept(std::uint32_t number);
     const SolidAtlas& finest_solid();
     LevelSynthesis level_synthesis(StageCost& cost) const;
+    template <class Pixel>
+    const Image<Pixel>* unpainted(KeptTexture& texture, std::uint32_t level,
+                                  const std::stop_token& stop);
+    template <class Pixel>
+    void paint(const SolidAtlas& points, Image<Pixel>& image);
     void synthesize_elsewhere(const SolidAtlas& points, ImageToFill image, StageCost& cost);
     const NormalFrames& frames(const NormalFramesKey& key);
 

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "app/image_io.h"
+#include "app/paint_json.h"
 #include "app/recipe.h"
 #include "app/recipe_check.h"
 #include "app/recipe_settings.h"
@@ -107,6 +108,7 @@ Recipe recipe_from_json(const Json& json, const std::string& origin) {
     if (filter.contains("samples")) recipe.filter.samples = int(filter["samples"].get<double>());
     read(filter, "octaves", filter_octaves, recipe.filter.band_limit);
     recipe.precision = precision_from_json(part("precision"));
+    if (json.contains("paint")) recipe.paint = paint_from_json(json["paint"]);
     return recipe;
 }
 
@@ -167,6 +169,7 @@ std::string to_json(const Recipe& recipe) {
     if (!recipe.bump.empty())
         json["bump"] = {{"height", recipe.bump.height},
                         {"input", graph_to_json(recipe.bump.input)}};
+    if (!recipe.paint.empty()) json["paint"] = paint_to_json(recipe.paint);
     return print_json(json);
 }
 

@@ -109,7 +109,7 @@ std::vector<RecipeLeaf> recipe_leaves(const Json& recipe) {
     LeafWalk walk;
     SchemaNode schema = build_schema();
     std::erase_if(schema.children, [&](const auto& child) {
-        return (graph && child.first == "texture") ||
+        return (graph && child.first == "texture") || child.first == "paint" ||
                (child.first == "bump" && !recipe.contains("bump"));
     });
     walk.walk_schema(schema, recipe, "", "recipe");

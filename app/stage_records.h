@@ -13,10 +13,10 @@
 namespace burl {
 
 /// In the order in which they need one another.
-enum class Stage : unsigned { connectivity, layout, spans, synthesis, levels, normals };
+enum class Stage : unsigned { connectivity, layout, spans, synthesis, paint, levels, normals };
 
-inline constexpr std::array<std::string_view, 6> stage_names = {
-    "connectivity", "layout", "spans", "synthesis", "levels", "normals"};
+inline constexpr std::array<std::string_view, 7> stage_names = {
+    "connectivity", "layout", "spans", "synthesis", "paint", "levels", "normals"};
 
 /// What one run of a stage took.
 struct StageCost {

@@ -88,7 +88,7 @@ TEST(Parameters, AreDocumentedWithTypeDefaultAndRange) {
 TEST(Parameters, AgreeWithTheRecipeTheyDescribe) {
     // Setting a parameter to its own default changes nothing.
     const std::string base =
-        R"({"texture": {"stops": [[0, "#000000"]], "input": {"noise": [{}]}}, "bump": {"input": 0}})";
+        R"({"texture": {"stops": [[0, "#000000"]], "input": {"noise": [{}]}}, "bump": {"input": 0}, "paint": [{}]})";
     const Recipe plain = parse_recipe(base, "base");
     for (const Parameter& parameter : parameters()) {
         if (parameter.default_value.empty()) continue;
@@ -102,7 +102,7 @@ TEST(Parameters, AgreeWithTheRecipeTheyDescribe) {
 
 TEST(Parameters, AcceptTheirLimitsAndNothingBeyond) {
     const std::string base =
-        R"({"texture": {"stops": [[0, "#000000"]], "input": {"noise": [{}]}}, "bump": {"input": 0}})";
+        R"({"texture": {"stops": [[0, "#000000"]], "input": {"noise": [{}]}}, "bump": {"input": 0}, "paint": [{}]})";
     for (const Parameter& parameter : parameters()) {
         if (parameter.low >= parameter.high || parameter.type == ParameterType::numbers) continue;
         const std::string path = first_path(parameter);

@@ -335,5 +335,34 @@ TEST(Recipe, MapsTheMeshToTextureCoordinates) {
     EXPECT_EQ(texture_from_mesh(recipe, mesh)({2, 0.5, 0}), Vec3d(8, 2, 0));
 }
 
+TEST(Recipe, PaintComesBackFromItsJson) {
+    const Recipe recipe = parse_recipe(R"({"paint": [
+        {"color": "#c02010", "radius": 0.25, "hardness": 0.75, "opacity": 0.5,
+         "points": [[0.1, 2, -3], [1e-7, 5, 6]]},
+        {"mode": "erase"}]})",
+                                       "r.json");
+    ASSERT_EQ(recipe.paint.size(), 2u);
+    PaintStroke expected;
+    expected.points = {{0.1, 2, -3}, {1e-7, 5, 6}};
+    expected.radius = 0.25, expected.hardness = 0.75, expected.opacity = 0.5;
+    expected.color = {0xc0, 0x20, 0x10};
+    EXPECT_EQ(recipe.paint[0], expected);
+    expected = {};
+    expected.mode = PaintMode::erase;
+    EXPECT_EQ(recipe.paint[1], expected);
+    EXPECT_EQ(parse_recipe(to_json(recipe), "r.json"), recipe);
+    EXPECT_EQ(to_json(Recipe{}).find("paint"), std::string::npos);
+    EXPECT_EQ(with({"paint.0.points=[[1,2,3]]", "paint.0.points.1=[4,5,6]"}).paint[0].points,
+              (std::vector<Vec3d>{{1, 2, 3}, {4, 5, 6}}));
+}
+
+TEST(Recipe, SaysWhatIsWrongWithPaint) {
+    EXPECT_THAT(invalid(R"({"paint": {"radius": 1}})"), HasSubstr("paint is an object"));
+    EXPECT_THAT(invalid(R"({"paint": [{"raduis": 1}]})"), HasSubstr("did you mean \"radius\"?"));
+    EXPECT_THAT(invalid(R"({"paint": [{"points": [[1, 2]]}]})"),
+                HasSubstr("paint.0.points.0 is [1,2], must be an array of 3 numbers"));
+    EXPECT_THAT(invalid(R"({"paint": [{"radius": 0}]})"), HasSubstr("paint.0.radius is 0"));
+}
+
 }  // namespace
 }  // namespace burl

@@ -1,0 +1,78 @@
+#include "app/paint_texture.h"
+
+#include <algorithm>
+
+#include "procedural/row_tasks.h"
+
+namespace burl {
+
+namespace {
+
+template <class Pixel>
+struct Codes {
+    static constexpr std::size_t count = 0;
+};
+template <class Code>
+requires std::is_integral_v<Code>
+struct Codes<Rgb<Code>> {
+    static constexpr std::size_t count = std::size_t(SrgbEncoder<Code>::max_code) + 1;
+};
+
+}  // namespace
+
+template <class Pixel>
+PaintMixer<Pixel>::PaintMixer() : decoded_(Codes<Pixel>::count) {
+    for (std::size_t code = 0; code < decoded_.size(); ++code)
+        decoded_[code] = float(srgb_decode(double(code) / double(decoded_.size() - 1)));
+}
+
+template <class Pixel>
+Vec3f PaintMixer<Pixel>::light(const Pixel& pixel) const {
+    if constexpr (Codes<Pixel>::count == 0)
+        return {pixel.r, pixel.g, pixel.b};
+    else
+        return {decoded_[pixel.r], decoded_[pixel.g], decoded_[pixel.b]};
+}
+
+template <class Pixel>
+void PaintMixer<Pixel>::mix(const PaintLayer& layer, std::size_t tile, const Image<Pixel>& base,
+                            Image<Pixel>& image) const {
+    constexpr std::size_t side = PaintTiles::side;
+    const std::span<const PaintLight> paint = layer.paint(tile);
+    const std::size_t column = tile % layer.tiles().columns(), row = tile / layer.tiles().columns();
+    const std::size_t x_end = std::min(base.width(), (column + 1) * side),
+                      y_end = std::min(base.height(), (row + 1) * side);
+    for (std::size_t y = row * side; y < y_end; ++y) {
+        for (std::size_t x = column * side; x < x_end; ++x) {
+            const Pixel& below = base(x, y);
+            Pixel& texel = image(x, y);
+            texel = below;
+            if (paint.empty()) continue;
+            const PaintLight& over = paint[y % side * side + x % side];
+            if (over.a > 0.0f) texel = encode_(Vec3d(painted(over, light(below))));
+        }
+    }
+}
+
+template <class Pixel>
+std::uint64_t paint_over(const SolidAtlas& solid, std::span<const PaintStroke> strokes, int threads,
+                         Image<Pixel>& image) {
+    if (strokes.empty()) return 0;
+    PaintLayer layer(solid, threads);
+    const std::uint64_t texels = layer.update(strokes).texels;
+    const PaintMixer<Pixel> mixer;
+    for (const std::uint32_t tile : layer.painted_tiles()) mixer.mix(layer, tile, image, image);
+    return texels;
+}
+
+template class PaintMixer<Rgb8>;
+template class PaintMixer<Rgb16>;
+template class PaintMixer<RgbF>;
+template std::uint64_t paint_over(const SolidAtlas&, std::span<const PaintStroke>, int,
+                                  Image<Rgb8>&);
+template std::uint64_t paint_over(const SolidAtlas&, std::span<const PaintStroke>, int,
+                                  Image<Rgb16>&);
+template std::uint64_t paint_over(const SolidAtlas&, std::span<const PaintStroke>, int,
+                                  Image<RgbF>&);
+
+}  // namespace burl
