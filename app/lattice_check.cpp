@@ -67,8 +67,14 @@ void check_lattice(const Recipe& recipe, const Box3& box) {
 void check_lattice(const Recipe& recipe, const Mesh& mesh) {
     const Affine3 map = texture_from_mesh(recipe, mesh);
     const Box3 box = bounding_box(mesh);
-    Box3 seen;  // maps scale and move, so corners stay corners
-    seen.low = map(box.low), seen.high = map(box.high);
+    Box3 seen{Vec3d(HUGE_VAL), Vec3d(-HUGE_VAL)};
+    for (int corner = 0; corner < 8; ++corner) {
+        const Vec3d s =
+            map({(corner & 1 ? box.high : box.low).x, (corner & 2 ? box.high : box.low).y,
+                 (corner & 4 ? box.high : box.low).z});
+        seen.low = glm::min(seen.low, s);
+        seen.high = glm::max(seen.high, s);
+    }
     check_lattice(recipe, seen);
 }
 

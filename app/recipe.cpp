@@ -6,6 +6,7 @@
 #include "app/file_bytes.h"
 #include "app/parameters.h"
 #include "atlas/error.h"
+#include "procedural/rotation.h"
 
 namespace burl {
 
@@ -31,7 +32,10 @@ Error unknown_preset(const std::string& name) {
 }  // namespace
 
 Affine3 texture_from_solid(const Recipe& recipe) {
-    return {recipe.solid.scale * Mat3d(1.0), Vec3d(0.0)};
+    const SolidOptions& solid = recipe.solid;
+    Affine3 map{solid.scale * Mat3d(1.0), solid.translate};
+    if (solid.rotate != Vec3d(0.0)) map.linear = solid.scale * rotation_about_axes(solid.rotate);
+    return map;
 }
 
 Affine3 texture_from_mesh(const Recipe& recipe, const Mesh& mesh) {

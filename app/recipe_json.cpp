@@ -34,6 +34,15 @@ void read(const Json& json, const char* key, const Names& names, Enum& target) {
     if (found != names.end()) target = Enum(found - names.begin());
 }
 
+void read(const Json& json, const char* key, Vec3d& target) {
+    if (!json.contains(key)) return;
+    for (int axis = 0; axis < 3; ++axis) target[axis] = json[key][std::size_t(axis)].get<double>();
+}
+
+Json array_of(const Vec3d& v) {
+    return {v.x, v.y, v.z};
+}
+
 template <class Enum, class Names>
 const char* name_of(const Names& names, Enum value) {
     return names[std::size_t(value)];
@@ -95,6 +104,8 @@ Recipe recipe_from_json(const Json& json, const std::string& origin) {
     const Json& solid = part("solid");
     read(solid, "space", spaces, recipe.solid.space);
     if (solid.contains("scale")) recipe.solid.scale = solid["scale"].get<double>();
+    read(solid, "rotate", recipe.solid.rotate);
+    read(solid, "translate", recipe.solid.translate);
     if (is_graph(part("texture")))
         recipe.graph = graph_from_json(part("texture"), image_reader(origin));
     else
@@ -146,26 +157,29 @@ Recipe parse_recipe(const std::string& json, const std::string& origin,
 }
 
 std::string to_json(const Recipe& recipe) {
-    Json json{
-        {"burl", 1},
-        {"name", recipe.name},
-        {"atlas",
-         {{"kind", name_of(atlas_kinds, recipe.atlas.kind)},
-          {"size", recipe.atlas.size},
-          {"overscan", name_of(overscans, recipe.atlas.overscan)},
-          {"weight", name_of(atlas_weights, recipe.atlas.weight)},
-          {"partition", name_of(partitions, recipe.atlas.partition)},
-          {"gutter", recipe.atlas.gutter},
-          {"diagonals", name_of(diagonals, recipe.atlas.diagonals)},
-          {"tries", recipe.atlas.tries}}},
-        {"solid", {{"space", name_of(spaces, recipe.solid.space)}, {"scale", recipe.solid.scale}}},
-        {"texture",
-         recipe.graph.empty() ? texture_to_json(recipe.texture) : graph_to_json(recipe.graph)},
-        {"filter",
-         {{"kind", name_of(filters, recipe.filter.kind)},
-          {"samples", recipe.filter.samples},
-          {"octaves", name_of(filter_octaves, recipe.filter.band_limit)}}},
-        {"precision", precision_to_json(recipe.precision)}};
+    Json json{{"burl", 1},
+              {"name", recipe.name},
+              {"atlas",
+               {{"kind", name_of(atlas_kinds, recipe.atlas.kind)},
+                {"size", recipe.atlas.size},
+                {"overscan", name_of(overscans, recipe.atlas.overscan)},
+                {"weight", name_of(atlas_weights, recipe.atlas.weight)},
+                {"partition", name_of(partitions, recipe.atlas.partition)},
+                {"gutter", recipe.atlas.gutter},
+                {"diagonals", name_of(diagonals, recipe.atlas.diagonals)},
+                {"tries", recipe.atlas.tries}}},
+              {"solid",
+               {{"space", name_of(spaces, recipe.solid.space)},
+                {"scale", recipe.solid.scale},
+                {"rotate", array_of(recipe.solid.rotate)},
+                {"translate", array_of(recipe.solid.translate)}}},
+              {"texture", recipe.graph.empty() ? texture_to_json(recipe.texture)
+                                               : graph_to_json(recipe.graph)},
+              {"filter",
+               {{"kind", name_of(filters, recipe.filter.kind)},
+                {"samples", recipe.filter.samples},
+                {"octaves", name_of(filter_octaves, recipe.filter.band_limit)}}},
+              {"precision", precision_to_json(recipe.precision)}};
     if (!recipe.bump.empty())
         json["bump"] = {{"height", recipe.bump.height},
                         {"input", graph_to_json(recipe.bump.input)}};

@@ -5,22 +5,13 @@
 
 #include "procedural/graph_affine.h"
 #include "procedural/graph_nodes.h"
+#include "procedural/rotation.h"
 
 namespace burl::nodes {
 
 namespace {
 
 constexpr double pi = std::numbers::pi;
-
-Mat3d rotation(int axis, double degrees) {
-    const double angle = degrees * pi / 180.0, c = std::cos(angle), s = std::sin(angle);
-    const int from = (axis + 1) % 3, to = (axis + 2) % 3;
-    Mat3d m(1.0);
-    m[from][from] = m[to][to] = c;
-    m[from][to] = s;
-    m[to][from] = -s;
-    return m;
-}
 
 Dual dot(const Vec3d& d, const DualPoint& p) {
     return d.x * p.x + d.y * p.y + d.z * p.z;
@@ -84,7 +75,7 @@ Affine3 transform_map(const NodeCall& call) {
     Affine3 inner{Mat3d(1.0), call.vector("translate")}, outer;
     for (int axis = 0; axis < 3; ++axis) inner.linear[axis] *= factors[axis];
     for (int axis = 0; axis < 3; ++axis)
-        inner.linear = nodes::rotation(axis, degrees[axis]) * inner.linear;
+        inner.linear = rotation_about(axis, degrees[axis]) * inner.linear;
     for (int row = 0; row < 3; ++row) {
         for (int column = 0; column < 3; ++column)
             outer.linear[column][row] = call.parameter("matrix", std::size_t(4 * row + column));
