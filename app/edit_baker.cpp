@@ -24,6 +24,12 @@ const char* kind_name(AtlasKind kind) {
     return names[std::size_t(kind)];
 }
 
+/// Then the texture under the paint is there.
+bool only_paint_differs(Recipe before, const Recipe& now) {
+    before.paint = now.paint;
+    return before == now;
+}
+
 }  // namespace
 
 EditBaker::EditBaker(std::function<void()> wake, double budget)
@@ -68,6 +74,7 @@ void EditBaker::take_mesh() {
     pipeline_ = std::make_unique<Pipeline>(std::move(*mesh));
     pipeline_->set_cache(cache_bytes);
     fresh_ = true;
+    finest_.reset();
 }
 
 void EditBaker::publish_surface(Pipeline& pipeline) {
@@ -76,6 +83,7 @@ void EditBaker::publish_surface(Pipeline& pipeline) {
     const int normals = baked_material(surface->scene).normals;
     if (normals >= 0)  // flat until there is a map of them
         surface->scene.textures[std::size_t(normals)].image = Image<Rgb8>(1, 1, {128, 128, 255});
+    surface->unit_from_mesh = solid_from_mesh(pipeline.mesh(), SolidSpace::unit);
     surface->sphere = bounding_sphere(surface->scene);
     surface->size = pipeline.recipe().atlas.size;
     surface->triangles = pipeline.mesh().triangles.size();
@@ -129,9 +137,13 @@ void EditBaker::work(const WorkerRequest& request, const std::stop_token& stop) 
     }
     auto start = std::chrono::steady_clock::now();
     const Drag drag = request.moving ? Drag::moving : Drag::released;
-    refine<Rgb8>(*pipeline_, *choice_, drag, patience, stop,
+    // Paint over the finest picture is quicker than any other level's, and says nothing of them.
+    LevelChoice finest(budget_, 0);
+    const bool paints = finest_ && only_paint_differs(*finest_, request.recipe);
+    refine<Rgb8>(*pipeline_, paints ? finest : *choice_, drag, patience, stop,
                  [&](std::uint32_t level, const Image<Rgb8>& texels) {
                      const auto now = std::chrono::steady_clock::now();
+                     if (level == 0) finest_ = request.recipe;
                      publish_picture(request, level, texels,
                                      std::chrono::duration<double>(now - start).count());
                      start = std::chrono::steady_clock::now();

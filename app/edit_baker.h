@@ -19,7 +19,8 @@ struct EditSurface {
     std::uint64_t number = 0;  ///< another one for every layout
     Scene scene{};             ///< without textures of its own (app/view_scene.h)
     Sphere sphere{};
-    std::uint32_t size = 0;  ///< of the texture at level 0
+    Affine3 unit_from_mesh{};  ///< solid_from_mesh of SolidSpace::unit
+    std::uint32_t size = 0;    ///< of the texture at level 0
     std::size_t triangles = 0;
     std::string atlas{};  ///< its kind
     double layout_seconds = 0.0;
@@ -83,7 +84,8 @@ class EditBaker {
     std::unique_ptr<Pipeline> pipeline_;  ///< the worker's alone, as the rest
     std::optional<LevelChoice> choice_;
     AtlasOptions shown_atlas_;
-    bool fresh_ = true;  ///< no surface of this mesh was published
+    bool fresh_ = true;             ///< no surface of this mesh was published
+    std::optional<Recipe> finest_;  ///< of the last picture of this mesh at level 0
 
     EditWorker worker_;  ///< last: it sees all the others
 };

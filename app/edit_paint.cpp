@@ -82,7 +82,7 @@ bool EditPaint::input(const PaintView& view, EditSession& session) {
         history.begin_gesture();
     }
     if (!painting_) return false;
-    if (ImGui::IsMouseDown(0) && tool.on)
+    if (ImGui::IsMouseDown(0) && tool.on && history.in_gesture())  // nobody has undone it
         lead_to(view, session, io.MousePos);
     else {
         painting_ = false;

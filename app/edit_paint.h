@@ -3,6 +3,7 @@
 // from press to release, and the brush is seen as a ring on the surface.
 #include <imgui.h>
 
+#include <memory>
 #include <optional>
 
 #include "app/edit_camera.h"
@@ -14,7 +15,7 @@ namespace burl {
 
 /// What the object's view shows and where.
 struct PaintView {
-    const SurfacePick* pick = nullptr;  ///< null: nothing can be painted yet
+    std::shared_ptr<const SurfacePick> pick{};  ///< null: nothing can be painted yet
     Affine3 solid_from_mesh{};
     EditCamera camera{};
     Sphere sphere{};

@@ -12,7 +12,7 @@ namespace burl {
 
 namespace {
 
-constexpr std::array<std::pair<const char*, const char*>, 19> keys{{
+constexpr std::array<std::pair<const char*, const char*>, 22> keys{{
     {"left drag", "turn the object"},
     {"right or middle drag", "move it"},
     {"wheel", "nearer, farther"},
@@ -27,6 +27,9 @@ constexpr std::array<std::pair<const char*, const char*>, 19> keys{{
     {"Ctrl+Shift+C", "copy the burl command line"},
     {"Ctrl+C, Ctrl+V", "copy, paste the recipe as JSON"},
     {"A", "compare with the recipe as it was opened"},
+    {"P", "paint on the surface, and back"},
+    {"comma, period; X", "painting: smaller, larger brush; eraser"},
+    {"Alt+left drag", "painting: turn the object"},
     {"F12", "screenshot"},
     {"F1", "this list"},
     {"double-click a slider", "its default"},

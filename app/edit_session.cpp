@@ -47,6 +47,15 @@ class Differences {
     }
 };
 
+/// More than anybody wants on a command line, such as strokes of paint.
+constexpr std::size_t long_settings = 4000;
+
+std::size_t length_of(const std::vector<std::string>& settings) {
+    std::size_t length = 0;
+    for (const std::string& setting : settings) length += setting.size();
+    return length;
+}
+
 /// In single quotes where a shell would touch it.
 std::string quoted(const std::string& word) {
     constexpr std::string_view plain =
@@ -119,7 +128,8 @@ std::string bake_command(const std::string& mesh, const std::string& base_path, 
                          const Recipe& recipe) {
     const std::string name = recipe.name.empty() ? "texture" : recipe.name;
     std::vector<std::string> words{"burl", "bake", mesh, "-o", name + ".glb", "--recipe"};
-    const RecipeSettings between = settings_between(base, recipe);
+    RecipeSettings between = settings_between(base, recipe);
+    if (length_of(between.settings) > long_settings) between = {false, {}};
     words.push_back(between.possible ? base_path : name + ".json");
     for (const std::string& setting : between.settings) {
         words.emplace_back("--set");

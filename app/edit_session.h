@@ -62,8 +62,8 @@ struct RecipeSettings {
 RecipeSettings settings_between(const Recipe& base, const Recipe& recipe);
 
 /// `burl bake MESH -o OUT --recipe BASE --set ...`, quoted for a shell, that makes the recipe's
-/// texture; with the recipe's whole JSON to be saved where settings cannot say it ("--recipe
-/// NAME.json").
+/// texture; with the recipe's whole JSON to be saved where settings cannot say it, or not within
+/// 4000 characters ("--recipe NAME.json").
 std::string bake_command(const std::string& mesh, const std::string& base_path, const Recipe& base,
                          const Recipe& recipe);
 

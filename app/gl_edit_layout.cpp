@@ -4,6 +4,7 @@
 #include <imgui.h>
 
 #include "app/edit_keys.h"
+#include "app/edit_panel_paint.h"
 #include "app/gl_edit_program.h"
 
 namespace burl {
@@ -60,6 +61,7 @@ void EditorProgram::shortcuts() {
     if (pressed("L")) lit_ = !lit_;
     if (pressed("T")) turntable_ = !turntable_;
     if (pressed("A")) compare();
+    paint_shortcuts(paint_.tool);
 }
 
 bool EditorProgram::menu_item(const char* label, const char* key, bool enabled) {
@@ -98,6 +100,8 @@ void EditorProgram::menu() {
     under("Edit", [&] {
         if (menu_item("Undo", "Ctrl+Z", session_.history().can_undo())) session_.history().undo();
         if (menu_item("Redo", "Ctrl+Y", session_.history().can_redo())) session_.history().redo();
+        if (menu_item("Paint", "P")) paint_.tool.on = !paint_.tool.on;
+        if (menu_item("Clear paint", "", !session_.recipe().paint.empty())) clear_paint(session_);
     });
     under("View", [&] { view_menu(); });
     under("Help", [&] {
@@ -135,6 +139,7 @@ void EditorProgram::layout() {
     ImGui::SetNextWindowPos({0.0f, top});
     ImGui::SetNextWindowSize({display.x - side, display.y - top});
     object_window();
+    paint_panel({session_, items_}, paint_.tool, {0.0f, top});
     ImGui::SetNextWindowPos({display.x - side, top});
     ImGui::SetNextWindowSize({side, display.y - top});
     side_window();
@@ -144,13 +149,26 @@ void EditorProgram::layout() {
     if (const auto path = dialog_.show(items_)) (this->*chosen_)(*path);
 }
 
-void EditorProgram::object_input(const ImVec2& size) {
+PaintView EditorProgram::paint_view(const ImVec2& low, const ImVec2& size) const {
+    PaintView view{baker_.pick(), {}, camera_, {}, low, size};
+    const auto surface = baker_.surface();
+    if (!surface || !view.pick || &view.pick->scene() != &surface->scene)
+        view.pick.reset();  // of another surface
+    else
+        view.sphere = surface->sphere;
+    if (surface && session_.recipe().solid.space == SolidSpace::unit)
+        view.solid_from_mesh = surface->unit_from_mesh;
+    return view;
+}
+
+void EditorProgram::object_input(const ImVec2& low, const ImVec2& size) {
     ImGui::InvisibleButton("object", size,
                            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
                                ImGuiButtonFlags_MouseButtonMiddle);
     items_.note("object");
     const ImGuiIO& io = ImGui::GetIO();
-    moving_camera_ = ImGui::IsItemActive();
+    const bool paints = paint_.input(paint_view(low, size), session_);
+    moving_camera_ = ImGui::IsItemActive() && !paints;
     if (moving_camera_ && ImGui::IsMouseDown(0))
         camera_ = orbited(camera_, {io.MouseDelta.x, io.MouseDelta.y}, double(size.y));
     else if (moving_camera_)
@@ -168,7 +186,7 @@ void EditorProgram::object_window() {
     if (ImGui::Begin("Object", nullptr, fixed | ImGuiWindowFlags_NoScrollbar)) {
         const ImVec2 low = ImGui::GetCursorScreenPos(), size = ImGui::GetContentRegionAvail();
         if (size.x >= 1.0f && size.y >= 1.0f) {
-            object_input(size);
+            object_input(low, size);
             object_.show(baker_.surface(), baker_.picture());
             const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
             ObjectViewOptions options;
@@ -179,6 +197,7 @@ void EditorProgram::object_window() {
             if (const GlTexture* texture = object_.draw(options))
                 ImGui::GetWindowDrawList()->AddImage(imgui_texture(*texture), low,
                                                      {low.x + size.x, low.y + size.y});
+            paint_.draw(paint_view(low, size));
         }
     }
     ImGui::End();

@@ -10,6 +10,7 @@
 #include "app/edit_export.h"
 #include "app/edit_files.h"
 #include "app/edit_items.h"
+#include "app/edit_paint.h"
 #include "app/edit_panels.h"
 #include "app/edit_session.h"
 #include "app/gl_edit_imgui.h"
@@ -81,7 +82,8 @@ class EditorProgram {
     void menu();
     void layout();
     void object_window();
-    void object_input(const ImVec2& size);
+    void object_input(const ImVec2& low, const ImVec2& size);
+    PaintView paint_view(const ImVec2& low, const ImVec2& size) const;
     void side_window();
     void draw_screen();
     void request_texture();
@@ -97,6 +99,7 @@ class EditorProgram {
     bool lit_ = true, turntable_ = false, keys_open_ = false, comparing_ = false, closing_ = false;
     bool moving_camera_ = false;
     StopSelection stop_;
+    EditPaint paint_;
     std::string mesh_path_;
     Recipe opened_;  ///< to compare with
     std::string opened_path_;

@@ -76,5 +76,19 @@ TEST(EditSession, TheCommandLineIsQuotedForAShell) {
               "'name=\"it'\\''s\"' --set solid.scale=3.0");
 }
 
+TEST(BakeCommand, NamesTheSavedRecipeWhereStrokesOfPaintAreMany) {
+    const Recipe base = load_recipe("marble");
+    Recipe recipe = base;
+    recipe.paint.resize(1);
+    recipe.paint[0].points = {{0.0, 0.25, 0.5}, {0.1, 0.25, 0.5}};
+    const RecipeSettings few = settings_between(base, recipe);
+    EXPECT_EQ(parse_recipe(to_json(base), "base", few.settings), recipe);
+    EXPECT_NE(bake_command("m.obj", "marble", base, recipe).find("--set 'paint=["),
+              std::string::npos);
+    recipe.paint.resize(100);
+    EXPECT_EQ(bake_command("m.obj", "marble", base, recipe),
+              "burl bake m.obj -o marble.glb --recipe marble.json");
+}
+
 }  // namespace
 }  // namespace burl

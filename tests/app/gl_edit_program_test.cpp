@@ -1,7 +1,5 @@
 // The editor as a person uses it, without a display: scripts of real pointer and key events, and
 // what comes of them in the recipe, on the screen and on disk.
-#include "app/gl_edit_program.h"
-
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -9,47 +7,11 @@
 #include "app/edit_export.h"
 #include "app/file_bytes.h"
 #include "app/shading.h"
-#include "tests/app/gl_fixture.h"
+#include "tests/app/gl_edit_fixture.h"
 #include "tests/app/scratch_folder.h"
 
 namespace burl {
 namespace {
-
-class GlEditProgramTest : public GlTest {
-  protected:
-    std::unique_ptr<EditorProgram> start(const std::string& recipe = "marble",
-                                         const std::string& autosave = "") {
-        EditorOptions options;
-        options.mesh = "sample:cube";
-        options.recipe = recipe;
-        options.settings = {"atlas.size=64", "atlas.tries=1"};
-        options.autosave = autosave;
-        if (!context) context = create_osmesa_context();
-        auto editor = std::make_unique<EditorProgram>(
-            create_unseen_window(std::move(context), {800, 500}), options);
-        play(*editor, R"({"settle": true}, {"wait": 2})");
-        return editor;
-    }
-
-    /// Steps as JSON, separated by commas.
-    static void play(EditorProgram& editor, const std::string& steps,
-                     const std::string& folder = "") {
-        editor.play(
-            parse_script(R"({"burl_input": 1, "size": [800, 500], "steps": [)" + steps + "]}",
-                         "test"),
-            folder);
-    }
-
-    static Image<Rgb8> settled(EditorProgram& editor) {
-        play(editor, R"({"events": [{"move": [1, 1]}]}, {"settle": true}, {"wait": 3})");
-        return editor.screenshot();
-    }
-
-    /// Of the right-hand side's first tab that was open at the start.
-    static std::size_t different(EditorProgram& editor, const Image<Rgb8>& before) {
-        return differing(before, settled(editor));
-    }
-};
 
 TEST_F(GlEditProgramTest, ShowsTheObjectWithItsTexture) {
     const auto editor = start();
