@@ -38,11 +38,12 @@ PaintBrush::PaintBrush(const PaintStroke& stroke)
       light_(linear_light(stroke.color)),
       erases_(stroke.mode == PaintMode::erase) {}
 
-double PaintBrush::coverage(double squared_distance) const {
+double PaintBrush::coverage(double squared_distance, double texel) const {
     if (!(squared_distance < radius_ * radius_)) return 0.0;
     const double distance = std::sqrt(squared_distance);
-    if (distance <= inner_) return 1.0;
-    const double t = std::max(0.0, (radius_ - distance) / (radius_ - inner_));
+    const double inner = std::clamp(radius_ - texel, 0.0, inner_);
+    if (distance <= inner) return 1.0;
+    const double t = std::max(0.0, (radius_ - distance) / (radius_ - inner));
     return t * t * (3.0 - 2.0 * t);
 }
 

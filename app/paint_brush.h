@@ -29,8 +29,9 @@ class PaintBrush {
     double radius() const { return radius_; }
 
     /// Share of a point covered that lies so far (squared) from the stroke's line: 1 up to hardness
-    /// times the radius, then a smoothstep down to 0 at the radius.
-    double coverage(double squared_distance) const;
+    /// times the radius, then a smoothstep down to 0 at the radius, which is at least as wide as a
+    /// texel, so that hard edges have no steps.
+    double coverage(double squared_distance, double texel) const;
     /// `below` with the stroke over it where it covers so much.
     PaintLight over(const PaintLight& below, double coverage) const;
 

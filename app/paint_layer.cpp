@@ -49,14 +49,15 @@ bool lay_over(const PaintTiles& tiles, std::size_t tile, const PaintBrush& brush
     const std::vector<PaintSegment> near = segments_at(brush, tiles.box(tile));
     if (near.empty()) return false;
     paint.resize(tile_texels, PaintLight(0.0f));
-    tiles.for_each_texel(tile, [&](std::uint32_t x, std::uint32_t y, const Vec3d& point) {
-        double least = squared_distance(point, near[0]);
-        for (std::size_t k = 1; k < near.size(); ++k)
-            least = std::min(least, squared_distance(point, near[k]));
-        PaintLight& texel = paint[place_in_tile(x, y)];
-        if (const double coverage = brush.coverage(least); coverage > 0.0)
-            texel = brush.over(texel, coverage);
-    });
+    tiles.for_each_texel(
+        tile, [&](std::uint32_t x, std::uint32_t y, const Vec3d& point, double width) {
+            double least = squared_distance(point, near[0]);
+            for (std::size_t k = 1; k < near.size(); ++k)
+                least = std::min(least, squared_distance(point, near[k]));
+            PaintLight& texel = paint[place_in_tile(x, y)];
+            if (const double coverage = brush.coverage(least, width); coverage > 0.0)
+                texel = brush.over(texel, coverage);
+        });
     return true;
 }
 

@@ -27,14 +27,18 @@ class PaintTiles {
     /// Adds to `reached` those that the brush may cover some of.
     void add_reached(const PaintBrush& brush, std::vector<bool>& reached) const;
 
-    /// Calls visit(x, y, solid point) for the tile's texels that have a point.
+    /// Calls visit(x, y, solid point, width) for the tile's texels that have a point; the width is
+    /// the longer step to a neighbour, in solid units.
     template <class Visit>
     void for_each_texel(std::size_t tile, const Visit& visit) const {
         const auto column = std::uint32_t(tile % columns_), row = std::uint32_t(tile / columns_);
         for (std::uint32_t y = row * side; y < end(row); ++y)
             for_each_piece(column * side, end(column), y,
                            [&](std::uint32_t first, std::uint32_t last, const TexelMap& map) {
-                               for (std::uint32_t x = first; x < last; ++x) visit(x, y, map(x, y));
+                               const double width =
+                                   std::max(glm::length(map.step_x), glm::length(map.step_y));
+                               for (std::uint32_t x = first; x < last; ++x)
+                                   visit(x, y, map(x, y), width);
                            });
     }
 

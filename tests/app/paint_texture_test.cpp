@@ -50,24 +50,33 @@ double distance_from(const Vec3d& p, const Vec3d& a, const Vec3d& b) {
     return glm::length(glm::cross(p - a, p - b)) / glm::length(b - a);
 }
 
-double coverage_of(const PaintStroke& stroke, const Vec3d& p) {
+/// A texel's point and the longer of its steps.
+struct Texel {
+    Vec3d point{0.0};
+    double width = 0.0;
+};
+
+double coverage_of(const PaintStroke& stroke, const Texel& texel) {
     double least = 1e300;
     for (std::size_t i = 0; i < stroke.points.size(); ++i)
-        least =
-            std::min(least, distance_from(p, stroke.points[i], stroke.points[i == 0 ? 0 : i - 1]));
+        least = std::min(
+            least, distance_from(texel.point, stroke.points[i], stroke.points[i == 0 ? 0 : i - 1]));
     const double x = least / stroke.radius;
+    const double hardness =
+        std::max(0.0, std::min(stroke.hardness, 1.0 - texel.width / stroke.radius));
     if (x >= 1.0) return 0.0;
-    if (x <= stroke.hardness) return 1.0;
-    const double t = 1.0 - (x - stroke.hardness) / (1.0 - stroke.hardness);
+    if (x <= hardness) return 1.0;
+    const double t = 1.0 - (x - hardness) / (1.0 - hardness);
     return 3.0 * t * t - 2.0 * t * t * t;
 }
 
 /// Colour and alpha one after the other, not multiplied.
-Vec3d painted_slowly(const std::vector<PaintStroke>& strokes, const Vec3d& p, const Vec3d& below) {
+Vec3d painted_slowly(const std::vector<PaintStroke>& strokes, const Texel& texel,
+                     const Vec3d& below) {
     Vec3d color(0.0);
     double alpha = 0.0;
     for (const PaintStroke& stroke : strokes) {
-        const double share = stroke.opacity * coverage_of(stroke, p);
+        const double share = stroke.opacity * coverage_of(stroke, texel);
         if (stroke.mode == PaintMode::erase) {
             alpha *= 1.0 - share;
             continue;
@@ -80,12 +89,17 @@ Vec3d painted_slowly(const std::vector<PaintStroke>& strokes, const Vec3d& p, co
     return alpha * color + (1.0 - alpha) * below;
 }
 
+Texel texel_of(const TexelMap& map, std::uint32_t x, std::uint32_t y) {
+    return {map(x, y), std::sqrt(std::max(glm::dot(map.step_x, map.step_x),
+                                          glm::dot(map.step_y, map.step_y)))};
+}
+
 template <class Visit>
 void for_each_texel(const SolidAtlas& solid, const Visit& visit) {
     for (std::uint32_t y = 0; y < solid.size; ++y)
         for (const Span& span : solid.row(y))
             for (std::uint32_t x = span.x; x < span.x + span.count; ++x)
-                visit(x, y, solid.maps[span.map](x, y));
+                visit(x, y, texel_of(solid.maps[span.map], x, y));
 }
 
 Image<RgbF> random_texture(std::uint32_t size) {
@@ -107,9 +121,9 @@ struct Difference {
 Difference difference_from_search(const SolidAtlas& solid, const std::vector<PaintStroke>& strokes,
                                   const Image<RgbF>& base, const Image<RgbF>& image) {
     Difference result;
-    for_each_texel(solid, [&](std::uint32_t x, std::uint32_t y, const Vec3d& point) {
+    for_each_texel(solid, [&](std::uint32_t x, std::uint32_t y, const Texel& texel) {
         const RgbF &before = base(x, y), &after = image(x, y);
-        const Vec3d expected = painted_slowly(strokes, point, {before.r, before.g, before.b});
+        const Vec3d expected = painted_slowly(strokes, texel, {before.r, before.g, before.b});
         const Vec3d apart = glm::abs(Vec3d(after.r, after.g, after.b) - expected);
         result.most = std::max({result.most, apart.x, apart.y, apart.z});
         result.painted += before != after;
@@ -141,14 +155,14 @@ TEST(PaintTexture, TexelsOutOfReachKeepTheirBitsInEveryFormat) {
         const auto base = image;
         paint_over(solid, strokes, 1, image);
         std::size_t painted = 0, kept = 0;
-        for_each_texel(solid, [&](std::uint32_t x, std::uint32_t y, const Vec3d& point) {
+        for_each_texel(solid, [&](std::uint32_t x, std::uint32_t y, const Texel& texel) {
             const bool reached = std::ranges::any_of(
-                strokes, [&](const PaintStroke& s) { return coverage_of(s, point) > 0.0; });
+                strokes, [&](const PaintStroke& s) { return coverage_of(s, texel) > 0.0; });
             if (!reached) {
                 EXPECT_EQ(image(x, y), base(x, y));
             }
             ++(reached ? painted : kept);
-            wanted(painted_slowly(strokes, point, Vec3d(0.2122)), image(x, y));
+            wanted(painted_slowly(strokes, texel, Vec3d(0.2122)), image(x, y));
         });
         EXPECT_GT(painted, 100u);
         EXPECT_GT(kept, 100u);
