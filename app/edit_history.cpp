@@ -4,14 +4,21 @@
 
 namespace burl {
 
-EditHistory::EditHistory(Recipe recipe) : steps_{recipe}, now_(recipe), saved_(std::move(recipe)) {}
+EditHistory::EditHistory(Recipe recipe)
+    : steps_{KeptRecipe(recipe)}, now_(recipe), saved_(recipe), step_(std::move(recipe)) {}
 
 void EditHistory::end_gesture() {
     in_gesture_ = false;
-    if (now_ == steps_[at_]) return;
-    steps_.resize(at_ + 1);
-    steps_.push_back(now_);
+    if (now_ == step_) return;
+    steps_.erase(steps_.begin() + std::ptrdiff_t(at_) + 1, steps_.end());
+    steps_.emplace_back(now_, steps_[at_]);
+    step_ = now_;
     ++at_;
+}
+
+void EditHistory::go_to(std::size_t step) {
+    at_ = step;
+    now_ = step_ = steps_[at_].recipe();
 }
 
 void EditHistory::change(Recipe recipe) {
@@ -21,12 +28,12 @@ void EditHistory::change(Recipe recipe) {
 
 void EditHistory::undo() {
     end_gesture();
-    if (at_ > 0) now_ = steps_[--at_];
+    if (at_ > 0) go_to(at_ - 1);
 }
 
 void EditHistory::redo() {
     end_gesture();
-    if (at_ + 1 < steps_.size()) now_ = steps_[++at_];
+    if (at_ + 1 < steps_.size()) go_to(at_ + 1);
 }
 
 }  // namespace burl

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "app/recipe.h"
+#include "app/kept_recipe.h"
 
 namespace burl {
 
@@ -23,8 +23,8 @@ class EditHistory {
     void change(Recipe recipe);
     bool in_gesture() const { return in_gesture_; }
 
-    bool can_undo() const { return now_ != steps_[at_] || at_ > 0; }
-    bool can_redo() const { return now_ == steps_[at_] && at_ + 1 < steps_.size(); }
+    bool can_undo() const { return now_ != step_ || at_ > 0; }
+    bool can_redo() const { return now_ == step_ && at_ + 1 < steps_.size(); }
     /// Ends an open gesture first, whose step is then the one undone.
     void undo();
     void redo();
@@ -34,9 +34,12 @@ class EditHistory {
     void mark_saved() { saved_ = now_; }
 
   private:
-    std::vector<Recipe> steps_;
+    void go_to(std::size_t step);
+
+    std::vector<KeptRecipe> steps_;
     std::size_t at_ = 0;  ///< of `now_`, but for changes of an open gesture
     Recipe now_, saved_;
+    Recipe step_;  ///< steps_[at_]
     bool in_gesture_ = false;
 };
 

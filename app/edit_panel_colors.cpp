@@ -52,7 +52,7 @@ class MapEditor {
         : context_(context),
           path_(std::move(path)),
           selection_(selection),
-          recipe_(Json::parse(to_json(context.session.recipe()))),
+          recipe_(slider_json(context.session.recipe())),
           map_(map_of(at_path(recipe_, path_))) {}
 
     void show() {
@@ -193,8 +193,7 @@ class MapEditor {
 }  // namespace
 
 void color_maps_panel(const PanelContext& context, StopSelection& selection) {
-    const std::vector<std::string> paths =
-        color_map_paths(Json::parse(to_json(context.session.recipe())));
+    const std::vector<std::string> paths = color_map_paths(slider_json(context.session.recipe()));
     if (paths.empty()) ImGui::TextWrapped("This recipe has no colour map.");
     for (const std::string& path : paths) {
         ImGui::TextUnformatted(path.c_str());

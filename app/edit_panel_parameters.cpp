@@ -30,8 +30,7 @@ void seed_button(const PanelContext& context, const RecipeLeaf& leaf) {
 }  // namespace
 
 void parameters_panel(const PanelContext& context) {
-    const std::vector<RecipeLeaf> leaves =
-        recipe_leaves(Json::parse(to_json(context.session.recipe())));
+    const std::vector<RecipeLeaf> leaves = recipe_leaves(slider_json(context.session.recipe()));
     for (std::size_t first = 0; first < leaves.size();) {
         std::size_t last = first;
         while (last < leaves.size() && leaves[last].group == leaves[first].group) ++last;

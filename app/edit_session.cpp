@@ -66,6 +66,19 @@ std::string quoted(const std::string& word) {
     return text + "'";
 }
 
+/// Strokes of paint do not go through JSON, which would take longer than a frame, where no setting
+/// is of them.
+Recipe with_settings(Recipe recipe, const std::string& origin,
+                     const std::vector<std::string>& settings) {
+    std::vector<PaintStroke> paint;
+    const auto paints = [](const std::string& setting) { return setting.starts_with("paint"); };
+    const bool apart = std::ranges::none_of(settings, paints);
+    if (apart) paint.swap(recipe.paint);
+    Recipe result = parse_recipe(to_json(recipe), origin, settings);
+    if (apart) result.paint = std::move(paint);
+    return result;
+}
+
 }  // namespace
 
 EditSession::EditSession(Recipe recipe, std::string recipe_path)
@@ -92,7 +105,7 @@ bool EditSession::set(const std::string& path, const Json& value) {
 }
 
 bool EditSession::set(const std::vector<std::string>& settings) {
-    return step([&] { return parse_recipe(to_json(recipe()), recipe_path_, settings); });
+    return step([&] { return with_settings(recipe(), recipe_path_, settings); });
 }
 
 bool EditSession::open_recipe(const std::string& path) {

@@ -104,6 +104,12 @@ void find_maps(const Json& node, const std::string& path, std::vector<std::strin
 
 }  // namespace
 
+Json slider_json(const Recipe& recipe) {
+    Recipe bare = recipe;
+    bare.paint.clear();
+    return Json::parse(to_json(bare));
+}
+
 std::vector<RecipeLeaf> recipe_leaves(const Json& recipe) {
     const bool graph = recipe.contains("texture") && is_graph(recipe["texture"]);
     LeafWalk walk;

@@ -19,6 +19,9 @@ struct RecipeLeaf {
     Json value;  ///< as it is; the default where the recipe's JSON has none
 };
 
+/// The recipe's JSON without its strokes of paint, which have no sliders and may be megabytes.
+Json slider_json(const Recipe& recipe);
+
 /// In the order of the JSON and its tables, colour maps' stops left out (they have an editor of
 /// their own). A parameter without default that the recipe leaves out is not listed.
 std::vector<RecipeLeaf> recipe_leaves(const Json& recipe);

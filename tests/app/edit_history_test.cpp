@@ -77,5 +77,26 @@ TEST(EditHistory, ChangedIsAgainstWhatWasSaved) {
     EXPECT_FALSE(history.changed());
 }
 
+TEST(EditHistory, StepsShareTheStrokesOfPaintThatTheyHaveInCommon) {
+    Recipe recipe;
+    const KeptRecipe empty(recipe);
+    recipe.paint.resize(3);
+    recipe.paint[1].points.resize(5, Vec3d(1.0));
+    const KeptRecipe three(recipe, empty);
+    EXPECT_EQ(three.shared_strokes(), 0u);
+    recipe.paint.resize(4);
+    recipe.paint[2].radius = 7.0;
+    const KeptRecipe four(recipe, three);
+    EXPECT_EQ(four.shared_strokes(), 2u);
+    EXPECT_EQ(four.recipe(), recipe);
+    EditHistory history(Recipe{});
+    history.change(three.recipe());
+    history.change(four.recipe());
+    history.undo();
+    EXPECT_EQ(history.recipe(), three.recipe());
+    history.redo();
+    EXPECT_EQ(history.recipe(), four.recipe());
+}
+
 }  // namespace
 }  // namespace burl

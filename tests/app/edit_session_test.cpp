@@ -76,6 +76,18 @@ TEST(EditSession, TheCommandLineIsQuotedForAShell) {
               "'name=\"it'\\''s\"' --set solid.scale=3.0");
 }
 
+TEST(EditSession, SettingsLeavePaintAlone) {
+    EditSession session(load_recipe("marble", {"paint.0.points=[[1,2,3]]"}), "marble");
+    const std::vector<PaintStroke> paint = session.recipe().paint;
+    ASSERT_EQ(paint.size(), 1u);
+    EXPECT_TRUE(session.set("solid.scale", 7.0));
+    EXPECT_EQ(session.recipe().paint, paint);
+    EXPECT_EQ(session.recipe().solid.scale, 7.0);
+    EXPECT_TRUE(session.set("paint.0.radius", 0.5));
+    EXPECT_EQ(session.recipe().paint[0].radius, 0.5);
+    EXPECT_EQ(session.recipe().paint[0].points, paint[0].points);
+}
+
 TEST(BakeCommand, NamesTheSavedRecipeWhereStrokesOfPaintAreMany) {
     const Recipe base = load_recipe("marble");
     Recipe recipe = base;

@@ -49,6 +49,14 @@ TEST(RecipeLeaves, PathsAreUniqueAndGroupsNameTheirPlace) {
               leaves.end());
 }
 
+TEST(RecipeLeaves, StrokesOfPaintHaveNone) {
+    Recipe recipe = load_recipe("marble");
+    const Json plain = Json::parse(to_json(recipe));
+    recipe.paint.resize(2);
+    EXPECT_EQ(slider_json(recipe), plain);
+    EXPECT_EQ(recipe_leaves(Json::parse(to_json(recipe))).size(), recipe_leaves(plain).size());
+}
+
 TEST(RecipeLeaves, FindsTheColorMaps) {
     EXPECT_EQ(color_map_paths(Json::parse(to_json(load_recipe("marble")))),
               std::vector<std::string>{"texture"});
