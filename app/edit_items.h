@@ -15,8 +15,9 @@ class EditItems {
   public:
     /// A new frame begins.
     void clear() { rects_.clear(); }
-    /// ImGui's last item is `name`.
+    /// ImGui's last item is `name`; one that is scrolled out of sight is left out.
     void note(const std::string& name) {
+        if (!ImGui::IsItemVisible()) return;
         const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
         note(name, {{low.x, low.y}, {high.x, high.y}});
     }

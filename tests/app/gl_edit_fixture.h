@@ -20,7 +20,7 @@ class GlEditProgramTest : public GlTest {
         options.autosave = autosave;
         if (!context) context = create_osmesa_context();
         auto editor = std::make_unique<EditorProgram>(
-            create_unseen_window(std::move(context), {800, 500}), options);
+            create_unseen_window(std::move(context), {800, 640}), options);
         play(*editor, R"({"settle": true}, {"wait": 2})");
         return editor;
     }
@@ -29,7 +29,7 @@ class GlEditProgramTest : public GlTest {
     static void play(EditorProgram& editor, const std::string& steps,
                      const std::string& folder = "") {
         editor.play(
-            parse_script(R"({"burl_input": 1, "size": [800, 500], "steps": [)" + steps + "]}",
+            parse_script(R"({"burl_input": 1, "size": [800, 640], "steps": [)" + steps + "]}",
                          "test"),
             folder);
     }
