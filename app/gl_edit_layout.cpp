@@ -6,6 +6,7 @@
 #include "app/edit_keys.h"
 #include "app/edit_panel_paint.h"
 #include "app/gl_edit_program.h"
+#include "app/stopwatch.h"
 
 namespace burl {
 
@@ -181,22 +182,26 @@ void EditorProgram::object_input(const ImVec2& low, const ImVec2& size) {
     }
 }
 
+void EditorProgram::object_image(const ImVec2& low, const ImVec2& size) {
+    object_.show(baker_.surface(), baker_.picture());
+    const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
+    ObjectViewOptions options;
+    options.size = {int(size.x * scale.x), int(size.y * scale.y)};
+    options.camera = camera_;
+    options.lit = lit_;
+    options.supersample = moving_camera_ || session_.history().in_gesture() ? 1 : 2;
+    if (const GlTexture* texture = object_.draw(options))
+        ImGui::GetWindowDrawList()->AddImage(imgui_texture(*texture), low,
+                                             {low.x + size.x, low.y + size.y});
+}
+
 void EditorProgram::object_window() {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
     if (ImGui::Begin("Object", nullptr, fixed | ImGuiWindowFlags_NoScrollbar)) {
         const ImVec2 low = ImGui::GetCursorScreenPos(), size = ImGui::GetContentRegionAvail();
         if (size.x >= 1.0f && size.y >= 1.0f) {
             object_input(low, size);
-            object_.show(baker_.surface(), baker_.picture());
-            const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
-            ObjectViewOptions options;
-            options.size = {int(size.x * scale.x), int(size.y * scale.y)};
-            options.camera = camera_;
-            options.lit = lit_;
-            options.supersample = moving_camera_ || session_.history().in_gesture() ? 1 : 2;
-            if (const GlTexture* texture = object_.draw(options))
-                ImGui::GetWindowDrawList()->AddImage(imgui_texture(*texture), low,
-                                                     {low.x + size.x, low.y + size.y});
+            timed(times_.object, [&] { object_image(low, size); });
             paint_.draw(paint_view(low, size));
         }
     }

@@ -33,20 +33,20 @@ void GlEditObject::show(std::shared_ptr<const EditSurface> surface,
     if (surface != surface_) {
         surface_ = std::move(surface);
         scene_ = surface_ ? std::make_unique<GlScene>(*gl_, surface_->scene) : nullptr;
-        picture_ = 0;
+        picture_.reset();
         drawn_.reset();
     }
     const bool fits = surface_ && picture && picture->surface == surface_->number;
-    if (fits && picture->number != picture_) upload(*picture);
+    if (fits && picture != picture_) upload(picture);
 }
 
-void GlEditObject::upload(const EditPicture& picture) {
+void GlEditObject::upload(const std::shared_ptr<const EditPicture>& picture) {
     SceneTexture texture;
-    texture.image = picture.texels;
+    texture.image = picture->texels;
     texture.filter = TextureFilter::mip;
     texture.wrap_u = texture.wrap_v = TextureWrap::clamp;
     scene_->set_texture(baked_material(surface_->scene).texture, texture);
-    picture_ = picture.number;
+    picture_ = picture;
     drawn_.reset();
 }
 

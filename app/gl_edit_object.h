@@ -30,9 +30,13 @@ class GlEditObject {
     /// Draws if need be. Row 0 of the texture is the picture's top row. Null without a surface or
     /// with a size of 0.
     const GlTexture* draw(const ObjectViewOptions& options);
+    /// What was shown last; null: nothing of this surface.
+    const EditPicture* picture() const { return picture_.get(); }
+    /// Samples a side of a pixel that the last draw() had; 0: it drew nothing.
+    int drawn_samples() const { return drawn_ ? drawn_->supersample : 0; }
 
   private:
-    void upload(const EditPicture& picture);
+    void upload(const std::shared_ptr<const EditPicture>& picture);
     void make_targets(const ObjectViewOptions& options);
     void draw_samples(const ObjectViewOptions& options) const;
     void encode(const ObjectViewOptions& options) const;
@@ -42,7 +46,7 @@ class GlEditObject {
     GlFullScreen pass_;
     std::shared_ptr<const EditSurface> surface_;
     std::unique_ptr<GlScene> scene_;
-    std::uint64_t picture_ = 0;
+    std::shared_ptr<const EditPicture> picture_;
     std::optional<GlTarget> samples_, shown_;
     GlRenderbuffer depth_;
     std::optional<ObjectViewOptions> drawn_;

@@ -9,6 +9,7 @@
 
 #include "app/edit_keys.h"
 #include "app/image_io.h"
+#include "app/stopwatch.h"
 #include "atlas/error.h"
 
 namespace burl {
@@ -165,6 +166,15 @@ bool EditorProgram::settled() const {
 
 void EditorProgram::frame(const std::vector<InputEvent>& events) {
     window_->context().make_current();
+    times_ = {};
+    timed(times_.panels, [&] { panels(events); });
+    times_.panels -= times_.object;
+    timed(times_.screen, [&] { draw_screen(); });
+    if (std::exchange(screenshot_due_, false)) take_screenshot();
+}
+
+/// All of a frame but the drawing of the screen.
+void EditorProgram::panels(const std::vector<InputEvent>& events) {
     ImGuiIO& io = ImGui::GetIO();
     const glm::ivec2 size = window_->size(), pixels = window_->pixels();
     io.DisplaySize = {float(size.x), float(size.y)};
@@ -183,8 +193,6 @@ void EditorProgram::frame(const std::vector<InputEvent>& events) {
     layout();
     ImGui::Render();
     request_texture();
-    draw_screen();
-    if (std::exchange(screenshot_due_, false)) take_screenshot();
 }
 
 void EditorProgram::draw_screen() {
@@ -202,16 +210,18 @@ Image<Rgb8> EditorProgram::screenshot() {
     return read_screen(*window_, window_->context().gl());
 }
 
+void EditorProgram::turn() {
+    const bool busy = frames_to_draw_ > 0 || turntable_;
+    const std::vector<InputEvent> events = window_->poll(busy ? 0.0 : 1.0);
+    // A wake of the pipeline ends the waiting without an event: a frame is due, too.
+    frames_to_draw_ = events.empty() && !busy ? 1 : std::max(frames_to_draw_ - 1, 0);
+    if (!events.empty()) frames_to_draw_ = 3;
+    frame(events);
+    window_->present();
+}
+
 void EditorProgram::run() {
-    while (!closing_) {
-        const bool busy = frames_to_draw_ > 0 || turntable_;
-        const std::vector<InputEvent> events = window_->poll(busy ? 0.0 : 1.0);
-        // A wake of the pipeline ends the waiting without an event: a frame is due, too.
-        frames_to_draw_ = events.empty() && !busy ? 1 : std::max(frames_to_draw_ - 1, 0);
-        if (!events.empty()) frames_to_draw_ = 3;
-        frame(events);
-        window_->present();
-    }
+    while (!closing_) turn();
     autosave_.clear();
 }
 

@@ -26,6 +26,13 @@ struct EditorOptions {
     std::string autosave{};  ///< file (edit_autosave.h); empty: none
 };
 
+/// Where the time of a frame went, in seconds on the thread of the user interface.
+struct FrameTimes {
+    double panels = 0.0;  ///< input, panels and all else that is not drawing
+    double object = 0.0;  ///< uploading the texture and drawing the object
+    double screen = 0.0;  ///< drawing the user interface
+};
+
 class EditorProgram {
   public:
     /// Reads the recipe and the mesh. Throws Error as they do.
@@ -36,6 +43,8 @@ class EditorProgram {
     void frame(const std::vector<InputEvent>& events);
     /// Until the window is closed; waits while nothing happens.
     void run();
+    /// Once round run()'s loop.
+    void turn();
     /// Plays a script to its end; its screenshots go into `folder`, empty: nowhere. Waits at
     /// "settle" for the pipeline. Throws Error as ScriptPlayer does, io for screenshots.
     void play(InputScript script, const std::string& folder);
@@ -56,12 +65,18 @@ class EditorProgram {
     EditCamera& camera() { return camera_; }
     /// Number of the last texture that was asked for.
     std::uint64_t last_request() const { return request_; }
+    /// The texture that the last frame shows; null: none. And whether with many samples a pixel.
+    const EditPicture* shown() const { return object_.picture(); }
+    bool shown_smooth() const { return object_.drawn_samples() > 1; }
+    /// Of the last frame.
+    const FrameTimes& times() const { return times_; }
 
   private:
     struct ImGuiOwner {
         ImGuiOwner();
         ~ImGuiOwner();
     };
+    void panels(const std::vector<InputEvent>& events);
     void take(const InputEvent& event);
     void take_news();
     void note(const std::vector<InputEvent>& events);
@@ -85,6 +100,7 @@ class EditorProgram {
     void object_input(const ImVec2& low, const ImVec2& size);
     PaintView paint_view(const ImVec2& low, const ImVec2& size) const;
     void side_window();
+    void object_image(const ImVec2& low, const ImVec2& size);
     void draw_screen();
     void request_texture();
     void compare();
@@ -115,6 +131,7 @@ class EditorProgram {
     int screenshots_ = 0;
     bool screenshot_due_ = false;
     EditExport export_;
+    FrameTimes times_;
 
     EditBaker baker_;
     GlEditObject object_;
