@@ -1,4 +1,4 @@
-// Panels that list things: presets, figures, the log, keys.
+// Panels that list things: the log, keys.
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -6,7 +6,6 @@
 #include <array>
 
 #include "app/edit_panels.h"
-#include "app/embedded.h"
 
 namespace burl {
 
@@ -37,58 +36,7 @@ constexpr std::array<std::pair<const char*, const char*>, 22> keys{{
     {"Shift while dragging", "a tenth of the speed"},
 }};
 
-std::string counted(std::uint64_t count) {
-    if (count >= 10000000) return fmt::format("{:.1f} M", double(count) / 1e6);
-    if (count >= 10000) return fmt::format("{:.1f} k", double(count) / 1e3);
-    return fmt::format("{}", count);
-}
-
-std::uint64_t sum(const auto& counts) {
-    std::uint64_t all = 0;
-    for (const std::uint64_t count : counts) all += count;
-    return all;
-}
-
-void row(const std::string& name, const std::string& value) {
-    ImGui::TableNextRow();
-    ImGui::TableNextColumn();
-    ImGui::TextUnformatted(name.c_str());
-    ImGui::TableNextColumn();
-    ImGui::TextWrapped("%s", value.c_str());
-}
-
 }  // namespace
-
-void presets_panel(const PanelContext& context) {
-    for (const EmbeddedFile& file : embedded_recipes()) {
-        const std::string name(file.name.substr(0, file.name.rfind('.')));
-        if (ImGui::Selectable(name.c_str(), name == context.session.recipe_path()))
-            context.session.open_recipe(name);
-        context.items.note("preset:" + name);
-    }
-}
-
-void metrics_panel(const PanelContext&, const MetricsView& view) {
-    if (ImGui::BeginTable("facts", 2, ImGuiTableFlags_RowBg)) {
-        for (const auto& [name, value] : view.facts) row(name, value);
-        ImGui::EndTable();
-    }
-    if (!ImGui::BeginTable("stages", 4, ImGuiTableFlags_RowBg)) return;
-    for (const char* title : {"stage", "ms", "octaves", "spared"}) ImGui::TableSetupColumn(title);
-    ImGui::TableHeadersRow();
-    for (std::size_t k = 0; k < stage_names.size(); ++k) {
-        const StageRecord& record = view.records[Stage(k)];
-        if (record.runs == 0) continue;
-        ImGui::TableNextRow();
-        for (const std::string& text :
-             {std::string(stage_names[k]), fmt::format("{:.1f}", 1e3 * record.seconds),
-              counted(record.done.work.octaves), counted(sum(record.done.work.octaves_skipped))}) {
-            ImGui::TableNextColumn();
-            ImGui::TextUnformatted(text.c_str());
-        }
-    }
-    ImGui::EndTable();
-}
 
 void log_panel(const PanelContext& context) {
     for (const LogLine& line : context.session.log()) {

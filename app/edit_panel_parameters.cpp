@@ -1,17 +1,13 @@
-#include <algorithm>
+#include <imgui.h>
 
+#include "app/edit_groups.h"
 #include "app/edit_panels.h"
+#include "app/edit_seed.h"
 #include "app/edit_sliders.h"
 
 namespace burl {
 
 namespace {
-
-/// Groups that few people want to see first.
-bool begins_closed(const std::string& group) {
-    return group == "recipe" || group == "atlas" || group == "filter" || group == "precision" ||
-           group.ends_with("quadric");
-}
 
 void hand_over(const PanelContext& context, const RecipeLeaf& leaf, const ValueEdit& edit) {
     EditHistory& history = context.session.history();
@@ -22,31 +18,40 @@ void hand_over(const PanelContext& context, const RecipeLeaf& leaf, const ValueE
 
 void seed_button(const PanelContext& context, const RecipeLeaf& leaf) {
     ImGui::SameLine();
-    if (ImGui::SmallButton(("next##" + leaf.path).c_str()))
-        context.session.set(leaf.path, (leaf.value.get<std::uint64_t>() + 1) % 4294967296U);
-    context.items.note(leaf.path + ".next");
+    if (ImGui::SmallButton(("new##" + leaf.path).c_str()))
+        context.session.set(leaf.path, next_seed(leaf.value.get<std::uint64_t>()));
+    context.items.note(leaf.path + ".new");
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Another pattern of the same kind");
+}
+
+void show(const PanelContext& context, const std::vector<RecipeLeaf>& leaves) {
+    for (const RecipeLeaf& leaf : leaves) {
+        hand_over(context, leaf, edit_leaf(leaf, context.items));
+        if (leaf.label == "seed") seed_button(context, leaf);
+    }
+}
+
+void show(const PanelContext& context, const ParameterGroup& group) {
+    const std::string id = "##" + group.first.front().path;
+    const ImGuiTreeNodeFlags flags =
+        group.open ? ImGuiTreeNodeFlags_DefaultOpen : ImGuiTreeNodeFlags_None;
+    const bool open = ImGui::CollapsingHeader((group.title + id).c_str(), flags);
+    context.items.note("group:" + group.name);
+    if (!open) return;
+    show(context, group.first);
+    if (group.more.empty()) return;
+    const bool more = ImGui::TreeNode(("more" + id).c_str());
+    context.items.note("more:" + group.name);
+    if (!more) return;
+    show(context, group.more);
+    ImGui::TreePop();
 }
 
 }  // namespace
 
 void parameters_panel(const PanelContext& context) {
-    const std::vector<RecipeLeaf> leaves = recipe_leaves(slider_json(context.session.recipe()));
-    for (std::size_t first = 0; first < leaves.size();) {
-        std::size_t last = first;
-        while (last < leaves.size() && leaves[last].group == leaves[first].group) ++last;
-        const std::string& group = leaves[first].group;
-        const ImGuiTreeNodeFlags flags =
-            begins_closed(group) ? ImGuiTreeNodeFlags_None : ImGuiTreeNodeFlags_DefaultOpen;
-        const std::string title = group + "##" + leaves[first].path;
-        const bool open = ImGui::CollapsingHeader(title.c_str(), flags);
-        context.items.note("group:" + group);
-        for (std::size_t i = first; open && i < last; ++i) {
-            const RecipeLeaf& leaf = leaves[i];
-            hand_over(context, leaf, edit_leaf(leaf, context.items));
-            if (leaf.label == "seed") seed_button(context, leaf);
-        }
-        first = last;
-    }
+    const auto leaves = recipe_leaves(slider_json(context.session.recipe()));
+    for (const ParameterGroup& group : parameter_groups(leaves)) show(context, group);
 }
 
 }  // namespace burl

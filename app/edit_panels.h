@@ -1,10 +1,12 @@
 #pragma once
 // The editor's panels. Each shows a part of the session and hands what a person does to it; none
 // keeps a state of its own but what it shows of itself.
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "app/edit_figures.h"
 #include "app/edit_items.h"
 #include "app/edit_session.h"
 #include "app/stage_records.h"
@@ -27,12 +29,10 @@ struct StopSelection {
 };
 void color_maps_panel(const PanelContext& context, StopSelection& selection);
 
-/// The presets' names; a click opens one.
-void presets_panel(const PanelContext& context);
-
 /// Figures of the atlas, times and work of the pipeline's stages, machine and renderer.
 struct MetricsView {
     std::vector<std::pair<std::string, std::string>> facts{};  ///< name, value
+    std::shared_ptr<const AtlasFigures> atlas{};               ///< null: not yet
     StageRecords records{};
 };
 void metrics_panel(const PanelContext& context, const MetricsView& view);

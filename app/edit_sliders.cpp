@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "app/edit_groups.h"
 #include "app/parameters.h"
 
 namespace burl {
@@ -32,14 +33,25 @@ ValueEdit gesture() {
     return edit;
 }
 
-void tip(const Parameter& parameter) {
+/// What the table says of the parameter, while the pointer rests on ImGui's last item.
+void tip(const RecipeLeaf& leaf) {
     if (!ImGui::IsItemHovered() || ImGui::IsItemActive()) return;
-    const std::string unit =
-        parameter.unit.empty() ? std::string() : fmt::format(" [{}]", parameter.unit);
-    ImGui::SetTooltip("%s",
-                      fmt::format("{}{}\nDouble-click: default. Ctrl-click: type. Shift: fine.",
-                                  parameter.tip, unit)
-                          .c_str());
+    const Parameter& parameter = *leaf.parameter;
+    const auto named = [](const char* name, std::string_view value) {
+        return value.empty() ? std::string() : fmt::format("{}{}", name, value);
+    };
+    const bool slides = parameter.type == ParameterType::number ||
+                        parameter.type == ParameterType::integer ||
+                        parameter.type == ParameterType::numbers;
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(28.0f * ImGui::GetFontSize());
+    ImGui::TextWrapped("%s",
+                       fmt::format("{}{}", parameter.tip, named(", in ", parameter.unit)).c_str());
+    ImGui::TextDisabled("%s",
+                        (leaf.path + named(", by default ", parameter.default_value)).c_str());
+    if (slides) ImGui::TextDisabled("Double-click: default. Ctrl-click: type. Shift: fine.");
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
 }
 
 /// The default of the `item`th number of a parameter; empty where there is none.
@@ -92,7 +104,7 @@ ValueEdit edit_numbers(const RecipeLeaf& leaf, EditItems& items) {
         const ValueEdit one =
             edit_number(*leaf.parameter, i, leaf.value[i].get<double>(), id.c_str());
         items.note(fmt::format("{}.{}", leaf.path, i));
-        tip(*leaf.parameter);
+        tip(leaf);
         ValueEdit all = one;
         if (one.value) {
             all.value = leaf.value;
@@ -109,7 +121,7 @@ ValueEdit edit_choice(const RecipeLeaf& leaf, EditItems& items, const char* id) 
     const bool open = ImGui::BeginCombo(id, now.c_str());
     items.note(leaf.path);
     if (!open) {
-        tip(*leaf.parameter);
+        tip(leaf);
         return edit;
     }
     for (const std::string_view choice : split_choices(leaf.parameter->choices)) {
@@ -168,7 +180,7 @@ ValueEdit edit_leaf(const RecipeLeaf& leaf, EditItems& items) {
         case ParameterType::integer:
             edit = edit_number(*leaf.parameter, 0, leaf.value.get<double>(), id.c_str());
             items.note(leaf.path);
-            tip(*leaf.parameter);
+            tip(leaf);
             break;
         case ParameterType::numbers:
             ImGui::BeginGroup();
@@ -181,14 +193,17 @@ ValueEdit edit_leaf(const RecipeLeaf& leaf, EditItems& items) {
         case ParameterType::color:
             edit = edit_color(leaf, id.c_str());
             items.note(leaf.path);
+            tip(leaf);
             break;
         case ParameterType::text:
             edit = edit_text(leaf, id.c_str());
             items.note(leaf.path);
+            tip(leaf);
             break;
     }
     ImGui::SameLine();
-    ImGui::TextUnformatted(leaf.label.c_str());
+    ImGui::TextUnformatted(parameter_label(leaf.label).c_str());
+    tip(leaf);
     return edit;
 }
 

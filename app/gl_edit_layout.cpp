@@ -7,6 +7,7 @@
 #include "app/edit_panel_paint.h"
 #include "app/gl_edit_program.h"
 #include "app/stopwatch.h"
+#include "procedural/simd_level.h"
 
 namespace burl {
 
@@ -220,7 +221,7 @@ void EditorProgram::side_window() {
         ImGui::EndTabItem();
     };
     if (ImGui::Begin("Side", nullptr, fixed) && ImGui::BeginTabBar("tabs")) {
-        tab("Presets", [&] { presets_panel(context); });
+        tab("Presets", [&] { presets_panel(context, preset_search_, preset_picture()); });
         tab("Parameters", [&] { parameters_panel(context); });
         tab("Colours", [&] { color_maps_panel(context, stop_); });
         tab("Metrics", [&] { metrics_panel(context, metrics()); });
@@ -230,17 +231,26 @@ void EditorProgram::side_window() {
     ImGui::End();
 }
 
-MetricsView EditorProgram::metrics() const {
+/// None before the object has its texture, which comes first.
+PresetPicture EditorProgram::preset_picture() {
+    return [this](const std::string& preset, int side) -> ImTextureID {
+        return gallery_ && baker_.picture() ? gallery_->picture(preset, side) : nullptr;
+    };
+}
+
+MetricsView EditorProgram::metrics() {
     MetricsView view;
     if (const auto surface = baker_.surface()) {
         view.facts.emplace_back("triangles", fmt::format("{}", surface->triangles));
         view.facts.emplace_back("atlas", fmt::format("{}, {} x {} texels", surface->atlas,
                                                      surface->size, surface->size));
+        view.atlas = figures_.of(surface);
     }
     if (const auto picture = baker_.picture()) {
         view.facts.emplace_back("level shown", fmt::format("{}", picture->level));
         view.facts.emplace_back("made in", fmt::format("{:.1f} ms", 1e3 * picture->seconds));
     }
+    view.facts.emplace_back("instructions", simd_level());
     view.facts.emplace_back("renderer", window_->context().description());
     view.records = baker_.records();
     return view;

@@ -46,9 +46,11 @@ EditorProgram::EditorProgram(std::unique_ptr<GlWindow> window, const EditorOptio
       left_behind_(autosave_.left_behind()),
       export_([this] { window_->wake(); }),
       baker_([this] { window_->wake(); }),
-      object_(window_->context().gl()) {
+      object_(window_->context().gl()),
+      figures_([this] { window_->wake(); }) {
     ImGui::GetIO().FontGlobalScale = float(options.ui_scale);
     ImGui::GetStyle().ScaleAllSizes(float(options.ui_scale));
+    if (options.gallery) gallery_.emplace(window_->context().gl(), [this] { window_->wake(); });
     mesh_path_ = options.mesh;
     baker_.set_mesh(load_mesh(options.mesh));
     session_.tell(fmt::format("mesh {}", options.mesh));
@@ -236,6 +238,8 @@ void EditorProgram::play(InputScript script, const std::string& folder) {
             export_.wait();
             baker_.wait();
             frame({});
+            if (gallery_) gallery_->wait();
+            figures_.wait();
             window_->present();
         }
         frame(next.events);

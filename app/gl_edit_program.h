@@ -11,8 +11,10 @@
 #include "app/edit_files.h"
 #include "app/edit_items.h"
 #include "app/edit_paint.h"
+#include "app/edit_panel_presets.h"
 #include "app/edit_panels.h"
 #include "app/edit_session.h"
+#include "app/gl_edit_gallery.h"
 #include "app/gl_edit_imgui.h"
 #include "app/gl_edit_object.h"
 #include "app/gl_edit_window.h"
@@ -24,6 +26,7 @@ struct EditorOptions {
     std::vector<std::string> settings{};
     double ui_scale = 1.0;
     std::string autosave{};  ///< file (edit_autosave.h); empty: none
+    bool gallery = true;     ///< whether presets have pictures
 };
 
 /// Where the time of a frame went, in seconds on the thread of the user interface.
@@ -104,7 +107,8 @@ class EditorProgram {
     void draw_screen();
     void request_texture();
     void compare();
-    MetricsView metrics() const;
+    MetricsView metrics();
+    PresetPicture preset_picture();
 
     std::unique_ptr<GlWindow> window_;
     ImGuiOwner imgui_;
@@ -135,6 +139,9 @@ class EditorProgram {
 
     EditBaker baker_;
     GlEditObject object_;
+    std::optional<GlEditGallery> gallery_;
+    std::string preset_search_;
+    EditFigures figures_;
 };
 
 }  // namespace burl

@@ -42,6 +42,7 @@ class LeafWalk {
         const std::string title = group.empty() ? name : fmt::format("{} > {}", group, name);
         for (const Parameter& parameter : type->parameters())
             add(parameter, node, parameter.path, join(path, parameter.path), title);
+        for (const NodeInput& input : type->inputs()) add_constant(input, node, path, title);
         for (const auto& [key, value] : node.items())
             if (key != "stops") walk_node(value, join(path, key), title);
         if (name == "field") walk_field(node, path, title);
@@ -62,12 +63,28 @@ class LeafWalk {
              const std::string& path, const std::string& group) {
         const std::string name(key);
         if (name == "node" || path == "burl") return;
-        RecipeLeaf leaf{path, group, name, &parameter, {}};
+        // Tables are static: nobody owns their entries.
+        RecipeLeaf leaf{path, group, name, {std::shared_ptr<void>(), &parameter}, {}};
         if (owner.contains(name))
             leaf.value = owner[name];
         else if (!parameter.default_value.empty())
             leaf.value = Json::parse(parameter.default_value);
         if (!leaf.value.is_null()) leaves.push_back(std::move(leaf));
+    }
+
+    /// An input that is a bare number or colour, or left out.
+    void add_constant(const NodeInput& input, const Json& node, const std::string& path,
+                      const std::string& group) {
+        const std::string name(input.key);
+        Json value = node.contains(name)      ? node[name]
+                     : input.fallback.empty() ? Json()
+                                              : Json::parse(input.fallback);
+        if (!value.is_number() && !value.is_string()) return;
+        const ParameterType type = value.is_string() ? ParameterType::color : ParameterType::number;
+        const Parameter parameter{input.key, type, -1e6,           1e6, 0.05,
+                                  1,         "",   input.fallback, "",  input.tip};
+        leaves.push_back({join(path, name), group, name,
+                          std::make_shared<const Parameter>(parameter), std::move(value)});
     }
 
     void walk_items(const SchemaNode& item, const Json& array, const std::string& path,

@@ -18,6 +18,7 @@ class GlEditProgramTest : public GlTest {
         options.recipe = recipe;
         options.settings = {"atlas.size=64", "atlas.tries=1"};
         options.autosave = autosave;
+        options.gallery = false;  // its balls take longer than most tests
         if (!context) context = create_osmesa_context();
         auto editor = std::make_unique<EditorProgram>(
             create_unseen_window(std::move(context), {800, 640}), options);

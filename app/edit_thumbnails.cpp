@@ -1,0 +1,81 @@
+#include "app/edit_thumbnails.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "app/direct_picture.h"
+#include "atlas/error.h"
+
+namespace burl {
+
+namespace {
+
+/// Distance, in radii, at which a ball fills the view's height and a little more: its rim is not
+/// seen as a polygon.
+double filling_distance() {
+    const double half = 0.5 * vertical_field_of_view_degrees * std::numbers::pi / 180.0;
+    return 0.985 / std::sin(half);
+}
+
+}  // namespace
+
+Image<Rgb8> ball_picture(const Recipe& recipe, int side) {
+    DirectOptions options;
+    options.scene = "sample:icosphere";
+    options.view = fmt::format("50,25,{}", filling_distance());
+    options.size = fmt::format("{}x{}", side, side);
+    if (recipe.precision.kind != PrecisionKind::fixed) options.filter = "trapezoid";
+    return DirectPicture(options)(recipe);
+}
+
+EditThumbnails::EditThumbnails(std::function<void()> wake) : wake_(std::move(wake)) {}
+
+std::shared_ptr<const Image<Rgb8>> EditThumbnails::picture(const std::string& preset, int side) {
+    const std::scoped_lock lock(mutex_);
+    const Key key{preset, side};
+    const auto [place, fresh] = pictures_.try_emplace(key);
+    if (!fresh) return place->second;
+    waiting_.push_back(key);
+    if (!thread_.joinable())
+        thread_ = std::jthread([this](const std::stop_token& ending) { run(ending); });
+    changed_.notify_all();
+    return nullptr;
+}
+
+bool EditThumbnails::idle() const {
+    const std::scoped_lock lock(mutex_);
+    return !busy_ && waiting_.empty();
+}
+
+void EditThumbnails::wait() const {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [&] { return !busy_ && waiting_.empty(); });
+}
+
+void EditThumbnails::run(const std::stop_token& ending) {
+    std::unique_lock lock(mutex_);
+    while (changed_.wait(lock, ending, [&] { return !waiting_.empty(); })) {
+        if (ending.stop_requested()) return;
+        const Key key = waiting_.front();
+        waiting_.pop_front();
+        busy_ = true;
+        lock.unlock();
+        std::shared_ptr<const Image<Rgb8>> picture;
+        try {
+            picture =
+                std::make_shared<Image<Rgb8>>(ball_picture(load_recipe(key.first), key.second));
+        } catch (const Error&) {  // it stays without
+        }
+        lock.lock();
+        pictures_[key] = std::move(picture);
+        busy_ = false;
+        lock.unlock();
+        changed_.notify_all();
+        wake_();
+        lock.lock();
+    }
+}
+
+}  // namespace burl

@@ -1,0 +1,50 @@
+#pragma once
+// Small pictures of the presets for the editor's gallery: balls, drawn by the ray-exact renderer on
+// a thread of its own when they are first asked for, and kept.
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <utility>
+
+#include "app/recipe.h"
+#include "atlas/image.h"
+
+namespace burl {
+
+/// A lit ball of the recipe's texture that touches all four sides of a picture of side x side
+/// pixels, side >= 1; what lies outside the circle is of no meaning. Bit-identical for every thread
+/// count. Throws Error(unsupported) for a recipe that cannot be drawn.
+Image<Rgb8> ball_picture(const Recipe& recipe, int side);
+
+/// All functions may be called by one thread.
+class EditThumbnails {
+  public:
+    /// `wake` is called by another thread after every picture.
+    explicit EditThumbnails(std::function<void()> wake);
+
+    /// A preset's ball; null: it is not ready, and is made after those asked for before it. Null
+    /// for ever where it cannot be drawn.
+    std::shared_ptr<const Image<Rgb8>> picture(const std::string& preset, int side);
+    /// Nothing is under way or waits.
+    bool idle() const;
+    void wait() const;
+
+  private:
+    using Key = std::pair<std::string, int>;
+    void run(const std::stop_token& ending);
+
+    std::function<void()> wake_;
+    mutable std::mutex mutex_;
+    mutable std::condition_variable_any changed_;
+    std::map<Key, std::shared_ptr<const Image<Rgb8>>> pictures_;  ///< null: asked for
+    std::deque<Key> waiting_;
+    bool busy_ = false;
+    std::jthread thread_;  ///< from the first picture on; last: it sees all the others
+};
+
+}  // namespace burl

@@ -1,0 +1,33 @@
+#pragma once
+// The presets' pictures as textures of OpenGL, uploaded as they become ready.
+#include <imgui.h>
+
+#include <functional>
+#include <map>
+#include <string>
+#include <utility>
+
+#include "app/edit_thumbnails.h"
+#include "app/gl_objects.h"
+
+namespace burl {
+
+class GlEditGallery {
+  public:
+    /// `wake` is called by another thread whenever a picture is ready.
+    GlEditGallery(const GladGLContext& gl, std::function<void()> wake);
+
+    /// A preset's ball, side x side pixels, asked for where need be (edit_thumbnails.h); null: not
+    /// yet. The context must be current.
+    ImTextureID picture(const std::string& preset, int side);
+
+    bool idle() const { return thumbnails_.idle(); }
+    void wait() const { thumbnails_.wait(); }
+
+  private:
+    const GladGLContext* gl_;
+    std::map<std::pair<std::string, int>, GlTexture> textures_;
+    EditThumbnails thumbnails_;
+};
+
+}  // namespace burl
