@@ -144,7 +144,8 @@ std::string title_of(std::string_view name, std::string_view owner) {
     std::string place(above);
     std::ranges::replace(place, '_', ' ');
     const std::string_view key = owner.substr(owner.rfind('.') + 1);
-    const bool plain = key.empty() || key == "input" || key == last || (key[0] >= '0' && key[0] <= '9');
+    const bool plain =
+        key.empty() || key == "input" || key == last || (key[0] >= '0' && key[0] <= '9');
     return plain ? fmt::format("{} in {}", title, place)
                  : fmt::format("{}: {} of {}", title, key, place);
 }

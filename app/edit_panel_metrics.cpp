@@ -101,7 +101,9 @@ void stages(const StageRecords& records) {
 }  // namespace
 
 void metrics_panel(const PanelContext&, const MetricsView& view) {
-    if (ImGui::BeginTable("facts", 2, ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingFixedFit)) {
+    if (ImGui::BeginTable("facts", 2, ImGuiTableFlags_RowBg)) {
+        ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed);
+        ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch);
         for (const auto& [name, value] : view.facts) row(name, value);
         if (view.atlas) atlas_rows(*view.atlas);
         ImGui::EndTable();
