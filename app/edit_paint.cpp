@@ -1,5 +1,7 @@
 #include "app/edit_paint.h"
 
+#include <imgui.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -10,24 +12,13 @@ namespace {
 constexpr int ring_points = 48;
 constexpr int most_steps = 200;  // places between two of the pointer's
 
-PictureSize picture_size(const PaintView& view) {
-    return {int(view.size.x), int(view.size.y)};
-}
-
-std::optional<SurfaceHit> hit_at(const PaintView& view, const ImVec2& pointer) {
-    if (!view.pick) return {};
-    const Vec2d pixel(double(pointer.x - view.low.x), double(pointer.y - view.low.y));
-    return view.pick->meet(ray_of(view.camera, view.sphere, picture_size(view), pixel));
-}
-
-double solid_units(const PaintView& view) {
+double solid_units(const ObjectView& view) {
     return glm::length(view.solid_from_mesh.linear[0]);
 }
 
 /// Pixels that a solid unit has at the place hit.
-double pixels_per_unit(const PaintView& view, const SurfaceHit& hit) {
-    const double focal = camera_of(view.camera, view.sphere, picture_size(view)).focal_y;
-    return 0.5 * double(view.size.y) * focal / (hit.depth * solid_units(view));
+double pixels_per_unit(const ObjectView& view, const SurfaceHit& hit) {
+    return 0.5 * view.size.y * camera_of(view).focal_y / (hit.depth * solid_units(view));
 }
 
 Vec3d normal_at(const SurfacePick& pick, const SurfaceHit& hit) {
@@ -38,30 +29,28 @@ Vec3d normal_at(const SurfacePick& pick, const SurfaceHit& hit) {
     return Mat3d(surface.placements[hit.placement]) * glm::cross(b - a, c - a);
 }
 
-bool is_over(const PaintView& view, const ImVec2& pointer) {
-    return pointer.x >= view.low.x && pointer.y >= view.low.y &&
-           pointer.x < view.low.x + view.size.x && pointer.y < view.low.y + view.size.y;
+Vec2d pointer_now() {
+    const ImVec2 at = ImGui::GetIO().MousePos;
+    return {double(at.x), double(at.y)};
 }
 
 }  // namespace
 
 /// Follows the surface between the pointer's places, so that quick hands leave no gaps.
-void EditPaint::lead_to(const PaintView& view, EditSession& session, const ImVec2& pointer) {
+void EditPaint::lead_to(const ObjectView& view, EditSession& session, const Vec2d& pointer) {
     const std::optional<SurfaceHit> hit = hit_at(view, pointer);
     if (!hit) {
         last_.reset();
         return;
     }
-    const ImVec2 from = last_.value_or(pointer);
-    const double pixels = std::hypot(double(pointer.x - from.x), double(pointer.y - from.y));
+    const Vec2d from = last_.value_or(pointer);
+    const double pixels = glm::distance(pointer, from);
     const double step = std::max(0.5, 0.5 * tool.brush.radius * pixels_per_unit(view, *hit));
     const int steps = std::clamp(int(std::ceil(pixels / step)), 1, most_steps);
     Recipe recipe = session.recipe();
     bool leads = last_.has_value();
     for (int k = 1; k <= steps; ++k) {
-        const float t = float(k) / float(steps);
-        const auto place =
-            hit_at(view, {from.x + t * (pointer.x - from.x), from.y + t * (pointer.y - from.y)});
+        const auto place = hit_at(view, glm::mix(from, pointer, double(k) / steps));
         if (place)
             recipe =
                 painted_at(std::move(recipe), tool, view.solid_from_mesh(place->mesh_point), leads);
@@ -71,11 +60,11 @@ void EditPaint::lead_to(const PaintView& view, EditSession& session, const ImVec
     session.history().change(std::move(recipe));
 }
 
-bool EditPaint::input(const PaintView& view, EditSession& session) {
+bool EditPaint::input(const ObjectView& view, EditSession& session) {
     const ImGuiIO& io = ImGui::GetIO();
     EditHistory& history = session.history();
     const bool began = tool.on && ImGui::IsItemActivated() && ImGui::IsMouseClicked(0) &&
-                       !io.KeyAlt && !io.KeyCtrl && hit_at(view, io.MousePos);
+                       !io.KeyAlt && !io.KeyCtrl && hit_at(view, pointer_now());
     if (began) {
         painting_ = true;
         last_.reset();
@@ -83,7 +72,7 @@ bool EditPaint::input(const PaintView& view, EditSession& session) {
     }
     if (!painting_) return false;
     if (ImGui::IsMouseDown(0) && tool.on && history.in_gesture())  // nobody has undone it
-        lead_to(view, session, io.MousePos);
+        lead_to(view, session, pointer_now());
     else {
         painting_ = false;
         history.end_gesture();
@@ -91,19 +80,18 @@ bool EditPaint::input(const PaintView& view, EditSession& session) {
     return true;
 }
 
-void EditPaint::draw(const PaintView& view) const {
-    const ImVec2 pointer = ImGui::GetIO().MousePos;
+void EditPaint::draw(const ObjectView& view) const {
+    const Vec2d pointer = pointer_now();
     if (!tool.on || !is_over(view, pointer)) return;
     const auto hit = hit_at(view, pointer);
     if (!hit) return;
-    const Camera camera = camera_of(view.camera, view.sphere, picture_size(view));
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const auto ring = [&](double radius, ImU32 color, float width) {
         std::vector<ImVec2> points;
         for (const Vec3d& p : circle(hit->point, normal_at(*view.pick, *hit),
                                      radius / solid_units(view), ring_points)) {
-            const Vec3d seen = project(camera, picture_size(view), p);
-            points.push_back({view.low.x + float(seen.x), view.low.y + float(seen.y)});
+            const Vec3d seen = on_screen(view, p);
+            points.push_back({float(seen.x), float(seen.y)});
         }
         list.AddPolyline(points.data(), ring_points, color, ImDrawFlags_Closed, width);
     };

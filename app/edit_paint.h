@@ -1,26 +1,13 @@
 #pragma once
 // Painting on the object's view: the pointer's places become strokes of the recipe, one gesture
 // from press to release, and the brush is seen as a ring on the surface.
-#include <imgui.h>
-
-#include <memory>
 #include <optional>
 
-#include "app/edit_camera.h"
 #include "app/edit_session.h"
+#include "app/edit_view.h"
 #include "app/paint_tool.h"
-#include "app/surface_pick.h"
 
 namespace burl {
-
-/// What the object's view shows and where.
-struct PaintView {
-    std::shared_ptr<const SurfacePick> pick{};  ///< null: nothing can be painted yet
-    Affine3 solid_from_mesh{};
-    EditCamera camera{};
-    Sphere sphere{};
-    ImVec2 low{}, size{};  ///< on the screen
-};
 
 class EditPaint {
   public:
@@ -28,15 +15,15 @@ class EditPaint {
 
     /// Takes the pointer where the last item, the view, has it. True: it paints; false: the view
     /// may have it, as where a drag began beside the object.
-    bool input(const PaintView& view, EditSession& session);
+    bool input(const ObjectView& view, EditSession& session);
     /// The ring under the pointer.
-    void draw(const PaintView& view) const;
+    void draw(const ObjectView& view) const;
 
   private:
-    void lead_to(const PaintView& view, EditSession& session, const ImVec2& pointer);
+    void lead_to(const ObjectView& view, EditSession& session, const Vec2d& pointer);
 
     bool painting_ = false;
-    std::optional<ImVec2> last_{};  ///< where the stroke under way has met the surface
+    std::optional<Vec2d> last_{};  ///< where the stroke under way has met the surface
 };
 
 }  // namespace burl

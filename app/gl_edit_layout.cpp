@@ -151,13 +151,18 @@ void EditorProgram::layout() {
     if (const auto path = dialog_.show(items_)) (this->*chosen_)(*path);
 }
 
-PaintView EditorProgram::paint_view(const ImVec2& low, const ImVec2& size) const {
-    PaintView view{baker_.pick(), {}, camera_, {}, low, size};
+ObjectView EditorProgram::object_view(const ImVec2& low, const ImVec2& size) const {
+    ObjectView view;
+    view.pick = baker_.pick();
+    view.camera = camera_;
+    view.low = {double(low.x), double(low.y)};
+    view.size = {double(size.x), double(size.y)};
     const auto surface = baker_.surface();
     if (!surface || !view.pick || &view.pick->scene() != &surface->scene)
         view.pick.reset();  // of another surface
     else
         view.sphere = surface->sphere;
+    if (surface) view.unit_from_mesh = surface->unit_from_mesh;
     if (surface && session_.recipe().solid.space == SolidSpace::unit)
         view.solid_from_mesh = surface->unit_from_mesh;
     return view;
@@ -169,7 +174,7 @@ void EditorProgram::object_input(const ImVec2& low, const ImVec2& size) {
                                ImGuiButtonFlags_MouseButtonMiddle);
     items_.note("object");
     const ImGuiIO& io = ImGui::GetIO();
-    const bool paints = paint_.input(paint_view(low, size), session_);
+    const bool paints = paint_.input(object_view(low, size), session_);
     moving_camera_ = ImGui::IsItemActive() && !paints;
     if (moving_camera_ && ImGui::IsMouseDown(0))
         camera_ = orbited(camera_, {io.MouseDelta.x, io.MouseDelta.y}, double(size.y));
@@ -203,7 +208,7 @@ void EditorProgram::object_window() {
         if (size.x >= 1.0f && size.y >= 1.0f) {
             object_input(low, size);
             timed(times_.object, [&] { object_image(low, size); });
-            paint_.draw(paint_view(low, size));
+            paint_.draw(object_view(low, size));
         }
     }
     ImGui::End();

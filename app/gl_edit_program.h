@@ -101,7 +101,7 @@ class EditorProgram {
     void layout();
     void object_window();
     void object_input(const ImVec2& low, const ImVec2& size);
-    PaintView paint_view(const ImVec2& low, const ImVec2& size) const;
+    ObjectView object_view(const ImVec2& low, const ImVec2& size) const;
     void side_window();
     void object_image(const ImVec2& low, const ImVec2& size);
     void draw_screen();
