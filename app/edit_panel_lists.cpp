@@ -11,7 +11,7 @@ namespace burl {
 
 namespace {
 
-constexpr std::array<std::pair<const char*, const char*>, 22> keys{{
+constexpr std::array<std::pair<const char*, const char*>, 24> keys{{
     {"left drag", "turn the object"},
     {"right or middle drag", "move it"},
     {"wheel", "nearer, farther"},
@@ -28,7 +28,9 @@ constexpr std::array<std::pair<const char*, const char*>, 22> keys{{
     {"A", "compare with the recipe as it was opened"},
     {"P", "paint on the surface, and back"},
     {"comma, period; X", "painting: smaller, larger brush; eraser"},
-    {"Alt+left drag", "painting: turn the object"},
+    {"G", "move the texture on the surface, and back"},
+    {"Shift+drag, Ctrl+drag", "moving the texture: turn it, size it; Escape takes it back"},
+    {"Alt+left drag", "painting, moving: turn the object"},
     {"F12", "screenshot"},
     {"F1", "this list"},
     {"double-click a slider", "its default"},

@@ -49,7 +49,6 @@ void clear_paint(EditSession& session) {
 }
 
 void paint_shortcuts(PaintTool& tool) {
-    if (pressed("P")) tool.on = !tool.on;
     if (!tool.on) return;
     if (pressed("Comma")) tool = resized(tool, -1);
     if (pressed("Period")) tool = resized(tool, 1);

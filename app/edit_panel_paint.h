@@ -5,8 +5,8 @@
 
 namespace burl {
 
-/// Keys of the mode: P switches it on and off; while it is on, comma and period change the radius,
-/// X takes the eraser or the brush.
+/// Keys of the mode while it is on: comma and period change the radius, X takes the eraser or the
+/// brush.
 void paint_shortcuts(PaintTool& tool);
 
 /// `low`: the left upper corner of the object's view. Nothing while the tool is off.

@@ -29,6 +29,13 @@ void EditorProgram::compare() {
     comparing_ = !comparing_;
 }
 
+/// Switches a tool, and the other off.
+void EditorProgram::take_tool(bool& tool) {
+    const bool on = !tool;
+    paint_.tool.on = move_.on = false;
+    tool = on;
+}
+
 void EditorProgram::open_dialog() {
     ask_for_file(&EditorProgram::open, {"Open a mesh or recipe",
                                         {".obj", ".ply", ".stl", ".off", ".gltf", ".glb", ".json"},
@@ -63,6 +70,8 @@ void EditorProgram::shortcuts() {
     if (pressed("L")) lit_ = !lit_;
     if (pressed("T")) turntable_ = !turntable_;
     if (pressed("A")) compare();
+    if (pressed("G")) take_tool(move_.on);
+    if (pressed("P")) take_tool(paint_.tool.on);
     paint_shortcuts(paint_.tool);
 }
 
@@ -102,7 +111,8 @@ void EditorProgram::menu() {
     under("Edit", [&] {
         if (menu_item("Undo", "Ctrl+Z", session_.history().can_undo())) session_.history().undo();
         if (menu_item("Redo", "Ctrl+Y", session_.history().can_redo())) session_.history().redo();
-        if (menu_item("Paint", "P")) paint_.tool.on = !paint_.tool.on;
+        if (menu_item("Move the texture", "G")) take_tool(move_.on);
+        if (menu_item("Paint", "P")) take_tool(paint_.tool.on);
         if (menu_item("Clear paint", "", !session_.recipe().paint.empty())) clear_paint(session_);
     });
     under("View", [&] { view_menu(); });
@@ -142,6 +152,7 @@ void EditorProgram::layout() {
     ImGui::SetNextWindowSize({display.x - side, display.y - top});
     object_window();
     paint_panel({session_, items_}, paint_.tool, {0.0f, top});
+    move_panel({session_, items_}, move_, {0.0f, top});
     ImGui::SetNextWindowPos({display.x - side, top});
     ImGui::SetNextWindowSize({side, display.y - top});
     side_window();
@@ -175,7 +186,8 @@ void EditorProgram::object_input(const ImVec2& low, const ImVec2& size) {
     items_.note("object");
     const ImGuiIO& io = ImGui::GetIO();
     const bool paints = paint_.input(object_view(low, size), session_);
-    moving_camera_ = ImGui::IsItemActive() && !paints;
+    const bool moves = move_.input(object_view(low, size), session_);
+    moving_camera_ = ImGui::IsItemActive() && !paints && !moves;
     if (moving_camera_ && ImGui::IsMouseDown(0))
         camera_ = orbited(camera_, {io.MouseDelta.x, io.MouseDelta.y}, double(size.y));
     else if (moving_camera_)
@@ -209,6 +221,7 @@ void EditorProgram::object_window() {
             object_input(low, size);
             timed(times_.object, [&] { object_image(low, size); });
             paint_.draw(object_view(low, size));
+            move_.draw(object_view(low, size), session_, items_);
         }
     }
     ImGui::End();

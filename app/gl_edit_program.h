@@ -10,6 +10,7 @@
 #include "app/edit_export.h"
 #include "app/edit_files.h"
 #include "app/edit_items.h"
+#include "app/edit_move.h"
 #include "app/edit_paint.h"
 #include "app/edit_panel_presets.h"
 #include "app/edit_panels.h"
@@ -107,6 +108,7 @@ class EditorProgram {
     void draw_screen();
     void request_texture();
     void compare();
+    void take_tool(bool& tool);
     MetricsView metrics();
     PresetPicture preset_picture();
 
@@ -120,6 +122,7 @@ class EditorProgram {
     bool moving_camera_ = false;
     StopSelection stop_;
     EditPaint paint_;
+    EditMove move_;
     std::string mesh_path_;
     Recipe opened_;  ///< to compare with
     std::string opened_path_;
