@@ -145,7 +145,8 @@ TexelTruth summed(const Image<RgbF>& samples, std::size_t x, std::size_t y, std:
         const std::size_t m = stratum / 2;
         truth.grid +=
             (at(k, m, m) + at(k, m - 1, m - 1) + at(k, m, m - 1) + at(k, m - 1, m)) / 64.0;
-        truth.jittered += at(k, random() % stratum, random() % stratum) / 16.0;
+        const std::size_t i = random() % stratum, j = random() % stratum;
+        truth.jittered += at(k, i, j) / 16.0;
     }
     return truth;
 }

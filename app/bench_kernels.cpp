@@ -23,7 +23,7 @@ struct Subject {
 std::vector<std::vector<Piece>> random_spans(std::mt19937& random, double crossings,
                                              std::size_t span) {
     std::uniform_real_distribution<double> unit(-1.0, 1.0);
-    const auto vector = [&] { return Vec3d(unit(random), unit(random), unit(random)); };
+    const auto vector = [&] { return Vec3d{unit(random), unit(random), unit(random)}; };
     std::vector<std::vector<Piece>> result(batches);
     Vec3d at = 30.0 * vector(), step(0.0);
     std::size_t done = span;

@@ -140,7 +140,8 @@ std::vector<Vec3d> turned_centres(std::span<const PatchDemand> patches, int turn
     if (turn > 0) {
         std::mt19937 random(static_cast<std::uint32_t>(turn));
         const auto any = [&] { return double(random()) / 4294967296.0 - 0.5; };
-        const Vec3d a = glm::normalize(Vec3d(any(), any(), 0.75 + any()));
+        const double z = 0.75 + any(), y = any(), x = any();
+        const Vec3d a = glm::normalize(Vec3d(x, y, z));
         const Vec3d b = glm::normalize(glm::cross(a, Vec3d(1.0, any(), 0.0)));
         rotation = Mat3d(a, b, glm::cross(a, b));
     }

@@ -79,13 +79,15 @@ Texture random_texture(Chance& chance, const std::vector<NamedTerm>& kinds) {
         NoiseTerm term = kinds[chance.bits() % kinds.size()].term;
         if (term.kind == NoiseKind::worley && chance.bits() % 4) term = kinds[0].term;  // slow
         if (chance.bits() % 2) term.range = NoiseRange(chance.bits() % 2);
-        term.frequency = (chance.bits() % 4 ? 4.0 : 60.0) * chance.vector();
+        const double frequency = chance.bits() % 4 ? 4.0 : 60.0;
+        term.frequency = frequency * chance.vector();
         term.phase = 10.0 * chance.vector();
         term.seed = chance.bits();
         if (term.octaves > 1) term.octaves = 1 + chance.bits() % 6;
         term.lacunarity = chance.pick(std::array{2.0, 2.0, 1.9});
         term.gain = chance.pick(std::array{0.5, 0.5, 0.7, 0.0});
-        term.amplitude = chance.pick(std::array{0.0, 0.25, 1.0, 1.0}) * chance.signed_unit();
+        const double amplitude = chance.pick(std::array{0.0, 0.25, 1.0, 1.0});
+        term.amplitude = amplitude * chance.signed_unit();
         texture.noise.push_back(term);
     }
     texture.colors.wrap = chance.bits() % 2 ? Wrap::clamp : Wrap::repeat;

@@ -99,10 +99,11 @@ void main() {{
         Arguments made;
         std::mt19937 random(5);
         std::uniform_real_distribution<double> unit(-1.0, 1.0);
-        for (std::size_t i = 0; i < count; ++i) {
-            made.a[i] = reach * unit(random) * std::pow(10.0, decades * unit(random));
-            made.b[i] = reach * unit(random) * std::pow(10.0, decades * unit(random));
-        }
+        const auto any = [&] {
+            const double factor = reach * unit(random);
+            return factor * std::pow(10.0, decades * unit(random));
+        };
+        for (std::size_t i = 0; i < count; ++i) made.a[i] = any(), made.b[i] = any();
         const double zeros[] = {0.0, -0.0, 1.0, -1.0};
         for (std::size_t i = 0; i < 16; ++i) {
             made.a[i] = zeros[i % 4];

@@ -84,7 +84,7 @@ TEST(Recipe, ReadsEveryKey) {
 
 Recipe random_recipe(std::mt19937& random) {
     std::uniform_real_distribution<double> number(-100.0, 100.0), unit(0.0, 1.0);
-    const auto vector = [&] { return Vec3d(number(random), number(random), number(random)); };
+    const auto vector = [&] { return Vec3d{number(random), number(random), number(random)}; };
     Recipe recipe;
     recipe.name = random() % 2 ? "a \"quoted\" name\n\xc3\xa9" : "";
     recipe.atlas = {AtlasKind(random() % 4), Overscan(random() % 2),

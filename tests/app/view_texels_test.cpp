@@ -145,7 +145,8 @@ TEST(ViewTexels, DoNotDependOnThreadsOrOrder) {
     std::uniform_real_distribution<double> unit(0.0, 1.0);
     Image<LookupSample> samples(100, 90), turned(100, 90);
     for (std::size_t i = 0; i < 9000; ++i) {
-        const LookupSample sample = sample_at(unit(random), unit(random), 20.0 * unit(random));
+        const auto u = unit(random), v = unit(random);
+        const LookupSample sample = sample_at(u, v, 20.0 * unit(random));
         samples(i % 100, i / 100) = sample;
         turned(99 - i % 100, 89 - i / 100) = sample;
     }

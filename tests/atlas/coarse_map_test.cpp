@@ -24,7 +24,7 @@ void roughen(const Patch& patch, std::vector<Vec2d>& uv, double most) {
     std::uniform_real_distribution<double> any(-most, most);
     const std::vector<bool> inner = inner_vertices(patch);
     for (std::size_t v = 0; v < uv.size(); ++v)
-        if (inner[v]) uv[v] += Vec2d(any(random), any(random));
+        if (inner[v]) uv[v] += Vec2d{any(random), any(random)};
 }
 
 TEST(CoarseMap, CoarsePatchesKeepTheBorderAndComeBack) {

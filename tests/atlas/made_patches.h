@@ -101,7 +101,7 @@ inline Patch random_disk(std::uint32_t seed, std::size_t faces) {
     Mesh mesh = grid(20, 20);
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> jitter(-0.015, 0.015);
-    for (Vec3d& p : mesh.positions) p += Vec3d(jitter(random), jitter(random), jitter(random));
+    for (Vec3d& p : mesh.positions) p += Vec3d{jitter(random), jitter(random), jitter(random)};
     const Connectivity connectivity = build_connectivity(mesh);
     std::vector<std::uint32_t> chosen{static_cast<std::uint32_t>(random() % mesh.triangles.size())};
     std::vector<std::int32_t> local(mesh.triangles.size(), -1);

@@ -42,7 +42,7 @@ TEST(MeshBuilder, TolerantWeldingAgreesWithBruteForce) {
     std::uniform_real_distribution<double> uniform(-1.0, 1.0);
     PolygonSoup soup;
     for (std::uint32_t i = 0; i < 900; ++i) {
-        soup.points.emplace_back(uniform(random), uniform(random), 0.2 * uniform(random));
+        soup.points.push_back({uniform(random), uniform(random), 0.2 * uniform(random)});
         soup.corners.push_back(i);
     }
     const std::vector<Vec3d> points = soup.points;

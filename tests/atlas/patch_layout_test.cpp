@@ -21,8 +21,10 @@ std::vector<PatchDemand> random_patches(std::size_t count, std::uint32_t seed) {
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> any(0.2, 1.0);
     std::vector<PatchDemand> patches;
-    for (std::size_t i = 0; i < count; ++i)
-        patches.push_back(flat(any(random), any(random), {any(random), any(random), any(random)}));
+    for (std::size_t i = 0; i < count; ++i) {
+        const double width = any(random), height = any(random);
+        patches.push_back(flat(width, height, {any(random), any(random), any(random)}));
+    }
     return patches;
 }
 

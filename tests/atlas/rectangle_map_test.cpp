@@ -138,7 +138,7 @@ TEST(RectangleMap, DescentFindsAMinimum) {
     for (std::size_t v = 0; v < patch.points.size(); ++v) {
         if (map->sides[v] != 0) continue;
         auto moved = map->uv;
-        moved[v] += Vec2d(any(random), any(random));
+        moved[v] += Vec2d{any(random), any(random)};
         EXPECT_GT(measure(moved).distortion(), best * (1.0 - 1e-6));
     }
 }

@@ -89,8 +89,7 @@ TEST(Stretch, StepToCollapseIsWhereTheFirstTriangleFlips) {
     std::uniform_real_distribution<double> any(-1.0, 1.0);
     for (int turn = 0; turn < 20; ++turn) {
         std::vector<Vec2d> direction;
-        for (std::size_t v = 0; v < uv.size(); ++v)
-            direction.emplace_back(any(random), any(random));
+        for (std::size_t v = 0; v < uv.size(); ++v) direction.push_back({any(random), any(random)});
         const double step = measure.step_to_collapse(uv, direction);
         const auto at = [&](double t) {
             auto moved = uv;

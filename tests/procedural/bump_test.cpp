@@ -45,7 +45,7 @@ TEST(Bump, SphereRaisedRadiallyIsMetToFirstOrderInHeightOverRadius) {
     for (const double height : {0.02, 0.002}) {
         double worst = 0.0, tilt = 0.0;
         for (int i = 0; i < 500; ++i) {
-            const Vec3d n = glm::normalize(Vec3d(gauss(random), gauss(random), gauss(random)));
+            const Vec3d n = glm::normalize(Vec3d{gauss(random), gauss(random), gauss(random)});
             const Vec3d g(20.0 * height * std::cos(20.0 * n.x), 0.0, 0.0);
             const Vec3d along = g - glm::dot(g, n) * n;
             const Vec3d exact = n - along / (1.0 + height * std::sin(20.0 * n.x));
@@ -100,7 +100,7 @@ TEST(Bump, GradientsFollowTurnsShearsAndUnevenScales) {
     for (const Mat3d& linear : {turn, scale, shear, turn * scale * shear}) {
         const Affine3 map{linear, {0.3, 5.0, -1.0}};
         for (int i = 0; i < 20; ++i) {
-            const Vec3d p(uniform(random), uniform(random), uniform(random));
+            const Vec3d p{uniform(random), uniform(random), uniform(random)};
             const Vec3d exact = gradient_at(fbm, 0.4, map, p);
             EXPECT_LT(glm::length(exact - differences(fbm, 0.4, map, p)),
                       1e-6 * (1.0 + glm::length(exact)));

@@ -103,7 +103,7 @@ Errors errors_in_units(const Texture& texture, unsigned fraction_bits) {
     Errors errors;
     constexpr int count = 3000;
     for (int i = 0; i < count; ++i) {
-        const Vec3d s(place(random), place(random), place(random));
+        const Vec3d s{place(random), place(random), place(random)};
         const double error = std::ldexp(field(s) - evaluate_field(texture, s), int(fraction_bits));
         errors.worst = std::max(errors.worst, std::abs(error));
         errors.rms += error * error / count;

@@ -63,7 +63,7 @@ double largest_error(const Texture& texture, const LatticeLine& solid,
 TEST(ForwardField, IsTheWholeFunctionAlongALine) {
     std::mt19937 random(1);
     std::uniform_real_distribution<double> unit(-1.0, 1.0);
-    const auto vector = [&] { return Vec3d(unit(random), unit(random), unit(random)); };
+    const auto vector = [&] { return Vec3d{unit(random), unit(random), unit(random)}; };
     for (const Texture& texture : {paper_wood(), paper_marble(), mixed()})
         for (int power = 13; power >= -1; --power)
             for (int i = 0; i < 3; ++i) {
@@ -82,7 +82,7 @@ TEST(ForwardField, KeepsItsBitsInFixedPointWhereTheQuinticBendsMost) {
     texture.noise[0].seed = 2, texture.noise[0].frequency = Vec3d(32.0, -32.0, 0.9 * 32.0);
     std::mt19937 random(5);
     std::uniform_real_distribution<double> unit(-1.0, 1.0);
-    const auto vector = [&] { return Vec3d(unit(random), unit(random), unit(random)); };
+    const auto vector = [&] { return Vec3d{unit(random), unit(random), unit(random)}; };
     for (int i = 0; i < 40; ++i) {
         const LatticeLine line{vector(), vector() / 1024.0, 0.0, 200};
         EXPECT_LE(largest_error(texture, line, {.precision = fixed64}), 2e-9) << i;

@@ -90,7 +90,7 @@ TEST(Field, GradientIsThatOfTheValueThroughQuadricAndMaps) {
     }
     const auto octaves = expand_octaves(texture);
     for (int i = 0; i < 200; ++i) {
-        const Vec3d s(3.0 * unit(random), 3.0 * unit(random), 3.0 * unit(random));
+        const Vec3d s{3.0 * unit(random), 3.0 * unit(random), 3.0 * unit(random)};
         const Vec3d gradient = sample_field<double>(q, octaves, s).gradient;
         const Vec3d rounded = sample_field<float>(q, octaves, s).gradient;
         for (int axis = 0; axis < 3; ++axis) {

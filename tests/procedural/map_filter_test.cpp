@@ -108,8 +108,9 @@ TEST(MapFilter, AgreesWithCounting) {
         const MapPieces pieces(map);
         for (int i = 0; i < 60; ++i) {
             const double f = 4.0 * uniform(random) - 2.0;
-            const FilterWidths w = FilterWidths::of(std::exp2(-9.0 * uniform(random)) * 3.0,
-                                                    std::exp2(-9.0 * uniform(random)) * 3.0);
+            const double u = 3.0 * std::exp2(-9.0 * uniform(random));
+            const double v = 3.0 * std::exp2(-9.0 * uniform(random));
+            const FilterWidths w = FilterWidths::of(u, v);
             // Midpoints are off by a jump over n where a line of samples runs along it.
             EXPECT_LT(distance(trapezoid_filtered(pieces, f, w), counted(map, f, w, 250)), 5e-3)
                 << f << " " << w.wide << " " << w.narrow;

@@ -115,7 +115,7 @@ TEST(MipImage, ConstantsStayConstant) {
     std::uniform_real_distribution<double> unit(-3.0, 3.0);
     for (int k = 0; k < 200; ++k) {
         const double s = unit(random), t = unit(random);
-        const Vec2d u(unit(random), 0.1 * unit(random)), v(0.01 * unit(random), unit(random));
+        const Vec2d u{unit(random), 0.1 * unit(random)}, v{0.01 * unit(random), unit(random)};
         for (const double scale : {1e-12, 0.01, 0.3, 1e6}) {
             const ImageSample sample = image.ewa(s, t, scale * u, scale * v, 8);
             EXPECT_LT(distance(sample.color, linear({10, 200, 90})), 1e-6);

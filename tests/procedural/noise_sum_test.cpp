@@ -40,7 +40,8 @@ Points random_points(std::mt19937& random) {
     Points points;
     for (Array& axis : points.axes)
         for (double& x : axis.values) {
-            x = std::ldexp(unit(random), int(random() % 30));
+            const double part = unit(random);
+            x = std::ldexp(part, int(random() % 30));
             if (random() % 8 == 0) x = std::nextafter(std::round(x), random() % 2 ? 1e9 : -1e9);
             if (random() % 16 == 0) x = std::round(x);
         }

@@ -84,7 +84,7 @@ TEST(Noise, IsContinuousAcrossCellFaces) {
     std::uniform_real_distribution<double> coordinate(-100.0, 100.0);
     const double h = 1e-9;
     for (int i = 0; i < 3000; ++i) {
-        Vec3d p(coordinate(random), coordinate(random), coordinate(random));
+        Vec3d p{coordinate(random), coordinate(random), coordinate(random)};
         p[i % 3] = std::round(p[i % 3]);
         Vec3d below = p;
         below[i % 3] -= h;

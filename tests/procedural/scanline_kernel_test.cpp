@@ -110,22 +110,22 @@ TEST(ScanlineKernel, TakesLinesOfAnyLength) {
     Scan scan;
     for (const std::size_t length :
          {1u, 2u, 3u, 15u, 16u, 17u, 63u, 64u, 65u, 1023u, 1024u, 1025u, 4096u, 16384u})
-        for (const NoiseName& noise : noises)
-            EXPECT_LE(worst_share(scan, noise, {5, 0, 1.0f}, random_vector(random, 10.0),
-                                  random_vector(random, 0.01), length),
-                      1.0)
-                << length;
+        for (const NoiseName& noise : noises) {
+            const Vec3d start = random_vector(random, 10.0), step = random_vector(random, 0.01);
+            EXPECT_LE(worst_share(scan, noise, {5, 0, 1.0f}, start, step, length), 1.0) << length;
+        }
 }
 
 TEST(ScanlineKernel, TakesOctavesAtTheirDoublings) {
     std::mt19937 random(13);
     Scan scan;
     for (const int doublings : {0, 1, 5, 12})
-        for (const NoiseName& noise : noises)
-            EXPECT_LE(worst_share(scan, noise, {9, doublings, 1.0f}, random_vector(random, 4.0),
-                                  random_vector(random, std::ldexp(0.02, -doublings)), 600),
-                      1.0)
+        for (const NoiseName& noise : noises) {
+            const Vec3d start = random_vector(random, 4.0);
+            const Vec3d step = random_vector(random, std::ldexp(0.02, -doublings));
+            EXPECT_LE(worst_share(scan, noise, {9, doublings, 1.0f}, start, step, 600), 1.0)
                 << doublings;
+        }
 }
 
 TEST(ScanlineKernel, TakesStepsOfEverySize) {
@@ -175,8 +175,8 @@ TEST(ScanlineKernel, LeavesNoTraceOfHowSpansAreCut) {
             std::size_t at = 0;
             if (random() % 2) {
                 at = 1 + random() % 300;
-                pieces.push_back(
-                    piece(random_vector(random, 9.0), random_vector(random, 0.1), 5, at, 400));
+                const Vec3d p = random_vector(random, 9.0);
+                pieces.push_back(piece(p, random_vector(random, 0.1), 5, at, 400));
             }
             const std::size_t count = std::min(length - first, 1 + random() % (1024 - at));
             pieces.push_back(piece(start, step, double(first), count, double(length)));
@@ -208,9 +208,10 @@ TEST(ScanlineKernel, GivesTheSameBitsOnEveryInstructionSet) {
     for (std::size_t left = batch_capacity; left > 0;) {
         const std::size_t count = std::min<std::size_t>(left, 1 + random() % 200);
         const double first = double(random() % 300);
-        pieces.push_back(piece(random_vector(random, 1e4),
-                               random_vector(random, std::ldexp(1.0, 1 - int(random() % 10))),
-                               first, count, first + double(count) + double(random() % 50)));
+        const double size = std::ldexp(1.0, 1 - int(random() % 10));
+        const Vec3d start = random_vector(random, 1e4), step = random_vector(random, size);
+        const double rest = double(random() % 50);
+        pieces.push_back(piece(start, step, first, count, first + double(count) + rest));
         left -= count;
     }
     Scan scan;
@@ -253,10 +254,10 @@ TEST(OctaveStreams, ScanLongSpansOnly) {
         };
         const Piece wide = piece({1, 2, 3}, {0.002, -0.001, 0.0015}, 700, 333, 5000);
         std::vector<Piece> pieces;
-        for (int i = 0; i < 9; ++i)
-            pieces.push_back(
-                i == 4 ? wide
-                       : piece(random_vector(random, 5.0), random_vector(random, 0.05), 0, 30, 30));
+        for (int i = 0; i < 9; ++i) {
+            const Vec3d p = random_vector(random, 5.0), s = random_vector(random, 0.05);
+            pieces.push_back(i == 4 ? wide : piece(p, s, 0, 30, 30));
+        }
         const auto mixed = values(automatic, pieces), alone = values(automatic, {wide}),
                    plain = values(direct, pieces), scans = values(scanning, pieces);
         EXPECT_EQ(std::vector(mixed.begin() + 120, mixed.begin() + 453), alone);

@@ -158,7 +158,7 @@ TEST(SimplexOctaves, SumAsTheReferenceDoes) {
     const auto buffers = std::make_unique<StreamBuffers>();
     std::mt19937 random(8);
     std::uniform_real_distribution<double> unit(-1.0, 1.0);
-    const auto vector = [&] { return Vec3d(unit(random), unit(random), unit(random)); };
+    const auto vector = [&] { return Vec3d{unit(random), unit(random), unit(random)}; };
     for (int i = 0; i < 48; ++i) {
         Texture texture;
         NoiseTerm& term = texture.noise.emplace_back();

@@ -32,8 +32,9 @@ std::vector<Piece> random_pieces(std::mt19937& random, bool far) {
         const double first = double(random() % 100);
         const double reach = far && random() % 3 == 0 ? 1e8 : 30.0;
         const double step = far && random() % 5 == 0 ? 1e5 : std::ldexp(1.0, -int(random() % 8));
-        pieces.push_back(piece(random_vector(random, reach), random_vector(random, step), first,
-                               count, first + double(count)));
+        const Vec3d start = random_vector(random, reach);
+        pieces.push_back(
+            piece(start, random_vector(random, step), first, count, first + double(count)));
         left -= count;
     }
     return pieces;

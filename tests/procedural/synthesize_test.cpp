@@ -48,8 +48,8 @@ Texture random_texture(std::mt19937& random, bool with_quadric) {
         term.fade = pick(Fade::linear, Fade::smooth, Fade::quintic);
         if (random() % 2) term.range = pick(NoiseRange::unit, NoiseRange::bipolar);
         term.amplitude = 3.0 * unit(random);
-        term.frequency = 4.0 * Vec3d(unit(random), unit(random), unit(random));
-        if (random() % 2) term.phase = 10.0 * Vec3d(unit(random), unit(random), unit(random));
+        term.frequency = 4.0 * Vec3d{unit(random), unit(random), unit(random)};
+        if (random() % 2) term.phase = 10.0 * Vec3d{unit(random), unit(random), unit(random)};
         if (random() % 3 == 0) {
             term.matrix.emplace();
             for (double& m : *term.matrix) m = 3.0 * unit(random);

@@ -31,9 +31,12 @@ Texture marble(NoiseKind kind, Fade fade) {
 TexelSet some_texels(std::uint32_t size, std::uint32_t seed) {
     std::mt19937 random(seed);
     TexelSet texels(size), cells(size);
-    const auto any = [&] { return std::uint32_t(random()) % size; };
-    for (std::uint32_t i = 0; i < size * size / 16; ++i) texels.insert(any(), any());
-    for (std::uint32_t i = 0; i < size * size / 512; ++i) cells.insert(any(), any());
+    const auto insert_any = [&](TexelSet& set) {
+        const std::uint32_t x = std::uint32_t(random()) % size;
+        set.insert(x, std::uint32_t(random()) % size);
+    };
+    for (std::uint32_t i = 0; i < size * size / 16; ++i) insert_any(texels);
+    for (std::uint32_t i = 0; i < size * size / 512; ++i) insert_any(cells);
     texels |= cells.whole_cells(8);
     return texels;
 }

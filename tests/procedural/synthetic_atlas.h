@@ -16,7 +16,7 @@ struct SyntheticAtlas {
     SolidAtlas make(std::uint32_t seed) const {
         std::mt19937 random(seed);
         std::uniform_real_distribution<double> unit(-1.0, 1.0);
-        const auto vector = [&] { return Vec3d(unit(random), unit(random), unit(random)); };
+        const auto vector = [&] { return Vec3d{unit(random), unit(random), unit(random)}; };
         const std::uint32_t across = (size + block - 1) / block;
         SolidAtlas solid;
         solid.size = size;

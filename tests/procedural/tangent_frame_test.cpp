@@ -12,7 +12,7 @@ namespace {
 class RandomVectors {
   public:
     Vec3d unit() {
-        return glm::normalize(Vec3d(gauss_(random_), gauss_(random_), gauss_(random_)));
+        return glm::normalize(Vec3d{gauss_(random_), gauss_(random_), gauss_(random_)});
     }
 
   private:
@@ -37,8 +37,8 @@ TEST(TangentFrame, GivesBackWhatWasPutInEvenWhereItIsSlanted) {
     RandomVectors vectors;
     int tried = 0;
     for (int i = 0; i < 2000; ++i) {
-        const TangentFrame frame =
-            tangent_frame(vectors.unit(), vectors.unit(), i % 2 == 0 ? 1.0 : -1.0);
+        const Vec3d normal = vectors.unit();
+        const TangentFrame frame = tangent_frame(normal, vectors.unit(), i % 2 == 0 ? 1.0 : -1.0);
         const Vec3d v = vectors.unit();
         const double slant = glm::dot(frame.tangent, frame.normal);
         // A viewer can only show what has a positive share of the normal.
@@ -55,7 +55,8 @@ TEST(TangentFrame, GivesBackWhatWasPutInEvenWhereItIsSlanted) {
 TEST(TangentFrame, NormalsThemselvesAreStraightUp) {
     RandomVectors vectors;
     for (int i = 0; i < 100; ++i) {
-        const TangentFrame frame = tangent_frame(vectors.unit(), vectors.unit(), 1.0);
+        const Vec3d normal = vectors.unit();
+        const TangentFrame frame = tangent_frame(normal, vectors.unit(), 1.0);
         EXPECT_EQ(in_frame(frame, frame.normal), Vec3d(0, 0, 1));
     }
     const Vec3d n(0, 0, 1);
