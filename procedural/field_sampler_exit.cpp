@@ -1,22 +1,18 @@
 // The field where only its colour counts: early exits (early_exit.h).
 #include <algorithm>
 
+#include "procedural/exit_estimate.h"
 #include "procedural/exit_kernel.h"
 #include "procedural/field_sampler.h"
-#include "procedural/noise_bounds.h"
 
 namespace burl {
 
 /// In the order of noise_keys().
 std::vector<OctaveRange> FieldSampler::octave_ranges() const {
     std::vector<OctaveRange> ranges;
-    const auto add = [&](const Octave& octave) {
-        const NoiseBounds n = shaped(octave.shape, noise_bounds(octave.noise));
-        const auto [low, high] = std::minmax({octave.scale * n.low, octave.scale * n.high});
-        ranges.push_back({low, high, octave.scale * stream_unit(octave.noise.kind)});
-    };
-    for (const Octave& octave : streamed_octaves_) add(octave);
-    for (const ScalarOctave& scalar : scalar_octaves_) add(scalar.octave);
+    for (const Octave& octave : streamed_octaves_) ranges.push_back(octave_range(octave));
+    for (const ScalarOctave& scalar : scalar_octaves_)
+        ranges.push_back(octave_range(scalar.octave));
     return ranges;
 }
 
@@ -49,14 +45,10 @@ std::vector<double> FieldSampler::decided_shares(const std::vector<ExitPoint>& p
 void FieldSampler::plan_exit(const ColorMap& colors, FieldBatch& pilot, const ExitCosts& costs) {
     const std::vector<OctaveRange> ranges = octave_ranges();
     exit_ = {};
-    if (band_limit_ || ranges.empty() || pilot.count == 0) return;
+    const std::vector<ExitPoint> points = allowed_exits(colors, ranges, skips_);
+    if (band_limit_ || points.empty() || pilot.count == 0) return;
     exit_.repeats = colors.wrap == Wrap::repeat;
     exit_.octaves = ranges.size();
-    std::vector<ExitPoint> points = exit_points(constant_intervals(colors), ranges);
-    if (!skips_.allows(Skip::constant_tiles)) points.front().decided.clear();
-    if (!skips_.allows(Skip::early_exit))
-        for (std::size_t k = 1; k < points.size(); ++k) points[k].decided.clear();
-    if (std::ranges::all_of(points, [](const ExitPoint& p) { return p.decided.empty(); })) return;
     const std::vector<double> shares = decided_shares(points, pilot);
     std::vector<double> octaves = streams_.octave_costs(pilot.pieces, pilot.count, pilot.streams);
     octaves.resize(ranges.size(), plain_octave_cost);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "procedural/exit_estimate.h"
 #include "procedural/synthesize_pieces.h"
 #include "procedural/texel_shaders.h"
 #include "procedural/work_sum.h"
@@ -78,7 +79,7 @@ Image<typename Shader::Pixel> synthesize(const SolidAtlas& solid, const Texture&
     FieldSampler sampler(texture, filter.band_limit, kernel, economy.skips);
     WorkSum work(economy.work);
     const std::vector<TexelMap> maps = moved_maps(solid.maps, map, threads);
-    if (exits) {
+    if (exits && !filter.band_limit && may_exit(texture, economy.skips)) {
         const auto pilot = std::make_unique<FieldBatch>();
         add_pilot(solid, maps, *pilot);
         sampler.plan_exit(*exits, *pilot);

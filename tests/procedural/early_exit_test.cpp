@@ -8,6 +8,7 @@
 #include <limits>
 #include <random>
 
+#include "procedural/exit_estimate.h"
 #include "procedural/exit_kernel.h"
 #include "procedural/noise_bounds.h"
 #include "procedural/point_colors.h"
@@ -59,7 +60,7 @@ TEST(NoiseBounds, HoldEveryNoise) {
             for (int i = 0; i < 4000; ++i) {
                 const double n = shaped(
                     shape,
-                    evaluate_noise(noise, Vec3d(place(random), place(random), place(random))));
+                    evaluate_noise(noise, Vec3d{place(random), place(random), place(random)}));
                 low = std::min(low, n), high = std::max(high, n);
             }
             EXPECT_GE(low, bounds.low) << name;
@@ -109,6 +110,21 @@ TEST(CheapestExits, AreTakenWhereTheySaveMore) {
               Points{});
 }
 
+TEST(LikelyShares, AreThoseOfNormalNumbers) {
+    const std::vector<OctaveRange> ranges = {{-0.5, 0.5, 1.0}, {0.0, 0.5, 1.0}};
+    const std::vector<IndexInterval> ends = {{-infinity, 0.1}, {0.9, infinity}};
+    const std::vector<ExitPoint> points = exit_points(ends, ranges);
+    const std::vector<double> shares = likely_shares(points, ranges, 0.5);
+    ASSERT_EQ(shares.size(), 2u);
+    EXPECT_EQ(shares[0], 0.0);
+    // Half a unit may come below, none above: beyond -0.4 and 0.9 is 0.9 / 0.29 and 0.4 / 0.29.
+    EXPECT_NEAR(
+        shares[1],
+        0.5 * (std::erfc(0.9 / 0.29 / std::sqrt(2.0)) + std::erfc(0.4 / 0.29 / std::sqrt(2.0))),
+        1e-3);
+    EXPECT_EQ(likely_shares(exit_points(ends, ranges), ranges, 7.0)[0], 1.0);
+}
+
 Texture random_texture(std::mt19937& random) {
     std::uniform_real_distribution<double> unit(0.0, 1.0);
     Texture texture;
@@ -120,10 +136,11 @@ Texture random_texture(std::mt19937& random) {
     constexpr std::array kinds{NoiseKind::value, NoiseKind::perlin, NoiseKind::simplex,
                                NoiseKind::worley, NoiseKind::cell};
     for (NoiseTerm& term : texture.noise) {
-        term.kind = kinds[random() % (random() % 2 ? 2 : kinds.size())];
+        const std::size_t choice = random() % 2 ? 2 : kinds.size();
+        term.kind = kinds[random() % choice];
         term.fade = Fade(random() % 3);
         term.amplitude = unit(random);
-        term.frequency = 3.0 * Vec3d(unit(random), unit(random), unit(random));
+        term.frequency = 3.0 * Vec3d{unit(random), unit(random), unit(random)};
         term.seed = std::uint32_t(random());
         term.octaves = 1 + std::uint32_t(random() % 6);
         term.gain = random() % 2 ? 0.5 : 0.7;
@@ -224,6 +241,46 @@ TEST(EarlyExit, CountsDependOnNothingElse) {
             EXPECT_EQ(work, one);
         }
     });
+}
+
+/// Without quadrics nobody has to look at a texel to know that mostly nothing is to be had.
+TEST(EarlyExit, IsRuledOutHardlyEverWhereAPilotFindsIt) {
+    std::mt19937 random(6);
+    int possible = 0, found = 0, missed = 0;
+    for (std::uint32_t i = 0; i < 300; ++i) {
+        const SolidAtlas solid = SyntheticAtlas{64, 16, 0.0, 0.03, true}.make(i);
+        Texture texture = random_texture(random);
+        texture.quadric = {};
+        texture.colors.wrap = Wrap::clamp;
+        FieldSampler sampler(texture, false);
+        const auto pilot = std::make_unique<FieldBatch>();
+        const auto buffers = std::make_unique<ExitBuffers>();
+        add_pilot(solid, solid.maps, *pilot);
+        sampler.plan_exit(texture.colors, *pilot);
+        sampler.values_for_colors(*pilot, *buffers);
+        const SynthesisWork& work = pilot->streams.work;
+        const bool exits = work.octaves_skipped[unsigned(Skip::early_exit)] > 0 ||
+                           work.octaves_skipped[unsigned(Skip::constant_tiles)] > 0;
+        missed += exits && !may_exit(texture, {});
+        possible += may_exit(texture, {});
+        found += exits;
+    }
+    EXPECT_GT(found, 10);
+    EXPECT_LT(possible, 250);
+    EXPECT_LE(20 * missed, found) << "fields that hardly change over the atlas";
+}
+
+TEST(EarlyExit, IsRuledOutForClouds) {
+    Texture clouds;
+    clouds.noise.resize(1);
+    clouds.noise[0].amplitude = 0.5, clouds.noise[0].octaves = 4;
+    clouds.colors = {Wrap::clamp, {{0.25, blue}, {0.45, green}, {0.72, red}}};
+    EXPECT_FALSE(may_exit(clouds, {}));
+    clouds.quadric.j = 5.0;
+    EXPECT_TRUE(may_exit(clouds, {})) << "all beyond the map";
+    EXPECT_FALSE(may_exit(clouds, without_exits().skips));
+    clouds.quadric.j = 0.0, clouds.quadric.i = 3.0;
+    EXPECT_TRUE(may_exit(clouds, {})) << "a slope may leave the map";
 }
 
 TEST(EarlyExit, LeavesMapsAloneThatAreNowhereConstant) {
