@@ -47,10 +47,10 @@ struct Change {
 };
 
 /// The changes of one channel within ]begin, end[ of a segment, where it is monotone.
-void add_changes(const PreparedColorMap& map, std::size_t segment, double begin, double end,
-                 glm::length_t axis, std::vector<Change>& changes) {
+void add_changes(const PreparedColorMap& map, const SrgbEncoder<std::uint8_t>& encode,
+                 std::size_t segment, double begin, double end, glm::length_t axis,
+                 std::vector<Change>& changes) {
     static constexpr std::uint8_t Rgb8::*channels[] = {&Rgb8::r, &Rgb8::g, &Rgb8::b};
-    const SrgbEncoder<std::uint8_t> encode;
     const auto light = [&](double t) { return map.color(segment, t)[axis]; };
     const double last = std::nextafter(end, begin);
     const int target = encode(light(last));
@@ -82,7 +82,7 @@ std::vector<ColorTable8::Step> ColorTable8::steps_of(const PreparedColorMap& map
         steps.push_back(step);
         std::vector<Change> changes;
         for (glm::length_t axis = 0; axis < 3; ++axis)
-            add_changes(map, i, begin, end, axis, changes);
+            add_changes(map, encode, i, begin, end, axis, changes);
         std::ranges::sort(changes, {}, &Change::index);
         for (const Change& change : changes) {
             step.color.*change.channel = change.code;
@@ -99,6 +99,8 @@ std::vector<ColorTable8::Step> ColorTable8::steps_of(const PreparedColorMap& map
 
 ColorTable8::ColorTable8(const ColorMap& map)
     : wrap_(map.wrap), steps_(steps_of(PreparedColorMap(map))) {
+    entries_.reserve(entry_count + 1);
+    first_step_.reserve(entry_count + 1);
     std::uint32_t step = 0;
     for (std::uint32_t i = 0; i <= entry_count; ++i) {
         while (steps_[step + 1].index <= double(i) / entry_count) ++step;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "procedural/band_limit.h"
+#include "procedural/kept_sums.h"
 #include "procedural/simd_level.h"
 #include "procedural/simplex_kernel.h"
 
@@ -55,6 +56,16 @@ void add_weighted(float weight, const OctaveSums& part, std::size_t at, std::siz
     if (!slopes) return;
     for (int axis = 0; axis < 3; ++axis)
         add(part.gradients.along[axis], sums.gradients.along[axis]);
+}
+
+/// A group of which everything is known.
+void add_known_group(const OctaveGroup& group, const KeptBatch& kept, std::size_t count,
+                     SynthesisWork& work, double* values) {
+    std::vector<KeptSummand> summands;
+    for (std::size_t k = group.octaves.size(); k-- > 0;)
+        summands.push_back({group.octaves[k].weight, kept.octaves[k].noise + kept.at});
+    add_kept_sums(summands, group.scale * stream_unit(group.kind), count, values);
+    work.skip_octaves(Skip::kept_terms, group.octaves.size() * count);
 }
 
 }  // namespace
@@ -266,12 +277,10 @@ void OctaveStreams::add_kept_group(const Group& group, std::span<const Piece> pi
                                    std::size_t count, bool scanned, const KeptBatch& kept,
                                    StreamBuffers& buffers, double* values) const {
     Plan plan;
-    if (!std::ranges::all_of(kept.octaves, &KeptNoise::known)) {
-        if (scanned)
-            map_scan_lines(group.lattice_from_solid, group.finest(), pieces, buffers.lines);
-        else
-            plan = prepare(group, pieces, count, buffers, false, nullptr);
-    }
+    if (scanned)
+        map_scan_lines(group.lattice_from_solid, group.finest(), pieces, buffers.lines);
+    else
+        plan = prepare(group, pieces, count, buffers, false, nullptr);
     clear(buffers.sums, count, false);
     for (std::size_t k = group.octaves.size(); k-- > 0;) {
         const auto [noise, known] = kept.octaves[k];
@@ -356,7 +365,7 @@ void OctaveStreams::add_kept(std::span<const Piece> pieces, std::size_t count,
             continue;
         }
         if (std::ranges::all_of(own.octaves, &KeptNoise::known)) {
-            add_kept_group(group, pieces, count, false, own, buffers, values);
+            add_known_group(group, own, count, buffers.work, values);
             continue;
         }
         double* at = values;

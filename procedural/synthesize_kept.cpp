@@ -6,6 +6,7 @@
 #include "procedural/point_colors.h"
 #include "procedural/synthesize.h"
 #include "procedural/synthesize_pieces.h"
+#include "procedural/synthesize_recolor.h"
 #include "procedural/texel_shaders.h"
 #include "procedural/work_sum.h"
 
@@ -188,36 +189,19 @@ bool KeptSynthesis::keep_entries() {
 template <class Pixel>
 void KeptSynthesis::recolor(const Texture& texture, int threads, const Economy& economy,
                             Image<Pixel>& image) {
-    const PointColors<Pixel> colors(texture.colors);
-    const Pixel background = colors(0.0);
-    const bool indexed = std::is_same_v<Pixel, Rgb8> && keep_entries();
-    const bool known = indexed && known_entries_ == texture.colors.wrap;
-    if (indexed) known_entries_.reset();
+    const Wrap wrap = texture.colors.wrap;
+    const RecolorTask task{rows_, solid_->size, threads, economy};
     field_cause_.clear();
-    const auto color = [&](std::size_t at, std::size_t count, ColorBuffers& buffers,
-                           RowPainter<Pixel>& painter) {
-        const double* f = field_.data() + at;
-        if constexpr (std::is_same_v<Pixel, Rgb8>)
-            if (indexed) {
-                std::int32_t* entries = entries_.data() + at;
-                if (!known) colors.index(f, count, entries);
-                colors.look_up(entries, f, count, buffers);
-                return paint(colors, f, count, buffers, painter);
-            }
-        colors.look_up(f, count, buffers);
-        paint(colors, f, count, buffers, painter);
-    };
-    const auto color_rows = [&](const RowRange& range) {
-        const auto buffers = std::make_unique_for_overwrite<ColorBuffers>();
-        for (std::size_t y = range.begin(); y != range.end(); ++y) {
-            RowPainter<Pixel> painter(rows_.runs(y), image.row(y), background);
-            rows_.for_each_batch(
-                y, [&](std::size_t at, std::size_t count) { color(at, count, *buffers, painter); });
-        }
-    };
-    for_row_ranges(solid_->size, 8 * batch_capacity, threads, color_rows, economy.stop);
-    if (indexed && (known || !economy.stop.stop_requested())) known_entries_ = texture.colors.wrap;
     count_recolored(economy);
+    if constexpr (std::is_same_v<Pixel, Rgb8>)
+        if (keep_entries()) {
+            const bool known = known_entries_ == wrap;
+            known_entries_.reset();
+            recolor_places(task, texture.colors, field_.data(), known, entries_.data(), image);
+            if (known || !economy.stop.stop_requested()) known_entries_ = wrap;
+            return;
+        }
+    recolor_field(task, texture.colors, field_.data(), image);
 }
 
 template <class Pixel>
