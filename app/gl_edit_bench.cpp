@@ -35,11 +35,14 @@ struct Subject {
     const char* tab;
     const char* item;
     double reach;
+    const char* steps = "";  ///< of a script, before
 };
 constexpr std::array subjects{Subject{"Parameters", "texture.input.noise.0.amplitude", 60.0},
                               Subject{"Parameters", "texture.input.noise.0.frequency.0", 20.0},
                               Subject{"Parameters", "solid.scale", 60.0},
-                              Subject{"Colours", "texture.stops.1", 60.0}};
+                              Subject{"Colours", "texture.stops.1", 60.0},
+                              Subject{"Parameters", "object", 120.0,  // the texture on it
+                                      R"({"key": "G"}, {"wait": 2}, {"click": "move.axes"},)"}};
 
 /// One drag to the right and back, in real time.
 class Drag {
@@ -186,8 +189,8 @@ std::vector<EditorBench> bench_editor(const std::string& mesh, std::uint32_t sid
     std::vector<EditorBench> rows;
     for (const Subject& subject : subjects) {
         editor.play(parse_script(fmt::format(R"({{"burl_input": 1, "steps": [{{"settle": true}},
-                                 {{"click": "tab:{}"}}, {{"wait": 3}}]}})",
-                                             subject.tab),
+                                 {{"click": "tab:{}"}}, {} {{"wait": 3}}]}})",
+                                             subject.tab, subject.steps),
                                  "bench"),
                     "");
         EditorBench bench;
