@@ -28,8 +28,7 @@ HWY_ATTR std::size_t FindBent(const float* distances, const std::int32_t* entrie
         found += SetPositions(MaskBytes(hn::RebindMask(Bits(), hn::Not(straight))),
                               std::uint32_t(j), texels + found);
     }
-    while (found > 0 && texels[found - 1] >= count) --found;
-    return found;
+    return found_below(count, texels, found);
 }
 
 }  // namespace HWY_NAMESPACE

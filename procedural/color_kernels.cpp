@@ -52,11 +52,11 @@ HWY_ATTR std::size_t LookUpCodes(const ColorCode* table, const std::int32_t* ent
     for (std::size_t j = 0; j < count; j += hn::Lanes(d)) {
         const auto code = hn::GatherIndex(d, words, hn::Load(Ints(), entries + j));
         hn::Store(code, d, out + j);
-        found += SetPositions(MaskBytes(hn::Eq(hn::And(code, flag), hn::Zero(d))), std::uint32_t(j),
-                              later + found);
+        const auto several = hn::Eq(hn::And(code, flag), hn::Zero(d));
+        if (hn::AllFalse(d, several)) continue;
+        found += SetPositions(MaskBytes(several), std::uint32_t(j), later + found);
     }
-    while (found > 0 && later[found - 1] >= count) --found;
-    return found;
+    return found_below(count, later, found);
 }
 
 HWY_ATTR void PackPixels(const ColorCode* codes, std::size_t count, Rgb8* pixels) {

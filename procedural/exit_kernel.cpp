@@ -47,8 +47,7 @@ HWY_ATTR std::size_t FindUndecided(bool repeats, std::span<const IndexInterval> 
         found += SetPositions(MaskBytes(hn::RebindMask(Bits(), hn::Not(inside))), std::uint32_t(j),
                               positions + found);
     }
-    while (found > 0 && positions[found - 1] >= count) --found;
-    return found;
+    return found_below(count, positions, found);
 }
 
 }  // namespace HWY_NAMESPACE

@@ -34,8 +34,7 @@ HWY_ATTR std::size_t LookUpPlaces(const ColorCode* table, const std::int32_t* pl
         if (hn::AllFalse(d, several)) continue;
         found += SetPositions(MaskBytes(several), std::uint32_t(j), later + found);
     }
-    while (found > 0 && later[found - 1] >= count) --found;
-    return found;
+    return found_below(count, later, found);
 }
 
 }  // namespace HWY_NAMESPACE

@@ -35,6 +35,13 @@ inline constexpr auto bits_up_to = [] {
     return table;
 }();
 
+/// How many of `found` positions, which rise, are below `count`: the last vector reaches beyond.
+inline std::size_t found_below(std::size_t count, const std::uint32_t* positions,
+                               std::size_t found) {
+    while (found > 0 && positions[found - 1] >= count) --found;
+    return found;
+}
+
 }  // namespace burl
 #endif
 
