@@ -1,0 +1,25 @@
+#version 330 core
+// A line as a rectangle of even width on the screen, a little nearer than the surface it lies on.
+layout(location = 0) in vec3 from;
+layout(location = 1) in vec3 to;
+
+uniform mat4 clip_from_unit;
+uniform vec2 size;    // of the target, in samples
+uniform float width;  // in samples
+
+// The end itself or, where it lies before the near plane, where the line meets that.
+vec4 before_the_eye(vec4 end, vec4 other) {
+    float here = end.z + end.w, there = other.z + other.w;
+    return here < 0.0 && there > 0.0 ? mix(end, other, here / (here - there)) : end;
+}
+
+void main() {
+    vec4 a = clip_from_unit * vec4(from, 1.0), b = clip_from_unit * vec4(to, 1.0);
+    vec4 low = before_the_eye(a, b), high = before_the_eye(b, a);
+    vec2 along = (high.xy / high.w - low.xy / low.w) * size;
+    float far = length(along);
+    vec2 across = far > 0.0 ? vec2(-along.y, along.x) / far : vec2(1.0, 0.0);
+    float side = (gl_VertexID & 1) == 0 ? -1.0 : 1.0;
+    vec4 end = (gl_VertexID & 2) == 0 ? low : high;
+    gl_Position = end + vec4(side * width * across / size * end.w, 0.0, 0.0);
+}
