@@ -17,7 +17,6 @@ namespace {
 
 constexpr std::size_t tile = 256;
 constexpr std::size_t most_levels = 7;
-constexpr Vec3d gap_color(0.015, 0.015, 0.015);
 
 Rgb8 encoded(const Vec3d& linear) {
     const auto code = [](double value) {
@@ -57,18 +56,6 @@ Image<Rgb8> triangles_picture(const PicturedAtlas& what, const std::vector<Vec3d
     return picture;
 }
 
-/// A bright colour of its own: hues by the golden section, so that consecutive ones differ.
-Vec3d chart_color(std::uint32_t chart) {
-    const double hue = 6.0 * std::fmod(0.61803398875 * chart, 1.0);
-    const double value = 0.45 + 0.5 * random_unit(7, chart);
-    const double low = 0.08 + 0.25 * random_unit(8, chart);
-    const auto channel = [&](double shift) {
-        const double distance = std::abs(std::fmod(hue + shift, 6.0) - 3.0);
-        return value * std::max(low, std::clamp(distance - 1.0, 0.0, 1.0));
-    };
-    return {channel(0.0), channel(4.0), channel(2.0)};
-}
-
 double texture_area(const std::array<Vec2d, 3>& c, double size) {
     const Vec2d u = (c[1] - c[0]) / size, v = (c[2] - c[0]) / size;
     return 0.5 * std::abs(u.x * v.y - u.y * v.x);
@@ -98,6 +85,29 @@ Vec3d scale_color(double relative_scale) {
     return white + std::abs(t) * ((t < 0.0 ? low : high) - white);
 }
 
+Vec3d chart_color(std::uint32_t chart) {
+    const double hue = 6.0 * std::fmod(0.61803398875 * chart, 1.0);
+    const double value = 0.45 + 0.5 * random_unit(7, chart);
+    const double low = 0.08 + 0.25 * random_unit(8, chart);
+    const auto channel = [&](double shift) {
+        const double distance = std::abs(std::fmod(hue + shift, 6.0) - 3.0);
+        return value * std::max(low, std::clamp(distance - 1.0, 0.0, 1.0));
+    };
+    return {channel(0.0), channel(4.0), channel(2.0)};
+}
+
+std::vector<double> relative_scales(const Mesh& mesh, const Atlas& atlas) {
+    const std::vector<double> areas = triangle_areas(mesh).areas;
+    double total = 0.0;
+    for (const double area : areas) total += area;
+    std::vector<double> scales;
+    for (std::size_t t = 0; t < areas.size(); ++t) {
+        const double own = texture_area(atlas.corners[t], atlas.options.size);
+        scales.push_back(areas[t] > 0.0 ? std::sqrt(own / areas[t] * total) : 1.0);
+    }
+    return scales;
+}
+
 Image<Rgb8> charts_picture(const PicturedAtlas& what, std::span<const std::uint32_t> charts) {
     std::vector<Vec3d> colors;
     for (const std::uint32_t chart : charts) colors.push_back(chart_color(chart));
@@ -105,14 +115,9 @@ Image<Rgb8> charts_picture(const PicturedAtlas& what, std::span<const std::uint3
 }
 
 Image<Rgb8> scale_picture(const PicturedAtlas& what) {
-    const std::vector<double> areas = triangle_areas(what.mesh).areas;
-    double total = 0.0;
-    for (const double area : areas) total += area;
     std::vector<Vec3d> colors;
-    for (std::size_t t = 0; t < areas.size(); ++t) {
-        const double own = texture_area(what.atlas.corners[t], what.atlas.options.size);
-        colors.push_back(scale_color(areas[t] > 0.0 ? std::sqrt(own / areas[t] * total) : 1.0));
-    }
+    for (const double scale : relative_scales(what.mesh, what.atlas))
+        colors.push_back(scale_color(scale));
     return triangles_picture(what, colors);
 }
 

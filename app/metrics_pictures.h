@@ -29,6 +29,15 @@ Image<Rgb8> scale_picture(const PicturedAtlas& what);
 /// bilinear lookups in it, without light. Tiles are 256 pixels wide.
 Image<Rgb8> levels_picture(const PicturedAtlas& what, const TextureValues& texture);
 
+/// Each triangle's own relative scale; 1 where it has no area on the surface.
+std::vector<double> relative_scales(const Mesh& mesh, const Atlas& atlas);
+
+/// A bright colour of its own, linear light: hues by the golden section, so that consecutive ones
+/// differ.
+Vec3d chart_color(std::uint32_t chart);
+/// What texels that show no triangle have, linear light.
+inline constexpr Vec3d gap_color(0.015, 0.015, 0.015);
+
 /// Blue at 1/2 and below, white at 1, red at 2 and above, by the logarithm; linear light.
 Vec3d scale_color(double relative_scale);
 
