@@ -59,6 +59,19 @@ std::shared_ptr<const SurfacePick> EditBaker::pick() const {
     return pick_;
 }
 
+bool EditBaker::want_sheet(bool wanted) {
+    const std::scoped_lock lock(mutex_);
+    const bool begins = wanted && !wants_sheet_;
+    wants_sheet_ = wanted;
+    if (!wanted) sheet_.reset();
+    return begins;
+}
+
+std::shared_ptr<const AtlasSheet> EditBaker::sheet() const {
+    const std::scoped_lock lock(mutex_);
+    return surface_ && sheet_key_.surface == surface_->number ? sheet_ : nullptr;
+}
+
 StageRecords EditBaker::records() const {
     const std::scoped_lock lock(mutex_);
     return records_;
@@ -108,6 +121,23 @@ void EditBaker::publish_pick() {
     wake_();
 }
 
+/// Where somebody looks at it.
+void EditBaker::publish_sheet() {
+    SheetKey key{0, pipeline_->recipe().solid.space};
+    {
+        const std::scoped_lock lock(mutex_);
+        key.surface = surface_->number;
+        if (!wants_sheet_ || (sheet_ && sheet_key_ == key)) return;
+    }
+    auto sheet = std::make_shared<const AtlasSheet>(atlas_sheet(*pipeline_));
+    {
+        const std::scoped_lock lock(mutex_);
+        sheet_ = std::move(sheet);
+        sheet_key_ = key;
+    }
+    wake_();
+}
+
 void EditBaker::publish_picture(const WorkerRequest& request, std::uint32_t level,
                                 const Image<Rgb8>& texels, double seconds) {
     auto picture = std::make_shared<EditPicture>();
@@ -149,6 +179,7 @@ void EditBaker::work(const WorkerRequest& request, const std::stop_token& stop) 
                      start = std::chrono::steady_clock::now();
                  });
     publish_pick();
+    publish_sheet();
 }
 
 }  // namespace burl

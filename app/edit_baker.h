@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/atlas_sheet.h"
 #include "app/edit_worker.h"
 #include "app/level_choice.h"
 #include "app/pipeline.h"
@@ -35,6 +36,13 @@ struct EditPicture {
 };
 
 class EditBaker {
+    /// What a sheet depends on.
+    struct SheetKey {
+        std::uint64_t surface = 0;
+        SolidSpace space = SolidSpace::unit;
+        bool operator==(const SheetKey&) const = default;
+    };
+
   public:
     /// `wake` is called by another thread whenever there is something new. `budget`: seconds that a
     /// picture may take while a slider moves.
@@ -54,6 +62,11 @@ class EditBaker {
     /// What finds places on the newest surface; null, or that of an older surface (its scene() is
     /// another), until the newest surface's first picture is done.
     std::shared_ptr<const SurfacePick> pick() const;
+    /// Whether somebody looks at sheets. True: there is none of the newest surface; the next
+    /// request makes it.
+    bool want_sheet(bool wanted);
+    /// Of the newest surface, or null.
+    std::shared_ptr<const AtlasSheet> sheet() const;
     /// The stages of the pipeline, as of the newest picture.
     StageRecords records() const;
 
@@ -66,6 +79,7 @@ class EditBaker {
     void take_mesh();
     void publish_surface(Pipeline& pipeline);
     void publish_pick();
+    void publish_sheet();
     void publish_picture(const WorkerRequest& request, std::uint32_t level,
                          const Image<Rgb8>& texels, double seconds);
 
@@ -73,11 +87,14 @@ class EditBaker {
     double budget_;
     std::uint64_t requests_ = 0;
 
-    mutable std::mutex mutex_;  ///< of the next six
+    mutable std::mutex mutex_;  ///< of the next nine
     std::optional<Mesh> next_mesh_;
     std::shared_ptr<const EditSurface> surface_;
     std::shared_ptr<const EditPicture> picture_;
     std::shared_ptr<const SurfacePick> pick_;
+    bool wants_sheet_ = false;
+    std::shared_ptr<const AtlasSheet> sheet_;
+    SheetKey sheet_key_;
     StageRecords records_;
     std::uint64_t numbers_ = 0;
 

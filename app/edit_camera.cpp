@@ -16,8 +16,8 @@ EditCamera turned_to(EditCamera camera, double azimuth, double elevation) {
 
 }  // namespace
 
-EditCamera orbited(EditCamera camera, const glm::dvec2& pixels, double picture_height) {
-    const double degrees = 180.0 / std::max(picture_height, 1.0);
+EditCamera orbited(EditCamera camera, const glm::dvec2& pixels, double side) {
+    const double degrees = 180.0 / std::max(side, 1.0);
     const double azimuth = camera.view.azimuth_degrees - degrees * pixels.x;
     camera.view.azimuth_degrees = azimuth - 360.0 * std::floor(azimuth / 360.0 + 0.5);
     camera.view.elevation_degrees =
@@ -25,11 +25,11 @@ EditCamera orbited(EditCamera camera, const glm::dvec2& pixels, double picture_h
     return camera;
 }
 
-EditCamera panned(EditCamera camera, const glm::dvec2& pixels, double picture_height) {
+EditCamera panned(EditCamera camera, const glm::dvec2& pixels, double side) {
     const Camera looking = orbit_camera(camera.view, {Vec3d(0.0), 1.0}, {1, 1});
     const double half_field = 0.5 * vertical_field_of_view_degrees * std::numbers::pi / 180.0;
     const double radii_per_pixel =
-        2.0 * camera.view.distance * std::tan(half_field) / std::max(picture_height, 1.0);
+        2.0 * camera.view.distance * std::tan(half_field) / std::max(side, 1.0);
     camera.target += radii_per_pixel * (pixels.y * looking.up - pixels.x * looking.right);
     return camera;
 }
@@ -59,6 +59,10 @@ Camera camera_of(const EditCamera& camera, const Sphere& sphere, const PictureSi
     const double radius = sphere.radius > 0.0 ? sphere.radius : 1.0;
     Camera result = orbit_camera(camera.view, sphere, size);
     result.eye += radius * camera.target;
+    // The field of view is that of the shorter side, so that what fits does in narrow views, too.
+    const double narrow = std::min(1.0, double(size.width) / std::max(size.height, 1));
+    result.focal_x *= narrow;
+    result.focal_y *= narrow;
     // The sphere no longer lies about what is looked at: enough room for it on both sides.
     const double away = radius * glm::length(camera.target);
     const double distance = camera.view.distance * radius;

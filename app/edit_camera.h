@@ -11,12 +11,12 @@ struct EditCamera {
     bool operator==(const EditCamera&) const = default;
 };
 
-/// Turned as by dragging the scene by so many pixels of a picture so many high: its full height is
-/// half a turn. Elevation stays within straight up and down.
-EditCamera orbited(EditCamera camera, const glm::dvec2& pixels, double picture_height);
+/// Turned as by dragging the scene by so many pixels of a picture whose shorter side is `side`
+/// pixels long: that is half a turn. Elevation stays within straight up and down.
+EditCamera orbited(EditCamera camera, const glm::dvec2& pixels, double side);
 
 /// Moved so that what is at the target's depth follows the pointer.
-EditCamera panned(EditCamera camera, const glm::dvec2& pixels, double picture_height);
+EditCamera panned(EditCamera camera, const glm::dvec2& pixels, double side);
 
 /// Nearer by a tenth per notch, between 0.05 and 100 radii.
 EditCamera zoomed(EditCamera camera, double notches);
@@ -29,6 +29,7 @@ EditCamera from_front(EditCamera camera);
 EditCamera from_side(EditCamera camera);
 EditCamera from_top(EditCamera camera);
 
+/// Its field of view is that of the picture's shorter side.
 Camera camera_of(const EditCamera& camera, const Sphere& sphere, const PictureSize& size);
 
 /// Through a point of the picture, in its pixels, from its left upper corner.

@@ -11,7 +11,7 @@ namespace burl {
 
 namespace {
 
-constexpr std::array<std::pair<const char*, const char*>, 24> keys{{
+constexpr std::array<std::pair<const char*, const char*>, 27> keys{{
     {"left drag", "turn the object"},
     {"right or middle drag", "move it"},
     {"wheel", "nearer, farther"},
@@ -19,6 +19,9 @@ constexpr std::array<std::pair<const char*, const char*>, 24> keys{{
     {"1, 3, 7", "front, side, top"},
     {"L", "light on or off"},
     {"T", "turntable"},
+    {"V", "the atlas beside the object, and back"},
+    {"W, B", "wireframe, borders of charts on or off"},
+    {"over the atlas: drag, wheel; F", "move, nearer; fit"},
     {"Ctrl+Z, Ctrl+Y", "undo, redo"},
     {"Ctrl+O", "open a mesh or recipe"},
     {"Ctrl+S", "save the recipe"},

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <algorithm>
+
 #include "app/edit_keys.h"
 #include "app/edit_panel_paint.h"
 #include "app/gl_edit_program.h"
@@ -18,6 +20,13 @@ constexpr double degrees_per_second = 20.0;
 constexpr ImGuiWindowFlags fixed =
     ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
     ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoTitleBar;
+
+/// Halves a view; the second one begins at `second`, beside or below the first.
+void split(ImVec2& size, ImVec2& second) {
+    const bool beside = size.x >= 0.8f * size.y;
+    (beside ? size.x : size.y) *= 0.5f;
+    (beside ? second.x : second.y) += beside ? size.x : size.y;
+}
 
 bool typing() {
     return ImGui::GetIO().WantTextInput;
@@ -63,7 +72,7 @@ void EditorProgram::shortcuts() {
     if (pressed("Ctrl+V")) session_.paste_recipe(window_->clipboard());
     if (pressed("Ctrl+Shift+C"))
         window_->set_clipboard(bake_command(mesh_path_, opened_path_, opened_, session_.recipe()));
-    if (pressed("F")) camera_ = fitted(camera_);
+    if (!atlas_.shortcuts() && pressed("F")) camera_ = fitted(camera_);
     if (pressed("1")) camera_ = from_front(camera_);
     if (pressed("3")) camera_ = from_side(camera_);
     if (pressed("7")) camera_ = from_top(camera_);
@@ -81,6 +90,11 @@ bool EditorProgram::menu_item(const char* label, const char* key, bool enabled) 
     return chosen;
 }
 
+void EditorProgram::menu_toggle(const char* label, const char* key, bool& value) {
+    ImGui::MenuItem(label, key, &value);
+    items_.note(fmt::format("menu:{}", label));
+}
+
 void EditorProgram::file_menu() {
     if (menu_item("Open...", "Ctrl+O")) open_dialog();
     if (menu_item("Save recipe", "Ctrl+S")) save();
@@ -94,8 +108,11 @@ void EditorProgram::view_menu() {
     if (menu_item("Front", "1")) camera_ = from_front(camera_);
     if (menu_item("Side", "3")) camera_ = from_side(camera_);
     if (menu_item("Top", "7")) camera_ = from_top(camera_);
-    if (menu_item("Light", "L")) lit_ = !lit_;
-    if (menu_item("Turntable", "T")) turntable_ = !turntable_;
+    menu_toggle("Light", "L", lit_);
+    menu_toggle("Turntable", "T", turntable_);
+    menu_toggle("Atlas", "V", atlas_.state.shown);
+    menu_toggle("Wireframe", "W", atlas_.edges);
+    menu_toggle("Chart borders", "B", atlas_.borders);
 }
 
 void EditorProgram::menu() {
@@ -148,9 +165,16 @@ void EditorProgram::layout() {
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     const float top = ImGui::GetFrameHeight(), side = side_share * display.x;
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0f);
+    ImVec2 object{display.x - side, display.y - top}, atlas{0.0f, top};
+    if (atlas_.state.shown) split(object, atlas);
     ImGui::SetNextWindowPos({0.0f, top});
-    ImGui::SetNextWindowSize({display.x - side, display.y - top});
+    ImGui::SetNextWindowSize(object);
     object_window();
+    if (atlas_.state.shown) {
+        ImGui::SetNextWindowPos(atlas);
+        ImGui::SetNextWindowSize(object);
+        atlas_window();
+    }
     paint_panel({session_, items_}, paint_.tool, {0.0f, top});
     move_panel({session_, items_}, move_, {0.0f, top});
     ImGui::SetNextWindowPos({display.x - side, top});
@@ -185,13 +209,15 @@ void EditorProgram::object_input(const ImVec2& low, const ImVec2& size) {
                                ImGuiButtonFlags_MouseButtonMiddle);
     items_.note("object");
     const ImGuiIO& io = ImGui::GetIO();
+    atlas_.look_at_object(object_view(low, size));
     const bool paints = paint_.input(object_view(low, size), session_);
     const bool moves = move_.input(object_view(low, size), session_);
     moving_camera_ = ImGui::IsItemActive() && !paints && !moves;
+    const auto shorter = double(std::min(size.x, size.y));
     if (moving_camera_ && ImGui::IsMouseDown(0))
-        camera_ = orbited(camera_, {io.MouseDelta.x, io.MouseDelta.y}, double(size.y));
+        camera_ = orbited(camera_, {io.MouseDelta.x, io.MouseDelta.y}, shorter);
     else if (moving_camera_)
-        camera_ = panned(camera_, {io.MouseDelta.x, io.MouseDelta.y}, double(size.y));
+        camera_ = panned(camera_, {io.MouseDelta.x, io.MouseDelta.y}, shorter);
     if (ImGui::IsItemHovered() && io.MouseWheel != 0.0f)
         camera_ = zoomed(camera_, double(io.MouseWheel));
     if (turntable_) {
@@ -202,11 +228,14 @@ void EditorProgram::object_input(const ImVec2& low, const ImVec2& size) {
 
 void EditorProgram::object_image(const ImVec2& low, const ImVec2& size) {
     object_.show(baker_.surface(), baker_.picture());
+    object_.show_lines(atlas_.lines());
     const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
     ObjectViewOptions options;
     options.size = {int(size.x * scale.x), int(size.y * scale.y)};
     options.camera = camera_;
     options.lit = lit_;
+    options.edges = atlas_.edges;
+    options.borders = atlas_.borders;
     options.supersample = moving_camera_ || session_.history().in_gesture() ? 1 : 2;
     if (const GlTexture* texture = object_.draw(options))
         ImGui::GetWindowDrawList()->AddImage(imgui_texture(*texture), low,
@@ -222,10 +251,17 @@ void EditorProgram::object_window() {
             timed(times_.object, [&] { object_image(low, size); });
             paint_.draw(object_view(low, size));
             move_.draw(object_view(low, size), session_, items_);
+            atlas_.mark_object(object_view(low, size));
         }
     }
     ImGui::End();
     ImGui::PopStyleVar();
+}
+
+void EditorProgram::atlas_window() {
+    if (ImGui::Begin("Atlas", nullptr, fixed | ImGuiWindowFlags_NoScrollbar))
+        atlas_.panel({session_, items_}, baker_, object_);
+    ImGui::End();
 }
 
 void EditorProgram::side_window() {

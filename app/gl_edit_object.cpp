@@ -26,7 +26,8 @@ GlEditObject::GlEditObject(const GladGLContext& gl)
     : gl_(&gl),
       encode_(make_full_screen_program(gl, "the view of the object",
                                        ShaderSource().add("edit_encode.frag"))),
-      pass_(gl) {}
+      pass_(gl),
+      lines_(gl) {}
 
 void GlEditObject::show(std::shared_ptr<const EditSurface> surface,
                         const std::shared_ptr<const EditPicture>& picture) {
@@ -38,6 +39,17 @@ void GlEditObject::show(std::shared_ptr<const EditSurface> surface,
     }
     const bool fits = surface_ && picture && picture->surface == surface_->number;
     if (fits && picture != picture_) upload(picture);
+}
+
+void GlEditObject::show_lines(const std::shared_ptr<const SurfaceLines>& lines) {
+    if (lines_.shows(lines)) return;
+    lines_.show(lines, surface_ ? surface_->sphere : Sphere{});
+    drawn_.reset();
+}
+
+const GlTexture* GlEditObject::texture() const {
+    if (!scene_ || !picture_) return nullptr;
+    return &scene_->texture(baked_material(surface_->scene).texture);
 }
 
 void GlEditObject::upload(const std::shared_ptr<const EditPicture>& picture) {
@@ -65,11 +77,14 @@ void GlEditObject::make_targets(const ObjectViewOptions& options) {
     shown_.emplace(*gl_, pixels, std::initializer_list<GLenum>{GL_RGBA8});
 }
 
-void GlEditObject::draw_samples(const ObjectViewOptions& options) const {
+void GlEditObject::draw_samples(const ObjectViewOptions& options) {
     const PictureSize samples = sample_size(options);
+    const Camera camera = camera_of(options.camera, surface_->sphere, options.size);
     samples_->bind();
-    scene_->draw(camera_of(options.camera, surface_->sphere, options.size), samples,
-                 {0, 0, samples.width, samples.height}, options.lit);
+    scene_->draw(camera, samples, {0, 0, samples.width, samples.height}, options.lit);
+    if (options.edges) lines_.draw(GlEditLines::Kind::edges, camera, samples, options.supersample);
+    if (options.borders)
+        lines_.draw(GlEditLines::Kind::borders, camera, samples, options.supersample);
     gl_->Disable(GL_DEPTH_TEST);
 }
 

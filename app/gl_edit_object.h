@@ -7,6 +7,7 @@
 
 #include "app/edit_baker.h"
 #include "app/edit_camera.h"
+#include "app/gl_edit_lines.h"
 #include "app/gl_scene.h"
 #include "app/gl_target.h"
 
@@ -16,6 +17,7 @@ struct ObjectViewOptions {
     PictureSize size{};  ///< in pixels
     EditCamera camera{};
     bool lit = true;
+    bool edges = false, borders = false;  ///< of triangles and charts, as far as there are lines
     int supersample = 1;  ///< samples a side of a pixel: 1 while things move, 2 at rest
     bool operator==(const ObjectViewOptions&) const = default;
 };
@@ -27,6 +29,10 @@ class GlEditObject {
     /// What is shown from now on; null: nothing. Uploads only what is new.
     void show(std::shared_ptr<const EditSurface> surface,
               const std::shared_ptr<const EditPicture>& picture);
+    /// The lines over it; null: none.
+    void show_lines(const std::shared_ptr<const SurfaceLines>& lines);
+    /// That of picture(); null: none yet.
+    const GlTexture* texture() const;
     /// Draws if need be. Row 0 of the texture is the picture's top row. Null without a surface or
     /// with a size of 0.
     const GlTexture* draw(const ObjectViewOptions& options);
@@ -38,7 +44,7 @@ class GlEditObject {
   private:
     void upload(const std::shared_ptr<const EditPicture>& picture);
     void make_targets(const ObjectViewOptions& options);
-    void draw_samples(const ObjectViewOptions& options) const;
+    void draw_samples(const ObjectViewOptions& options);
     void encode(const ObjectViewOptions& options) const;
 
     const GladGLContext* gl_;
@@ -47,6 +53,7 @@ class GlEditObject {
     std::shared_ptr<const EditSurface> surface_;
     std::unique_ptr<GlScene> scene_;
     std::shared_ptr<const EditPicture> picture_;
+    GlEditLines lines_;
     std::optional<GlTarget> samples_, shown_;
     GlRenderbuffer depth_;
     std::optional<ObjectViewOptions> drawn_;

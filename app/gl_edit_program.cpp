@@ -47,7 +47,8 @@ EditorProgram::EditorProgram(std::unique_ptr<GlWindow> window, const EditorOptio
       export_([this] { window_->wake(); }),
       baker_([this] { window_->wake(); }),
       object_(window_->context().gl()),
-      figures_([this] { window_->wake(); }) {
+      figures_([this] { window_->wake(); }),
+      atlas_(window_->context().gl(), [this] { window_->wake(); }) {
     ImGui::GetIO().FontGlobalScale = float(options.ui_scale);
     ImGui::GetStyle().ScaleAllSizes(float(options.ui_scale));
     if (options.gallery) gallery_.emplace(window_->context().gl(), [this] { window_->wake(); });
@@ -91,6 +92,7 @@ void EditorProgram::take(const InputEvent& event) {
 /// What other threads had to tell, and what becomes due with time.
 void EditorProgram::take_news() {
     if (const auto problem = baker_.take_problem()) session_.complain(*problem);
+    if (const auto problem = atlas_.take_problem()) session_.complain(*problem);
     if (const auto outcome = export_.take_outcome()) {
         if (outcome->problem)
             session_.complain(outcome->text);
@@ -153,6 +155,7 @@ void EditorProgram::ask_for_file(void (EditorProgram::*then)(const std::string&)
 
 /// The recipe on the screen, or while comparing the one that was opened.
 void EditorProgram::request_texture() {
+    if (baker_.want_sheet(atlas_.state.shown)) requested_.reset();
     const WorkerRequest wanted{comparing_ ? opened_ : session_.recipe(),
                                session_.history().in_gesture()};
     const bool same = requested_ && requested_->recipe == wanted.recipe &&
@@ -163,7 +166,7 @@ void EditorProgram::request_texture() {
 }
 
 bool EditorProgram::settled() const {
-    return baker_.idle() && !session_.history().in_gesture();
+    return baker_.idle() && atlas_.idle() && !session_.history().in_gesture();
 }
 
 void EditorProgram::frame(const std::vector<InputEvent>& events) {
@@ -195,6 +198,7 @@ void EditorProgram::panels(const std::vector<InputEvent>& events) {
     layout();
     ImGui::Render();
     request_texture();
+    atlas_.follow(baker_, request_, requested_->recipe);
 }
 
 void EditorProgram::draw_screen() {
@@ -240,6 +244,7 @@ void EditorProgram::play(InputScript script, const std::string& folder) {
             frame({});
             if (gallery_) gallery_->wait();
             figures_.wait();
+            atlas_.wait();
             window_->present();
         }
         frame(next.events);

@@ -15,6 +15,7 @@
 #include "app/edit_panel_presets.h"
 #include "app/edit_panels.h"
 #include "app/edit_session.h"
+#include "app/gl_edit_atlas.h"
 #include "app/gl_edit_gallery.h"
 #include "app/gl_edit_imgui.h"
 #include "app/gl_edit_object.h"
@@ -67,6 +68,7 @@ class EditorProgram {
     const EditItems& items() const { return items_; }
     const EditBaker& baker() const { return baker_; }
     EditCamera& camera() { return camera_; }
+    const GlEditAtlas& atlas() const { return atlas_; }
     /// Number of the last texture that was asked for.
     std::uint64_t last_request() const { return request_; }
     /// The texture that the last frame shows; null: none. And whether with many samples a pixel.
@@ -93,6 +95,7 @@ class EditorProgram {
     void open_dialog();
     void export_dialog();
     bool menu_item(const char* label, const char* key, bool enabled = true);
+    void menu_toggle(const char* label, const char* key, bool& value);
     void file_menu();
     void view_menu();
     void recovery_window();
@@ -101,6 +104,7 @@ class EditorProgram {
     void menu();
     void layout();
     void object_window();
+    void atlas_window();
     void object_input(const ImVec2& low, const ImVec2& size);
     ObjectView object_view(const ImVec2& low, const ImVec2& size) const;
     void side_window();
@@ -145,6 +149,7 @@ class EditorProgram {
     std::optional<GlEditGallery> gallery_;
     std::string preset_search_;
     EditFigures figures_;
+    GlEditAtlas atlas_;
 };
 
 }  // namespace burl

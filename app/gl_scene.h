@@ -21,6 +21,8 @@ class GlScene {
     /// Replaces the pixels of texture `number` of the scene; how it is looked up stays.
     void set_texture(int number, const SceneTexture& texture);
 
+    const GlTexture& texture(int number) const { return textures_[std::size_t(number)]; }
+
     /// Draws one tile of the picture in linear light into the bound framebuffer; `lit`: under the
     /// headlight of app/shading.h.
     void draw(const Camera& camera, const PictureSize& samples, const SampleTile& tile,

@@ -23,11 +23,24 @@ TEST(EditCamera, WithoutMovesItIsTheOrbitCamera) {
 TEST(EditCamera, WhatIsPannedFollowsThePointer) {
     EditCamera camera;
     camera.view = {70, -35, 2.0};
-    const Vec3d before = project(camera_of(camera, ball, picture), picture, ball.centre);
-    const EditCamera moved = panned(camera, {120, -45}, picture.height);
-    const Vec3d after = project(camera_of(moved, ball, picture), picture, ball.centre);
-    EXPECT_NEAR(after.x - before.x, 120.0, 1e-6);
-    EXPECT_NEAR(after.y - before.y, -45.0, 1e-6);
+    for (const PictureSize& size : {picture, PictureSize{300, 900}}) {
+        const Vec3d before = project(camera_of(camera, ball, size), size, ball.centre);
+        const EditCamera moved = panned(camera, {120, -45}, std::min(size.width, size.height));
+        const Vec3d after = project(camera_of(moved, ball, size), size, ball.centre);
+        EXPECT_NEAR(after.x - before.x, 120.0, 1e-6);
+        EXPECT_NEAR(after.y - before.y, -45.0, 1e-6);
+    }
+}
+
+TEST(EditCamera, NarrowPicturesShowAsMuchAsWideOnes) {
+    const EditCamera camera;
+    const Vec3d top = ball.centre + ball.radius * camera_of(camera, ball, picture).up,
+                right = ball.centre + ball.radius * camera_of(camera, ball, picture).right;
+    const PictureSize narrow{picture.height, picture.width};
+    const double wide = project(camera_of(camera, ball, picture), picture, top).y;
+    const Vec3d seen = project(camera_of(camera, ball, narrow), narrow, right);
+    EXPECT_NEAR(seen.x, narrow.width - wide, 1e-9);
+    EXPECT_NEAR(seen.y, 0.5 * narrow.height, 1e-9);
 }
 
 TEST(EditCamera, NothingOfTheSceneIsCutOff) {
