@@ -4,7 +4,7 @@ namespace burl {
 
 namespace {
 
-constexpr double pivot_reach = 0.1;  // of the object's radius
+constexpr double pivot_reach = 0.1, key_step = 0.02;  // of the object's radius
 
 double solid_units(const ObjectView& view) {
     return view.solid_from_mesh.linear[0][0];
@@ -29,6 +29,12 @@ Vec3d middle_of(const ObjectView& view) {
 
 GizmoView gizmo_view(const ObjectView& view) {
     return {camera_of(view), picture_size(view), view.solid_from_mesh};
+}
+
+SolidOptions stepped(const ObjectView& view, const SolidOptions& start, SolidDrag drag,
+                     const Vec2d& way) {
+    return stepped(start, drag, camera_of(view), view.solid_from_mesh(middle_of(view)), way,
+                   key_step * view.sphere.radius * solid_units(view));
 }
 
 std::optional<SolidGrab> SolidGrab::surface(const ObjectView& view, const SolidOptions& start,

@@ -46,6 +46,10 @@ class SolidGrab {
     Vec2d pressed_{0.0};
 };
 
+/// A step by a key: solid_drag.h's, by a fiftieth of the object's radius, about its middle.
+SolidOptions stepped(const ObjectView& view, const SolidOptions& start, SolidDrag drag,
+                     const Vec2d& way);
+
 /// The middle of the object's box, about which the texture is turned and sized, in the scene.
 Vec3d middle_of(const ObjectView& view);
 

@@ -1,5 +1,10 @@
 #include "app/edit_move.h"
 
+#include <fmt/format.h>
+
+#include <array>
+#include <utility>
+
 #include "app/edit_gizmo.h"
 #include "app/edit_keys.h"
 
@@ -16,6 +21,12 @@ Vec2d pointer_now() {
 
 SolidDrag drag_of(const ImGuiIO& io) {
     return io.KeyShift ? SolidDrag::turn : io.KeyCtrl ? SolidDrag::size : SolidDrag::move;
+}
+
+void change(EditSession& session, const SolidOptions& solid) {
+    Recipe recipe = session.recipe();
+    recipe.solid = solid;
+    session.history().change(std::move(recipe));
 }
 
 /// What is held, and with a thread to its pivot where it turns or grows about one.
@@ -60,10 +71,21 @@ void EditMove::follow(const ObjectView& view, EditSession& session, const Vec2d&
     if (pointer == pointer_) return;
     pointer_ = pointer;
     const auto solid = grab_->to(view, pointer);
-    if (!solid) return;
-    Recipe recipe = session.recipe();
-    recipe.solid = *solid;
-    session.history().change(std::move(recipe));
+    if (solid) change(session, *solid);
+}
+
+void EditMove::step(const ObjectView& view, EditSession& session) const {
+    const bool elsewhere =
+        ImGui::IsWindowFocused(ImGuiFocusedFlags_AnyWindow) && !ImGui::IsWindowFocused();
+    if (elsewhere || ImGui::GetIO().WantTextInput) return;
+    constexpr std::array<std::pair<const char*, Vec2d>, 4> arrows{
+        {{"Left", {-1, 0}}, {"Right", {1, 0}}, {"Up", {0, 1}}, {"Down", {0, -1}}}};
+    constexpr std::array<std::pair<const char*, SolidDrag>, 3> drags{
+        {{"", SolidDrag::move}, {"Shift+", SolidDrag::turn}, {"Ctrl+", SolidDrag::size}}};
+    for (const auto& [modifier, drag] : drags)
+        for (const auto& [arrow, way] : arrows)
+            if (pressed(fmt::format("{}{}", modifier, arrow)))
+                change(session, stepped(view, session.recipe().solid, drag, way));
 }
 
 void EditMove::drop(EditSession& session) {
@@ -76,11 +98,10 @@ bool EditMove::input(const ObjectView& view, EditSession& session) {
     if (on && !grab_ && view.pick && ImGui::IsItemActivated() && ImGui::IsMouseClicked(0) &&
         !io.KeyAlt)
         press(view, session, pointer_now());
+    if (on && !grab_ && view.pick) step(view, session);
     if (!grab_) return false;
     if (pressed("Escape")) {
-        Recipe recipe = session.recipe();
-        recipe.solid = grab_->start();
-        session.history().change(std::move(recipe));
+        change(session, grab_->start());
         drop(session);
     } else if (on && ImGui::IsMouseDown(0) && session.history().in_gesture()) {
         follow(view, session, pointer_now());
@@ -113,8 +134,8 @@ void move_panel(const PanelContext& context, EditMove& tool, const ImVec2& low) 
                      ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove |
                          ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoFocusOnAppearing)) {
         ImGui::TextUnformatted(
-            "drag: move\nShift+drag: turn\nCtrl+drag: larger, smaller\nEscape: take it back\n"
-            "Alt+drag: turn the object");
+            "drag or arrow keys: move\nwith Shift: turn\nwith Ctrl: larger, smaller\n"
+            "Escape: take it back\nAlt+drag: turn the object");
         ImGui::Checkbox("axes", &tool.shows_gizmo);
         context.items.note("move.axes");
         ImGui::SameLine();

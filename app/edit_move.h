@@ -17,12 +17,14 @@ class EditMove {
     bool shows_gizmo = true;
 
     /// Takes the pointer where the last item, the view, has it. True: it moves the texture; false:
-    /// the view may have it. Escape takes the gesture back.
+    /// the view may have it. Escape takes the gesture back. Arrow keys do the same in steps, while
+    /// no other window has them.
     bool input(const ObjectView& view, EditSession& session);
     /// The gizmo, and what is held.
     void draw(const ObjectView& view, const EditSession& session, EditItems& items);
 
   private:
+    void step(const ObjectView& view, EditSession& session) const;
     void press(const ObjectView& view, EditSession& session, const Vec2d& pointer);
     void follow(const ObjectView& view, EditSession& session, const Vec2d& pointer);
     void drop(EditSession& session);

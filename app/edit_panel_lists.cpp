@@ -32,7 +32,7 @@ constexpr std::array<std::pair<const char*, const char*>, 27> keys{{
     {"P", "paint on the surface, and back"},
     {"comma, period; X", "painting: smaller, larger brush; eraser"},
     {"G", "move the texture on the surface, and back"},
-    {"Shift+drag, Ctrl+drag", "moving the texture: turn it, size it; Escape takes it back"},
+    {"drag, arrow keys", "moving the texture; Shift turns, Ctrl sizes, Escape takes back"},
     {"Alt+left drag", "painting, moving: turn the object"},
     {"F12", "screenshot"},
     {"F1", "this list"},

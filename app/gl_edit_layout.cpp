@@ -244,7 +244,8 @@ void EditorProgram::object_image(const ImVec2& low, const ImVec2& size) {
 
 void EditorProgram::object_window() {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
-    if (ImGui::Begin("Object", nullptr, fixed | ImGuiWindowFlags_NoScrollbar)) {
+    if (ImGui::Begin("Object", nullptr,
+                     fixed | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoNavInputs)) {
         const ImVec2 low = ImGui::GetCursorScreenPos(), size = ImGui::GetContentRegionAvail();
         if (size.x >= 1.0f && size.y >= 1.0f) {
             object_input(low, size);

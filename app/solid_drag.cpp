@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <numbers>
 #include <string>
 
 #include "app/rotation_angles.h"
@@ -14,6 +15,7 @@ namespace burl {
 
 namespace {
 
+constexpr double step_radians = std::numbers::pi / 36.0, step_size = 1.05;
 constexpr double least_scale = 1e-6, largest_scale = 1e6, farthest = 1e6;  // of recipes
 
 double tidy(double value) {
@@ -80,6 +82,20 @@ SolidOptions dragged(const SolidOptions& start, SolidDrag drag, const DragPivot&
             return before > 0.0 ? enlarged(start, pivot.point, distance(pivot, to) / before)
                                 : start;
         }
+    }
+    return start;
+}
+
+SolidOptions stepped(const SolidOptions& start, SolidDrag drag, const Camera& camera,
+                     const Vec3d& pivot, const Vec2d& way, double distance) {
+    const Vec3d line = way.x * camera.up - way.y * camera.right;
+    switch (drag) {
+        case SolidDrag::move:
+            return moved(start, distance * (way.x * camera.right + way.y * camera.up));
+        case SolidDrag::turn:
+            return turned(start, pivot, turn_about(line, step_radians));
+        case SolidDrag::size:
+            return enlarged(start, pivot, std::pow(step_size, way.x + way.y));
     }
     return start;
 }

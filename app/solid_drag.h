@@ -38,6 +38,12 @@ struct DragPivot {
 SolidOptions dragged(const SolidOptions& start, SolidDrag drag, const DragPivot& pivot,
                      const Vec3d& from, const Vec3d& to);
 
+/// A step by a key in the picture, one to the right or up being (1, 0) or (0, 1): moves by
+/// `distance` solid units, turns about the pivot by 5 degrees as a ball that is rolled, or makes
+/// larger by 5 % to the right or up.
+SolidOptions stepped(const SolidOptions& start, SolidDrag drag, const Camera& camera,
+                     const Vec3d& pivot, const Vec2d& way, double distance);
+
 /// Where a ray of ray_through() meets the plane parallel to the picture through a point: what a
 /// pointer beside the object is at.
 Vec3d beside(const Camera& camera, const Ray& ray, const Vec3d& through);

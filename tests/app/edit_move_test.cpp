@@ -216,6 +216,27 @@ TEST_F(EditMoveTest, TheGizmosHandlesMoveTurnAndSize) {
     EXPECT_EQ(editor->session().recipe().solid, before);
 }
 
+TEST_F(EditMoveTest, ArrowKeysStepUnlessAnotherWindowHasThem) {
+    const auto editor = with_tool();
+    drag(*editor, middle(*editor), middle(*editor));  // the object's window has the keys
+    const Recipe recipe = editor->session().recipe();
+    const auto solid = [&] { return editor->session().recipe().solid; };
+    play(*editor, R"({"key": "Right"})");
+    const ObjectView view = view_of(*editor);
+    EXPECT_EQ(solid(), stepped(view, recipe.solid, SolidDrag::move, {1, 0}));
+    EXPECT_NE(solid(), recipe.solid);
+    play(*editor, R"({"key": "Ctrl+Z"}, {"key": "Shift+Up"})");
+    EXPECT_EQ(solid(), stepped(view, recipe.solid, SolidDrag::turn, {0, 1}));
+    play(*editor, R"({"key": "Ctrl+Z"}, {"key": "Ctrl+Left"})");
+    EXPECT_EQ(solid(), stepped(view, recipe.solid, SolidDrag::size, {-1, 0}));
+    play(*editor, R"({"key": "Ctrl+Z"}, {"click": "tab:Log"}, {"wait": 2}, {"key": "Up"})");
+    EXPECT_EQ(solid(), recipe.solid);
+    play(*editor, R"({"key": "G"}, {"wait": 2})");
+    drag(*editor, middle(*editor), middle(*editor));
+    play(*editor, R"({"key": "Right"})");
+    EXPECT_EQ(solid(), recipe.solid);
+}
+
 TEST_F(EditMoveTest, TheMenuAndTheWindowDoWhatTheKeysDo) {
     const auto editor = start();
     play(*editor, R"({"click": "menu:Edit"}, {"wait": 2}, {"click": "menu:Move the texture"},

@@ -199,6 +199,27 @@ TEST(SolidDrag, StaysWithinWhatRecipesHold) {
     }
 }
 
+TEST(SolidDrag, KeysStepInThePicture) {
+    const SolidOptions start = Random().solid();
+    const Affine3 before = map_of(start);
+    const Camera camera = orbit_camera({40, 25, 3.0}, {}, {200, 100});
+    const Vec3d pivot(0.1, 0.2, 0.3), right = camera.right, up = camera.up, front = camera.back;
+    const auto after = [&](SolidDrag drag, const Vec2d& way) {
+        return map_of(stepped(start, drag, camera, pivot, way, 0.25));
+    };
+    const double close = 1e-8 * start.scale + 1e-8, angle = glm::radians(5.0);
+    EXPECT_LT(glm::distance(after(SolidDrag::move, {-1, 0})(-0.25 * right), before(Vec3d(0.0))),
+              close);
+    EXPECT_LT(glm::distance(after(SolidDrag::move, {0, 1})(0.25 * up), before(Vec3d(0.0))), close);
+    // What faces the viewer goes the key's way.
+    for (const auto& [way, side] : {std::pair(Vec2d(1, 0), right), std::pair(Vec2d(0, -1), -up)}) {
+        const Vec3d there = pivot + std::cos(angle) * front + std::sin(angle) * side;
+        EXPECT_LT(glm::distance(after(SolidDrag::turn, way)(there), before(pivot + front)), close);
+    }
+    EXPECT_LT(glm::distance(after(SolidDrag::size, {0, 1})(pivot + 1.05 * up), before(pivot + up)),
+              close);
+}
+
 TEST(SolidDrag, BesideTheObjectIsOnThePlaneOfThePicture) {
     const Camera camera = orbit_camera({40, 25, 3.0}, {{1, 2, 3}, 2.0}, {200, 100});
     const Vec3d through(1.5, 1.0, 3.5);
