@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <string_view>
 
+#include "app/keyed_recipe.h"
 #include "app/schema_tree.h"
 #include "atlas/error.h"
 
@@ -75,6 +76,25 @@ Recipe load_frame(const RecipeOptions& options, int frame) {
     }
 }
 
+/// Every number once, by one way.
+std::vector<Key> parse_keys(const AnimationOptions& animation, const KeyedAnimation& own) {
+    std::vector<Key> keys;
+    for (const std::string& text : animation.keys) {
+        const Key key = parse_key(text);
+        for (const Key& other : keys)
+            if (other.path == key.path)
+                throw Error(ExitCode::usage, fmt::format("--animate: {} is given twice", key.path));
+        for (const KeyTrack& track : own.tracks)
+            if (track.path == key.path)
+                throw Error(ExitCode::usage,
+                            fmt::format("--animate {}: the recipe has keys for that number; leave "
+                                        "--animate out, or its \"animation\"",
+                                        text));
+        keys.push_back(key);
+    }
+    return keys;
+}
+
 }  // namespace
 
 void AnimationOptions::add(CLI::App& verb) {
@@ -82,11 +102,13 @@ void AnimationOptions::add(CLI::App& verb) {
                                     "A number of the recipe over time, PATH=FROM:TO; may be "
                                     "repeated; writes OUT.0001.png, OUT.0002.png, ...");
     animate->allow_extra_args(false)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-    auto* count = verb.add_option("--frames", frames, "Frames of the animation");
-    count->check(CLI::Range(2, most_frames))->needs(animate);
+    auto* count = verb.add_option("--frames", frames,
+                                  "Frames of the animation: of the recipe's keys, of --animate, or "
+                                  "of both");
+    count->check(CLI::Range(2, most_frames))->excludes(verb.get_option("--time"));
     animate->needs(count);
     verb.add_flag("--loop", loop, "The frame after the last one is the first: TO is never reached")
-        ->needs(animate);
+        ->needs(count);
 }
 
 Key parse_key(const std::string& text) {
@@ -115,22 +137,21 @@ double value_at(const Key& key, int i, int n, bool loop) {
 }
 
 std::vector<Recipe> frame_recipes(const RecipeOptions& options, const AnimationOptions& animation) {
-    std::vector<Recipe> recipes{options.load()};
-    if (!animation.asked()) return recipes;
-    recipes.clear();
-    std::vector<Key> keys;
-    for (const std::string& text : animation.keys) {
-        const Key key = parse_key(text);
-        for (const Key& other : keys)
-            if (other.path == key.path)
-                throw Error(ExitCode::usage, fmt::format("--animate: {} is given twice", key.path));
-        keys.push_back(key);
-    }
+    if (!animation.asked()) return {options.load()};
+    KeyedAnimation own = options.load_keyed().animation;
+    if (own.tracks.empty() && animation.keys.empty())
+        throw Error(ExitCode::usage,
+                    "--frames: the recipe has no keys over time; say what changes with --animate "
+                    "PATH=FROM:TO");
+    own.loop |= animation.loop;
+    const std::vector<Key> keys = parse_keys(animation, own);
+    std::vector<Recipe> recipes;
     for (int i = 0; i < animation.frames; ++i) {
         RecipeOptions frame = options;
+        frame.time = frame_seconds(own, i, animation.frames);
         for (const Key& key : keys)
             frame.settings.push_back(
-                fmt::format("{}={}", key.path, value_at(key, i, animation.frames, animation.loop)));
+                fmt::format("{}={}", key.path, value_at(key, i, animation.frames, own.loop)));
         recipes.push_back(load_frame(frame, i));
     }
     return recipes;

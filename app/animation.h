@@ -1,6 +1,7 @@
 #pragma once
-// Numbers of a recipe keyed over time: --animate PATH=FROM:TO and --frames N, and the recipe and
-// the file name of every frame. The mesh, its atlas and its solid points are those of all frames.
+// Frames of an animation: --frames N of a recipe that has keys (app/keyed_recipe.h), or of numbers
+// that --animate PATH=FROM:TO moves; the recipe and the file name of every frame. The mesh, its
+// atlas and its solid points are those of all frames.
 #include <string>
 #include <vector>
 
@@ -22,7 +23,7 @@ struct AnimationOptions {
 
     /// --animate, --frames and --loop.
     void add(CLI::App& verb);
-    bool asked() const { return !keys.empty(); }
+    bool asked() const { return frames > 0; }
 };
 
 /// Parses "PATH=FROM:TO". Throws Error(usage) unless PATH is one number of a recipe outside its
@@ -34,7 +35,7 @@ Key parse_key(const std::string& text);
 double value_at(const Key& key, int i, int n, bool loop);
 
 /// The recipe of every frame, with the options' own edits made first. Throws Error as load_recipe
-/// does, naming --animate, before any frame is made.
+/// does, naming --animate, before any frame is made; usage where nothing changes over time.
 std::vector<Recipe> frame_recipes(const RecipeOptions& options, const AnimationOptions& animation);
 
 /// "out.png" is numbered from 1 on: "out.0001.png".

@@ -154,8 +154,8 @@ void BakeJob::check_side_outputs() const {
 void BakeJob::check() const {
     if (command_.animation.asked() && holds_mesh(command_.out))
         throw Error(ExitCode::usage,
-                    fmt::format("{}: --animate writes textures alone, .png or .exr; bake the mesh "
-                                "once without --animate: its texture coordinates fit every frame",
+                    fmt::format("{}: --frames writes textures alone, .png or .exr; bake the mesh "
+                                "once without --frames: its texture coordinates fit every frame",
                                 command_.out));
     for (const std::string& path : paths_)
         check_output(path, command_.mesh, extras_.levels.count, extras_.has_normals());

@@ -36,7 +36,7 @@ void add_bake_options(CLI::App& verb, BakeCommand& command) {
                     "elsewhere")
         ->excludes("--compress");
     for (const char* option : {"--levels", "--compress", "--solid-map"})
-        verb.get_option("--animate")->excludes(verb.get_option(option));
+        verb.get_option("--frames")->excludes(verb.get_option(option));
     verb.add_option("--emit-glsl", command.emitted_glsl,
                     "Write the texture as a GLSL 3.30 fragment shader to this file, for engines");
     verb.add_option("--normals", command.normals,
@@ -73,10 +73,10 @@ void add_run_options(CLI::App& verb, BakeCommand& command) {
 }
 
 Json bake_settings(const CLI::App& verb) {
-    static constexpr std::array<std::string_view, 22> elsewhere = {
+    static constexpr std::array<std::string_view, 23> elsewhere = {
         "help",    "mesh",  "output",    "recipe", "set",       "atlas",  "overscan",  "weight",
         "tries",   "size",  "partition", "gutter", "diagonals", "filter", "precision", "threads",
-        "no-skip", "cache", "force",     "json",   "report",    "quiet"};
+        "no-skip", "cache", "force",     "json",   "report",    "quiet",  "time"};
     Json settings = Json::object();
     for (const CLI::Option* option : verb.get_options()) {
         const std::string name = option->get_single_name();

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "app/keyed_recipe.h"
 #include "app/sample_meshes.h"
 #include "atlas/error.h"
 
@@ -46,6 +47,8 @@ void RecipeOptions::add_settings(CLI::App& verb) {
     verb.add_option("--set", settings, "Edit of the recipe, PATH=VALUE; may be repeated")
         ->allow_extra_args(false)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    verb.add_option("--time", time, "Of a recipe with keys: its state after so many seconds")
+        ->check(in_range(0.0, 3600.0));
 }
 
 void RecipeOptions::add_atlas(CLI::App& verb) {
@@ -70,7 +73,7 @@ void RecipeOptions::add_precision(CLI::App& verb, const std::string& otherwise) 
                                 otherwise));
 }
 
-Recipe RecipeOptions::load() const {
+Recipe RecipeOptions::load_keyed() const {
     std::vector<std::string> edits = settings;
     if (kind) edits.push_back("atlas.kind=" + *kind);
     if (overscan) edits.push_back("atlas.overscan=" + *overscan);
@@ -83,6 +86,10 @@ Recipe RecipeOptions::load() const {
     if (filter) append_filter(*filter, edits);
     if (precision) append_precision(*precision, edits);
     return load_recipe(recipe, edits);
+}
+
+Recipe RecipeOptions::load() const {
+    return recipe_at(load_keyed(), time);
 }
 
 Precision parse_precision(const std::string& text) {

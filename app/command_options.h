@@ -12,20 +12,24 @@
 
 namespace burl {
 
-/// --recipe, --set and the atlas options; the latter are edits of the recipe like any --set.
+/// --recipe, --set, --time and the atlas options; the latter are edits of the recipe like any
+/// --set.
 struct RecipeOptions {
     std::string recipe = "marble";
     std::vector<std::string> settings;
     std::optional<std::string> kind, overscan, weight, tries, partition, gutter, diagonals, filter,
         precision, size;
+    double time = 0.0;  ///< of a recipe with keys, in seconds
 
     void add_recipe(CLI::App& verb);
-    /// --set alone, for verbs that take the recipe as an argument.
+    /// --set and --time alone, for verbs that take the recipe as an argument.
     void add_settings(CLI::App& verb);
     void add_atlas(CLI::App& verb);
     /// --precision, with what is computed if it is left out.
     void add_precision(CLI::App& verb, const std::string& otherwise);
     /// The recipe with all edits applied; throws Error as load_recipe does.
+    Recipe load_keyed() const;
+    /// What it is at `time` (recipe_at), without keys.
     Recipe load() const;
 };
 

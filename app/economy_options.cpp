@@ -29,7 +29,7 @@ void EconomyOptions::add_skips(CLI::App& verb) {
 
 void EconomyOptions::add_cache(CLI::App& verb) {
     verb.add_option("--cache", cache_megabytes,
-                    "Memory for what one texture leaves to the next, in MB (1024 for --animate, "
+                    "Memory for what one texture leaves to the next, in MB (1024 for --frames, "
                     "else 0)")
         ->check(in_range(0.0, most_megabytes));
 }

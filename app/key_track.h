@@ -1,5 +1,6 @@
 #pragma once
-// Numbers of a recipe keyed over time, as data of the recipe: between keys they go linearly.
+// Numbers of a recipe keyed over time, as data of the recipe (app/keyed_recipe.h says what they
+// are at a time).
 #include <string>
 #include <vector>
 
@@ -11,15 +12,23 @@ struct KeyPoint {
     bool operator==(const KeyPoint&) const = default;
 };
 
+/// How a number goes from one key to the next.
+enum class KeyEase {
+    linear,
+    smooth  ///< at rest in every key: 3 x^2 - 2 x^3
+};
+
 /// One number of a recipe, such as "texture.input.noise.0.phase.2".
 struct KeyTrack {
     std::string path{};
-    std::vector<KeyPoint> keys{};  ///< in the order of their times
+    KeyEase ease = KeyEase::linear;
+    std::vector<KeyPoint> keys{};  ///< in the order of their times, of which none is there twice
     bool operator==(const KeyTrack&) const = default;
 };
 
 struct KeyedAnimation {
     double seconds = 2.0;  ///< of the whole
+    int rate = 24;         ///< frames a second
     bool loop = false;     ///< the end is the beginning
     std::vector<KeyTrack> tracks{};
     bool operator==(const KeyedAnimation&) const = default;

@@ -131,6 +131,20 @@ constexpr std::array table{
               "share of the stroke's colour where it covers most"},
     Parameter{"paint.*.points.*", numbers, -1e9, 1e9, 0.01, 3, "solid units", "", "",
               "a point of the stroke's line, before solid.scale"},
+    Parameter{"animation.seconds", number, 0.01, 3600, 0.1, 1, "s", "2", "",
+              "how long the animation is"},
+    Parameter{"animation.rate", integer, 1, 240, 1, 1, "frames/s", "24", "",
+              "frames a second of the editor's clock and of frames that it exports"},
+    Parameter{"animation.end", choice, 0, 0, 0, 1, "", "\"stop\"", "stop|loop",
+              "loop: the end is the beginning, and no frame is made of it"},
+    Parameter{"animation.tracks.*.path", text, 0, 0, 0, 1, "", "", "",
+              "the number that changes, as --set takes it; nothing of the atlas"},
+    Parameter{"animation.tracks.*.ease", choice, 0, 0, 0, 1, "", "\"linear\"", "linear|smooth",
+              "how it goes from key to key; smooth: at rest in every key"},
+    Parameter{"animation.tracks.*.keys.*.0", number, 0, 3600, 0.1, 1, "s", "", "",
+              "when a key is, later than the key before it"},
+    Parameter{"animation.tracks.*.keys.*.1", number, -1e9, 1e9, 0.1, 1, "", "", "",
+              "what the number is then, within its own range"},
 };
 
 /// Levenshtein's distance: insertions, deletions and replacements of single characters.

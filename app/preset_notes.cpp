@@ -9,6 +9,7 @@ namespace {
 
 constexpr std::array notes{
     PresetNote{"marble", "White marble with dark veins in layers that noise bends."},
+    PresetNote{"forming-marble", "Marble whose veins form over time: press K, then Space."},
     PresetNote{"sine-marble", "Brown marble: a sine, bent by turbulence."},
     PresetNote{"pbrt-marble", "The marble of pbrt, its colours on a smooth spline."},
     PresetNote{"bresenham-marble", "Marble of linear noise, which can be made by additions alone."},
@@ -26,6 +27,7 @@ constexpr std::array notes{
     PresetNote{"sea", "Long waves, light on dark blue."},
     PresetNote{"moonlit-sea", "Dark water with a path of glitter towards the moon."},
     PresetNote{"fire", "Flames that burn upwards; the phase moves them."},
+    PresetNote{"rising-fire", "Fire in motion: press K, then Space."},
     PresetNote{"stripes", "Slanting stripes, bent by noise."},
     PresetNote{"checks", "A checkerboard in space, smooth however far away."},
     PresetNote{"checker-floor", "A checkerboard on a floor."},

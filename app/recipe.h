@@ -34,7 +34,7 @@ struct Recipe {
     Filter filter;
     Precision precision;
     std::vector<PaintStroke> paint;  ///< over the texture, in this order
-    KeyedAnimation animation;
+    KeyedAnimation animation;        ///< app/keyed_recipe.h: the recipe at a time
     bool operator==(const Recipe&) const = default;
 };
 
@@ -57,6 +57,10 @@ Recipe parse_recipe(const std::string& json, const std::string& origin,
 /// A file's path, or the name of a preset in assets/recipes ("marble").
 Recipe load_recipe(const std::string& path_or_preset,
                    const std::vector<std::string>& settings = {});
+
+/// The recipe with such settings of numbers, all else - its images, paint and keys - being its own.
+/// Throws Error(usage).
+Recipe with_numbers(const Recipe& recipe, const std::vector<std::string>& settings);
 
 /// JSON that parse_recipe reads back to an equal Recipe.
 std::string to_json(const Recipe& recipe);

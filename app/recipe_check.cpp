@@ -1,6 +1,7 @@
 #include "app/recipe_check.h"
 
 #include "app/graph_check.h"
+#include "app/key_check.h"
 #include "app/model_check.h"
 #include "app/precision_check.h"
 #include "procedural/graph_json.h"
@@ -50,7 +51,8 @@ Found find_texture_problem(const Json& recipe) {
 
 Found find_problem(const Json& recipe) {
     if (Found found = find_texture_problem(recipe)) return found;
-    return find_bump_problem(recipe);
+    if (Found found = find_bump_problem(recipe)) return found;
+    return find_animation_problem(recipe);
 }
 
 }  // namespace burl

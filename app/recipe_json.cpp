@@ -3,9 +3,11 @@
 #include <filesystem>
 
 #include "app/image_io.h"
+#include "app/key_json.h"
 #include "app/paint_json.h"
 #include "app/recipe.h"
 #include "app/recipe_check.h"
+#include "app/recipe_leaves.h"
 #include "app/recipe_settings.h"
 #include "atlas/error.h"
 #include "procedural/graph_json.h"
@@ -84,7 +86,7 @@ Json precision_to_json(const Precision& precision) {
     return json;
 }
 
-Recipe recipe_from_json(const Json& json, const std::string& origin) {
+Recipe recipe_from_json(const Json& json, const ImageReader& read_image) {
     Recipe recipe;
     const Json none = Json::object();
     const auto part = [&](const char* key) -> const Json& {
@@ -107,12 +109,11 @@ Recipe recipe_from_json(const Json& json, const std::string& origin) {
     read(solid, "rotate", recipe.solid.rotate);
     read(solid, "translate", recipe.solid.translate);
     if (is_graph(part("texture")))
-        recipe.graph = graph_from_json(part("texture"), image_reader(origin));
+        recipe.graph = graph_from_json(part("texture"), read_image);
     else
         recipe.texture = texture_from_json(part("texture"));
     const Json& bump = part("bump");
-    if (bump.contains("input"))
-        recipe.bump.input = graph_from_json(bump["input"], image_reader(origin));
+    if (bump.contains("input")) recipe.bump.input = graph_from_json(bump["input"], read_image);
     if (bump.contains("height")) recipe.bump.height = bump["height"].get<double>();
     const Json& filter = part("filter");
     read(filter, "kind", filters, recipe.filter.kind);
@@ -120,43 +121,11 @@ Recipe recipe_from_json(const Json& json, const std::string& origin) {
     read(filter, "octaves", filter_octaves, recipe.filter.band_limit);
     recipe.precision = precision_from_json(part("precision"));
     if (json.contains("paint")) recipe.paint = paint_from_json(json["paint"]);
+    if (json.contains("animation")) recipe.animation = animation_from_json(json["animation"]);
     return recipe;
 }
 
-/// `path` lies at, above or below `other`.
-bool concerns(const std::string& path, const std::string& other) {
-    const std::string& shorter = path.size() < other.size() ? path : other;
-    const std::string& longer = path.size() < other.size() ? other : path;
-    return longer.starts_with(shorter) &&
-           (longer.size() == shorter.size() || longer[shorter.size()] == '.');
-}
-
-/// Applies the settings, then checks the result as a whole: single steps may pass through recipes
-/// that are not valid (stops out of order).
-void apply_settings(Json& json, const std::vector<std::string>& settings) {
-    std::vector<std::string> paths;
-    for (const std::string& setting : settings) paths.push_back(apply_setting(json, setting));
-    const auto problem = find_problem(json);
-    if (!problem) return;
-    for (std::size_t i = settings.size(); i-- > 0;) {
-        if (concerns(problem->path, paths[i]))
-            throw Error(ExitCode::usage,
-                        fmt::format("--set {}: {}", settings[i], problem->sentence));
-    }
-    throw Error(ExitCode::usage, "--set: " + problem->sentence);
-}
-
-}  // namespace
-
-Recipe parse_recipe(const std::string& json, const std::string& origin,
-                    const std::vector<std::string>& settings) {
-    Json tree = parse_json_text(json, origin);
-    if (const auto problem = find_problem(tree)) throw invalid_file(origin, 0, problem->sentence);
-    if (!settings.empty()) apply_settings(tree, settings);
-    return recipe_from_json(tree, origin);
-}
-
-std::string to_json(const Recipe& recipe) {
+Json tree_of(const Recipe& recipe) {
     Json json{{"burl", 1},
               {"name", recipe.name},
               {"atlas",
@@ -184,7 +153,74 @@ std::string to_json(const Recipe& recipe) {
         json["bump"] = {{"height", recipe.bump.height},
                         {"input", graph_to_json(recipe.bump.input)}};
     if (!recipe.paint.empty()) json["paint"] = paint_to_json(recipe.paint);
-    return print_json(json);
+    if (recipe.animation != KeyedAnimation{})
+        json["animation"] = animation_to_json(recipe.animation);
+    return json;
+}
+
+/// `path` lies at, above or below `other`.
+bool concerns(const std::string& path, const std::string& other) {
+    const std::string& shorter = path.size() < other.size() ? path : other;
+    const std::string& longer = path.size() < other.size() ? other : path;
+    return longer.starts_with(shorter) &&
+           (longer.size() == shorter.size() || longer[shorter.size()] == '.');
+}
+
+/// Applies the settings, then checks the result as a whole: single steps may pass through recipes
+/// that are not valid (stops out of order).
+void apply_settings(Json& json, const std::vector<std::string>& settings) {
+    std::vector<std::string> paths;
+    for (const std::string& setting : settings) paths.push_back(apply_setting(json, setting));
+    const auto problem = find_problem(json);
+    if (!problem) return;
+    for (std::size_t i = settings.size(); i-- > 0;) {
+        if (concerns(problem->path, paths[i]))
+            throw Error(ExitCode::usage,
+                        fmt::format("--set {}: {}", settings[i], problem->sentence));
+    }
+    throw Error(ExitCode::usage, "--set: " + problem->sentence);
+}
+
+/// Arrays of which single numbers are set must be there, which defaults of a graph's nodes are not.
+std::vector<std::string> with_arrays(const Json& tree, const std::vector<std::string>& settings) {
+    std::vector<std::string> all;
+    for (const RecipeLeaf& leaf : recipe_leaves(tree)) {
+        const std::string front = leaf.path + ".";
+        const auto inside = [&](const std::string& setting) { return setting.starts_with(front); };
+        if (leaf.parameter->type == ParameterType::numbers &&
+            std::any_of(settings.begin(), settings.end(), inside))
+            all.push_back(fmt::format("{}={}", leaf.path, leaf.value.dump()));
+    }
+    all.insert(all.end(), settings.begin(), settings.end());
+    return all;
+}
+
+}  // namespace
+
+Recipe parse_recipe(const std::string& json, const std::string& origin,
+                    const std::vector<std::string>& settings) {
+    Json tree = parse_json_text(json, origin);
+    if (const auto problem = find_problem(tree)) throw invalid_file(origin, 0, problem->sentence);
+    if (!settings.empty()) apply_settings(tree, settings);
+    return recipe_from_json(tree, image_reader(origin));
+}
+
+Recipe with_numbers(const Recipe& recipe, const std::vector<std::string>& settings) {
+    Recipe bare = recipe;
+    bare.paint.clear();
+    bare.animation = {};
+    Json tree = tree_of(bare);
+    apply_settings(tree, with_arrays(tree, settings));
+    Recipe result = recipe_from_json(tree, [](const std::string&) { return Image<Rgb8>(1, 1); });
+    result.graph.images = recipe.graph.images;
+    result.bump.input.images = recipe.bump.input.images;
+    result.paint = recipe.paint;
+    result.animation = recipe.animation;
+    return result;
+}
+
+std::string to_json(const Recipe& recipe) {
+    return print_json(tree_of(recipe));
 }
 
 }  // namespace burl

@@ -124,6 +124,7 @@ void find_maps(const Json& node, const std::string& path, std::vector<std::strin
 Json slider_json(const Recipe& recipe) {
     Recipe bare = recipe;
     bare.paint.clear();
+    bare.animation = {};
     return Json::parse(to_json(bare));
 }
 
@@ -133,7 +134,7 @@ std::vector<RecipeLeaf> recipe_leaves(const Json& recipe) {
     SchemaNode schema = build_schema();
     std::erase_if(schema.children, [&](const auto& child) {
         return (graph && child.first == "texture") || child.first == "paint" ||
-               (child.first == "bump" && !recipe.contains("bump"));
+               child.first == "animation" || (child.first == "bump" && !recipe.contains("bump"));
     });
     walk.walk_schema(schema, recipe, "", "recipe");
     if (graph) walk.walk_node(recipe["texture"], "texture", "");

@@ -20,7 +20,8 @@ struct RecipeLeaf {
     Json value;  ///< as it is; the default where the recipe's JSON has none
 };
 
-/// The recipe's JSON without its strokes of paint, which have no sliders and may be megabytes.
+/// The recipe's JSON without its strokes of paint, which may be megabytes, and without keys: what
+/// has sliders.
 Json slider_json(const Recipe& recipe);
 
 /// In the order of the JSON and its tables, colour maps' stops left out (they have an editor of

@@ -145,10 +145,10 @@ void add_render(CLI::App& program) {
     command->economy.add_skips(*verb);
     verb->get_option("--no-skip")->needs(lazy);
     command->animation.add(*verb);
-    for (const char* option : {"--animate", "--plane", "--widths"})
+    for (const char* option : {"--frames", "--plane", "--widths"})
         verb->get_option(option)->needs(direct);
     verb->callback([command, verb] {
-        for (const char* option : {"--recipe", "--set", "--precision"})
+        for (const char* option : {"--recipe", "--set", "--time", "--precision"})
             if (verb->count(option) > 0 && !command->direct && !command->lazy)
                 throw Error(ExitCode::usage,
                             fmt::format("{} goes with --direct or --lazy: a scene that is drawn "

@@ -222,12 +222,13 @@ TEST_F(AnimatedBake, RefusesWithOneSentenceAndWritesNothing) {
         {"a.png", "--animate texture.stops.0.0=0:1 --frames 3", 1, "(frame 2)"},
         {"a.png", good + " --animate solid.scale=3:4", 1, "twice"},
         {"a.png", "--animate solid.scale=1:2", 1, "--frames"},
-        {"a.png", "--frames 3", 1, "--animate"},
-        {"a.png", "--loop", 1, "--animate"},
+        {"a.png", "--frames 3", 1, "has no keys over time"},
+        {"a.png", "--frames 3 --time 1", 1, "--time"},
+        {"a.png", "--loop", 1, "--frames"},
         {"a.png", "--animate solid.scale=1:2 --frames 1", 1, "--frames"},
         {"a.png", "--animate solid.scale=1:2 --frames 10000", 1, "--frames"},
         {"a.png", good + " --levels 2", 1, "--levels"},
-        {"a.glb", good, 1, "once without --animate"},
+        {"a.glb", good, 1, "once without --frames"},
         {"blocked.png", good, 2, "blocked.0002.png"},
     };
     const std::size_t before = scratch.files();

@@ -88,7 +88,8 @@ TEST(Parameters, AreDocumentedWithTypeDefaultAndRange) {
 TEST(Parameters, AgreeWithTheRecipeTheyDescribe) {
     // Setting a parameter to its own default changes nothing.
     const std::string base =
-        R"({"texture": {"stops": [[0, "#000000"]], "input": {"noise": [{}]}}, "bump": {"input": 0}, "paint": [{}]})";
+        R"({"texture": {"stops": [[0, "#000000"]], "input": {"noise": [{}]}}, "bump": {"input": 0}, "paint": [{}],
+            "animation": {"tracks": [{"path": "texture.input.quadric.A", "keys": [[0, 1]]}]}})";
     const Recipe plain = parse_recipe(base, "base");
     for (const Parameter& parameter : parameters()) {
         if (parameter.default_value.empty()) continue;
@@ -102,7 +103,8 @@ TEST(Parameters, AgreeWithTheRecipeTheyDescribe) {
 
 TEST(Parameters, AcceptTheirLimitsAndNothingBeyond) {
     const std::string base =
-        R"({"texture": {"stops": [[0, "#000000"]], "input": {"noise": [{}]}}, "bump": {"input": 0}, "paint": [{}]})";
+        R"({"texture": {"stops": [[0, "#000000"]], "input": {"noise": [{}]}}, "bump": {"input": 0}, "paint": [{}],
+            "animation": {"tracks": [{"path": "texture.input.quadric.A", "keys": [[0, 1]]}]}})";
     for (const Parameter& parameter : parameters()) {
         if (parameter.low >= parameter.high || parameter.type == ParameterType::numbers) continue;
         const std::string path = first_path(parameter);
