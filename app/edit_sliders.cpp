@@ -68,10 +68,23 @@ double snapped(const Parameter& parameter, double value) {
     return parameter.type == ParameterType::integer ? std::round(inside) : inside;
 }
 
+/// The reach follows the value, but not while the slider is held: it would run away from the
+/// pointer.
+SliderRange held_range(const char* shown, const SliderRange& range) {
+    ImGuiStorage& kept = *ImGui::GetStateStorage();
+    const ImGuiID low = ImGui::GetID(fmt::format("{} low", shown).c_str());
+    const ImGuiID high = ImGui::GetID(fmt::format("{} high", shown).c_str());
+    if (ImGui::GetActiveID() == ImGui::GetID(shown))
+        return {double(kept.GetFloat(low)), double(kept.GetFloat(high))};
+    kept.SetFloat(low, float(range.low));
+    kept.SetFloat(high, float(range.high));
+    return range;
+}
+
 /// A slider for one number; `shown` is its name for ImGui.
 ValueEdit edit_number(const Parameter& parameter, std::size_t item, double value,
                       const char* shown) {
-    const SliderRange range = slider_range(parameter, value);
+    const SliderRange range = held_range(shown, slider_range(parameter, value));
     const bool whole = parameter.type == ParameterType::integer;
     double moved = value;
     ImGui::SliderScalar(shown, ImGuiDataType_Double, &moved, &range.low, &range.high,

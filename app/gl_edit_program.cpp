@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "app/edit_event_frames.h"
 #include "app/edit_keys.h"
 #include "app/image_io.h"
 #include "app/stopwatch.h"
@@ -222,8 +223,10 @@ void EditorProgram::turn() {
     // A wake of the pipeline ends the waiting without an event: a frame is due, too.
     frames_to_draw_ = events.empty() && !busy ? 1 : std::max(frames_to_draw_ - 1, 0);
     if (!events.empty()) frames_to_draw_ = 3;
-    frame(events);
-    window_->present();
+    for (const std::vector<InputEvent>& some : in_frames(events)) {
+        frame(some);
+        window_->present();
+    }
 }
 
 void EditorProgram::run() {
