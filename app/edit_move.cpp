@@ -7,6 +7,7 @@
 
 #include "app/edit_gizmo.h"
 #include "app/edit_keys.h"
+#include "app/edit_scale.h"
 
 namespace burl {
 
@@ -53,7 +54,7 @@ void draw_hold(const ObjectView& view, const SolidGrab& grab) {
 std::optional<SolidGizmo> EditMove::gizmo(const ObjectView& view, const SolidOptions& solid) const {
     if (!view.pick || !shows_gizmo || !anchor_) return {};
     return gizmo_of(gizmo_view(view), solid, *anchor_,
-                    arrow_pixels * double(ImGui::GetIO().FontGlobalScale));
+                    arrow_pixels * interface_scale());
 }
 
 void EditMove::press(const ObjectView& view, EditSession& session, const Vec2d& pointer) {

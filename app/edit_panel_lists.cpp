@@ -11,7 +11,7 @@ namespace burl {
 
 namespace {
 
-constexpr std::array<std::pair<const char*, const char*>, 27> keys{{
+constexpr auto keys = std::to_array<std::pair<const char*, const char*>>({
     {"left drag", "turn the object"},
     {"right or middle drag", "move it"},
     {"wheel", "nearer, farther"},
@@ -34,12 +34,14 @@ constexpr std::array<std::pair<const char*, const char*>, 27> keys{{
     {"G", "move the texture on the surface, and back"},
     {"drag, arrow keys", "moving the texture; Shift turns, Ctrl sizes, Escape takes back"},
     {"Alt+left drag", "painting, moving: turn the object"},
+    {"Ctrl+plus, Ctrl+minus, Ctrl+0", "larger, smaller, normal text"},
+    {"arrows, Space, Tab", "go from item to item, use it, edit it"},
     {"F12", "screenshot"},
     {"F1", "this list"},
     {"double-click a slider", "its default"},
     {"Ctrl-click a slider", "type a number"},
     {"Shift while dragging", "a tenth of the speed"},
-}};
+});
 
 }  // namespace
 

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "app/edit_keys.h"
+#include "app/edit_scale.h"
 
 namespace burl {
 
@@ -63,7 +64,7 @@ void paint_panel(const PanelContext& context, PaintTool& tool, const ImVec2& low
     if (ImGui::Begin("Paint (P)", &tool.on,
                      ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove |
                          ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoFocusOnAppearing)) {
-        ImGui::PushItemWidth(slider_width * ImGui::GetIO().FontGlobalScale);
+        ImGui::PushItemWidth(slider_width * float(interface_scale()));
         modes(context, tool.brush.mode);
         slide(context, "radius", tool.brush.radius, least_brush_radius, largest_brush_radius,
               ImGuiSliderFlags_Logarithmic);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/edit_scale.h"
 #include "app/preset_notes.h"
 
 namespace burl {
@@ -32,7 +33,7 @@ class Gallery {
     Gallery(const PanelContext& context, const PresetPicture& picture)
         : context_(context), picture_(picture) {
         const float wide = ImGui::GetContentRegionAvail().x;
-        const float least = least_side * ImGui::GetIO().FontGlobalScale;
+        const float least = least_side * float(interface_scale());
         columns_ = std::max(2, int(wide / least));
         side_ = std::floor(wide / float(columns_));
     }

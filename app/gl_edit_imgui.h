@@ -20,12 +20,13 @@ class GlImGui {
     /// lists may be drawn. The OpenGL context must be current, here and in every call.
     explicit GlImGui(const GladGLContext& gl);
 
+    /// The fonts of ImGui's current context are other ones now.
+    void upload_fonts();
     /// Into the bound framebuffer, over its whole area, whose row 0 is the picture's lowest.
     /// Textures are sampled as their parameters say. Throws Error(runtime) when OpenGL fails.
     void draw(const ImDrawData& data) const;
 
   private:
-    void upload_fonts();
     void set_state(const ImDrawData& data, const glm::ivec2& pixels) const;
     void draw(const ImDrawList& list, const ImDrawData& data, const glm::ivec2& pixels) const;
     void draw(const ImDrawCmd& command, const ImDrawData& data, const glm::ivec2& pixels) const;

@@ -7,6 +7,7 @@
 
 #include "app/edit_keys.h"
 #include "app/edit_panel_paint.h"
+#include "app/edit_scale.h"
 #include "app/gl_edit_program.h"
 #include "app/stopwatch.h"
 #include "procedural/simd_level.h"
@@ -79,6 +80,9 @@ void EditorProgram::shortcuts() {
     if (pressed("L")) lit_ = !lit_;
     if (pressed("T")) turntable_ = !turntable_;
     if (pressed("A")) compare();
+    if (pressed("Ctrl+Plus") || pressed("Ctrl+Shift+Plus")) scale_ = larger_scale(scale_);
+    if (pressed("Ctrl+Minus")) scale_ = smaller_scale(scale_);
+    if (pressed("Ctrl+0")) scale_ = normal_scale_;
     if (pressed("G")) take_tool(move_.on);
     if (pressed("P")) take_tool(paint_.tool.on);
     paint_shortcuts(paint_.tool);
@@ -113,6 +117,9 @@ void EditorProgram::view_menu() {
     menu_toggle("Atlas", "V", atlas_.state.shown);
     menu_toggle("Wireframe", "W", atlas_.edges);
     menu_toggle("Chart borders", "B", atlas_.borders);
+    ImGui::Separator();
+    if (menu_item("Larger text", "Ctrl++")) scale_ = larger_scale(scale_);
+    if (menu_item("Smaller text", "Ctrl+-")) scale_ = smaller_scale(scale_);
 }
 
 void EditorProgram::menu() {

@@ -9,6 +9,7 @@
 
 #include "app/edit_event_frames.h"
 #include "app/edit_keys.h"
+#include "app/edit_scale.h"
 #include "app/image_io.h"
 #include "app/stopwatch.h"
 #include "atlas/error.h"
@@ -50,8 +51,7 @@ EditorProgram::EditorProgram(std::unique_ptr<GlWindow> window, const EditorOptio
       object_(window_->context().gl()),
       figures_([this] { window_->wake(); }),
       atlas_(window_->context().gl(), [this] { window_->wake(); }) {
-    ImGui::GetIO().FontGlobalScale = float(options.ui_scale);
-    ImGui::GetStyle().ScaleAllSizes(float(options.ui_scale));
+    scale_ = normal_scale_ = options.ui_scale * window_->text_scale();
     if (options.gallery) gallery_.emplace(window_->context().gl(), [this] { window_->wake(); });
     mesh_path_ = options.mesh;
     baker_.set_mesh(load_mesh(options.mesh));
@@ -194,6 +194,11 @@ void EditorProgram::panels(const std::vector<InputEvent>& events) {
     for (const InputEvent& event : events) take(event);
     take_news();
     items_.clear();
+    if (scale_ != interface_scale()) {
+        set_interface_scale(scale_);
+        renderer_.upload_fonts();
+        scale_ = interface_scale();  // of whole pixels
+    }
     ImGui::NewFrame();
     shortcuts();
     layout();

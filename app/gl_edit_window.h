@@ -30,6 +30,9 @@ class GlWindow {
     virtual std::vector<InputEvent> poll(double seconds) = 0;
     /// Ends a wait of poll(); may be called by any thread.
     virtual void wake() = 0;
+    /// How much larger than usual text must be on this display to be read, where one screen
+    /// coordinate is one of its pixels.
+    virtual double text_scale() const { return 1.0; }
     virtual void set_title(const std::string& title) = 0;
     virtual std::string clipboard() const = 0;
     virtual void set_clipboard(const std::string& text) = 0;

@@ -3,6 +3,7 @@
 #include <GLFW/glfw3.h>
 #include <glad/gl.h>
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -166,6 +167,13 @@ class DesktopWindow final : public GlWindow {
         return std::exchange(events_, {});
     }
     void wake() override { glfwPostEmptyEvent(); }
+    double text_scale() const override {
+        float scale = 1.0f, unused = 1.0f;
+        glfwGetWindowContentScale(window_.get(), &scale, &unused);
+        const glm::ivec2 points = size(), all = pixels();
+        const double zoomed = points.x > 0 ? double(all.x) / double(points.x) : 1.0;
+        return std::clamp(double(scale) / zoomed, 1.0, 4.0);
+    }
     void set_title(const std::string& title) override {
         glfwSetWindowTitle(window_.get(), title.c_str());
     }

@@ -29,6 +29,7 @@ class Person {
     Person(const XHand& hand, const EditorOptions& options) : hand_(hand) {
         editor =
             std::make_unique<EditorProgram>(create_desktop_window({1000, 800}, "Burl"), options);
+        test::keep_libraries();
         settle();
     }
 

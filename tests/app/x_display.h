@@ -4,14 +4,15 @@
 // and say why they are skipped without them.
 #include <dlfcn.h>
 #include <fcntl.h>
+#include <link.h>
 #include <poll.h>
 #include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <cstdlib>
-#include <optional>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -64,6 +65,20 @@ class XServer {
     pid_t process_ = -1;
     std::string display_;
 };
+
+/// The libraries that are loaded now stay to the process's end, so that the leak checker can name
+/// those whose memory the drivers of displays leave behind (tests/lsan.supp).
+inline void keep_libraries() {
+    std::vector<std::string> names;
+    dl_iterate_phdr(
+        [](dl_phdr_info* library, std::size_t, void* list) {
+            static_cast<std::vector<std::string>*>(list)->emplace_back(library->dlpi_name);
+            return 0;
+        },
+        &names);
+    for (const std::string& name : names)
+        if (!name.empty()) dlopen(name.c_str(), RTLD_LAZY | RTLD_NOLOAD | RTLD_NODELETE);
+}
 
 /// What moves the pointer and presses buttons and keys of a display. Every call is with the server
 /// when it returns.
