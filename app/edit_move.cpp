@@ -53,8 +53,7 @@ void draw_hold(const ObjectView& view, const SolidGrab& grab) {
 
 std::optional<SolidGizmo> EditMove::gizmo(const ObjectView& view, const SolidOptions& solid) const {
     if (!view.pick || !shows_gizmo || !anchor_) return {};
-    return gizmo_of(gizmo_view(view), solid, *anchor_,
-                    arrow_pixels * interface_scale());
+    return gizmo_of(gizmo_view(view), solid, *anchor_, arrow_pixels * interface_scale());
 }
 
 void EditMove::press(const ObjectView& view, EditSession& session, const Vec2d& pointer) {

@@ -194,10 +194,9 @@ void EditorProgram::panels(const std::vector<InputEvent>& events) {
     for (const InputEvent& event : events) take(event);
     take_news();
     items_.clear();
-    if (scale_ != interface_scale()) {
+    if (std::exchange(shown_scale_, scale_) != scale_) {
         set_interface_scale(scale_);
         renderer_.upload_fonts();
-        scale_ = interface_scale();  // of whole pixels
     }
     ImGui::NewFrame();
     shortcuts();

@@ -123,6 +123,7 @@ class EditorProgram {
     EditItems items_;
     EditCamera camera_;
     double scale_ = 1.0, normal_scale_ = 1.0;  ///< of the user interface, from the next frame on
+    double shown_scale_ = 0.0;
     bool lit_ = true, turntable_ = false, keys_open_ = false, comparing_ = false, closing_ = false;
     bool moving_camera_ = false;
     StopSelection stop_;
