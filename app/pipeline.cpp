@@ -107,18 +107,23 @@ const Connectivity& Pipeline::connectivity() {
     return *connectivity_;
 }
 
-const MeshAtlas& Pipeline::mesh_atlas() {
+bool Pipeline::lay_out(const std::stop_token& stop) {
     if (atlas_) {
         if (records_.keep(Stage::layout)) connectivity();
-        return *atlas_;
+        return true;
     }
     const Connectivity& edges = connectivity();
-    atlas_ = records_.time(Stage::layout, [&](StageCost& cost) {
-        MeshAtlas atlas = build_atlas(mesh_, edges, recipe_.atlas);
-        cost.triangles = atlas.atlas().corners.size();
-        cost.bytes = bytes_of(atlas.atlas().corners);
-        return atlas;
+    return records_.attempt(Stage::layout, [&](StageCost& cost) {
+        atlas_ = build_atlas(mesh_, edges, recipe_.atlas, stop);
+        if (!atlas_) return false;
+        cost.triangles = atlas_->atlas().corners.size();
+        cost.bytes = bytes_of(atlas_->atlas().corners);
+        return true;
     });
+}
+
+const MeshAtlas& Pipeline::mesh_atlas() {
+    lay_out({});
     return *atlas_;
 }
 

@@ -53,6 +53,8 @@ class Pipeline {
     const Mesh& atlas_mesh() { return mesh_atlas().mesh(mesh_); }
     const Recipe& recipe() const { return recipe_; }
     const Connectivity& connectivity();
+    /// Makes the recipe's atlas now rather than when it is asked for; false: `stop` came first.
+    bool lay_out(const std::stop_token& stop);
     const MeshAtlas& mesh_atlas();
     const Atlas& atlas() { return mesh_atlas().atlas(); }
     /// The texels' solid points; those of a level of the texture (atlas/solid_level.h).

@@ -32,15 +32,17 @@ Atlas layout_pairs(const Mesh& mesh, const Connectivity& connectivity, const Atl
     return atlas;
 }
 
-MeshAtlas pack(const Mesh& mesh, const Connectivity& connectivity, const AtlasOptions& options) {
+std::optional<MeshAtlas> pack(const Mesh& mesh, const Connectivity& connectivity,
+                              const AtlasOptions& options, const std::stop_token& stop) {
     if (options.kind != AtlasKind::patch)
         return MeshAtlas(layout_atlas(mesh, connectivity, options));
     check_size(options);
     const std::string no_patches = why_no_patches(connectivity, options.size);
     if (!no_patches.empty())
         return MeshAtlas(layout_pairs(mesh, connectivity, options, no_patches));
-    if (auto patches = build_patch_atlas(mesh, connectivity, options))
+    if (auto patches = build_patch_atlas(mesh, connectivity, options, stop))
         return MeshAtlas(std::move(*patches));
+    if (stop.stop_requested()) return std::nullopt;
     return MeshAtlas(
         layout_pairs(mesh, connectivity, options,
                      fmt::format("the patches do not fit {0} x {0} texels", options.size)));
@@ -60,7 +62,12 @@ const Mesh& MeshAtlas::mesh(const Mesh& input) const {
 
 MeshAtlas build_atlas(const Mesh& mesh, const Connectivity& connectivity,
                       const AtlasOptions& options) {
-    MeshAtlas atlas = pack(mesh, connectivity, options);
+    return *build_atlas(mesh, connectivity, options, {});
+}
+
+std::optional<MeshAtlas> build_atlas(const Mesh& mesh, const Connectivity& connectivity,
+                                     const AtlasOptions& options, const std::stop_token& stop) {
+    std::optional<MeshAtlas> atlas = pack(mesh, connectivity, options, stop);
     if (mesh.triangles.size() > many_triangles) return_freed_memory();
     return atlas;
 }

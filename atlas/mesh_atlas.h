@@ -29,6 +29,9 @@ class MeshAtlas {
 /// patch, whatever the size.
 MeshAtlas build_atlas(const Mesh& mesh, const Connectivity& connectivity,
                       const AtlasOptions& options);
+/// The same; nothing if `stop` came first, which patches look for now and then.
+std::optional<MeshAtlas> build_atlas(const Mesh& mesh, const Connectivity& connectivity,
+                                     const AtlasOptions& options, const std::stop_token& stop);
 
 /// The solid points of all texels; `positions` are those of atlas.mesh(input) in the space wanted.
 SolidAtlas rasterize(const Mesh& input, const MeshAtlas& atlas, std::span<const Vec3d> positions);

@@ -17,10 +17,10 @@ constexpr int refit_iterations = 20;
 constexpr double refit_gain = 1e-4;  ///< relative, per iteration: less is not worth another
 
 /// Descends on for the proportions that the blocks really got.
-void refit(PatchCandidate& candidate) {
+void refit(PatchCandidate& candidate, const std::stop_token& stop) {
     tbb::parallel_for(std::size_t(0), candidate.maps.patches.size(), [&](std::size_t i) {
         MappedPatch& mapped = candidate.maps.patches[i];
-        if (!mapped.rectangle) return;
+        if (!mapped.rectangle || stop.stop_requested()) return;
         fit_map(mapped.patch, *mapped.rectangle,
                 {.iterations = refit_iterations,
                  .aspect = candidate.layout.blocks[i].aspect(),
@@ -63,13 +63,15 @@ void place_corners(PatchAtlas& result) {
 }  // namespace
 
 std::optional<PatchAtlas> build_patch_atlas(const Mesh& mesh, const Connectivity& connectivity,
-                                            const AtlasOptions& options) {
+                                            const AtlasOptions& options,
+                                            const std::stop_token& stop) {
     PatchAtlas result;
     PatchCandidate best =
-        best_candidate(in_unit_frame(mesh), connectivity, options.size, options.tries);
-    if (!std::isfinite(best.cost)) return std::nullopt;
+        best_candidate(in_unit_frame(mesh), connectivity, options.size, options.tries, stop);
+    if (stop.stop_requested() || !std::isfinite(best.cost)) return std::nullopt;
     result.candidates = best.looked_at;
-    refit(best);
+    refit(best, stop);
+    if (stop.stop_requested()) return std::nullopt;
     to_mesh_frame(best.maps, mesh);
     result.maps = std::move(best.maps);
     result.layout = std::move(best.layout);

@@ -3,6 +3,7 @@
 // plain bilinear and trilinear lookups. Several partitions are tried and the one whose predicted
 // stretch is least is kept; then every map is fitted again to the proportions its block really got.
 #include <span>
+#include <stop_token>
 
 #include "atlas/patch_layout.h"
 #include "atlas/patch_refine.h"
@@ -20,9 +21,10 @@ struct PatchAtlas {
 
 /// Pure and deterministic. Triangles that no map was found for (they have no area) are placed on a
 /// point of their own patch neighbours, or at texel (0,0). Nothing when the texture cannot hold the
-/// patches. Of the options, size and tries matter.
+/// patches, or when `stop` came first. Of the options, size and tries matter.
 std::optional<PatchAtlas> build_patch_atlas(const Mesh& mesh, const Connectivity& connectivity,
-                                            const AtlasOptions& options = {});
+                                            const AtlasOptions& options = {},
+                                            const std::stop_token& stop = {});
 
 /// The solid points of all texels. `positions` are the refined mesh's points in the space wanted.
 /// Inner texels show the triangle at their centre; gutters continue the block by odd reflection,

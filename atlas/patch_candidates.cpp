@@ -92,10 +92,11 @@ bool divides_well(const Mesh& mesh, const Regions& regions) {
            std::count_if(areas.begin(), areas.end(), [&](double a) { return a > 0.02 * all; }) >= 4;
 }
 
-PatchMapOptions judging_options(const Try& attempt) {
+PatchMapOptions judging_options(const Try& attempt, const std::stop_token& stop) {
     return {.patches = attempt.partition.patches,
             .most_distortion = attempt.most_distortion,
-            .least_gain = judging_gain};
+            .least_gain = judging_gain,
+            .stop = stop};
 }
 
 /// The tries asked for, then creases where they divide the mesh well.
@@ -112,24 +113,26 @@ std::vector<Plan> plans(const Mesh& mesh, const Connectivity& connectivity, int 
 }
 
 PatchCandidate judge(const Mesh& mesh, const Connectivity& connectivity, const Plan& plan,
-                     std::uint32_t size) {
+                     std::uint32_t size, const std::stop_token& stop) {
     PatchCandidate candidate;
+    if (stop.stop_requested()) return candidate;
     candidate.maps = map_regions(mesh, connectivity,
                                  plan.creases.empty()
                                      ? partition_mesh(mesh, connectivity, plan.attempt.partition)
                                      : plan.creases,
-                                 judging_options(plan.attempt));
+                                 judging_options(plan.attempt, stop));
     lay_out(candidate, size, judging_layouts);
     return candidate;
 }
 
 /// The divisions of least cost, best first: at most `most`.
 std::vector<Judged> best_of_all(const Mesh& mesh, const Connectivity& connectivity,
-                                std::uint32_t size, int tries, std::size_t most) {
+                                std::uint32_t size, int tries, std::size_t most,
+                                const std::stop_token& stop) {
     const std::vector<Plan> all = plans(mesh, connectivity, tries);
     std::vector<Judged> judged(all.size());
     tbb::parallel_for(std::size_t(0), all.size(), [&](std::size_t i) {
-        judged[i] = {judge(mesh, connectivity, all[i], size), all[i].attempt};
+        judged[i] = {judge(mesh, connectivity, all[i], size, stop), all[i].attempt};
         judged[i].candidate.looked_at = static_cast<int>(all.size());
     });
     std::stable_sort(judged.begin(), judged.end(), [](const Judged& a, const Judged& b) {
@@ -141,7 +144,7 @@ std::vector<Judged> best_of_all(const Mesh& mesh, const Connectivity& connectivi
 
 /// The fine mesh's maps for the division that was best on the coarse one.
 PatchMaps carry_over(const Mesh& mesh, const Connectivity& connectivity, const CoarseMesh& coarse,
-                     const PatchCandidate& best, const Try& attempt) {
+                     const PatchCandidate& best, const Try& attempt, const std::stop_token& stop) {
     const auto& patches = best.maps.patches;
     std::vector<std::uint32_t> patch_of(coarse.mesh.triangles.size(),
                                         static_cast<std::uint32_t>(patches.size()));
@@ -150,7 +153,7 @@ PatchMaps carry_over(const Mesh& mesh, const Connectivity& connectivity, const C
             if (face != not_in_mesh) patch_of[face] = p;
     std::vector<std::uint32_t> labels;
     for (const std::uint32_t face : coarse.nearest) labels.push_back(patch_of[face]);
-    PatchMapOptions options = judging_options(attempt);
+    PatchMapOptions options = judging_options(attempt, stop);
     options.most_distortion *= carried_slack;
     if (mesh.triangles.size() > much_detail * coarse.mesh.triangles.size())
         options.tolerance = detail_tolerance;
@@ -160,20 +163,21 @@ PatchMaps carry_over(const Mesh& mesh, const Connectivity& connectivity, const C
 
 /// The best divisions of the mesh itself, or those of a coarse one carried over.
 std::vector<PatchCandidate> best_divisions(const Mesh& mesh, const Connectivity& connectivity,
-                                           std::uint32_t size, int tries) {
+                                           std::uint32_t size, int tries,
+                                           const std::stop_token& stop) {
     const std::size_t most = std::min<std::size_t>(static_cast<std::size_t>(tries), last_choices);
     std::optional<CoarseMesh> coarse;
     if (mesh.triangles.size() > judged_as_it_is)
         coarse = coarsen(mesh, connectivity, judged_triangles);
     const bool judge_coarse = coarse && 2 * coarse->mesh.triangles.size() <= mesh.triangles.size();
     std::vector<Judged> best =
-        judge_coarse ? best_of_all(coarse->mesh, coarse->connectivity, size, tries, most)
-                     : best_of_all(mesh, connectivity, size, tries, most);
+        judge_coarse ? best_of_all(coarse->mesh, coarse->connectivity, size, tries, most, stop)
+                     : best_of_all(mesh, connectivity, size, tries, most, stop);
     std::vector<PatchCandidate> result(best.size());
     tbb::parallel_for(std::size_t(0), best.size(), [&](std::size_t i) {
         result[i] = std::move(best[i].candidate);
-        if (!judge_coarse) return;
-        PatchMaps maps = carry_over(mesh, connectivity, *coarse, result[i], best[i].attempt);
+        if (!judge_coarse || stop.stop_requested()) return;
+        PatchMaps maps = carry_over(mesh, connectivity, *coarse, result[i], best[i].attempt, stop);
         result[i].maps = std::move(maps);
     });
     return result;
@@ -182,8 +186,10 @@ std::vector<PatchCandidate> best_divisions(const Mesh& mesh, const Connectivity&
 }  // namespace
 
 PatchCandidate best_candidate(const Mesh& mesh, const Connectivity& connectivity,
-                              std::uint32_t size, int tries) {
-    std::vector<PatchCandidate> best = best_divisions(mesh, connectivity, size, std::max(tries, 1));
+                              std::uint32_t size, int tries, const std::stop_token& stop) {
+    std::vector<PatchCandidate> best =
+        best_divisions(mesh, connectivity, size, std::max(tries, 1), stop);
+    if (stop.stop_requested()) return {};
     tbb::parallel_for(std::size_t(0), best.size(),
                       [&](std::size_t i) { lay_out(best[i], size, last_layouts); });
     return std::move(*std::min_element(

@@ -17,8 +17,9 @@ struct PatchCandidate {
 };
 
 /// `tries`: partitions to choose from, 1 to 6; creases are judged besides where they divide the
-/// mesh into some large parts. Pure and deterministic for any number of threads.
+/// mesh into some large parts. Pure and deterministic for any number of threads. Of no use, and
+/// early, once `stop` is asked for.
 PatchCandidate best_candidate(const Mesh& mesh, const Connectivity& connectivity,
-                              std::uint32_t size, int tries);
+                              std::uint32_t size, int tries, const std::stop_token& stop = {});
 
 }  // namespace burl

@@ -54,6 +54,10 @@ class RegionMapper {
   private:
     PatchMaps map_region(const std::vector<std::uint32_t>& faces) {
         PatchMaps result;
+        if (options_.stop.stop_requested()) {
+            result.unmapped = faces;
+            return result;
+        }
         const Regions pieces = map_or_divide(faces, result);
         if (pieces.empty()) return result;
         PatchMaps of_pieces = map_all(pieces);

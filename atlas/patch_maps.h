@@ -4,6 +4,7 @@
 // much is halved and tried again. What no map is found for is listed, never forced: an unmapped
 // patch with a guessed stretch would spoil the texel budget of all others.
 #include <optional>
+#include <stop_token>
 
 #include "atlas/partition.h"
 #include "atlas/patch.h"
@@ -29,6 +30,8 @@ struct PatchMapOptions {
     /// Descents stop where they gain less than this share of D in an iteration: 0.003 does for
     /// judging a partition, whose maps are fitted to their blocks later anyway.
     double least_gain = 1e-4;
+    /// Once it is asked for, what is not mapped yet is left unmapped.
+    std::stop_token stop{};
 };
 
 /// What mapping did; counts are printed where they are not zero.

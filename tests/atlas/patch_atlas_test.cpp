@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <thread>
+
 #include "atlas/error.h"
 #include "made_patches.h"
 
@@ -284,6 +287,39 @@ TEST(PatchAtlas, GivesWayToPairsWhereItDoesNotFit) {
 TEST(PatchAtlas, NothingWhenTheTextureIsTooSmall) {
     const Mesh mesh = made::soup(61, 1);
     EXPECT_FALSE(build_patch_atlas(mesh, build_connectivity(mesh), {.size = 8}));
+}
+
+TEST(PatchAtlas, NothingOnceItIsStopped) {
+    std::stop_source stopped;
+    stopped.request_stop();
+    for (const auto& [name, mesh] : meshes()) {
+        SCOPED_TRACE(name);
+        const Connectivity connectivity = build_connectivity(mesh);
+        EXPECT_FALSE(build_patch_atlas(mesh, connectivity, {.size = 256}, stopped.get_token()));
+        EXPECT_FALSE(build_atlas(mesh, connectivity, {.size = 256}, stopped.get_token()));
+        EXPECT_TRUE(build_atlas(mesh, connectivity, {.size = 256}, std::stop_token()));
+        const PatchMaps maps = map_regions(mesh, connectivity, partition_mesh(mesh, connectivity),
+                                           {.stop = stopped.get_token()});
+        EXPECT_TRUE(maps.patches.empty());
+        EXPECT_EQ(maps.unmapped.size(), mesh.triangles.size());
+    }
+}
+
+TEST(PatchAtlas, AStopAtAnyTimeGivesNothingOrTheAtlas) {
+    const Mesh mesh = made::ball(4);
+    const Connectivity connectivity = build_connectivity(mesh);
+    const PatchAtlas whole = *build_patch_atlas(mesh, connectivity, {.size = 256});
+    for (int microseconds = 0; microseconds < 64000; microseconds = 2 * microseconds + 1) {
+        std::stop_source stop;
+        std::jthread stopper([&] {
+            std::this_thread::sleep_for(std::chrono::microseconds(microseconds));
+            stop.request_stop();
+        });
+        const auto atlas = build_patch_atlas(mesh, connectivity, {.size = 256}, stop.get_token());
+        if (atlas) {
+            EXPECT_EQ(atlas->atlas.corners, whole.atlas.corners);
+        }
+    }
 }
 
 TEST(PatchRefine, SameSurfaceWithoutTJunctions) {
