@@ -12,6 +12,7 @@
 #include "app/bake_compress.h"
 #include "app/bake_levels.h"
 #include "app/bake_report.h"
+#include "app/bake_texture.h"
 #include "app/forward_check.h"
 #include "app/gl_emit.h"
 #include "app/gl_multipass_synthesizer.h"
@@ -31,21 +32,6 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-BakedImage synthesize(Pipeline& pipeline, ImageKind kind) {
-    if (kind == ImageKind::rgb16) return pipeline.synthesize<Rgb16>();
-    if (kind == ImageKind::rgb_float) return pipeline.synthesize<RgbF>();
-    return pipeline.synthesize<Rgb8>();
-}
-
-/// The texture in the kind the file wants; levels go into the options.
-BakedImage synthesize(Pipeline& pipeline, ImageKind kind, const LevelsAsked& levels,
-                      ExportOptions& options) {
-    if (levels.count == 0) return synthesize(pipeline, kind);
-    Image<RgbF> texture = pipeline.synthesize<RgbF>();
-    options.levels = bake_levels(pipeline, texture, levels, kind);
-    return convert_to(std::move(texture), kind);
 }
 
 /// Said before any work starts (DESIGN section 6).
@@ -218,9 +204,10 @@ void BakeJob::set_up(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> syn
 /// before the file is made, whose own buffers are as large.
 BakeJob::Written BakeJob::write_texture(Pipeline& pipeline, const std::string& path,
                                         bool releases) const {
+    BakedTexture texture = bake_texture(pipeline, kind_, extras_.levels);
     ExportOptions options;
-    Written written{compressed_bake(
-        pipeline.atlas(), synthesize(pipeline, kind_, extras_.levels, options), command_.compress)};
+    options.levels = std::move(texture.levels);
+    Written written{compressed_bake(pipeline.atlas(), std::move(texture.image), command_.compress)};
     options.normals = bake_normals(pipeline, extras_.normals, command_.depth, command_.crease);
     if (releases) pipeline.release_texels();
     const auto writing = Clock::now();

@@ -35,6 +35,7 @@ constexpr std::array suites{
     Suite{"mesh_io", "--repeats --json", "faces", 12, 10'000'000, "1,000,000"},
     Suite{"noise", "--repeats --json --simd", "samples, in batches of 1,024", batch_capacity,
           10'000'000, "65,536"},
+    Suite{"open", "--json --simd", "faces", 12, 10'000'000, "1,000,000"},
     Suite{"plot", ""},
     Suite{"precision", "--repeats --json --simd", "texels a side", 8, 4096, "512"},
     Suite{"resynthesis", "--repeats --json --simd --recipe", "texels a side", 8, 4096, "1,024"},

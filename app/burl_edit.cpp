@@ -20,7 +20,10 @@ struct Command {
 
 void run(Command command) {
     using namespace burl;
-    if (command.script.empty()) command.editor.autosave = autosave_file();
+    if (command.script.empty()) {
+        command.editor.autosave = state_file("autosave.json");
+        command.editor.recent = state_file("recent");
+    }
     InputScript script;
     if (!command.script.empty()) {
         const auto bytes = read_file_bytes(command.script);

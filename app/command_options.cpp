@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "app/keyed_recipe.h"
+#include "app/mesh_notes.h"
 #include "app/sample_meshes.h"
 #include "atlas/error.h"
 
@@ -178,21 +179,8 @@ void warn(const std::string& sentence) {
 }
 
 void print_notes(const std::string& path, const MeshNotes& notes) {
-    const struct {
-        std::uint64_t count;
-        const char *one, *many, *fate;
-    } counts[] = {
-        {notes.degenerate_triangles, "triangle", "triangles",
-         "without area (kept; nothing to texture)"},
-        {notes.duplicate_triangles, "duplicate triangle", "duplicate triangles", "(kept)"},
-        {notes.unreferenced_points, "point", "points", "that no face uses (left out)"},
-        {notes.ignored_elements, "element", "elements", "other than faces (left out)"},
-    };
-    for (const auto& [count, one, many, fate] : counts) {
-        if (count != 0)
-            warn(fmt::format("{}: {} {} {}", path, count, count == 1 ? one : many, fate));
-    }
-    for (const std::string& sentence : notes.sentences) warn(fmt::format("{}: {}", path, sentence));
+    for (const std::string& sentence : sentences_of(notes))
+        warn(fmt::format("{}: {}", path, sentence));
 }
 
 }  // namespace burl

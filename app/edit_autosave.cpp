@@ -52,13 +52,13 @@ void EditAutosave::clear() {
     written_.reset();
 }
 
-std::string autosave_file() {
+std::string state_file(const std::string& name) {
     const char* state = std::getenv("XDG_STATE_HOME");
     if (state != nullptr && fs::path(state).is_absolute())
-        return (fs::path(state) / "burl" / "autosave.json").string();
+        return (fs::path(state) / "burl" / name).string();
     const char* home = std::getenv("HOME");
     if (home == nullptr || *home == '\0') return {};
-    return (fs::path(home) / ".local" / "state" / "burl" / "autosave.json").string();
+    return (fs::path(home) / ".local" / "state" / "burl" / name).string();
 }
 
 }  // namespace burl

@@ -28,7 +28,7 @@ class EditAutosave {
     double last_ = -1e9;
 };
 
-/// autosave.json in $XDG_STATE_HOME/burl or ~/.local/state/burl; empty without a home.
-std::string autosave_file();
+/// A file of this name in $XDG_STATE_HOME/burl or ~/.local/state/burl; empty without a home.
+std::string state_file(const std::string& name);
 
 }  // namespace burl

@@ -4,6 +4,8 @@
 #include <chrono>
 #include <utility>
 
+#include "app/edit_atlas.h"
+#include "app/lattice_check.h"
 #include "app/refinement.h"
 #include "app/view_scene.h"
 
@@ -14,14 +16,25 @@ namespace {
 constexpr std::size_t cache_bytes = std::size_t(512) << 20;
 constexpr double patience = 0.08;  // seconds until the next finer picture, at rest
 constexpr std::uint32_t coarsest_side = 128;
+constexpr double crease_degrees = 40.0;  // as a bake has it unless it is told otherwise
 
 std::uint32_t coarsest_level(std::uint32_t size) {
     return size > coarsest_side ? std::uint32_t(std::bit_width(size / coarsest_side)) - 1 : 0;
 }
 
-const char* kind_name(AtlasKind kind) {
-    constexpr std::array names{"uniform", "area", "length", "quad", "patch"};
-    return names[std::size_t(kind)];
+std::shared_ptr<EditSurface> surface_of(Pipeline& pipeline) {
+    auto surface = std::make_shared<EditSurface>();
+    surface->scene = baked_scene(pipeline, crease_degrees);
+    const int normals = baked_material(surface->scene).normals;
+    if (normals >= 0)  // flat until there is a map of them
+        surface->scene.textures[std::size_t(normals)].image = Image<Rgb8>(1, 1, {128, 128, 255});
+    surface->unit_from_mesh = solid_from_mesh(pipeline.mesh(), SolidSpace::unit);
+    surface->sphere = bounding_sphere(surface->scene);
+    surface->size = pipeline.recipe().atlas.size;
+    surface->triangles = pipeline.mesh().triangles.size();
+    surface->atlas = to_string(pipeline.atlas().options.kind);
+    surface->layout_seconds = pipeline.records()[Stage::layout].seconds;
+    return surface;
 }
 
 /// Then the texture under the paint is there.
@@ -38,6 +51,11 @@ EditBaker::EditBaker(std::function<void()> wake, double budget)
       worker_([this](const WorkerRequest& request,
                      const std::stop_token& stop) { work(request, stop); },
               std::move(wake)) {}
+
+/// An errand may ask the worker for a picture, and its pictures give errands.
+EditBaker::~EditBaker() {
+    errands_.end();
+}
 
 void EditBaker::set_mesh(Mesh mesh) {
     const std::scoped_lock lock(mutex_);
@@ -77,6 +95,24 @@ StageRecords EditBaker::records() const {
     return records_;
 }
 
+bool EditBaker::laying_out() const {
+    const std::scoped_lock lock(mutex_);
+    return begun_ && !errands_.idle();
+}
+
+void EditBaker::wait() const {
+    do {
+        worker_.wait();
+        errands_.wait();
+    } while (!idle());
+}
+
+std::optional<std::string> EditBaker::take_problem() {
+    if (auto problem = worker_.take_problem()) return problem;
+    const std::scoped_lock lock(mutex_);
+    return std::exchange(problem_, std::nullopt);
+}
+
 void EditBaker::take_mesh() {
     std::optional<Mesh> mesh;
     {
@@ -87,35 +123,90 @@ void EditBaker::take_mesh() {
     pipeline_ = std::make_unique<Pipeline>(std::move(*mesh));
     pipeline_->set_cache(cache_bytes);
     fresh_ = true;
+    ++mesh_;
+    errands_.cancel();
+    laid_out_.reset();
     finest_.reset();
 }
 
-void EditBaker::publish_surface(Pipeline& pipeline) {
-    auto surface = std::make_shared<EditSurface>();
-    surface->scene = baked_scene(pipeline);
-    const int normals = baked_material(surface->scene).normals;
-    if (normals >= 0)  // flat until there is a map of them
-        surface->scene.textures[std::size_t(normals)].image = Image<Rgb8>(1, 1, {128, 128, 255});
-    surface->unit_from_mesh = solid_from_mesh(pipeline.mesh(), SolidSpace::unit);
-    surface->sphere = bounding_sphere(surface->scene);
-    surface->size = pipeline.recipe().atlas.size;
-    surface->triangles = pipeline.mesh().triangles.size();
-    surface->atlas = kind_name(pipeline.atlas().options.kind);
-    surface->layout_seconds = pipeline.records()[Stage::layout].seconds;
-    const std::scoped_lock lock(mutex_);
-    surface->number = ++numbers_;
-    surface_ = std::move(surface);
+/// What is shown from now on: the atlas that is wanted where it is there, or quick.
+AtlasOptions EditBaker::take_atlas(const AtlasOptions& wanted) {
+    std::optional<OwnAtlas> own;
+    {
+        const std::scoped_lock lock(mutex_);
+        own = std::exchange(own_, std::nullopt);
+        if (own && begun_ == own->pipeline->recipe().atlas) begun_.reset();
+    }
+    if (own && own->mesh == mesh_ && own->pipeline->recipe().atlas == wanted) {
+        pipeline_ = std::move(own->pipeline);
+        pending_ = std::move(own->surface);
+        pending_pick_ = std::move(own->pick);
+        shown_bumps_ = !pipeline_->recipe().bump.empty();
+        laid_out_ = shown_atlas_ = wanted;
+        finest_.reset();
+    }
+    if (laid_out_ == wanted) return wanted;
+    laid_out_.reset();
+    return atlas_at_once(wanted, pipeline_->mesh().triangles.size());
+}
+
+/// Lays out the recipe's own atlas, unless that is under way.
+void EditBaker::begin_atlas(const Recipe& recipe) {
+    {
+        const std::scoped_lock lock(mutex_);
+        if (begun_ == recipe.atlas) return;
+        begun_ = recipe.atlas;
+    }
+    auto pipeline = std::make_unique<Pipeline>(pipeline_->mesh());
+    pipeline->set_cache(cache_bytes);
+    pipeline->set_recipe(recipe);
+    // A function that is kept may be copied, and a pipeline may not.
+    errands_.add([this, mesh = mesh_,
+                  held = std::make_shared<std::unique_ptr<Pipeline>>(std::move(pipeline))](
+                     const std::stop_token& stop) { lay_out(mesh, std::move(*held), stop); });
+}
+
+void EditBaker::lay_out(std::uint64_t mesh, std::unique_ptr<Pipeline> pipeline,
+                        const std::stop_token& stop) {
+    try {
+        if (!lay_out_aside(*pipeline, stop)) return;
+        std::shared_ptr<EditSurface> surface = surface_of(*pipeline);
+        auto pick = std::make_shared<const SurfacePick>(
+            std::shared_ptr<const Scene>(surface, &surface->scene));
+        const std::scoped_lock lock(mutex_);
+        own_ = OwnAtlas{mesh, std::move(pipeline), std::move(surface), std::move(pick)};
+    } catch (const std::exception& problem) {
+        const std::scoped_lock lock(mutex_);
+        problem_ = problem.what();
+    }
+    worker_.again();
+}
+
+/// The newest picture once more, with the bumps of its recipe.
+void EditBaker::publish_normals() {
+    auto normals =
+        std::make_shared<const Image<Rgb8>>(pipeline_->normal_map<Rgb8>(crease_degrees, true));
+    if (normals_ && *normals == *normals_) return;
+    normals_ = std::move(normals);
+    {
+        const std::scoped_lock lock(mutex_);
+        auto picture = std::make_shared<EditPicture>(*picture_);
+        picture->number = ++numbers_;
+        picture->normals = normals_;
+        picture_ = std::move(picture);
+        records_ = pipeline_->records();
+    }
+    wake_();
 }
 
 /// Once for every surface.
-void EditBaker::publish_pick() {
-    const std::shared_ptr<const EditSurface> surface = this->surface();
-    if (!surface || (pick_ && &pick_->scene() == &surface->scene)) return;
+void EditBaker::publish_pick(const std::shared_ptr<const EditSurface>& surface) {
     // The scene lives as long as its surface.
     auto pick =
         std::make_shared<const SurfacePick>(std::shared_ptr<const Scene>(surface, &surface->scene));
     {
         const std::scoped_lock lock(mutex_);
+        if (surface_ != surface) return;
         pick_ = std::move(pick);
     }
     wake_();
@@ -126,6 +217,7 @@ void EditBaker::publish_sheet() {
     SheetKey key{0, pipeline_->recipe().solid.space};
     {
         const std::scoped_lock lock(mutex_);
+        if (!surface_ || pending_) return;  // it would be of another one
         key.surface = surface_->number;
         if (!wants_sheet_ || (sheet_ && sheet_key_ == key)) return;
     }
@@ -145,8 +237,14 @@ void EditBaker::publish_picture(const WorkerRequest& request, std::uint32_t leve
     picture->level = level;
     picture->texels = texels;
     picture->seconds = seconds;
+    picture->normals = normals_;
     {
         const std::scoped_lock lock(mutex_);
+        if (pending_) {
+            pending_->number = ++numbers_;
+            surface_ = std::exchange(pending_, nullptr);
+            if (pending_pick_) pick_ = std::exchange(pending_pick_, nullptr);
+        }
         picture->number = ++numbers_;
         picture->surface = surface_->number;
         picture_ = std::move(picture);
@@ -155,30 +253,58 @@ void EditBaker::publish_picture(const WorkerRequest& request, std::uint32_t leve
     wake_();
 }
 
+/// A new surface's first errands: what finds places on it, and a better atlas.
+void EditBaker::give_errands(const Recipe& recipe, bool moving) {
+    const std::shared_ptr<const EditSurface> shown = surface();
+    if (!shown) return;
+    if (errands_of_ != shown->number) {
+        errands_of_ = shown->number;
+        if (laid_out_ == recipe.atlas) return;  // they are done
+        errands_.cancel();
+        {
+            const std::scoped_lock lock(mutex_);
+            begun_.reset();
+        }
+        errands_.add([this, shown](const std::stop_token&) { publish_pick(shown); });
+    }
+    if (shown_atlas_ != recipe.atlas && !moving) begin_atlas(recipe);
+}
+
 void EditBaker::work(const WorkerRequest& request, const std::stop_token& stop) {
     take_mesh();
     if (!pipeline_) return;
-    pipeline_->set_recipe(request.recipe);
-    if (fresh_ || shown_atlas_ != request.recipe.atlas) {
-        publish_surface(*pipeline_);
-        shown_atlas_ = request.recipe.atlas;
-        choice_.emplace(budget_, coarsest_level(request.recipe.atlas.size));
+    check_lattice(request.recipe, pipeline_->mesh());
+    Recipe recipe = request.recipe;
+    recipe.atlas = take_atlas(request.recipe.atlas);
+    const bool better = pending_pick_ != nullptr;
+    pipeline_->set_recipe(recipe);
+    if (better) normals_.reset();
+    if (fresh_ || shown_atlas_ != recipe.atlas || shown_bumps_ == recipe.bump.empty()) {
+        pending_ = surface_of(*pipeline_);
+        pending_pick_.reset();
+        normals_.reset();
+        shown_bumps_ = !recipe.bump.empty();
+        shown_atlas_ = recipe.atlas;
+        choice_.emplace(budget_, coarsest_level(recipe.atlas.size));
         fresh_ = false;
     }
     auto start = std::chrono::steady_clock::now();
     const Drag drag = request.moving ? Drag::moving : Drag::released;
-    // Paint over the finest picture is quicker than any other level's, and says nothing of them.
+    // Paint over the finest picture is quicker than any other level's, and says nothing of them;
+    // what is shown already need not become blurred first.
     LevelChoice finest(budget_, 0);
-    const bool paints = finest_ && only_paint_differs(*finest_, request.recipe);
-    refine<Rgb8>(*pipeline_, paints ? finest : *choice_, drag, patience, stop,
-                 [&](std::uint32_t level, const Image<Rgb8>& texels) {
-                     const auto now = std::chrono::steady_clock::now();
-                     if (level == 0) finest_ = request.recipe;
-                     publish_picture(request, level, texels,
-                                     std::chrono::duration<double>(now - start).count());
-                     start = std::chrono::steady_clock::now();
-                 });
-    publish_pick();
+    const bool whole = better || (finest_ && only_paint_differs(*finest_, recipe));
+    const bool done =
+        refine<Rgb8>(*pipeline_, whole ? finest : *choice_, drag, patience, stop,
+                     [&](std::uint32_t level, const Image<Rgb8>& texels) {
+                         const auto now = std::chrono::steady_clock::now();
+                         if (level == 0) finest_ = recipe;
+                         publish_picture(request, level, texels,
+                                         std::chrono::duration<double>(now - start).count());
+                         start = std::chrono::steady_clock::now();
+                     });
+    if (done && !request.moving && shown_bumps_) publish_normals();
+    give_errands(request.recipe, request.moving);
     publish_sheet();
 }
 

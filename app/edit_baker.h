@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/atlas_sheet.h"
+#include "app/edit_errands.h"
 #include "app/edit_worker.h"
 #include "app/level_choice.h"
 #include "app/pipeline.h"
@@ -32,7 +33,8 @@ struct EditPicture {
     std::uint64_t number = 0, surface = 0, request = 0;
     std::uint32_t level = 0;
     Image<Rgb8> texels{};
-    double seconds = 0.0;  ///< that making it took
+    double seconds = 0.0;                          ///< that making it took
+    std::shared_ptr<const Image<Rgb8>> normals{};  ///< of the bumps; null: none, or not yet
 };
 
 class EditBaker {
@@ -47,6 +49,8 @@ class EditBaker {
     /// `wake` is called by another thread whenever there is something new. `budget`: seconds that a
     /// picture may take while a slider moves.
     explicit EditBaker(std::function<void()> wake, double budget = 0.03);
+    /// Stops what is under way.
+    ~EditBaker();
 
     /// From now on this mesh; pictures come after the next request.
     void set_mesh(Mesh mesh);
@@ -70,15 +74,31 @@ class EditBaker {
     /// The stages of the pipeline, as of the newest picture.
     StageRecords records() const;
 
-    bool idle() const { return worker_.idle(); }
-    void wait() const { worker_.wait(); }
-    std::optional<std::string> take_problem() { return worker_.take_problem(); }
+    /// Patches are laid out, and pairs shown until then (app/edit_atlas.h).
+    bool laying_out() const;
+
+    bool idle() const { return worker_.idle() && errands_.idle(); }
+    void wait() const;
+    std::optional<std::string> take_problem();
 
   private:
+    /// The atlas that the recipe asks for, where pairs are shown until it is there.
+    struct OwnAtlas {
+        std::uint64_t mesh = 0;
+        std::unique_ptr<Pipeline> pipeline{};
+        std::shared_ptr<EditSurface> surface{};
+        std::shared_ptr<const SurfacePick> pick{};
+    };
+
     void work(const WorkerRequest& request, const std::stop_token& stop);
     void take_mesh();
-    void publish_surface(Pipeline& pipeline);
-    void publish_pick();
+    AtlasOptions take_atlas(const AtlasOptions& wanted);
+    void give_errands(const Recipe& recipe, bool moving);
+    void begin_atlas(const Recipe& recipe);
+    void lay_out(std::uint64_t mesh, std::unique_ptr<Pipeline> pipeline,
+                 const std::stop_token& stop);
+    void publish_normals();
+    void publish_pick(const std::shared_ptr<const EditSurface>& surface);
     void publish_sheet();
     void publish_picture(const WorkerRequest& request, std::uint32_t level,
                          const Image<Rgb8>& texels, double seconds);
@@ -89,6 +109,9 @@ class EditBaker {
 
     mutable std::mutex mutex_;  ///< of the next nine
     std::optional<Mesh> next_mesh_;
+    std::optional<OwnAtlas> own_;         ///< laid out, and not shown yet
+    std::optional<AtlasOptions> begun_;   ///< what is being laid out
+    std::optional<std::string> problem_;  ///< of that
     std::shared_ptr<const EditSurface> surface_;
     std::shared_ptr<const EditPicture> picture_;
     std::shared_ptr<const SurfacePick> pick_;
@@ -99,11 +122,19 @@ class EditBaker {
     std::uint64_t numbers_ = 0;
 
     std::unique_ptr<Pipeline> pipeline_;  ///< the worker's alone, as the rest
+    std::uint64_t mesh_ = 0;              ///< its number
     std::optional<LevelChoice> choice_;
     AtlasOptions shown_atlas_;
-    bool fresh_ = true;             ///< no surface of this mesh was published
-    std::optional<Recipe> finest_;  ///< of the last picture of this mesh at level 0
+    bool shown_bumps_ = false;
+    bool fresh_ = true;                     ///< no surface of this mesh was made
+    std::shared_ptr<EditSurface> pending_;  ///< to be shown with its first picture
+    std::shared_ptr<const SurfacePick> pending_pick_;
+    std::uint64_t errands_of_ = 0;                ///< the surface whose errands were given
+    std::optional<AtlasOptions> laid_out_;        ///< what the pipeline has instead of pairs
+    std::shared_ptr<const Image<Rgb8>> normals_;  ///< of the surface
+    std::optional<Recipe> finest_;                ///< of the last picture of this mesh at level 0
 
+    EditErrands errands_;
     EditWorker worker_;  ///< last: it sees all the others
 };
 

@@ -2,61 +2,81 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <exception>
+#include <filesystem>
 #include <utility>
 
+#include "app/atomic_file.h"
 #include "app/bake_normals.h"
+#include "app/bake_texture.h"
+#include "app/edit_reader.h"
 #include "app/export.h"
+#include "app/gl_emit.h"
 #include "app/lattice_check.h"
-#include "app/pipeline.h"
-#include "app/sample_meshes.h"
-#include "atlas/mesh_io.h"
 
 namespace burl {
 
 namespace {
 
-BakedImage texture_of(Pipeline& pipeline, ImageKind kind) {
-    if (kind == ImageKind::rgb_float) return pipeline.synthesize<RgbF>();
-    if (kind == ImageKind::rgb16) return pipeline.synthesize<Rgb16>();
-    return pipeline.synthesize<Rgb8>();
+/// What a bake checks before it writes a shader.
+void write_shader(const ExportRequest& request) {
+    check_side_output(request.out, "", std::array{request.mesh});
+    const Mesh mesh = load_mesh(request.mesh);
+    check_lattice(request.recipe, mesh);
+    write_file(request.out, emit_glsl(request.recipe, texture_from_mesh(request.recipe, mesh)));
 }
 
 }  // namespace
 
-Mesh load_mesh(const std::string& path) {
-    return is_sample_mesh(path) ? sample_mesh(path) : read_mesh(path);
+bool is_shader_file(const std::string& path) {
+    const std::string extension = std::filesystem::path(path).extension().string();
+    return extension == ".frag" || extension == ".glsl";
 }
 
-void bake_file(const std::string& mesh_path, const Recipe& recipe, const std::string& out_path) {
+std::vector<std::string> bake_options(const ExportRequest& request) {
+    if (is_shader_file(request.out)) {
+        const auto beside = std::filesystem::path(request.out).replace_extension(".glb");
+        return {"-o", beside.string(), "--emit-glsl", request.out};
+    }
+    std::vector<std::string> options{"-o", request.out};
+    if (request.levels) options.insert(options.end(), {"--levels", "all"});
+    return options;
+}
+
+void bake_file(const ExportRequest& request) {
+    if (is_shader_file(request.out)) return write_shader(request);
     constexpr int depth = 8;
-    ExportOptions options;
-    const NormalSpace normals = normals_asked("", recipe, out_path);
-    check_output(out_path, mesh_path, 0, normals != NormalSpace::none);
-    Pipeline pipeline(load_mesh(mesh_path));
+    const Recipe& recipe = request.recipe;
+    const ImageKind kind = wanted_kind(request.out, depth);
+    const LevelsAsked levels =
+        levels_asked(request.levels ? "all" : "", "", recipe.atlas.size, kind);
+    const NormalSpace normals = normals_asked("", recipe, request.out);
+    check_output(request.out, request.mesh, levels.count, normals != NormalSpace::none);
+    Pipeline pipeline(load_mesh(request.mesh));
     check_lattice(recipe, pipeline.mesh());
     pipeline.set_recipe(recipe);
-    const BakedImage texture = texture_of(pipeline, wanted_kind(out_path, depth));
+    BakedTexture texture = bake_texture(pipeline, kind, levels);
+    ExportOptions options;
+    options.levels = std::move(texture.levels);
     options.normals = bake_normals(pipeline, normals, depth, options.crease_degrees);
     options.recipe_json = to_json(recipe);
-    export_scene(out_path, pipeline.atlas_mesh(), pipeline.atlas(), texture, options);
+    export_scene(request.out, pipeline.atlas_mesh(), pipeline.atlas(), texture.image, options);
 }
 
-void EditExport::start(std::string mesh_path, Recipe recipe, std::string out_path) {
+void EditExport::start(ExportRequest request) {
     wait();
     {
         const std::scoped_lock lock(mutex_);
         busy_ = true;
     }
-    thread_ = std::jthread([this, mesh = std::move(mesh_path), what = std::move(recipe),
-                            out = std::move(out_path)] { run(mesh, what, out); });
+    thread_ = std::jthread([this, what = std::move(request)] { run(what); });
 }
 
-void EditExport::run(const std::string& mesh_path, const Recipe& recipe,
-                     const std::string& out_path) {
-    Outcome outcome{false, fmt::format("exported {}", out_path)};
+void EditExport::run(const ExportRequest& request) {
+    Outcome outcome{false, fmt::format("exported {}", request.out)};
     try {
-        bake_file(mesh_path, recipe, out_path);
+        bake_file(request);
     } catch (const std::exception& problem) {
         outcome = {true, problem.what()};
     }

@@ -6,18 +6,36 @@
 #include <optional>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "app/recipe.h"
 
 namespace burl {
+
+struct ExportRequest {
+    std::string mesh{};  ///< a mesh file or sample
+    Recipe recipe{};
+    std::string out{};    ///< its extension says what is written
+    bool levels = false;  ///< all MIP levels besides the texture
+};
+
+/// Whether it is the texture as a shader: .frag or .glsl.
+bool is_shader_file(const std::string& path);
+
+/// The options of `burl bake` that write the same: -o and what else is needed.
+std::vector<std::string> bake_options(const ExportRequest& request);
+
+/// Reads the mesh, textures it and writes everything or nothing, as `burl bake` does with
+/// bake_options(). Throws Error.
+void bake_file(const ExportRequest& request);
 
 class EditExport {
   public:
     /// `wake` is called by another thread when an export has ended.
     explicit EditExport(std::function<void()> wake) : wake_(std::move(wake)) {}
 
-    /// Begins once the last one has ended. The mesh is read anew.
-    void start(std::string mesh_path, Recipe recipe, std::string out_path);
+    /// Begins once the last one has ended.
+    void start(ExportRequest request);
     bool busy() const;
     void wait();
     /// How the last one ended, once: the sentence, and whether it is a problem.
@@ -28,7 +46,7 @@ class EditExport {
     std::optional<Outcome> take_outcome();
 
   private:
-    void run(const std::string& mesh_path, const Recipe& recipe, const std::string& out_path);
+    void run(const ExportRequest& request);
 
     std::function<void()> wake_;
     mutable std::mutex mutex_;
@@ -36,12 +54,5 @@ class EditExport {
     std::optional<Outcome> outcome_;
     std::jthread thread_;
 };
-
-/// Reads a mesh file or sample, textures it and writes everything or nothing, as `burl bake` does
-/// without options. Throws Error.
-void bake_file(const std::string& mesh_path, const Recipe& recipe, const std::string& out_path);
-
-/// A mesh file, or "sample:NAME".
-Mesh load_mesh(const std::string& path);
 
 }  // namespace burl

@@ -47,7 +47,7 @@ void FileDialog::open(Wish wish) {
     std::error_code unknown;
     folder_ = fs::weakly_canonical(fs::absolute(folder_), unknown).string();
     open_ = true;
-    accepted_ = false;
+    accepted_ = chose_ = false;
 }
 
 void FileDialog::entries(EditItems& items) {
@@ -86,12 +86,18 @@ std::optional<std::string> FileDialog::show(EditItems& items) {
     std::optional<std::string> path;
     if (ImGui::Begin(wish_.title.c_str(), &open_, ImGuiWindowFlags_NoCollapse)) {
         ImGui::TextUnformatted(folder_.c_str());
-        const float below = 2.5f * ImGui::GetFrameHeightWithSpacing();
+        const int more = int(!wish_.hint.empty()) + int(!wish_.choice.empty());
+        const float below = (2.5f + float(more)) * ImGui::GetFrameHeightWithSpacing();
         if (ImGui::BeginChild("files", {0.0f, -below}, true)) entries(items);
         ImGui::EndChild();
+        if (!wish_.hint.empty()) ImGui::TextDisabled("%s", wish_.hint.c_str());
         ImGui::SetNextItemWidth(-1.0f);
         accepted_ |= ImGui::InputText("##name", &name_, ImGuiInputTextFlags_EnterReturnsTrue);
         items.note("file name");
+        if (!wish_.choice.empty()) {
+            ImGui::Checkbox(wish_.choice.c_str(), &chose_);
+            items.note("file choice");
+        }
         accepted_ |= ImGui::Button(wish_.saves ? "Save" : "Open");
         items.note("file ok");
         ImGui::SameLine();

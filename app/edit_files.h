@@ -26,13 +26,17 @@ class FileDialog {
     struct Wish {
         std::string title{};
         std::vector<std::string> extensions{};
-        bool saves = false;  ///< the file need not be there
-        std::string name{};  ///< to begin with
+        bool saves = false;    ///< the file need not be there
+        std::string name{};    ///< to begin with
+        std::string hint{};    ///< what the extensions are for
+        std::string choice{};  ///< something to tick; empty: nothing
     };
 
     /// Opens it in the folder last shown.
     void open(Wish wish);
     bool is_open() const { return open_; }
+    /// Whether Wish::choice is ticked.
+    bool chose() const { return chose_; }
     /// Draws it; the path chosen in this frame.
     std::optional<std::string> show(EditItems& items);
 
@@ -42,7 +46,7 @@ class FileDialog {
 
     Wish wish_;
     std::string folder_ = ".", name_;
-    bool open_ = false, accepted_ = false;
+    bool open_ = false, accepted_ = false, chose_ = false;
 };
 
 }  // namespace burl

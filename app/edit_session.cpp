@@ -109,12 +109,21 @@ bool EditSession::set(const std::vector<std::string>& settings) {
 }
 
 bool EditSession::open_recipe(const std::string& path) {
+    try {
+        take_recipe(load_recipe(path), path);
+        return true;
+    } catch (const Error& error) {
+        complain(error.what());
+        return false;
+    }
+}
+
+void EditSession::take_recipe(Recipe recipe, const std::string& path) {
     history_.end_gesture();
-    if (!step([&] { return load_recipe(path); })) return false;
+    history_.change(std::move(recipe));
     recipe_path_ = path;
     history_.mark_saved();
     tell(fmt::format("recipe {}", path));
-    return true;
 }
 
 bool EditSession::paste_recipe(const std::string& json) {
@@ -138,9 +147,12 @@ RecipeSettings settings_between(const Recipe& base, const Recipe& recipe) {
 }
 
 std::string bake_command(const std::string& mesh, const std::string& base_path, const Recipe& base,
-                         const Recipe& recipe) {
+                         const Recipe& recipe, std::vector<std::string> output) {
     const std::string name = recipe.name.empty() ? "texture" : recipe.name;
-    std::vector<std::string> words{"burl", "bake", mesh, "-o", name + ".glb", "--recipe"};
+    if (output.empty()) output = {"-o", name + ".glb"};
+    std::vector<std::string> words{"burl", "bake", mesh};
+    words.insert(words.end(), output.begin(), output.end());
+    words.emplace_back("--recipe");
     RecipeSettings between = settings_between(base, recipe);
     if (length_of(between.settings) > long_settings) between = {false, {}};
     words.push_back(between.possible ? base_path : name + ".json");

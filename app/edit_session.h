@@ -33,6 +33,8 @@ class EditSession {
     bool set(const std::vector<std::string>& settings);
     /// A file or preset as one step; what cannot be read is logged and gives false.
     bool open_recipe(const std::string& path);
+    /// One that was read from there, in the same way.
+    void take_recipe(Recipe recipe, const std::string& path);
     /// Recipe JSON (the clipboard's) as one step.
     bool paste_recipe(const std::string& json);
     /// Throws Error(io). The recipe counts as saved.
@@ -63,8 +65,9 @@ RecipeSettings settings_between(const Recipe& base, const Recipe& recipe);
 
 /// `burl bake MESH -o OUT --recipe BASE --set ...`, quoted for a shell, that makes the recipe's
 /// texture; with the recipe's whole JSON to be saved where settings cannot say it, or not within
-/// 4000 characters ("--recipe NAME.json").
+/// 4000 characters ("--recipe NAME.json"). `output`: the options that say what is written; none:
+/// -o NAME.glb.
 std::string bake_command(const std::string& mesh, const std::string& base_path, const Recipe& base,
-                         const Recipe& recipe);
+                         const Recipe& recipe, std::vector<std::string> output = {});
 
 }  // namespace burl

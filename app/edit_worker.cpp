@@ -28,6 +28,15 @@ void EditWorker::request(WorkerRequest request) {
     changed_.notify_all();
 }
 
+void EditWorker::again() {
+    {
+        const std::scoped_lock lock(mutex_);
+        if (waiting_ || !last_) return;
+        waiting_ = last_;
+    }
+    changed_.notify_all();
+}
+
 bool EditWorker::idle() const {
     const std::scoped_lock lock(mutex_);
     return !busy_ && !waiting_;
@@ -47,6 +56,7 @@ void EditWorker::run(const std::stop_token& ending) {
     std::unique_lock lock(mutex_);
     while (changed_.wait(lock, ending, [&] { return waiting_.has_value(); })) {
         const WorkerRequest request = *std::exchange(waiting_, std::nullopt);
+        last_ = request;
         current_ = std::stop_source();
         busy_ = true;
         moving_ = request.moving;

@@ -38,6 +38,8 @@ class EditWorker {
     /// one of a moving slider, whose rough picture comes first. (A slider moves more often than
     /// pictures take: nobody would see any.)
     void request(WorkerRequest request);
+    /// What was asked for last counts once more, unless it still waits; for any thread.
+    void again();
     /// Nothing is under way or waits.
     bool idle() const;
     /// Waits until idle().
@@ -53,7 +55,7 @@ class EditWorker {
     std::function<void()> wake_;
     mutable std::mutex mutex_;
     mutable std::condition_variable_any changed_;
-    std::optional<WorkerRequest> waiting_;
+    std::optional<WorkerRequest> waiting_, last_;
     std::stop_source current_{std::nostopstate};
     bool busy_ = false, moving_ = false;  ///< what is under way
     std::optional<std::string> problem_;

@@ -46,20 +46,6 @@ void EditorProgram::take_tool(bool& tool) {
     tool = on;
 }
 
-void EditorProgram::open_dialog() {
-    ask_for_file(&EditorProgram::open, {"Open a mesh or recipe",
-                                        {".obj", ".ply", ".stl", ".off", ".gltf", ".glb", ".json"},
-                                        false,
-                                        {}});
-}
-
-void EditorProgram::export_dialog() {
-    ask_for_file(&EditorProgram::export_as, {"Export the textured mesh",
-                                             {".glb", ".gltf", ".obj", ".png", ".exr"},
-                                             true,
-                                             session_.recipe().name + ".glb"});
-}
-
 void EditorProgram::shortcuts() {
     if (pressed("F1")) keys_open_ = !keys_open_;
     if (typing()) return;
@@ -67,12 +53,12 @@ void EditorProgram::shortcuts() {
     if (pressed("Ctrl+O")) open_dialog();
     if (pressed("Ctrl+S")) save();
     if (pressed("Ctrl+E")) export_dialog();
+    if (pressed("F5")) files_.reload();
     if (pressed("Ctrl+Z")) session_.history().undo();
     if (pressed("Ctrl+Y") || pressed("Ctrl+Shift+Z")) session_.history().redo();
     if (pressed("Ctrl+C")) window_->set_clipboard(to_json(session_.recipe()));
     if (pressed("Ctrl+V")) session_.paste_recipe(window_->clipboard());
-    if (pressed("Ctrl+Shift+C"))
-        window_->set_clipboard(bake_command(mesh_path_, opened_path_, opened_, session_.recipe()));
+    if (pressed("Ctrl+Shift+C")) window_->set_clipboard(command());
     if (!atlas_.shortcuts() && pressed("F")) camera_ = fitted(camera_);
     if (pressed("1")) camera_ = from_front(camera_);
     if (pressed("3")) camera_ = from_side(camera_);
@@ -101,6 +87,8 @@ void EditorProgram::menu_toggle(const char* label, const char* key, bool& value)
 
 void EditorProgram::file_menu() {
     if (menu_item("Open...", "Ctrl+O")) open_dialog();
+    recent_menu();
+    if (menu_item("Reload", "F5")) files_.reload();
     if (menu_item("Save recipe", "Ctrl+S")) save();
     if (menu_item("Export...", "Ctrl+E", !export_.busy())) export_dialog();
     if (menu_item("Screenshot", "F12")) screenshot_due_ = true;
@@ -190,6 +178,7 @@ void EditorProgram::layout() {
     ImGui::PopStyleVar();
     if (keys_open_) keys_open_ = cheat_sheet({session_, items_});
     recovery_window();
+    notices();
     if (const auto path = dialog_.show(items_)) (this->*chosen_)(*path);
 }
 

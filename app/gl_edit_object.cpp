@@ -35,6 +35,7 @@ void GlEditObject::show(std::shared_ptr<const EditSurface> surface,
         surface_ = std::move(surface);
         scene_ = surface_ ? std::make_unique<GlScene>(*gl_, surface_->scene) : nullptr;
         picture_.reset();
+        normals_.reset();
         drawn_.reset();
     }
     const bool fits = surface_ && picture && picture->surface == surface_->number;
@@ -58,8 +59,18 @@ void GlEditObject::upload(const std::shared_ptr<const EditPicture>& picture) {
     texture.filter = TextureFilter::mip;
     texture.wrap_u = texture.wrap_v = TextureWrap::clamp;
     scene_->set_texture(baked_material(surface_->scene).texture, texture);
+    if (picture->normals != normals_) upload_normals(picture->normals);
     picture_ = picture;
     drawn_.reset();
+}
+
+void GlEditObject::upload_normals(std::shared_ptr<const Image<Rgb8>> normals) {
+    normals_ = std::move(normals);
+    const int number = baked_material(surface_->scene).normals;
+    if (number < 0 || !normals_) return;
+    SceneTexture texture = surface_->scene.textures[std::size_t(number)];
+    texture.image = *normals_;
+    scene_->set_texture(number, texture);
 }
 
 void GlEditObject::make_targets(const ObjectViewOptions& options) {

@@ -43,6 +43,7 @@ class GlEditObject {
 
   private:
     void upload(const std::shared_ptr<const EditPicture>& picture);
+    void upload_normals(std::shared_ptr<const Image<Rgb8>> normals);
     void make_targets(const ObjectViewOptions& options);
     void draw_samples(const ObjectViewOptions& options);
     void encode(const ObjectViewOptions& options) const;
@@ -54,6 +55,7 @@ class GlEditObject {
     std::unique_ptr<GlScene> scene_;
     std::shared_ptr<const EditPicture> picture_;
     GlEditLines lines_;
+    std::shared_ptr<const Image<Rgb8>> normals_;  ///< that are shown
     std::optional<GlTarget> samples_, shown_;
     GlRenderbuffer depth_;
     std::optional<ObjectViewOptions> drawn_;

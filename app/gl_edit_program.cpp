@@ -16,14 +16,6 @@
 
 namespace burl {
 
-namespace {
-
-bool is_recipe_file(const std::string& path) {
-    return std::filesystem::path(path).extension() == ".json";
-}
-
-}  // namespace
-
 EditorProgram::ImGuiOwner::ImGuiOwner() {
     IMGUI_CHECKVERSION();
     ImGui::CreateContext();
@@ -47,40 +39,19 @@ EditorProgram::EditorProgram(std::unique_ptr<GlWindow> window, const EditorOptio
       autosave_(options.autosave),
       left_behind_(autosave_.left_behind()),
       export_([this] { window_->wake(); }),
+      files_([this] { window_->wake(); }, options.recent),
       baker_([this] { window_->wake(); }),
       object_(window_->context().gl()),
       figures_([this] { window_->wake(); }),
       atlas_(window_->context().gl(), [this] { window_->wake(); }) {
     scale_ = normal_scale_ = options.ui_scale * window_->text_scale();
     if (options.gallery) gallery_.emplace(window_->context().gl(), [this] { window_->wake(); });
-    mesh_path_ = options.mesh;
-    baker_.set_mesh(load_mesh(options.mesh));
-    session_.tell(fmt::format("mesh {}", options.mesh));
-    request_texture();
+    files_.set_recipe(options.recipe);
+    files_.open(options.mesh);
 }
 
 EditorProgram::~EditorProgram() {
-    baker_.wait();
     export_.wait();
-}
-
-void EditorProgram::open_mesh(const std::string& path) {
-    try {
-        baker_.set_mesh(load_mesh(path));
-    } catch (const Error& error) {
-        session_.complain(error.what());
-        return;
-    }
-    mesh_path_ = path;
-    requested_.reset();
-    session_.tell(fmt::format("mesh {}", path));
-}
-
-void EditorProgram::open(const std::string& path) {
-    if (!is_recipe_file(path)) return open_mesh(path);
-    if (!session_.open_recipe(path)) return;
-    opened_ = session_.recipe();
-    opened_path_ = path;
 }
 
 void EditorProgram::take(const InputEvent& event) {
@@ -92,6 +63,7 @@ void EditorProgram::take(const InputEvent& event) {
 
 /// What other threads had to tell, and what becomes due with time.
 void EditorProgram::take_news() {
+    take_files();
     if (const auto problem = baker_.take_problem()) session_.complain(*problem);
     if (const auto problem = atlas_.take_problem()) session_.complain(*problem);
     if (const auto outcome = export_.take_outcome()) {
@@ -117,27 +89,6 @@ void EditorProgram::note(const std::vector<InputEvent>& events) {
     recording_->steps.push_back(std::move(step));
 }
 
-void EditorProgram::save() {
-    if (session_.recipe_path().ends_with(".json"))
-        save_as(session_.recipe_path());
-    else
-        ask_for_file(&EditorProgram::save_as,
-                     {"Save the recipe", {".json"}, true, session_.recipe().name + ".json"});
-}
-
-void EditorProgram::save_as(const std::string& path) {
-    try {
-        session_.save_recipe(path);
-    } catch (const Error& error) {
-        session_.complain(error.what());
-    }
-}
-
-void EditorProgram::export_as(const std::string& path) {
-    session_.tell(fmt::format("exporting {}", path));
-    export_.start(mesh_path_, session_.recipe(), path);
-}
-
 void EditorProgram::take_screenshot() {
     const std::string path = fmt::format("burl-{:03}.png", ++screenshots_);
     try {
@@ -146,12 +97,6 @@ void EditorProgram::take_screenshot() {
     } catch (const Error& error) {
         session_.complain(error.what());
     }
-}
-
-void EditorProgram::ask_for_file(void (EditorProgram::*then)(const std::string&),
-                                 FileDialog::Wish wish) {
-    chosen_ = then;
-    dialog_.open(std::move(wish));
 }
 
 /// The recipe on the screen, or while comparing the one that was opened.
@@ -167,7 +112,7 @@ void EditorProgram::request_texture() {
 }
 
 bool EditorProgram::settled() const {
-    return baker_.idle() && atlas_.idle() && !session_.history().in_gesture();
+    return files_.idle() && baker_.idle() && atlas_.idle() && !session_.history().in_gesture();
 }
 
 void EditorProgram::frame(const std::vector<InputEvent>& events) {
@@ -234,8 +179,20 @@ void EditorProgram::turn() {
 }
 
 void EditorProgram::run() {
+    files_.watch();
     while (!closing_) turn();
     autosave_.clear();
+}
+
+void EditorProgram::settle() {
+    while (files_.settle()) frame({});
+    export_.wait();
+    baker_.wait();
+    frame({});
+    if (gallery_) gallery_->wait();
+    figures_.wait();
+    atlas_.wait();
+    window_->present();
 }
 
 void EditorProgram::play(InputScript script, const std::string& folder) {
@@ -245,15 +202,7 @@ void EditorProgram::play(InputScript script, const std::string& folder) {
     while (!player.done() && !closing_) {
         ScriptPlayer::Frame next =
             player.next([this](const std::string& item) { return items_.find(item); });
-        if (next.settle) {
-            export_.wait();
-            baker_.wait();
-            frame({});
-            if (gallery_) gallery_->wait();
-            figures_.wait();
-            atlas_.wait();
-            window_->present();
-        }
+        if (next.settle) settle();
         frame(next.events);
         if (!next.screenshot.empty() && !folder.empty())
             write_png((std::filesystem::path(folder) / (next.screenshot + ".png")).string(),

@@ -11,6 +11,7 @@
 #include "app/edit_files.h"
 #include "app/edit_items.h"
 #include "app/edit_move.h"
+#include "app/edit_open_files.h"
 #include "app/edit_paint.h"
 #include "app/edit_panel_presets.h"
 #include "app/edit_panels.h"
@@ -29,6 +30,7 @@ struct EditorOptions {
     double ui_scale = 1.0;
     std::string autosave{};  ///< file (edit_autosave.h); empty: none
     bool gallery = true;     ///< whether presets have pictures
+    std::string recent{};    ///< file (edit_recent.h); empty: none
 };
 
 /// Where the time of a frame went, in seconds on the thread of the user interface.
@@ -40,11 +42,12 @@ struct FrameTimes {
 
 class EditorProgram {
   public:
-    /// Reads the recipe and the mesh. Throws Error as they do.
+    /// Reads the recipe and begins to read the mesh. Throws Error as the former does.
     EditorProgram(std::unique_ptr<GlWindow> window, const EditorOptions& options);
     ~EditorProgram();
 
-    /// One frame: what happened since the last one, then the panels, then the picture.
+    /// One frame: what happened since the last one, then the panels, then the picture. Throws Error
+    /// where the first mesh cannot be read.
     void frame(const std::vector<InputEvent>& events);
     /// Until the window is closed; waits while nothing happens.
     void run();
@@ -69,6 +72,7 @@ class EditorProgram {
     const EditBaker& baker() const { return baker_; }
     EditCamera& camera() { return camera_; }
     const GlEditAtlas& atlas() const { return atlas_; }
+    const EditOpenFiles& files() const { return files_; }
     /// Number of the last texture that was asked for.
     std::uint64_t last_request() const { return request_; }
     /// The texture that the last frame shows; null: none. And whether with many samples a pixel.
@@ -86,11 +90,18 @@ class EditorProgram {
     void take(const InputEvent& event);
     void take_news();
     void note(const std::vector<InputEvent>& events);
+    void take_files();
+    void take_mesh(FileRead read);
+    void take_recipe(FileRead read);
+    void settle();
     void open(const std::string& path);
+    void recent_menu();
+    void notices();
     void save();
     void ask_for_file(void (EditorProgram::*then)(const std::string&), FileDialog::Wish wish);
     void save_as(const std::string& path);
     void export_as(const std::string& path);
+    std::string command(std::vector<std::string> output = {}) const;
     void take_screenshot();
     void open_dialog();
     void export_dialog();
@@ -99,7 +110,6 @@ class EditorProgram {
     void file_menu();
     void view_menu();
     void recovery_window();
-    void open_mesh(const std::string& path);
     void shortcuts();
     void menu();
     void layout();
@@ -129,7 +139,6 @@ class EditorProgram {
     StopSelection stop_;
     EditPaint paint_;
     EditMove move_;
-    std::string mesh_path_;
     Recipe opened_;  ///< to compare with
     std::string opened_path_;
     std::optional<WorkerRequest> requested_;
@@ -145,6 +154,7 @@ class EditorProgram {
     bool screenshot_due_ = false;
     EditExport export_;
     FrameTimes times_;
+    EditOpenFiles files_;
 
     EditBaker baker_;
     GlEditObject object_;

@@ -38,7 +38,7 @@ struct Recipe {
     bool operator==(const Recipe&) const = default;
 };
 
-/// Map from solid space (unit box or object) to the texture's coordinates s: SolidOptions.
+/// Map from solid space (unit box or object) to the texture's coordinates s: the recipe's scale.
 Affine3 texture_from_solid(const Recipe& recipe);
 
 /// Map from the mesh's coordinates to the texture's coordinates s.

@@ -24,6 +24,7 @@
 #include "app/gl_bench.h"
 #include "app/gl_context.h"
 #include "app/gl_edit_bench.h"
+#include "app/gl_edit_bench_open.h"
 #include "app/report.h"
 #include "app/simd_limit.h"
 #include "app/verbs.h"
@@ -280,11 +281,17 @@ void run_editor_bench(const BenchCommand& command) {
     if (report_rows(command, rows, editor_bench_json)) fmt::print("{}", editor_bench_table(rows));
 }
 
+void run_open_bench(const BenchCommand& command) {
+    const std::vector<OpenBench> rows{bench_open(command.size == 0 ? 1'000'000 : command.size)};
+    if (report_rows(command, rows, open_bench_json)) fmt::print("{}", open_bench_table(rows[0]));
+}
+
 void run_bench(const BenchCommand& command) {
     if (command.suite == "plot") return run_plot(command);
     if (!command.out.empty()) check_side_output(command.out, "", {});
     if (command.suite == "atlas") return run_atlas_bench(command);
     if (command.suite == "editor") return run_editor_bench(command);
+    if (command.suite == "open") return run_open_bench(command);
     if (command.suite == "economy") return run_economy_bench(command);
     if (command.suite == "gl") return run_gl_bench(command);
     if (command.suite == "filter") return run_filter_bench(command);

@@ -10,6 +10,7 @@
 #include "app/atomic_file.h"
 #include "app/edit_autosave.h"
 #include "app/edit_export.h"
+#include "app/edit_reader.h"
 #include "app/file_bytes.h"
 #include "app/image_io.h"
 #include "app/pipeline.h"
@@ -63,7 +64,7 @@ TEST(EditExport, WritesWhatABakeWrites) {
     const ScratchFolder folder;
     const Recipe recipe = load_recipe("wood", {"atlas.size=64", "atlas.tries=1"});
     EditExport exports([] {});
-    exports.start("sample:cube", recipe, folder / "cube.png");
+    exports.start({"sample:cube", recipe, folder / "cube.png"});
     exports.wait();
     const auto outcome = exports.take_outcome();
     ASSERT_TRUE(outcome);
@@ -77,7 +78,7 @@ TEST(EditExport, WritesWhatABakeWrites) {
 
 TEST(EditExport, TellsWhatIsWrong) {
     EditExport exports([] {});
-    exports.start("sample:cube", load_recipe("wood"), "/nowhere/cube.glb");
+    exports.start({"sample:cube", load_recipe("wood"), "/nowhere/cube.glb"});
     exports.wait();
     const auto outcome = exports.take_outcome();
     ASSERT_TRUE(outcome);

@@ -88,7 +88,7 @@ TEST_F(GlEditProgramTest, OpensWhatIsDroppedAndSaysWhatItCannotOpen) {
     other.save_recipe(folder / "wood.json");
     play(*editor, R"({"drop": [")" + (folder / "wood.json") + R"("]}, {"settle": true})");
     EXPECT_EQ(editor->session().recipe(), other.recipe());
-    play(*editor, R"({"drop": ["/nowhere/mesh.obj"]})");
+    play(*editor, R"({"drop": ["/nowhere/mesh.obj"]}, {"settle": true})");
     ASSERT_FALSE(editor->session().log().empty());
     EXPECT_TRUE(editor->session().log().back().problem);
     EXPECT_EQ(editor->session().recipe(), other.recipe());
@@ -107,7 +107,7 @@ TEST_F(GlEditProgramTest, SavesAndExportsThroughTheDialog) {
          R"({"key": "Ctrl+E"}, {"wait": 2}, {"double_click": "file name"}, {"key": "Ctrl+A"},
         {"type": ")" +
              picture + R"("}, {"click": "file ok"}, {"settle": true})");
-    bake_file("sample:cube", editor->session().recipe(), folder / "expected.png");
+    bake_file({"sample:cube", editor->session().recipe(), folder / "expected.png"});
     EXPECT_EQ(read_file_bytes(picture), read_file_bytes(folder / "expected.png"));
 }
 

@@ -1,0 +1,17 @@
+#pragma once
+// The texture of a bake in the kind of image that its file wants, with its MIP levels.
+#include <vector>
+
+#include "app/bake_levels.h"
+
+namespace burl {
+
+struct BakedTexture {
+    BakedImage image{};
+    std::vector<BakedImage> levels{};  ///< 1, 2, ...
+};
+
+/// Of the pipeline's recipe.
+BakedTexture bake_texture(Pipeline& pipeline, ImageKind kind, const LevelsAsked& levels);
+
+}  // namespace burl

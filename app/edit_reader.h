@@ -1,0 +1,77 @@
+#pragma once
+// Meshes and recipes are read beside the user interface, which goes on with what it has until they
+// are there.
+#include <array>
+#include <condition_variable>
+#include <cstdint>
+#include <functional>
+#include <future>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/edit_watch.h"
+#include "app/recipe.h"
+#include "atlas/error.h"
+#include "atlas/mesh.h"
+
+namespace burl {
+
+/// A mesh file, or "sample:NAME". Throws Error.
+Mesh load_mesh(const std::string& path);
+
+/// What the file names: .json is a recipe.
+FileKind kind_of_file(const std::string& path);
+
+/// A file that was read, or why it was not.
+struct FileRead {
+    FileKind kind = FileKind::mesh;
+    std::string path{};
+    bool again = false;  ///< it was open already
+    std::optional<Error> problem{};
+    std::optional<Mesh> mesh{};  ///< one of the two, unless there is a problem
+    std::optional<Recipe> recipe{};
+    WatchedFiles files{};  ///< as they were before they were read
+    double seconds = 0.0;
+};
+
+/// Reads one. Never throws Error.
+FileRead read_opened(FileKind kind, const std::string& path);
+
+/// All functions may be called by one thread.
+class EditReader {
+  public:
+    /// `wake` is called by another thread when take() has something.
+    explicit EditReader(std::function<void()> wake) : wake_(std::move(wake)) {}
+    EditReader(const EditReader&) = delete;
+    EditReader& operator=(const EditReader&) = delete;
+    /// Waits for what is under way.
+    ~EditReader();
+
+    /// Begins at once. One of that kind that is still being read is not wanted any more: nobody
+    /// hears of it.
+    void read(FileKind kind, const std::string& path, bool again = false);
+    /// What is being read, by kind; empty: nothing.
+    std::string reading(FileKind kind) const;
+    /// Nothing is being read, and take() has had all.
+    bool idle() const;
+    /// Until nothing is being read.
+    void wait() const;
+    /// What has been read since, in the order in which that ended.
+    std::vector<FileRead> take();
+
+  private:
+    void run(std::uint64_t number, FileKind kind, const std::string& path, bool again);
+
+    std::function<void()> wake_;
+    mutable std::mutex mutex_;
+    mutable std::condition_variable changed_;
+    std::uint64_t numbers_ = 0;
+    std::array<std::uint64_t, 2> wanted_{};  ///< by kind, the newest that is under way; 0: none
+    std::array<std::string, 2> paths_;
+    std::vector<FileRead> done_;
+    std::vector<std::future<void>> running_;
+};
+
+}  // namespace burl

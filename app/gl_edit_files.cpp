@@ -1,0 +1,155 @@
+// What the editor's window has to do with files: those it has open, and its dialogs.
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <filesystem>
+#include <utility>
+
+#include "app/edit_panel_notices.h"
+#include "app/gl_edit_program.h"
+#include "app/mesh_notes.h"
+#include "atlas/error.h"
+
+namespace burl {
+
+namespace {
+
+std::string name_of(const std::string& path) {
+    return std::filesystem::path(path).filename().string();
+}
+
+}  // namespace
+
+void EditorProgram::open(const std::string& path) {
+    files_.open(path);
+}
+
+void EditorProgram::take_files() {
+    if (files_.recipe() != session_.recipe_path()) files_.set_recipe(session_.recipe_path());
+    const bool asked = files_.asks();
+    for (FileRead& read : files_.take(session_.history().changed())) {
+        const bool nothing_open = read.kind == FileKind::mesh && files_.mesh().empty();
+        if (read.problem && nothing_open) throw Error(*read.problem);
+        if (read.problem)
+            session_.complain(read.problem->what());
+        else if (read.kind == FileKind::mesh)
+            take_mesh(std::move(read));
+        else
+            take_recipe(std::move(read));
+    }
+    if (files_.asks() && !asked)
+        session_.complain(fmt::format("{} has changed on disk, and the recipe here is not saved",
+                                      files_.recipe()));
+}
+
+void EditorProgram::take_mesh(FileRead read) {
+    session_.tell(fmt::format("mesh {}{}: {} triangles, read in {:.2f} s", read.path,
+                              read.again ? " again" : "", read.mesh->triangles.size(),
+                              read.seconds));
+    for (const std::string& note : sentences_of(read.mesh->notes))
+        session_.tell(fmt::format("{}: {}", read.path, note));
+    baker_.set_mesh(std::move(*read.mesh));
+    requested_.reset();
+}
+
+/// One that is written as it stands here, such as by the editor itself, is no news.
+void EditorProgram::take_recipe(FileRead read) {
+    if (read.again && *read.recipe == session_.recipe()) return;
+    session_.take_recipe(std::move(*read.recipe), read.path);
+    opened_ = session_.recipe();
+    opened_path_ = read.path;
+}
+
+void EditorProgram::recent_menu() {
+    if (!ImGui::BeginMenu("Open recent", !files_.recent().paths().empty())) {
+        items_.note("menu:Open recent");
+        return;
+    }
+    items_.note("menu:Open recent");
+    for (const std::string& path : files_.recent().paths()) {
+        std::error_code unknown;
+        const bool there = std::filesystem::is_regular_file(path, unknown);
+        const std::string folder = name_of(std::filesystem::path(path).parent_path());
+        ImGui::PushID(path.c_str());
+        if (ImGui::MenuItem(name_of(path).c_str(), folder.c_str(), false, there)) open(path);
+        items_.note(fmt::format("recent:{}", name_of(path)));
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", path.c_str());
+        ImGui::PopID();
+    }
+    ImGui::EndMenu();
+}
+
+/// In the lower left corner of the object.
+void EditorProgram::notices() {
+    std::vector<Notice> notices;
+    for (const FileKind kind : {FileKind::mesh, FileKind::recipe})
+        if (const std::string path = files_.reading(kind); !path.empty())
+            notices.push_back({fmt::format("Reading {} ...", name_of(path))});
+    if (baker_.laying_out())
+        notices.push_back(
+            {"Laying out patches; until they are done, pairs of triangles are shown"});
+    if (export_.busy()) notices.push_back({"Exporting ..."});
+    if (files_.asks())
+        notices.push_back({fmt::format("{} has changed on disk; the recipe here is not saved",
+                                       name_of(files_.recipe())),
+                           {"Take the file's", "Keep this one"}});
+    const std::string answer = notices_panel(items_, notices);
+    if (answer == "Take the file's") files_.reload();
+    if (answer == "Keep this one") files_.keep();
+}
+
+void EditorProgram::save() {
+    if (session_.recipe_path().ends_with(".json"))
+        save_as(session_.recipe_path());
+    else
+        ask_for_file(&EditorProgram::save_as,
+                     {"Save the recipe", {".json"}, true, session_.recipe().name + ".json"});
+}
+
+void EditorProgram::save_as(const std::string& path) {
+    try {
+        session_.save_recipe(path);
+        files_.set_recipe(path);
+    } catch (const Error& error) {
+        session_.complain(error.what());
+    }
+}
+
+void EditorProgram::ask_for_file(void (EditorProgram::*then)(const std::string&),
+                                 FileDialog::Wish wish) {
+    chosen_ = then;
+    dialog_.open(std::move(wish));
+}
+
+void EditorProgram::open_dialog() {
+    ask_for_file(&EditorProgram::open, {"Open a mesh or recipe",
+                                        {".obj", ".ply", ".stl", ".off", ".gltf", ".glb", ".json"},
+                                        false,
+                                        {}});
+}
+
+void EditorProgram::export_dialog() {
+    ask_for_file(&EditorProgram::export_as,
+                 {"Export the textured mesh",
+                  {".glb", ".gltf", ".obj", ".png", ".exr", ".frag", ".glsl"},
+                  true,
+                  session_.recipe().name + ".glb",
+                  ".glb .gltf .obj: mesh and texture   .png .exr: texture   .frag .glsl: shader",
+                  "Write all MIP levels, too"});
+}
+
+/// What the command line would say now.
+std::string EditorProgram::command(std::vector<std::string> output) const {
+    const bool saved = !session_.history().changed();
+    return bake_command(files_.mesh(), saved ? session_.recipe_path() : opened_path_,
+                        saved ? session_.recipe() : opened_, session_.recipe(), std::move(output));
+}
+
+/// Of the recipe's own atlas, whatever is shown.
+void EditorProgram::export_as(const std::string& path) {
+    ExportRequest request{files_.mesh(), session_.recipe(), path, dialog_.chose()};
+    session_.tell(fmt::format("exporting {}, as {}", path, command(bake_options(request))));
+    export_.start(std::move(request));
+}
+
+}  // namespace burl

@@ -1,0 +1,216 @@
+// The editor's files as a person handles them: dropped, changed by other programs, opened again
+// from the menu, and exported.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <map>
+
+#include "app/atomic_file.h"
+#include "app/edit_export.h"
+#include "app/file_bytes.h"
+#include "tests/app/gl_edit_fixture.h"
+#include "tests/app/run_program.h"
+#include "tests/app/scratch_folder.h"
+
+namespace burl {
+namespace {
+
+constexpr const char* square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
+constexpr const char* triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+
+class GlEditFilesTest : public GlEditProgramTest {
+  protected:
+    std::unique_ptr<EditorProgram> open(const std::string& mesh, const std::string& recipe) {
+        EditorOptions options;
+        options.mesh = mesh;
+        options.recipe = recipe;
+        options.recent = folder / "recent";
+        auto editor = std::make_unique<EditorProgram>(
+            create_unseen_window(create_osmesa_context(), {800, 640}), options);
+        play(*editor, settle);
+        return editor;
+    }
+    void save(const std::string& recipe, const std::string& setting = "solid.scale=1") const {
+        write_file(folder / "r.json",
+                   to_json(load_recipe(recipe, {"atlas.size=64", "atlas.tries=1", setting})));
+    }
+    /// Names of the files "out...".
+    std::vector<std::string> outputs() const {
+        std::vector<std::string> names;
+        for (const auto& entry : std::filesystem::directory_iterator(folder.path()))
+            if (entry.path().filename().string().starts_with("out"))
+                names.push_back(entry.path().filename());
+        return names;
+    }
+    static std::string dropped(const std::string& path) {
+        return R"({"drop": [")" + path + R"("]}, {"settle": true}, {"wait": 2})";
+    }
+    static std::size_t triangles(const EditorProgram& editor) {
+        return editor.baker().surface()->triangles;
+    }
+
+    static constexpr const char* settle = R"({"settle": true}, {"wait": 2})";
+    ScratchFolder folder;
+};
+
+TEST_F(GlEditFilesTest, ADroppedMeshTakesThePlaceOfTheOldOne) {
+    write_file(folder / "m.obj", square);
+    save("marble");
+    const auto editor = open("sample:cube", folder / "r.json");
+    const Image<Rgb8> before = settled(*editor);
+    play(*editor, dropped(folder / "m.obj"));
+    EXPECT_EQ(triangles(*editor), 2u);
+    EXPECT_EQ(editor->files().mesh(), folder / "m.obj");
+    EXPECT_EQ(editor->baker().picture()->surface, editor->baker().surface()->number);
+    EXPECT_GT(different(*editor, before), 3000u);
+    // What cannot be read changes nothing but the log.
+    const Image<Rgb8> after = settled(*editor);
+    write_file(folder / "bad.obj", "v 0 0 0\nf 1 2 3\n");
+    play(*editor, dropped(folder / "bad.obj"));
+    EXPECT_EQ(different(*editor, after), 0u);
+    EXPECT_EQ(editor->files().mesh(), folder / "m.obj");
+    EXPECT_TRUE(editor->session().log().back().problem);
+    EXPECT_NE(editor->session().log().back().text.find("bad.obj:2"), std::string::npos);
+}
+
+TEST_F(GlEditFilesTest, AMeshThatChangesOnDiskIsShownFromWhereOneStands) {
+    write_file(folder / "m.obj", square);
+    save("marble");
+    const auto editor = open(folder / "m.obj", folder / "r.json");
+    play(*editor, R"({"drag": "object", "by": [80, 30]}, {"settle": true})");
+    const EditCamera camera = editor->camera();
+    write_file(folder / "m.obj", triangle);
+    play(*editor, settle);
+    EXPECT_EQ(triangles(*editor), 1u);
+    EXPECT_EQ(editor->camera(), camera);
+    write_file(folder / "m.obj", square);
+    play(*editor, R"({"key": "F5"}, {"settle": true}, {"wait": 2})");
+    EXPECT_EQ(triangles(*editor), 2u);
+}
+
+TEST_F(GlEditFilesTest, ARecipeThatChangesOnDiskIsOneStep) {
+    save("marble");
+    const auto editor = open("sample:cube", folder / "r.json");
+    const Recipe before = editor->session().recipe();
+    save("wood");
+    play(*editor, settle);
+    EXPECT_EQ(editor->session().recipe(), load_recipe(folder / "r.json"));
+    EXPECT_FALSE(editor->session().history().changed());
+    play(*editor, R"({"key": "Ctrl+Z"}, {"settle": true})");
+    EXPECT_EQ(editor->session().recipe(), before);
+}
+
+TEST_F(GlEditFilesTest, EditsAreNotLostToTheDisk) {
+    save("marble");
+    const auto editor = open("sample:cube", folder / "r.json");
+    play(*editor, R"({"click": "tab:Parameters"}, {"wait": 2})");
+    const auto edit = [&] {
+        play(*editor,
+             R"({"drag": "texture.input.noise.0.amplitude", "by": [30, 0]}, {"settle": true})");
+        return editor->session().recipe();
+    };
+    const Recipe edited = edit();
+    save("wood");
+    play(*editor, settle);
+    EXPECT_EQ(editor->session().recipe(), edited);
+    EXPECT_TRUE(editor->session().log().back().problem);
+    play(*editor, R"({"click": "Keep this one"}, {"settle": true}, {"wait": 2})");
+    EXPECT_EQ(editor->session().recipe(), edited);
+    EXPECT_FALSE(editor->items().find("Keep this one"));
+    save("wood", "solid.scale=2");
+    play(*editor, settle);
+    play(*editor, R"({"click": "Take the file's"}, {"settle": true}, {"wait": 2})");
+    EXPECT_EQ(editor->session().recipe(), load_recipe(folder / "r.json"));
+    EXPECT_FALSE(editor->items().find("Take the file's"));
+    play(*editor, R"({"key": "Ctrl+Z"}, {"settle": true})");
+    EXPECT_EQ(editor->session().recipe(), edited);
+}
+
+TEST_F(GlEditFilesTest, WhatItSavesItselfIsNoNews) {
+    save("marble");
+    const auto editor = open("sample:cube", folder / "r.json");
+    play(*editor, R"({"click": "tab:Parameters"}, {"wait": 2},
+        {"drag": "texture.input.noise.0.amplitude", "by": [30, 0]}, {"key": "Ctrl+S"}, {"wait": 2})");
+    EXPECT_EQ(load_recipe(folder / "r.json"), editor->session().recipe());
+    const std::size_t lines = editor->session().log().size();
+    play(*editor, settle);
+    EXPECT_EQ(editor->session().log().size(), lines);
+    play(*editor, R"({"key": "Ctrl+Z"}, {"settle": true})");
+    EXPECT_TRUE(editor->session().history().changed());
+}
+
+TEST_F(GlEditFilesTest, RecentFilesOpenFromTheMenu) {
+    write_file(folder / "m.obj", square);
+    write_file(folder / "n.obj", triangle);
+    save("marble");
+    {
+        const auto editor = open(folder / "m.obj", folder / "r.json");
+        play(*editor, dropped(folder / "n.obj"));
+    }
+    const auto editor = open("sample:cube", folder / "r.json");
+    const auto menu = [&](const std::string& name) {
+        play(*editor,
+             R"({"click": "menu:File"}, {"wait": 2}, {"click": "menu:Open recent"}, {"wait": 2},
+                {"click": "recent:)" +
+                 name + R"("}, {"settle": true}, {"wait": 2})",
+             "/tmp/fs");
+    };
+    menu("m.obj");
+    EXPECT_EQ(triangles(*editor), 2u);
+    std::filesystem::remove(folder / "n.obj");
+    menu("n.obj");  // it is grey
+    EXPECT_EQ(triangles(*editor), 2u);
+}
+
+/// The command that the log names, run by the shell, writes the same bytes.
+TEST_F(GlEditFilesTest, ExportsWhatTheCommandInTheLogWrites) {
+    const test::Scratch scratch;
+    save("marble");
+    const auto editor = open("sample:cube", folder / "r.json");
+    play(*editor, R"({"click": "tab:Parameters"}, {"wait": 2},
+        {"drag": "texture.input.noise.0.amplitude", "by": [30, 0]}, {"settle": true})");
+    const auto exported = [&](const std::string& name, bool levels) {
+        const std::string choice = levels ? R"({"click": "file choice"},)" : "";
+        play(*editor, R"({"key": "Ctrl+E"}, {"wait": 2},)" + choice +
+                          R"({"double_click": "file name"}, {"key": "Ctrl+A"}, {"type": ")" +
+                          (folder / name) + R"("}, {"wait": 2}, {"click": "file ok"},
+                          {"settle": true}, {"wait": 2})");
+        std::map<std::string, std::vector<std::uint8_t>> files;
+        for (const std::string& file : outputs()) files[file] = read_file_bytes(folder / file);
+        return files;
+    };
+    const auto command = [&] {
+        std::string text;
+        for (const LogLine& line : editor->session().log())
+            if (line.text.starts_with("exporting"))
+                text = line.text.substr(line.text.find("burl bake") + 5);
+        return text;
+    };
+    for (const auto& [name, levels] :
+         std::vector<std::pair<std::string, bool>>{{"out.glb", false},
+                                                   {"out.gltf", true},
+                                                   {"out.obj", false},
+                                                   {"out.png", true},
+                                                   {"out.exr", true},
+                                                   {"out.frag", false},
+                                                   {"out.glsl", false}}) {
+        SCOPED_TRACE(name);
+        const auto ours = exported(name, levels);
+        ASSERT_TRUE(ours.contains(name)) << editor->session().log().back().text;
+        if (name == "out.png") {
+            EXPECT_EQ(ours.size(), 7u);  // 64 to 1
+        }
+        for (const std::string& file : outputs()) std::filesystem::remove(folder / file);
+        const test::Outcome run = test::run_burl(scratch, command());
+        ASSERT_EQ(run.exit_code, 0) << run.err;
+        for (const auto& [file, bytes] : ours) EXPECT_EQ(read_file_bytes(folder / file), bytes);
+        for (const std::string& file : outputs()) std::filesystem::remove(folder / file);
+    }
+}
+
+TEST_F(GlEditFilesTest, AFirstMeshThatCannotBeReadEndsIt) {
+    EXPECT_THROW(open(folder / "missing.obj", "marble"), Error);
+}
+
+}  // namespace
+}  // namespace burl
