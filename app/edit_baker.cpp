@@ -236,6 +236,7 @@ void EditBaker::publish_picture(const WorkerRequest& request, std::uint32_t leve
     picture->request = request.number;
     picture->level = level;
     picture->texels = texels;
+    picture->levels = make_levels_(texels);
     picture->seconds = seconds;
     picture->normals = normals_;
     {

@@ -9,6 +9,7 @@
 
 #include "app/atlas_sheet.h"
 #include "app/edit_errands.h"
+#include "app/edit_levels.h"
 #include "app/edit_worker.h"
 #include "app/level_choice.h"
 #include "app/pipeline.h"
@@ -33,6 +34,7 @@ struct EditPicture {
     std::uint64_t number = 0, surface = 0, request = 0;
     std::uint32_t level = 0;
     Image<Rgb8> texels{};
+    std::vector<Image<Rgba8>> levels{};            ///< the same for OpenGL, with its own levels
     double seconds = 0.0;                          ///< that making it took
     std::shared_ptr<const Image<Rgb8>> normals{};  ///< of the bumps; null: none, or not yet
 };
@@ -123,6 +125,7 @@ class EditBaker {
 
     std::unique_ptr<Pipeline> pipeline_;  ///< the worker's alone, as the rest
     std::uint64_t mesh_ = 0;              ///< its number
+    EditLevels make_levels_;
     std::optional<LevelChoice> choice_;
     AtlasOptions shown_atlas_;
     bool shown_bumps_ = false;

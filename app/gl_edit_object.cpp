@@ -11,6 +11,12 @@ PictureSize sample_size(const ObjectViewOptions& options) {
     return {options.size.width * options.supersample, options.size.height * options.supersample};
 }
 
+/// A sample a pixel without lines over it needs no second pass, which would take longer than the
+/// first.
+bool is_direct(const ObjectViewOptions& options) {
+    return options.supersample == 1 && !options.edges && !options.borders;
+}
+
 GlRenderbuffer make_depth(const GladGLContext& gl, const PictureSize& size) {
     GLuint name = 0;
     gl.GenRenderbuffers(1, &name);
@@ -24,8 +30,9 @@ GlRenderbuffer make_depth(const GladGLContext& gl, const PictureSize& size) {
 
 GlEditObject::GlEditObject(const GladGLContext& gl)
     : gl_(&gl),
-      encode_(make_full_screen_program(gl, "the view of the object",
-                                       ShaderSource().add("edit_encode.frag"))),
+      encode_(
+          make_full_screen_program(gl, "the view of the object",
+                                   ShaderSource().add("srgb_encode.glsl").add("edit_encode.frag"))),
       pass_(gl),
       lines_(gl) {}
 
@@ -34,6 +41,9 @@ void GlEditObject::show(std::shared_ptr<const EditSurface> surface,
     if (surface != surface_) {
         surface_ = std::move(surface);
         scene_ = surface_ ? std::make_unique<GlScene>(*gl_, surface_->scene) : nullptr;
+        texture_.reset();
+        if (scene_)
+            texture_.emplace(*gl_, scene_->texture(baked_material(surface_->scene).texture).get());
         picture_.reset();
         normals_.reset();
         drawn_.reset();
@@ -54,11 +64,7 @@ const GlTexture* GlEditObject::texture() const {
 }
 
 void GlEditObject::upload(const std::shared_ptr<const EditPicture>& picture) {
-    SceneTexture texture;
-    texture.image = picture->texels;
-    texture.filter = TextureFilter::mip;
-    texture.wrap_u = texture.wrap_v = TextureWrap::clamp;
-    scene_->set_texture(baked_material(surface_->scene).texture, texture);
+    texture_->show(picture->levels);
     if (picture->normals != normals_) upload_normals(picture->normals);
     picture_ = picture;
     drawn_.reset();
@@ -73,25 +79,26 @@ void GlEditObject::upload_normals(std::shared_ptr<const Image<Rgb8>> normals) {
     scene_->set_texture(number, texture);
 }
 
+/// A target with depth.
+void GlEditObject::make_target(std::optional<View>& view, const PictureSize& size,
+                               GLenum format) const {
+    const GlSize texels{size.width, size.height};
+    if (view && view->colors.size() == texels) return;
+    view.emplace(View{GlTarget(*gl_, texels, {format}), make_depth(*gl_, size)});
+    view->colors.bind();
+    gl_->FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER,
+                                 view->depth.get());
+}
+
 void GlEditObject::make_targets(const ObjectViewOptions& options) {
-    const PictureSize samples = sample_size(options);
-    const GlSize size{samples.width, samples.height},
-        pixels{options.size.width, options.size.height};
-    if (!samples_ || samples_->size() != size) {
-        samples_.emplace(*gl_, size, std::initializer_list<GLenum>{GL_RGBA16F});
-        depth_ = make_depth(*gl_, samples);
-        samples_->bind();
-        gl_->FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER,
-                                     depth_.get());
-    }
-    if (shown_ && shown_->size() == pixels) return;
-    shown_.emplace(*gl_, pixels, std::initializer_list<GLenum>{GL_RGBA8});
+    make_target(shown_, options.size, GL_RGBA8);
+    if (!is_direct(options)) make_target(samples_, sample_size(options), GL_RGBA16F);
 }
 
 void GlEditObject::draw_samples(const ObjectViewOptions& options) {
     const PictureSize samples = sample_size(options);
     const Camera camera = camera_of(options.camera, surface_->sphere, options.size);
-    samples_->bind();
+    samples_->colors.bind();
     scene_->draw(camera, samples, {0, 0, samples.width, samples.height}, options.lit);
     if (options.edges) lines_.draw(GlEditLines::Kind::edges, camera, samples, options.supersample);
     if (options.borders)
@@ -99,25 +106,38 @@ void GlEditObject::draw_samples(const ObjectViewOptions& options) {
     gl_->Disable(GL_DEPTH_TEST);
 }
 
+void GlEditObject::draw_pixels(const ObjectViewOptions& options) const {
+    const PictureSize& size = options.size;
+    shown_->colors.bind();
+    scene_->draw_encoded(camera_of(options.camera, surface_->sphere, size), size,
+                         {0, 0, size.width, size.height}, options.lit);
+    gl_->Disable(GL_DEPTH_TEST);
+}
+
 void GlEditObject::encode(const ObjectViewOptions& options) const {
-    shown_->bind();
+    shown_->colors.bind();
     encode_.use();
     encode_.set("samples", 0);
     encode_.set("side", options.supersample);
-    bind_texture(*gl_, 0, samples_->texture());
+    bind_texture(*gl_, 0, samples_->colors.texture());
     pass_.draw();
     check_gl(*gl_, "drawing the object");
 }
 
 const GlTexture* GlEditObject::draw(const ObjectViewOptions& options) {
     if (!scene_ || options.size.width <= 0 || options.size.height <= 0) return nullptr;
-    if (drawn_ != options) {
+    drew_ = drawn_ != options;
+    if (drew_) {
         make_targets(options);
-        draw_samples(options);
-        encode(options);
+        if (is_direct(options)) {
+            draw_pixels(options);
+        } else {
+            draw_samples(options);
+            encode(options);
+        }
         drawn_ = options;
     }
-    return &shown_->texture();
+    return &shown_->colors.texture();
 }
 
 }  // namespace burl

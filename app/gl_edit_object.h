@@ -8,6 +8,7 @@
 #include "app/edit_baker.h"
 #include "app/edit_camera.h"
 #include "app/gl_edit_lines.h"
+#include "app/gl_edit_texture.h"
 #include "app/gl_scene.h"
 #include "app/gl_target.h"
 
@@ -36,6 +37,8 @@ class GlEditObject {
     /// Draws if need be. Row 0 of the texture is the picture's top row. Null without a surface or
     /// with a size of 0.
     const GlTexture* draw(const ObjectViewOptions& options);
+    /// Whether the last draw() had to.
+    bool drew() const { return drew_; }
     /// What was shown last; null: nothing of this surface.
     const EditPicture* picture() const { return picture_.get(); }
     /// Samples a side of a pixel that the last draw() had; 0: it drew nothing.
@@ -44,7 +47,14 @@ class GlEditObject {
   private:
     void upload(const std::shared_ptr<const EditPicture>& picture);
     void upload_normals(std::shared_ptr<const Image<Rgb8>> normals);
+    /// What the scene is drawn into.
+    struct View {
+        GlTarget colors;
+        GlRenderbuffer depth;
+    };
+    void make_target(std::optional<View>& view, const PictureSize& size, GLenum format) const;
     void make_targets(const ObjectViewOptions& options);
+    void draw_pixels(const ObjectViewOptions& options) const;
     void draw_samples(const ObjectViewOptions& options);
     void encode(const ObjectViewOptions& options) const;
 
@@ -53,12 +63,14 @@ class GlEditObject {
     GlFullScreen pass_;
     std::shared_ptr<const EditSurface> surface_;
     std::unique_ptr<GlScene> scene_;
+    std::optional<GlEditTexture> texture_;  ///< that the scene's surfaces show
     std::shared_ptr<const EditPicture> picture_;
     GlEditLines lines_;
     std::shared_ptr<const Image<Rgb8>> normals_;  ///< that are shown
-    std::optional<GlTarget> samples_, shown_;
-    GlRenderbuffer depth_;
+    std::optional<View> samples_,
+        shown_;  ///< the former where there are lines or many samples a pixel
     std::optional<ObjectViewOptions> drawn_;
+    bool drew_ = false;
 };
 
 }  // namespace burl

@@ -67,18 +67,20 @@ GlTexture upload(const GladGLContext& gl, const SceneTexture& texture, TextureFi
     return result;
 }
 
+const char* word(bool value) {
+    return value ? "true" : "false";
+}
+
 /// mesh.vert and a fragment shader that knows footprints.
-GlProgram scene_program(const GladGLContext& gl, const std::string& fragment) {
-    return make_program(gl, "the scene", ShaderSource().add("mesh.vert"),
-                        ShaderSource().add("footprint.glsl").add(fragment));
+GlProgram scene_program(const GladGLContext& gl, ShaderSource fragment) {
+    return make_program(gl, "the scene", ShaderSource().add("mesh.vert"), fragment);
 }
 
 }  // namespace
 
 GlScene::GlScene(const GladGLContext& gl, const Scene& scene, std::optional<TextureFilter> filter)
     : gl_(gl),
-      program_(scene_program(gl, "mesh.frag")),
-      lookups_(scene_program(gl, "mesh_lookups.frag")) {
+      lookups_(scene_program(gl, ShaderSource().add("footprint.glsl").add("mesh_lookups.frag"))) {
     for (std::size_t i = 0; i < scene.textures.size(); ++i) {
         filters_.push_back(drawn_filter(scene, int(i), filter));
         textures_.push_back(upload(gl, scene.textures[i], filters_.back()));
@@ -106,29 +108,52 @@ void GlScene::bind(GLenum unit, int number) const {
     gl_.BindTexture(GL_TEXTURE_2D, texture.get());
 }
 
+/// The program that draws so, in use.
+const GlProgram& GlScene::use(const Look& look) const {
+    auto found = programs_.find(look);
+    if (found == programs_.end()) {
+        ShaderSource source;
+        source.define("ENCODED", word(look.encoded)).define("LIT", word(look.lit));
+        source.define("BUMPED", word(look.bumped)).define("LEVELS", word(look.levels));
+        source.define("IN_BLOCKS", word(look.in_blocks));
+        source.add("footprint.glsl").add("srgb_encode.glsl").add("mesh.frag");
+        found = programs_.emplace(look, scene_program(gl_, source)).first;
+    }
+    const GlProgram& program = found->second;
+    program.use();
+    program.set("ambient", float(ambient));
+    program.set("base_color", 0);
+    program.set("normal_map", 1);
+    return program;
+}
+
 void GlScene::draw(const Camera& camera, const PictureSize& samples, const SampleTile& tile,
                    bool lit) const {
     clear(tile, Vec3f(background_linear()));
-    program_.use();
-    program_.set("lit", lit ? 1 : 0);
-    program_.set("ambient", float(ambient));
-    program_.set("base_color", 0);
-    program_.set("normal_map", 1);
-    const TileView view(camera, samples, tile);
+    draw_surfaces(TileView(camera, samples, tile), lit, false);
+}
+
+void GlScene::draw_encoded(const Camera& camera, const PictureSize& samples, const SampleTile& tile,
+                           bool lit) const {
+    const Vec3f codes(background_srgb.r, background_srgb.g, background_srgb.b);
+    clear(tile, codes / 255.0f);
+    draw_surfaces(TileView(camera, samples, tile), lit, true);
+}
+
+void GlScene::draw_surfaces(const TileView& view, bool lit, bool encoded) const {
     for (const GlSurface& surface : surfaces_) {
         const SceneMaterial& material = surface.material();
         const auto has_levels = [&](int number) {
             return number >= 0 && filters_[std::size_t(number)] == TextureFilter::mip;
         };
         const bool levels = has_levels(material.texture) || has_levels(material.normals);
+        const GlProgram& program =
+            use({encoded, lit, surface.bumped(), levels, levels && surface.in_blocks()});
         bind(GL_TEXTURE0, material.texture);
         bind(GL_TEXTURE1, material.normals);
-        program_.set("bumped", surface.bumped() ? 1 : 0);
-        program_.set("normal_scale", material.normal_scale);
-        program_.set("base_color_factor", material.factor);
-        program_.set("levels", levels ? 1 : 0);
-        program_.set("in_blocks", levels && surface.in_blocks() ? 1 : 0);
-        surface.draw(gl_, program_, view);
+        program.set("normal_scale", material.normal_scale);
+        program.set("base_color_factor", material.factor);
+        surface.draw(gl_, program, view);
     }
     check_gl(gl_, "drawing");
 }

@@ -1,6 +1,7 @@
 #pragma once
 // A scene on the GPU, drawn tile by tile: its colours, or what of a texture they were looked up
 // from (the feedback pass of virtual texturing: Barrett, "Sparse Virtual Textures", 2008).
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -28,6 +29,10 @@ class GlScene {
     void draw(const Camera& camera, const PictureSize& samples, const SampleTile& tile,
               bool lit) const;
 
+    /// The same in sRGB codes, where a sample is a pixel of the screen.
+    void draw_encoded(const Camera& camera, const PictureSize& samples, const SampleTile& tile,
+                      bool lit) const;
+
     /// Draws instead what every sample looks up of texture `number` (LookupSample,
     /// app/view_texels.h), whose sides have `size` texels whatever was uploaded.
     void draw_lookups(const Camera& camera, const PictureSize& samples, const SampleTile& tile,
@@ -36,9 +41,17 @@ class GlScene {
   private:
     void clear(const SampleTile& tile, const Vec3f& color) const;
     void bind(GLenum unit, int number) const;
+    /// What the program that draws a surface is made for.
+    struct Look {
+        bool encoded = false, lit = false, bumped = false, levels = false, in_blocks = false;
+        auto operator<=>(const Look&) const = default;
+    };
+    const GlProgram& use(const Look& look) const;
+    void draw_surfaces(const TileView& view, bool lit, bool encoded) const;
 
     const GladGLContext& gl_;
-    GlProgram program_, lookups_;
+    GlProgram lookups_;
+    mutable std::map<Look, GlProgram> programs_;  ///< those that were wanted so far
     GlTexture white_;
     std::vector<GlTexture> textures_;
     std::vector<TextureFilter> filters_;  ///< per texture

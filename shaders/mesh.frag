@@ -1,6 +1,8 @@
-// Needs footprint.glsl.
+// Needs footprint.glsl and srgb_encode.glsl.
 // Base colour in linear light, under a headlight: ambient + (1 - ambient) |n.v| as in
-// app/shading.h, with n bumped by a normal map as in procedural/tangent_frame.h. The target is linear float; sRGB encoding happens after averaging, on the host.
+// app/shading.h, with n bumped by a normal map as in procedural/tangent_frame.h. The target is
+// linear float; sRGB encoding happens after averaging, on the host, but where ENCODED says that a
+// sample is a pixel of the screen.
 in vec3 eye_position;
 in vec3 eye_normal;
 in vec3 local_normal;
@@ -9,15 +11,14 @@ in vec2 texture_uv;
 in vec4 vertex_color;
 flat in vec4 texture_block;  // low u, low v, high u, high v
 
+// A software OpenGL takes every branch, whichever way a uniform decides; so these are macros:
+// ENCODED: see above. LIT, BUMPED: by a normal map. LEVELS: lookups choose a level. IN_BLOCKS: they
+// keep to the block.
 uniform sampler2D base_color;
 uniform sampler2D normal_map;
-uniform bool bumped;
 uniform float normal_scale;
 uniform mat3 normal_from_local;
 uniform vec4 base_color_factor;
-uniform bool in_blocks;  // lookups keep to the block
-uniform bool levels;     // lookups choose a level
-uniform bool lit;
 uniform float ambient;
 
 out vec4 fragment;
@@ -44,15 +45,15 @@ vec4 block_lookup(sampler2D map, float level) {
 // The level is chosen here, as the specification has it, and not by the sampler, which may be half
 // a level off: which texels are read is known beforehand (app/view_texels.h).
 vec4 lookup(sampler2D map) {
-    if (!levels) return texture(map, texture_uv);
+    if (!LEVELS) return texture(map, texture_uv);
     float footprint = footprint_squared(texture_uv, vec2(textureSize(map, 0)));
     float level = 0.5 * log2(max(footprint, 1.0));
-    return in_blocks ? block_lookup(map, level) : textureLod(map, texture_uv, level);
+    return IN_BLOCKS ? block_lookup(map, level) : textureLod(map, texture_uv, level);
 }
 
 // In eye space, of any length.
 vec3 shading_normal() {
-    if (!bumped) return eye_normal;
+    if (!BUMPED) return eye_normal;
     vec3 normal = normalize(local_normal), tangent = normalize(local_tangent.xyz);
     vec3 bitangent = cross(normal, tangent) * local_tangent.w;
     vec3 share = (2.0 * lookup(normal_map).xyz - 1.0) * vec3(normal_scale, normal_scale, 1.0);
@@ -70,5 +71,6 @@ float headlight() {
 
 void main() {
     vec4 color = lookup(base_color) * base_color_factor * vertex_color;
-    fragment = vec4(lit ? color.rgb * headlight() : color.rgb, 1.0);
+    vec3 light = LIT ? color.rgb * headlight() : color.rgb;
+    fragment = vec4(ENCODED ? srgb_encoded(light) : light, 1.0);
 }
