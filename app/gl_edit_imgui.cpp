@@ -17,6 +17,11 @@ glm::ivec2 pixel_size(const ImDrawData& data) {
             int(std::lround(data.DisplaySize.y * data.FramebufferScale.y))};
 }
 
+ScreenRect whole(const ImDrawData& data) {
+    const ImVec2 &low = data.DisplayPos, &size = data.DisplaySize;
+    return {low, {low.x + size.x, low.y + size.y}};
+}
+
 }  // namespace
 
 GlImGui::GlImGui(const GladGLContext& gl)
@@ -50,6 +55,7 @@ void GlImGui::upload_fonts() {
     gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     fonts.SetTexID(imgui_texture(fonts_));
+    changes_ = {};
 }
 
 void GlImGui::set_state(const ImDrawData& data, const glm::ivec2& pixels) const {
@@ -72,31 +78,63 @@ void GlImGui::draw(const ImDrawData& data) const {
     const glm::ivec2 pixels = pixel_size(data);
     if (pixels.x <= 0 || pixels.y <= 0) return;  // a minimised window
     set_state(data, pixels);
-    for (int i = 0; i < data.CmdListsCount; ++i) draw(*data.CmdLists[i], data, pixels);
+    draw_within(data, pixels, whole(data));
     gl_->Disable(GL_SCISSOR_TEST);
     gl_->Disable(GL_BLEND);
     check_gl(*gl_, "drawing the user interface");
 }
 
-void GlImGui::draw(const ImDrawList& list, const ImDrawData& data, const glm::ivec2& pixels) const {
-    gl_->BindBuffer(GL_ARRAY_BUFFER, vertices_.get());
-    gl_->BufferData(GL_ARRAY_BUFFER, list.VtxBuffer.size_in_bytes(), list.VtxBuffer.Data,
-                    GL_STREAM_DRAW);
-    gl_->BufferData(GL_ELEMENT_ARRAY_BUFFER, list.IdxBuffer.size_in_bytes(), list.IdxBuffer.Data,
-                    GL_STREAM_DRAW);
-    for (const ImDrawCmd& command : list.CmdBuffer) draw(command, data, pixels);
+void GlImGui::update(const ImDrawData& data, const Vec3f& background, ImTextureID still) {
+    const glm::ivec2 pixels = pixel_size(data);
+    if (pixels.x <= 0 || pixels.y <= 0) return;
+    const std::vector<ScreenRect> parts = changes_.update(data, [&](ImTextureID texture) {
+        return texture == still || texture == imgui_texture(fonts_);
+    });
+    if (parts.empty()) return;
+    set_state(data, pixels);
+    gl_->ClearColor(background.x, background.y, background.z, 1.0f);
+    for (const ScreenRect& part : parts) {
+        if (!scissor(part, data, pixels)) continue;
+        gl_->Clear(GL_COLOR_BUFFER_BIT);
+        draw_within(data, pixels, part);
+    }
+    gl_->Disable(GL_SCISSOR_TEST);
+    gl_->Disable(GL_BLEND);
+    check_gl(*gl_, "drawing the user interface");
 }
 
-void GlImGui::draw(const ImDrawCmd& command, const ImDrawData& data,
-                   const glm::ivec2& pixels) const {
-    const auto pixel = [&](float x, float y) {
-        return glm::ivec2((x - data.DisplayPos.x) * data.FramebufferScale.x,
-                          (y - data.DisplayPos.y) * data.FramebufferScale.y);
+void GlImGui::draw_within(const ImDrawData& data, const glm::ivec2& pixels,
+                          const ScreenRect& part) const {
+    for (int i = 0; i < data.CmdListsCount; ++i) {
+        const ImDrawList& list = *data.CmdLists[i];
+        gl_->BindBuffer(GL_ARRAY_BUFFER, vertices_.get());
+        gl_->BufferData(GL_ARRAY_BUFFER, list.VtxBuffer.size_in_bytes(), list.VtxBuffer.Data,
+                        GL_STREAM_DRAW);
+        gl_->BufferData(GL_ELEMENT_ARRAY_BUFFER, list.IdxBuffer.size_in_bytes(),
+                        list.IdxBuffer.Data, GL_STREAM_DRAW);
+        for (const ImDrawCmd& command : list.CmdBuffer) {
+            const ImVec4& clip = command.ClipRect;
+            const ScreenRect shown = common(part, {{clip.x, clip.y}, {clip.z, clip.w}});
+            if (command.UserCallback == nullptr && scissor(shown, data, pixels)) draw(command);
+        }
+    }
+}
+
+/// Whole pixels; whether there are any.
+bool GlImGui::scissor(const ScreenRect& part, const ImDrawData& data,
+                      const glm::ivec2& pixels) const {
+    const auto pixel = [&](const ImVec2& at) {
+        return glm::ivec2((at.x - data.DisplayPos.x) * data.FramebufferScale.x,
+                          (at.y - data.DisplayPos.y) * data.FramebufferScale.y);
     };
-    const glm::ivec2 low = glm::max(pixel(command.ClipRect.x, command.ClipRect.y), glm::ivec2(0));
-    const glm::ivec2 high = glm::min(pixel(command.ClipRect.z, command.ClipRect.w), pixels);
-    if (command.UserCallback != nullptr || low.x >= high.x || low.y >= high.y) return;
+    const glm::ivec2 low = glm::max(pixel(part.low), glm::ivec2(0));
+    const glm::ivec2 high = glm::min(pixel(part.high), pixels);
+    if (low.x >= high.x || low.y >= high.y) return false;
     gl_->Scissor(low.x, pixels.y - high.y, high.x - low.x, high.y - low.y);
+    return true;
+}
+
+void GlImGui::draw(const ImDrawCmd& command) const {
     gl_->BindTexture(GL_TEXTURE_2D, GLuint(reinterpret_cast<std::uintptr_t>(command.GetTexID())));
     gl_->DrawElementsBaseVertex(GL_TRIANGLES, GLsizei(command.ElemCount),
                                 sizeof(ImDrawIdx) == 2 ? GL_UNSIGNED_SHORT : GL_UNSIGNED_INT,

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 
+#include "app/edit_changes.h"
 #include "app/gl_objects.h"
 
 namespace burl {
@@ -25,17 +26,23 @@ class GlImGui {
     /// Into the bound framebuffer, over its whole area, whose row 0 is the picture's lowest.
     /// Textures are sampled as their parameters say. Throws Error(runtime) when OpenGL fails.
     void draw(const ImDrawData& data) const;
+    /// The same over `background`, in a framebuffer that holds what the last call drew: only what
+    /// changed. Textures besides the fonts count as changed but for `still`.
+    void update(const ImDrawData& data, const Vec3f& background, ImTextureID still);
 
   private:
+    void draw_within(const ImDrawData& data, const glm::ivec2& pixels,
+                     const ScreenRect& part) const;
     void set_state(const ImDrawData& data, const glm::ivec2& pixels) const;
-    void draw(const ImDrawList& list, const ImDrawData& data, const glm::ivec2& pixels) const;
-    void draw(const ImDrawCmd& command, const ImDrawData& data, const glm::ivec2& pixels) const;
+    bool scissor(const ScreenRect& part, const ImDrawData& data, const glm::ivec2& pixels) const;
+    void draw(const ImDrawCmd& command) const;
 
     const GladGLContext* gl_;
     GlProgram program_;
     GlVertexArray vertex_array_;
     GlBuffer vertices_, indices_;
     GlTexture fonts_;
+    ScreenChanges changes_;
 };
 
 }  // namespace burl

@@ -233,7 +233,9 @@ void EditorProgram::object_image(const ImVec2& low, const ImVec2& size) {
     options.edges = atlas_.edges;
     options.borders = atlas_.borders;
     options.supersample = moving_camera_ || session_.history().in_gesture() ? 1 : 2;
-    if (const GlTexture* texture = object_.draw(options))
+    const GlTexture* texture = object_.draw(options);
+    still_ = texture && !object_.drew() ? imgui_texture(*texture) : nullptr;
+    if (texture)
         ImGui::GetWindowDrawList()->AddImage(imgui_texture(*texture), low,
                                              {low.x + size.x, low.y + size.y});
 }

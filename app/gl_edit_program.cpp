@@ -143,6 +143,7 @@ void EditorProgram::panels(const std::vector<InputEvent>& events) {
         set_interface_scale(scale_);
         renderer_.upload_fonts();
     }
+    still_ = nullptr;
     ImGui::NewFrame();
     shortcuts();
     layout();
@@ -152,12 +153,8 @@ void EditorProgram::panels(const std::vector<InputEvent>& events) {
 }
 
 void EditorProgram::draw_screen() {
-    const GladGLContext& gl = window_->context().gl();
     window_->bind_screen();
-    gl.ClearColor(0.1f, 0.1f, 0.1f, 1.0f);
-    gl.Disable(GL_SCISSOR_TEST);
-    gl.Clear(GL_COLOR_BUFFER_BIT);
-    renderer_.draw(*ImGui::GetDrawData());
+    renderer_.update(*ImGui::GetDrawData(), Vec3f(0.1f), still_);
 }
 
 Image<Rgb8> EditorProgram::screenshot() {

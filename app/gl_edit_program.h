@@ -155,6 +155,7 @@ class EditorProgram {
     EditExport export_;
     FrameTimes times_;
     EditOpenFiles files_;
+    ImTextureID still_{};  ///< the object's picture, where it is the last frame's
 
     EditBaker baker_;
     GlEditObject object_;

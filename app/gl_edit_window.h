@@ -22,7 +22,8 @@ class GlWindow {
     virtual glm::ivec2 size() const = 0;
     /// Pixels, those of the framebuffer; both are 0 while the window is minimised.
     virtual glm::ivec2 pixels() const = 0;
-    /// Binds the framebuffer that will be shown; row 0 is the lowest.
+    /// Binds the framebuffer that will be shown; row 0 is the lowest. As long as it keeps its size
+    /// it holds what was drawn last.
     virtual void bind_screen() = 0;
     /// Shows what was drawn. Throws Error(unsupported) when the context was lost.
     virtual void present() = 0;

@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <utility>
 
 #include "app/gl_edit_window.h"
 #include "app/gl_library.h"
+#include "app/gl_target.h"
 #include "atlas/error.h"
 
 namespace burl {
@@ -151,12 +153,20 @@ class DesktopWindow final : public GlWindow {
         glfwGetFramebufferSize(window_.get(), &size.x, &size.y);
         return size;
     }
-    void bind_screen() override { context_.gl().BindFramebuffer(GL_FRAMEBUFFER, 0); }
+    /// Its own even while minimised, when there are no pixels.
+    void bind_screen() override {
+        const glm::ivec2 size = pixels();
+        const bool resized = size.x > 0 && size.y > 0 && screen_ && screen_->size() != size;
+        if (!screen_ || resized)
+            screen_.emplace(context_.gl(), glm::max(size, glm::ivec2(1)), screen_format);
+        screen_->bind();
+    }
     void present() override {
         if (const GLenum problem = context_.gl().GetError(); problem == context_lost)
             throw Error(ExitCode::unsupported,
                         "the display's OpenGL context was lost; start burl-edit again, it will "
                         "offer what was not saved");
+        if (screen_) show_screen();
         glfwSwapBuffers(window_.get());
     }
     std::vector<InputEvent> poll(double seconds) override {
@@ -188,6 +198,19 @@ class DesktopWindow final : public GlWindow {
 
   private:
     static constexpr GLenum context_lost = 0x0507;  // OpenGL 4.5
+
+    static constexpr std::initializer_list<GLenum> screen_format{GL_RGBA8};
+
+    /// The display's own buffers keep nothing.
+    void show_screen() {
+        const GladGLContext& gl = context_.gl();
+        const glm::ivec2 size = screen_->size();
+        screen_->bind();
+        gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+        gl.BlitFramebuffer(0, 0, size.x, size.y, 0, 0, size.x, size.y, GL_COLOR_BUFFER_BIT,
+                           GL_NEAREST);
+        screen_->bind();
+    }
 
     static DesktopWindow& self(GLFWwindow* window) {
         return *static_cast<DesktopWindow*>(glfwGetWindowUserPointer(window));
@@ -234,6 +257,7 @@ class DesktopWindow final : public GlWindow {
     GlfwLibrary library_;
     WindowHandle window_;
     DesktopContext context_;
+    std::optional<GlTarget> screen_;
     std::vector<InputEvent> events_;
 };
 

@@ -4,7 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include "app/gl_edit_window.h"
+#include "app/gl_target.h"
 #include "tests/app/gl_fixture.h"
 
 namespace burl {
@@ -96,6 +99,68 @@ TEST_F(GlImGuiTest, WritesText) {
     for (const Rgb8& pixel : picture.pixels()) lit += pixel.r > 128;
     EXPECT_GT(lit, 30u);
     EXPECT_LT(lit, 300u);
+}
+
+/// A frame of five rectangles that random numbers move about, and some text.
+void paint_random(ImDrawList& list, std::mt19937& random) {
+    for (int i = 0; i < 5; ++i) {
+        const auto x = float(random() % 60U), y = float(random() % 40U);
+        list.AddRectFilled({x, y}, {x + 9.5f, y + 7.25f}, IM_COL32(40 * i, 255 - 40 * i, 90, 128));
+    }
+    list.AddText({float(random() % 30U), 20.0f}, IM_COL32_WHITE, random() % 2U == 0 ? "a" : "bcd");
+}
+
+TEST_F(GlImGuiTest, WhatChangedIsWhatWouldBeDrawn) {
+    const GladGLContext& gl = window->context().gl();
+    GlImGui renderer(gl);
+    for (unsigned frame = 0; frame < 40; ++frame) {
+        ImGui::NewFrame();
+        std::mt19937 fixed(frame / 8), moving(frame);
+        for (int i = 0; i < 3; ++i)
+            ImGui::GetBackgroundDrawList()->AddRectFilled({2, 2}, {50, 40}, IM_COL32(60, 0, 0, 99));
+        paint_random(*ImGui::GetBackgroundDrawList(), fixed);
+        if (frame % 3 == 0) paint_random(*ImGui::GetForegroundDrawList(), moving);
+        ImGui::Render();
+        window->bind_screen();
+        renderer.update(*ImGui::GetDrawData(), Vec3f(0.0f), nullptr);
+        const Image<Rgb8> updated = read_screen(*window, gl);
+        GlTarget target(gl, {64, 48}, {GL_RGBA8});
+        target.clear(0, Vec4f(0, 0, 0, 1));
+        renderer.draw(*ImGui::GetDrawData());
+        EXPECT_EQ(differing(updated, read_screen(*window, gl)), 0u) << frame;
+    }
+}
+
+TEST_F(GlImGuiTest, ChangesAreWhereSomethingDiffers) {
+    GlTexture texture = make_texture(window->context().gl());
+    const GlImGui renderer(window->context().gl());  // makes the fonts
+    ScreenChanges changes;
+    const auto changed = [&](float x, bool still) {
+        ImGui::NewFrame();
+        ImDrawList& list = *ImGui::GetBackgroundDrawList();
+        list.AddRectFilled({0, 0}, {64, 48}, IM_COL32(9, 9, 9, 255));
+        list.AddImage(imgui_texture(texture), {40, 10}, {60, 20});
+        list.AddRectFilled({x, 30}, {x + 4, 34}, IM_COL32_WHITE);
+        ImGui::Render();
+        return changes.update(*ImGui::GetDrawData(),
+                              [&](ImTextureID t) { return still || t != imgui_texture(texture); });
+    };
+    const auto contains = [](const ScreenRect& r, float x, float y) {
+        return r.low.x <= x && x < r.high.x && r.low.y <= y && y < r.high.y;
+    };
+    const std::vector<ScreenRect> first = changed(5, true);
+    ASSERT_EQ(first.size(), 1u);
+    EXPECT_TRUE(contains(first[0], 0, 0) && contains(first[0], 63, 47));
+    changed(5, true);  // Dear ImGui needs a frame to know its screen
+    EXPECT_TRUE(changed(5, true).empty());
+    const std::vector<ScreenRect> moved = changed(8, true);
+    ASSERT_EQ(moved.size(), 1u);
+    EXPECT_TRUE(contains(moved[0], 5, 30) && contains(moved[0], 11.5f, 33.5f));
+    EXPECT_FALSE(contains(moved[0], 20, 30) || contains(moved[0], 5, 20));
+    const std::vector<ScreenRect> redrawn = changed(8, false);
+    ASSERT_EQ(redrawn.size(), 1u);
+    EXPECT_TRUE(contains(redrawn[0], 40, 10) && contains(redrawn[0], 59.5f, 19.5f));
+    EXPECT_FALSE(contains(redrawn[0], 8, 30));
 }
 
 }  // namespace
