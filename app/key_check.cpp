@@ -33,9 +33,11 @@ const Json* place_at(const Json& recipe, std::string_view path) {
     return place;
 }
 
-const Parameter* stop_parameter() {
+/// Of the table, which is static: nobody owns it.
+std::shared_ptr<const Parameter> stop_parameter() {
     const auto all = parameters();
-    return &*std::ranges::find(all, "texture.stops.*.0", &Parameter::path);
+    return {std::shared_ptr<void>(),
+            &*std::ranges::find(all, "texture.stops.*.0", &Parameter::path)};
 }
 
 void add_stops(const Json& recipe, std::vector<RecipeNumber>& numbers) {
@@ -92,7 +94,7 @@ Found find_key_problem(const Json& keys, const RecipeNumber& number, const std::
             return mismatch(key + ".0", keys[i][0],
                             fmt::format("later than the key before it, {}", shown(keys[i - 1][0])));
         const double value = keys[i][1].get<double>();
-        const Parameter* p = number.parameter;
+        const Parameter* p = number.parameter.get();
         if (p && (value < p->low || value > p->high))
             return mismatch(key + ".1", keys[i][1],
                             fmt::format("from {} to {} as {}", p->low, p->high, number.path));

@@ -1,5 +1,6 @@
 #pragma once
 // Which numbers of a recipe may be keyed over time, and what may be wrong with its keys.
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,9 +13,8 @@ namespace burl {
 
 /// One number of a recipe, as it is without keys.
 struct RecipeNumber {
-    std::string path;  ///< as --set takes it
-    const Parameter* parameter =
-        nullptr;  ///< whose range it has; null: any number, an input of a node
+    std::string path;                            ///< as --set takes it
+    std::shared_ptr<const Parameter> parameter;  ///< whose range it has; null: any number
     double value = 0.0;
 };
 
