@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "procedural/color_entries.h"
+
 namespace burl {
 
 PreparedColorMap::PreparedColorMap(const ColorMap& map) : wrap_(map.wrap) {
@@ -98,16 +100,11 @@ std::vector<ColorTable8::Step> ColorTable8::steps_of(const PreparedColorMap& map
 }
 
 ColorTable8::ColorTable8(const ColorMap& map)
-    : wrap_(map.wrap), steps_(steps_of(PreparedColorMap(map))) {
-    entries_.reserve(entry_count + 1);
-    first_step_.reserve(entry_count + 1);
-    std::uint32_t step = 0;
-    for (std::uint32_t i = 0; i <= entry_count; ++i) {
-        while (steps_[step + 1].index <= double(i) / entry_count) ++step;
-        entries_.push_back(
-            {steps_[step].color, steps_[step + 1].index >= double(i + 1) / entry_count});
-        first_step_.push_back(step);
-    }
+    : wrap_(map.wrap),
+      steps_(steps_of(PreparedColorMap(map))),
+      entries_(entry_count + 1),
+      first_step_(entry_count + 1) {
+    fill_color_entries(steps_, entries_, first_step_);
 }
 
 void ColorTable8::look_up(const std::int32_t* entries, const double* f, std::size_t count,

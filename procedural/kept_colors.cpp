@@ -3,6 +3,8 @@
 #include <bit>
 #include <limits>
 
+#include "procedural/color_entries.h"
+
 // This file is compiled once per instruction set.
 // clang-format off
 #undef HWY_TARGET_INCLUDE
@@ -59,14 +61,7 @@ KeptColors::KeptColors(const ColorMap& map)
         step_codes_.push_back({color, true});
     }
     step_places_.resize(steps.size() + counted_steps, beyond);
-    std::uint32_t step = 0;
-    for (std::size_t i = 0; i < entries_.size(); ++i) {
-        const double begin = double(i * places_per_entry) / places;
-        const double end = double((i + 1) * places_per_entry) / places;
-        while (steps[step + 1].index <= begin) ++step;
-        entries_[i] = {steps[step].color, steps[step + 1].index >= end};
-        first_step_[i] = step;
-    }
+    fill_color_entries(steps, entries_, first_step_);
 }
 
 /// Places of steps below that of f are steps below f; only where they are equal f decides, and only
