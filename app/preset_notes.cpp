@@ -10,7 +10,6 @@ namespace {
 constexpr std::array notes{
     PresetNote{"marble", "White marble with dark veins in layers that noise bends."},
     PresetNote{"forming-marble", "Marble whose veins form over time: press K, then Space."},
-    PresetNote{"forming-marble", "Plain layers that noise bends into marble as time goes on."},
     PresetNote{"sine-marble", "Brown marble: a sine, bent by turbulence."},
     PresetNote{"pbrt-marble", "The marble of pbrt, its colours on a smooth spline."},
     PresetNote{"bresenham-marble", "Marble of linear noise, which can be made by additions alone."},
@@ -29,7 +28,6 @@ constexpr std::array notes{
     PresetNote{"moonlit-sea", "Dark water with a path of glitter towards the moon."},
     PresetNote{"fire", "Flames that burn upwards; the phase moves them."},
     PresetNote{"rising-fire", "Fire in motion: press K, then Space."},
-    PresetNote{"rising-fire", "The fire, rising without end: it comes round every eight seconds."},
     PresetNote{"stripes", "Slanting stripes, bent by noise."},
     PresetNote{"checks", "A checkerboard in space, smooth however far away."},
     PresetNote{"checker-floor", "A checkerboard on a floor."},
