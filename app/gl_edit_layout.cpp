@@ -44,6 +44,7 @@ void EditorProgram::take_tool(bool& tool) {
     const bool on = !tool;
     paint_.tool.on = move_.on = false;
     tool = on;
+    if (move_.on) ImGui::SetWindowFocus("Object");  // the arrow keys are its
 }
 
 void EditorProgram::shortcuts() {

@@ -217,8 +217,7 @@ TEST_F(EditMoveTest, TheGizmosHandlesMoveTurnAndSize) {
 }
 
 TEST_F(EditMoveTest, ArrowKeysStepUnlessAnotherWindowHasThem) {
-    const auto editor = with_tool();
-    drag(*editor, middle(*editor), middle(*editor));  // the object's window has the keys
+    const auto editor = with_tool(true);
     const Recipe recipe = editor->session().recipe();
     const auto solid = [&] { return editor->session().recipe().solid; };
     play(*editor, R"({"key": "Right"})");
