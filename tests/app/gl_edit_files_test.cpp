@@ -152,8 +152,7 @@ TEST_F(GlEditFilesTest, RecentFilesOpenFromTheMenu) {
         play(*editor,
              R"({"click": "menu:File"}, {"wait": 2}, {"click": "menu:Open recent"}, {"wait": 2},
                 {"click": "recent:)" +
-                 name + R"("}, {"settle": true}, {"wait": 2})",
-             "/tmp/fs");
+                 name + R"("}, {"settle": true}, {"wait": 2})");
     };
     menu("m.obj");
     EXPECT_EQ(triangles(*editor), 2u);
