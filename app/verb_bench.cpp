@@ -327,7 +327,8 @@ void add_bench(CLI::App& program) {
     verb->add_option(
             "suite", command->suite,
             "mesh_io, atlas, synthesis, resynthesis, levels, economy, filter, noise, forward, "
-            "gl, kernels, precision or stability; or plot, which draws a report: burl bench plot "
+            "gl, kernels, open, precision, stability or editor; or plot, which draws a report: "
+            "burl bench plot "
             "F.json -o F.svg")
         ->required()
         ->check(CLI::IsMember(bench_suite_names()));
