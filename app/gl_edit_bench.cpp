@@ -44,7 +44,9 @@ constexpr std::array subjects{Subject{"Parameters", "texture.input.noise.0.ampli
                               Subject{"Parameters", "object", 120.0,  // the texture on it
                                       R"({"key": "G"}, {"wait": 2}, {"click": "move.axes"},)"}};
 
-/// One drag to the right and back, in real time.
+constexpr double pixels_per_second = 90.0;
+
+/// One drag to the right and back and so on, in real time.
 class Drag {
   public:
     Drag(EditorProgram& editor, BenchWindow& window, const Subject& subject, EditorBench& bench)
@@ -57,7 +59,7 @@ class Drag {
         const double processor = processor_seconds();
         start_ = window_.seconds();
         window_.on_frame([this](const BenchWindow::Frame& frame) { note(frame); });
-        window_.set_hand([this, seconds](double now) { return hand((now - start_) / seconds); });
+        window_.set_hand([this](double now) { return hand(now - start_); });
         while (window_.seconds() < start_ + seconds) editor_.turn();
         bench_.seconds = window_.seconds() - start_;
         bench_.processor = 1e3 * (processor_seconds() - processor) /
@@ -83,8 +85,10 @@ class Drag {
         window_.set_hand({});
     }
 
-    std::vector<InputEvent> hand(double turn) {
-        const double x = turn < 0.5 ? 2.0 * turn : 2.0 - 2.0 * turn;
+    /// To and fro, fast enough that every event is on another pixel: the others change nothing.
+    std::vector<InputEvent> hand(double seconds) {
+        const double turn = std::fmod(pixels_per_second * seconds / subject_.reach, 2.0);
+        const double x = std::min(turn, 2.0 - turn);
         moved_ = true;
         return {pointer(from_ + glm::dvec2(subject_.reach * x, 0.0))};
     }
