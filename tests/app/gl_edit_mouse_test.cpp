@@ -255,7 +255,8 @@ TEST_F(GlEditMouseTest, OpensDragsUndoesSavesAndOpensAgain) {
         InputEvent drop{InputKind::drop};
         drop.files = {scratch / "marble.json"};
         editor.frame({drop});
-        EXPECT_EQ(person.recipe(), load_recipe("marble", small));
+        const Recipe marble = load_recipe("marble", small);
+        person.until("the marble", [&] { return person.recipe() == marble; });
         const Image<Rgb8> first = person.picture();
         EXPECT_FALSE(first == cube);
 
