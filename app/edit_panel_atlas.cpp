@@ -45,7 +45,7 @@ void scale_legend() {
     ImGui::TextUnformatted("1/2");
     ImGui::SameLine();
     ramp([](double t) { return color32(scale_color(std::exp2(2.0 * t - 1.0))); });
-    ImGui::TextUnformatted("2 times the mean texel density");
+    ImGui::TextUnformatted("2 times the mean");
 }
 
 void error_legend(const SheetPicture& picture, bool late) {
@@ -58,7 +58,7 @@ void error_legend(const SheetPicture& picture, bool late) {
     if (late)
         ImGui::TextDisabled("the slider moves ...");
     else
-        ImGui::Text("max %.3f, RMS %.3f; 1/2 rounds", picture.largest, picture.rms);
+        ImGui::Text("max %.3f, RMS %.3f, rounding 0.5", picture.largest, picture.rms);
 }
 
 }  // namespace

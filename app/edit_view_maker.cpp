@@ -36,6 +36,8 @@ void EditViewMaker::request(ViewWish wish) {
     wish_ = wish;
     {
         const std::scoped_lock lock(mutex_);
+        if (!wish.lines) surface_.reset(), lines_.reset();
+        if (!wish.sheet) picture_.reset();
         next_ = std::move(wish);
     }
     worker_.request({});
@@ -54,6 +56,7 @@ std::shared_ptr<const SurfaceLines> EditViewMaker::lines() const {
 void EditViewMaker::make_lines(const std::shared_ptr<const EditSurface>& surface) {
     auto lines = std::make_shared<const SurfaceLines>(surface_lines(surface->scene));
     const std::scoped_lock lock(mutex_);
+    if (next_.lines != surface) return;  // nobody wants them any more
     lines_ = std::move(lines);
     surface_ = surface;
 }
@@ -66,6 +69,7 @@ void EditViewMaker::make_picture(const ViewWish& wish, const std::stop_token& st
         picture = SheetPicture{wish, sheet_levels(*wish.sheet, wish.mode)};
     if (!picture) return;
     const std::scoped_lock lock(mutex_);
+    if (!next_.sheet) return;  // nobody looks any more
     picture_ = std::make_shared<const SheetPicture>(std::move(*picture));
 }
 
