@@ -142,7 +142,7 @@ TEST(PaintTexture, IsWhatASearchOverAllTexelsFinds) {
         EXPECT_GT(paint_over(solid, strokes, 1, image), 0u);
         const Difference difference = difference_from_search(solid, strokes, base, image);
         EXPECT_LT(difference.most, 2e-6);
-        EXPECT_GT(difference.painted, 500u);
+        EXPECT_GT(difference.painted, 300u);
     }
 }
 
@@ -164,7 +164,7 @@ TEST(PaintTexture, TexelsOutOfReachKeepTheirBitsInEveryFormat) {
             ++(reached ? painted : kept);
             wanted(painted_slowly(strokes, texel, Vec3d(0.2122)), image(x, y));
         });
-        EXPECT_GT(painted, 100u);
+        EXPECT_GT(painted, 50u);
         EXPECT_GT(kept, 100u);
     };
     // 127 of 255 is 0.2122 in linear light.
@@ -278,7 +278,7 @@ TEST(PaintedPipeline, PaintsEveryTexelOfEveryAtlasByItsPoint) {
         const Difference difference = difference_from_search(
             pipeline.solid(), recipe.paint, baked<RgbF>(plain), pipeline.synthesize<RgbF>());
         EXPECT_LT(difference.most, 2e-6);
-        EXPECT_GT(difference.painted, 500u);
+        EXPECT_GT(difference.painted, 300u);
     }
 }
 
