@@ -13,8 +13,9 @@ namespace burl {
 namespace {
 
 std::string counted(std::uint64_t count) {
-    if (count >= 10000000) return fmt::format("{:.1f} M", double(count) / 1e6);
-    if (count >= 10000) return fmt::format("{:.1f} k", double(count) / 1e3);
+    if (count >= 100000000) return fmt::format("{:.0f} M", double(count) / 1e6);
+    if (count >= 1000000) return fmt::format("{:.1f} M", double(count) / 1e6);
+    if (count >= 10000) return fmt::format("{:.0f} k", double(count) / 1e3);
     return fmt::format("{}", count);
 }
 
@@ -89,7 +90,7 @@ void stages(const StageRecords& records) {
         const SynthesisWork& work = record.done.work;
         ImGui::TableNextRow();
         cell(fmt::format("{} x{}", stage_names[k], record.runs));
-        cell(fmt::format("{:.1f}", 1e3 * record.seconds));
+        cell(fmt::format("{:.{}f}", 1e3 * record.seconds, record.seconds < 1.0 ? 1 : 0));
         cell(counted(work.texels));
         cell(counted(sum(work.texels_skipped)));
         cell(counted(work.octaves));

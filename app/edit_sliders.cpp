@@ -33,7 +33,8 @@ ValueEdit gesture() {
     return edit;
 }
 
-/// What the table says of the parameter, while the pointer rests on ImGui's last item.
+/// What the table says of the parameter, while the pointer rests on ImGui's last item: its name,
+/// for over the sliders it would cover those below.
 void tip(const RecipeLeaf& leaf) {
     if (!ImGui::IsItemHovered() || ImGui::IsItemActive()) return;
     const Parameter& parameter = *leaf.parameter;
@@ -49,7 +50,9 @@ void tip(const RecipeLeaf& leaf) {
                        fmt::format("{}{}", parameter.tip, named(", in ", parameter.unit)).c_str());
     ImGui::TextDisabled("%s",
                         (leaf.path + named(", by default ", parameter.default_value)).c_str());
-    if (slides) ImGui::TextDisabled("Double-click: default. Ctrl-click: type. Shift: fine.");
+    if (slides)
+        ImGui::TextDisabled(
+            "The slider: double-click for the default, Ctrl-click to type, Shift to drag finely.");
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
 }
@@ -117,7 +120,6 @@ ValueEdit edit_numbers(const RecipeLeaf& leaf, EditItems& items) {
         const ValueEdit one =
             edit_number(*leaf.parameter, i, leaf.value[i].get<double>(), id.c_str());
         items.note(fmt::format("{}.{}", leaf.path, i));
-        tip(leaf);
         ValueEdit all = one;
         if (one.value) {
             all.value = leaf.value;
@@ -133,10 +135,7 @@ ValueEdit edit_choice(const RecipeLeaf& leaf, EditItems& items, const char* id) 
     const std::string now = leaf.value.is_string() ? leaf.value.get<std::string>() : "";
     const bool open = ImGui::BeginCombo(id, now.c_str());
     items.note(leaf.path);
-    if (!open) {
-        tip(leaf);
-        return edit;
-    }
+    if (!open) return edit;
     for (const std::string_view choice : split_choices(leaf.parameter->choices)) {
         const std::string word(choice);
         if (ImGui::Selectable(word.c_str(), word == now) && word != now) edit.value = word;
@@ -193,7 +192,6 @@ ValueEdit edit_leaf(const RecipeLeaf& leaf, EditItems& items) {
         case ParameterType::integer:
             edit = edit_number(*leaf.parameter, 0, leaf.value.get<double>(), id.c_str());
             items.note(leaf.path);
-            tip(leaf);
             break;
         case ParameterType::numbers:
             ImGui::BeginGroup();
@@ -206,12 +204,10 @@ ValueEdit edit_leaf(const RecipeLeaf& leaf, EditItems& items) {
         case ParameterType::color:
             edit = edit_color(leaf, id.c_str());
             items.note(leaf.path);
-            tip(leaf);
             break;
         case ParameterType::text:
             edit = edit_text(leaf, id.c_str());
             items.note(leaf.path);
-            tip(leaf);
             break;
     }
     ImGui::SameLine();
