@@ -7,13 +7,16 @@
 #include <filesystem>
 #include <utility>
 
+#include "app/animation.h"
 #include "app/atomic_file.h"
 #include "app/bake_normals.h"
 #include "app/bake_texture.h"
 #include "app/edit_reader.h"
 #include "app/export.h"
 #include "app/gl_emit.h"
+#include "app/keyed_recipe.h"
 #include "app/lattice_check.h"
+#include "atlas/error.h"
 
 namespace burl {
 
@@ -40,6 +43,9 @@ std::vector<std::string> bake_options(const ExportRequest& request) {
         return {"-o", beside.string(), "--emit-glsl", request.out};
     }
     std::vector<std::string> options{"-o", request.out};
+    const KeyedAnimation& animation = request.recipe.animation;
+    if (!animation.tracks.empty())
+        options.insert(options.end(), {"--frames", fmt::format("{}", frame_count(animation))});
     if (request.levels) options.insert(options.end(), {"--levels", "all"});
     return options;
 }
@@ -64,6 +70,31 @@ void bake_file(const ExportRequest& request) {
     export_scene(request.out, pipeline.atlas_mesh(), pipeline.atlas(), texture.image, options);
 }
 
+void bake_frames(const ExportRequest& request) {
+    if (holds_mesh(request.out) || is_shader_file(request.out))
+        throw Error(ExitCode::usage,
+                    fmt::format("{}: frames are textures alone, .png or .exr", request.out));
+    constexpr int depth = 8;
+    constexpr std::size_t cache_bytes = std::size_t(512) << 20;
+    const KeyedAnimation& animation = request.recipe.animation;
+    const int frames = frame_count(animation);
+    Pipeline pipeline(load_mesh(request.mesh));
+    pipeline.set_cache(cache_bytes);
+    for (int i = 0; i < frames; ++i) {
+        const Recipe still = recipe_at(request.recipe, frame_seconds(animation, i, frames));
+        const std::string path = frame_path(request.out, std::size_t(i) + 1);
+        const NormalSpace normals = normals_asked("", still, path);
+        check_output(path, request.mesh, 0, normals != NormalSpace::none);
+        check_lattice(still, pipeline.mesh());
+        pipeline.set_recipe(still);
+        const BakedTexture texture = bake_texture(pipeline, wanted_kind(path, depth), {});
+        ExportOptions options;
+        options.normals = bake_normals(pipeline, normals, depth, options.crease_degrees);
+        options.recipe_json = to_json(still);
+        export_scene(path, pipeline.atlas_mesh(), pipeline.atlas(), texture.image, options);
+    }
+}
+
 void EditExport::start(ExportRequest request) {
     wait();
     {
@@ -76,7 +107,8 @@ void EditExport::start(ExportRequest request) {
 void EditExport::run(const ExportRequest& request) {
     Outcome outcome{false, fmt::format("exported {}", request.out)};
     try {
-        bake_file(request);
+        const bool moves = !request.recipe.animation.tracks.empty();
+        (moves ? bake_frames : bake_file)(request);
     } catch (const std::exception& problem) {
         outcome = {true, problem.what()};
     }

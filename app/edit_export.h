@@ -13,8 +13,8 @@
 namespace burl {
 
 struct ExportRequest {
-    std::string mesh{};  ///< a mesh file or sample
-    Recipe recipe{};
+    std::string mesh{};   ///< a mesh file or sample
+    Recipe recipe{};      ///< one with keys over time becomes the textures of all its frames
     std::string out{};    ///< its extension says what is written
     bool levels = false;  ///< all MIP levels besides the texture
 };
@@ -28,6 +28,10 @@ std::vector<std::string> bake_options(const ExportRequest& request);
 /// Reads the mesh, textures it and writes everything or nothing, as `burl bake` does with
 /// bake_options(). Throws Error.
 void bake_file(const ExportRequest& request);
+
+/// The textures of the frames of a recipe with keys (app/keyed_recipe.h), at its own rate: the
+/// files of `burl bake --frames`. Throws Error; before any is written where `out` is no texture.
+void bake_frames(const ExportRequest& request);
 
 class EditExport {
   public:

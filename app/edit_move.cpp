@@ -25,9 +25,9 @@ SolidDrag drag_of(const ImGuiIO& io) {
 }
 
 void change(EditSession& session, const SolidOptions& solid) {
-    Recipe recipe = session.recipe();
+    Recipe recipe = session.still();
     recipe.solid = solid;
-    session.history().change(std::move(recipe));
+    session.change_still(recipe);
 }
 
 /// What is held, and with a thread to its pivot where it turns or grows about one.
@@ -57,7 +57,7 @@ std::optional<SolidGizmo> EditMove::gizmo(const ObjectView& view, const SolidOpt
 }
 
 void EditMove::press(const ObjectView& view, EditSession& session, const Vec2d& pointer) {
-    const SolidOptions& solid = session.recipe().solid;
+    const SolidOptions& solid = session.still().solid;
     const ImGuiIO& io = ImGui::GetIO();
     if (const auto shown = gizmo(view, solid))
         if (const auto handle = handle_at(*shown, gizmo_view(view), pointer - view.low))
@@ -85,7 +85,7 @@ void EditMove::step(const ObjectView& view, EditSession& session) const {
     for (const auto& [modifier, drag] : drags)
         for (const auto& [arrow, way] : arrows)
             if (pressed(fmt::format("{}{}", modifier, arrow)))
-                change(session, stepped(view, session.recipe().solid, drag, way));
+                change(session, stepped(view, session.still().solid, drag, way));
 }
 
 void EditMove::drop(EditSession& session) {
@@ -111,9 +111,9 @@ bool EditMove::input(const ObjectView& view, EditSession& session) {
     return true;
 }
 
-void EditMove::draw(const ObjectView& view, const EditSession& session, EditItems& items) {
+void EditMove::draw(const ObjectView& view, EditSession& session, EditItems& items) {
     if (!on || !view.pick) return;
-    const SolidOptions& solid = session.recipe().solid;
+    const SolidOptions& solid = session.still().solid;
     const GizmoView seen = gizmo_view(view);
     if (!grab_) anchor_ = gizmo_anchor(seen, solid, anchor_, view.sphere, middle_of(view));
     std::optional<GizmoHandle> lit = grab_ ? grab_->handle() : std::nullopt;
@@ -140,10 +140,10 @@ void move_panel(const PanelContext& context, EditMove& tool, const ImVec2& low) 
         context.items.note("move.axes");
         ImGui::SameLine();
         if (ImGui::Button("Reset")) {
-            Recipe recipe = context.session.recipe();
+            Recipe recipe = context.session.still();
             recipe.solid.rotate = recipe.solid.translate = Vec3d(0.0);
             context.session.history().end_gesture();
-            context.session.history().change(std::move(recipe));
+            context.session.change_still(recipe);
         }
         context.items.note("move.reset");
     }

@@ -21,7 +21,7 @@ class EditMove {
     /// no other window has them.
     bool input(const ObjectView& view, EditSession& session);
     /// The gizmo, and what is held.
-    void draw(const ObjectView& view, const EditSession& session, EditItems& items);
+    void draw(const ObjectView& view, EditSession& session, EditItems& items);
 
   private:
     void step(const ObjectView& view, EditSession& session) const;

@@ -52,7 +52,7 @@ class MapEditor {
         : context_(context),
           path_(std::move(path)),
           selection_(selection),
-          recipe_(slider_json(context.session.recipe())),
+          recipe_(slider_json(context.session.still())),
           map_(map_of(at_path(recipe_, path_))) {}
 
     void show() {
@@ -111,6 +111,7 @@ class MapEditor {
         if (ImGui::IsItemActivated()) {
             history().begin_gesture();
             selection_ = {path_, index};
+            context_.session.touch(path_ + ".stops." + std::to_string(index) + ".0");
         }
         if (ImGui::IsItemActive() && ImGui::GetIO().MouseDelta.x != 0.0f) {
             const float share = ImGui::GetIO().KeyShift ? 0.1f : 1.0f;
@@ -193,7 +194,7 @@ class MapEditor {
 }  // namespace
 
 void color_maps_panel(const PanelContext& context, StopSelection& selection) {
-    const std::vector<std::string> paths = color_map_paths(slider_json(context.session.recipe()));
+    const std::vector<std::string> paths = color_map_paths(slider_json(context.session.still()));
     if (paths.empty()) ImGui::TextWrapped("This recipe has no colour map.");
     for (const std::string& path : paths) {
         ImGui::TextUnformatted(path.c_str());

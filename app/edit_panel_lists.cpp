@@ -37,6 +37,8 @@ constexpr auto keys = std::to_array<std::pair<const char*, const char*>>({
     {"Alt+left drag", "painting, moving: turn the object"},
     {"Ctrl+plus, Ctrl+minus, Ctrl+0", "larger, smaller, normal text"},
     {"arrows, Space, Tab", "go from item to item, use it, edit it"},
+    {"K", "timeline: keys of numbers over time"},
+    {"Space; I; Delete", "timeline: play; key the number last touched; remove the chosen key"},
     {"F12", "screenshot"},
     {"F1", "this list"},
     {"double-click a slider", "its default"},

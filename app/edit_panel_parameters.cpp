@@ -1,4 +1,7 @@
+#include <fmt/format.h>
 #include <imgui.h>
+
+#include <algorithm>
 
 #include "app/edit_groups.h"
 #include "app/edit_panels.h"
@@ -9,9 +12,27 @@ namespace burl {
 
 namespace {
 
+const ImVec4 keyed_color(0.45f, 0.36f, 0.10f, 1.0f);  // of what has keys over time
+
+/// The number of the leaf that a hand is on; empty: the leaf is none.
+std::string number_path(const RecipeLeaf& leaf, const ValueEdit& edit) {
+    const ParameterType type = leaf.parameter->type;
+    if (type == ParameterType::numbers) return fmt::format("{}.{}", leaf.path, edit.item);
+    const bool number = type == ParameterType::number || type == ParameterType::integer;
+    return number ? leaf.path : std::string();
+}
+
+bool is_keyed(const EditSession& session, const RecipeLeaf& leaf) {
+    return std::ranges::any_of(session.recipe().animation.tracks, [&](const KeyTrack& track) {
+        return track.path == leaf.path || track.path.starts_with(leaf.path + ".");
+    });
+}
+
 void hand_over(const PanelContext& context, const RecipeLeaf& leaf, const ValueEdit& edit) {
     EditHistory& history = context.session.history();
     if (edit.began) history.begin_gesture();
+    const std::string number = number_path(leaf, edit);
+    if ((edit.began || edit.value) && !number.empty()) context.session.touch(number);
     if (edit.value) context.session.set(leaf.path, *edit.value);
     if (edit.ended) history.end_gesture();
 }
@@ -26,7 +47,11 @@ void seed_button(const PanelContext& context, const RecipeLeaf& leaf) {
 
 void show(const PanelContext& context, const std::vector<RecipeLeaf>& leaves) {
     for (const RecipeLeaf& leaf : leaves) {
-        hand_over(context, leaf, edit_leaf(leaf, context.items));
+        const bool keyed = is_keyed(context.session, leaf);
+        if (keyed) ImGui::PushStyleColor(ImGuiCol_FrameBg, keyed_color);
+        const ValueEdit edit = edit_leaf(leaf, context.items);
+        if (keyed) ImGui::PopStyleColor();
+        hand_over(context, leaf, edit);
         if (leaf.label == "seed") seed_button(context, leaf);
     }
 }
@@ -50,7 +75,7 @@ void show(const PanelContext& context, const ParameterGroup& group) {
 }  // namespace
 
 void parameters_panel(const PanelContext& context) {
-    const auto leaves = recipe_leaves(slider_json(context.session.recipe()));
+    const auto leaves = recipe_leaves(slider_json(context.session.still()));
     for (const ParameterGroup& group : parameter_groups(leaves)) show(context, group);
 }
 

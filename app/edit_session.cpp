@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "app/atomic_file.h"
+#include "app/key_edit.h"
+#include "app/keyed_recipe.h"
 #include "atlas/error.h"
 
 namespace burl {
@@ -105,7 +107,38 @@ bool EditSession::set(const std::string& path, const Json& value) {
 }
 
 bool EditSession::set(const std::vector<std::string>& settings) {
-    return step([&] { return with_settings(recipe(), recipe_path_, settings); });
+    return step([&] {
+        return with_still(recipe(), time_, with_settings(still(), recipe_path_, settings));
+    });
+}
+
+bool EditSession::change_still(const Recipe& still) {
+    return step([&] { return with_still(recipe(), time_, still); });
+}
+
+bool EditSession::change_keys(KeyedAnimation animation) {
+    Recipe changed = recipe();
+    changed.animation = std::move(animation);
+    return change_recipe(std::move(changed));
+}
+
+bool EditSession::change_recipe(Recipe recipe) {
+    return step([&] { return std::move(recipe); });
+}
+
+const Recipe& EditSession::still() {
+    if (recipe().animation.tracks.empty()) return recipe();
+    if (still_ && still_->time == time_ && still_->of == recipe()) return still_->recipe;
+    Still now{recipe(), time_, recipe(), false};
+    now.recipe.animation = {};
+    try {
+        now.recipe = recipe_at(recipe(), time_);
+    } catch (const Error& error) {
+        now.fails = true;
+        if (!still_ || !still_->fails) complain(error.what());  // once, not in every frame
+    }
+    still_ = std::move(now);
+    return still_->recipe;
 }
 
 bool EditSession::open_recipe(const std::string& path) {
@@ -122,6 +155,7 @@ void EditSession::take_recipe(Recipe recipe, const std::string& path) {
     history_.end_gesture();
     history_.change(std::move(recipe));
     recipe_path_ = path;
+    time_ = 0.0;
     history_.mark_saved();
     tell(fmt::format("recipe {}", path));
 }

@@ -2,7 +2,9 @@
 // What an editor holds besides its pictures: the recipe with its history, where it came from, and
 // what there was to tell. It knows neither windows nor OpenGL.
 #include <deque>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/edit_history.h"
@@ -26,11 +28,25 @@ class EditSession {
     const Recipe& recipe() const { return history_.recipe(); }
     const std::string& recipe_path() const { return recipe_path_; }
 
-    /// One parameter, by its path as --set takes it. A value that recipes refuse changes nothing,
-    /// is logged, and gives false.
+    /// Where the clock of a recipe with keys over time stands, in seconds; moving it is no edit.
+    double time() const { return time_; }
+    void set_time(double seconds) { time_ = seconds; }
+    /// The recipe at that time, without keys: what is seen and what sliders show.
+    const Recipe& still();
+
+    /// One parameter of still(), by its path as --set takes it: a number that has keys gets one at
+    /// the present time. A value that recipes refuse changes nothing, is logged, and gives false.
     bool set(const std::string& path, const Json& value);
     /// Several at once, "path=value"; all or none.
     bool set(const std::vector<std::string>& settings);
+    /// An edit of still() as a whole, the same way.
+    bool change_still(const Recipe& still);
+    /// Other keys, and another recipe with its keys, each as one step.
+    bool change_keys(KeyedAnimation animation);
+    bool change_recipe(Recipe recipe);
+    /// The number last under a hand, of which the next key will be; empty: none.
+    const std::string& touched() const { return touched_; }
+    void touch(std::string path) { touched_ = std::move(path); }
     /// A file or preset as one step; what cannot be read is logged and gives false.
     bool open_recipe(const std::string& path);
     /// One that was read from there, in the same way.
@@ -53,6 +69,16 @@ class EditSession {
     EditHistory history_;
     std::string recipe_path_;
     std::deque<LogLine> log_;
+    double time_ = 0.0;
+    std::string touched_;
+    /// still() of a recipe with keys, and what it is of.
+    struct Still {
+        Recipe of{};
+        double time = 0.0;
+        Recipe recipe{};
+        bool fails = false;
+    };
+    std::optional<Still> still_;
 };
 
 /// The settings ("path=value") that make `recipe` of `base`, as few as there are differences.

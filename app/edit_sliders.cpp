@@ -20,6 +20,7 @@ constexpr double narrow = 64.0;     // a range this wide fits one slider
 constexpr double steps_about = 40;  // of a wide range, to both sides of the default
 
 void merge(ValueEdit& into, const ValueEdit& more) {
+    if (more.began || more.value) into.item = more.item;
     into.began |= more.began;
     into.ended |= more.ended;
     if (more.value) into.value = more.value;
@@ -121,6 +122,7 @@ ValueEdit edit_numbers(const RecipeLeaf& leaf, EditItems& items) {
             edit_number(*leaf.parameter, i, leaf.value[i].get<double>(), id.c_str());
         items.note(fmt::format("{}.{}", leaf.path, i));
         ValueEdit all = one;
+        all.item = i;
         if (one.value) {
             all.value = leaf.value;
             (*all.value)[i] = *one.value;

@@ -12,6 +12,7 @@ namespace burl {
 struct ValueEdit {
     std::optional<Json> value{};        ///< the new value
     bool began = false, ended = false;  ///< a gesture
+    std::size_t item = 0;               ///< of several numbers the one under the hand
     explicit operator bool() const { return value || began || ended; }
 };
 

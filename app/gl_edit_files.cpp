@@ -138,17 +138,39 @@ void EditorProgram::export_dialog() {
                   "Write all MIP levels, too"});
 }
 
+void EditorProgram::export_frames_dialog() {
+    ask_for_file(&EditorProgram::export_frames_as,
+                 {"Export every frame as a texture, numbered from NAME.0001 on",
+                  {".png", ".exr"},
+                  true,
+                  session_.recipe().name + ".png"});
+}
+
+double EditorProgram::seen_time() const {
+    return session_.recipe().animation.tracks.empty() ? 0.0 : session_.time();
+}
+
 /// What the command line would say now.
-std::string EditorProgram::command(std::vector<std::string> output) const {
+std::string EditorProgram::command(std::vector<std::string> output, double time) const {
     const bool saved = !session_.history().changed();
-    return bake_command(files_.mesh(), saved ? session_.recipe_path() : opened_path_,
-                        saved ? session_.recipe() : opened_, session_.recipe(), std::move(output));
+    const std::string line =
+        bake_command(files_.mesh(), saved ? session_.recipe_path() : opened_path_,
+                     saved ? session_.recipe() : opened_, session_.recipe(), std::move(output));
+    return time > 0.0 ? fmt::format("{} --time {}", line, time) : line;
 }
 
 /// Of the recipe's own atlas, whatever is shown.
 void EditorProgram::export_as(const std::string& path) {
-    ExportRequest request{files_.mesh(), session_.recipe(), path, dialog_.chose()};
-    session_.tell(fmt::format("exporting {}, as {}", path, command(bake_options(request))));
+    ExportRequest request{files_.mesh(), session_.still(), path, dialog_.chose()};
+    session_.tell(
+        fmt::format("exporting {}, as {}", path, command(bake_options(request), seen_time())));
+    export_.start(std::move(request));
+}
+
+void EditorProgram::export_frames_as(const std::string& path) {
+    ExportRequest request{files_.mesh(), session_.recipe(), path};
+    session_.tell(fmt::format("exporting the frames of {}, as {}", path,
+                              command(bake_options(request), 0.0)));
     export_.start(std::move(request));
 }
 

@@ -7,6 +7,7 @@
 
 #include "app/edit_keys.h"
 #include "app/edit_panel_paint.h"
+#include "app/edit_panel_timeline.h"
 #include "app/edit_scale.h"
 #include "app/gl_edit_program.h"
 #include "app/stopwatch.h"
@@ -59,7 +60,7 @@ void EditorProgram::shortcuts() {
     if (pressed("Ctrl+Y") || pressed("Ctrl+Shift+Z")) session_.history().redo();
     if (pressed("Ctrl+C")) window_->set_clipboard(to_json(session_.recipe()));
     if (pressed("Ctrl+V")) session_.paste_recipe(window_->clipboard());
-    if (pressed("Ctrl+Shift+C")) window_->set_clipboard(command());
+    if (pressed("Ctrl+Shift+C")) window_->set_clipboard(command({}, seen_time()));
     if (!atlas_.shortcuts() && pressed("F")) camera_ = fitted(camera_);
     if (pressed("1")) camera_ = from_front(camera_);
     if (pressed("3")) camera_ = from_side(camera_);
@@ -73,6 +74,7 @@ void EditorProgram::shortcuts() {
     if (pressed("G")) take_tool(move_.on);
     if (pressed("P")) take_tool(paint_.tool.on);
     paint_shortcuts(paint_.tool);
+    timeline_shortcuts(timeline_, session_);
 }
 
 bool EditorProgram::menu_item(const char* label, const char* key, bool enabled) {
@@ -92,6 +94,8 @@ void EditorProgram::file_menu() {
     if (menu_item("Reload", "F5")) files_.reload();
     if (menu_item("Save recipe", "Ctrl+S")) save();
     if (menu_item("Export...", "Ctrl+E", !export_.busy())) export_dialog();
+    const bool moves = !session_.recipe().animation.tracks.empty();
+    if (menu_item("Export frames...", "", moves && !export_.busy())) export_frames_dialog();
     if (menu_item("Screenshot", "F12")) screenshot_due_ = true;
     if (menu_item("Quit", "")) closing_ = true;
 }
@@ -106,6 +110,7 @@ void EditorProgram::view_menu() {
     menu_toggle("Atlas", "V", atlas_.state.shown);
     menu_toggle("Wireframe", "W", atlas_.edges);
     menu_toggle("Chart borders", "B", atlas_.borders);
+    menu_toggle("Timeline", "K", timeline_.open);
     ImGui::Separator();
     if (menu_item("Larger text", "Ctrl++")) scale_ = larger_scale(scale_);
     if (menu_item("Smaller text", "Ctrl+-")) scale_ = smaller_scale(scale_);
@@ -160,8 +165,9 @@ void EditorProgram::layout() {
     menu();
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     const float top = ImGui::GetFrameHeight(), side = side_share * display.x;
+    const float strip = timeline_.open ? timeline_height(session_) : 0.0f;
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0f);
-    ImVec2 object{display.x - side, display.y - top}, atlas{0.0f, top};
+    ImVec2 object{display.x - side, display.y - top - strip}, atlas{0.0f, top};
     if (atlas_.state.shown) split(object, atlas);
     ImGui::SetNextWindowPos({0.0f, top});
     ImGui::SetNextWindowSize(object);
@@ -171,6 +177,9 @@ void EditorProgram::layout() {
         ImGui::SetNextWindowSize(object);
         atlas_window();
     }
+    ImGui::SetNextWindowPos({0.0f, display.y - strip});
+    ImGui::SetNextWindowSize({display.x - side, strip});
+    if (timeline_.open) timeline_panel({session_, items_}, timeline_);
     paint_panel({session_, items_}, paint_.tool, {0.0f, top});
     move_panel({session_, items_}, move_, {0.0f, top});
     ImGui::SetNextWindowPos({display.x - side, top});
@@ -233,7 +242,8 @@ void EditorProgram::object_image(const ImVec2& low, const ImVec2& size) {
     options.lit = lit_;
     options.edges = atlas_.edges;
     options.borders = atlas_.borders;
-    options.supersample = moving_camera_ || session_.history().in_gesture() ? 1 : 2;
+    const bool moving = moving_camera_ || session_.history().in_gesture() || timeline_.moving();
+    options.supersample = moving ? 1 : 2;
     const GlTexture* texture = object_.draw(options);
     still_ = texture && !object_.drew() ? imgui_texture(*texture) : nullptr;
     if (texture)

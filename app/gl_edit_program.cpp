@@ -11,10 +11,24 @@
 #include "app/edit_keys.h"
 #include "app/edit_scale.h"
 #include "app/image_io.h"
+#include "app/keyed_recipe.h"
 #include "app/stopwatch.h"
 #include "atlas/error.h"
 
 namespace burl {
+
+namespace {
+
+/// The recipe at a time; its numbers without keys where those make no recipe.
+Recipe still_of(const Recipe& recipe, double seconds) {
+    try {
+        return recipe_at(recipe, seconds);
+    } catch (const Error&) {
+        return recipe;
+    }
+}
+
+}  // namespace
 
 EditorProgram::ImGuiOwner::ImGuiOwner() {
     IMGUI_CHECKVERSION();
@@ -102,8 +116,8 @@ void EditorProgram::take_screenshot() {
 /// The recipe on the screen, or while comparing the one that was opened.
 void EditorProgram::request_texture() {
     if (baker_.want_sheet(atlas_.state.shown)) requested_.reset();
-    const WorkerRequest wanted{comparing_ ? opened_ : session_.recipe(),
-                               session_.history().in_gesture()};
+    const WorkerRequest wanted{comparing_ ? still_of(opened_, session_.time()) : session_.still(),
+                               session_.history().in_gesture() || timeline_.moving()};
     const bool same = requested_ && requested_->recipe == wanted.recipe &&
                       (requested_->moving == wanted.moving || !requested_->moving);
     if (same) return;
@@ -112,7 +126,8 @@ void EditorProgram::request_texture() {
 }
 
 bool EditorProgram::settled() const {
-    return files_.idle() && baker_.idle() && atlas_.idle() && !session_.history().in_gesture();
+    return files_.idle() && baker_.idle() && atlas_.idle() && !session_.history().in_gesture() &&
+           !timeline_.moving();
 }
 
 void EditorProgram::frame(const std::vector<InputEvent>& events) {
@@ -138,6 +153,7 @@ void EditorProgram::panels(const std::vector<InputEvent>& events) {
     note(events);
     for (const InputEvent& event : events) take(event);
     take_news();
+    advance(timeline_, session_, double(io.DeltaTime));
     items_.clear();
     if (std::exchange(shown_scale_, scale_) != scale_) {
         set_interface_scale(scale_);
@@ -164,7 +180,7 @@ Image<Rgb8> EditorProgram::screenshot() {
 }
 
 void EditorProgram::turn() {
-    const bool busy = frames_to_draw_ > 0 || turntable_;
+    const bool busy = frames_to_draw_ > 0 || turntable_ || timeline_.playing;
     const std::vector<InputEvent> events = window_->poll(busy ? 0.0 : 1.0);
     // A wake of the pipeline ends the waiting without an event: a frame is due, too.
     frames_to_draw_ = events.empty() && !busy ? 1 : std::max(frames_to_draw_ - 1, 0);

@@ -16,6 +16,7 @@
 #include "app/edit_panel_presets.h"
 #include "app/edit_panels.h"
 #include "app/edit_session.h"
+#include "app/edit_timeline.h"
 #include "app/gl_edit_atlas.h"
 #include "app/gl_edit_gallery.h"
 #include "app/gl_edit_imgui.h"
@@ -101,10 +102,13 @@ class EditorProgram {
     void ask_for_file(void (EditorProgram::*then)(const std::string&), FileDialog::Wish wish);
     void save_as(const std::string& path);
     void export_as(const std::string& path);
-    std::string command(std::vector<std::string> output = {}) const;
+    double seen_time() const;  ///< 0 without keys
+    std::string command(std::vector<std::string> output, double time) const;
+    void export_frames_as(const std::string& path);
     void take_screenshot();
     void open_dialog();
     void export_dialog();
+    void export_frames_dialog();
     bool menu_item(const char* label, const char* key, bool enabled = true);
     void menu_toggle(const char* label, const char* key, bool& value);
     void file_menu();
@@ -137,6 +141,7 @@ class EditorProgram {
     bool lit_ = true, turntable_ = false, keys_open_ = false, comparing_ = false, closing_ = false;
     bool moving_camera_ = false;
     StopSelection stop_;
+    EditTimeline timeline_;
     EditPaint paint_;
     EditMove move_;
     Recipe opened_;  ///< to compare with

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 
 #include "app/recipe_leaves.h"
 
@@ -13,24 +12,11 @@ namespace {
 
 using Found = std::optional<RecipeProblem>;
 
-/// What lies at a dotted path; null: nothing.
-const Json* place_at(const Json& recipe, std::string_view path) {
-    const Json* place = &recipe;
-    for (const std::string_view part : split_path(path)) {
-        if (place->is_array()) {
-            std::size_t index = 0;
-            const auto [end, error] =
-                std::from_chars(part.data(), part.data() + part.size(), index);
-            if (error != std::errc() || end != part.data() + part.size() || index >= place->size())
-                return nullptr;
-            place = &(*place)[index];
-            continue;
-        }
-        const std::string key(part);
-        if (!place->is_object() || !place->contains(key)) return nullptr;
-        place = &(*place)[key];
-    }
-    return place;
+/// What lies at a dotted path, which there must be.
+const Json& place_at(const Json& recipe, const std::string& path) {
+    std::string pointer = "/" + path;
+    std::ranges::replace(pointer, '.', '/');
+    return recipe.at(Json::json_pointer(pointer));
 }
 
 /// Of the table, which is static: nobody owns it.
@@ -41,11 +27,12 @@ std::shared_ptr<const Parameter> stop_parameter() {
 }
 
 void add_stops(const Json& recipe, std::vector<RecipeNumber>& numbers) {
+    const auto parameter = stop_parameter();
     for (const std::string& map : color_map_paths(recipe)) {
-        const Json& stops = *place_at(recipe, map + ".stops");
+        const Json& stops = place_at(recipe, map + ".stops");
         for (std::size_t i = 0; i < stops.size(); ++i)
-            numbers.push_back({fmt::format("{}.stops.{}.0", map, i), stop_parameter(),
-                               stops[i][0].get<double>()});
+            numbers.push_back(
+                {fmt::format("{}.stops.{}.0", map, i), parameter, stops[i][0].get<double>()});
     }
 }
 
@@ -59,17 +46,11 @@ void add_leaf(const RecipeLeaf& leaf, std::vector<RecipeNumber>& numbers) {
             {fmt::format("{}.{}", leaf.path, i), leaf.parameter, leaf.value[i].get<double>()});
 }
 
-bool in_texture(std::string_view path) {
-    return path.starts_with("texture.") || path.starts_with("bump.");
-}
-
-std::optional<RecipeNumber> find_among(const std::vector<RecipeNumber>& numbers, const Json& recipe,
+std::optional<RecipeNumber> find_among(const std::vector<RecipeNumber>& numbers,
                                        std::string_view path) {
     const auto found = std::ranges::find(numbers, path, &RecipeNumber::path);
-    if (found != numbers.end()) return *found;
-    const Json* place = in_texture(path) ? place_at(recipe, path) : nullptr;
-    if (!place || !place->is_number()) return {};
-    return RecipeNumber{std::string(path), nullptr, place->get<double>()};
+    if (found == numbers.end()) return {};
+    return *found;
 }
 
 RecipeProblem unknown_number(const std::vector<RecipeNumber>& numbers, const Json& track,
@@ -94,10 +75,10 @@ Found find_key_problem(const Json& keys, const RecipeNumber& number, const std::
             return mismatch(key + ".0", keys[i][0],
                             fmt::format("later than the key before it, {}", shown(keys[i - 1][0])));
         const double value = keys[i][1].get<double>();
-        const Parameter* p = number.parameter.get();
-        if (p && (value < p->low || value > p->high))
+        const Parameter& p = *number.parameter;
+        if (value < p.low || value > p.high)
             return mismatch(key + ".1", keys[i][1],
-                            fmt::format("from {} to {} as {}", p->low, p->high, number.path));
+                            fmt::format("from {} to {} as {}", p.low, p.high, number.path));
     }
     return {};
 }
@@ -114,7 +95,7 @@ Found find_track_problem(const Json& recipe, const std::vector<RecipeNumber>& nu
         if (tracks[i]["path"] == track["path"])
             return mismatch(join_path(place, "path"), track["path"],
                             fmt::format("another one than that of animation.tracks.{}", i));
-    const auto number = find_among(numbers, recipe, track["path"].get<std::string>());
+    const auto number = find_among(numbers, track["path"].get<std::string>());
     if (!number) return unknown_number(numbers, track, place);
     return find_key_problem(track["keys"], *number, join_path(place, "keys"));
 }
@@ -130,7 +111,7 @@ std::vector<RecipeNumber> recipe_numbers(const Json& recipe) {
 }
 
 std::optional<RecipeNumber> find_number(const Json& recipe, std::string_view path) {
-    return find_among(recipe_numbers(recipe), recipe, path);
+    return find_among(recipe_numbers(recipe), path);
 }
 
 Found find_animation_problem(const Json& recipe) {

@@ -14,7 +14,7 @@ namespace burl {
 /// One number of a recipe, as it is without keys.
 struct RecipeNumber {
     std::string path;                            ///< as --set takes it
-    std::shared_ptr<const Parameter> parameter;  ///< whose range it has; null: any number
+    std::shared_ptr<const Parameter> parameter;  ///< whose range it has
     double value = 0.0;
 };
 
@@ -22,7 +22,7 @@ struct RecipeNumber {
 /// all frames share. The recipe's texture must have been checked.
 std::vector<RecipeNumber> recipe_numbers(const Json& recipe);
 
-/// One of them, or any other number that the JSON of a texture has at that path.
+/// One of them.
 std::optional<RecipeNumber> find_number(const Json& recipe, std::string_view path);
 
 /// The first thing that is wrong with the recipe's "animation", all else having been checked.
