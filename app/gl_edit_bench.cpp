@@ -168,6 +168,10 @@ double idle_share(EditorProgram& editor, const BenchWindow& window) {
     return (processor_seconds() - before) / (window.seconds() - start);
 }
 
+double share_of_finest(const EditorBench& row) {
+    return row.textures == 0 ? 0.0 : double(row.levels.front()) / double(row.textures);
+}
+
 Json durations_json(const Durations& durations) {
     return {{"median", durations.median}, {"p95", durations.p95}, {"longest", durations.longest}};
 }
@@ -225,13 +229,19 @@ Json editor_bench_json(const EditorBench& bench) {
 }
 
 std::string editor_bench_table(const std::vector<EditorBench>& rows) {
-    constexpr std::array titles{
-        std::array{"textures", "per s"},       std::array{"frames", "per s"},
-        std::array{"frames", "missed"},        std::array{"latency", "median ms"},
-        std::array{"latency", "95 %"},         std::array{"frame", "median ms"},
-        std::array{"frame", "longest"},        std::array{"panels", "longest"},
-        std::array{"finest", "after ms"},      std::array{"smooth", "after ms"},
-        std::array{"processor", "ms/texture"}, std::array{"idle", "%"}};
+    constexpr std::array titles{std::array{"textures", "per s"},
+                                std::array{"at level 0", "%"},
+                                std::array{"frames", "per s"},
+                                std::array{"frames", "missed"},
+                                std::array{"latency", "median ms"},
+                                std::array{"latency", "95 %"},
+                                std::array{"frame", "median ms"},
+                                std::array{"frame", "longest"},
+                                std::array{"panels", "longest"},
+                                std::array{"finest", "after ms"},
+                                std::array{"smooth", "after ms"},
+                                std::array{"processor", "ms/texture"},
+                                std::array{"idle", "%"}};
     std::string text;
     for (const std::size_t line : {0, 1}) {
         text += fmt::format("{:<34}", line == 0 ? "dragged" : "");
@@ -241,10 +251,10 @@ std::string editor_bench_table(const std::vector<EditorBench>& rows) {
     for (const EditorBench& row : rows) {
         text += fmt::format("{:<34}", row.what);
         for (const double figure :
-             {double(row.textures) / row.seconds, double(row.frames) / row.seconds,
-              double(row.dropped_frames), row.latency.median, row.latency.p95, row.frame.median,
-              row.frame.longest, row.panels.longest, row.finest_after, row.smooth_after,
-              row.processor, 100.0 * row.idle_share})
+             {double(row.textures) / row.seconds, 100.0 * share_of_finest(row),
+              double(row.frames) / row.seconds, double(row.dropped_frames), row.latency.median,
+              row.latency.p95, row.frame.median, row.frame.longest, row.panels.longest,
+              row.finest_after, row.smooth_after, row.processor, 100.0 * row.idle_share})
             text += fmt::format(" {:>10.1f}", figure);
         text += "\n";
     }
