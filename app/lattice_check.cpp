@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "app/graph_lattice.h"
+#include "app/mapped_box.h"
 #include "atlas/error.h"
 #include "procedural/octaves.h"
 
@@ -65,17 +66,7 @@ void check_lattice(const Recipe& recipe, const Box3& box) {
 }
 
 void check_lattice(const Recipe& recipe, const Mesh& mesh) {
-    const Affine3 map = texture_from_mesh(recipe, mesh);
-    const Box3 box = bounding_box(mesh);
-    Box3 seen{Vec3d(HUGE_VAL), Vec3d(-HUGE_VAL)};
-    for (int corner = 0; corner < 8; ++corner) {
-        const Vec3d s =
-            map({(corner & 1 ? box.high : box.low).x, (corner & 2 ? box.high : box.low).y,
-                 (corner & 4 ? box.high : box.low).z});
-        seen.low = glm::min(seen.low, s);
-        seen.high = glm::max(seen.high, s);
-    }
-    check_lattice(recipe, seen);
+    check_lattice(recipe, mapped(texture_from_mesh(recipe, mesh), bounding_box(mesh)));
 }
 
 }  // namespace burl

@@ -7,6 +7,7 @@
 #include "app/fill_texture.h"
 #include "app/image_diff.h"
 #include "app/lattice_check.h"
+#include "app/mapped_box.h"
 #include "app/paint_texture.h"
 #include "atlas/error.h"
 #include "atlas/solid_level.h"
@@ -19,18 +20,6 @@ namespace {
 
 constexpr std::size_t texels_per_task = 8192;
 constexpr Rgb8 nothing_color{33, 33, 33};  // gap_color of metrics_pictures.h
-
-Box3 mapped(const Affine3& map, const Box3& box) {
-    Box3 seen{Vec3d(HUGE_VAL), Vec3d(-HUGE_VAL)};
-    for (int corner = 0; corner < 8; ++corner) {
-        const Vec3d s =
-            map({(corner & 1 ? box.high : box.low).x, (corner & 2 ? box.high : box.low).y,
-                 (corner & 4 ? box.high : box.low).z});
-        seen.low = glm::min(seen.low, s);
-        seen.high = glm::max(seen.high, s);
-    }
-    return seen;
-}
 
 double difference(std::uint8_t code, float linear) {
     const double exact = 255.0 * srgb_encode(std::clamp(double(linear), 0.0, 1.0));

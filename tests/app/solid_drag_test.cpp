@@ -10,15 +10,10 @@
 
 #include "app/rotation_angles.h"
 #include "procedural/rotation.h"
+#include "tests/app/solid_map.h"
 
 namespace burl {
 namespace {
-
-Affine3 map_of(const SolidOptions& solid) {
-    Recipe recipe;
-    recipe.solid = solid;
-    return texture_from_solid(recipe);
-}
 
 double difference(const Mat3d& a, const Mat3d& b) {
     double most = 0.0;

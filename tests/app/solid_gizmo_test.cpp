@@ -6,15 +6,10 @@
 #include <cmath>
 
 #include "app/ray.h"
+#include "tests/app/solid_map.h"
 
 namespace burl {
 namespace {
-
-Affine3 map_of(const SolidOptions& solid) {
-    Recipe recipe;
-    recipe.solid = solid;
-    return texture_from_solid(recipe);
-}
 
 class SolidGizmoTest : public ::testing::Test {
   protected:
