@@ -1,17 +1,24 @@
 // Vertices are numbered by first use, so the arrays follow the triangles and are deterministic.
+// Corners can agree only where they meet at a point of the mesh, so points are worked at apart.
 #include "app/export_vertices.h"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <map>
 #include <utility>
 
-#include "app/unique_rows.h"
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include "app/corners_by_point.h"
 
 namespace burl {
 namespace {
 
-using Vertices = UniqueRows<7>;  // point, u, v, normal, w of the tangent
+using Range = tbb::blocked_range<std::size_t>;
+constexpr std::size_t grain = 4096;
+constexpr std::size_t few_corners = 24;  // up to here all are compared with all
 
 std::uint32_t bits(float value) {
     return std::bit_cast<std::uint32_t>(value + 0.0f);
@@ -23,18 +30,70 @@ struct CornerFrames {
     std::span<const Vec4f> tangents;
 };
 
-Vertices::Row vertex_row(const Mesh& mesh, const Atlas& atlas, const CornerFrames& frames,
-                         std::size_t t, std::size_t k) {
-    const Vec3f& n = frames.normals[3 * t + k];
-    const float w = frames.tangents.empty() ? 1.0f : frames.tangents[3 * t + k].w;
-    const Vec2d uv = atlas.corners[t][k] / atlas.extent();
-    return {mesh.triangles[t][k],
-            bits(float(uv.x)),
-            bits(float(uv.y)),
-            bits(n.x),
-            bits(n.y),
-            bits(n.z),
-            bits(w)};
+/// What corners at one point must agree in: part, u, v, normal, w of the tangent.
+using Row = std::array<std::uint32_t, 7>;
+
+std::array<float, 2> uv_of(const Atlas& atlas, std::size_t corner) {
+    const Vec2d uv = atlas.corners[corner / 3][corner % 3] / atlas.extent();
+    return {float(uv.x), float(uv.y)};
+}
+
+Row row_of(const Atlas& atlas, const CornerFrames& frames, std::span<const std::uint32_t> parts,
+           std::size_t corner) {
+    const Vec3f& n = frames.normals[corner];
+    const float w = frames.tangents.empty() ? 1.0f : frames.tangents[corner].w;
+    const auto [u, v] = uv_of(atlas, corner);
+    return {parts[corner / 3], bits(u), bits(v), bits(n.x), bits(n.y), bits(n.z), bits(w)};
+}
+
+/// Finds for the corners at a point the first that each agrees with.
+class Agreement {
+  public:
+    template <class RowOf>
+    void find(std::span<const std::uint32_t> corners, const RowOf& row_of,
+              std::vector<std::uint32_t>& first) {
+        if (corners.size() > few_corners) return find_many(corners, row_of, first);
+        rows_.clear();
+        for (const std::uint32_t corner : corners) {
+            rows_.push_back(row_of(corner));
+            const auto same = std::find(rows_.begin(), rows_.end(), rows_.back());
+            first[corner] = corners[std::size_t(same - rows_.begin())];
+        }
+    }
+
+  private:
+    template <class RowOf>
+    static void find_many(std::span<const std::uint32_t> corners, const RowOf& row_of,
+                          std::vector<std::uint32_t>& first) {
+        std::map<Row, std::uint32_t> known;
+        for (const std::uint32_t corner : corners)
+            first[corner] = known.try_emplace(row_of(corner), corner).first->second;
+    }
+
+    std::vector<Row> rows_;
+};
+
+std::vector<std::uint32_t> parts_of_triangles(const Mesh& mesh) {
+    std::vector<std::uint32_t> parts(mesh.triangles.size());
+    for (std::size_t i = 0; i < mesh.parts.size(); ++i)
+        std::fill_n(parts.begin() + std::ptrdiff_t(mesh.parts[i].first_triangle),
+                    mesh.parts[i].triangle_count, static_cast<std::uint32_t>(i));
+    return parts;
+}
+
+/// Per corner the first that is the same vertex.
+std::vector<std::uint32_t> first_corners(const Mesh& mesh, const Atlas& atlas,
+                                         const CornerFrames& frames) {
+    const CornersByPoint around(mesh);
+    const std::vector<std::uint32_t> parts = parts_of_triangles(mesh);
+    std::vector<std::uint32_t> first(3 * mesh.triangles.size());
+    const auto row = [&](std::size_t corner) { return row_of(atlas, frames, parts, corner); };
+    tbb::parallel_for(Range(0, around.points(), grain), [&](const Range& range) {
+        Agreement agreement;
+        for (std::size_t p = range.begin(); p < range.end(); ++p)
+            agreement.find(around[p], row, first);
+    });
+    return first;
 }
 
 Box3 box_of(const Mesh& mesh, const Part& part) {
@@ -77,46 +136,71 @@ std::array<float, 4> rectangle_of(const Atlas& atlas, const Block& block) {
     return {float(low.x), float(low.y), float(high.x), float(high.y)};
 }
 
-void unpack(const Mesh& mesh, const std::vector<Vertices::Row>& rows, PartVertices& out) {
-    out.positions.reserve(rows.size());
-    out.uvs.reserve(rows.size());
-    out.normals.reserve(rows.size());
-    for (const Vertices::Row& row : rows) {
-        const Vec3d p = (mesh.positions[row[0]] - out.centre) / out.scale;
-        out.positions.push_back(Vec3f(p) + 0.0f);
-        out.uvs.push_back({std::bit_cast<float>(row[1]), std::bit_cast<float>(row[2])});
-        out.normals.push_back({std::bit_cast<float>(row[3]), std::bit_cast<float>(row[4]),
-                               std::bit_cast<float>(row[5])});
+/// Numbers a part's vertices, and writes over `first` the number of each corner's. Returns each
+/// vertex's first corner.
+std::vector<std::uint32_t> number_vertices(const Part& part, std::vector<std::uint32_t>& first) {
+    std::vector<std::uint32_t> corners;
+    corners.reserve(part.triangle_count + part.triangle_count / 2);
+    const std::size_t begin = 3 * std::size_t(part.first_triangle),
+                      end = begin + 3 * std::size_t(part.triangle_count);
+    for (std::size_t corner = begin; corner < end; ++corner) {
+        if (first[corner] != corner) {
+            first[corner] = first[first[corner]];
+            continue;
+        }
+        first[corner] = static_cast<std::uint32_t>(corners.size());
+        corners.push_back(static_cast<std::uint32_t>(corner));
     }
+    return corners;
 }
 
-PartVertices part_vertices(const Mesh& mesh, const Atlas& atlas, const CornerFrames& frames,
-                           std::span<const std::uint32_t> blocks, std::size_t index) {
-    const Part& part = mesh.parts[index];
-    const Box3 box = box_of(mesh, part);
+/// What export_vertices looks at.
+struct Corners {
+    const Mesh& mesh;
+    const Atlas& atlas;
+    CornerFrames frames;
+    std::span<const std::uint32_t> blocks;  ///< per triangle, or empty
+};
+
+void resize(PartVertices& out, std::size_t count, const Corners& of) {
+    out.positions.resize(count);
+    out.normals.resize(count);
+    out.uvs.resize(count);
+    if (!of.frames.tangents.empty()) out.tangents.resize(count);
+    if (!of.blocks.empty()) out.blocks.resize(count);
+}
+
+/// Vertex i as its first corner has it.
+void fill_vertex(PartVertices& out, std::size_t i, std::size_t corner, const Corners& of) {
+    const std::size_t t = corner / 3;
+    const Vec3d& point = of.mesh.positions[of.mesh.triangles[t][corner % 3]];
+    const auto [u, v] = uv_of(of.atlas, corner);
+    out.positions[i] = Vec3f((point - out.centre) / out.scale) + 0.0f;
+    out.normals[i] = of.frames.normals[corner] + 0.0f;
+    out.uvs[i] = {u + 0.0f, v + 0.0f};
+    // Corners that share a vertex share their tangent.
+    if (!out.tangents.empty()) out.tangents[i] = of.frames.tangents[corner];
+    // Blocks do not touch at corners, so a vertex has one.
+    if (!out.blocks.empty()) out.blocks[i] = rectangle_of(of.atlas, of.atlas.blocks[of.blocks[t]]);
+}
+
+/// `first` as of first_corners; what it says of the part is used up.
+PartVertices part_vertices(const Corners& of, std::size_t index,
+                           std::vector<std::uint32_t>& first) {
+    const Part& part = of.mesh.parts[index];
+    const Box3 box = box_of(of.mesh, part);
     PartVertices out;
     out.part = index;
     out.centre = box.centre();
     out.scale = safe_scale(box);
-    Vertices vertices(part.triangle_count);
-    std::vector<std::uint32_t> block_of_vertex;
-    out.indices.reserve(3 * std::size_t(part.triangle_count));
-    for (std::size_t i = 0; i < part.triangle_count; ++i) {
-        const std::size_t t = part.first_triangle + i;
-        for (std::size_t k = 0; k < 3; ++k) {
-            out.indices.push_back(vertices.insert(vertex_row(mesh, atlas, frames, t, k)));
-            // Corners that share a vertex share their tangent.
-            if (!frames.tangents.empty() && out.tangents.size() < vertices.rows().size())
-                out.tangents.push_back(frames.tangents[3 * t + k]);
-            // Blocks do not touch at corners, so a vertex has one.
-            if (!blocks.empty() && block_of_vertex.size() < vertices.rows().size())
-                block_of_vertex.push_back(blocks[t]);
-        }
-    }
-    unpack(mesh, std::move(vertices).take_rows(), out);
-    out.blocks.reserve(block_of_vertex.size());
-    for (const std::uint32_t block : block_of_vertex)
-        out.blocks.push_back(rectangle_of(atlas, atlas.blocks[block]));
+    const std::vector<std::uint32_t> corners = number_vertices(part, first);
+    const auto begin = first.begin() + 3 * std::ptrdiff_t(part.first_triangle);
+    out.indices.assign(begin, begin + 3 * std::ptrdiff_t(part.triangle_count));
+    resize(out, corners.size(), of);
+    tbb::parallel_for(Range(0, corners.size(), grain), [&](const Range& range) {
+        for (std::size_t i = range.begin(); i < range.end(); ++i)
+            fill_vertex(out, i, corners[i], of);
+    });
     return out;
 }
 
@@ -127,10 +211,10 @@ std::vector<PartVertices> export_vertices(const Mesh& mesh, const Atlas& atlas,
                                           std::span<const Vec4f> tangents) {
     std::vector<PartVertices> parts;
     const std::vector<std::uint32_t> blocks = blocks_of_triangles(atlas);
+    const Corners corners{mesh, atlas, {normals, tangents}, blocks};
+    std::vector<std::uint32_t> first = first_corners(mesh, atlas, corners.frames);
     for (std::size_t i = 0; i < mesh.parts.size(); ++i) {
-        if (mesh.parts[i].triangle_count > 0) {
-            parts.push_back(part_vertices(mesh, atlas, {normals, tangents}, blocks, i));
-        }
+        if (mesh.parts[i].triangle_count > 0) parts.push_back(part_vertices(corners, i, first));
     }
     return parts;
 }

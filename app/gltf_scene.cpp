@@ -5,8 +5,7 @@
 #include <optional>
 #include <set>
 
-#include "app/node_transform.h"
-#include "app/tangents.h"
+#include "app/placed_vertices.h"
 #include "atlas/error.h"
 
 namespace burl {
@@ -116,23 +115,6 @@ void add_node(GltfScene& scene, const std::string& name, std::size_t mesh,
     scene.json["scenes"][0]["nodes"].push_back(append(scene.json["nodes"], std::move(node)));
 }
 
-/// The part's arrays in a placement no node can express (shear, flattening): positions moved there,
-/// centred again; triangles turned over where it mirrors.
-PartVertices placed(const PartVertices& vertices, const Mat4d& placement) {
-    PartVertices out = vertices;
-    const Mat3d linear(placement);
-    const NormalTransform normal_transform(placement);
-    out.centre = Vec3d(placement * Vec4d(vertices.centre, 1.0));
-    for (Vec3f& p : out.positions) p = Vec3f(linear * Vec3d(p)) + 0.0f;
-    for (Vec3f& n : out.normals) n = normal_transform(n);
-    for (std::size_t i = 0; i < out.tangents.size(); ++i)
-        out.tangents[i] = placed_tangent(out.tangents[i], out.normals[i], linear);
-    for (std::size_t i = 0; normal_transform.mirrors() && i + 2 < out.indices.size(); i += 3) {
-        std::swap(out.indices[i + 1], out.indices[i + 2]);
-    }
-    return out;
-}
-
 PrimitiveIds add_primitive(GltfScene& scene, const PartVertices& v) {
     PrimitiveIds ids{
         add_positions(scene, v.positions),
@@ -151,13 +133,6 @@ PrimitiveIds add_primitive(GltfScene& scene, const PartVertices& v) {
     return ids;
 }
 
-Mat4d centred(const Mat4d& placement, const PartVertices& v) {
-    Mat4d result = placement;
-    result[3] = placement * Vec4d(v.centre, 1.0);
-    for (int c = 0; c < 3; ++c) result[c] *= v.scale;
-    return result;
-}
-
 void add_part(GltfScene& scene, const Part& part, const std::string& fallback_name,
               const PartVertices& vertices, UniqueNames& names) {
     const std::string name = part.name.empty() ? fallback_name : part.name;
@@ -169,11 +144,8 @@ void add_part(GltfScene& scene, const Part& part, const std::string& fallback_na
             continue;
         }
         const PartVertices& moved = scene.placed.emplace_back(placed(vertices, instance));
-        NodeTransform place;
-        place.translation = moved.centre;
-        place.scale = Vec3d(moved.scale);
-        PrimitiveIds moved_ids = add_primitive(scene, moved);
-        add_node(scene, names(name), add_mesh(scene, name, moved_ids), place);
+        const PrimitiveIds moved_ids = add_primitive(scene, moved);
+        add_node(scene, names(name), add_mesh(scene, name, moved_ids), node_of_placed(moved));
     }
 }
 
@@ -188,10 +160,10 @@ Json asset(const GltfContent& content) {
             {"extras", {{"burl", std::move(burl)}}}};
 }
 
-/// Only patches have borders so few that any viewer's own MIP levels may be looked up.
 Json sampler(const AtlasOptions& atlas) {
-    const int filter = atlas.overscan == Overscan::nearest ? gl_nearest : gl_linear;
-    const bool levels = atlas.kind == AtlasKind::patch && filter == gl_linear;
+    const TextureFilter wanted = baked_filter(atlas);
+    const int filter = wanted == TextureFilter::nearest ? gl_nearest : gl_linear;
+    const bool levels = wanted == TextureFilter::mip;
     return {{"magFilter", filter},
             {"minFilter", levels ? int(gl_linear_mipmap_linear) : filter},
             {"wrapS", int(gl_clamp_to_edge)},
@@ -221,6 +193,11 @@ Json textures(const GltfContent& content) {
 }
 
 }  // namespace
+
+TextureFilter baked_filter(const AtlasOptions& atlas) {
+    if (atlas.overscan == Overscan::nearest) return TextureFilter::nearest;
+    return atlas.kind == AtlasKind::patch ? TextureFilter::mip : TextureFilter::linear;
+}
 
 std::span<const std::uint8_t> padding_after(std::uint64_t bytes) {
     static constexpr std::array<std::uint8_t, 3> zeros{};

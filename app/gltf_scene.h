@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/export_gltf.h"
+#include "app/scene.h"
 
 namespace burl {
 
@@ -20,6 +21,10 @@ struct GltfScene {
     std::deque<PartVertices> placed;
     std::deque<std::vector<std::uint16_t>> narrow_indices;
 };
+
+/// How its sampler asks for the texture. Only patches have borders so few that any viewer's own MIP
+/// levels may be looked up.
+TextureFilter baked_filter(const AtlasOptions& atlas);
 
 /// Meshes (one per part, one primitive each), nodes (one per placement), material, sampler,
 /// textures; images are left to the caller: 0 is the texture, l its MIP level l, and the one after

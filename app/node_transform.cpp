@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/gtc/quaternion.hpp>
+
 namespace burl {
 namespace {
 
@@ -57,6 +60,12 @@ std::optional<NodeTransform> decompose(const Mat4d& matrix) {
     }
     result.rotation = quaternion(rotation);
     return result;
+}
+
+Mat4d matrix_of(const NodeTransform& transform) {
+    const auto& [x, y, z, w] = transform.rotation;
+    const Mat4d turned = glm::mat4_cast(glm::normalize(glm::dquat(w, x, y, z)));
+    return glm::scale(glm::translate(Mat4d(1.0), transform.translation) * turned, transform.scale);
 }
 
 NormalTransform::NormalTransform(const Mat4d& matrix)

@@ -18,6 +18,9 @@ struct NodeTransform {
 /// or flattens, or is not finite.
 std::optional<NodeTransform> decompose(const Mat4d& matrix);
 
+/// The matrix that glTF defines for it: scale first, then rotation.
+Mat4d matrix_of(const NodeTransform& transform);
+
 /// Carries normals through a placement by its cofactors, which work for every matrix, those that
 /// shear, mirror or flatten included.
 class NormalTransform {

@@ -7,6 +7,11 @@
 #include <numeric>
 #include <span>
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include "app/corners_by_point.h"
+
 namespace burl {
 
 Vec3d unit_or_zero(const Vec3d& v) {
@@ -17,6 +22,8 @@ Vec3d unit_or_zero(const Vec3d& v) {
 
 namespace {
 
+using Range = tbb::blocked_range<std::size_t>;
+constexpr std::size_t grain = 4096;
 constexpr Vec3f fallback_normal{0.0f, 0.0f, 1.0f};
 constexpr std::size_t fan_window = 16;  // faces compared along one non-manifold edge
 // A triangle flatter than this has no trustworthy direction: below float32's resolution.
@@ -47,27 +54,6 @@ double corner_angle(const Mesh& mesh, const Triangle& t, std::size_t k) {
     return std::atan2(glm::length(glm::cross(u, v)), glm::dot(u, v));
 }
 
-/// Corners (3t+k) sorted by their point; point p's are [begin[p], begin[p+1]).
-struct CornersByPoint {
-    std::vector<std::size_t> begin;
-    std::vector<std::size_t> corners;
-};
-
-CornersByPoint corners_by_point(const Mesh& mesh) {
-    CornersByPoint result;
-    result.begin.assign(mesh.positions.size() + 1, 0);
-    for (const Triangle& t : mesh.triangles) {
-        for (const std::uint32_t p : t) ++result.begin[p + 1];
-    }
-    std::partial_sum(result.begin.begin(), result.begin.end(), result.begin.begin());
-    std::vector<std::size_t> next(result.begin.begin(), result.begin.end() - 1);
-    result.corners.resize(3 * mesh.triangles.size());
-    for (std::size_t c = 0; c < result.corners.size(); ++c) {
-        result.corners[next[mesh.triangles[c / 3][c % 3]]++] = c;
-    }
-    return result;
-}
-
 /// The faces around one point, grouped into smooth fans. Reused from point to point.
 class Fans {
   public:
@@ -77,7 +63,7 @@ class Fans {
           smooth_cosine_(std::cos(glm::radians(std::clamp(crease_degrees, 0.0, 180.0)))) {}
 
     /// Writes the normals of all corners of one point; leaves zeros where nothing decides.
-    void compute(std::span<const std::size_t> corners, std::vector<Vec3f>& normals) {
+    void compute(std::span<const std::uint32_t> corners, std::vector<Vec3f>& normals) {
         corners_ = corners;
         parent_.resize(corners.size());
         std::iota(parent_.begin(), parent_.end(), std::size_t(0));
@@ -159,7 +145,7 @@ class Fans {
     const Mesh& mesh_;
     const std::vector<Vec3d>& face_normals_;
     double smooth_cosine_;
-    std::span<const std::size_t> corners_;
+    std::span<const std::uint32_t> corners_;
     std::vector<std::size_t> parent_, neighbour_;
     std::vector<Edge> edges_;
     std::vector<Vec3d> sums_;
@@ -168,34 +154,42 @@ class Fans {
 /// Corners still without a normal take one of their face's, then one of their point's, then +Z.
 void fill_gaps(const CornersByPoint& around, std::vector<Vec3f>& normals) {
     const Vec3f zero(0.0f);
+    if (std::find(normals.begin(), normals.end(), zero) == normals.end()) return;
     for (std::size_t t = 0; 3 * t < normals.size(); ++t) {
         Vec3f* of_face = &normals[3 * t];
         for (std::size_t k = 0; k < 6; ++k) {
             if (of_face[k % 3] == zero) of_face[k % 3] = of_face[(k + 1) % 3];
         }
     }
-    for (std::size_t p = 0; p + 1 < around.begin.size(); ++p) {
+    for (std::size_t p = 0; p < around.points(); ++p) {
+        const std::span<const std::uint32_t> corners = around[p];
         Vec3f known = fallback_normal;
-        for (std::size_t i = around.begin[p]; i < around.begin[p + 1]; ++i) {
-            if (normals[around.corners[i]] != zero) known = normals[around.corners[i]];
+        for (const std::uint32_t c : corners) {
+            if (normals[c] != zero) known = normals[c];
         }
-        for (std::size_t i = around.begin[p]; i < around.begin[p + 1]; ++i) {
-            if (normals[around.corners[i]] == zero) normals[around.corners[i]] = known;
+        for (const std::uint32_t c : corners) {
+            if (normals[c] == zero) normals[c] = known;
         }
     }
 }
 
+std::vector<Vec3d> all_face_normals(const Mesh& mesh) {
+    std::vector<Vec3d> normals(mesh.triangles.size());
+    tbb::parallel_for(Range(0, normals.size(), grain), [&](const Range& range) {
+        for (std::size_t t = range.begin(); t < range.end(); ++t)
+            normals[t] = face_normal(mesh, mesh.triangles[t]);
+    });
+    return normals;
+}
+
 std::vector<Vec3f> computed_normals(const Mesh& mesh, double crease_degrees) {
-    std::vector<Vec3d> face_normals;
-    face_normals.reserve(mesh.triangles.size());
-    for (const Triangle& t : mesh.triangles) face_normals.push_back(face_normal(mesh, t));
-    const CornersByPoint around = corners_by_point(mesh);
+    const std::vector<Vec3d> face_normals = all_face_normals(mesh);
+    const CornersByPoint around(mesh);
     std::vector<Vec3f> normals(3 * mesh.triangles.size(), Vec3f(0.0f));
-    Fans fans(mesh, face_normals, crease_degrees);
-    for (std::size_t p = 0; p < mesh.positions.size(); ++p) {
-        const std::size_t first = around.begin[p];
-        fans.compute({around.corners.data() + first, around.begin[p + 1] - first}, normals);
-    }
+    tbb::parallel_for(Range(0, around.points(), grain), [&](const Range& range) {
+        Fans fans(mesh, face_normals, crease_degrees);
+        for (std::size_t p = range.begin(); p < range.end(); ++p) fans.compute(around[p], normals);
+    });
     fill_gaps(around, normals);
     return normals;
 }

@@ -1,71 +1,119 @@
+// What a reader of glTF makes of its numbers is done here, too: positions and texture coordinates
+// become double, normals are normalised once more.
 #include "app/view_scene.h"
 
-#include <bit>
+#include <optional>
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
 
 #include "app/gltf_scene.h"
-#include "app/image_io.h"
 #include "app/normals.h"
+#include "app/placed_vertices.h"
 #include "app/tangents.h"
 
 namespace burl {
 
 namespace {
 
-void append_word(std::string& bytes, std::size_t word) {
-    for (int k = 0; k < 4; ++k) bytes += char(std::uint8_t(word >> (8 * k)));
+using Range = tbb::blocked_range<std::size_t>;
+constexpr std::size_t grain = 16384;
+
+void resize(Surface& surface, std::size_t count, const PartVertices& like) {
+    surface.positions.resize(count);
+    surface.normals.resize(count);
+    surface.uvs.resize(count);
+    if (!like.blocks.empty()) surface.blocks.resize(count);
 }
 
-/// glTF 2.0, section 4.4; parts are padded to 4 bytes.
-std::string glb_of(const std::string& json, const std::string& binary) {
-    std::string bytes = "glTF";
-    append_word(bytes, 2);
-    append_word(bytes, 12 + 8 + json.size() + 8 + binary.size());
-    append_word(bytes, json.size());
-    bytes += "JSON" + json;
-    append_word(bytes, binary.size());
-    return bytes + std::string("BIN\0", 4) + binary;
+Surface surface_of(const PartVertices& vertices, const SceneMaterial& material) {
+    Surface surface;
+    surface.material = material;
+    surface.placements.clear();
+    surface.tangents = vertices.tangents;
+    resize(surface, vertices.positions.size(), vertices);
+    surface.triangles.resize(vertices.indices.size() / 3);
+    tbb::parallel_for(Range(0, vertices.positions.size(), grain), [&](const Range& range) {
+        for (std::size_t i = range.begin(); i < range.end(); ++i) {
+            surface.positions[i] = Vec3d(vertices.positions[i]);
+            surface.normals[i] = Vec3f(glm::normalize(Vec3d(vertices.normals[i])));
+            surface.uvs[i] = {vertices.uvs[i][0], vertices.uvs[i][1]};
+            if (surface.blocks.empty()) continue;
+            const auto& [low_u, low_v, high_u, high_v] = vertices.blocks[i];
+            surface.blocks[i] = {low_u, low_v, high_u, high_v};
+        }
+    });
+    const std::vector<std::uint32_t>& indices = vertices.indices;
+    for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+        surface.triangles[t] = {indices[3 * t], indices[3 * t + 1], indices[3 * t + 2]};
+    return surface;
 }
 
-void append(std::string& bytes, std::span<const std::uint8_t> part) {
-    for (const std::span<const std::uint8_t> piece : {part, padding_after(part.size())})
-        bytes.append(reinterpret_cast<const char*>(piece.data()), piece.size());
-}
-
-/// The document with `texel` for every image.
-std::string glb_of(const GltfContent& content, std::span<const std::uint8_t> texel) {
-    GltfScene scene = build_gltf_scene(content);
-    std::string binary;
-    for (const std::span<const std::uint8_t> part : scene.binary) append(binary, part);
-    const std::size_t images = content.normal_png ? 2 : 1;
-    for (std::size_t i = 0; i < images; ++i) {
-        const std::size_t view = add_buffer_view(scene, texel.size());
-        append(binary, texel);
-        scene.json["images"].push_back({{"bufferView", view}, {"mimeType", "image/png"}});
+/// The part where a node can place it, and a copy of it for every placement that none can.
+void add_part(Scene& scene, const Part& part, const PartVertices& vertices,
+              const SceneMaterial& material) {
+    std::optional<std::size_t> own;
+    for (const Mat4d& instance : part.instances) {
+        if (const auto place = decompose(centred(instance, vertices))) {
+            if (!own) {
+                own = scene.surfaces.size();
+                scene.surfaces.push_back(surface_of(vertices, material));
+            }
+            scene.surfaces[*own].placements.push_back(matrix_of(*place));
+            continue;
+        }
+        const PartVertices moved = placed(vertices, instance);
+        scene.surfaces.push_back(surface_of(moved, material));
+        scene.surfaces.back().placements.push_back(matrix_of(node_of_placed(moved)));
     }
-    scene.json["buffers"].push_back({{"byteLength", binary.size()}});
-    std::string json =
-        scene.json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
-    json.resize((json.size() + 3) / 4 * 4, ' ');
-    return glb_of(json, binary);
+}
+
+SceneTexture texture_of(const AtlasOptions& atlas, bool is_color) {
+    SceneTexture texture{Image<Rgb8>(1, 1), baked_filter(atlas)};
+    texture.wrap_u = texture.wrap_v = TextureWrap::clamp;
+    texture.is_color = is_color;
+    return texture;
+}
+
+/// With bumps the normals come first, as in a file.
+SceneMaterial add_textures(Scene& scene, const AtlasOptions& atlas, bool bumped) {
+    SceneMaterial material;
+    if (bumped) {
+        material.normals = 0;
+        scene.textures.push_back(texture_of(atlas, false));
+    }
+    material.texture = int(scene.textures.size());
+    scene.textures.push_back(texture_of(atlas, true));
+    return material;
+}
+
+/// Laid out meanwhile, where the atlas does not have a mesh of its own.
+std::vector<Vec3f> normals_of(Pipeline& pipeline, double crease_degrees) {
+    std::vector<Vec3f> normals;
+    if (pipeline.recipe().atlas.kind == AtlasKind::patch)
+        return corner_normals(pipeline.atlas_mesh(), crease_degrees);
+    const Mesh& mesh = pipeline.mesh();
+    tbb::parallel_invoke([&] { normals = corner_normals(mesh, crease_degrees); },
+                         [&] { pipeline.atlas(); });
+    return normals;
 }
 
 }  // namespace
 
 Scene baked_scene(Pipeline& pipeline, double crease_degrees) {
+    const std::vector<Vec3f> normals = normals_of(pipeline, crease_degrees);
     const Mesh& mesh = pipeline.atlas_mesh();
     const Atlas& atlas = pipeline.atlas();
-    const std::vector<std::uint8_t> texel = encode_png(Image<Rgb8>(1, 1));
     const bool bumped = !pipeline.recipe().bump.empty();
-    const std::vector<Vec3f> normals = corner_normals(mesh, crease_degrees);
     std::vector<Vec4f> tangents;
     if (bumped)
         tangents = corner_tangents(mesh.positions, mesh.triangles, corner_uvs(atlas), normals);
-    const std::vector<PartVertices> vertices = export_vertices(mesh, atlas, normals, tangents);
-    const ByteSource image = [&](const ByteSink& sink) { sink(texel); };
-    GltfContent content{mesh, vertices, atlas.options, image, {}, {}};
-    if (bumped) content.normal_png = image;
-    const std::string glb = glb_of(content, texel);
-    return load_gltf_scene(buffer_from(glb, mesh.name));
+    Scene scene;
+    const SceneMaterial material = add_textures(scene, atlas.options, bumped);
+    for (const PartVertices& vertices : export_vertices(mesh, atlas, normals, tangents))
+        add_part(scene, mesh.parts[vertices.part], vertices, material);
+    return scene;
 }
 
 }  // namespace burl

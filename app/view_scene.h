@@ -1,7 +1,6 @@
 #pragma once
-// The scene that `burl render` would read from a baked file, before there is a texture: geometry
-// goes through the very document that a bake writes, so that a picture of the one has the bits of
-// a picture of the other.
+// The scene that `burl render` would read from a baked file, before there is a texture, and without
+// the detour by way of a document: a picture of the one has the bits of a picture of the other.
 #include "app/pipeline.h"
 #include "app/scene.h"
 
