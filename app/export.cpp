@@ -148,24 +148,21 @@ void export_png(const std::string& path, const BakedImage& image, const ExportOp
     commit_together(files);
 }
 
-Image<RgbF> float_of(const BakedImage& image) {
+/// The image where it is float, else `made` of it.
+const Image<RgbF>& float_of(const BakedImage& image, Image<RgbF>& made) {
     if (const auto* linear = std::get_if<Image<RgbF>>(&image)) return *linear;
-    return linear_of(image);
+    return made = linear_of(image);
 }
 
-/// One file, with all levels in it.
+/// One file, with all levels in it. Nothing is copied: 16384 x 16384 floats are 3 GB.
 void write_exr_file(const std::string& path, const BakedImage& image,
                     const ExportOptions& options) {
-    if (!options.levels.empty()) {
-        std::vector<Image<RgbF>> levels{float_of(image)};
-        for (const BakedImage& level : options.levels) levels.push_back(float_of(level));
-        write_exr_levels(path, levels, options.exr_depth);
-    } else if (const auto* linear = std::get_if<Image<RgbF>>(&image)) {
-        // Not through float_of: a copy of 16384 x 16384 floats is 3 GB.
-        write_exr(path, *linear, options.exr_depth);
-    } else {
-        write_exr(path, linear_of(image), options.exr_depth);
-    }
+    std::vector<Image<RgbF>> made(1 + options.levels.size());
+    std::vector<const Image<RgbF>*> levels{&float_of(image, made[0])};
+    for (std::size_t l = 0; l < options.levels.size(); ++l)
+        levels.push_back(&float_of(options.levels[l], made[l + 1]));
+    if (levels.size() > 1) return write_exr_levels(path, levels, options.exr_depth);
+    write_exr(path, *levels[0], options.exr_depth);
 }
 
 void export_exr(const std::string& path, const BakedImage& image, const ExportOptions& options) {

@@ -1,6 +1,9 @@
 #include "app/exr_io.h"
 
+#include <algorithm>
+#include <cstdint>
 #include <exception>
+#include <vector>
 
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
@@ -15,113 +18,110 @@
 namespace burl {
 namespace {
 
-template <class Component>
-Imf::FrameBuffer frame_of(const Rgb<Component>* pixels, std::size_t width, Imf::PixelType type) {
-    // OpenEXR's slices take char* although they are only read here.
-    auto* base = const_cast<char*>(reinterpret_cast<const char*>(pixels));
-    constexpr std::size_t step = sizeof(Rgb<Component>);
-    Imf::FrameBuffer frame;
-    const char* names[] = {"R", "G", "B"};
-    for (std::size_t c = 0; c < 3; ++c) {
-        frame.insert(names[c], Imf::Slice(type, base + c * sizeof(Component), step, step * width));
+constexpr std::size_t tile_side = 64;
+constexpr std::size_t rows_at_once = 256;  ///< a multiple of ZIP's 16, so that threads share them
+
+/// Rows of an image as OpenEXR is to see them, whole or as halves.
+class Band {
+  public:
+    Band(const Image<RgbF>& image, ExrDepth depth) : image_(image), depth_(depth) {}
+
+    /// The frame buffer of rows [begin, end); valid until the next call.
+    Imf::FrameBuffer rows(std::size_t begin, std::size_t end) {
+        if (depth_ == ExrDepth::float_full) return frame(image_.row(0).data(), 0, Imf::FLOAT);
+        halves_.clear();
+        for (std::size_t y = begin; y < end; ++y)
+            for (const RgbF& p : image_.row(y))
+                halves_.push_back({Imath::half(p.r), Imath::half(p.g), Imath::half(p.b)});
+        return frame(halves_.data(), begin, Imf::HALF);
     }
-    return frame;
-}
 
-template <class Component>
-void write_pixels(Imf::OutputFile& file, const Rgb<Component>* pixels, std::size_t width,
-                  std::size_t height, Imf::PixelType type) {
-    file.setFrameBuffer(frame_of(pixels, width, type));
-    file.writePixels(int(height));
-}
-
-template <class Component>
-void write_level(Imf::TiledOutputFile& file, int level, const Rgb<Component>* pixels,
-                 std::size_t width, Imf::PixelType type) {
-    file.setFrameBuffer(frame_of(pixels, width, type));
-    file.writeTiles(0, file.numXTiles(level) - 1, 0, file.numYTiles(level) - 1, level);
-}
-
-std::vector<Rgb<Imath::half>> to_half(const Image<RgbF>& image) {
-    std::vector<Rgb<Imath::half>> pixels;
-    pixels.reserve(image.pixels().size());
-    for (const RgbF& p : image.pixels()) {
-        pixels.push_back({Imath::half(p.r), Imath::half(p.g), Imath::half(p.b)});
+  private:
+    /// Of pixels from the beginning of row `first` on. OpenEXR's slices take char* although they
+    /// are only read here, and count from row 0.
+    template <class Component>
+    Imf::FrameBuffer frame(const Rgb<Component>* pixels, std::size_t first,
+                           Imf::PixelType type) const {
+        constexpr std::size_t step = sizeof(Rgb<Component>);
+        const std::size_t stride = step * image_.width();
+        const auto base = reinterpret_cast<std::uintptr_t>(pixels) - first * stride;
+        Imf::FrameBuffer frame;
+        const char* names[] = {"R", "G", "B"};
+        for (std::size_t c = 0; c < 3; ++c) {
+            auto* at = reinterpret_cast<char*>(base + c * sizeof(Component));
+            frame.insert(names[c], Imf::Slice(type, at, step, stride));
+        }
+        return frame;
     }
-    return pixels;
-}
 
-Imf::Header header_of(const Image<RgbF>& image, Imf::PixelType type) {
+    const Image<RgbF>& image_;
+    ExrDepth depth_;
+    std::vector<Rgb<Imath::half>> halves_;
+};
+
+Imf::Header header_of(const Image<RgbF>& image, ExrDepth depth) {
+    const Imf::PixelType type = depth == ExrDepth::half ? Imf::HALF : Imf::FLOAT;
     Imf::Header header(int(image.width()), int(image.height()));
     header.compression() = Imf::ZIP_COMPRESSION;
     for (const char* name : {"R", "G", "B"}) header.channels().insert(name, Imf::Channel(type));
     return header;
 }
 
-void encode_levels_into(std::vector<std::uint8_t>& bytes, std::span<const Image<RgbF>> levels,
-                        ExrDepth depth) {
-    const Imf::PixelType type = depth == ExrDepth::half ? Imf::HALF : Imf::FLOAT;
-    Imf::Header header = header_of(levels[0], type);
-    header.setTileDescription({64, 64, Imf::MIPMAP_LEVELS, Imf::ROUND_DOWN});
-    ExrStream stream(bytes);
+/// Tile by tile's row.
+void write_level(Imf::TiledOutputFile& file, int level, const Image<RgbF>& image, ExrDepth depth) {
+    Band band(image, depth);
+    for (int tile = 0; tile < file.numYTiles(level); ++tile) {
+        const std::size_t begin = tile_side * std::size_t(tile);
+        file.setFrameBuffer(band.rows(begin, std::min(begin + tile_side, image.height())));
+        file.writeTiles(0, file.numXTiles(level) - 1, tile, tile, level);
+    }
+}
+
+void encode_levels(Imf::OStream& stream, std::span<const Image<RgbF>* const> levels,
+                   ExrDepth depth) {
+    Imf::Header header = header_of(*levels[0], depth);
+    header.setTileDescription({tile_side, tile_side, Imf::MIPMAP_LEVELS, Imf::ROUND_DOWN});
     Imf::TiledOutputFile file(stream, header);
-    for (int l = 0; l < file.numLevels(); ++l) {
-        const Image<RgbF>& image = levels[std::size_t(l)];
-        if (depth == ExrDepth::half) {
-            write_level(file, l, to_half(image).data(), image.width(), type);
-        } else {
-            write_level(file, l, image.pixels().data(), image.width(), type);
-        }
+    for (int l = 0; l < file.numLevels(); ++l) write_level(file, l, *levels[std::size_t(l)], depth);
+}
+
+void encode(Imf::OStream& stream, const Image<RgbF>& image, ExrDepth depth) {
+    Imf::OutputFile file(stream, header_of(image, depth));
+    Band band(image, depth);
+    for (std::size_t y = 0; y < image.height(); y += rows_at_once) {
+        const std::size_t end = std::min(y + rows_at_once, image.height());
+        file.setFrameBuffer(band.rows(y, end));
+        file.writePixels(int(end - y));
     }
 }
 
-void encode_into(std::vector<std::uint8_t>& bytes, const Image<RgbF>& image, ExrDepth depth) {
-    const Imf::PixelType type = depth == ExrDepth::half ? Imf::HALF : Imf::FLOAT;
-    const Imf::Header header = header_of(image, type);
-    ExrStream stream(bytes);
-    Imf::OutputFile file(stream, header);
-    if (depth == ExrDepth::half) {
-        write_pixels(file, to_half(image).data(), image.width(), image.height(), type);
-    } else {
-        write_pixels(file, image.pixels().data(), image.width(), image.height(), type);
+/// encode(stream), and what it or the file says where it fails.
+template <class Encode>
+void write_whole(const std::string& path, const Image<RgbF>& image, const Encode& encode) {
+    AtomicFile file(path);
+    ExrFileStream stream(file);
+    try {
+        encode(stream);
+    } catch (const std::exception& e) {
+        stream.check();
+        throw Error(ExitCode::runtime,
+                    fmt::format("the OpenEXR image of {} x {} could not be encoded: {}",
+                                image.width(), image.height(), e.what()));
     }
-}
-
-Error not_encoded(const Image<RgbF>& image, const std::exception& e) {
-    return Error(ExitCode::runtime,
-                 fmt::format("the OpenEXR image of {} x {} could not be encoded: {}", image.width(),
-                             image.height(), e.what()));
+    stream.check();
+    file.commit();
 }
 
 }  // namespace
 
-std::vector<std::uint8_t> encode_exr(const Image<RgbF>& image, ExrDepth depth) {
-    std::vector<std::uint8_t> bytes;
-    try {
-        encode_into(bytes, image, depth);
-    } catch (const std::exception& e) {
-        throw not_encoded(image, e);
-    }
-    return bytes;
-}
-
-std::vector<std::uint8_t> encode_exr_levels(std::span<const Image<RgbF>> levels, ExrDepth depth) {
-    std::vector<std::uint8_t> bytes;
-    try {
-        encode_levels_into(bytes, levels, depth);
-    } catch (const std::exception& e) {
-        throw not_encoded(levels[0], e);
-    }
-    return bytes;
-}
-
 void write_exr(const std::string& path, const Image<RgbF>& image, ExrDepth depth) {
-    write_file(path, encode_exr(image, depth));
+    write_whole(path, image, [&](Imf::OStream& stream) { encode(stream, image, depth); });
 }
 
-void write_exr_levels(const std::string& path, std::span<const Image<RgbF>> levels,
+void write_exr_levels(const std::string& path, std::span<const Image<RgbF>* const> levels,
                       ExrDepth depth) {
-    write_file(path, encode_exr_levels(levels, depth));
+    write_whole(path, *levels[0],
+                [&](Imf::OStream& stream) { encode_levels(stream, levels, depth); });
 }
 
 }  // namespace burl

@@ -1,9 +1,7 @@
 #pragma once
 // OpenEXR output for float images: linear light, as the format wants it.
-#include <cstdint>
 #include <span>
 #include <string>
-#include <vector>
 
 #include "atlas/image.h"
 
@@ -14,19 +12,15 @@ enum class ExrDepth {
     float_full  ///< 32-bit floats, bit-exact
 };
 
-/// EXR file content: channels R, G, B of linear light (Rec. 709 primaries, the format's default),
-/// row 0 on top, ZIP-compressed. The image has at least one pixel. Throws Error(runtime) when
-/// OpenEXR cannot encode it.
-std::vector<std::uint8_t> encode_exr(const Image<RgbF>& image, ExrDepth depth = ExrDepth::half);
+/// Writes an EXR file: channels R, G, B of linear light (Rec. 709 primaries, the format's default),
+/// row 0 on top, ZIP-compressed, row by row into the file: nothing as large as the image is made.
+/// The image has at least one pixel. The file is written whole or not at all. Throws Error(io), and
+/// Error(runtime) when OpenEXR cannot encode it.
+void write_exr(const std::string& path, const Image<RgbF>& image, ExrDepth depth = ExrDepth::half);
 
 /// The same with MIP levels: `levels[l]` is level l, of max(1, floor(n / 2^l)) pixels a side; tiles
 /// of 64 x 64, MIPMAP_LEVELS rounded down. All levels down to 1 x 1 must be there.
-std::vector<std::uint8_t> encode_exr_levels(std::span<const Image<RgbF>> levels,
-                                            ExrDepth depth = ExrDepth::half);
-
-/// Writes the file whole or not at all. Throws Error(io).
-void write_exr(const std::string& path, const Image<RgbF>& image, ExrDepth depth = ExrDepth::half);
-void write_exr_levels(const std::string& path, std::span<const Image<RgbF>> levels,
+void write_exr_levels(const std::string& path, std::span<const Image<RgbF>* const> levels,
                       ExrDepth depth = ExrDepth::half);
 
 }  // namespace burl

@@ -69,18 +69,18 @@ Json capacity_json(const Capacity& capacity) {
 }
 
 Json patches_json(const PatchAtlas& atlas) {
-    const PatchMapNotes& notes = atlas.maps.notes;
-    return {{"patches", atlas.maps.patches.size()},
+    const PatchMapNotes& notes = atlas.notes;
+    return {{"patches", atlas.patches.size()},
             {"planar", notes.planar_patches},
             {"gutter", atlas.layout.gutter},
             {"predicted_stretch", atlas.layout.predicted_stretch},
             {"partitions_tried", atlas.candidates},
-            {"extra_points", atlas.refined.extra_points},
+            {"extra_points", atlas.refined.extra_points.size()},
             {"tubes_slit", notes.tubes_slit},
             {"socks_slit", notes.socks_slit},
             {"holes_closed", notes.holes_closed},
             {"regions_halved", notes.regions_halved},
-            {"unmapped_triangles", atlas.maps.unmapped.size()}};
+            {"unmapped_triangles", atlas.unmapped}};
 }
 
 namespace {

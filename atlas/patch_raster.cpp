@@ -1,6 +1,7 @@
 // Rasterising the patch atlas. A gutter texel's point is a sum of the points of inner texels; while
 // those keep their triangles it is again an affine function of the texel, so gutters are spans,
-// too.
+// too. Blocks are gone through twice, to count and to fill: what is made is large, and then takes
+// no more room than it needs.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -76,70 +77,137 @@ Sources sources_of(std::int64_t x, std::int64_t y, const PatchBlock& b) {
     return sources;
 }
 
+/// Whose texels a texel is made of; nobody where there are fewer than four.
+using Owners = std::array<std::uint32_t, 4>;
+
+/// Texels [x, x + count) of a row, all made of texels of the same owners.
+struct Run {
+    std::uint32_t x = 0, count = 0;
+    Owners owners{nobody, nobody, nobody, nobody};
+    bool gutter = false;  ///< else the first owner's map is theirs
+};
+
+/// Calls visit(run) for texels [from, to) of a gutter's row y.
+template <class Visit>
+void visit_gutter(const PatchBlock& b, const Image<std::uint32_t>& inner, std::uint32_t y,
+                  std::uint32_t from, std::uint32_t to, const Visit& visit) {
+    Run run;
+    for (std::uint32_t x = from; x < to; ++x) {
+        const Sources sources = sources_of(x, y, b);
+        Owners owners{nobody, nobody, nobody, nobody};
+        for (std::size_t i = 0; i < sources.count; ++i)
+            owners[i] = inner(std::size_t(sources.terms[i].x - b.x - b.gutter),
+                              std::size_t(sources.terms[i].y - b.y - b.gutter));
+        if (x > from && owners == run.owners) {
+            ++run.count;
+            continue;
+        }
+        if (x > from) visit(run);
+        run = {x, 1, owners, true};
+    }
+    if (to > from) visit(run);
+}
+
+/// Calls visit(run) for the runs of the block's row y; `inner` are the owners of inner texels.
+template <class Visit>
+void visit_row(const PatchBlock& b, const Image<std::uint32_t>& inner, std::uint32_t y,
+               const Visit& visit) {
+    const std::uint32_t begin = b.x + b.gutter, end = begin + b.columns() + 1;
+    visit_gutter(b, inner, y, b.x, begin, visit);
+    if (y < b.y + b.gutter || y > b.y + b.gutter + b.rows()) {
+        visit_gutter(b, inner, y, begin, end, visit);
+    } else {
+        const std::span<const std::uint32_t> owners = inner.row(y - b.y - b.gutter);
+        for (std::size_t i = 0; i < owners.size();) {
+            const std::size_t first = i;
+            while (i < owners.size() && owners[i] == owners[first]) ++i;
+            visit(Run{std::uint32_t(begin + first),
+                      std::uint32_t(i - first),
+                      {owners[first], nobody, nobody, nobody}});
+        }
+    }
+    visit_gutter(b, inner, y, end, b.x + b.width, visit);
+}
+
 class Rasterizer {
   public:
     Rasterizer(const PatchAtlas& atlas, std::span<const Vec3d> positions)
-        : atlas_(atlas), positions_(positions) {
-        const std::size_t patches = atlas.maps.patches.size();
-        vertex_points_.resize(patches);
-        map_of_triangle_.resize(patches);
-        for (std::size_t p = 0; p < patches; ++p) {
-            vertex_points_[p].assign(atlas.maps.patches[p].patch.points.size(), Vec3d(0.0));
-            map_of_triangle_[p].assign(atlas.maps.patches[p].patch.triangles.size(), nobody);
-        }
-    }
+        : atlas_(atlas), positions_(positions), hubs_(atlas.hubs, Vec4d(0.0)) {}
 
     SolidAtlas run() {
         solid_.size = atlas_.atlas.options.size;
-        rows_.resize(solid_.size);
+        sort_triangles();
+        count_spans();
         map_mesh_triangles();
-        for (std::size_t p = 0; p < vertex_points_.size(); ++p) {
-            if (atlas_.maps.patches[p].planar)
-                fill_plane(p);
-            else
-                fill_block(p);
-        }
-        vertex_points_ = {};
-        map_of_triangle_ = {};
-        join_rows();
+        for (std::size_t p = 0; p < atlas_.patches.size(); ++p)
+            atlas_.patches[p].plane ? fill_plane(p) : fill_block(p);
+        for (std::size_t y = 0; y < solid_.size; ++y)
+            std::sort(solid_.spans.begin() + std::ptrdiff_t(solid_.row_begin[y]),
+                      solid_.spans.begin() + std::ptrdiff_t(solid_.row_begin[y + 1]),
+                      [](const Span& a, const Span& b) { return a.x < b.x; });
         return std::move(solid_);
     }
 
   private:
-    /// Each row is given back once it is taken over: they are as large as all that follows.
-    void join_rows() {
-        std::size_t count = 0;
-        for (const auto& row : rows_) count += row.size();
-        solid_.spans.reserve(count);
-        solid_.row_begin.reserve(rows_.size() + 1);
-        solid_.row_begin.push_back(0);
-        for (auto& row : rows_) {
-            std::sort(row.begin(), row.end(),
-                      [](const Span& a, const Span& b) { return a.x < b.x; });
-            solid_.spans.insert(solid_.spans.end(), row.begin(), row.end());
-            solid_.row_begin.push_back(solid_.spans.size());
-            row = {};
+    void sort_triangles() {
+        const auto count = std::uint32_t(atlas_.atlas.corners.size());
+        first_.assign(atlas_.patches.size() + 1, 0);
+        for (std::uint32_t t = 0; t < count; ++t)
+            if (const std::uint32_t p = atlas_.patch_of(t); p != not_in_mesh) ++first_[p + 1];
+        for (std::size_t p = 1; p < first_.size(); ++p) first_[p] += first_[p - 1];
+        triangles_.resize(first_.back());
+        std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
+        for (std::uint32_t t = 0; t < count; ++t)
+            if (const std::uint32_t p = atlas_.patch_of(t); p != not_in_mesh)
+                triangles_[next[p]++] = t;
+    }
+
+    /// Finds out where every row begins, and how many maps there are.
+    void count_spans() {
+        std::vector<std::size_t> counts(solid_.size, 0);
+        const auto mesh_maps = std::uint32_t(atlas_.atlas.corners.size());
+        std::size_t more_maps = 0;
+        for (std::size_t p = 0; p < atlas_.patches.size(); ++p) {
+            const PatchBlock& b = atlas_.layout.blocks[p];
+            const bool plane = atlas_.patches[p].plane.has_value();
+            more_maps += plane ? 1 : atlas_.patches[p].fans.size();
+            const Image<std::uint32_t> inner =
+                plane ? Image<std::uint32_t>() : inner_owners(p, mesh_maps);
+            for (std::uint32_t y = b.y; y < b.y + b.height; ++y) {
+                if (plane)
+                    ++counts[y];
+                else
+                    visit_row(b, inner, y, [&](const Run& run) {
+                        ++counts[y];
+                        more_maps += run.gutter;
+                    });
+            }
         }
+        solid_.row_begin.reserve(solid_.size + 1);
+        solid_.row_begin.push_back(0);
+        for (const std::size_t count : counts)
+            solid_.row_begin.push_back(solid_.row_begin.back() + count);
+        solid_.spans.resize(solid_.row_begin.back());
+        filled_.assign(solid_.row_begin.begin(), solid_.row_begin.end() - 1);
+        solid_.maps.reserve(mesh_maps + more_maps);
+        solid_.turned.reserve(more_maps);
     }
 
     void map_mesh_triangles() {
-        const RefinedMesh& refined = atlas_.refined;
-        solid_.maps.reserve(refined.mesh.triangles.size());
-        for (std::uint32_t t = 0; t < refined.mesh.triangles.size(); ++t) {
-            const auto& [a, b, c] = refined.mesh.triangles[t];
+        const std::vector<Triangle>& triangles = atlas_.refined.mesh.triangles;
+        for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+            const auto& [a, b, c] = triangles[t];
             const std::array<Vec3d, 3> points{positions_[a], positions_[b], positions_[c]};
-            const std::uint32_t p = refined.patch[t];
-            if (p == not_in_mesh) {
+            const std::uint32_t p = atlas_.patch_of(t);
+            if (p == not_in_mesh)
                 solid_.maps.push_back({points[0], Vec3d(0.0), Vec3d(0.0), 0, 0});
-                continue;
-            }
-            const Triangle& local = atlas_.maps.patches[p].patch.triangles[refined.in_patch[t]];
-            for (std::size_t k = 0; k < 3; ++k) vertex_points_[p][local[k]] = points[k];
-            map_of_triangle_[p][refined.in_patch[t]] = t;
-            solid_.maps.push_back(
-                affine_map(atlas_.atlas.corners[t], points, atlas_.layout.blocks[p]));
+            else
+                solid_.maps.push_back(
+                    affine_map(atlas_.atlas.corners[t], points, atlas_.layout.blocks[p]));
         }
     }
+
+    void add_span(std::uint32_t y, const Span& span) { solid_.spans[filled_[y]++] = span; }
 
     /// A map beyond the triangles' own, and the triangle it belongs to.
     std::uint32_t add_map(const TexelMap& map, std::uint32_t triangle) {
@@ -148,63 +216,48 @@ class Rasterizer {
         return static_cast<std::uint32_t>(solid_.maps.size() - 1);
     }
 
-    /// The patch's first triangle of the mesh.
-    std::uint32_t any_triangle(std::size_t p) const {
-        return *std::find_if(map_of_triangle_[p].begin(), map_of_triangle_[p].end(),
-                             [&](std::uint32_t map) { return map < atlas_.atlas.corners.size(); });
-    }
-
-    std::array<Vec2d, 3> places(std::size_t p, const Triangle& t) const {
-        const auto& uv = atlas_.maps.patches[p].uv;
-        const PatchBlock& block = atlas_.layout.blocks[p];
-        return {block.place(uv[t[0]]), block.place(uv[t[1]]), block.place(uv[t[2]])};
-    }
-
     /// Gives the triangles that close holes maps of their own; their hub is the hole's centroid.
     void map_fans(std::size_t p) {
-        const Patch& patch = atlas_.maps.patches[p].patch;
-        auto& points = vertex_points_[p];
-        std::vector<double> corners(points.size(), 0.0);
-        for (int pass = 0; pass < 2; ++pass)
-            for (std::size_t t = 0; t < patch.triangles.size(); ++t) {
-                if (patch.faces[t] != not_in_mesh) continue;
-                const Triangle& v = patch.triangles[t];
-                const auto hub = std::find_if(v.begin(), v.end(), [&](std::uint32_t i) {
-                    return patch.origins[i] == VertexOrigin{};
-                });
-                if (pass == 0 && hub != v.end()) {
-                    const std::size_t k = std::size_t(hub - v.begin());
-                    points[*hub] += points[v[(k + 1) % 3]] + points[v[(k + 2) % 3]];
-                    corners[*hub] += 2.0;
-                } else if (pass == 1) {
-                    std::array<Vec3d, 3> at{};
-                    for (std::size_t k = 0; k < 3; ++k)
-                        at[k] = points[v[k]] / std::max(corners[v[k]], 1.0);
-                    map_of_triangle_[p][t] = add_map(
-                        affine_map(places(p, v), at, atlas_.layout.blocks[p]), any_triangle(p));
-                }
+        const PlacedPatch& patch = atlas_.patches[p];
+        const std::size_t known = positions_.size();
+        for (const PlacedTriangle& fan : patch.fans) {
+            const auto hub = std::ranges::find_if(fan.points, [&](auto v) { return v >= known; });
+            if (hub == fan.points.end()) continue;
+            const auto k = std::size_t(hub - fan.points.begin());
+            const Vec3d rim =
+                positions_[fan.points[(k + 1) % 3]] + positions_[fan.points[(k + 2) % 3]];
+            hubs_[*hub - known] += Vec4d(rim, 2.0);
+        }
+        for (const PlacedTriangle& fan : patch.fans) {
+            std::array<Vec3d, 3> at{};
+            for (std::size_t k = 0; k < 3; ++k) {
+                const std::uint32_t v = fan.points[k];
+                at[k] = v < known ? positions_[v] : Vec3d(hubs_[v - known]) / hubs_[v - known].w;
             }
+            add_map(affine_map(fan.places, at, atlas_.layout.blocks[p]), patch.triangle);
+        }
     }
 
-    /// The map at each texel of the inner rectangle.
-    Image<std::uint32_t> inner_owners(std::size_t p) {
-        const Patch& patch = atlas_.maps.patches[p].patch;
+    /// The map at each texel of the inner rectangle; those of the patch's fans begin at `fan_map`.
+    Image<std::uint32_t> inner_owners(std::size_t p, std::uint32_t fan_map) const {
         const PatchBlock& b = atlas_.layout.blocks[p];
         const std::uint32_t columns = b.columns() + 1, rows = b.rows() + 1;
         const Vec2d low(b.x + b.gutter, b.y + b.gutter);
         const std::uint32_t reach = std::max(columns, rows);
         Image<std::uint32_t> owner(columns, rows, nobody);
-        for (std::size_t t = 0; t < patch.triangles.size(); ++t) {
-            std::array<Vec2d, 3> corners = places(p, patch.triangles[t]);
+        const auto show = [&](std::array<Vec2d, 3> corners, std::uint32_t map) {
             for (Vec2d& corner : corners) corner -= low;
-            if (!(cross(corners[1] - corners[0], corners[2] - corners[0]) > 0.0)) continue;
+            if (!(cross(corners[1] - corners[0], corners[2] - corners[0]) > 0.0)) return;
             visit_slices(corners, reach, 0.0, [&](std::uint32_t row, const Interval& x) {
                 if (row >= rows) return;
                 const TexelRun run = centres_within(x.low, x.high, columns);
                 for (std::uint32_t& texel : owner.row(row).subspan(run.first, run.count))
-                    texel = std::min(texel, map_of_triangle_[p][t]);
+                    texel = std::min(texel, map);
             });
-        }
+        };
+        for (std::uint32_t i = first_[p]; i < first_[p + 1]; ++i)
+            show(atlas_.atlas.corners[triangles_[i]], triangles_[i]);
+        for (const PlacedTriangle& fan : atlas_.patches[p].fans) show(fan.places, fan_map++);
         fill_missed(owner);
         return owner;
     }
@@ -230,82 +283,50 @@ class Rasterizer {
     }
 
     void fill_block(std::size_t p) {
+        const auto first_fan = std::uint32_t(solid_.maps.size());
         map_fans(p);
         const PatchBlock& b = atlas_.layout.blocks[p];
-        const Image<std::uint32_t> owner = inner_owners(p);
-        using Key = std::array<std::uint32_t, 4>;
-        const auto owners_of = [&](const Sources& sources) {
-            Key key{nobody, nobody, nobody, nobody};
-            for (std::size_t i = 0; i < sources.count; ++i)
-                key[i] = owner.row(
-                    std::uint32_t(sources.terms[i].y - b.y -
-                                  b.gutter))[std::size_t(sources.terms[i].x - b.x - b.gutter)];
-            return key;
-        };
-        for (std::uint32_t y = b.y; y < b.y + b.height; ++y) {
-            Key before{};
-            std::size_t count_before = 0;
-            for (std::uint32_t x = b.x; x < b.x + b.width; ++x) {
-                const Sources sources = sources_of(x, y, b);
-                const Key key = owners_of(sources);
-                const bool enters = x == b.x + b.gutter || x == b.x + b.gutter + b.columns() + 1;
-                if (x > b.x && !enters && key == before && sources.count == count_before) {
-                    ++rows_[y].back().count;
-                    continue;
-                }
-                rows_[y].push_back({x, 1, map_for(sources, key, x, y)});
-                before = key;
-                count_before = sources.count;
-            }
-        }
+        const Image<std::uint32_t> inner = inner_owners(p, first_fan);
+        for (std::uint32_t y = b.y; y < b.y + b.height; ++y)
+            visit_row(b, inner, y, [&](const Run& run) {
+                const std::uint32_t map = run.gutter ? gutter_map(run, y, b) : run.owners[0];
+                add_span(y, {run.x, run.count, map});
+            });
     }
 
-    std::uint32_t map_for(const Sources& sources, const std::array<std::uint32_t, 4>& key,
-                          std::uint32_t x, std::uint32_t y) {
-        if (sources.count == 1) return key[0];
+    std::uint32_t gutter_map(const Run& run, std::uint32_t y, const PatchBlock& b) {
+        const Sources sources = sources_of(run.x, y, b);
         TexelMap map;
-        map.anchor_x = static_cast<std::int32_t>(x);
+        map.anchor_x = static_cast<std::int32_t>(run.x);
         map.anchor_y = static_cast<std::int32_t>(y);
         for (std::size_t i = 0; i < sources.count; ++i) {
             const auto& term = sources.terms[i];
-            const TexelMap& source = solid_.maps[key[i]];
+            const TexelMap& source = solid_.maps[run.owners[i]];
             map.origin += term.factor * source(term.x, term.y);
             map.step_x += term.factor * term.sign_x * source.step_x;
             map.step_y += term.factor * term.sign_y * source.step_y;
         }
-        return add_map(map, solid_.triangle_of(key[0]));
+        return add_map(map, solid_.triangle_of(run.owners[0]));
     }
 
-    /// One affine map for the whole block, from three vertices far apart.
+    /// One affine map for the whole block.
     void fill_plane(std::size_t p) {
-        const MappedPatch& mapped = atlas_.maps.patches[p];
+        const PlacedPatch& patch = atlas_.patches[p];
         const PatchBlock& block = atlas_.layout.blocks[p];
-        const auto farthest = [&](auto distance) {
-            std::uint32_t best = 0;
-            for (std::uint32_t v = 1; v < mapped.uv.size(); ++v)
-                if (distance(mapped.uv[v]) > distance(mapped.uv[best])) best = v;
-            return best;
-        };
-        const std::uint32_t a = farthest([](const Vec2d& q) { return -q.x - q.y; });
-        const std::uint32_t b =
-            farthest([&](const Vec2d& q) { return glm::distance(q, mapped.uv[a]); });
-        const Vec2d line = mapped.uv[b] - mapped.uv[a];
-        const std::uint32_t c =
-            farthest([&](const Vec2d& q) { return std::abs(cross(line, q - mapped.uv[a])); });
-        const auto& points = vertex_points_[p];
-        const std::uint32_t map =
-            add_map(affine_map(places(p, {a, b, c}), {points[a], points[b], points[c]}, block),
-                    any_triangle(p));
+        const auto& [a, b, c] = patch.plane->points;
+        const std::uint32_t map = add_map(
+            affine_map(patch.plane->places, {positions_[a], positions_[b], positions_[c]}, block),
+            patch.triangle);
         for (std::uint32_t y = block.y; y < block.y + block.height; ++y)
-            rows_[y].push_back({block.x, block.width, map});
+            add_span(y, {block.x, block.width, map});
     }
 
     const PatchAtlas& atlas_;
     std::span<const Vec3d> positions_;
+    std::vector<Vec4d> hubs_;  ///< sums of the rim's points, and how many
     SolidAtlas solid_;
-    std::vector<std::vector<Span>> rows_;
-    std::vector<std::vector<Vec3d>> vertex_points_;            ///< per patch and vertex
-    std::vector<std::vector<std::uint32_t>> map_of_triangle_;  ///< per patch and triangle
+    std::vector<std::size_t> filled_;               ///< per row: where its next span goes
+    std::vector<std::uint32_t> first_, triangles_;  ///< by patch
 };
 
 }  // namespace

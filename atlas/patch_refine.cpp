@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <map>
+#include <span>
+#include <utility>
 
 namespace burl {
 namespace {
@@ -62,36 +64,75 @@ void append_bones(const CornerAttributes& from, std::size_t i, std::size_t j,
     to.weights.push_back(total > 0.0f ? weights / total : weights);
 }
 
-class Refiner {
+/// A triangle of a patch.
+struct Piece {
+    std::uint32_t patch = 0, triangle = 0;
+};
+
+/// The pieces of every triangle of the mesh, by patch and number.
+class PiecesOfFaces {
   public:
-    Refiner(const Mesh& mesh, const PatchMaps& maps) : mesh_(mesh), maps_(maps) {
-        pieces_of_face_.resize(mesh.triangles.size());
-        for (std::uint32_t p = 0; p < maps.patches.size(); ++p) {
-            const Patch& patch = maps.patches[p].patch;
-            for (std::uint32_t t = 0; t < patch.triangles.size(); ++t)
-                if (patch.faces[t] != not_in_mesh)
-                    pieces_of_face_[patch.faces[t]].emplace_back(p, t);
-        }
-        result_.mesh.name = mesh.name;
-        result_.mesh.positions = mesh.positions;
-        result_.mesh.parts = mesh.parts;
-        result_.mesh.triangles.reserve(mesh.triangles.size());
-        result_.mesh.source_faces.reserve(mesh.source_faces.size());
-        result_.patch.reserve(mesh.triangles.size());
-        result_.in_patch.reserve(mesh.triangles.size());
-        result_.mesh.notes = mesh.notes;
+    PiecesOfFaces(std::size_t faces, const PatchMaps& maps) : begin_(faces + 1, 0) {
+        for_each(maps, [&](std::uint32_t face, const Piece&) { ++begin_[face]; });
+        std::uint32_t sum = 0;
+        for (std::uint32_t& count : begin_) sum += std::exchange(count, sum);
+        pieces_.resize(sum);
+        for_each(maps,
+                 [&](std::uint32_t face, const Piece& piece) { pieces_[begin_[face]++] = piece; });
     }
 
-    RefinedMesh run() {
+    /// Filling moved every face's begin on to its end.
+    std::span<const Piece> of(std::uint32_t face) const {
+        const std::uint32_t begin = face == 0 ? 0 : begin_[face - 1];
+        return {pieces_.data() + begin, begin_[face] - begin};
+    }
+
+  private:
+    template <class Visit>
+    static void for_each(const PatchMaps& maps, const Visit& visit) {
+        for (std::uint32_t p = 0; p < maps.patches.size(); ++p) {
+            const std::vector<std::uint32_t>& faces = maps.patches[p].patch.faces;
+            for (std::uint32_t t = 0; t < faces.size(); ++t)
+                if (faces[t] != not_in_mesh) visit(faces[t], Piece{p, t});
+        }
+    }
+
+    std::vector<std::uint32_t> begin_;
+    std::vector<Piece> pieces_;
+};
+
+class Refiner {
+  public:
+    Refiner(const Mesh& mesh, const PatchMaps& maps)
+        : mesh_(mesh), maps_(maps), pieces_of_(mesh.triangles.size(), maps) {
+        Mesh& refined = result_.refined.mesh;
+        refined.name = mesh.name;
+        refined.positions = mesh.positions;
+        refined.parts = mesh.parts;
+        refined.notes = mesh.notes;
+        std::size_t count = 0;
+        for (std::uint32_t face = 0; face < mesh.triangles.size(); ++face)
+            count += std::max<std::size_t>(pieces_of_.of(face).size(), 1);
+        refined.triangles.reserve(count);
+        if (!mesh.source_faces.empty()) refined.source_faces.reserve(count);
+        result_.patch.reserve(count);
+        result_.in_patch.reserve(count);
+    }
+
+    Refinement run() {
+        Mesh& refined = result_.refined.mesh;
         std::vector<std::uint32_t> first(mesh_.triangles.size() + 1, 0);
         for (std::uint32_t face = 0; face < mesh_.triangles.size(); ++face) {
-            first[face] = static_cast<std::uint32_t>(result_.mesh.triangles.size());
-            if (pieces_of_face_[face].empty())
-                append(face, mesh_.triangles[face], {{{0, 0}, {1, 1}, {2, 2}}}, not_in_mesh, 0);
-            for (const auto& [p, t] : pieces_of_face_[face]) append_piece(face, p, t);
+            first[face] = static_cast<std::uint32_t>(refined.triangles.size());
+            const std::span<const Piece> pieces = pieces_of_.of(face);
+            if (pieces.empty())
+                append(face, mesh_.triangles[face], {{{0, 0}, {1, 1}, {2, 2}}}, {not_in_mesh, 0});
+            for (const Piece& piece : pieces) append_piece(face, piece);
+            if (pieces.size() > 1)
+                result_.refined.cut_faces.push_back({face, std::uint32_t(pieces.size())});
         }
-        first.back() = static_cast<std::uint32_t>(result_.mesh.triangles.size());
-        for (Part& part : result_.mesh.parts) {
+        first.back() = static_cast<std::uint32_t>(refined.triangles.size());
+        for (Part& part : refined.parts) {
             const std::uint32_t end = part.first_triangle + part.triangle_count;
             part.first_triangle = first[part.first_triangle];
             part.triangle_count = first[end] - part.first_triangle;
@@ -100,33 +141,34 @@ class Refiner {
     }
 
   private:
-    void append_piece(std::uint32_t face, std::uint32_t p, std::uint32_t t) {
-        const Patch& patch = maps_.patches[p].patch;
+    void append_piece(std::uint32_t face, const Piece& piece) {
+        const Patch& patch = maps_.patches[piece.patch].patch;
         Triangle triangle{};
         std::array<CornerPair, 3> pairs;
         for (std::size_t k = 0; k < 3; ++k) {
-            const std::uint32_t vertex = patch.triangles[t][k];
-            triangle[k] = point(p, vertex, patch);
+            const std::uint32_t vertex = patch.triangles[piece.triangle][k];
+            triangle[k] = point(piece.patch, vertex, patch);
             pairs[k] = corners_of(mesh_.triangles[face], patch.origins[vertex]);
         }
-        append(face, triangle, pairs, p, t);
+        append(face, triangle, pairs, piece);
     }
 
     std::uint32_t point(std::uint32_t p, std::uint32_t vertex, const Patch& patch) {
         const VertexOrigin& origin = patch.origins[vertex];
         if (origin.a == origin.b) return origin.a;
-        const auto next = static_cast<std::uint32_t>(result_.mesh.positions.size());
+        std::vector<Vec3d>& positions = result_.refined.mesh.positions;
+        const auto next = static_cast<std::uint32_t>(positions.size());
         const auto [place, fresh] = extra_.emplace(std::pair(p, vertex), next);
         if (fresh) {
-            result_.mesh.positions.push_back(patch.points[vertex]);
-            ++result_.extra_points;
+            positions.push_back(patch.points[vertex]);
+            result_.refined.extra_points.push_back(origin);
         }
         return place->second;
     }
 
     void append(std::uint32_t face, const Triangle& triangle,
-                const std::array<CornerPair, 3>& pairs, std::uint32_t p, std::uint32_t t) {
-        Mesh& mesh = result_.mesh;
+                const std::array<CornerPair, 3>& pairs, const Piece& piece) {
+        Mesh& mesh = result_.refined.mesh;
         mesh.triangles.push_back(triangle);
         if (!mesh_.source_faces.empty()) mesh.source_faces.push_back(mesh_.source_faces[face]);
         const std::size_t base = 3 * std::size_t{face};
@@ -134,20 +176,20 @@ class Refiner {
             append_corner(mesh_.corners, base + pair.i, base + pair.j, mesh.corners);
             append_bones(mesh_.corners, base + pair.i, base + pair.j, mesh.corners);
         }
-        result_.patch.push_back(p);
-        result_.in_patch.push_back(t);
+        result_.patch.push_back(piece.patch);
+        result_.in_patch.push_back(piece.triangle);
     }
 
     const Mesh& mesh_;
     const PatchMaps& maps_;
-    std::vector<std::vector<std::pair<std::uint32_t, std::uint32_t>>> pieces_of_face_;
+    PiecesOfFaces pieces_of_;
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> extra_;
-    RefinedMesh result_;
+    Refinement result_;
 };
 
 }  // namespace
 
-RefinedMesh refine_mesh(const Mesh& mesh, const PatchMaps& maps) {
+Refinement refine_mesh(const Mesh& mesh, const PatchMaps& maps) {
     return Refiner(mesh, maps).run();
 }
 

@@ -7,16 +7,28 @@
 
 namespace burl {
 
+/// A triangle of the mesh that was cut, and into how many.
+struct CutFace {
+    std::uint32_t face = 0, pieces = 0;
+};
+
 struct RefinedMesh {
     Mesh mesh;
-    /// Per triangle of `mesh`: the mapped patch it belongs to, or not_in_mesh for unmapped ones.
+    std::vector<CutFace> cut_faces;  ///< ascending
+    /// Of the points beyond the mesh's own: which two of those they lie half-way between.
+    std::vector<VertexOrigin> extra_points;
+};
+
+/// The refined mesh and where its triangles come from.
+struct Refinement {
+    RefinedMesh refined;
+    /// Per triangle of the refined mesh: the mapped patch it belongs to, or not_in_mesh.
     std::vector<std::uint32_t> patch;
     /// Per triangle: its number within that patch (0 for unmapped ones).
     std::vector<std::uint32_t> in_patch;
-    std::uint32_t extra_points = 0;
 };
 
 /// Triangles keep the order of the mesh's, pieces of one follow each other; extra points come last.
-RefinedMesh refine_mesh(const Mesh& mesh, const PatchMaps& maps);
+Refinement refine_mesh(const Mesh& mesh, const PatchMaps& maps);
 
 }  // namespace burl

@@ -44,7 +44,7 @@ void flush(ShadedBatch& batch, const FieldSampler& sampler, const Shader& shader
 }
 
 template <class Shader>
-SynthesisWork synthesize_rows(const SolidAtlas& solid, std::span<const TexelMap> maps,
+SynthesisWork synthesize_rows(const SolidAtlas& solid, const MovedMaps& maps,
                               const FieldSampler& sampler, const Shader& shader, const Skips& skips,
                               const RowGroups& groups, const RowRange& range,
                               Image<typename Shader::Pixel>& image) {
@@ -78,7 +78,7 @@ Image<typename Shader::Pixel> synthesize(const SolidAtlas& solid, const Texture&
     auto image = Image<typename Shader::Pixel>::unset(solid.size, solid.size);
     FieldSampler sampler(texture, filter.band_limit, kernel, economy.skips);
     WorkSum work(economy.work);
-    const std::vector<TexelMap> maps = moved_maps(solid.maps, map, threads);
+    const MovedMaps maps(solid.maps, map);
     if (exits && !filter.band_limit && may_exit(texture, economy.skips)) {
         const auto pilot = std::make_unique<FieldBatch>();
         add_pilot(solid, maps, *pilot);

@@ -10,16 +10,33 @@
 
 namespace burl {
 
-/// The texels' maps followed by `map`.
+/// Texels' maps followed by another map, each worked out when it is asked for: a list of them is as
+/// large as the atlas's own.
+class MovedMaps {
+  public:
+    /// `maps` must outlive it.
+    MovedMaps(std::span<const TexelMap> maps, const Affine3& map) : maps_(maps), map_(map) {}
+
+    TexelMap operator[](std::size_t i) const {
+        const TexelMap& m = maps_[i];
+        return {map_(m.origin), map_.linear * m.step_x, map_.linear * m.step_y, m.anchor_x,
+                m.anchor_y};
+    }
+    /// What the i-th one is worked out from.
+    const TexelMap& source(std::size_t i) const { return maps_[i]; }
+
+  private:
+    std::span<const TexelMap> maps_;
+    Affine3 map_;
+};
+
+/// All of them, for those who ask for each more than a few times.
 inline std::vector<TexelMap> moved_maps(const std::vector<TexelMap>& maps, const Affine3& map,
                                         int threads) {
     std::vector<TexelMap> result(maps.size());
+    const MovedMaps moved(maps, map);
     for_row_ranges(maps.size(), 1, threads, [&](const RowRange& range) {
-        for (std::size_t i = range.begin(); i != range.end(); ++i) {
-            const TexelMap& m = maps[i];
-            result[i] = {map(m.origin), map.linear * m.step_x, map.linear * m.step_y, m.anchor_x,
-                         m.anchor_y};
-        }
+        for (std::size_t i = range.begin(); i != range.end(); ++i) result[i] = moved[i];
     });
     return result;
 }
@@ -52,6 +69,14 @@ inline void prefetch(const TexelMap& map) {
     __builtin_prefetch(bytes + sizeof(TexelMap) - 1);
 }
 
+/// What the i-th map is read from.
+inline const TexelMap& stored(std::span<const TexelMap> maps, std::size_t i) {
+    return maps[i];
+}
+inline const TexelMap& stored(const MovedMaps& maps, std::size_t i) {
+    return maps.source(i);
+}
+
 /// Adds `count` texels of the span from number `first` on; `start` is that of number 0.
 inline void add_piece(const WholeSpan& span, const TexelMap& texel, const Vec3d& start,
                       std::size_t y, std::size_t first, std::size_t count, FieldBatch& batch) {
@@ -71,14 +96,15 @@ inline void add_piece(const WholeSpan& span, const TexelMap& texel, const Vec3d&
     batch.count += count;
 }
 
-/// Adds row y's texels, whose maps are `maps`. Calls full(), which must empty the batch, whenever
-/// nothing more goes in.
-template <class Full>
-void add_row(const SolidAtlas& solid, std::span<const TexelMap> maps, std::size_t y,
-             FieldBatch& batch, const Full& full) {
+/// Adds row y's texels, whose maps are `maps`: a list or MovedMaps. Calls full(), which must empty
+/// the batch, whenever nothing more goes in.
+template <class Maps, class Full>
+void add_row(const SolidAtlas& solid, const Maps& maps, std::size_t y, FieldBatch& batch,
+             const Full& full) {
     const auto spans = solid.row(y);
     for (const Span& span : spans) {
-        if (&spans.back() - &span >= map_prefetch) prefetch(maps[(&span)[map_prefetch].map]);
+        if (&spans.back() - &span >= map_prefetch)
+            prefetch(stored(maps, (&span)[map_prefetch].map));
         const TexelMap& texel = maps[span.map];
         const WholeSpan whole = solid.whole(span);
         const std::size_t before = span.x - whole.x, end = before + span.count;
@@ -94,7 +120,8 @@ void add_row(const SolidAtlas& solid, std::span<const TexelMap> maps, std::size_
 
 /// Adds up to a batch of blocks of texels that follow one another in the atlas, one in 64 or fewer,
 /// spread evenly; none if there are few.
-inline void add_pilot(const SolidAtlas& solid, std::span<const TexelMap> maps, FieldBatch& batch) {
+template <class Maps>
+void add_pilot(const SolidAtlas& solid, const Maps& maps, FieldBatch& batch) {
     std::size_t texels = 0;
     for (const Span& span : solid.spans) texels += span.count;
     const std::size_t blocks = std::min(texels / 64, batch_capacity) / batch_padding;
@@ -106,11 +133,12 @@ inline void add_pilot(const SolidAtlas& solid, std::span<const TexelMap> maps, F
                 const std::size_t first = (2 * block + 1) * texels / (2 * blocks);
                 const std::size_t begin = std::max(first, at);
                 const std::size_t end = std::min(first + batch_padding, at + span.count);
-                const TexelMap& map = maps[span.map];
-                const WholeSpan whole = solid.whole(span);
-                if (begin < end)
+                if (begin < end) {
+                    const TexelMap& map = maps[span.map];
+                    const WholeSpan whole = solid.whole(span);
                     add_piece(whole, map, map(whole.x, std::int64_t(y)), y,
                               span.x - whole.x + begin - at, end - begin, batch);
+                }
                 if (first + batch_padding > at + span.count) break;
             }
             at += span.count;

@@ -73,7 +73,9 @@ TEST(Exr, LevelsComeBackBitForBit) {
     const ScratchFolder folder;
     const std::vector<Image<RgbF>> levels{ramp(100, 70), ramp(50, 35), ramp(25, 17), ramp(12, 8),
                                           ramp(6, 4),    ramp(3, 2),   ramp(1, 1)};
-    write_exr_levels(folder / "a.exr", levels, ExrDepth::float_full);
+    std::vector<const Image<RgbF>*> addresses;
+    for (const Image<RgbF>& level : levels) addresses.push_back(&level);
+    write_exr_levels(folder / "a.exr", addresses, ExrDepth::float_full);
     Imf::TiledInputFile file((folder / "a.exr").c_str());
     ASSERT_EQ(file.numLevels(), 7);
     EXPECT_EQ(file.levelMode(), Imf::MIPMAP_LEVELS);

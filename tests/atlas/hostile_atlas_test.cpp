@@ -46,7 +46,7 @@ std::size_t owned_texels(const SolidAtlas& solid) {
 
 /// Triangles whose place says that they may have no area there.
 std::size_t counted_without_area(const MeshAtlas& atlas) {
-    if (const PatchAtlas* patches = atlas.patches()) return patches->maps.unmapped.size();
+    if (const PatchAtlas* patches = atlas.patches()) return patches->unmapped;
     return atlas.atlas().notes.minimal_cells + atlas.atlas().notes.shared_triangles;
 }
 

@@ -62,7 +62,7 @@ TEST(PatchAtlas, EveryTexelHasOneOwner) {
                 // The triangle named lies in the block that the texel is in.
                 const std::uint32_t t = b.solid.triangle_of(span.map);
                 ASSERT_LT(t, b.atlas.refined.mesh.triangles.size());
-                const PatchBlock& block = b.atlas.layout.blocks[b.atlas.refined.patch[t]];
+                const PatchBlock& block = b.atlas.layout.blocks[b.atlas.patch_of(t)];
                 EXPECT_TRUE(span.x >= block.x && span.x + span.count <= block.x + block.width &&
                             y >= block.y && y < block.y + block.height);
                 next = span.x + span.count;
@@ -108,8 +108,8 @@ TEST(PatchAtlas, TrianglesAreShownWhereTheirCornersSay) {
 TEST(PatchAtlas, GuttersReflectTheBlock) {
     const Built b(made::ring(40, 20), 512);
     ASSERT_GE(b.atlas.layout.gutter, 2u);
-    for (std::size_t p = 0; p < b.atlas.maps.patches.size(); ++p) {
-        if (b.atlas.maps.patches[p].planar) continue;
+    for (std::size_t p = 0; p < b.atlas.patches.size(); ++p) {
+        if (b.atlas.patches[p].plane) continue;
         const PatchBlock& k = b.atlas.layout.blocks[p];
         ASSERT_GT(k.gutter, 0u);
         const std::size_t x0 = k.x + k.gutter, x1 = x0 + k.columns();
@@ -133,10 +133,11 @@ TEST(PatchAtlas, GuttersReflectTheBlock) {
 }
 
 TEST(PatchAtlas, BordersLieOnCentresOfTheOutermostInnerTexels) {
-    const Built b(made::ball(4), 256);
-    for (std::size_t p = 0; p < b.atlas.maps.patches.size(); ++p) {
-        const MappedPatch& mapped = b.atlas.maps.patches[p];
-        const PatchBlock& k = b.atlas.layout.blocks[p];
+    const Mesh mesh = made::ball(4);
+    const PatchCandidate fitted = *fit_patches(mesh, build_connectivity(mesh), {.size = 256});
+    for (std::size_t p = 0; p < fitted.maps.patches.size(); ++p) {
+        const MappedPatch& mapped = fitted.maps.patches[p];
+        const PatchBlock& k = fitted.layout.blocks[p];
         ASSERT_TRUE(mapped.rectangle);
         for (const HalfEdge h : mapped.patch.loops[0]) {
             const Vec2d at = k.place(mapped.uv[mapped.patch.start(h)]);
@@ -175,7 +176,7 @@ TEST(PatchAtlas, LookupsFindTheSurfacePointAndBothSidesOfABorderAgree) {
 
 TEST(PatchAtlas, FlatMeshesAreExact) {
     const Built b(made::box(4), 256);
-    EXPECT_EQ(b.atlas.maps.notes.planar_patches, 6u);
+    EXPECT_EQ(b.atlas.notes.planar_patches, 6u);
     // Planes have gutters, too, which go on with the plane: levels need them.
     for (std::size_t p = 0; p < 6; ++p) {
         const PatchBlock& k = b.atlas.layout.blocks[p];
@@ -226,7 +227,7 @@ TEST(PatchAtlas, ScaleAndPlaceDoNotMatter) {
         }
         for (const double by : {-3.3, 1e6}) {
             const PatchAtlas b = small_atlas(moved(mesh, 1.0, Vec3d(by * side)));
-            EXPECT_EQ(a.maps.patches.size(), b.maps.patches.size()) << by;
+            EXPECT_EQ(a.patches.size(), b.patches.size()) << by;
             EXPECT_NEAR(b.layout.predicted_stretch / a.layout.predicted_stretch, 1.0, 0.02) << by;
         }
     }
@@ -236,10 +237,10 @@ TEST(PatchAtlas, MapsAreOfTheMeshItself) {
     for (const auto& [name, mesh] : meshes()) {
         SCOPED_TRACE(name);
         const Mesh large = moved(mesh, 37.5, {1.0, -2.0, 0.25});
-        const PatchAtlas atlas =
-            *build_patch_atlas(large, build_connectivity(large), {.size = 256, .tries = 1});
+        const PatchCandidate fitted =
+            *fit_patches(large, build_connectivity(large), {.size = 256, .tries = 1});
         double area = 0.0;
-        for (const MappedPatch& mapped : atlas.maps.patches) {
+        for (const MappedPatch& mapped : fitted.maps.patches) {
             for (std::size_t v = 0; v < mapped.patch.points.size(); ++v) {
                 const VertexOrigin& o = mapped.patch.origins[v];
                 if (o == VertexOrigin{}) continue;
@@ -329,14 +330,15 @@ TEST(PatchRefine, SameSurfaceWithoutTJunctions) {
         const Connectivity connectivity = build_connectivity(mesh);
         const PatchMaps maps =
             map_regions(mesh, connectivity, partition_mesh(mesh, connectivity, {.patches = 12}));
-        const RefinedMesh refined = refine_mesh(mesh, maps);
-        extra += refined.extra_points;
+        const RefinedMesh refined = refine_mesh(mesh, maps).refined;
+        extra += std::uint32_t(refined.extra_points.size());
         std::vector<double> area(mesh.triangles.size(), 0.0);
         for (std::size_t t = 0; t < refined.mesh.triangles.size(); ++t)
             area[refined.mesh.source_faces[t]] += triangle_area(refined.mesh, t);
         for (std::size_t t = 0; t < area.size(); ++t)
             EXPECT_NEAR(area[t], triangle_area(mesh, t), 1e-12);
-        EXPECT_EQ(refined.mesh.positions.size(), mesh.positions.size() + refined.extra_points);
+        EXPECT_EQ(refined.mesh.positions.size(),
+                  mesh.positions.size() + refined.extra_points.size());
         EXPECT_TRUE(
             std::is_sorted(refined.mesh.source_faces.begin(), refined.mesh.source_faces.end()));
         EXPECT_EQ(refined.mesh.parts.back().triangle_count, refined.mesh.triangles.size());
@@ -360,9 +362,10 @@ TEST(PatchRefine, InterpolatesWhatCornersCarry) {
             mesh.corners.weights.push_back(Vec4f(0.25, 0.75, 0.0, 0.0));
         }
     const Connectivity connectivity = build_connectivity(mesh);
-    const RefinedMesh refined = refine_mesh(
-        mesh, map_regions(mesh, connectivity, partition_mesh(mesh, connectivity, {.patches = 20})));
-    ASSERT_GT(refined.extra_points, 0u);
+    const PatchMaps maps =
+        map_regions(mesh, connectivity, partition_mesh(mesh, connectivity, {.patches = 20}));
+    const RefinedMesh refined = refine_mesh(mesh, maps).refined;
+    ASSERT_FALSE(refined.extra_points.empty());
     const CornerAttributes& corners = refined.mesh.corners;
     ASSERT_EQ(corners.colors.size(), 3 * refined.mesh.triangles.size());
     for (std::size_t c = 0; c < corners.colors.size(); ++c) {
