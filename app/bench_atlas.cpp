@@ -69,7 +69,9 @@ void add_quad_stages(std::vector<BenchCase>& cases, const Subject& subject,
     };
     const auto cells = std::make_shared<std::vector<QuadCell>>(pairs());
     add_stage(cases, "pairs", [pairs] { pairs(); });
-    add_stage(cases, "tree", [cells, options] { plan_quad_tree(*cells, options, halve_by_place); });
+    add_stage(cases, "tree", [cells, options] {
+        plan_quad_tree(*cells, options, {halve_by_place, true});
+    });
 }
 
 std::vector<BenchCase> stages_of(const Subject& subject, const MeshAtlas& atlas,

@@ -12,6 +12,7 @@
 #include <tbb/parallel_for.h>
 
 #include "app/corners_by_point.h"
+#include "atlas/each_index.h"
 
 namespace burl {
 namespace {
@@ -197,10 +198,7 @@ PartVertices part_vertices(const Corners& of, std::size_t index,
     const auto begin = first.begin() + 3 * std::ptrdiff_t(part.first_triangle);
     out.indices.assign(begin, begin + 3 * std::ptrdiff_t(part.triangle_count));
     resize(out, corners.size(), of);
-    tbb::parallel_for(Range(0, corners.size(), grain), [&](const Range& range) {
-        for (std::size_t i = range.begin(); i < range.end(); ++i)
-            fill_vertex(out, i, corners[i], of);
-    });
+    for_each_index(corners.size(), [&](std::size_t i) { fill_vertex(out, i, corners[i], of); });
     return out;
 }
 

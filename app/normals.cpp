@@ -11,6 +11,7 @@
 #include <tbb/parallel_for.h>
 
 #include "app/corners_by_point.h"
+#include "atlas/each_index.h"
 
 namespace burl {
 
@@ -175,10 +176,8 @@ void fill_gaps(const CornersByPoint& around, std::vector<Vec3f>& normals) {
 
 std::vector<Vec3d> all_face_normals(const Mesh& mesh) {
     std::vector<Vec3d> normals(mesh.triangles.size());
-    tbb::parallel_for(Range(0, normals.size(), grain), [&](const Range& range) {
-        for (std::size_t t = range.begin(); t < range.end(); ++t)
-            normals[t] = face_normal(mesh, mesh.triangles[t]);
-    });
+    for_each_index(normals.size(),
+                   [&](std::size_t t) { normals[t] = face_normal(mesh, mesh.triangles[t]); });
     return normals;
 }
 

@@ -4,21 +4,17 @@
 
 #include <optional>
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
 
 #include "app/gltf_scene.h"
 #include "app/normals.h"
 #include "app/placed_vertices.h"
 #include "app/tangents.h"
+#include "atlas/each_index.h"
 
 namespace burl {
 
 namespace {
-
-using Range = tbb::blocked_range<std::size_t>;
-constexpr std::size_t grain = 16384;
 
 void resize(Surface& surface, std::size_t count, const PartVertices& like) {
     surface.positions.resize(count);
@@ -34,19 +30,18 @@ Surface surface_of(const PartVertices& vertices, const SceneMaterial& material) 
     surface.tangents = vertices.tangents;
     resize(surface, vertices.positions.size(), vertices);
     surface.triangles.resize(vertices.indices.size() / 3);
-    tbb::parallel_for(Range(0, vertices.positions.size(), grain), [&](const Range& range) {
-        for (std::size_t i = range.begin(); i < range.end(); ++i) {
-            surface.positions[i] = Vec3d(vertices.positions[i]);
-            surface.normals[i] = Vec3f(glm::normalize(Vec3d(vertices.normals[i])));
-            surface.uvs[i] = {vertices.uvs[i][0], vertices.uvs[i][1]};
-            if (surface.blocks.empty()) continue;
-            const auto& [low_u, low_v, high_u, high_v] = vertices.blocks[i];
-            surface.blocks[i] = {low_u, low_v, high_u, high_v};
-        }
+    for_each_index(vertices.positions.size(), [&](std::size_t i) {
+        surface.positions[i] = Vec3d(vertices.positions[i]);
+        surface.normals[i] = Vec3f(glm::normalize(Vec3d(vertices.normals[i])));
+        surface.uvs[i] = {vertices.uvs[i][0], vertices.uvs[i][1]};
+        if (surface.blocks.empty()) return;
+        const auto& [low_u, low_v, high_u, high_v] = vertices.blocks[i];
+        surface.blocks[i] = {low_u, low_v, high_u, high_v};
     });
     const std::vector<std::uint32_t>& indices = vertices.indices;
-    for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+    for_each_index(surface.triangles.size(), [&](std::size_t t) {
         surface.triangles[t] = {indices[3 * t], indices[3 * t + 1], indices[3 * t + 2]};
+    });
     return surface;
 }
 

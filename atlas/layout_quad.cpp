@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "atlas/block_corners.h"
+#include "atlas/each_index.h"
 #include "atlas/overscan.h"
 #include "atlas/pairing.h"
 #include "atlas/quad_cells.h"
@@ -63,19 +64,24 @@ Block make_block(const QuadLeaf& leaf, const QuadCell& cell, const AtlasOptions&
     return block;
 }
 
-void place_block(Atlas& atlas, const Block& block) {
+void place_corners(Atlas& atlas, const Block& block) {
     const BlockCorners places = block_corners(block, atlas.options.overscan, false);
     const auto place = [&](std::int32_t face, std::size_t first,
                            const std::array<Vec2d, 3>& corners) {
         for (std::size_t k = 0; k < 3; ++k)
             atlas.corners[std::size_t(face)][(first + k) % 3] = corners[k];
-        atlas.charts[std::size_t(face)] = atlas.chart_count - 1;
     };
-    if (!block.shares_texel) ++atlas.chart_count;
     place(block.lower, block.lower_corner, places.lower);
+    if (block.upper >= 0) place(block.upper, block.upper_corner, places.upper);
+}
+
+/// Triangles that lie apart are charts of their own; those on one texel are one.
+void number_charts(Atlas& atlas, const Block& block) {
+    if (!block.shares_texel) ++atlas.chart_count;
+    atlas.charts[std::size_t(block.lower)] = atlas.chart_count - 1;
     if (block.upper < 0) return;
     if (block.overscan > 0) ++atlas.chart_count;
-    place(block.upper, block.upper_corner, places.upper);
+    atlas.charts[std::size_t(block.upper)] = atlas.chart_count - 1;
 }
 
 std::uint64_t gutter_texels(const Block& block) {
@@ -116,12 +122,12 @@ void note_shared(Atlas& atlas) {
 std::vector<QuadLeaf> plan(const Mesh& mesh, std::span<const std::int32_t> opposite,
                            std::span<const QuadCell> cells, const AtlasOptions& options) {
     if (options.partition == AtlasPartition::rcb)
-        return plan_quad_tree(cells, options, halve_by_place);
+        return plan_quad_tree(cells, options, {halve_by_place, true});
     QuadGraph graph(mesh, opposite, cells);
-    return plan_quad_tree(cells, options,
-                          [&graph](std::span<QuadItem> items, const HalfBounds& bounds) {
-                              return graph.halve(items, bounds);
-                          });
+    const auto halve = [&graph](std::span<QuadItem> items, const HalfBounds& bounds) {
+        return graph.halve(items, bounds);
+    };
+    return plan_quad_tree(cells, options, {halve, false});
 }
 
 }  // namespace
@@ -136,13 +142,16 @@ Atlas layout_quad(const Mesh& mesh, const Connectivity& connectivity, const Atla
         cells = make_quad_cells(mesh, opposite, options.weight, any_pair_cost);
     atlas.corners.resize(mesh.triangles.size());
     atlas.charts.resize(mesh.triangles.size());
-    atlas.blocks.reserve(cells.size());
     std::vector<QuadLeaf> leaves = plan(mesh, opposite, cells, options);
     if (leaves.size() <= atlas.notes.texels_total) turn_to_neighbours(leaves, cells, mesh);
-    for (const QuadLeaf& leaf : leaves) {
-        atlas.blocks.push_back(make_block(leaf, cells[leaf.cell], options));
-        place_block(atlas, atlas.blocks.back());
-        note_block(atlas.notes, atlas.blocks.back(), options);
+    atlas.blocks.resize(leaves.size());
+    for_each_index(leaves.size(), [&](std::size_t i) {
+        atlas.blocks[i] = make_block(leaves[i], cells[leaves[i].cell], options);
+        place_corners(atlas, atlas.blocks[i]);
+    });
+    for (const Block& block : atlas.blocks) {
+        number_charts(atlas, block);
+        note_block(atlas.notes, block, options);
     }
     note_shared(atlas);
     return atlas;

@@ -7,6 +7,10 @@
 #include <cmath>
 #include <utility>
 
+#include <tbb/parallel_sort.h>
+
+#include "atlas/each_index.h"
+
 namespace burl {
 
 namespace {
@@ -113,8 +117,8 @@ double dislike(const Mesh& mesh, std::span<const float> weights, HalfEdge h, Hal
 }  // namespace
 
 std::vector<std::int32_t> opposite_half_edges(const Mesh& mesh, const Connectivity& connectivity) {
-    std::vector<HalfEdge> opposite(3 * mesh.triangles.size(), -1);
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    std::vector<HalfEdge> beyond(3 * mesh.triangles.size(), -1);
+    for_each_index(mesh.triangles.size(), [&](std::size_t t) {
         for (std::size_t k = 0; k < 3; ++k) {
             const std::int32_t other = connectivity.neighbours[t][k];
             if (other < 0 || std::size_t(other) == t) continue;
@@ -122,13 +126,15 @@ std::vector<std::int32_t> opposite_half_edges(const Mesh& mesh, const Connectivi
             const Triangle& b = mesh.triangles[std::size_t(other)];
             for (std::size_t j = 0; j < 3; ++j)
                 if (a[k] == b[(j + 1) % 3] && a[(k + 1) % 3] == b[j])
-                    opposite[3 * t + k] = static_cast<HalfEdge>(3 * std::size_t(other) + j);
+                    beyond[3 * t + k] = static_cast<HalfEdge>(3 * std::size_t(other) + j);
         }
-    }
-    for (std::size_t h = 0; h < opposite.size(); ++h) {
-        const HalfEdge o = opposite[h];
-        if (o >= 0 && opposite[std::size_t(o)] != static_cast<HalfEdge>(h)) opposite[h] = -1;
-    }
+    });
+    std::vector<HalfEdge> opposite(beyond.size());
+    for_each_index(beyond.size(), [&](std::size_t h) {
+        const HalfEdge o = beyond[h];
+        const bool mutual = o >= 0 && beyond[std::size_t(o)] == static_cast<HalfEdge>(h);
+        opposite[h] = mutual ? o : -1;
+    });
     return opposite;
 }
 
@@ -139,7 +145,7 @@ std::vector<std::int8_t> match_triangles(std::span<const std::int32_t> opposite,
     for (HalfEdge h = 0; std::size_t(h) < opposite.size(); ++h)
         if (opposite[std::size_t(h)] >= h && matcher.allowed(h))
             candidates.emplace_back(keys[std::size_t(h)], h);
-    std::sort(candidates.begin(), candidates.end());
+    tbb::parallel_sort(candidates.begin(), candidates.end());
     for (const auto& [key, h] : candidates)
         if (matcher.single(h / 3) && matcher.single(opposite[std::size_t(h)] / 3)) matcher.match(h);
     for (std::int32_t t = 0; std::size_t(t) < opposite.size() / 3; ++t)

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "atlas/each_index.h"
+
 namespace burl {
 
 namespace {
@@ -13,26 +15,30 @@ namespace {
 constexpr int sweeps = 2;  // per level; later ones see what the neighbours have decided
 constexpr std::array<QuadSide, 4> all_sides{quad_left, quad_right, quad_below, quad_above};
 
-/// A node at its place on the current level of the tree.
+/// A node at its place on the current level of the tree, with what its neighbours want to know.
 struct Spot {
     QuadSpot spot;
-    bool exchanged = false;  ///< the second half comes first
+    bool leaf = false, upright = false;
+    bool exchanged = false;      ///< the second half comes first
+    Vec3d first{0.0}, second{};  ///< the halves' centres; of a leaf its own
+
+    /// Centre of the half that lies low or high.
+    const Vec3d& centre(bool high) const { return high == exchanged ? first : second; }
 };
 
 class Level {
   public:
-    Level(std::span<const QuadNode> nodes, int log_size) : nodes_(nodes) {
-        spots_.push_back(
-            {{0, {0, 0, log_size, log_size}, {no_spot, no_spot, no_spot, no_spot}}, false});
+    Level(std::span<const QuadNode> nodes, int log_size) : nodes_(nodes), spots_(1) {
+        spots_[0] = spot_of({0, {0, 0, log_size, log_size}, {no_spot, no_spot, no_spot, no_spot}});
     }
 
     bool has_nodes() const {
-        return std::ranges::any_of(spots_, [this](const Spot& s) { return !is_leaf(s); });
+        return std::ranges::any_of(spots_, [](const Spot& s) { return !s.leaf; });
     }
     void decide() {
         for (int sweep = 0; sweep < sweeps; ++sweep)
             for (Spot& spot : spots_)
-                if (!is_leaf(spot)) decide(spot);
+                if (!spot.leaf) decide(spot);
     }
     /// Every node gives way to its halves.
     Level halved() const;
@@ -45,17 +51,9 @@ class Level {
 
   private:
     explicit Level(std::span<const QuadNode> nodes) : nodes_(nodes) {}
-    const QuadNode& node_of(const Spot& s) const { return nodes_[s.spot.node]; }
-    bool is_leaf(const Spot& s) const { return node_of(s).half == 0; }
-    bool upright(const Spot& s) const {
-        const int aspect = s.spot.at.log_width - s.spot.at.log_height;
-        return (node_of(s).upright >> (aspect + most_quad_aspect) & 1) != 0;
-    }
-    /// Number of the half that lies low or high.
-    std::uint32_t half(const Spot& s, bool high) const {
-        return s.spot.node + (high == s.exchanged ? 1 : 2 * node_of(s).half);
-    }
-    Vec3d beside(const Spot& s, QuadSide side, const Vec2d& at) const;
+    Spot spot_of(const QuadSpot& spot) const;
+    QuadSpot half_of(const Spot& s, bool high, std::span<const std::uint32_t> begin) const;
+    const Vec3d& beside(const Spot& s, QuadSide side, const Vec2d& at) const;
     void decide(Spot& s) const;
 
     std::span<const QuadNode> nodes_;
@@ -97,17 +95,30 @@ Vec2d outside(const QuadPlace& at, QuadSide side) {
     return {low.x + 0.5 * size.x, low.y + size.y + little};
 }
 
+Spot Level::spot_of(const QuadSpot& spot) const {
+    const QuadNode& node = nodes_[spot.node];
+    Spot result;
+    result.spot = spot;
+    result.leaf = node.half == 0;
+    result.first = result.second = node.centre;
+    if (result.leaf) return result;
+    const int aspect = spot.at.log_width - spot.at.log_height;
+    result.upright = (node.upright >> (aspect + most_quad_aspect) & 1) != 0;
+    result.first = nodes_[spot.node + 1].centre;
+    result.second = nodes_[spot.node + 2 * node.half].centre;
+    return result;
+}
+
 /// Centre of what lies at that point, beside that side.
-Vec3d Level::beside(const Spot& s, QuadSide side, const Vec2d& at) const {
+const Vec3d& Level::beside(const Spot& s, QuadSide side, const Vec2d& at) const {
     const Spot& other = spots_[s.spot.beside[side]];
-    if (is_leaf(other)) return node_of(other).centre;
-    return nodes_[half(other, is_high(other.spot.at, upright(other), at))].centre;
+    return other.centre(!other.leaf && is_high(other.spot.at, other.upright, at));
 }
 
 void Level::decide(Spot& s) const {
-    const bool up = upright(s);
-    const Vec3d a = nodes_[s.spot.node + 1].centre,
-                b = nodes_[s.spot.node + 2 * node_of(s).half].centre, middle = 0.5 * (a + b);
+    const bool up = s.upright;
+    const Vec3d &a = s.first, &b = s.second;
+    const Vec3d middle = 0.5 * (a + b);
     const QuadPlace& at = s.spot.at;
     Vec3d pull{0.0};
     for (const QuadSide side : all_sides) {
@@ -128,39 +139,45 @@ void Level::decide(Spot& s) const {
     s.exchanged = glm::dot(a - b, pull) < 0.0;
 }
 
+/// `begin`: where each spot's halves begin on the next level.
+QuadSpot Level::half_of(const Spot& s, bool high, std::span<const std::uint32_t> begin) const {
+    QuadSpot half = s.spot;
+    if (!s.leaf) {
+        half.node += high == s.exchanged ? 1 : 2 * nodes_[s.spot.node].half;
+        half.at = half_place(s.spot.at, s.upright, high);
+    }
+    for (const QuadSide side : all_sides) {
+        const std::uint32_t number = s.spot.beside[side];
+        if (number == no_spot) continue;
+        const Spot& other = spots_[number];
+        const bool other_high =
+            !other.leaf && is_high(other.spot.at, other.upright, outside(half.at, side));
+        half.beside[side] = begin[number] + (other_high ? 1u : 0u);
+    }
+    return half;
+}
+
 Level Level::halved() const {
     Level next(nodes_);
-    std::vector<std::uint32_t> begin(spots_.size());  // where each spot's halves begin
+    std::vector<std::uint32_t> begin(spots_.size());
     std::uint32_t count = 0;
     for (std::size_t i = 0; i < spots_.size(); ++i) {
         begin[i] = count;
-        count += is_leaf(spots_[i]) ? 1 : 2;
+        count += spots_[i].leaf ? 1 : 2;
     }
-    next.spots_.reserve(count);
-    const auto number_at = [&](std::uint32_t i, const Vec2d& point) {
+    next.spots_.resize(count);
+    for_each_index(spots_.size(), [&](std::size_t i) {
         const Spot& s = spots_[i];
-        return begin[i] + (!is_leaf(s) && is_high(s.spot.at, upright(s), point) ? 1u : 0u);
-    };
-    for (std::size_t i = 0; i < spots_.size(); ++i) {
-        const Spot& s = spots_[i];
-        const bool leaf = is_leaf(s), up = !leaf && upright(s);
         for (const bool high : {false, true}) {
-            if (leaf && high) break;
-            Spot part;
-            part.spot = leaf ? s.spot
-                             : QuadSpot{half(s, high),
-                                        half_place(s.spot.at, up, high),
-                                        {no_spot, no_spot, no_spot, no_spot}};
-            for (const QuadSide side : all_sides)
-                if (s.spot.beside[side] != no_spot)
-                    part.spot.beside[side] =
-                        number_at(s.spot.beside[side], outside(part.spot.at, side));
-            if (!leaf)
-                part.spot.beside[up ? (high ? quad_below : quad_above)
-                                    : (high ? quad_left : quad_right)] = begin[i] + (high ? 0 : 1);
-            next.spots_.push_back(part);
+            if (s.leaf && high) break;
+            QuadSpot half = half_of(s, high, begin);
+            if (!s.leaf)
+                half.beside[s.upright ? (high ? quad_below : quad_above)
+                                      : (high ? quad_left : quad_right)] =
+                    begin[i] + (high ? 0 : 1);
+            next.spots_[begin[i] + (high ? 1 : 0)] = next.spot_of(half);
         }
-    }
+    });
     return next;
 }
 

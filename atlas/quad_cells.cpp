@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "atlas/each_index.h"
 #include "atlas/pairing.h"
 #include "atlas/weights.h"
 
@@ -22,7 +23,7 @@ std::vector<Sides> all_sides(const Mesh& mesh) {
     const double scale = unit_scale(mesh);
     const std::vector<double> areas = triangle_areas(mesh).areas;
     std::vector<Sides> sides(mesh.triangles.size());
-    for (std::size_t t = 0; t < sides.size(); ++t) {
+    for_each_index(sides.size(), [&](std::size_t t) {
         for (std::size_t k = 0; k < 3; ++k) {
             const auto& triangle = mesh.triangles[t];
             const Vec3d edge =
@@ -30,7 +31,7 @@ std::vector<Sides> all_sides(const Mesh& mesh) {
             sides[t].squared[k] = glm::dot(edge, edge);
         }
         sides[t].area = areas[t];
-    }
+    });
     return sides;
 }
 
@@ -73,18 +74,17 @@ std::uint32_t pair_key(double pair, double singles, double most_cost) {
 
 std::vector<std::uint32_t> pair_keys(std::span<const Sides> sides,
                                      std::span<const std::int32_t> opposite, double most_cost) {
-    std::vector<double> budgets;
-    budgets.reserve(sides.size());
-    for (const Sides& s : sides) budgets.push_back(single_budget(s));
+    std::vector<double> budgets(sides.size());
+    for_each_index(sides.size(), [&](std::size_t t) { budgets[t] = single_budget(sides[t]); });
     std::vector<std::uint32_t> keys(opposite.size(), never_pair);
-    for (std::size_t h = 0; h < opposite.size(); ++h) {
-        if (opposite[h] < 0 || std::size_t(opposite[h]) < h) continue;
+    for_each_index(opposite.size(), [&](std::size_t h) {
+        if (opposite[h] < 0 || std::size_t(opposite[h]) < h) return;
         const auto o = std::size_t(opposite[h]);
         Extent extent;
         extent.add(sides[h / 3], (h + 2) % 3);
         extent.add(sides[o / 3], (o + 2) % 3);
         keys[h] = keys[o] = pair_key(extent.budget(), budgets[h / 3] + budgets[o / 3], most_cost);
-    }
+    });
     return keys;
 }
 
@@ -130,38 +130,60 @@ double kink(const Mesh& mesh, const QuadCell& cell, double scale) {
     return diagonal > 0.0 ? glm::length(off) / diagonal : 0.0;
 }
 
+/// A cell of one triangle or two by the half-edge of the lower one towards the other, -1: none.
+struct Pair {
+    std::int32_t lower = -1;
+    std::int8_t edge = -1;
+};
+
+std::vector<Pair> pairs_of(std::span<const std::int32_t> opposite,
+                           std::span<const std::int8_t> partner_edges) {
+    std::vector<Pair> pairs;
+    pairs.reserve(partner_edges.size());
+    for (std::size_t t = 0; t < partner_edges.size(); ++t) {
+        const std::int8_t edge = partner_edges[t];
+        if (edge >= 0 && std::size_t(opposite[3 * t + std::size_t(edge)] / 3) < t) continue;
+        pairs.push_back({static_cast<std::int32_t>(t), edge});
+    }
+    return pairs;
+}
+
+QuadCell make_cell(const Pair& pair, const Mesh& mesh, std::span<const std::int32_t> opposite,
+                   std::span<const Sides> sides, AtlasWeight weight, double scale) {
+    const auto t = std::size_t(pair.lower);
+    QuadCell cell;
+    Extent extent;
+    cell.lower = pair.lower;
+    const std::size_t corner =
+        pair.edge < 0 ? best_right_angle(sides[t]) : std::size_t(pair.edge + 2) % 3;
+    cell.lower_corner = static_cast<std::uint8_t>(corner);
+    extent.add(sides[t], corner);
+    if (pair.edge >= 0) {
+        const std::int32_t o = opposite[3 * t + std::size_t(pair.edge)];
+        cell.upper = o / 3;
+        cell.upper_corner = static_cast<std::uint8_t>((o + 2) % 3);
+        extent.add(sides[std::size_t(o / 3)], cell.upper_corner);
+        cell.kink = kink(mesh, cell, scale);
+    }
+    cell.centre = centre(mesh, cell, scale);
+    cell.demand = demand(extent, weight);
+    cell.aspect = aspect(extent, weight);
+    cell.error = extent.error;
+    return cell;
+}
+
 }  // namespace
 
 std::vector<QuadCell> make_quad_cells(const Mesh& mesh, std::span<const std::int32_t> opposite,
                                       AtlasWeight weight, double most_cost) {
     const std::vector<Sides> sides = all_sides(mesh);
-    const std::vector<std::int8_t> partner_edges =
-        match_triangles(opposite, pair_keys(sides, opposite, most_cost));
+    const std::vector<Pair> pairs =
+        pairs_of(opposite, match_triangles(opposite, pair_keys(sides, opposite, most_cost)));
     const double scale = unit_scale(mesh);
-    std::vector<QuadCell> cells;
-    for (std::size_t t = 0; t < sides.size(); ++t) {
-        const std::int8_t edge = partner_edges[t];
-        const std::int32_t o = edge < 0 ? -1 : opposite[3 * t + std::size_t(edge)];
-        if (o >= 0 && std::size_t(o / 3) < t) continue;
-        QuadCell cell;
-        Extent extent;
-        cell.lower = static_cast<std::int32_t>(t);
-        const std::size_t corner =
-            edge < 0 ? best_right_angle(sides[t]) : std::size_t(edge + 2) % 3;
-        cell.lower_corner = static_cast<std::uint8_t>(corner);
-        extent.add(sides[t], corner);
-        if (o >= 0) {
-            cell.upper = o / 3;
-            cell.upper_corner = static_cast<std::uint8_t>((o + 2) % 3);
-            extent.add(sides[std::size_t(o / 3)], cell.upper_corner);
-            cell.kink = kink(mesh, cell, scale);
-        }
-        cell.centre = centre(mesh, cell, scale);
-        cell.demand = demand(extent, weight);
-        cell.aspect = aspect(extent, weight);
-        cell.error = extent.error;
-        cells.push_back(cell);
-    }
+    std::vector<QuadCell> cells(pairs.size());
+    for_each_index(cells.size(), [&](std::size_t i) {
+        cells[i] = make_cell(pairs[i], mesh, opposite, sides, weight, scale);
+    });
     return cells;
 }
 

@@ -32,7 +32,10 @@ struct HalfBounds {
 
 /// Reorders two or more items so that the first k (returned) are one half, with about half the
 /// weight.
-using Halve = std::function<std::size_t(std::span<QuadItem> items, const HalfBounds& bounds)>;
+struct Halve {
+    std::function<std::size_t(std::span<QuadItem> items, const HalfBounds& bounds)> run;
+    bool apart = false;  ///< several threads may halve items of their own at a time
+};
 
 /// By coordinates.
 std::size_t halve_by_place(std::span<QuadItem> items, const HalfBounds& bounds);

@@ -10,6 +10,9 @@
 #include <limits>
 #include <utility>
 
+#include <tbb/parallel_invoke.h>
+
+#include "atlas/each_index.h"
 #include "atlas/overscan.h"
 #include "atlas/quad_arrangement.h"
 
@@ -19,6 +22,7 @@ namespace {
 
 constexpr std::uint32_t most_log_side = 14;
 static_assert(max_atlas_size == 1u << most_log_side);
+constexpr std::size_t many_items = 4096;  // worth two threads
 constexpr double infinite = std::numeric_limits<double>::infinity();
 // Within this factor a block may be turned for its neighbours' sake.
 constexpr double equal_errors = 1.02;
@@ -51,9 +55,9 @@ class Tree {
   private:
     double leaf_cost(const QuadCell& cell, int log_width, int log_height, bool turned) const;
     Costs leaf_costs(std::size_t item, int log_texels, int reach) const;
-    void place(const QuadSpot& spot, std::vector<QuadLeaf>& leaves) const;
+    QuadLeaf place(const QuadItem& item, const QuadSpot& spot) const;
     void place_together(std::span<const QuadItem> items, const QuadPlace& at,
-                        std::vector<QuadLeaf>& leaves) const;
+                        QuadLeaf* leaves) const;
 
     std::span<const QuadCell> cells_;
     std::vector<QuadItem> items_;
@@ -126,11 +130,20 @@ Costs Tree::build(std::size_t node, std::size_t first, std::size_t count, int lo
     nodes_[node].count = static_cast<std::uint32_t>(count);
     nodes_[node].centre = middle({items_.data() + first, count});
     if (count == 1 || log_texels == 0) return leaf_costs(first, log_texels, reach);
-    const std::size_t half =
-        halve_({items_.data() + first, count}, half_bounds(count, std::size_t{1} << log_texels));
+    const std::size_t half = halve_.run({items_.data() + first, count},
+                                        half_bounds(count, std::size_t{1} << log_texels));
     nodes_[node].half = static_cast<std::uint32_t>(half);
-    const Costs a = build(node + 1, first, half, log_texels - 1, depth + 1);
-    const Costs b = build(node + 2 * half, first + half, count - half, log_texels - 1, depth + 1);
+    Costs a, b;
+    const auto first_half = [&] { a = build(node + 1, first, half, log_texels - 1, depth + 1); };
+    const auto second_half = [&] {
+        b = build(node + 2 * half, first + half, count - half, log_texels - 1, depth + 1);
+    };
+    if (halve_.apart && count > many_items) {
+        tbb::parallel_invoke(first_half, second_half);
+    } else {
+        first_half();
+        second_half();
+    }
     Costs costs;
     for (int aspect = -reach; aspect <= reach; ++aspect) {
         if ((aspect + log_texels) % 2 != 0) continue;
@@ -146,7 +159,7 @@ Costs Tree::build(std::size_t node, std::size_t first, std::size_t count, int lo
 
 /// Several items on one texel, the one nearest to their middle first.
 void Tree::place_together(std::span<const QuadItem> items, const QuadPlace& at,
-                          std::vector<QuadLeaf>& leaves) const {
+                          QuadLeaf* leaves) const {
     const Vec3d centre = middle(items);
     std::vector<std::pair<double, std::uint32_t>> ranks;
     for (const QuadItem& item : items) {
@@ -155,28 +168,37 @@ void Tree::place_together(std::span<const QuadItem> items, const QuadPlace& at,
     }
     std::sort(ranks.begin(), ranks.end());
     for (std::size_t i = 0; i < ranks.size(); ++i)
-        leaves.push_back({ranks[i].second, at.x, at.y, 1, 1, false, i > 0});
+        leaves[i] = {ranks[i].second, at.x, at.y, 1, 1, false, i > 0};
 }
 
-void Tree::place(const QuadSpot& spot, std::vector<QuadLeaf>& leaves) const {
-    const QuadNode& node = nodes_[spot.node];
+QuadLeaf Tree::place(const QuadItem& item, const QuadSpot& spot) const {
     const QuadPlace& at = spot.at;
-    const std::span<const QuadItem> items{items_.data() + node.first, node.count};
-    if (items.size() > 1) return place_together(items, at, leaves);
-    const QuadCell& cell = cells_[items[0].cell];
+    const QuadCell& cell = cells_[item.cell];
     const double upright = leaf_cost(cell, at.log_width, at.log_height, false),
                  turned = leaf_cost(cell, at.log_width, at.log_height, true);
-    QuadLeaf leaf{items[0].cell,   at.x, at.y, 1u << at.log_width, 1u << at.log_height,
-                  turned < upright};
+    QuadLeaf leaf{item.cell, at.x, at.y, 1u << at.log_width, 1u << at.log_height, turned < upright};
     leaf.may_turn = std::max(upright, turned) <= equal_errors * std::min(upright, turned);
     leaf.beside = spot.beside;
-    leaves.push_back(leaf);
+    return leaf;
 }
 
 std::vector<QuadLeaf> Tree::leaves(int log_size) const {
-    std::vector<QuadLeaf> leaves;
-    leaves.reserve(items_.size());
-    for (const QuadSpot& spot : arrange(nodes_, log_size)) place(spot, leaves);
+    const std::vector<QuadSpot> spots = arrange(nodes_, log_size);
+    std::vector<std::size_t> begin(spots.size());
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < spots.size(); ++i) {
+        begin[i] = count;
+        count += nodes_[spots[i].node].count;
+    }
+    std::vector<QuadLeaf> leaves(count);
+    for_each_index(spots.size(), [&](std::size_t i) {
+        const QuadNode& node = nodes_[spots[i].node];
+        QuadLeaf* const own = leaves.data() + begin[i];
+        if (node.count > 1)
+            place_together({items_.data() + node.first, node.count}, spots[i].at, own);
+        else
+            *own = place(items_[node.first], spots[i]);
+    });
     return leaves;
 }
 

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "atlas/each_index.h"
 #include "atlas/weights.h"
 
 namespace burl {
@@ -9,13 +10,14 @@ namespace burl {
 namespace {
 
 constexpr int sweeps = 3;  // later ones see how the neighbours have turned
+constexpr std::array<QuadSide, 4> all_sides{quad_left, quad_right, quad_below, quad_above};
 
-/// What a block's four sides show in the middle, by QuadSide.
+/// What a block's four sides show in the middle when nothing is turned, in the order of quarter
+/// turns: below, right, above, left.
 using Sides = std::array<Vec3d, 4>;
 
-/// Corners on the mesh as they lie round the block, from the low-x, low-y one by way of the high-x
-/// one, when nothing is turned.
-std::array<Vec3d, 4> corners_of(const QuadCell& cell, const Mesh& mesh, double scale) {
+/// Corners go round the block from the low-x, low-y one by way of the high-x one.
+Sides sides_of(const QuadCell& cell, const Mesh& mesh, double scale) {
     const auto corner = [&](std::int32_t face, std::size_t k) {
         return scale * mesh.positions[mesh.triangles[std::size_t(face)][k % 3]];
     };
@@ -23,19 +25,14 @@ std::array<Vec3d, 4> corners_of(const QuadCell& cell, const Mesh& mesh, double s
                 x = corner(cell.lower, cell.lower_corner + 1u),
                 y = corner(cell.lower, cell.lower_corner + 2u);
     // A single's block shows the triangle turned by 180 degrees beside it.
-    return {p, x, cell.upper < 0 ? p : corner(cell.upper, cell.upper_corner), y};
+    const Vec3d q = cell.upper < 0 ? p : corner(cell.upper, cell.upper_corner);
+    return {0.5 * (p + x), 0.5 * (x + q), 0.5 * (q + y), 0.5 * (y + p)};
 }
 
 /// After so many quarter turns, the way `QuadLeaf::turned` is one.
-Sides sides_after(const std::array<Vec3d, 4>& corners, std::size_t quarters) {
-    const auto corner = [&](std::size_t k) { return corners[(k + 4 - quarters) % 4]; };
-    const auto middle = [&](std::size_t k) { return 0.5 * (corner(k) + corner((k + 1) % 4)); };
-    Sides sides;
-    sides[quad_below] = middle(0);
-    sides[quad_right] = middle(1);
-    sides[quad_above] = middle(2);
-    sides[quad_left] = middle(3);
-    return sides;
+const Vec3d& shown(const Sides& sides, QuadSide side, std::size_t quarters) {
+    constexpr std::array<std::size_t, 4> order{3, 1, 0, 2};  // by QuadSide
+    return sides[(order[side] + 4 - quarters) % 4];
 }
 
 std::size_t quarters_of(const QuadLeaf& leaf) {
@@ -47,26 +44,43 @@ QuadSide facing(QuadSide side) {
     return opposite[side];
 }
 
-/// Squared distances to what is beside, by the length of the side.
-double unlikeness(const QuadLeaf& leaf, const Sides& sides, std::span<const Sides> shown) {
-    double sum = 0.0;
-    for (const QuadSide side : {quad_left, quad_right, quad_below, quad_above}) {
-        if (leaf.beside[side] == no_spot) continue;
-        const Vec3d off = sides[side] - shown[leaf.beside[side]][facing(side)];
+/// What lies beside the sides of a leaf, weighed by their length; 0 where nothing does.
+struct Beside {
+    std::array<Vec3d, 4> places{};
+    std::array<double, 4> weights{};
+};
+
+Beside beside(std::span<const QuadLeaf> leaves, std::size_t i, std::span<const Sides> sides) {
+    const QuadLeaf& leaf = leaves[i];
+    Beside result;
+    for (const QuadSide side : all_sides) {
+        const std::uint32_t other = leaf.beside[side];
+        if (other == no_spot) continue;
+        result.places[side] = shown(sides[other], facing(side), quarters_of(leaves[other]));
         const bool upright = side == quad_left || side == quad_right;
-        sum += (upright ? leaf.height : leaf.width) * glm::dot(off, off);
+        result.weights[side] = upright ? leaf.height : leaf.width;
+    }
+    return result;
+}
+
+double unlikeness(const Sides& sides, std::size_t quarters, const Beside& beside) {
+    double sum = 0.0;
+    for (const QuadSide side : all_sides) {
+        if (beside.weights[side] == 0.0) continue;
+        const Vec3d off = shown(sides, side, quarters) - beside.places[side];
+        sum += beside.weights[side] * glm::dot(off, off);
     }
     return sum;
 }
 
 /// The number of quarter turns, of those the leaf may take, that suits its neighbours best.
-std::size_t best_quarters(const QuadLeaf& leaf, bool pair, const std::array<Vec3d, 4>& corners,
-                          std::span<const Sides> shown) {
+std::size_t best_quarters(const QuadLeaf& leaf, bool pair, const Sides& sides,
+                          const Beside& beside) {
     std::size_t best = quarters_of(leaf);
-    double least = unlikeness(leaf, sides_after(corners, best), shown);
+    double least = unlikeness(sides, best, beside);
     for (std::size_t quarters = 0; quarters < (pair ? 4u : 2u); ++quarters) {
         if (!leaf.may_turn && (quarters % 2 == 1) != leaf.turned) continue;
-        const double sum = unlikeness(leaf, sides_after(corners, quarters), shown);
+        const double sum = unlikeness(sides, quarters, beside);
         if (sum < least) least = sum, best = quarters;
     }
     return best;
@@ -77,19 +91,16 @@ std::size_t best_quarters(const QuadLeaf& leaf, bool pair, const std::array<Vec3
 void turn_to_neighbours(std::span<QuadLeaf> leaves, std::span<const QuadCell> cells,
                         const Mesh& mesh) {
     const double scale = unit_scale(mesh);
-    std::vector<Sides> shown;
-    shown.reserve(leaves.size());
-    for (const QuadLeaf& leaf : leaves)
-        shown.push_back(sides_after(corners_of(cells[leaf.cell], mesh, scale), quarters_of(leaf)));
+    std::vector<Sides> sides(leaves.size());
+    for_each_index(leaves.size(),
+                   [&](std::size_t i) { sides[i] = sides_of(cells[leaves[i].cell], mesh, scale); });
     for (int sweep = 0; sweep < sweeps; ++sweep)
         for (std::size_t i = 0; i < leaves.size(); ++i) {
             QuadLeaf& leaf = leaves[i];
-            const QuadCell& cell = cells[leaf.cell];
-            const std::array<Vec3d, 4> corners = corners_of(cell, mesh, scale);
-            const std::size_t best = best_quarters(leaf, cell.upper >= 0, corners, shown);
+            const bool pair = cells[leaf.cell].upper >= 0;
+            const std::size_t best = best_quarters(leaf, pair, sides[i], beside(leaves, i, sides));
             leaf.turned = best % 2 == 1;
             leaf.exchanged = best >= 2;
-            shown[i] = sides_after(corners, best);
         }
 }
 
