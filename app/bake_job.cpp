@@ -79,6 +79,19 @@ std::string emitted_shader(const BakeCommand& command, const Recipe& recipe, con
     return command.emitted_glsl.empty() ? "" : emit_glsl(recipe, texture_from_mesh(recipe, mesh));
 }
 
+/// The texture of an .exr that nothing goes with, a band of rows at a time. Gives the seconds that
+/// writing took.
+double write_bands(Pipeline& pipeline, const std::string& path) {
+    pipeline.solid();
+    const auto start = Clock::now();
+    const double before = pipeline.records()[Stage::synthesis].seconds;
+    const std::size_t size = pipeline.recipe().atlas.size;
+    write_exr_rows(path, size, size, [&](const RowSink& sink) {
+        pipeline.synthesize_in_bands([&](std::size_t, const Image<RgbF>& rows) { sink(rows); });
+    });
+    return seconds_since(start) - (pipeline.records()[Stage::synthesis].seconds - before);
+}
+
 }  // namespace
 
 struct BakeJob::Written {
@@ -204,6 +217,9 @@ void BakeJob::set_up(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> syn
 /// before the file is made, whose own buffers are as large.
 BakeJob::Written BakeJob::write_texture(Pipeline& pipeline, const std::string& path,
                                         bool releases) const {
+    const bool alone = extras_.levels.count == 0 && !extras_.has_normals() && !command_.compress;
+    if (kind_ == ImageKind::rgb_float && alone && pipeline.has_bands())
+        return {.baked = {}, .seconds = write_bands(pipeline, path)};
     BakedTexture texture = bake_texture(pipeline, kind_, extras_.levels);
     ExportOptions options;
     options.levels = std::move(texture.levels);

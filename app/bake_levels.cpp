@@ -54,21 +54,31 @@ BakedImage convert_to(Image<RgbF> image, ImageKind kind) {
     return to_rgb8(image);
 }
 
-std::vector<BakedImage> bake_levels(Pipeline& pipeline, const Image<RgbF>& texture,
-                                    LevelsAsked asked, ImageKind kind) {
+std::uint32_t levels_there_are(Pipeline& pipeline, const LevelsAsked& asked, ImageKind kind) {
     const MeshAtlas& atlas = pipeline.mesh_atlas();
-    if (const std::uint32_t last = last_level(atlas); asked.count > last) {
-        const bool all = kind == ImageKind::rgb_float;
-        warn(
-            fmt::format("{}: MIP levels above {} of the {} atlas mix unrelated triangles and {}; "
-                        "use --atlas quad or patch for more",
-                        pipeline.mesh().name, last, to_string(atlas.atlas().options.kind),
-                        all ? "are of little use" : "are left out"));
-        if (!all) asked.count = last;
-    }
+    const std::uint32_t last = last_level(atlas);
+    if (asked.count <= last) return asked.count;
+    const bool all = kind == ImageKind::rgb_float;
+    warn(
+        fmt::format("{}: MIP levels above {} of the {} atlas mix unrelated triangles and {}; "
+                    "use --atlas quad or patch for more",
+                    pipeline.mesh().name, last, to_string(atlas.atlas().options.kind),
+                    all ? "are of little use" : "are left out"));
+    return all ? asked.count : last;
+}
+
+std::vector<BakedImage> bake_levels(Pipeline& pipeline, const Image<RgbF>& texture,
+                                    const LevelsAsked& asked, ImageKind kind) {
+    const std::uint32_t count = levels_there_are(pipeline, asked, kind);
+    return convert_to(pipeline.levels(texture, count, asked.rule), kind);
+}
+
+std::vector<BakedImage> convert_to(std::vector<Image<RgbF>> levels, ImageKind kind) {
     std::vector<BakedImage> result;
-    for (Image<RgbF>& level : pipeline.levels(texture, asked.count, asked.rule))
+    for (Image<RgbF>& level : levels) {
         result.push_back(convert_to(std::move(level), kind));
+        level = {};
+    }
     return result;
 }
 

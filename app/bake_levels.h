@@ -24,10 +24,14 @@ LevelsAsked levels_asked(const std::string& text, const std::string& rule, std::
 
 BakedImage convert_to(Image<RgbF> image, ImageKind kind);
 
-/// The levels asked for of the texture, which is in linear light, converted. Strip atlases have as
-/// many as last_level says: more are said on stderr to be missing (in float images, to be
-/// mixtures).
+/// How many of the levels asked for a bake of the pipeline's recipe has: strip atlases have as many
+/// as last_level says, more are said on stderr to be missing (in float images, to be mixtures).
+std::uint32_t levels_there_are(Pipeline& pipeline, const LevelsAsked& asked, ImageKind kind);
+
+/// Those of the texture, which is in linear light.
 std::vector<BakedImage> bake_levels(Pipeline& pipeline, const Image<RgbF>& texture,
-                                    LevelsAsked asked, ImageKind kind);
+                                    const LevelsAsked& asked, ImageKind kind);
+
+std::vector<BakedImage> convert_to(std::vector<Image<RgbF>> levels, ImageKind kind);
 
 }  // namespace burl

@@ -26,14 +26,15 @@ class Band {
   public:
     Band(const Image<RgbF>& image, ExrDepth depth) : image_(image), depth_(depth) {}
 
-    /// The frame buffer of rows [begin, end); valid until the next call.
-    Imf::FrameBuffer rows(std::size_t begin, std::size_t end) {
-        if (depth_ == ExrDepth::float_full) return frame(image_.row(0).data(), 0, Imf::FLOAT);
+    /// The frame buffer of rows [begin, end) of an image whose row 0 is the file's row `line`;
+    /// valid until the next call.
+    Imf::FrameBuffer rows(std::size_t begin, std::size_t end, std::size_t line = 0) {
+        if (depth_ == ExrDepth::float_full) return frame(image_.row(0).data(), line, Imf::FLOAT);
         halves_.clear();
         for (std::size_t y = begin; y < end; ++y)
             for (const RgbF& p : image_.row(y))
                 halves_.push_back({Imath::half(p.r), Imath::half(p.g), Imath::half(p.b)});
-        return frame(halves_.data(), begin, Imf::HALF);
+        return frame(halves_.data(), line + begin, Imf::HALF);
     }
 
   private:
@@ -59,9 +60,9 @@ class Band {
     std::vector<Rgb<Imath::half>> halves_;
 };
 
-Imf::Header header_of(const Image<RgbF>& image, ExrDepth depth) {
+Imf::Header header_of(std::size_t width, std::size_t height, ExrDepth depth) {
     const Imf::PixelType type = depth == ExrDepth::half ? Imf::HALF : Imf::FLOAT;
-    Imf::Header header(int(image.width()), int(image.height()));
+    Imf::Header header(static_cast<int>(width), static_cast<int>(height));
     header.compression() = Imf::ZIP_COMPRESSION;
     for (const char* name : {"R", "G", "B"}) header.channels().insert(name, Imf::Channel(type));
     return header;
@@ -79,34 +80,38 @@ void write_level(Imf::TiledOutputFile& file, int level, const Image<RgbF>& image
 
 void encode_levels(Imf::OStream& stream, std::span<const Image<RgbF>* const> levels,
                    ExrDepth depth) {
-    Imf::Header header = header_of(*levels[0], depth);
+    Imf::Header header = header_of(levels[0]->width(), levels[0]->height(), depth);
     header.setTileDescription({tile_side, tile_side, Imf::MIPMAP_LEVELS, Imf::ROUND_DOWN});
     Imf::TiledOutputFile file(stream, header);
     for (int l = 0; l < file.numLevels(); ++l) write_level(file, l, *levels[std::size_t(l)], depth);
 }
 
-void encode(Imf::OStream& stream, const Image<RgbF>& image, ExrDepth depth) {
-    Imf::OutputFile file(stream, header_of(image, depth));
+/// The next rows of the file.
+void write_rows(Imf::OutputFile& file, const Image<RgbF>& image, ExrDepth depth) {
     Band band(image, depth);
+    const auto line = std::size_t(file.currentScanLine());
     for (std::size_t y = 0; y < image.height(); y += rows_at_once) {
         const std::size_t end = std::min(y + rows_at_once, image.height());
-        file.setFrameBuffer(band.rows(y, end));
+        file.setFrameBuffer(band.rows(y, end, line));
         file.writePixels(int(end - y));
     }
 }
 
 /// encode(stream), and what it or the file says where it fails.
 template <class Encode>
-void write_whole(const std::string& path, const Image<RgbF>& image, const Encode& encode) {
+void write_whole(const std::string& path, std::size_t width, std::size_t height,
+                 const Encode& encode) {
     AtomicFile file(path);
     ExrFileStream stream(file);
     try {
         encode(stream);
+    } catch (const Error&) {
+        throw;
     } catch (const std::exception& e) {
         stream.check();
         throw Error(ExitCode::runtime,
-                    fmt::format("the OpenEXR image of {} x {} could not be encoded: {}",
-                                image.width(), image.height(), e.what()));
+                    fmt::format("the OpenEXR image of {} x {} could not be encoded: {}", width,
+                                height, e.what()));
     }
     stream.check();
     file.commit();
@@ -114,13 +119,22 @@ void write_whole(const std::string& path, const Image<RgbF>& image, const Encode
 
 }  // namespace
 
+void write_exr_rows(const std::string& path, std::size_t width, std::size_t height,
+                    const RowSource& source, ExrDepth depth) {
+    write_whole(path, width, height, [&](Imf::OStream& stream) {
+        Imf::OutputFile file(stream, header_of(width, height, depth));
+        source([&](const Image<RgbF>& rows) { write_rows(file, rows, depth); });
+    });
+}
+
 void write_exr(const std::string& path, const Image<RgbF>& image, ExrDepth depth) {
-    write_whole(path, image, [&](Imf::OStream& stream) { encode(stream, image, depth); });
+    const auto whole = [&](const RowSink& sink) { sink(image); };
+    write_exr_rows(path, image.width(), image.height(), whole, depth);
 }
 
 void write_exr_levels(const std::string& path, std::span<const Image<RgbF>* const> levels,
                       ExrDepth depth) {
-    write_whole(path, *levels[0],
+    write_whole(path, levels[0]->width(), levels[0]->height(),
                 [&](Imf::OStream& stream) { encode_levels(stream, levels, depth); });
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 // OpenEXR output for float images: linear light, as the format wants it.
+#include <cstddef>
+#include <functional>
 #include <span>
 #include <string>
 
@@ -17,6 +19,14 @@ enum class ExrDepth {
 /// The image has at least one pixel. The file is written whole or not at all. Throws Error(io), and
 /// Error(runtime) when OpenEXR cannot encode it.
 void write_exr(const std::string& path, const Image<RgbF>& image, ExrDepth depth = ExrDepth::half);
+
+/// Takes rows of an image, the next ones at each call; and what hands them all over.
+using RowSink = std::function<void(const Image<RgbF>& rows)>;
+using RowSource = std::function<void(const RowSink&)>;
+
+/// The same of an image of `width` x `height` pixels that need not be there as a whole.
+void write_exr_rows(const std::string& path, std::size_t width, std::size_t height,
+                    const RowSource& source, ExrDepth depth = ExrDepth::half);
 
 /// The same with MIP levels: `levels[l]` is level l, of max(1, floor(n / 2^l)) pixels a side; tiles
 /// of 64 x 64, MIPMAP_LEVELS rounded down. All levels down to 1 x 1 must be there.

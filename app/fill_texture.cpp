@@ -74,6 +74,12 @@ Image<Pixel> fill_texture(const SolidAtlas& solid, const Recipe& recipe, const H
     return image;
 }
 
+void fill_in_bands(const SolidAtlas& solid, const Recipe& recipe, const HostWay& way,
+                   const Economy& economy, std::size_t texels, const TakeRows& take) {
+    synthesize_rgbf_bands(solid, recipe.texture, texture_from_solid(recipe), way.threads,
+                          recipe.filter, way.kernel, economy, texels, take);
+}
+
 template Image<Rgb8> fill_texture(const SolidAtlas&, const Recipe&, const HostWay&, const Economy&);
 template Image<Rgb16> fill_texture(const SolidAtlas&, const Recipe&, const HostWay&,
                                    const Economy&);

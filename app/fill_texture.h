@@ -5,6 +5,7 @@
 #include "atlas/image.h"
 #include "procedural/economy.h"
 #include "procedural/kernel.h"
+#include "procedural/synthesize.h"
 
 namespace burl {
 
@@ -42,6 +43,11 @@ Image<Pixel> fill_texture(const SolidAtlas& solid, const Recipe& recipe, const H
 template <class Pixel>
 Image<Pixel> fill_unpainted(const SolidAtlas& solid, const Recipe& recipe, const HostWay& way,
                             const Economy& economy = {});
+
+/// The texture in linear light, without paint, as synthesize_rgbf_bands gives it; only where
+/// has_fast_way.
+void fill_in_bands(const SolidAtlas& solid, const Recipe& recipe, const HostWay& way,
+                   const Economy& economy, std::size_t texels, const TakeRows& take);
 
 /// Whether it is the 1999 model in float32 by its fast way, whose parts can be kept
 /// (procedural/synthesize_kept.h).

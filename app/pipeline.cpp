@@ -1,7 +1,11 @@
 #include "app/pipeline.h"
 
+#include <algorithm>
+#include <chrono>
 #include <utility>
 
+#include "atlas/block_levels.h"
+#include "atlas/mip_chain.h"
 #include "atlas/solid_level.h"
 #include "procedural/synthesize_normals.h"
 
@@ -14,6 +18,9 @@ std::uint64_t texels_of(const SolidAtlas& solid) {
     for (const Span& span : solid.spans) count += span.count;
     return count;
 }
+
+/// 48 MB of float pixels.
+constexpr std::size_t band_texels = std::size_t(1) << 22;
 
 template <class Element>
 std::uint64_t bytes_of(const std::vector<Element>& elements) {
@@ -235,6 +242,27 @@ Image<Pixel> Pipeline::synthesize(std::uint32_t level) {
     return image;
 }
 
+bool Pipeline::has_bands() const {
+    return cache_ == 0 && !synthesizer_ && recipe_.paint.empty() && has_fast_way(recipe_, way_);
+}
+
+void Pipeline::synthesize_in_bands(const TakeRows& take) {
+    using Clock = std::chrono::steady_clock;
+    const SolidAtlas& points = solid();
+    StageCost cost;
+    std::chrono::duration<double> taking{};
+    const auto start = Clock::now();
+    const auto take_rows = [&](std::size_t first, Image<RgbF> rows) {
+        const auto taken = Clock::now();
+        cost.bytes += bytes_of(rows);
+        take(first, std::move(rows));
+        taking += Clock::now() - taken;
+    };
+    fill_in_bands(points, recipe_, way_, {skips_, &cost.work}, band_texels, take_rows);
+    const std::chrono::duration<double> all = Clock::now() - start;
+    records_.add(Stage::synthesis, (all - taking).count(), cost);
+}
+
 /// Forward differences know no filter, so that direct levels do without them.
 LevelSynthesis Pipeline::level_synthesis(StageCost& cost) const {
     HostWay way = way_;
@@ -256,6 +284,26 @@ std::vector<Image<RgbF>> Pipeline::levels(const Image<RgbF>& texture, std::uint3
                            : block_levels(layout, texture, count);
         for (const Image<RgbF>& level : levels) {
             if (!rule.direct) cost.work.texels += level.width() * level.height();
+            cost.bytes += bytes_of(level);
+        }
+        return levels;
+    });
+}
+
+std::vector<Image<RgbF>> Pipeline::levels_in_bands(std::uint32_t count, const TakeRows& take) {
+    const MeshAtlas& layout = mesh_atlas();
+    const std::size_t half = recipe_.atlas.size / 2;
+    auto first_level = Image<RgbF>::unset(half, half);
+    synthesize_in_bands([&](std::size_t first, Image<RgbF> rows) {
+        const Image<RgbF> halved = halve(rows);
+        std::ranges::copy(halved.pixels(), &first_level(0, first / 2));
+        take(first, std::move(rows));
+    });
+    return records_.time(Stage::levels, [&](StageCost& cost) {
+        std::vector<Image<RgbF>> levels = block_levels(layout, first_level, count, 1);
+        levels.insert(levels.begin(), std::move(first_level));
+        for (const Image<RgbF>& level : levels) {
+            cost.work.texels += level.width() * level.height();
             cost.bytes += bytes_of(level);
         }
         return levels;

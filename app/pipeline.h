@@ -64,6 +64,12 @@ class Pipeline {
     /// RgbF.
     template <class Pixel>
     Image<Pixel> synthesize(std::uint32_t level = 0);
+    /// Whether the texture can come a band of rows at a time: by the host's fast way, without
+    /// paint, and where nothing is kept.
+    bool has_bands() const;
+    /// The texture in linear light, an even number of rows at a time (but for the last ones). What
+    /// `take` takes is not counted as synthesis.
+    void synthesize_in_bands(const TakeRows& take);
     /// The same for programs that show a texture while it changes. It stays until the next call for
     /// that level. Null: `stop` came first, and no field or octave kept before is lost.
     template <class Pixel>
@@ -72,6 +78,9 @@ class Pipeline {
     /// direct, always by the host (app/direct_levels.h).
     std::vector<Image<RgbF>> levels(const Image<RgbF>& texture, std::uint32_t count,
                                     const LevelRule& rule = {});
+    /// Averaged levels 1 to `count` where has_bands() and halves_in_bands (atlas/block_levels.h):
+    /// `take` gets the texture, too, which is never there as a whole.
+    std::vector<Image<RgbF>> levels_in_bands(std::uint32_t count, const TakeRows& take);
     /// Such a level alone: by a direct rule without working out anything finer than it samples.
     Image<RgbF> level(std::uint32_t number, const LevelRule& rule);
     /// The recipe's bumps, which it must have, as a normal map of the atlas's mesh with the normals

@@ -24,16 +24,6 @@ std::uint32_t log2_floor(std::uint32_t n) {
     return static_cast<std::uint32_t>(std::bit_width(n)) - 1;
 }
 
-Image<RgbF> times(Image<RgbF> image, const Image<float>& factor) {
-    for (std::size_t y = 0; y < image.height(); ++y)
-        for (std::size_t x = 0; x < image.width(); ++x) {
-            RgbF& p = image(x, y);
-            const float f = factor(x, y);
-            p = {p.r * f, p.g * f, p.b * f};
-        }
-    return image;
-}
-
 /// Texels that hold no surface at all keep the plain mean.
 Image<RgbF> divided(const Image<RgbF>& sums, const Image<float>& weights, Image<RgbF> plain) {
     for (std::size_t y = 0; y < plain.height(); ++y)
@@ -49,9 +39,9 @@ Image<RgbF> divided(const Image<RgbF>& sums, const Image<float>& weights, Image<
 void keep_gutters_out(const PatchAtlas& atlas, const Image<RgbF>& image, std::uint32_t first,
                       std::uint32_t pure, std::vector<Image<RgbF>>& levels) {
     Image<float> weights = inner_texels(atlas, first);
-    Image<RgbF> sums = times(image, weights);
+    Image<RgbF> sums;
     for (std::uint32_t l = first + 1; l <= first + levels.size(); ++l) {
-        sums = halve(sums);
+        sums = l == first + 1 ? halve_product(image, weights) : halve(sums);
         weights = halve(weights);
         Image<RgbF>& level = levels[l - first - 1];
         if (l > pure) level = divided(sums, weights, std::move(level));
@@ -107,6 +97,16 @@ std::uint32_t last_source_level(const MeshAtlas& atlas) {
     const double texels = std::pow(double(layout.options.size), 2.0);
     const double block = std::sqrt(texels / double(std::max<std::size_t>(layout.blocks.size(), 1)));
     return log2_floor(std::max(std::uint32_t(block), 1u));
+}
+
+bool halves_in_bands(const MeshAtlas& atlas) {
+    if (atlas.atlas().options.size % 2 != 0) return false;
+    if (!atlas.patches()) return true;
+    return std::ranges::all_of(atlas.patches()->layout.blocks, [](const PatchBlock& b) {
+        const std::uint32_t ends = (b.x + b.gutter) | (b.y + b.gutter) |
+                                   (b.x + b.width - b.gutter) | (b.y + b.height - b.gutter);
+        return ends % 2 == 0;
+    });
 }
 
 Image<float> inner_texels(const PatchAtlas& atlas, std::uint32_t level) {

@@ -38,13 +38,24 @@ MipTaps taps(std::size_t size, std::size_t i) {
     return {2 * i, 3, {double(half - i) / n, double(half) / n, double(i + 1) / n}};
 }
 
-template <class T>
-auto weighted(const Image<T>& image, const MipTaps& x, const MipTaps& y) {
-    decltype(widen(T{})) sum(0.0);
-    for (std::size_t j = 0; j < y.count; ++j)
-        for (std::size_t i = 0; i < x.count; ++i)
-            sum += y.weight[j] * x.weight[i] * widen(image(x.first + i, y.first + j));
-    return sum;
+/// The next level of an image of `width` x `height` pixels at(x, y).
+template <class T, class At>
+Image<T> halve_at(std::size_t width, std::size_t height, const At& at) {
+    const std::vector<MipTaps> columns = mip_taps(width), rows = mip_taps(height);
+    Image<T> result(columns.size(), rows.size());
+    const auto weighted = [&](const MipTaps& x, const MipTaps& y) {
+        decltype(widen(T{})) sum(0.0);
+        for (std::size_t j = 0; j < y.count; ++j)
+            for (std::size_t i = 0; i < x.count; ++i)
+                sum += y.weight[j] * x.weight[i] * widen(at(x.first + i, y.first + j));
+        return sum;
+    };
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rows.size(), 16), [&](const auto& range) {
+        for (std::size_t y = range.begin(); y < range.end(); ++y)
+            for (std::size_t x = 0; x < columns.size(); ++x)
+                narrow(weighted(columns[x], rows[y]), result(x, y));
+    });
+    return result;
 }
 
 }  // namespace
@@ -58,14 +69,16 @@ std::vector<MipTaps> mip_taps(std::size_t size) {
 
 template <class T>
 Image<T> halve(const Image<T>& image) {
-    const std::vector<MipTaps> columns = mip_taps(image.width()), rows = mip_taps(image.height());
-    Image<T> result(columns.size(), rows.size());
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rows.size(), 16), [&](const auto& range) {
-        for (std::size_t y = range.begin(); y < range.end(); ++y)
-            for (std::size_t x = 0; x < columns.size(); ++x)
-                narrow(weighted(image, columns[x], rows[y]), result(x, y));
+    return halve_at<T>(image.width(), image.height(),
+                       [&](std::size_t x, std::size_t y) -> const T& { return image(x, y); });
+}
+
+Image<RgbF> halve_product(const Image<RgbF>& image, const Image<float>& factor) {
+    return halve_at<RgbF>(image.width(), image.height(), [&](std::size_t x, std::size_t y) {
+        const RgbF& p = image(x, y);
+        const float f = factor(x, y);
+        return RgbF{p.r * f, p.g * f, p.b * f};
     });
-    return result;
 }
 
 template <class T>

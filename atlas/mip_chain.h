@@ -25,6 +25,9 @@ struct MipChain {
 template <class T>
 Image<T> halve(const Image<T>& image);
 
+/// halve(image times factor), both of one size, without an image of the products.
+Image<RgbF> halve_product(const Image<RgbF>& image, const Image<float>& factor);
+
 /// The old texels first, first+1, ... of one axis that a new texel covers, weights adding to 1.
 struct MipTaps {
     std::size_t first = 0, count = 1;

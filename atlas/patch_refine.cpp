@@ -132,6 +132,7 @@ class Refiner {
                 result_.refined.cut_faces.push_back({face, std::uint32_t(pieces.size())});
         }
         first.back() = static_cast<std::uint32_t>(refined.triangles.size());
+        refined.positions.shrink_to_fit();  // a few more points may have doubled it
         for (Part& part : refined.parts) {
             const std::uint32_t end = part.first_triangle + part.triangle_count;
             part.first_triangle = first[part.first_triangle];

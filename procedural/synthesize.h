@@ -2,6 +2,8 @@
 // Fills an atlas with the texture on the host (Carr & Hart 2001, section 5.1): rows in parallel,
 // spans packed into cache-sized batches, field then colour then store. The bytes do not depend on
 // the thread count.
+#include <functional>
+
 #include "atlas/image.h"
 #include "atlas/solid_atlas.h"
 #include "procedural/economy.h"
@@ -27,6 +29,16 @@ Image<RgbF> synthesize_rgbf(const SolidAtlas& solid, const Texture& texture,
                             const Affine3& texture_from_atlas, int threads,
                             const Filter& filter = {}, Kernel kernel = Kernel::automatic,
                             const Economy& economy = {});
+
+/// Takes rows of a texture from `first` on, in order.
+using TakeRows = std::function<void(std::size_t first, Image<RgbF> rows)>;
+
+/// The texture of synthesize_rgbf in bands of an even number of rows (but for the last), about so
+/// many texels each, for those who need not have it all at a time.
+void synthesize_rgbf_bands(const SolidAtlas& solid, const Texture& texture,
+                           const Affine3& texture_from_atlas, int threads, const Filter& filter,
+                           Kernel kernel, const Economy& economy, std::size_t texels,
+                           const TakeRows& take);
 
 /// The field itself, for tests and error measurements.
 Image<float> synthesize_field(const SolidAtlas& solid, const Texture& texture,

@@ -1,0 +1,49 @@
+// What a large mesh's patch atlas and its texels' points hold, in bytes by count: bakes of a
+// million triangles stay within their bound (docs/economy.md) as long as these do.
+#include <gtest/gtest.h>
+
+#include "atlas/mesh_atlas.h"
+#include "made_meshes.h"
+
+namespace burl {
+namespace {
+
+template <class Element>
+double bytes(const std::vector<Element>& elements) {
+    return double(elements.capacity() * sizeof(Element));
+}
+
+double bytes(const Mesh& mesh) {
+    return bytes(mesh.positions) + bytes(mesh.triangles) + bytes(mesh.source_faces);
+}
+
+TEST(PatchMemory, TheAtlasKeepsNinetyBytesATriangle) {
+    const Mesh mesh = made::ball(6);
+    const double triangles = double(mesh.triangles.size());
+    const PatchAtlas atlas = *build_patch_atlas(mesh, build_connectivity(mesh), {.size = 1024});
+    double all = bytes(atlas.refined.mesh) + bytes(atlas.refined.cut_faces) +
+                 bytes(atlas.refined.extra_points) + bytes(atlas.atlas.corners) +
+                 bytes(atlas.atlas.charts) + bytes(atlas.layout.blocks) + bytes(atlas.patches);
+    for (const PlacedPatch& patch : atlas.patches) all += bytes(patch.fans);
+    EXPECT_GT(all, 60.0 * triangles);  // two thirds of it are corners
+    EXPECT_LT(all, 90.0 * triangles);
+}
+
+/// Rows that are filled twice over, or room for more than there is, would show.
+TEST(PatchMemory, TexelsPointsHaveNoRoomToSpare) {
+    const Mesh mesh = made::ball(5);
+    const PatchAtlas atlas = *build_patch_atlas(mesh, build_connectivity(mesh), {.size = 512});
+    const SolidAtlas solid = rasterize_patches(atlas, atlas.refined.mesh.positions);
+    EXPECT_GT(solid.turned.size(), 1000u);  // gutters
+    EXPECT_EQ(solid.maps.size(), atlas.atlas.corners.size() + solid.turned.size());
+    EXPECT_EQ(solid.maps.capacity(), solid.maps.size());
+    EXPECT_EQ(solid.turned.capacity(), solid.turned.size());
+    EXPECT_EQ(solid.spans.capacity(), solid.spans.size());
+    EXPECT_EQ(solid.row_begin.back(), solid.spans.size());
+    std::size_t texels = 0;
+    for (const Span& span : solid.spans) texels += span.count;
+    EXPECT_EQ(texels, 512u * 512u);
+}
+
+}  // namespace
+}  // namespace burl
