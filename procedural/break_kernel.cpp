@@ -24,9 +24,8 @@ HWY_ATTR std::size_t FindBent(const float* distances, const std::int32_t* entrie
         const Float half = hn::Mul(sum, hn::Set(d, 0.5f));
         const auto straight =
             hn::Lt(half, hn::GatherIndex(d, distances, hn::Load(Ints(), entries + j)));
-        if (hn::AllTrue(d, straight)) continue;
-        found += SetPositions(MaskBytes(hn::RebindMask(Bits(), hn::Not(straight))),
-                              std::uint32_t(j), texels + found);
+        found += SetPositions(hn::RebindMask(Bits(), hn::Not(straight)), std::uint32_t(j),
+                              texels + found);
     }
     return found_below(count, texels, found);
 }

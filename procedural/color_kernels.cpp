@@ -42,7 +42,7 @@ HWY_ATTR void IndexColors(Wrap wrap, const double* f, std::size_t count, std::ui
     }
 }
 
-HWY_ATTR std::size_t LookUpCodes(const ColorCode* table, const std::int32_t* entries,
+HWY_ATTR std::size_t LookUpCodes(const ColorCode* table, const std::int32_t* places,
                                  std::size_t count, ColorCode* codes, std::uint32_t* later) {
     const Bits d;
     const auto* words = reinterpret_cast<const std::uint32_t*>(table);
@@ -50,11 +50,11 @@ HWY_ATTR std::size_t LookUpCodes(const ColorCode* table, const std::int32_t* ent
     const auto flag = hn::Set(d, std::bit_cast<std::uint32_t>(ColorCode{{0, 0, 0}, true}));
     std::size_t found = 0;
     for (std::size_t j = 0; j < count; j += hn::Lanes(d)) {
-        const auto code = hn::GatherIndex(d, words, hn::Load(Ints(), entries + j));
+        const auto entry = hn::ShiftRight<place_bits>(hn::Load(Ints(), places + j));
+        const auto code = hn::GatherIndex(d, words, entry);
         hn::Store(code, d, out + j);
         const auto several = hn::Eq(hn::And(code, flag), hn::Zero(d));
-        if (hn::AllFalse(d, several)) continue;
-        found += SetPositions(MaskBytes(several), std::uint32_t(j), later + found);
+        found += SetPositions(several, std::uint32_t(j), later + found);
     }
     return found_below(count, later, found);
 }
@@ -92,9 +92,9 @@ void index_colors(Wrap wrap, const double* f, std::size_t count, std::uint32_t e
     HWY_DYNAMIC_DISPATCH(IndexColors)(wrap, f, count, entry_count, entries);
 }
 
-std::size_t look_up_codes(const ColorCode* table, const std::int32_t* entries, std::size_t count,
+std::size_t look_up_codes(const ColorCode* table, const std::int32_t* places, std::size_t count,
                           ColorCode* codes, std::uint32_t* later) {
-    return HWY_DYNAMIC_DISPATCH(LookUpCodes)(table, entries, count, codes, later);
+    return HWY_DYNAMIC_DISPATCH(LookUpCodes)(table, places, count, codes, later);
 }
 
 void pack_pixels(const ColorCode* codes, std::size_t count, Rgb8* pixels) {

@@ -1,6 +1,7 @@
 #pragma once
 // The last steps of an 8-bit texture, vectorised as in texel_batch.h: codes from a table, pixels
 // of three bytes from codes of four.
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
@@ -18,11 +19,24 @@ struct ColorCode {
     Rgb8 color;
     bool uniform = false;
 };
+/// A code that is not final has room for a number instead, up to 2^24 - 1, as which larger ones
+/// count.
+constexpr ColorCode numbered(std::size_t number) {
+    const auto n = std::uint32_t(std::min<std::size_t>(number, (1u << 24) - 1));
+    return {{std::uint8_t(n), std::uint8_t(n >> 8), std::uint8_t(n >> 16)}, false};
+}
+constexpr std::uint32_t number_of(const ColorCode& code) {
+    return code.color.r | std::uint32_t(code.color.g) << 8 | std::uint32_t(code.color.b) << 16;
+}
 
-/// codes[j] = table[entries[j]]. later[0..result) = the numbers of those that are not uniform, in
-/// order. Works on whole vectors: the arrays hold batch_padding elements more than `count`, aligned
-/// to 64, and those of `entries` beyond the last lie in the table, too.
-std::size_t look_up_codes(const ColorCode* table, const std::int32_t* entries, std::size_t count,
+/// Bits of a place below those that number its entry of a table.
+inline constexpr int place_bits = 16;
+
+/// codes[j] = table[places[j] >> place_bits]. later[0..result) = the numbers of those that are not
+/// uniform, in order. Works on whole vectors: the arrays hold batch_padding elements more than
+/// `count`, `later` twice that, aligned to 64 but for `later`, and places beyond the last lie in
+/// the table, too.
+std::size_t look_up_codes(const ColorCode* table, const std::int32_t* places, std::size_t count,
                           ColorCode* codes, std::uint32_t* later);
 
 /// pixels[j] = codes[j].color, and nothing beyond.

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "procedural/color_entries.h"
-
 namespace burl {
 
 PreparedColorMap::PreparedColorMap(const ColorMap& map) : wrap_(map.wrap) {
@@ -100,18 +98,59 @@ std::vector<ColorTable8::Step> ColorTable8::steps_of(const PreparedColorMap& map
 }
 
 ColorTable8::ColorTable8(const ColorMap& map)
-    : wrap_(map.wrap),
-      steps_(steps_of(PreparedColorMap(map))),
-      entries_(entry_count + 1),
-      first_step_(entry_count + 1) {
-    fill_color_entries(steps_, entries_, first_step_);
+    : wrap_(map.wrap), steps_(steps_of(PreparedColorMap(map))) {
+    constexpr double most = std::numeric_limits<std::uint32_t>::max();
+    for (const Step& step : steps_)
+        step_places_.push_back(std::uint32_t(std::min(step.index * places, most)));
+    fill_entries();
 }
 
-void ColorTable8::look_up(const std::int32_t* entries, const double* f, std::size_t count,
+void ColorTable8::fill_entries() {
+    constexpr std::uint32_t count = places >> place_bits;
+    entries_.resize(count + 1);
+    std::uint32_t begin = 0;
+    for (std::uint32_t s = 0; begin <= count; ++s) {
+        // Those that begin before the next step; it may lie within the last of them.
+        const double next = steps_[s + 1].index * count;
+        const auto end = std::max(begin, std::uint32_t(std::min(std::ceil(next), count + 1.0)));
+        if (begin == end) continue;
+        std::fill(entries_.begin() + begin, entries_.begin() + end,
+                  ColorCode{steps_[s].color, true});
+        if (next < end) entries_[end - 1] = numbered(add_parts(end - 1, s));
+        begin = end;
+    }
+}
+
+/// The number of a new block: an entry's, up to whose begin `step` is the last.
+std::uint32_t ColorTable8::add_parts(std::uint32_t entry, std::uint32_t step) {
+    constexpr std::uint32_t count = 1u << part_bits;
+    const auto number = std::uint32_t(parts_.size()) / count;
+    for (std::uint32_t part = entry * count; part < (entry + 1) * count; ++part) {
+        const auto index_of_next = [&] {
+            return steps_[step + 1].index * double(places >> place_bits) * count;
+        };
+        while (index_of_next() <= part) ++step;
+        const bool uniform = index_of_next() >= part + 1.0;
+        parts_.push_back(uniform ? ColorCode{steps_[step].color, true} : numbered(step));
+    }
+    return number;
+}
+
+void ColorTable8::look_up(const std::int32_t* at, const double* f, std::size_t count,
                           ColorCode* codes, std::uint32_t* later) const {
-    const std::size_t searches = look_up_codes(entries_.data(), entries, count, codes, later);
-    for (std::size_t i = 0; i < searches; ++i)
-        codes[later[i]].color = searched(std::uint32_t(entries[later[i]]), f[later[i]]);
+    const std::size_t several = look_up_codes(entries_.data(), at, count, codes, later);
+    std::size_t searches = 0;
+    for (std::size_t i = 0; i < several; ++i) {
+        const std::uint32_t j = later[i];
+        const ColorCode part = part_of(codes[j], std::uint32_t(at[j]));
+        codes[j] = part;
+        later[searches] = j;
+        searches += part.uniform ? 0 : 1;
+    }
+    for (std::size_t i = 0; i < searches; ++i) {
+        const std::uint32_t j = later[i];
+        codes[j].color = searched(codes[j], std::uint32_t(at[j]), f[j]);
+    }
 }
 
 }  // namespace burl

@@ -1,8 +1,9 @@
 #pragma once
 // The colour map prepared for millions of look-ups: stops decoded once, and for 8-bit pictures the
 // list of indices at which the final code changes, with a table over the index that holds the code
-// wherever it is the same over the whole entry (most of them) and where in the list to look
-// elsewhere. So the table costs no accuracy and keeps the map's jumps where they are.
+// wherever it is the same over the whole entry (most of them), elsewhere a finer table of the
+// entry's parts, and where that is not enough, where in the list to look. So the table costs no
+// accuracy and keeps the map's jumps where they are.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -64,19 +65,23 @@ class PreparedColorMap {
 /// Field values to sRGB8 colours, correctly rounded.
 class ColorTable8 {
   public:
-    static constexpr std::uint32_t entry_count = 16384;
+    /// What index 1 is as a place: parts of the index so fine that next to no colour changes within
+    /// one.
+    static constexpr std::uint32_t places = std::uint32_t(1) << 30;
 
     explicit ColorTable8(const ColorMap& map);
 
-    /// Code of c(f). `entry` is floor(map_index(f) * entry_count).
-    Rgb8 color(std::uint32_t entry, double f) const {
-        return entries_[entry].uniform ? entries_[entry].color : searched(entry, f);
-    }
+    /// Code of c(f).
     Rgb8 operator()(double f) const {
-        return color(std::uint32_t(map_index(wrap_, f) * entry_count), f);
+        const auto place = std::uint32_t(map_index(wrap_, f) * places);
+        const ColorCode entry = entries_[place >> place_bits];
+        if (entry.uniform) return entry.color;
+        const ColorCode part = part_of(entry, place);
+        return part.uniform ? part.color : searched(part, place, f);
     }
-    /// codes[j].color = color(entries[j], f[j]); arrays as look_up_codes takes them.
-    void look_up(const std::int32_t* entries, const double* f, std::size_t count, ColorCode* codes,
+    /// codes[j].color = c(f[j]), of which at[j] is the place: floor(map_index(f[j]) * places). f is
+    /// read only where the place does not say it. Arrays as look_up_codes takes them.
+    void look_up(const std::int32_t* at, const double* f, std::size_t count, ColorCode* codes,
                  std::uint32_t* later) const;
     Wrap wrap() const { return wrap_; }
 
@@ -89,20 +94,35 @@ class ColorTable8 {
     std::span<const Step> steps() const { return steps_; }
 
   private:
+    static constexpr int part_bits = 4;  ///< of a place, which number an entry's part
     static std::vector<Step> steps_of(const PreparedColorMap& map);
-    /// The colour of an entry that has several.
-    Rgb8 searched(std::uint32_t entry, double f) const {
-        const double t = map_index(wrap_, f);
-        std::uint32_t i = first_step_[entry];
-        i += steps_[i + 1].index <= t ? 1 : 0;  // the one most have more, without a branch
-        while (steps_[i + 1].index <= t) ++i;
+    void fill_entries();
+    std::uint32_t add_parts(std::uint32_t entry, std::uint32_t step);
+    ColorCode part_of(ColorCode entry, std::uint32_t place) const {
+        const std::uint32_t part = place >> (place_bits - part_bits) & ((1u << part_bits) - 1);
+        return parts_[number_of(entry) << part_bits | part];
+    }
+    /// The colour of a part that has several. Steps in places below that of f are steps below f;
+    /// only where they are equal f decides, and only then it is read.
+    Rgb8 searched(ColorCode part, std::uint32_t place, const double& f) const {
+        std::uint32_t i = number_of(part);
+        while (step_places_[i + 1] < place) ++i;
+        if (step_places_[i + 1] == place) {
+            const double t = map_index(wrap_, f);
+            while (steps_[i + 1].index <= t) ++i;
+        }
         return steps_[i].color;
     }
 
     Wrap wrap_;
-    std::vector<Step> steps_;                ///< and one at infinity
-    std::vector<ColorCode> entries_;         ///< entry_count + 1: index 1 has one of its own
-    std::vector<std::uint32_t> first_step_;  ///< per entry: the last step up to its begin
+    std::vector<Step> steps_;                 ///< and one at infinity
+    std::vector<std::uint32_t> step_places_;  ///< of the steps
+    /// Of 2^place_bits places each, and one for index 1. Those of several colours have instead the
+    /// number of a block of parts.
+    std::vector<ColorCode> entries_;
+    /// 2^part_bits to a block. Those of several colours have the number of the last step up to
+    /// their begin, or of an earlier one.
+    std::vector<ColorCode> parts_;
 };
 
 }  // namespace burl

@@ -44,7 +44,7 @@ HWY_ATTR std::size_t FindUndecided(bool repeats, std::span<const IndexInterval> 
             const auto to = hn::Lt(index, hn::Set(d, float(interval.end)));
             inside = hn::Or(inside, hn::And(from, to));
         }
-        found += SetPositions(MaskBytes(hn::RebindMask(Bits(), hn::Not(inside))), std::uint32_t(j),
+        found += SetPositions(hn::RebindMask(Bits(), hn::Not(inside)), std::uint32_t(j),
                               positions + found);
     }
     return found_below(count, positions, found);

@@ -9,7 +9,7 @@ namespace burl {
 
 /// What a thread works with, for up to batch_capacity texels.
 struct ColorBuffers {
-    alignas(64) std::int32_t entries[batch_capacity + batch_padding];
+    alignas(64) std::int32_t places[batch_capacity + batch_padding];
     alignas(64) ColorCode codes[batch_capacity + batch_padding];
     std::uint32_t later[batch_capacity + 2 * batch_padding];
 };
@@ -38,19 +38,19 @@ class PointColors<Rgb8> {
   public:
     explicit PointColors(const ColorMap& map) : table_(map) {}
     void look_up(const double* f, std::size_t count, ColorBuffers& buffers) const {
-        index(f, count, buffers.entries);
-        look_up(buffers.entries, f, count, buffers);
+        index(f, count, buffers.places);
+        look_up(buffers.places, f, count, buffers);
     }
-    /// The table's entries of f, which the map's colours do not change; written up to the end of a
+    /// The table's places of f, which the map's colours do not change; written up to the end of a
     /// vector of floats.
-    void index(const double* f, std::size_t count, std::int32_t* entries) const {
-        index_colors(table_.wrap(), f, count, ColorTable8::entry_count, entries);
+    void index(const double* f, std::size_t count, std::int32_t* places) const {
+        index_colors(table_.wrap(), f, count, ColorTable8::places, places);
     }
-    /// As look_up(f, ...), from entries that begin on a line of the cache; f is looked at only
-    /// where a colour changes within an entry.
-    void look_up(const std::int32_t* entries, const double* f, std::size_t count,
+    /// As look_up(f, ...), from places that begin on a line of the cache; f, which takes twice
+    /// their memory, is read only where they do not say the colour.
+    void look_up(const std::int32_t* places, const double* f, std::size_t count,
                  ColorBuffers& buffers) const {
-        table_.look_up(entries, f, count, buffers.codes, buffers.later);
+        table_.look_up(places, f, count, buffers.codes, buffers.later);
     }
     void pixels(const double*, std::size_t at, std::size_t count, const ColorBuffers& buffers,
                 Rgb8* pixels) const {

@@ -72,18 +72,30 @@ struct MaskBytes {
 };
 
 /// positions[0..result) = `first` + the numbers of the lanes where the mask holds, in order. Writes
-/// up to 16 elements whatever the result. (Highway 1.0.3's Compress copies its table on every call
-/// with g++ 12.)
-HWY_ATTR HWY_INLINE std::size_t SetPositions(const MaskBytes& mask, std::uint32_t first,
+/// up to 16 elements whatever the result. (Where no instruction does it, Highway 1.0.3's Compress
+/// copies its table on every call with g++ 12.)
+template <class Mask>
+HWY_ATTR HWY_INLINE std::size_t SetPositions(Mask mask, std::uint32_t first,
                                              std::uint32_t* positions) {
-    const std::size_t lanes = hn::Lanes(Bits());
+    const Bits d;
+#if HWY_TARGET <= HWY_AVX3
+    HWY_ALIGN static constexpr std::uint32_t numbers[] = {0, 1, 2,  3,  4,  5,  6,  7,
+                                                          8, 9, 10, 11, 12, 13, 14, 15};
+    const Bit lanes = hn::Add(hn::Load(d, numbers), hn::Set(d, first));
+    hn::StoreU(hn::Compress(lanes, mask), d, positions);
+    return hn::CountTrue(d, mask);
+#else
+    if (hn::AllFalse(d, mask)) return 0;
+    const MaskBytes bits(mask);
+    const std::size_t lanes = hn::Lanes(d);
     std::size_t count = 0;
     for (std::size_t lane = 0; lane < lanes; lane += 8) {
-        const std::uint8_t byte = mask.bytes[lane / 8];
+        const std::uint8_t byte = bits.bytes[lane / 8];
         StoreEight(set_bits, byte, lanes, first + std::uint32_t(lane), positions + count);
         count += std::size_t(std::popcount(byte));
     }
     return count;
+#endif
 }
 
 /// counts[i] = `before` + in how many lanes up to i the mask holds, for all lanes.

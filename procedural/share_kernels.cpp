@@ -41,8 +41,8 @@ HWY_ATTR std::size_t FindBorders(const LatticeStream& stream, int doublings, std
     positions[0] = run[0] = 0;
     std::size_t borders = 1;
     for (std::size_t j = 1; j < count; j += hn::Lanes(d)) {
-        const MaskBytes border(hn::Ne(Differing(stream, doublings, j), hn::Zero(d)));
-        CountUpTo(border, std::uint32_t(borders - 1), run + j);
+        const auto border = hn::Ne(Differing(stream, doublings, j), hn::Zero(d));
+        CountUpTo(MaskBytes(border), std::uint32_t(borders - 1), run + j);
         borders += SetPositions(border, std::uint32_t(j), positions + borders);
     }
     while (borders > 1 && positions[borders - 1] >= count) --borders;

@@ -2,7 +2,6 @@
 
 #include <memory>
 
-#include "procedural/kept_colors.h"
 #include "procedural/point_colors.h"
 #include "procedural/row_tasks.h"
 
@@ -46,14 +45,14 @@ template void recolor_field(const RecolorTask&, const ColorMap&, const double*, 
 
 void recolor_places(const RecolorTask& task, const ColorMap& map, const double* field, bool known,
                     std::int32_t* places, Image<Rgb8>& image) {
-    const KeptColors colors(map);
+    const PointColors<Rgb8> colors(map);
     recolor(task, colors(0.0), image,
             [&](std::size_t at, std::size_t count, ColorBuffers& buffers, auto& painter) {
                 const double* f = field + at;
-                if (!known) index_colors(map.wrap, f, count, KeptColors::places, places + at);
-                colors.look_up(places + at, f, count, buffers.codes, buffers.later);
+                if (!known) colors.index(f, count, places + at);
+                colors.look_up(places + at, f, count, buffers);
                 painter(count, [&](std::size_t first, std::size_t part, Rgb8* pixels) {
-                    pack_pixels(buffers.codes + first, part, pixels);
+                    colors.pixels(f, first, part, buffers, pixels);
                 });
             });
 }

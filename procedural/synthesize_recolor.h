@@ -19,7 +19,7 @@ struct RecolorTask {
 template <class Pixel>
 void recolor_field(const RecolorTask& task, const ColorMap& map, const double* field,
                    Image<Pixel>& image);
-/// The same from f's places (kept_colors.h), which are written first where they are not `known`.
+/// The same from f's places (color_table.h), which are written first where they are not `known`.
 void recolor_places(const RecolorTask& task, const ColorMap& map, const double* field, bool known,
                     std::int32_t* places, Image<Rgb8>& image);
 

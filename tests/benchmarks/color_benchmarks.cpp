@@ -25,19 +25,19 @@ void register_look_up(const ColorMap& map) {
         explicit Batch(const ColorMap& colors) : table(colors) {}
         ColorTable8 table;
         std::vector<double> field = random_field();
-        alignas(64) std::int32_t entries[batch_capacity + batch_padding] = {};
+        alignas(64) std::int32_t places[batch_capacity + batch_padding] = {};
         alignas(64) ColorCode codes[batch_capacity + batch_padding] = {};
         std::uint32_t later[batch_capacity + 2 * batch_padding] = {};
     };
     const auto batch = std::make_shared<Batch>(map);
     const auto index = [batch] {
-        index_colors(batch->table.wrap(), batch->field.data(), batch_capacity,
-                     ColorTable8::entry_count, batch->entries);
+        index_colors(batch->table.wrap(), batch->field.data(), batch_capacity, ColorTable8::places,
+                     batch->places);
     };
     index();
     register_batch("index_colors", index);
     register_batch("ColorTable8::look_up", [batch] {
-        batch->table.look_up(batch->entries, batch->field.data(), batch_capacity, batch->codes,
+        batch->table.look_up(batch->places, batch->field.data(), batch_capacity, batch->codes,
                              batch->later);
     });
 }

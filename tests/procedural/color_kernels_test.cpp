@@ -55,15 +55,16 @@ TEST(ColorKernels, IndexColorsAsTheMapDoes) {
 TEST(ColorKernels, LookUpCodesAndTellTheUnfinished) {
     std::mt19937 random(1);
     const std::vector<ColorCode> table = random_table(random, 5000);
-    alignas(64) static std::int32_t entries[batch_capacity + batch_padding];
+    alignas(64) static std::int32_t places[batch_capacity + batch_padding];
     alignas(64) static ColorCode codes[batch_capacity + batch_padding];
     static std::uint32_t later[batch_capacity + 2 * batch_padding];
-    for (std::int32_t& entry : entries) entry = std::int32_t(random() % table.size());
+    for (std::int32_t& place : places)
+        place = std::int32_t(random() % (table.size() << place_bits));
     for (const std::size_t count : {0, 1, 7, 8, 15, 16, 17, 100, 1023, 1024}) {
-        const std::size_t found = look_up_codes(table.data(), entries, count, codes, later);
+        const std::size_t found = look_up_codes(table.data(), places, count, codes, later);
         std::vector<std::uint32_t> expected;
         for (std::size_t j = 0; j < count; ++j) {
-            const ColorCode& code = table[std::size_t(entries[j])];
+            const ColorCode& code = table[std::size_t(places[j] >> place_bits)];
             if (!code.uniform) expected.push_back(std::uint32_t(j));
             ASSERT_EQ(codes[j].color, code.color) << count << " " << j;
         }

@@ -1,5 +1,6 @@
-// Kept places give the codes that f itself gives, on every instruction set.
-#include "procedural/kept_colors.h"
+// Codes looked up by f's place against the list of steps gone through one by one, on every
+// instruction set.
+#include "procedural/color_table.h"
 
 #include <algorithm>
 #include <limits>
@@ -46,10 +47,12 @@ std::vector<double> values_around(const ColorTable8& table, std::mt19937& random
                              std::nextafter(1.0, 0.0)};
     for (const ColorTable8::Step& step : table.steps()) {
         if (!(step.index <= 1.0)) continue;
-        const double place = 1.0 / KeptColors::places;
+        const double place = 1.0 / ColorTable8::places;
+        const double part = 0x1p-18;
         for (const double x :
              {step.index, std::nextafter(step.index, -1.0), std::nextafter(step.index, 2.0),
-              step.index - 0.4 * place, step.index + 0.4 * place, step.index - place})
+              step.index - 0.4 * place, step.index + 0.4 * place, step.index - place,
+              std::floor(step.index / part) * part, std::ceil(step.index / part) * part})
             f.push_back(x);
     }
     std::ranges::shuffle(f, random);
@@ -58,7 +61,15 @@ std::vector<double> values_around(const ColorTable8& table, std::mt19937& random
     return f;
 }
 
-TEST(KeptColors, AreThoseOfTheTableHoweverNearItsSteps) {
+Rgb8 color_by_steps(const ColorTable8& table, double f) {
+    const double t = map_index(table.wrap(), f);
+    Rgb8 color;
+    for (const ColorTable8::Step& step : table.steps())
+        if (step.index <= t) color = step.color;
+    return color;
+}
+
+TEST(ColorTable8, LooksUpTheLastStepUpToEveryPlaceHoweverNear) {
     std::mt19937 random(1);
     alignas(64) static std::int32_t places[batch_capacity + batch_padding];
     alignas(64) static ColorCode codes[batch_capacity + batch_padding];
@@ -66,17 +77,16 @@ TEST(KeptColors, AreThoseOfTheTableHoweverNearItsSteps) {
     for (int i = 0; i < 60; ++i) {
         const ColorMap map = random_map(random);
         const ColorTable8 table(map);
-        const KeptColors kept(map);
         std::vector<double> f = values_around(table, random);
         const std::size_t count = f.size();
         f.resize(count + batch_padding);
         on_every_target([&] {
-            index_colors(map.wrap, f.data(), count, KeptColors::places, places);
-            kept.look_up(places, f.data(), count, codes, later);
+            index_colors(map.wrap, f.data(), count, ColorTable8::places, places);
+            table.look_up(places, f.data(), count, codes, later);
             for (std::size_t j = 0; j < count; ++j)
-                ASSERT_EQ(codes[j].color, table(f[j])) << i << " " << f[j];
+                ASSERT_EQ(codes[j].color, color_by_steps(table, f[j])) << i << " " << f[j];
         });
-        EXPECT_EQ(kept(0.0), table(0.0));
+        for (const double x : f) ASSERT_EQ(table(x), color_by_steps(table, x)) << i << " " << x;
     }
 }
 
