@@ -106,13 +106,17 @@ void FieldSampler::values(FieldBatch& batch) const {
 
 void FieldSampler::values(FieldBatch& batch, const KeptBatch& kept) const {
     const std::size_t scalars = scalar_octaves_.size(), streamed = kept.octaves.size() - scalars;
-    if (kept.quadric_known) {
+    if (kept.start.known) {
+        std::copy_n(kept.start.values + kept.at, batch.count, batch.field);
+        count_idle(batch);
+    } else if (kept.quadric_known) {
         std::copy_n(kept.quadric + kept.at, batch.count, batch.field);
+        add_constant(batch);
     } else {
         fill_parabolas_of(batch);
         if (kept.quadric) std::copy_n(batch.field, batch.count, kept.quadric + kept.at);
+        add_constant(batch);
     }
-    add_constant(batch);
     streams_.add_kept(batch.pieces, batch.count, kept.part(0, streamed), batch.streams,
                       batch.field);
     add_kept_scalar_octaves(batch, kept.part(streamed, scalars));
@@ -152,13 +156,17 @@ void FieldSampler::fill_parabolas_of(FieldBatch& batch) const {
 
 /// The noise's constant parts, apart from the quadric, which can so be kept when they change.
 void FieldSampler::add_constant(FieldBatch& batch) const {
-    batch.streams.work.skip_octaves(Skip::zero_terms, idle_octaves_ * batch.count);
+    count_idle(batch);
     if (constant_ == 0.0) return;
     for (std::size_t j = 0; j < batch.count; ++j) batch.field[j] += constant_;
 }
 
-void FieldSampler::fill_quadric_at_offsets(FieldBatch& batch) const {
+void FieldSampler::count_idle(FieldBatch& batch) const {
     batch.streams.work.skip_octaves(Skip::zero_terms, idle_octaves_ * batch.count);
+}
+
+void FieldSampler::fill_quadric_at_offsets(FieldBatch& batch) const {
+    count_idle(batch);
     std::size_t at = 0;
     for (const Piece& piece : batch.pieces)
         for (std::size_t j = 0; j < piece.solid.count; ++j, ++at) {

@@ -21,8 +21,8 @@ class FieldSampler {
 
     /// batch.field = f at the centres of the texels of batch.pieces.
     void values(FieldBatch& batch) const;
-    /// The same to the bit, but evaluates only octaves whose noise is not known, and keeps it. Not
-    /// with a band limit.
+    /// The same to the bit, but evaluates only octaves whose noise is not known, and keeps it, as
+    /// it does a start that is to be kept (OctaveStreams::add_kept). Not with a band limit.
     void values(FieldBatch& batch, const KeptBatch& kept) const;
     /// Looks at the blocks of texels of `pilot`, which lie all over the atlas, where
     /// values_for_colors() had better leave out octaves. Those evaluated for that are not counted.
@@ -32,6 +32,7 @@ class FieldSampler {
     void values_for_colors(FieldBatch& batch, ExitBuffers& buffers) const;
     /// What the kept noise depends on, octave by octave.
     std::vector<NoiseKey> noise_keys() const;
+    FieldSum sum() const { return {quadric_, constant_, streams_.sum_groups()}; }
     /// Besides, batch.slopes = df/du and df/dv per texel.
     void values_and_slopes(FieldBatch& batch) const;
     /// batch.field = f at batch.offsets.
@@ -49,6 +50,7 @@ class FieldSampler {
     void fill_quadric(FieldBatch& batch) const;
     void fill_parabolas_of(FieldBatch& batch) const;
     void add_constant(FieldBatch& batch) const;
+    void count_idle(FieldBatch& batch) const;
     void fill_quadric_at_offsets(FieldBatch& batch) const;
     void add_kept_scalar_octaves(FieldBatch& batch, const KeptBatch& kept) const;
     void add_scalar_octaves(FieldBatch& batch, SlopeBatch* slopes, const TexelOffsets* offsets,

@@ -23,17 +23,24 @@ struct KeptNoise {
     float* noise = nullptr;  ///< null: not kept, worked out every time
     bool known = false;      ///< they are there already
 };
+/// The sum of quadric, constants and some groups of octaves (kept_start.h), for all texels.
+struct FieldStart {
+    double* values = nullptr;  ///< null: not kept
+    bool known = false;
+    std::size_t groups = 0, octaves = 0;  ///< how many are in it, the first ones
+};
 /// As many octaves as a sampler has keys, and the first texel of a batch among the numbers. Numbers
-/// are read (not written) up to batch_padding beyond the last texel. Where all is known, batches
-/// need no pieces.
+/// are read (not written) up to batch_padding beyond the last texel. Octaves of a start that is
+/// known are not read. Where all is known, batches need no pieces.
 struct KeptBatch {
     std::span<const KeptNoise> octaves;
     double* quadric = nullptr;  ///< its values; null: not kept
     bool quadric_known = false;
     std::size_t at = 0;
+    FieldStart start{};
 
     KeptBatch part(std::size_t first, std::size_t count) const {
-        return {octaves.subspan(first, count), quadric, quadric_known, at};
+        return {octaves.subspan(first, count), quadric, quadric_known, at, start};
     }
 };
 

@@ -258,18 +258,28 @@ void OctaveStreams::add(std::span<const Piece> pieces, std::size_t count, Stream
             add_values(group, pieces, buffers, values);
 }
 
-std::vector<NoiseKey> OctaveStreams::noise_keys() const {
-    std::vector<NoiseKey> keys;
-    for (const Group& group : groups_)
+std::vector<FieldSum::Group> OctaveStreams::sum_groups() const {
+    std::vector<FieldSum::Group> groups;
+    for (const Group& group : groups_) {
+        FieldSum::Group& sum = groups.emplace_back();
+        sum.scale = group.scale;
         for (const StreamOctave& octave : group.octaves) {
-            NoiseKey key;
+            NoiseKey& key = sum.keys.emplace_back();
             key.noise.kind = group.kind, key.noise.fade = group.fade, key.noise.seed = octave.seed;
             key.noise.radius2 = group.radius2;
             key.lattice_from_solid = group.lattice_from_solid;
             key.doublings = octave.doublings;
             key.most_doublings = group.finest();
-            keys.push_back(key);
+            sum.weights.push_back(octave.weight);
         }
+    }
+    return groups;
+}
+
+std::vector<NoiseKey> OctaveStreams::noise_keys() const {
+    std::vector<NoiseKey> keys;
+    for (const FieldSum::Group& group : sum_groups())
+        keys.insert(keys.end(), group.keys.begin(), group.keys.end());
     return keys;
 }
 
@@ -355,10 +365,18 @@ void OctaveStreams::fill_noise(std::size_t begin, std::size_t end, std::span<con
 
 void OctaveStreams::add_kept(std::span<const Piece> pieces, std::size_t count,
                              const KeptBatch& kept, StreamBuffers& buffers, double* values) const {
-    std::size_t first = 0;
-    for (const Group& group : groups_) {
+    const FieldStart& start = kept.start;
+    const auto keep_start = [&](std::size_t groups) {
+        if (start.values && !start.known && start.groups == groups)
+            std::copy_n(values, count, start.values + kept.at);
+    };
+    std::size_t first = start.known ? start.octaves : 0;
+    buffers.work.skip_octaves(Skip::kept_terms, first * count);
+    for (std::size_t i = start.known ? start.groups : 0; i < groups_.size(); ++i) {
+        const Group& group = groups_[i];
         KeptBatch own = kept.part(first, group.octaves.size());
         first += group.octaves.size();
+        keep_start(i);
         if (std::ranges::none_of(own.octaves,
                                  [](const KeptNoise& octave) { return octave.noise; })) {
             add_values(group, pieces, buffers, values);
@@ -376,6 +394,7 @@ void OctaveStreams::add_kept(std::span<const Piece> pieces, std::size_t count,
                          at += texels;
                      });
     }
+    keep_start(groups_.size());
 }
 
 }  // namespace burl

@@ -6,7 +6,7 @@
 
 #include "procedural/early_exit.h"
 #include "procedural/economy.h"
-#include "procedural/kept_noise.h"
+#include "procedural/kept_start.h"
 #include "procedural/kernel.h"
 #include "procedural/octave_groups.h"
 #include "procedural/offset_kernel.h"
@@ -50,8 +50,11 @@ class OctaveStreams {
 
     /// What the numbers depend on that add_kept keeps, in its order.
     std::vector<NoiseKey> noise_keys() const;
+    /// What sums are made of, group by group.
+    std::vector<FieldSum::Group> sum_groups() const;
     /// As add() without slopes and offsets, to the bit, but evaluates only octaves whose noise is
-    /// not known, and keeps it. Where all are known it needs no pieces. Not with a band limit.
+    /// not known, and keeps it, as it does the start that is to be kept; a known one is in the
+    /// values already. Where all are known it needs no pieces. Not with a band limit.
     void add_kept(std::span<const Piece> pieces, std::size_t count, const KeptBatch& kept,
                   StreamBuffers& buffers, double* values) const;
     /// noise[k][j] = octave k of noise_keys() at texel j, for k in [begin, end): what add_kept()

@@ -72,6 +72,7 @@ void KeptSynthesis::set_map(const Affine3& texture_from_atlas) {
 void KeptSynthesis::forget() {
     moved_ = true;
     known_field_.reset();
+    start_.forget();
     known_quadric_.reset();
     for (KeptOctave& octave : octaves_) octave.key.doublings = -1;  // nobody's
 }
@@ -79,6 +80,7 @@ void KeptSynthesis::forget() {
 void KeptSynthesis::forget_octaves() {
     octaves_.clear();
     last_keys_.clear();
+    start_.forget();
     entries_ = {};
     quadric_ = {};
     known_quadric_.reset();
@@ -215,22 +217,27 @@ void KeptSynthesis::evaluate(const Texture& texture, int threads, const Economy&
     const std::vector<NoiseKey> keys = sampler.noise_keys();
     note_changes(keys, field_key(texture, {}));
     std::vector<KeptOctave> octaves = keep(keys);
-    std::vector<KeptNoise> kept(keys.size());
-    std::ranges::transform(octaves, kept.begin(), [](const KeptOctave& octave) {
-        return KeptNoise{octave.noise.data(), octave.known};
-    });
+    double* const field = field_again_ ? nullptr : field_.data();
+    const FieldStart start = start_.begin(sampler.sum(), field ? nullptr : field_.data());
+    std::vector<KeptNoise> kept;
+    for (KeptOctave& octave : octaves) {
+        const bool started = start.known && kept.size() < start.octaves;
+        if (started && !octave.known) octave.noise = {};  // it will not be evaluated
+        kept.push_back({octave.noise.data(), octave.known || started});
+    }
     const bool quadric_known = known_quadric_ == texture.quadric;
     known_quadric_.reset();
-    double* const quadric = quadric_known || !quadric_change_.again ? quadric_.data() : nullptr;
-    double* const field = field_again_ ? nullptr : field_.data();
-    const bool all_known = quadric_known && std::ranges::all_of(kept, &KeptNoise::known);
+    const bool fills_quadric = !quadric_known && !quadric_change_.again && !start.known;
+    double* const quadric = quadric_known || fills_quadric ? quadric_.data() : nullptr;
+    const bool all_known =
+        (quadric_known || start.known) && std::ranges::all_of(kept, &KeptNoise::known);
     WorkSum work(economy.work);
     const auto fill_rows = [&](const RowRange& range) {
         const auto batch = std::make_unique_for_overwrite<Batch>();
         for (std::size_t y = range.begin(); y != range.end(); ++y) {
             RowPainter<Pixel> painter(rows_.runs(y), image.row(y), background);
             const auto fill = [&](std::size_t at, std::size_t count) {
-                sampler.values(*batch, {kept, quadric, quadric_known, at});
+                sampler.values(*batch, {kept, quadric, quadric_known, at, start});
                 if (field) std::copy_n(batch->field, count, field + at);
                 colors.look_up(batch->field, count, batch->colors);
                 paint(colors, batch->field, count, batch->colors, painter);
@@ -264,6 +271,7 @@ void KeptSynthesis::evaluate(const Texture& texture, int threads, const Economy&
     if (stopped) std::erase_if(octaves, [](const KeptOctave& octave) { return !octave.known; });
     octaves_ = std::move(octaves);
     if (quadric && (quadric_known || !stopped)) known_quadric_ = texture.quadric;
+    start_.end(start.known || !stopped);
     if (field && !stopped) known_field_ = field_key(texture, {});
 }
 

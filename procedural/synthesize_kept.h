@@ -12,7 +12,7 @@
 #include "procedural/economy.h"
 #include "procedural/field_sampler.h"
 #include "procedural/filter.h"
-#include "procedural/kernel.h"
+#include "procedural/kept_start.h"
 #include "procedural/synthesize_kept_rows.h"
 
 namespace burl {
@@ -41,8 +41,9 @@ class KeptSynthesis {
     /// The bytes of synthesize_rgb8, _rgb16 or _rgbf, for Pixel Rgb8, Rgb16 or RgbF. An image of
     /// the atlas's size is written over; that spares the system clearing memory for another.
     /// An octave or quadric that is new twice running, as while a slider of it moves, is not kept
-    /// until it stays, nor is a field that is new twice for the same reason. Supersampled textures,
-    /// and without a filter those of a band limit, keep no octaves.
+    /// until it stays, nor is a field that is new twice for the same reason: its place has the sum
+    /// of what comes before the octaves that move. Supersampled textures, and without a filter
+    /// those of a band limit, keep no octaves.
     template <class Pixel>
     void synthesize(const Texture& texture, int threads, Image<Pixel>& image,
                     const Filter& filter = {}, const Economy& economy = {});
@@ -110,6 +111,7 @@ class KeptSynthesis {
     KeptArray<std::int32_t> entries_;    ///< of the known field in tables of 8-bit colours
     std::optional<Wrap> known_entries_;  ///< for which they hold
     std::optional<FieldKey> known_field_;
+    KeptStart start_;  ///< where the field would be
     std::optional<Quadric> known_quadric_;
     std::vector<KeptOctave> octaves_;
     bool moved_ = false;  ///< since the last texture

@@ -141,6 +141,64 @@ TEST(KeptSynthesis, GivesTheSameBytesWithinAnyBudget) {
         follow_edits<Rgb8>(Kernel::automatic, bytes * 37 * 48 + 5, 6, bytes % 4 == 0);
 }
 
+/// Slider after slider dragged some way, now and then with a texture that somebody does not wait
+/// for.
+void follow_drags(std::size_t budget, Kernel kernel) {
+    const SolidAtlas solid = SyntheticAtlas{40, 11, 10.0, 0.02, true}.make(2);
+    std::mt19937 random(std::uint32_t(budget + std::size_t(kernel)));
+    KeptSynthesis kept(solid, twice, budget, kernel);
+    Texture texture = many_terms();
+    Image<Rgb8> image;
+    for (int drag = 0; drag < 30; ++drag) {
+        NoiseTerm& term = texture.noise[random() % texture.noise.size()];
+        double* const sliders[] = {&term.phase.x, &term.amplitude, &term.gain, &texture.quadric.b};
+        double& slider = *sliders[random() % std::size(sliders)];
+        for (auto moves = 1 + random() % 5; moves > 0; --moves) {
+            slider *= 0.97, slider += 0.01;
+            std::stop_source stop;
+            Economy economy;
+            economy.stop = stop.get_token();
+            if (random() % 5 == 0) stop.request_stop();
+            kept.synthesize(texture, 1, image, {}, economy);
+            if (stop.stop_requested()) continue;
+            ASSERT_EQ(image, from_scratch<Rgb8>(solid, texture, kernel)) << "drag " << drag;
+            ASSERT_LE(kept.bytes(), budget);
+        }
+    }
+}
+
+TEST(KeptSynthesis, GivesTheSameBytesWhileSlidersAreDragged) {
+    for (const std::size_t bytes : {8, 12, 30, 1000})
+        follow_drags(bytes * 40 * 48, Kernel::automatic);
+    follow_drags(plenty, Kernel::scanline);
+}
+
+TEST(KeptSynthesis, EvaluatesNothingThatComesBeforeTheOctavesThatMove) {
+    const SolidAtlas solid = SyntheticAtlas{40, 11, 10.0, 0.02, true}.make(1);
+    KeptSynthesis kept(solid, twice, 8 * 40 * 48);  // no room for octaves
+    Texture texture = many_terms();
+    Image<Rgb8> image;
+    const auto move = [&](double& slider) {
+        slider += 0.1;
+        SynthesisWork work;
+        Economy economy;
+        economy.work = &work;
+        kept.synthesize(texture, 1, image, {}, economy);
+        EXPECT_EQ(image, from_scratch<Rgb8>(solid, texture, Kernel::automatic));
+        EXPECT_EQ(work.octaves, kept.work().octaves_evaluated * work.texels);
+        EXPECT_EQ(work.octaves + work.octaves_skipped[unsigned(Skip::kept_terms)], 7 * work.texels);
+        return kept.work().octaves_evaluated;
+    };
+    EXPECT_EQ(move(texture.noise[1].phase.x), 7u);
+    EXPECT_EQ(move(texture.noise[1].phase.x), 7u);
+    EXPECT_EQ(move(texture.noise[1].phase.x), 7u);  // and keeps what comes before
+    EXPECT_EQ(move(texture.noise[1].phase.x), 3u);
+    EXPECT_EQ(move(texture.noise[2].phase.x), 7u);
+    EXPECT_EQ(move(texture.noise[2].phase.x), 7u);
+    EXPECT_EQ(move(texture.noise[2].phase.x), 1u);
+    EXPECT_LE(kept.bytes(), 8u * 40 * 48);
+}
+
 TEST(KeptSynthesis, StartsAnewForAnotherMap) {
     const SolidAtlas solid = SyntheticAtlas{40, 11, 10.0, 0.02, true}.make(1);
     KeptSynthesis kept(solid, Affine3{}, plenty);
