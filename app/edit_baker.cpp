@@ -7,6 +7,7 @@
 #include "app/edit_atlas.h"
 #include "app/lattice_check.h"
 #include "app/refinement.h"
+#include "app/unit_frame.h"
 #include "app/view_scene.h"
 
 namespace burl {
@@ -30,6 +31,7 @@ std::shared_ptr<EditSurface> surface_of(Pipeline& pipeline) {
         surface->scene.textures[std::size_t(normals)].image = Image<Rgb8>(1, 1, {128, 128, 255});
     surface->unit_from_mesh = solid_from_mesh(pipeline.mesh(), SolidSpace::unit);
     surface->sphere = bounding_sphere(surface->scene);
+    surface->frames = unit_frames(surface->scene);
     surface->size = pipeline.recipe().atlas.size;
     surface->triangles = pipeline.mesh().triangles.size();
     surface->atlas = to_string(pipeline.atlas().options.kind);

@@ -19,8 +19,9 @@ namespace burl {
 
 /// The mesh under one layout of its atlas.
 struct EditSurface {
-    std::uint64_t number = 0;  ///< another one for every layout
-    Scene scene{};             ///< without textures of its own (app/view_scene.h)
+    std::uint64_t number = 0;     ///< another one for every layout
+    Scene scene{};                ///< without textures of its own (app/view_scene.h)
+    std::vector<Mat4d> frames{};  ///< of the scene's surfaces (app/unit_frame.h)
     Sphere sphere{};
     Affine3 unit_from_mesh{};  ///< solid_from_mesh of SolidSpace::unit
     std::uint32_t size = 0;    ///< of the texture at level 0

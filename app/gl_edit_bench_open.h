@@ -14,8 +14,10 @@ struct OpenBench {
     double shown = 0.0;    ///< its first picture was on the screen
     double finest = 0.0;   ///< the first one at level 0 was
     double patches = 0.0;  ///< the one with the recipe's own atlas was
+    double worked = 0.0;   ///< processor time of all threads until `shown`
     Durations frame{};     ///< from input to the end of drawing, while the pointer moves
     Durations panels{};    ///< the user interface's own part of it
+    Durations thread{};    ///< processor time of its thread, drawing aside, uploads with it
     Durations turning{};   ///< frames in which the camera moves, after all that
     double closing = 0.0;  ///< that closing it takes while patches are laid out
 };

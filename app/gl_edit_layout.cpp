@@ -198,7 +198,7 @@ ObjectView EditorProgram::object_view(const ImVec2& low, const ImVec2& size) con
     view.camera = camera_;
     view.low = {double(low.x), double(low.y)};
     view.size = {double(size.x), double(size.y)};
-    const auto surface = baker_.surface();
+    const auto& surface = object_.surface();
     if (!surface || !view.pick || &view.pick->scene() != &surface->scene)
         view.pick.reset();  // of another surface
     else
@@ -234,7 +234,7 @@ void EditorProgram::object_input(const ImVec2& low, const ImVec2& size) {
 
 void EditorProgram::object_image(const ImVec2& low, const ImVec2& size) {
     object_.show(baker_.surface(), baker_.picture());
-    object_.show_lines(atlas_.lines());
+    object_.show_lines(object_.uploading() ? nullptr : atlas_.lines());
     const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
     ObjectViewOptions options;
     options.size = {int(size.x * scale.x), int(size.y * scale.y)};
@@ -244,7 +244,9 @@ void EditorProgram::object_image(const ImVec2& low, const ImVec2& size) {
     options.borders = atlas_.borders;
     const bool moving = moving_camera_ || session_.history().in_gesture() || timeline_.moving();
     options.supersample = moving ? 1 : 2;
+    const double began = thread_seconds();
     const GlTexture* texture = object_.draw(options);
+    times_.worked -= thread_seconds() - began;
     still_ = texture && !object_.drew() ? imgui_texture(*texture) : nullptr;
     if (texture)
         ImGui::GetWindowDrawList()->AddImage(imgui_texture(*texture), low,

@@ -1,11 +1,17 @@
 #include "app/gl_edit_object.h"
 
+#include <chrono>
+#include <utility>
+
 #include "app/gl_source.h"
 #include "app/view_scene.h"
 
 namespace burl {
 
 namespace {
+
+constexpr std::size_t piece_bytes = std::size_t(1) << 20;
+constexpr std::chrono::milliseconds patience{4};  ///< of a frame, for a surface's upload
 
 PictureSize sample_size(const ObjectViewOptions& options) {
     return {options.size.width * options.supersample, options.size.height * options.supersample};
@@ -34,22 +40,37 @@ GlEditObject::GlEditObject(const GladGLContext& gl)
           make_full_screen_program(gl, "the view of the object",
                                    ShaderSource().add("srgb_encode.glsl").add("edit_encode.frag"))),
       pass_(gl),
+      programs_(std::make_shared<GlScenePrograms>(gl)),
       lines_(gl) {}
 
 void GlEditObject::show(std::shared_ptr<const EditSurface> surface,
                         const std::shared_ptr<const EditPicture>& picture) {
-    if (surface != surface_) {
-        surface_ = std::move(surface);
-        scene_ = surface_ ? std::make_unique<GlScene>(*gl_, surface_->scene) : nullptr;
-        texture_.reset();
-        if (scene_)
-            texture_.emplace(*gl_, scene_->texture(baked_material(surface_->scene).texture).get());
-        picture_.reset();
-        normals_.reset();
-        drawn_.reset();
+    if (surface != next_) {
+        next_ = std::move(surface);
+        next_scene_.reset();
+        if (next_ && next_ != surface_)
+            next_scene_ = std::make_unique<GlScene>(*gl_, next_->scene, programs_, next_->frames);
     }
+    if (next_ != surface_) upload_surface();
     const bool fits = surface_ && picture && picture->surface == surface_->number;
     if (fits && picture != picture_) upload(picture);
+}
+
+/// Once all of it is there it is what is shown.
+void GlEditObject::upload_surface() {
+    const auto begin = std::chrono::steady_clock::now();
+    while (next_scene_ && !next_scene_->upload(next_->scene, piece_bytes))
+        if (std::chrono::steady_clock::now() - begin > patience) return;
+    scene_ = std::move(next_scene_);
+    // Freeing hundreds of megabytes takes longer than a frame may.
+    dropping_ = std::async(std::launch::async,
+                           [old = std::exchange(surface_, next_)]() mutable { old.reset(); });
+    texture_.reset();
+    if (scene_)
+        texture_.emplace(*gl_, scene_->texture(baked_material(surface_->scene).texture).get());
+    picture_.reset();
+    normals_.reset();
+    drawn_.reset();
 }
 
 void GlEditObject::show_lines(const std::shared_ptr<const SurfaceLines>& lines) {

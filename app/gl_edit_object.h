@@ -2,6 +2,7 @@
 // The editor's view of the object: a scene drawn into a texture that the panels show, with the
 // newest picture of its colours, drawn anew only when something about it has changed.
 #include <cstdint>
+#include <future>
 #include <memory>
 #include <optional>
 
@@ -27,9 +28,14 @@ class GlEditObject {
   public:
     explicit GlEditObject(const GladGLContext& gl);
 
-    /// What is shown from now on; null: nothing. Uploads only what is new.
+    /// What is shown from now on; null: nothing. Uploads only what is new, and of a large surface a
+    /// few milliseconds' worth: until the last of several calls the one before is shown.
     void show(std::shared_ptr<const EditSurface> surface,
               const std::shared_ptr<const EditPicture>& picture);
+    /// A surface is not there yet: show() is to be called again.
+    bool uploading() const { return next_scene_ != nullptr; }
+    /// What is shown; null: nothing.
+    const std::shared_ptr<const EditSurface>& surface() const { return surface_; }
     /// The lines over it; null: none.
     void show_lines(const std::shared_ptr<const SurfaceLines>& lines);
     /// That of picture(); null: none yet.
@@ -45,6 +51,7 @@ class GlEditObject {
     int drawn_samples() const { return drawn_ ? drawn_->supersample : 0; }
 
   private:
+    void upload_surface();
     void upload(const std::shared_ptr<const EditPicture>& picture);
     void upload_normals(std::shared_ptr<const Image<Rgb8>> normals);
     /// What the scene is drawn into.
@@ -61,9 +68,10 @@ class GlEditObject {
     const GladGLContext* gl_;
     GlProgram encode_;
     GlFullScreen pass_;
-    std::shared_ptr<const EditSurface> surface_;
-    std::unique_ptr<GlScene> scene_;
-    std::optional<GlEditTexture> texture_;  ///< that the scene's surfaces show
+    std::shared_ptr<GlScenePrograms> programs_;
+    std::shared_ptr<const EditSurface> surface_, next_;  ///< shown, and being uploaded
+    std::unique_ptr<GlScene> scene_, next_scene_;        ///< of these
+    std::optional<GlEditTexture> texture_;               ///< that the scene's surfaces show
     std::shared_ptr<const EditPicture> picture_;
     GlEditLines lines_;
     std::shared_ptr<const Image<Rgb8>> normals_;  ///< that are shown
@@ -71,6 +79,7 @@ class GlEditObject {
         shown_;  ///< the former where there are lines or many samples a pixel
     std::optional<ObjectViewOptions> drawn_;
     bool drew_ = false;
+    std::future<void> dropping_;  ///< of the surface that was shown before
 };
 
 }  // namespace burl

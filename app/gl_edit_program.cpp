@@ -126,15 +126,17 @@ void EditorProgram::request_texture() {
 }
 
 bool EditorProgram::settled() const {
-    return files_.idle() && baker_.idle() && atlas_.idle() && !session_.history().in_gesture() &&
-           !timeline_.moving();
+    return files_.idle() && baker_.idle() && atlas_.idle() && !object_.uploading() &&
+           !session_.history().in_gesture() && !timeline_.moving();
 }
 
 void EditorProgram::frame(const std::vector<InputEvent>& events) {
     window_->context().make_current();
     times_ = {};
+    const double began = thread_seconds();
     timed(times_.panels, [&] { panels(events); });
     times_.panels -= times_.object;
+    times_.worked += thread_seconds() - began;
     timed(times_.screen, [&] { draw_screen(); });
     if (std::exchange(screenshot_due_, false)) take_screenshot();
 }
@@ -180,7 +182,7 @@ Image<Rgb8> EditorProgram::screenshot() {
 }
 
 void EditorProgram::turn() {
-    const bool busy = frames_to_draw_ > 0 || turntable_ || timeline_.playing;
+    const bool busy = frames_to_draw_ > 0 || turntable_ || timeline_.playing || object_.uploading();
     const std::vector<InputEvent> events = window_->poll(busy ? 0.0 : 1.0);
     // A wake of the pipeline ends the waiting without an event: a frame is due, too.
     frames_to_draw_ = events.empty() && !busy ? 1 : std::max(frames_to_draw_ - 1, 0);
@@ -201,7 +203,9 @@ void EditorProgram::settle() {
     while (files_.settle()) frame({});
     export_.wait();
     baker_.wait();
-    frame({});
+    do {
+        frame({});
+    } while (object_.uploading());
     if (gallery_) gallery_->wait();
     figures_.wait();
     atlas_.wait();

@@ -37,8 +37,11 @@ struct EditorOptions {
 /// Where the time of a frame went, in seconds on the thread of the user interface.
 struct FrameTimes {
     double panels = 0.0;  ///< input, panels and all else that is not drawing
-    double object = 0.0;  ///< uploading the texture and drawing the object
+    double object = 0.0;  ///< uploading the surface and the texture, and drawing the object
     double screen = 0.0;  ///< drawing the user interface
+    /// Of `panels` and uploading: what that thread's processor worked, however many others wanted
+    /// it.
+    double worked = 0.0;
 };
 
 class EditorProgram {

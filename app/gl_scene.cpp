@@ -1,9 +1,11 @@
 #include "app/gl_scene.h"
 
 #include <algorithm>
+#include <limits>
+#include <utility>
 
-#include "app/gl_source.h"
 #include "app/shading.h"
+#include "app/unit_frame.h"
 #include "app/view_texels.h"
 #include "atlas/error.h"
 
@@ -67,31 +69,45 @@ GlTexture upload(const GladGLContext& gl, const SceneTexture& texture, TextureFi
     return result;
 }
 
-const char* word(bool value) {
-    return value ? "true" : "false";
-}
-
-/// mesh.vert and a fragment shader that knows footprints.
-GlProgram scene_program(const GladGLContext& gl, ShaderSource fragment) {
-    return make_program(gl, "the scene", ShaderSource().add("mesh.vert"), fragment);
-}
-
 }  // namespace
 
 GlScene::GlScene(const GladGLContext& gl, const Scene& scene, std::optional<TextureFilter> filter)
-    : gl_(gl),
-      lookups_(scene_program(gl, ShaderSource().add("footprint.glsl").add("mesh_lookups.frag"))) {
+    : gl_(gl), programs_(std::make_shared<GlScenePrograms>(gl)) {
+    make_textures(scene, filter);
+    for (const Surface& surface : scene.surfaces)
+        surfaces_.emplace_back(gl, surface, unit_frame(surface));
+    upload(scene, std::numeric_limits<std::size_t>::max());
+}
+
+GlScene::GlScene(const GladGLContext& gl, const Scene& scene,
+                 std::shared_ptr<GlScenePrograms> programs, std::span<const Mat4d> frames)
+    : gl_(gl), programs_(std::move(programs)) {
+    make_textures(scene, std::nullopt);
+    for (std::size_t i = 0; i < scene.surfaces.size(); ++i)
+        surfaces_.emplace_back(gl, scene.surfaces[i], frames[i]);
+}
+
+void GlScene::make_textures(const Scene& scene, std::optional<TextureFilter> filter) {
     for (std::size_t i = 0; i < scene.textures.size(); ++i) {
         filters_.push_back(drawn_filter(scene, int(i), filter));
-        textures_.push_back(upload(gl, scene.textures[i], filters_.back()));
+        textures_.push_back(burl::upload(gl_, scene.textures[i], filters_.back()));
     }
-    white_ = upload(gl, {Image<Rgb8>(1, 1, {255, 255, 255})}, TextureFilter::nearest);
-    for (const Surface& surface : scene.surfaces) surfaces_.emplace_back(gl, surface);
+    white_ = burl::upload(gl_, {Image<Rgb8>(1, 1, {255, 255, 255})}, TextureFilter::nearest);
+}
+
+bool GlScene::upload(const Scene& scene, std::size_t bytes) {
+    while (uploaded_ < surfaces_.size()) {
+        const std::size_t all = std::numeric_limits<std::size_t>::max();
+        if (!surfaces_[uploaded_].upload(gl_, scene.surfaces[uploaded_], bytes)) return false;
+        ++uploaded_;
+        if (bytes < all && uploaded_ < surfaces_.size()) return false;
+    }
+    return true;
 }
 
 void GlScene::set_texture(int number, const SceneTexture& texture) {
     const auto n = std::size_t(number);
-    textures_[n] = upload(gl_, texture, filters_[n]);
+    textures_[n] = burl::upload(gl_, texture, filters_[n]);
 }
 
 void GlScene::clear(const SampleTile& tile, const Vec3f& color) const {
@@ -106,25 +122,6 @@ void GlScene::bind(GLenum unit, int number) const {
     const GlTexture& texture = number < 0 ? white_ : textures_[std::size_t(number)];
     gl_.ActiveTexture(unit);
     gl_.BindTexture(GL_TEXTURE_2D, texture.get());
-}
-
-/// The program that draws so, in use.
-const GlProgram& GlScene::use(const Look& look) const {
-    auto found = programs_.find(look);
-    if (found == programs_.end()) {
-        ShaderSource source;
-        source.define("ENCODED", word(look.encoded)).define("LIT", word(look.lit));
-        source.define("BUMPED", word(look.bumped)).define("LEVELS", word(look.levels));
-        source.define("IN_BLOCKS", word(look.in_blocks));
-        source.add("footprint.glsl").add("srgb_encode.glsl").add("mesh.frag");
-        found = programs_.emplace(look, scene_program(gl_, source)).first;
-    }
-    const GlProgram& program = found->second;
-    program.use();
-    program.set("ambient", float(ambient));
-    program.set("base_color", 0);
-    program.set("normal_map", 1);
-    return program;
 }
 
 void GlScene::draw(const Camera& camera, const PictureSize& samples, const SampleTile& tile,
@@ -148,7 +145,7 @@ void GlScene::draw_surfaces(const TileView& view, bool lit, bool encoded) const 
         };
         const bool levels = has_levels(material.texture) || has_levels(material.normals);
         const GlProgram& program =
-            use({encoded, lit, surface.bumped(), levels, levels && surface.in_blocks()});
+            programs_->use({encoded, lit, surface.bumped(), levels, levels && surface.in_blocks()});
         bind(GL_TEXTURE0, material.texture);
         bind(GL_TEXTURE1, material.normals);
         program.set("normal_scale", material.normal_scale);
@@ -161,15 +158,15 @@ void GlScene::draw_surfaces(const TileView& view, bool lit, bool encoded) const 
 void GlScene::draw_lookups(const Camera& camera, const PictureSize& samples, const SampleTile& tile,
                            int number, std::uint32_t size) const {
     clear(tile, Vec3f(0.0f));
-    lookups_.use();
-    lookups_.set("texture_size", glm::vec2(float(size)));
+    const GlProgram& lookups = programs_->use_lookups();
+    lookups.set("texture_size", glm::vec2(float(size)));
     const TileView view(camera, samples, tile);
     int first_triangle = 0;
     for (const GlSurface& surface : surfaces_) {
         const SceneMaterial& material = surface.material();
         const bool shows = material.texture == number || material.normals == number;
-        lookups_.set("first_triangle", shows ? first_triangle : -1);
-        surface.draw(gl_, lookups_, view);
+        lookups.set("first_triangle", shows ? first_triangle : -1);
+        surface.draw(gl_, lookups, view);
         first_triangle += surface.triangles();
     }
     check_gl(gl_, "drawing what is looked up");

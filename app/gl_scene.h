@@ -1,11 +1,13 @@
 #pragma once
 // A scene on the GPU, drawn tile by tile: its colours, or what of a texture they were looked up
 // from (the feedback pass of virtual texturing: Barrett, "Sparse Virtual Textures", 2008).
-#include <map>
+#include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "app/gl_objects.h"
+#include "app/gl_scene_programs.h"
 #include "app/gl_surface.h"
 #include "app/scene.h"
 
@@ -18,6 +20,14 @@ class GlScene {
     /// is larger than the context allows, runtime when OpenGL fails.
     GlScene(const GladGLContext& gl, const Scene& scene,
             std::optional<TextureFilter> filter = std::nullopt);
+    /// The same with programs that others use, too, and without what its surfaces show: that comes
+    /// with upload(). `frames` are the surfaces' (app/unit_frame.h).
+    GlScene(const GladGLContext& gl, const Scene& scene, std::shared_ptr<GlScenePrograms> programs,
+            std::span<const Mat4d> frames);
+
+    /// The next piece of the surfaces of the scene it was made for, of about `bytes`. Whether all
+    /// are there: not to be drawn before.
+    bool upload(const Scene& scene, std::size_t bytes);
 
     /// Replaces the pixels of texture `number` of the scene; how it is looked up stays.
     void set_texture(int number, const SceneTexture& texture);
@@ -41,21 +51,16 @@ class GlScene {
   private:
     void clear(const SampleTile& tile, const Vec3f& color) const;
     void bind(GLenum unit, int number) const;
-    /// What the program that draws a surface is made for.
-    struct Look {
-        bool encoded = false, lit = false, bumped = false, levels = false, in_blocks = false;
-        auto operator<=>(const Look&) const = default;
-    };
-    const GlProgram& use(const Look& look) const;
+    void make_textures(const Scene& scene, std::optional<TextureFilter> filter);
     void draw_surfaces(const TileView& view, bool lit, bool encoded) const;
 
     const GladGLContext& gl_;
-    GlProgram lookups_;
-    mutable std::map<Look, GlProgram> programs_;  ///< those that were wanted so far
+    std::shared_ptr<GlScenePrograms> programs_;
     GlTexture white_;
     std::vector<GlTexture> textures_;
     std::vector<TextureFilter> filters_;  ///< per texture
     std::vector<GlSurface> surfaces_;
+    std::size_t uploaded_ = 0;  ///< surfaces that are there
 };
 
 }  // namespace burl

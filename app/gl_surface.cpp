@@ -2,46 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 
 namespace burl {
 
 namespace {
-
-struct Vertex {
-    Vec3f position, normal;
-    glm::vec2 uv;
-    Vec4f color, block, tangent;
-};
-
-Mat4d unit_frame(const Surface& surface) {
-    const Sphere sphere = sphere_around([&](auto visit) {
-        for (const Vec3d& p : surface.positions) visit(p);
-    });
-    Mat4d frame(sphere.radius > 0.0 ? sphere.radius : 1.0);
-    frame[3] = Vec4d(sphere.centre, 1.0);
-    return frame;
-}
-
-std::vector<Vertex> pack_vertices(const Surface& surface, const Mat4d& frame) {
-    std::vector<Vertex> vertices(surface.positions.size());
-    const Vec3d centre(frame[3]);
-    for (std::size_t i = 0; i < vertices.size(); ++i) {
-        vertices[i].position = Vec3f((surface.positions[i] - centre) / frame[0][0]);
-        vertices[i].normal = surface.normals[i];
-        vertices[i].uv = surface.uvs.empty() ? glm::vec2(0.0f) : glm::vec2(surface.uvs[i]);
-        vertices[i].color = surface.colors.empty() ? Vec4f(1.0f) : surface.colors[i];
-        vertices[i].tangent = surface.tangents.empty() ? Vec4f(0.0f) : surface.tangents[i];
-        vertices[i].block = surface.blocks.empty() ? Vec4f(0, 0, 1, 1) : surface.blocks[i];
-    }
-    return vertices;
-}
-
-void set_attribute(const GladGLContext& gl, GLuint index, GLint components, std::size_t offset) {
-    gl.EnableVertexAttribArray(index);
-    gl.VertexAttribPointer(index, components, GL_FLOAT, GL_FALSE, sizeof(Vertex),
-                           reinterpret_cast<const void*>(offset));
-}
 
 /// Takes the whole picture's clip space to the tile's, turned over so that rows come top first.
 Mat4d tile_from_clip(const SampleTile& tile, const PictureSize& samples) {
@@ -77,42 +41,112 @@ TileView::TileView(const Camera& camera, const PictureSize& samples, const Sampl
     clip_from_eye = tile_from_clip(tile, samples) * unit.clip_from_eye();
 }
 
-GlSurface::GlSurface(const GladGLContext& gl, const Surface& surface)
+GlSurface::GlSurface(const GladGLContext& gl, const Surface& surface, const Mat4d& frame)
     : vertex_array_(make_vertex_array(gl)),
-      vertices_(make_buffer(gl)),
-      indices_(make_buffer(gl)),
-      index_count_(GLsizei(3 * surface.triangles.size())),
-      local_from_unit_(unit_frame(surface)),
+      local_from_unit_(frame),
       material_(surface.material),
-      in_blocks_(!surface.blocks.empty()),
-      bumped_(surface.material.normals >= 0 && !surface.tangents.empty()),
       placements_(surface.placements) {
-    const std::vector<Vertex> vertices = pack_vertices(surface, local_from_unit_);
     gl.BindVertexArray(vertex_array_.get());
-    gl.BindBuffer(GL_ARRAY_BUFFER, vertices_.get());
-    gl.BufferData(GL_ARRAY_BUFFER, GLsizeiptr(vertices.size() * sizeof(Vertex)), vertices.data(),
-                  GL_STATIC_DRAW);
-    gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.get());
-    gl.BufferData(GL_ELEMENT_ARRAY_BUFFER, GLsizeiptr(surface.triangles.size() * sizeof(Triangle)),
-                  surface.triangles.data(), GL_STATIC_DRAW);
-    set_attribute(gl, 0, 3, offsetof(Vertex, position));
-    set_attribute(gl, 1, 3, offsetof(Vertex, normal));
-    set_attribute(gl, 2, 2, offsetof(Vertex, uv));
-    set_attribute(gl, 3, 4, offsetof(Vertex, color));
-    set_attribute(gl, 4, 4, offsetof(Vertex, block));
-    set_attribute(gl, 5, 4, offsetof(Vertex, tangent));
+    make(gl, Stream::position, surface.positions.size(), sizeof(Vec3f));
+    make(gl, Stream::normal, surface.normals.size(), sizeof(Vec3f));
+    make(gl, Stream::uv, surface.uvs.size(), sizeof(glm::vec2));
+    make(gl, Stream::color, surface.colors.size(), sizeof(Vec4f));
+    make(gl, Stream::block, surface.blocks.size(), sizeof(Vec4f));
+    make(gl, Stream::tangent, surface.tangents.size(), sizeof(Vec4f));
+    make(gl, Stream::index, surface.triangles.size(), sizeof(Triangle));
+    check_gl(gl, "making room for a surface");
+}
+
+/// An attribute without elements has one value for all (set_constants).
+void GlSurface::make(const GladGLContext& gl, Stream stream, std::size_t count,
+                     std::size_t stride) {
+    if (count == 0) return;
+    Buffer& buffer = streams_[std::size_t(stream)];
+    buffer = {make_buffer(gl), count, stride};
+    const GLenum target = stream == Stream::index ? GL_ELEMENT_ARRAY_BUFFER : GL_ARRAY_BUFFER;
+    gl.BindBuffer(target, buffer.buffer.get());
+    gl.BufferData(target, GLsizeiptr(count * stride), nullptr, GL_STATIC_DRAW);
+    if (stream == Stream::index) return;
+    gl.EnableVertexAttribArray(GLuint(stream));
+    gl.VertexAttribPointer(GLuint(stream), GLint(stride / sizeof(float)), GL_FLOAT, GL_FALSE, 0,
+                           nullptr);
+}
+
+/// Elements as they lie in the buffer. Positions and texture coordinates are made here.
+const void* GlSurface::piece(const Surface& surface, Stream stream, std::size_t first,
+                             std::size_t count) {
+    const Vec3d centre(local_from_unit_[3]);
+    switch (stream) {
+        case Stream::position:
+            points_.resize(count);
+            for (std::size_t i = 0; i < count; ++i)
+                points_[i] =
+                    Vec3f((surface.positions[first + i] - centre) / local_from_unit_[0][0]);
+            return points_.data();
+        case Stream::uv:
+            uvs_.resize(count);
+            for (std::size_t i = 0; i < count; ++i) uvs_[i] = glm::vec2(surface.uvs[first + i]);
+            return uvs_.data();
+        case Stream::normal:
+            return surface.normals.data() + first;
+        case Stream::color:
+            return surface.colors.data() + first;
+        case Stream::block:
+            return surface.blocks.data() + first;
+        case Stream::tangent:
+            return surface.tangents.data() + first;
+        case Stream::index:
+        case Stream::count:
+            break;
+    }
+    return surface.triangles.data() + first;
+}
+
+bool GlSurface::upload(const GladGLContext& gl, const Surface& surface, std::size_t bytes) {
+    // Bound as an array, indices do not touch the vertex array that is bound.
+    while (stream_ < streams_.size() && bytes > 0) {
+        const Buffer& to = streams_[stream_];
+        if (uploaded_ == to.count) {
+            ++stream_;
+            uploaded_ = 0;
+            continue;
+        }
+        const std::size_t count =
+            std::clamp<std::size_t>(bytes / to.stride, 1, to.count - uploaded_);
+        gl.BindBuffer(GL_ARRAY_BUFFER, to.buffer.get());
+        gl.BufferSubData(GL_ARRAY_BUFFER, GLintptr(uploaded_ * to.stride),
+                         GLsizeiptr(count * to.stride),
+                         piece(surface, Stream(stream_), uploaded_, count));
+        uploaded_ += count;
+        bytes -= std::min(bytes, count * to.stride);
+    }
     check_gl(gl, "uploading a surface");
+    if (stream_ < streams_.size()) return false;
+    points_ = {};
+    uvs_ = {};
+    return true;
+}
+
+void GlSurface::set_constants(const GladGLContext& gl) const {
+    const auto set = [&](Stream stream, const Vec4f& value) {
+        if (!has(stream)) gl.VertexAttrib4f(GLuint(stream), value.x, value.y, value.z, value.w);
+    };
+    set(Stream::uv, Vec4f(0.0f));
+    set(Stream::color, Vec4f(1.0f));
+    set(Stream::block, Vec4f(0, 0, 1, 1));
+    set(Stream::tangent, Vec4f(0.0f));
 }
 
 void GlSurface::draw(const GladGLContext& gl, const GlProgram& program,
                      const TileView& view) const {
     gl.BindVertexArray(vertex_array_.get());
+    set_constants(gl);
     for (const Mat4d& placement : placements_) {
         const Mat4d eye_from_local = view.eye_from_scene * placement * local_from_unit_;
         program.set("clip_from_local", glm::mat4(view.clip_from_eye * eye_from_local));
         program.set("eye_from_local", glm::mat4(eye_from_local));
         program.set("normal_from_local", normal_matrix(eye_from_local));
-        gl.DrawElements(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr);
+        gl.DrawElements(GL_TRIANGLES, 3 * triangles(), GL_UNSIGNED_INT, nullptr);
     }
 }
 

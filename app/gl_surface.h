@@ -1,6 +1,8 @@
 #pragma once
 // A scene's surface on the GPU, and how it is placed in a tile of a picture. Positions are moved
-// and scaled into [-1,1] so that float32 suffices wherever the surface lies.
+// and scaled into [-1,1] so that float32 suffices wherever the surface lies. A large surface is
+// uploaded piece by piece, so that who draws frames meanwhile goes on doing so.
+#include <array>
 #include <vector>
 
 #include "app/camera.h"
@@ -24,24 +26,41 @@ struct TileView {
 
 class GlSurface {
   public:
-    GlSurface(const GladGLContext& gl, const Surface& surface);
+    /// Room for the surface; what it shows comes with upload(). `frame` as of app/unit_frame.h.
+    GlSurface(const GladGLContext& gl, const Surface& surface, const Mat4d& frame);
+
+    /// The next piece, of about `bytes`, of the surface it was made for. Whether all is there.
+    bool upload(const GladGLContext& gl, const Surface& surface, std::size_t bytes);
 
     /// All placements by a program in use with the uniforms of mesh.vert.
     void draw(const GladGLContext& gl, const GlProgram& program, const TileView& view) const;
 
     const SceneMaterial& material() const { return material_; }
-    bool in_blocks() const { return in_blocks_; }
-    bool bumped() const { return bumped_; }
-    GLsizei triangles() const { return index_count_ / 3; }
+    bool in_blocks() const { return has(Stream::block); }
+    bool bumped() const { return material_.normals >= 0 && has(Stream::tangent); }
+    GLsizei triangles() const { return GLsizei(streams_[std::size_t(Stream::index)].count); }
 
   private:
+    /// Arrays in buffers of their own, which are numbered as mesh.vert's attributes: positions and
+    /// normals may change where nothing else does.
+    enum class Stream : std::size_t { position, normal, uv, color, block, tangent, index, count };
+    struct Buffer {
+        GlBuffer buffer{};
+        std::size_t count = 0, stride = 0;  ///< elements and their bytes; no elements: no buffer
+    };
+
+    bool has(Stream stream) const { return streams_[std::size_t(stream)].count > 0; }
+    void make(const GladGLContext& gl, Stream stream, std::size_t count, std::size_t stride);
+    void set_constants(const GladGLContext& gl) const;
+    const void* piece(const Surface& surface, Stream stream, std::size_t first, std::size_t count);
+
     GlVertexArray vertex_array_;
-    GlBuffer vertices_, indices_;
-    GLsizei index_count_ = 0;
+    std::array<Buffer, std::size_t(Stream::count)> streams_;
+    std::size_t stream_ = 0, uploaded_ = 0;  ///< where upload() goes on: elements of a stream
+    std::vector<Vec3f> points_;              ///< of the last piece, as OpenGL takes them
+    std::vector<glm::vec2> uvs_;
     Mat4d local_from_unit_{1.0};
     SceneMaterial material_;
-    bool in_blocks_ = false;  ///< lookups are clamped to the vertices' blocks
-    bool bumped_ = false;     ///< has a normal map and tangents for it
     std::vector<Mat4d> placements_;
 };
 

@@ -1,8 +1,16 @@
 #pragma once
 // Adds up the host's time that goes into parts of some work.
 #include <chrono>
+#include <ctime>
 
 namespace burl {
+
+/// Processor time of the calling thread since it began.
+inline double thread_seconds() {
+    std::timespec time{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
+}
 
 /// Adds the seconds it lives to a sum.
 class Stopwatch {

@@ -7,6 +7,8 @@
 #include <numeric>
 #include <random>
 
+#include <tbb/global_control.h>
+
 #include "atlas/lookup_errors.h"
 #include "atlas/quad_arrangement.h"
 #include "procedural/metric_marble.h"
@@ -167,6 +169,23 @@ TEST(QuadOrder, RandomOrderLosesWhatTheTreeKeeps) {
     ASSERT_EQ(tree.levels.size(), 6u);
     for (std::size_t l = 3; l <= 5; ++l)
         EXPECT_GT(random.levels[l].rmse, 1.8 * tree.levels[l].rmse) << "level " << l;
+}
+
+TEST(QuadAtlas, IsTheSameForEveryThreadCount) {
+    const Mesh mesh = made::grid(120, 110);  // so many pairs that their tree is built by several
+    const Connectivity connectivity = build_connectivity(mesh);
+    const auto laid_out = [&](std::size_t threads) {
+        const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+        return layout_atlas(mesh, connectivity, {AtlasKind::quad, Overscan::bilinear, 512});
+    };
+    const Atlas one = laid_out(1);
+    ASSERT_GT(one.blocks.size(), 8192u);
+    for (const std::size_t threads : {2, 3, 8}) {
+        const Atlas many = laid_out(threads);
+        EXPECT_EQ(many.corners, one.corners) << threads;
+        EXPECT_EQ(many.charts, one.charts) << threads;
+        EXPECT_EQ(many.chart_count, one.chart_count) << threads;
+    }
 }
 
 }  // namespace
