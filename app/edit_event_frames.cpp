@@ -6,6 +6,10 @@ namespace burl {
 
 namespace {
 
+bool is_modifier(const std::string& key) {
+    return key == "Ctrl" || key == "Shift" || key == "Alt";
+}
+
 /// Whether a frame of `first` may show `next` as well.
 bool go_together(const InputEvent& first, const InputEvent& next) {
     switch (next.kind) {
@@ -16,7 +20,9 @@ bool go_together(const InputEvent& first, const InputEvent& next) {
             return first.kind != InputKind::button && first.kind != InputKind::move;
         case InputKind::key:
             return first.kind != InputKind::button &&
-                   !(first.kind == InputKind::key && first.text == next.text);
+                   !(first.kind == InputKind::key &&
+                     (first.text == next.text ||
+                      (is_modifier(next.text) && first.down && !is_modifier(first.text))));
         case InputKind::text:
         case InputKind::drop:
         case InputKind::resize:

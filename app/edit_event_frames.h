@@ -9,7 +9,7 @@
 namespace burl {
 
 /// In their order, at least one frame. No frame has two changes of a key or button, moves beside a
-/// change of a button, or a key's change after a button's.
+/// change of a button, a key's change after a button's, or a modifier's after another key's press.
 std::vector<std::vector<InputEvent>> in_frames(const std::vector<InputEvent>& events);
 
 }  // namespace burl

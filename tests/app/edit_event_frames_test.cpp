@@ -42,6 +42,15 @@ TEST(EventFrames, AShortcutIsPressedBeforeItIsLetGo) {
               (Frames{{key("Ctrl", true), button(true)}, {key("Ctrl", false)}}));
 }
 
+/// Quick hands let Ctrl go first, or a slow frame takes all of it.
+TEST(EventFrames, AModifierIsHeldWhileItsKeyIsPressed) {
+    EXPECT_EQ(in_frames({key("Ctrl", true), key("O", true), key("Ctrl", false), key("O", false)}),
+              (Frames{{key("Ctrl", true), key("O", true)}, {key("Ctrl", false), key("O", false)}}));
+    EXPECT_EQ(in_frames({key("A", true), key("Shift", true), key("B", true)}),
+              (Frames{{key("A", true)}, {key("Shift", true), key("B", true)}}));
+    EXPECT_EQ(in_frames({key("Ctrl", true), key("Shift", true), key("Z", true)}).size(), 1u);
+}
+
 TEST(EventFrames, MovesAloneAreOneFrameAndNothingIsOneWithoutEvents) {
     EXPECT_EQ(in_frames({move(1), move(2), move(3)}).size(), 1u);
     EXPECT_EQ(in_frames({}), Frames(1));
