@@ -276,7 +276,7 @@ Json BakeJob::run(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthe
     if (synthesizer) report["synthesis"] = synthesizer->report();
     if (!solid_map.empty()) report["solid_map"] = std::move(solid_map);
     if (!normals.empty()) report["normals"] = std::move(normals);
-    if (command_.animation.asked()) report["animation"] = command_.animation.keys;
+    if (!command_.animation.keys.empty()) report["animation"] = command_.animation.keys;
     write_record(command_.out, made_from, files, report);
     return report;
 }

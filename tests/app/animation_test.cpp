@@ -178,6 +178,15 @@ TEST_F(AnimatedBake, LoopsAndReportsItsFiles) {
               single("s.exr", "--recipe fire --set " + phase + "=3"));
 }
 
+TEST_F(AnimatedBake, ReportsNoTracksWhereTheRecipeHasItsOwn) {
+    const Outcome outcome = burl(fmt::format(
+        "bake '{}' -o '{}' --recipe forming-marble --frames 2 --json", mesh, scratch / "k.png"));
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const auto report = nlohmann::json::parse(outcome.out);
+    EXPECT_EQ(report["outputs"].size(), 2u);
+    EXPECT_FALSE(report.contains("animation"));
+}
+
 TEST_F(AnimatedBake, ComesBackToItsFirstFrameAfterThePeriodOfTime) {
     const std::string time = "texture.input.noise.0.time";
     const Outcome outcome =
