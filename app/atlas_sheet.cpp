@@ -14,13 +14,6 @@ namespace {
 
 constexpr std::size_t texels_per_task = 8192;
 
-Rgb8 encoded(const Vec3d& linear) {
-    const auto code = [](double value) {
-        return std::uint8_t(std::lround(255.0 * srgb_encode(std::clamp(value, 0.0, 1.0))));
-    };
-    return {code(linear.x), code(linear.y), code(linear.z)};
-}
-
 /// color(map's number, x, y) of every texel that a span owns.
 template <class Color>
 Image<Rgb8> fill(const SolidAtlas& solid, const Color& color) {

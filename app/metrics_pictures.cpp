@@ -18,13 +18,6 @@ namespace {
 constexpr std::size_t tile = 256;
 constexpr std::size_t most_levels = 7;
 
-Rgb8 encoded(const Vec3d& linear) {
-    const auto code = [](double value) {
-        return std::uint8_t(std::lround(255.0 * srgb_encode(std::clamp(value, 0.0, 1.0))));
-    };
-    return {code(linear.x), code(linear.y), code(linear.z)};
-}
-
 /// Copies `part` into `picture` with its corner at (x, y).
 void paste(const Image<Rgb8>& part, std::size_t x, std::size_t y, Image<Rgb8>& picture) {
     for (std::size_t j = 0; j < part.height(); ++j)
@@ -77,6 +70,13 @@ const Image<Vec3f>& fitting(const MipChain<Vec3f>& chain, std::size_t level) {
 }
 
 }  // namespace
+
+Rgb8 encoded(const Vec3d& linear) {
+    const auto code = [](double value) {
+        return std::uint8_t(std::lround(255.0 * srgb_encode(std::clamp(value, 0.0, 1.0))));
+    };
+    return {code(linear.x), code(linear.y), code(linear.z)};
+}
 
 Vec3d scale_color(double relative_scale) {
     const Vec3d white(0.85), low(0.02, 0.10, 0.65), high(0.70, 0.03, 0.02);

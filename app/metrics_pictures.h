@@ -37,6 +37,8 @@ std::vector<double> relative_scales(const Mesh& mesh, const Atlas& atlas);
 Vec3d chart_color(std::uint32_t chart);
 /// What texels that show no triangle have, linear light.
 inline constexpr Vec3d gap_color(0.015, 0.015, 0.015);
+/// Linear light in 8 bits of sRGB.
+Rgb8 encoded(const Vec3d& linear);
 
 /// Blue at 1/2 and below, white at 1, red at 2 and above, by the logarithm; linear light.
 Vec3d scale_color(double relative_scale);

@@ -8,6 +8,7 @@
 #include "app/image_diff.h"
 #include "app/lattice_check.h"
 #include "app/mapped_box.h"
+#include "app/metrics_pictures.h"
 #include "app/paint_texture.h"
 #include "atlas/error.h"
 #include "atlas/solid_level.h"
@@ -19,7 +20,6 @@ namespace burl {
 namespace {
 
 constexpr std::size_t texels_per_task = 8192;
-constexpr Rgb8 nothing_color{33, 33, 33};  // gap_color of metrics_pictures.h
 
 double difference(std::uint8_t code, float linear) {
     const double exact = 255.0 * srgb_encode(std::clamp(double(linear), 0.0, 1.0));
@@ -62,10 +62,10 @@ Image<float> largest_of(const Image<float>& finer) {
 
 Image<Rgb8> colored(const Image<float>& codes, double scale) {
     Image<Rgb8> picture(codes.width(), codes.height());
+    const Rgb8 gap = encoded(gap_color);
     for (std::size_t y = 0; y < codes.height(); ++y)
         for (std::size_t x = 0; x < codes.width(); ++x)
-            picture(x, y) =
-                codes(x, y) < 0.0f ? nothing_color : false_color(double(codes(x, y)) / scale);
+            picture(x, y) = codes(x, y) < 0.0f ? gap : false_color(double(codes(x, y)) / scale);
     return picture;
 }
 
