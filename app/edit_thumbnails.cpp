@@ -37,45 +37,21 @@ std::shared_ptr<const Image<Rgb8>> EditThumbnails::picture(const std::string& pr
     const Key key{preset, side};
     const auto [place, fresh] = pictures_.try_emplace(key);
     if (!fresh) return place->second;
-    waiting_.push_back(key);
-    if (!thread_.joinable())
-        thread_ = std::jthread([this](const std::stop_token& ending) { run(ending); });
-    changed_.notify_all();
+    errands_.add([this, key](const std::stop_token&) { make(key); });
     return nullptr;
 }
 
-bool EditThumbnails::idle() const {
-    const std::scoped_lock lock(mutex_);
-    return !busy_ && waiting_.empty();
-}
-
-void EditThumbnails::wait() const {
-    std::unique_lock lock(mutex_);
-    changed_.wait(lock, [&] { return !busy_ && waiting_.empty(); });
-}
-
-void EditThumbnails::run(const std::stop_token& ending) {
-    std::unique_lock lock(mutex_);
-    while (changed_.wait(lock, ending, [&] { return !waiting_.empty(); })) {
-        if (ending.stop_requested()) return;
-        const Key key = waiting_.front();
-        waiting_.pop_front();
-        busy_ = true;
-        lock.unlock();
-        std::shared_ptr<const Image<Rgb8>> picture;
-        try {
-            picture =
-                std::make_shared<Image<Rgb8>>(ball_picture(load_recipe(key.first), key.second));
-        } catch (const Error&) {  // it stays without
-        }
-        lock.lock();
-        pictures_[key] = std::move(picture);
-        busy_ = false;
-        lock.unlock();
-        changed_.notify_all();
-        wake_();
-        lock.lock();
+void EditThumbnails::make(const Key& key) {
+    std::shared_ptr<const Image<Rgb8>> picture;
+    try {
+        picture = std::make_shared<Image<Rgb8>>(ball_picture(load_recipe(key.first), key.second));
+    } catch (const Error&) {  // it stays without
     }
+    {
+        const std::scoped_lock lock(mutex_);
+        pictures_[key] = std::move(picture);
+    }
+    wake_();
 }
 
 }  // namespace burl

@@ -1,16 +1,14 @@
 #pragma once
 // Small pictures of the presets for the editor's gallery: balls, drawn by the ray-exact renderer on
 // a thread of its own when they are first asked for, and kept.
-#include <condition_variable>
-#include <deque>
 #include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
 #include <string>
-#include <thread>
 #include <utility>
 
+#include "app/edit_errands.h"
 #include "app/recipe.h"
 #include "atlas/image.h"
 
@@ -31,20 +29,17 @@ class EditThumbnails {
     /// for ever where it cannot be drawn.
     std::shared_ptr<const Image<Rgb8>> picture(const std::string& preset, int side);
     /// Nothing is under way or waits.
-    bool idle() const;
-    void wait() const;
+    bool idle() const { return errands_.idle(); }
+    void wait() const { errands_.wait(); }
 
   private:
     using Key = std::pair<std::string, int>;
-    void run(const std::stop_token& ending);
+    void make(const Key& key);
 
     std::function<void()> wake_;
-    mutable std::mutex mutex_;
-    mutable std::condition_variable_any changed_;
+    std::mutex mutex_;
     std::map<Key, std::shared_ptr<const Image<Rgb8>>> pictures_;  ///< null: asked for
-    std::deque<Key> waiting_;
-    bool busy_ = false;
-    std::jthread thread_;  ///< from the first picture on; last: it sees all the others
+    EditErrands errands_;                                         ///< last: it sees all the others
 };
 
 }  // namespace burl
