@@ -68,13 +68,25 @@ std::string quoted(const std::string& word) {
     return text + "'";
 }
 
-/// Strokes of paint do not go through JSON, which would take longer than a frame, where no setting
-/// is of them.
+/// Whether the recipe has images, and the settings leave them alone.
+bool keeps_images(const Recipe& recipe, const std::vector<std::string>& settings) {
+    const auto other = [](const std::string& setting) {
+        const std::size_t end = setting.find('=');
+        return setting.substr(0, end).ends_with(".file") ||
+               setting.substr(end + 1).starts_with('{');
+    };
+    const bool any = !recipe.graph.images.empty() || !recipe.bump.input.images.empty();
+    return any && std::ranges::none_of(settings, other);
+}
+
+/// Images are not read again for a slider. Strokes of paint do not go through JSON, which would
+/// take longer than a frame, where no setting is of them.
 Recipe with_settings(Recipe recipe, const std::string& origin,
                      const std::vector<std::string>& settings) {
     std::vector<PaintStroke> paint;
     const auto paints = [](const std::string& setting) { return setting.starts_with("paint"); };
     const bool apart = std::ranges::none_of(settings, paints);
+    if (apart && keeps_images(recipe, settings)) return with_numbers(recipe, settings);
     if (apart) paint.swap(recipe.paint);
     Recipe result = parse_recipe(to_json(recipe), origin, settings);
     if (apart) result.paint = std::move(paint);
@@ -87,6 +99,7 @@ EditSession::EditSession(Recipe recipe, std::string recipe_path)
     : history_(std::move(recipe)), recipe_path_(std::move(recipe_path)) {}
 
 void EditSession::add(LogLine line) {
+    if (line.problem) problem_ = line.text;
     log_.push_back(std::move(line));
     if (log_.size() > log_capacity) log_.pop_front();
 }

@@ -60,6 +60,8 @@ class EditSession {
     void complain(std::string text) { add({true, std::move(text)}); }
     /// The last thousand, oldest first.
     const std::deque<LogLine>& log() const { return log_; }
+    /// What was complained of since the last call, the last of it; empty: nothing.
+    std::optional<std::string> take_problem() { return std::exchange(problem_, {}); }
 
   private:
     void add(LogLine line);
@@ -69,6 +71,7 @@ class EditSession {
     EditHistory history_;
     std::string recipe_path_;
     std::deque<LogLine> log_;
+    std::optional<std::string> problem_;
     double time_ = 0.0;
     std::string touched_;
     /// still() of a recipe with keys, and what it is of.

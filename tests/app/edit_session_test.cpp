@@ -4,7 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
+#include "app/atomic_file.h"
 #include "app/embedded.h"
+#include "app/image_io.h"
 #include "tests/app/scratch_folder.h"
 
 namespace burl {
@@ -35,6 +39,26 @@ TEST(EditSession, ARefusedValueChangesNothingAndIsTold) {
     ASSERT_EQ(session.log().size(), 4u);
     for (const LogLine& line : session.log()) EXPECT_TRUE(line.problem);
     EXPECT_NE(session.log()[0].text.find("octaves"), std::string::npos);
+}
+
+/// Or a slider's drag would read them in every frame.
+TEST(EditSession, ImagesAreReadWhenTheyChangeOnly) {
+    const ScratchFolder folder;
+    write_png(folder / "a.png", Image<Rgb8>(2, 2, Rgb8{10, 20, 30}));
+    write_png(folder / "b.png", Image<Rgb8>(2, 2, Rgb8{40, 50, 60}));
+    write_file(folder / "r.json", R"({"burl": 1, "texture": {"node": "scale", "b": 0.5,
+        "a": {"node": "image", "file": "a.png"}}})");
+    EditSession session(load_recipe(folder / "r.json"), folder / "r.json");
+    const Recipe wanted = load_recipe(folder / "r.json", {"solid.scale=2", "texture.b=0.25"});
+    const Recipe other = load_recipe(folder / "r.json", {"texture.a.file=b.png"});
+    std::filesystem::remove(folder / "a.png");
+    EXPECT_TRUE(session.set({"solid.scale=2", "texture.b=0.25"}));
+    EXPECT_EQ(session.recipe(), wanted);
+    session.history().undo();
+    EXPECT_TRUE(session.set("texture.a.file", "b.png"));
+    EXPECT_EQ(session.recipe(), other);
+    EXPECT_FALSE(session.set("texture.a.file", "a.png"));
+    EXPECT_FALSE(session.set("texture.b", "no number"));
 }
 
 TEST(EditSession, SavesWhatOpensToTheSameRecipe) {
