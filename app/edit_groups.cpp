@@ -47,10 +47,15 @@ constexpr std::array labels{
 };
 
 constexpr std::array titles{
-    Name{"animation", "Animation"},  Name{"atlas", "Texture's size and layout"},
-    Name{"bump", "Relief"},          Name{"filter", "Filter"},
-    Name{"precision", "Arithmetic"}, Name{"quadric", "Shape (quadric)"},
-    Name{"recipe", "Name"},          Name{"solid", "Scale and place"},
+    Name{"animation", "Animation"},
+    Name{"atlas", "Texture's size and layout"},
+    Name{"bump", "Relief"},
+    Name{"color_map", "Colour map"},
+    Name{"filter", "Filter"},
+    Name{"precision", "Arithmetic"},
+    Name{"quadric", "Shape (quadric)"},
+    Name{"recipe", "Name"},
+    Name{"solid", "Scale and place"},
     Name{"texture", "Colours"},
 };
 
@@ -166,6 +171,13 @@ ParameterGroup make_group(std::span<const RecipeLeaf> leaves) {
     return group;
 }
 
+/// " x", " y", " z" for ".0", ".1", ".2", and their number for those after them.
+std::string item_name(std::string_view rest) {
+    if (rest.empty()) return {};
+    const int index = std::stoi(std::string(rest.substr(1)));
+    return index < 3 ? fmt::format(" {}", char('x' + index)) : fmt::format(" {}", index + 1);
+}
+
 }  // namespace
 
 std::vector<ParameterGroup> parameter_groups(const std::vector<RecipeLeaf>& leaves) {
@@ -180,6 +192,34 @@ std::vector<ParameterGroup> parameter_groups(const std::vector<RecipeLeaf>& leav
     std::ranges::stable_sort(groups, {},
                              [](const ParameterGroup& group) { return group_place(group.name); });
     return groups;
+}
+
+std::string group_title(const std::vector<ParameterGroup>& groups, const std::string& path) {
+    const auto of_path = [&](const RecipeLeaf& leaf) { return owner_of(leaf) == path; };
+    for (const ParameterGroup& group : groups)
+        if (std::ranges::any_of(group.first, of_path) || std::ranges::any_of(group.more, of_path))
+            return group.title;
+    constexpr std::string_view root = "texture.";
+    std::string place = path.starts_with(root) ? path.substr(root.size()) : path;
+    std::ranges::replace(place, '.', ' ');
+    return path == "texture" ? "Colours" : fmt::format("Colours: {}", place);
+}
+
+std::string number_label(const std::vector<ParameterGroup>& groups, const std::string& path) {
+    constexpr std::string_view stops = ".stops.";
+    if (const std::size_t at = path.find(stops); at != std::string::npos && path.ends_with(".0"))
+        return fmt::format("{}: stop {}, place", group_title(groups, path.substr(0, at)),
+                           std::stoi(path.substr(at + stops.size())) + 1);
+    for (const ParameterGroup& group : groups)
+        for (const std::vector<RecipeLeaf>* leaves : {&group.first, &group.more})
+            for (const RecipeLeaf& leaf : *leaves) {
+                if (!path.starts_with(leaf.path)) continue;
+                const std::string_view rest = std::string_view(path).substr(leaf.path.size());
+                if (!rest.empty() && rest[0] != '.') continue;
+                return fmt::format("{}: {}{}", group.title, parameter_label(leaf.label),
+                                   item_name(rest));
+            }
+    return path;
 }
 
 std::string parameter_label(std::string_view key) {

@@ -22,6 +22,13 @@ struct ParameterGroup {
 /// noise that the group has not are among `more`.
 std::vector<ParameterGroup> parameter_groups(const std::vector<RecipeLeaf>& leaves);
 
+/// What people call the node at this path; of a map of colours without sliders, after its place.
+std::string group_title(const std::vector<ParameterGroup>& groups, const std::string& path);
+
+/// What people call a number of it, such as "Noise 1: frequency y" or "Colours: stop 2, place"; of
+/// one that has no slider, the path.
+std::string number_label(const std::vector<ParameterGroup>& groups, const std::string& path);
+
 /// What people call a parameter with this key; of keys nobody thought of, the key in words.
 std::string parameter_label(std::string_view key);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/edit_groups.h"
 #include "app/edit_panels.h"
 #include "app/edit_stops.h"
 #include "app/recipe_leaves.h"
@@ -81,8 +82,6 @@ class MapEditor {
         ImGui::SetCursorScreenPos(low_);
         const bool clicked = ImGui::InvisibleButton("bar", {width_, bar_height});
         context_.items.note(path_ + ".bar");
-        if (ImGui::IsItemHovered())
-            ImGui::SetTooltip("Click: add a stop. Drag the handles below. Right-click: delete.");
         const std::vector<Rgb8> colors = map_colors(map_, bar_colors);
         const float step = width_ / float(bar_colors);
         for (std::size_t i = 0; i < bar_colors; ++i)
@@ -194,13 +193,23 @@ class MapEditor {
 }  // namespace
 
 void color_maps_panel(const PanelContext& context, StopSelection& selection) {
-    const std::vector<std::string> paths = color_map_paths(slider_json(context.session.still()));
+    const Json recipe = slider_json(context.session.still());
+    const std::vector<std::string> paths = color_map_paths(recipe);
     if (paths.empty()) ImGui::TextWrapped("This recipe has no colour map.");
+    const std::vector<ParameterGroup> groups = parameter_groups(recipe_leaves(recipe));
     for (const std::string& path : paths) {
-        ImGui::TextUnformatted(path.c_str());
+        ImGui::TextUnformatted(group_title(groups, path).c_str());
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", path.c_str());
+        context.items.note(path + ".title");
         MapEditor(context, path, selection).show();
         ImGui::Separator();
     }
+    if (paths.empty()) return;
+    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyle().Colors[ImGuiCol_TextDisabled]);
+    ImGui::TextWrapped(
+        "Click a bar to add a stop, drag the handles below it; a handle that was clicked has its "
+        "place and colour here. Right-click takes it away.");
+    ImGui::PopStyleColor();
 }
 
 }  // namespace burl

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "app/edit_groups.h"
 #include "app/edit_keys.h"
 #include "app/edit_scale.h"
 #include "app/key_check.h"
@@ -19,18 +20,10 @@ namespace burl {
 namespace {
 
 constexpr std::size_t rows_seen = 4;
-constexpr float label_width = 200.0f, diamond_size = 6.0f, tick_gap = 60.0f;  // at scale 1
+constexpr float label_width = 220.0f, diamond_size = 6.0f, tick_gap = 60.0f;  // at scale 1
 constexpr ImU32 lane_color = IM_COL32(40, 44, 52, 255), tick_color = IM_COL32(120, 126, 138, 255);
 constexpr ImU32 head_color = IM_COL32(240, 90, 70, 255), key_color = IM_COL32(214, 176, 72, 255);
 constexpr ImU32 chosen_color = IM_COL32(255, 232, 150, 255), edge_color = IM_COL32(20, 20, 20, 255);
-
-/// What of a path people need to know it.
-std::string short_path(const std::string& path) {
-    std::string_view text = path;
-    for (const std::string_view front : {"texture.", "input."})
-        if (text.starts_with(front)) text.remove_prefix(front.size());
-    return std::string(text);
-}
 
 bool has_key_now(const EditSession& session, const std::string& path) {
     const KeyedAnimation& animation = session.recipe().animation;
@@ -44,7 +37,8 @@ class TimelinePanel {
         : session_(context.session),
           items_(context.items),
           timeline_(timeline),
-          animation_(session_.recipe().animation) {}
+          animation_(session_.recipe().animation),
+          groups_(parameter_groups(recipe_leaves(slider_json(session_.still())))) {}
 
     void show() {
         clock();
@@ -65,6 +59,8 @@ class TimelinePanel {
     double seconds_at(float x) const {
         return animation_.seconds * double((x - lane_low_) / lane_width_);
     }
+
+    std::string label(const std::string& path) const { return number_label(groups_, path); }
 
     void gesture() {
         if (ImGui::IsItemActivated()) session_.history().begin_gesture();
@@ -116,7 +112,7 @@ class TimelinePanel {
     void key_row() {
         const std::string path = session_.touched();
         ImGui::SetNextItemWidth(scaled(260.0f));
-        const std::string shown = path.empty() ? "choose a number" : short_path(path);
+        const std::string shown = path.empty() ? "choose a number" : label(path);
         const bool open = ImGui::BeginCombo("##number", shown.c_str(), ImGuiComboFlags_HeightLarge);
         items_.note("timeline.number");
         if (open) choices(path);
@@ -137,8 +133,8 @@ class TimelinePanel {
 
     void choices(const std::string& path) {
         for (const RecipeNumber& number : recipe_numbers(slider_json(session_.still()))) {
-            if (ImGui::Selectable(short_path(number.path).c_str(), number.path == path))
-                session_.touch(number.path);
+            const std::string id = fmt::format("{}##{}", label(number.path), number.path);
+            if (ImGui::Selectable(id.c_str(), number.path == path)) session_.touch(number.path);
             items_.note("timeline.number=" + number.path);
         }
         ImGui::EndCombo();
@@ -201,7 +197,7 @@ class TimelinePanel {
         ImGui::SameLine();
         const bool touched = track.path == session_.touched();
         const float label_room = lane_low_ - diamond_ - ImGui::GetCursorScreenPos().x - 4.0f;
-        if (ImGui::Selectable(short_path(track.path).c_str(), touched, 0, {label_room, 0.0f}))
+        if (ImGui::Selectable(label(track.path).c_str(), touched, 0, {label_room, 0.0f}))
             session_.touch(track.path);
         items_.note("timeline.track:" + track.path);
         if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", track.path.c_str());
@@ -275,7 +271,8 @@ class TimelinePanel {
     EditSession& session_;
     EditItems& items_;
     EditTimeline& timeline_;
-    const KeyedAnimation animation_;  ///< as the frame began
+    const KeyedAnimation animation_;            ///< as the frame began
+    const std::vector<ParameterGroup> groups_;  ///< for names
     const float scale_ = float(interface_scale());
     const float diamond_ = diamond_size * scale_;
     float lane_low_ = 0.0f, lane_width_ = 1.0f;

@@ -9,6 +9,7 @@
 
 #include "app/edit_seed.h"
 #include "app/embedded.h"
+#include "app/key_check.h"
 
 namespace burl {
 namespace {
@@ -51,6 +52,25 @@ TEST(ParameterGroups, HoldEveryLeafOfEveryPresetOnce) {
                 }
         }
         EXPECT_EQ(held, there) << name;
+    }
+}
+
+TEST(ParameterGroups, NameNodesAndNumbersInWords) {
+    const auto marble = groups_of("marble");
+    EXPECT_EQ(group_title(marble, "texture"), "Colours");
+    EXPECT_EQ(group_title(marble, "texture.top.input"), "Colours: top input");
+    EXPECT_EQ(number_label(marble, "solid.scale"), "Scale and place: scale");
+    EXPECT_EQ(number_label(marble, "solid.translate.1"), "Scale and place: move y");
+    EXPECT_EQ(number_label(marble, "texture.input.noise.0.gain"), "Noise 1: roughness");
+    EXPECT_EQ(number_label(marble, "texture.stops.2.0"), "Colours: stop 3, place");
+    EXPECT_EQ(number_label(marble, "nowhere"), "nowhere");
+    for (const char* preset : {"moonlit-sea", "cloudy-planet", "sine-marble"}) {
+        const Json recipe = slider_json(load_recipe(preset));
+        const auto groups = parameter_groups(recipe_leaves(recipe));
+        for (const std::string& path : color_map_paths(recipe))
+            EXPECT_NE(group_title(groups, path).find("olour"), std::string::npos) << path;
+        for (const RecipeNumber& number : recipe_numbers(recipe))
+            EXPECT_NE(number_label(groups, number.path), number.path);
     }
 }
 
