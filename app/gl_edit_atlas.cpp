@@ -33,9 +33,11 @@ void cross(ImDrawList& list, const ImVec2& at, ImU32 color) {
 }
 
 /// Whether nothing lies before the point of the surface.
-bool is_seen(const ObjectView& view, const SurfaceHit& hit, const Vec3d& place) {
+bool is_seen(const ObjectView& view, const Vec3d& point, const Vec3d& place) {
     const auto first = hit_at(view, Vec2d(place));
-    return first && glm::distance(first->point, hit.point) < 1e-2 * view.sphere.radius;
+    const Vec3d eye = camera_of(view).eye;
+    return !first ||
+           glm::distance(first->point, eye) > glm::distance(point, eye) - 1e-2 * view.sphere.radius;
 }
 
 std::int64_t texel_of(double coordinate, std::uint32_t side) {
@@ -112,14 +114,16 @@ void GlEditAtlas::mark_object(const ObjectView& view) const {
     for (const BorderLine& border : outline(*on_atlas_)) {
         const Vec3d from = seen(border.line.from), to = seen(border.line.to);
         if (from.z <= 0.0 || to.z <= 0.0) continue;
-        const bool faces = glm::dot(border.normal, camera.eye - border.line.from) > 0.0;
+        const Vec3d middle = 0.5 * (border.line.from + border.line.to);
+        const bool faces = glm::dot(border.normal, camera.eye - border.line.from) > 0.0 &&
+                           is_seen(view, middle, seen(middle));
         list.AddLine(screen_point(Vec2d(from)), screen_point(Vec2d(to)),
                      faces ? mark_color : hidden_color, faces ? 1.5f : 1.0f);
     }
     const Vec3d place = seen(on_atlas_->point);
     if (place.z > 0.0)
         cross(list, screen_point(Vec2d(place)),
-              is_seen(view, *on_atlas_, place) ? mark_color : hidden_color);
+              is_seen(view, on_atlas_->point, place) ? mark_color : hidden_color);
 }
 
 void GlEditAtlas::mark_atlas(const Vec2d& low, const Vec2d& size) const {
