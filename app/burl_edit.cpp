@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include <cstdio>
+#include <utility>
 
 #include "app/atomic_file.h"
 #include "app/file_bytes.h"
@@ -44,7 +45,9 @@ int main(int argc, char** argv) {
     CLI::App program{"Texture editor: open a mesh, move sliders, save a .glb"};
     Command command;
     program.set_version_flag("--version", std::string(burl::burl_version()));
-    program.add_option("mesh", command.editor.mesh, "Mesh file, or sample:NAME")
+    program
+        .add_option("mesh", command.editor.mesh,
+                    "Mesh file, or sample:NAME; a recipe file is shown on the teapot")
         ->capture_default_str();
     program.add_option("-r,--recipe", command.editor.recipe, "Recipe file or preset")
         ->capture_default_str();
@@ -58,6 +61,8 @@ int main(int argc, char** argv) {
     program.add_flag("--exit", command.exit, "Leave at the script's end")->needs(script);
     program.add_flag("--unseen", command.unseen, "No window: draw with OSMesa")->needs(script);
     CLI11_PARSE(program, argc, argv);
+    if (command.editor.mesh.ends_with(".json") && program.count("--recipe") == 0)
+        command.editor.recipe = std::exchange(command.editor.mesh, burl::EditorOptions{}.mesh);
     try {
         run(command);
     } catch (const burl::Error& error) {

@@ -1,5 +1,6 @@
 #include "app/edit_files.h"
 
+#include <fmt/format.h>
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
@@ -8,11 +9,15 @@
 #include <system_error>
 #include <utility>
 
+#include "app/edit_keys.h"
+
 namespace burl {
 
 namespace fs = std::filesystem;
 
 namespace {
+
+const ImVec4 remark_color{1.0f, 0.75f, 0.4f, 1.0f};
 
 bool fits(const std::string& name, const std::vector<std::string>& extensions) {
     std::string extension = fs::path(name).extension().string();
@@ -46,7 +51,7 @@ void FileDialog::open(Wish wish) {
     name_ = wish_.name;
     std::error_code unknown;
     folder_ = fs::weakly_canonical(fs::absolute(folder_), unknown).string();
-    open_ = true;
+    open_ = begins_ = true;
     accepted_ = chose_ = false;
 }
 
@@ -70,19 +75,57 @@ void FileDialog::entries(EditItems& items) {
     }
 }
 
-std::optional<std::string> FileDialog::chosen() const {
-    if (name_.empty()) return {};
-    const std::string path = (fs::path(folder_) / name_).string();
+/// What is typed may lead elsewhere; a name to save by may leave out its usual extension.
+std::string FileDialog::path() const {
+    fs::path path = fs::path(folder_) / name_;
     std::error_code unknown;
+    if (wish_.saves && !path.has_extension() && !fs::is_directory(path, unknown))
+        path.replace_extension(fs::path(wish_.name).extension());
+    return path.string();
+}
+
+/// A folder's name leads into it.
+std::optional<std::string> FileDialog::chosen() {
+    if (name_.empty()) return {};
+    const std::string path = this->path();
+    std::error_code unknown;
+    if (fs::is_directory(path, unknown)) {
+        folder_ = fs::weakly_canonical(path, unknown).string();
+        name_ = wish_.name;
+        begins_ = true;
+        return {};
+    }
     if (!wish_.saves && !fs::is_regular_file(path, unknown)) return {};
     return path;
+}
+
+/// What comes of the name.
+std::string FileDialog::remark() const {
+    if (name_.empty()) return {};
+    const std::string path = this->path(), name = fs::path(path).filename().string();
+    std::error_code unknown;
+    const bool there = fs::exists(path, unknown);
+    if (fs::is_directory(path, unknown)) return fmt::format("{} is a folder", name);
+    if (wish_.saves) return there ? fmt::format("{} will be replaced", name) : std::string();
+    return there ? std::string() : fmt::format("there is no {} here", name);
+}
+
+void FileDialog::answers(EditItems& items) {
+    accepted_ |= ImGui::Button(wish_.saves ? "Save" : "Open");
+    items.note("file ok");
+    ImGui::SameLine();
+    if (ImGui::Button("Cancel") || pressed("Escape")) open_ = false;
+    items.note("file cancel");
+    ImGui::SameLine();
+    ImGui::TextColored(remark_color, "%s", remark().c_str());
 }
 
 std::optional<std::string> FileDialog::show(EditItems& items) {
     if (!open_) return {};
     const ImVec2 display = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowPos({0.5f * display.x, 0.5f * display.y}, ImGuiCond_Always, {0.5f, 0.5f});
-    ImGui::SetNextWindowSize({0.55f * display.x, 0.7f * display.y});
+    ImGui::SetNextWindowPos({0.5f * display.x, 0.5f * display.y}, ImGuiCond_Appearing,
+                            {0.5f, 0.5f});
+    ImGui::SetNextWindowSize({0.55f * display.x, 0.7f * display.y}, ImGuiCond_Appearing);
     std::optional<std::string> path;
     if (ImGui::Begin(wish_.title.c_str(), &open_, ImGuiWindowFlags_NoCollapse)) {
         ImGui::TextUnformatted(folder_.c_str());
@@ -92,17 +135,16 @@ std::optional<std::string> FileDialog::show(EditItems& items) {
         ImGui::EndChild();
         if (!wish_.hint.empty()) ImGui::TextDisabled("%s", wish_.hint.c_str());
         ImGui::SetNextItemWidth(-1.0f);
-        accepted_ |= ImGui::InputText("##name", &name_, ImGuiInputTextFlags_EnterReturnsTrue);
+        if (std::exchange(begins_, false)) ImGui::SetKeyboardFocusHere();
+        accepted_ |= ImGui::InputText(
+            "##name", &name_,
+            ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
         items.note("file name");
         if (!wish_.choice.empty()) {
             ImGui::Checkbox(wish_.choice.c_str(), &chose_);
             items.note("file choice");
         }
-        accepted_ |= ImGui::Button(wish_.saves ? "Save" : "Open");
-        items.note("file ok");
-        ImGui::SameLine();
-        if (ImGui::Button("Cancel")) open_ = false;
-        items.note("file cancel");
+        answers(items);
         if (accepted_) path = chosen();
         accepted_ = false;
     }

@@ -32,7 +32,7 @@ class FileDialog {
         std::string choice{};  ///< something to tick; empty: nothing
     };
 
-    /// Opens it in the folder last shown.
+    /// Opens it in the folder last shown; what is typed is the file's name at once.
     void open(Wish wish);
     bool is_open() const { return open_; }
     /// Whether Wish::choice is ticked.
@@ -41,12 +41,16 @@ class FileDialog {
     std::optional<std::string> show(EditItems& items);
 
   private:
-    std::optional<std::string> chosen() const;
+    std::string path() const;
+    std::optional<std::string> chosen();
+    std::string remark() const;
     void entries(EditItems& items);
+    void answers(EditItems& items);
 
     Wish wish_;
     std::string folder_ = ".", name_;
     bool open_ = false, accepted_ = false, chose_ = false;
+    bool begins_ = false;  ///< the next frame is the first
 };
 
 }  // namespace burl

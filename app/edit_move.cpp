@@ -8,6 +8,7 @@
 #include "app/edit_gizmo.h"
 #include "app/edit_keys.h"
 #include "app/edit_scale.h"
+#include "app/edit_tool_window.h"
 
 namespace burl {
 
@@ -63,6 +64,7 @@ void EditMove::press(const ObjectView& view, EditSession& session, const Vec2d& 
         if (const auto handle = handle_at(*shown, gizmo_view(view), pointer - view.low))
             grab_ = SolidGrab::handle(*shown, *handle, solid, pointer);
     if (!grab_) grab_ = SolidGrab::surface(view, solid, drag_of(io), pointer);
+    if (grab_) before_ = session.recipe();
     if (grab_) session.history().begin_gesture();
     pointer_ = pointer;
 }
@@ -101,7 +103,7 @@ bool EditMove::input(const ObjectView& view, EditSession& session) {
     if (on && !grab_ && view.pick) step(view, session);
     if (!grab_) return false;
     if (pressed("Escape")) {
-        change(session, grab_->start());
+        session.history().change(before_);  // with its keys, if it has any
         drop(session);
     } else if (on && ImGui::IsMouseDown(0) && session.history().in_gesture()) {
         follow(view, session, pointer_now());
@@ -128,11 +130,7 @@ void EditMove::draw(const ObjectView& view, EditSession& session, EditItems& ite
 
 void move_panel(const PanelContext& context, EditMove& tool, const ImVec2& low) {
     if (!tool.on) return;
-    ImGui::SetNextWindowPos({low.x + 8.0f, low.y + 8.0f});
-    ImGui::SetNextWindowBgAlpha(0.8f);
-    if (ImGui::Begin("Move the texture (G)", &tool.on,
-                     ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove |
-                         ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoFocusOnAppearing)) {
+    if (begin_tool_window("Move the texture (G)", tool.on, low)) {
         ImGui::TextUnformatted(
             "drag or arrow keys: move\nwith Shift: turn\nwith Ctrl: larger, smaller\n"
             "Escape: take it back\nAlt+drag: turn the object");

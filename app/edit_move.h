@@ -31,6 +31,7 @@ class EditMove {
     std::optional<SolidGizmo> gizmo(const ObjectView& view, const SolidOptions& solid) const;
 
     std::optional<SolidGrab> grab_{};
+    Recipe before_{};                ///< as the gesture began
     std::optional<Vec3d> anchor_{};  ///< where the gizmo stands, in the texture
     Vec2d pointer_{0.0};             ///< which the recipe has followed
 };

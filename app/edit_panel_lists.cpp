@@ -26,6 +26,7 @@ constexpr auto keys = std::to_array<std::pair<const char*, const char*>>({
     {"Ctrl+O", "open a mesh or recipe"},
     {"Ctrl+S", "save the recipe"},
     {"Ctrl+E", "export mesh, texture or shader"},
+    {"Ctrl+Q", "quit; asks where something is not saved"},
     {"F5", "read mesh and recipe again"},
     {"Ctrl+Shift+C", "copy the burl command line"},
     {"Ctrl+C, Ctrl+V", "copy, paste the recipe as JSON"},

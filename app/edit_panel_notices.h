@@ -11,9 +11,11 @@ namespace burl {
 struct Notice {
     std::string text{};
     std::vector<std::string> answers{};
+    bool problem = false;
 };
 
-/// Nothing at all without notices. The answer that was clicked in this frame; empty: none.
-std::string notices_panel(EditItems& items, const std::vector<Notice>& notices);
+/// Nothing at all without notices. `bottom`: where the object's view ends. The answer that was
+/// clicked in this frame; empty: none.
+std::string notices_panel(EditItems& items, const std::vector<Notice>& notices, float bottom);
 
 }  // namespace burl

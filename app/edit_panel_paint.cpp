@@ -8,6 +8,7 @@
 
 #include "app/edit_keys.h"
 #include "app/edit_scale.h"
+#include "app/edit_tool_window.h"
 
 namespace burl {
 
@@ -59,11 +60,7 @@ void paint_shortcuts(PaintTool& tool) {
 
 void paint_panel(const PanelContext& context, PaintTool& tool, const ImVec2& low) {
     if (!tool.on) return;
-    ImGui::SetNextWindowPos({low.x + 8.0f, low.y + 8.0f});
-    ImGui::SetNextWindowBgAlpha(0.8f);
-    if (ImGui::Begin("Paint (P)", &tool.on,
-                     ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove |
-                         ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoFocusOnAppearing)) {
+    if (begin_tool_window("Paint (P)", tool.on, low)) {
         ImGui::PushItemWidth(slider_width * float(interface_scale()));
         modes(context, tool.brush.mode);
         slide(context, "radius", tool.brush.radius, least_brush_radius, largest_brush_radius,

@@ -1,6 +1,7 @@
 #include "app/edit_panel_presets.h"
 
 #include <fmt/format.h>
+#include <imgui_internal.h>
 #include <imgui_stdlib.h>
 
 #include <algorithm>
@@ -16,6 +17,7 @@ namespace {
 constexpr float least_side = 96.0f;  // of a tile, before the scale of the user interface
 constexpr float margin = 5.0f;       // between a tile's edge and its ball
 constexpr int picture_step = 128;    // pictures are made in multiples of this size
+constexpr float large_side = 256.0f, rest_seconds = 0.2f;  // of what the pointer rests on
 
 ImVec2 plus(const ImVec2& a, float x, float y) {
     return {a.x + x, a.y + y};
@@ -26,6 +28,11 @@ std::string shortened(std::string name, float width) {
     if (ImGui::CalcTextSize(name.c_str()).x <= width) return name;
     while (!name.empty() && ImGui::CalcTextSize((name + "..").c_str()).x > width) name.pop_back();
     return name + "..";
+}
+
+int picture_side(float width) {
+    const float pixels = width * ImGui::GetIO().DisplayFramebufferScale.x;
+    return int(std::ceil(pixels / float(picture_step))) * picture_step;
 }
 
 class Gallery {
@@ -59,14 +66,33 @@ class Gallery {
             context_.session.open_recipe(name);
         context_.items.note("preset:" + name);
         const bool looked_at = ImGui::IsItemHovered() || ImGui::IsItemFocused();
+        enlarged(preset);
         frame(low, plus(low, side_, side_ + line), name == context_.session.recipe_path(),
               looked_at);
-        ball(name, plus(low, margin, margin));
+        ball(name, plus(low, margin, margin), side_ - 2.0f * margin);
         const std::string shown = shortened(name, side_);
         const float space = 0.5f * (side_ - ImGui::CalcTextSize(shown.c_str()).x);
         ImGui::GetWindowDrawList()->AddText(plus(low, space, side_ - 2.0f),
                                             ImGui::GetColorU32(ImGuiCol_Text), shown.c_str());
         return looked_at;
+    }
+
+    /// The ball in large beside what is said of it, once the pointer has rested there; not of the
+    /// one that is open, which the object shows.
+    void enlarged(const PresetNote& preset) const {
+        if (!ImGui::IsItemHovered(ImGuiHoveredFlags_None) || ImGui::GetIO().MouseDown[0] ||
+            GImGui->HoveredIdTimer < rest_seconds || preset.name == context_.session.recipe_path())
+            return;
+        const float width = large_side * float(interface_scale());
+        ImGui::BeginTooltip();
+        const ImVec2 low = ImGui::GetCursorScreenPos();
+        ImGui::Dummy({width, width});
+        context_.items.note("preset enlarged");
+        ball(std::string(preset.name), low, width);
+        ImGui::PushTextWrapPos(width + ImGui::GetStyle().WindowPadding.x);
+        ImGui::TextUnformatted(fmt::format("{}: {}", preset.name, preset.about).c_str());
+        ImGui::PopTextWrapPos();
+        ImGui::EndTooltip();
     }
 
     static void frame(const ImVec2& low, const ImVec2& high, bool current, bool looked_at) {
@@ -77,14 +103,14 @@ class Gallery {
         if (current) list.AddRect(from, to, ImGui::GetColorU32(ImGuiCol_CheckMark), 4.0f, 0, 2.0f);
     }
 
-    void ball(const std::string& name, const ImVec2& low) const {
+    void ball(const std::string& name, const ImVec2& low, float width) const {
         ImDrawList& list = *ImGui::GetWindowDrawList();
-        const float width = side_ - 2.0f * margin;
         const ImVec2 high = plus(low, width, width);
-        const float pixels = width * ImGui::GetIO().DisplayFramebufferScale.x;
-        const int steps = int(std::ceil(pixels / float(picture_step)));
-        const ImTextureID picture =
-            ImGui::IsItemVisible() ? picture_(name, steps * picture_step) : nullptr;
+        const bool seen = ImGui::IsItemVisible();
+        const int side = picture_side(width), tile_side = picture_side(side_ - 2.0f * margin);
+        ImTextureID picture = seen ? picture_(name, side) : nullptr;
+        if (picture == nullptr && seen && side != tile_side)  // until it is ready
+            picture = picture_(name, tile_side);
         if (picture != nullptr)
             list.AddImageRounded(picture, low, high, {0.0f, 0.0f}, {1.0f, 1.0f}, IM_COL32_WHITE,
                                  0.5f * width);

@@ -65,6 +65,15 @@ glm::dvec2 pair_from(const Json& json, const std::string& key, const std::string
     return {json[0].get<double>(), json[1].get<double>()};
 }
 
+/// Of a window.
+glm::dvec2 size_from(const Json& json, const std::string& key, const std::string& place) {
+    const glm::dvec2 size = pair_from(json, key, place);
+    if (glm::any(glm::lessThan(size, glm::dvec2(64.0))) ||
+        glm::any(glm::greaterThan(size, glm::dvec2(8192.0))))
+        refuse(place, key, "two numbers from 64 to 8192");
+    return size;
+}
+
 int frames_from(const Json& json, const std::string& key, const std::string& place) {
     if (!json.is_number_integer() || json < 1 || json > 100000)
         refuse(place, key, "a number of frames from 1 to 100000");
@@ -80,7 +89,7 @@ ScriptStep step_of(Kind kind, const Json& json, const std::string& place) {
         step.text = text_from(value, key, place);
     if (kind == Kind::click && json.contains("button"))
         step.text = text_from(json["button"], "button", place);
-    if (kind == Kind::resize) step.by = pair_from(value, key, place);
+    if (kind == Kind::resize) step.by = size_from(value, key, place);
     if (kind == Kind::wait) step.frames = frames_from(value, key, place);
     if (kind == Kind::drag || kind == Kind::wheel) {
         if (!json.contains("by")) refuse(place, "by", "given: two numbers");
@@ -165,12 +174,7 @@ InputScript parse_script(const std::string& text, const std::string& origin) {
     if (!json.is_object() || !json.contains("burl_input") || json["burl_input"] != 1)
         refuse(origin, "burl_input", "1");
     InputScript script;
-    if (json.contains("size")) {
-        script.size = glm::ivec2(pair_from(json["size"], "size", origin));
-        if (glm::any(glm::lessThan(script.size, glm::ivec2(64))) ||
-            glm::any(glm::greaterThan(script.size, glm::ivec2(8192))))
-            refuse(origin, "size", "two numbers from 64 to 8192");
-    }
+    if (json.contains("size")) script.size = glm::ivec2(size_from(json["size"], "size", origin));
     if (!json.contains("steps") || !json["steps"].is_array())
         refuse(origin, "steps", "a list of steps");
     for (std::size_t i = 0; i < json["steps"].size(); ++i)

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 #include "app/edit_groups.h"
 #include "app/parameters.h"
@@ -72,13 +73,18 @@ double snapped(const Parameter& parameter, double value) {
     return parameter.type == ParameterType::integer ? std::round(inside) : inside;
 }
 
-/// The reach follows the value, but not while the slider is held: it would run away from the
-/// pointer.
-SliderRange held_range(const char* shown, const SliderRange& range) {
+ImGuiID left_id(const char* shown) {
+    return ImGui::GetID(fmt::format("{} left", shown).c_str());
+}
+
+/// The reach follows the value, but not while the slider is held, when it would run away from the
+/// pointer, nor where the hand has left it, when it would jump.
+SliderRange held_range(const char* shown, const SliderRange& range, double value) {
     ImGuiStorage& kept = *ImGui::GetStateStorage();
     const ImGuiID low = ImGui::GetID(fmt::format("{} low", shown).c_str());
     const ImGuiID high = ImGui::GetID(fmt::format("{} high", shown).c_str());
-    if (ImGui::GetActiveID() == ImGui::GetID(shown))
+    const float left = kept.GetFloat(left_id(shown), std::numeric_limits<float>::quiet_NaN());
+    if (ImGui::GetActiveID() == ImGui::GetID(shown) || left == float(value))
         return {double(kept.GetFloat(low)), double(kept.GetFloat(high))};
     kept.SetFloat(low, float(range.low));
     kept.SetFloat(high, float(range.high));
@@ -88,7 +94,7 @@ SliderRange held_range(const char* shown, const SliderRange& range) {
 /// A slider for one number; `shown` is its name for ImGui.
 ValueEdit edit_number(const Parameter& parameter, std::size_t item, double value,
                       const char* shown) {
-    const SliderRange range = held_range(shown, slider_range(parameter, value));
+    const SliderRange range = held_range(shown, slider_range(parameter, value), value);
     const bool whole = parameter.type == ParameterType::integer;
     double moved = value;
     ImGui::SliderScalar(shown, ImGuiDataType_Double, &moved, &range.low, &range.high,
@@ -104,6 +110,8 @@ ValueEdit edit_number(const Parameter& parameter, std::size_t item, double value
         edit.began = edit.ended = true;
     }
     moved = snapped(parameter, moved);
+    if (ImGui::IsItemActive() && moved >= range.low && moved <= range.high)
+        ImGui::GetStateStorage()->SetFloat(left_id(shown), float(moved));
     if (moved != value) edit.value = whole ? Json(std::int64_t(moved)) : Json(moved);
     return edit;
 }

@@ -35,6 +35,7 @@ class BenchWindow final : public GlWindow {
     void present() override;
     std::vector<InputEvent> poll(double seconds) override;
     void wake() override;
+    void resize(const glm::ivec2& size) override { window_->resize(size); }
     void set_title(const std::string&) override {}
     std::string clipboard() const override { return {}; }
     void set_clipboard(const std::string&) override {}

@@ -2,10 +2,13 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <utility>
 
+#include "app/edit_keys.h"
 #include "app/edit_panel_notices.h"
+#include "app/edit_panel_timeline.h"
 #include "app/gl_edit_program.h"
 #include "app/mesh_notes.h"
 #include "atlas/error.h"
@@ -13,6 +16,8 @@
 namespace burl {
 
 namespace {
+
+constexpr double news_seconds = 12.0;
 
 std::string name_of(const std::string& path) {
     return std::filesystem::path(path).filename().string();
@@ -25,7 +30,11 @@ void EditorProgram::open(const std::string& path) {
 }
 
 void EditorProgram::take_files() {
-    if (files_.recipe() != session_.recipe_path()) files_.set_recipe(session_.recipe_path());
+    if (files_.recipe() != session_.recipe_path()) {  // a preset was chosen
+        files_.set_recipe(session_.recipe_path());
+        opened_ = session_.recipe();
+        opened_path_ = session_.recipe_path();
+    }
     const bool asked = files_.asks();
     for (FileRead& read : files_.take(session_.history().changed())) {
         const bool nothing_open = read.kind == FileKind::mesh && files_.mesh().empty();
@@ -55,7 +64,9 @@ void EditorProgram::take_mesh(FileRead read) {
 /// One that is written as it stands here, such as by the editor itself, is no news.
 void EditorProgram::take_recipe(FileRead read) {
     if (read.again && *read.recipe == session_.recipe()) return;
+    const double time = session_.time();
     session_.take_recipe(std::move(*read.recipe), read.path);
+    if (read.again) session_.set_time(std::min(time, session_.recipe().animation.seconds));
     opened_ = session_.recipe();
     opened_path_ = read.path;
 }
@@ -93,9 +104,47 @@ void EditorProgram::notices() {
         notices.push_back({fmt::format("{} has changed on disk; the recipe here is not saved",
                                        name_of(files_.recipe())),
                            {"Take the file's", "Keep this one"}});
-    const std::string answer = notices_panel(items_, notices);
+    if (window_->seconds() < news_.until)
+        notices.push_back({news_.text, {"Dismiss"}, news_.problem});
+    const float strip = timeline_.open ? timeline_height(session_) : 0.0f;
+    const std::string answer = notices_panel(items_, notices, ImGui::GetIO().DisplaySize.y - strip);
+    if (answer == "Dismiss") news_ = {};
     if (answer == "Take the file's") files_.reload();
     if (answer == "Keep this one") files_.keep();
+}
+
+void EditorProgram::news(std::string text, bool problem) {
+    news_ = {std::move(text), problem, window_->seconds() + news_seconds};
+}
+
+void EditorProgram::ask_to_close() {
+    if (session_.history().changed())
+        asks_to_close_ = true;
+    else
+        closing_ = true;
+}
+
+void EditorProgram::closing_window() {
+    if (!asks_to_close_) return;
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos({0.5f * display.x, 0.5f * display.y}, ImGuiCond_Always, {0.5f, 0.5f});
+    ImGui::Begin("Quit", &asks_to_close_,
+                 ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse);
+    ImGui::TextUnformatted("The recipe has changes that are not saved.");
+    const auto answer = [&](const char* label) {
+        const bool chosen = ImGui::Button(label);
+        items_.note(label);
+        ImGui::SameLine();
+        if (chosen) asks_to_close_ = false;
+        return chosen;
+    };
+    if (answer("Save it")) {
+        save();
+        closing_ = !session_.history().changed();
+    }
+    if (answer("Quit without saving")) closing_ = true;
+    if (answer("Stay") || pressed("Escape")) asks_to_close_ = false;
+    ImGui::End();
 }
 
 void EditorProgram::save() {
@@ -110,6 +159,7 @@ void EditorProgram::save_as(const std::string& path) {
     try {
         session_.save_recipe(path);
         files_.set_recipe(path);
+        news(fmt::format("saved {}", path), false);
     } catch (const Error& error) {
         session_.complain(error.what());
     }

@@ -17,7 +17,7 @@ namespace burl {
 
 namespace {
 
-constexpr float side_share = 0.34f;
+constexpr float side_share = 0.34f, side_text = 24.0f;
 constexpr double degrees_per_second = 20.0;
 constexpr ImGuiWindowFlags fixed =
     ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
@@ -30,6 +30,11 @@ void split(ImVec2& size, ImVec2& second) {
     (beside ? second.x : second.y) += beside ? size.x : size.y;
 }
 
+/// A share of the window that has room for sliders with their names, but at most half of it.
+float side_width(float window) {
+    return std::min(0.5f * window, std::max(side_share * window, side_text * ImGui::GetFontSize()));
+}
+
 bool typing() {
     return ImGui::GetIO().WantTextInput;
 }
@@ -38,6 +43,7 @@ bool typing() {
 
 void EditorProgram::compare() {
     comparing_ = !comparing_;
+    compared_ = session_.recipe();
 }
 
 /// Switches a tool, and the other off.
@@ -52,6 +58,8 @@ void EditorProgram::shortcuts() {
     if (pressed("F1")) keys_open_ = !keys_open_;
     if (typing()) return;
     if (pressed("F12")) screenshot_due_ = true;
+    if (dialog_.is_open() || asks_to_close_) return;
+    if (pressed("Ctrl+Q")) ask_to_close();
     if (pressed("Ctrl+O")) open_dialog();
     if (pressed("Ctrl+S")) save();
     if (pressed("Ctrl+E")) export_dialog();
@@ -97,7 +105,7 @@ void EditorProgram::file_menu() {
     const bool moves = !session_.recipe().animation.tracks.empty();
     if (menu_item("Export frames...", "", moves && !export_.busy())) export_frames_dialog();
     if (menu_item("Screenshot", "F12")) screenshot_due_ = true;
-    if (menu_item("Quit", "")) closing_ = true;
+    if (menu_item("Quit", "Ctrl+Q")) ask_to_close();
 }
 
 void EditorProgram::view_menu() {
@@ -164,7 +172,8 @@ void EditorProgram::recovery_window() {
 void EditorProgram::layout() {
     menu();
     const ImVec2 display = ImGui::GetIO().DisplaySize;
-    const float top = ImGui::GetFrameHeight(), side = side_share * display.x;
+    const float top = ImGui::GetFrameHeight();
+    const float side = side_width(display.x);
     const float strip = timeline_.open ? timeline_height(session_) : 0.0f;
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0f);
     ImVec2 object{display.x - side, display.y - top - strip}, atlas{0.0f, top};
@@ -177,9 +186,11 @@ void EditorProgram::layout() {
         ImGui::SetNextWindowSize(object);
         atlas_window();
     }
-    ImGui::SetNextWindowPos({0.0f, display.y - strip});
-    ImGui::SetNextWindowSize({display.x - side, strip});
-    if (timeline_.open) timeline_panel({session_, items_}, timeline_);
+    if (timeline_.open) {
+        ImGui::SetNextWindowPos({0.0f, display.y - strip});
+        ImGui::SetNextWindowSize({display.x - side, strip});
+        timeline_panel({session_, items_}, timeline_);
+    }
     paint_panel({session_, items_}, paint_.tool, {0.0f, top});
     move_panel({session_, items_}, move_, {0.0f, top});
     ImGui::SetNextWindowPos({display.x - side, top});
@@ -188,6 +199,7 @@ void EditorProgram::layout() {
     ImGui::PopStyleVar();
     if (keys_open_) keys_open_ = cheat_sheet({session_, items_});
     recovery_window();
+    closing_window();
     notices();
     if (const auto path = dialog_.show(items_)) (this->*chosen_)(*path);
 }

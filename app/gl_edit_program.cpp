@@ -72,7 +72,7 @@ void EditorProgram::take(const InputEvent& event) {
     feed(ImGui::GetIO(), event);
     if (event.kind == InputKind::drop)
         for (const std::string& file : event.files) open(file);
-    if (event.kind == InputKind::close) closing_ = true;
+    if (event.kind == InputKind::close) ask_to_close();
 }
 
 /// What other threads had to tell, and what becomes due with time.
@@ -85,7 +85,10 @@ void EditorProgram::take_news() {
             session_.complain(outcome->text);
         else
             session_.tell(outcome->text);
+        if (!outcome->problem) news(outcome->text, false);
     }
+    if (const auto problem = session_.take_problem(); problem && !files_.asks())
+        news(*problem, true);
     if (!left_behind_) autosave_.keep(session_.history(), last_seconds_);
 }
 
@@ -116,6 +119,7 @@ void EditorProgram::take_screenshot() {
 /// The recipe on the screen, or while comparing the one that was opened.
 void EditorProgram::request_texture() {
     if (baker_.want_sheet(atlas_.state.shown)) requested_.reset();
+    if (comparing_ && compared_ != session_.recipe()) comparing_ = false;
     const WorkerRequest wanted{comparing_ ? still_of(opened_, session_.time()) : session_.still(),
                                session_.history().in_gesture() || timeline_.moving()};
     const bool same = requested_ && requested_->recipe == wanted.recipe &&
@@ -220,6 +224,8 @@ void EditorProgram::play(InputScript script, const std::string& folder) {
         ScriptPlayer::Frame next =
             player.next([this](const std::string& item) { return items_.find(item); });
         if (next.settle) settle();
+        for (const InputEvent& event : next.events)
+            if (event.kind == InputKind::resize) window_->resize(glm::ivec2(event.at));
         frame(next.events);
         if (!next.screenshot.empty() && !folder.empty())
             write_png((std::filesystem::path(folder) / (next.screenshot + ".png")).string(),

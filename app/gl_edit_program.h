@@ -101,6 +101,9 @@ class EditorProgram {
     void open(const std::string& path);
     void recent_menu();
     void notices();
+    void news(std::string text, bool problem);
+    void ask_to_close();
+    void closing_window();
     void save();
     void ask_for_file(void (EditorProgram::*then)(const std::string&), FileDialog::Wish wish);
     void save_as(const std::string& path);
@@ -142,7 +145,14 @@ class EditorProgram {
     double scale_ = 1.0, normal_scale_ = 1.0;  ///< of the user interface, from the next frame on
     double shown_scale_ = 0.0;
     bool lit_ = true, turntable_ = false, keys_open_ = false, comparing_ = false, closing_ = false;
-    bool moving_camera_ = false;
+    bool moving_camera_ = false, asks_to_close_ = false;
+    Recipe compared_;  ///< what is compared; another one ends it
+    /// Told over the object for some seconds.
+    struct News {
+        std::string text{};
+        bool problem = false;
+        double until = 0.0;
+    } news_;
     StopSelection stop_;
     EditTimeline timeline_;
     EditPaint paint_;

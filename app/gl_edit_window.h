@@ -34,6 +34,8 @@ class GlWindow {
     /// How much larger than usual text must be on this display to be read, where one screen
     /// coordinate is one of its pixels.
     virtual double text_scale() const { return 1.0; }
+    /// Makes it as large, in screen coordinates; a desktop may not obey, or not at once.
+    virtual void resize(const glm::ivec2& size) = 0;
     virtual void set_title(const std::string& title) = 0;
     virtual std::string clipboard() const = 0;
     virtual void set_clipboard(const std::string& text) = 0;

@@ -184,6 +184,9 @@ class DesktopWindow final : public GlWindow {
         const double zoomed = points.x > 0 ? double(all.x) / double(points.x) : 1.0;
         return std::clamp(double(scale) / zoomed, 1.0, 4.0);
     }
+    void resize(const glm::ivec2& size) override {
+        if (size.x > 0 && size.y > 0) glfwSetWindowSize(window_.get(), size.x, size.y);
+    }
     void set_title(const std::string& title) override {
         glfwSetWindowTitle(window_.get(), title.c_str());
     }

@@ -1,5 +1,7 @@
 // Windows for scripts and tests: an off-screen target, a clipboard and a clock of their own.
 #include <algorithm>
+#include <initializer_list>
+#include <optional>
 #include <utility>
 
 #include "app/gl_edit_window.h"
@@ -12,24 +14,33 @@ namespace {
 class UnseenWindow final : public GlWindow {
   public:
     UnseenWindow(std::unique_ptr<GlContext> context, const glm::ivec2& size)
-        : context_(std::move(context)), size_(size), screen_(context_->gl(), size, {GL_RGBA8}) {}
+        : context_(std::move(context)),
+          size_(size),
+          screen_(std::in_place, context_->gl(), size, screen_format) {}
 
     GlContext& context() override { return *context_; }
     glm::ivec2 size() const override { return size_; }
     glm::ivec2 pixels() const override { return size_; }
-    void bind_screen() override { screen_.bind(); }
+    void bind_screen() override { screen_->bind(); }
     void present() override { seconds_ += 1.0 / 60.0; }
     std::vector<InputEvent> poll(double) override { return {}; }
     void wake() override {}
+    void resize(const glm::ivec2& size) override {
+        if (size == size_ || size.x < 1 || size.y < 1) return;
+        screen_.emplace(context_->gl(), size, screen_format);
+        size_ = size;
+    }
     void set_title(const std::string&) override {}
     std::string clipboard() const override { return clipboard_; }
     void set_clipboard(const std::string& text) override { clipboard_ = text; }
     double seconds() const override { return seconds_; }
 
   private:
+    static constexpr std::initializer_list<GLenum> screen_format{GL_RGBA8};
+
     std::unique_ptr<GlContext> context_;
     glm::ivec2 size_;
-    GlTarget screen_;
+    std::optional<GlTarget> screen_;
     std::string clipboard_;
     double seconds_ = 0.0;
 };

@@ -60,6 +60,25 @@ TEST(EditDesktop, WithoutADisplayItSaysSo) {
     EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1);
 }
 
+TEST(EditDesktop, ARecipeAloneIsShownOnTheTeapot) {
+    const test::Scratch scratch;
+    scratch.write("s.json", R"({"burl_input": 1, "size": [400, 300], "steps": [
+        {"settle": true}, {"wait": 2}, {"screenshot": "end"}]})");
+    scratch.write("r.json", R"({"burl": 1, "texture": {"node": "constant", "value": "#804020"},
+        "atlas": {"size": 64, "tries": 1}})");
+    const auto shown = [&](const std::string& what, const std::string& name) {
+        std::filesystem::create_directories(scratch / name);
+        const test::Outcome run =
+            test::run_program(scratch, "burl-edit",
+                              fmt::format("{} --script '{}' --screenshot-dir '{}' --exit --unseen",
+                                          what, scratch / "s.json", scratch / name));
+        EXPECT_EQ(run.exit_code, 0) << run.err;
+        return read_png(scratch / (name + "/end.png"));
+    };
+    const std::string recipe = fmt::format("'{}'", (scratch / "r.json"));
+    EXPECT_EQ(shown(recipe, "alone"), shown("sample:teapot --recipe " + recipe, "both"));
+}
+
 TEST(EditDesktop, AScriptThatIsWrongIsNamed) {
     const test::Scratch scratch;
     scratch.write("s.json", R"({"burl_input": 1, "steps": [{"clack": "x"}]})");

@@ -2,8 +2,10 @@
 // from the menu, and exported.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <filesystem>
 #include <map>
+#include <set>
 
 #include "app/atomic_file.h"
 #include "app/edit_export.h"
@@ -63,10 +65,13 @@ TEST_F(GlEditFilesTest, ADroppedMeshTakesThePlaceOfTheOldOne) {
     EXPECT_EQ(editor->files().mesh(), folder / "m.obj");
     EXPECT_EQ(editor->baker().picture()->surface, editor->baker().surface()->number);
     EXPECT_GT(different(*editor, before), 3000u);
-    // What cannot be read changes nothing but the log.
+    // What cannot be read is said, and changes nothing but the log.
     const Image<Rgb8> after = settled(*editor);
     write_file(folder / "bad.obj", "v 0 0 0\nf 1 2 3\n");
     play(*editor, dropped(folder / "bad.obj"));
+    EXPECT_GT(different(*editor, after), 500u);
+    play(*editor, R"({"click": "Dismiss"}, {"wait": 2})");
+    EXPECT_FALSE(editor->items().find("Dismiss"));
     EXPECT_EQ(different(*editor, after), 0u);
     EXPECT_EQ(editor->files().mesh(), folder / "m.obj");
     EXPECT_TRUE(editor->session().log().back().problem);
@@ -98,6 +103,39 @@ TEST_F(GlEditFilesTest, ARecipeThatChangesOnDiskIsOneStep) {
     EXPECT_FALSE(editor->session().history().changed());
     play(*editor, R"({"key": "Ctrl+Z"}, {"settle": true})");
     EXPECT_EQ(editor->session().recipe(), before);
+}
+
+TEST_F(GlEditFilesTest, ARecipeReadAgainLeavesTheClockWhereItIs) {
+    save("forming-marble");
+    const auto editor = open("sample:cube", folder / "r.json");
+    editor->session().set_time(1.5);
+    save("forming-marble", "solid.scale=2");
+    play(*editor, settle);
+    ASSERT_EQ(editor->session().recipe(), load_recipe(folder / "r.json"));
+    EXPECT_EQ(editor->session().time(), 1.5);
+    save("forming-marble", "animation.seconds=1");  // which ends before that
+    play(*editor, settle);
+    EXPECT_EQ(editor->session().time(), 1.0);
+}
+
+TEST_F(GlEditFilesTest, ABallIsLargeWhereThePointerRests) {
+    save("marble");
+    const auto editor = open("sample:cube", folder / "r.json");
+    play(*editor, R"({"wheel": "preset:sine-marble", "by": [0, 0]}, {"wait": 5})");
+    EXPECT_FALSE(editor->items().find("preset enlarged"));
+    play(*editor, R"({"wait": 20}, {"settle": true}, {"wait": 2})");
+    const auto large = editor->items().find("preset enlarged");
+    const auto small = editor->items().find("preset:sine-marble");
+    ASSERT_TRUE(large && small);
+    EXPECT_GT(large->high.x - large->low.x, 1.5 * (small->high.x - small->low.x));
+    // Its picture is there: a ball has more colours than what stands in for one.
+    const Image<Rgb8> screen = editor->screenshot();
+    std::set<std::array<std::uint8_t, 3>> colors;
+    for (std::size_t x = std::size_t(large->low.x) + 4; x < std::size_t(large->high.x) - 4; ++x) {
+        const Rgb8& c = screen(x, std::size_t(large->middle().y));
+        colors.insert({c.r, c.g, c.b});
+    }
+    EXPECT_GT(colors.size(), 20u);
 }
 
 TEST_F(GlEditFilesTest, EditsAreNotLostToTheDisk) {

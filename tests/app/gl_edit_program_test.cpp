@@ -1,12 +1,14 @@
 // The editor as a person uses it, without a display: scripts of real pointer and key events, and
 // what comes of them in the recipe, on the screen and on disk.
 #include <gtest/gtest.h>
+#include <imgui_internal.h>
 
 #include <filesystem>
 
 #include "app/edit_export.h"
 #include "app/file_bytes.h"
 #include "app/shading.h"
+#include "atlas/error.h"
 #include "tests/app/gl_edit_fixture.h"
 #include "tests/app/scratch_folder.h"
 
@@ -109,6 +111,93 @@ TEST_F(GlEditProgramTest, SavesAndExportsThroughTheDialog) {
              picture + R"("}, {"click": "file ok"}, {"settle": true})");
     bake_file({"sample:cube", editor->session().recipe(), folder / "expected.png"});
     EXPECT_EQ(read_file_bytes(picture), read_file_bytes(folder / "expected.png"));
+}
+
+/// Nobody has to click into the dialog first, and no letter is a shortcut.
+TEST_F(GlEditProgramTest, ADialogTakesWhatIsTyped) {
+    const ScratchFolder folder;
+    const auto editor = start();
+    const Recipe recipe = editor->session().recipe();
+    play(*editor, R"({"key": "Ctrl+S"}, {"wait": 3}, {"type": ")" + (folder / "mine") +
+                      R"("}, {"wait": 2}, {"key": "Enter"}, {"wait": 2})");
+    EXPECT_EQ(load_recipe(folder / "mine.json"), recipe);
+    EXPECT_FALSE(editor->items().find("file name"));
+    play(*editor, R"({"key": "Ctrl+O"}, {"wait": 3}, {"key": "Escape"}, {"wait": 2})");
+    EXPECT_FALSE(editor->items().find("file name"));
+    play(*editor, R"({"key": "Ctrl+O"}, {"wait": 3}, {"click": "file:.."}, {"wait": 3},
+        {"key": "V"}, {"key": "G"}, {"wait": 2})");
+    EXPECT_FALSE(editor->atlas().state.shown);
+    EXPECT_FALSE(editor->items().find("move.axes"));
+}
+
+TEST_F(GlEditProgramTest, AsksBeforeItLosesWhatIsNotSaved) {
+    const ScratchFolder folder;
+    const auto editor = start();
+    play(*editor, R"({"click": "tab:Parameters"}, {"wait": 2},
+        {"drag": "texture.input.noise.0.amplitude", "by": [30, 0]}, {"key": "Ctrl+Q"}, {"wait": 2})");
+    EXPECT_FALSE(editor->wants_to_close());
+    play(*editor, R"({"click": "Stay"}, {"wait": 2})");
+    EXPECT_FALSE(editor->items().find("Stay"));
+    EXPECT_FALSE(editor->wants_to_close());
+    editor->session().save_recipe(folder / "r.json");
+    play(*editor, R"({"drag": "texture.input.noise.0.amplitude", "by": [10, 0]},
+        {"events": [{"close": true}]}, {"wait": 2}, {"click": "Save it"})");
+    EXPECT_TRUE(editor->wants_to_close());
+    EXPECT_EQ(load_recipe(folder / "r.json"), editor->session().recipe());
+}
+
+TEST_F(GlEditProgramTest, WithNothingToLoseItQuitsAtOnce) {
+    const auto editor = start();
+    play(*editor, R"({"key": "Ctrl+Q"}, {"wait": 2})");
+    EXPECT_TRUE(editor->wants_to_close());
+}
+
+TEST_F(GlEditProgramTest, ToolsCoverLittleOfTheObject) {
+    const auto editor = start();
+    for (const auto& [key, window] :
+         {std::pair{"P", "Paint (P)"}, std::pair{"G", "Move the texture (G)"}}) {
+        play(*editor, std::string(R"({"key": ")") + key + R"("}, {"wait": 3})");
+        const ImGuiWindow* shown = ImGui::FindWindowByName(window);
+        ASSERT_NE(shown, nullptr);
+        EXPECT_LT(shown->Size.x, 260.0f) << window;
+    }
+}
+
+TEST_F(GlEditProgramTest, AScriptResizesTheWindow) {
+    const auto editor = start();
+    play(*editor, R"({"resize": [500, 400]}, {"wait": 3})");
+    const Image<Rgb8> screen = editor->screenshot();
+    EXPECT_EQ(screen.width(), 500u);
+    EXPECT_EQ(screen.height(), 400u);
+    const auto object = editor->items().find("object").value();
+    EXPECT_NEAR(object.high.y, 400.0, 1.0);
+    EXPECT_GT(object.high.x, 200.0);
+    EXPECT_NE(screen(120, 200), screen(4, 396));  // the cube before its background
+    EXPECT_THROW(play(*editor, R"({"resize": [0, 400]})"), Error);
+}
+
+TEST_F(GlEditProgramTest, AnEditEndsTheComparison) {
+    const auto editor = start();
+    play(*editor, R"({"click": "tab:Parameters"}, {"wait": 2},
+        {"drag": "texture.input.noise.0.amplitude", "by": [30, 0]}, {"key": "A"}, {"wait": 2})");
+    const Image<Rgb8> opened = settled(*editor);
+    play(*editor, R"({"drag": "texture.input.noise.0.amplitude", "by": [-20, 0]})");
+    EXPECT_GT(different(*editor, opened), 3000u);
+    const Image<Rgb8> edited = settled(*editor);
+    play(*editor, R"({"key": "A"}, {"wait": 2})");
+    EXPECT_EQ(different(*editor, edited) > 0, true);
+}
+
+/// Pressed again where it was let go, a slider has the same number: its range has stayed.
+TEST_F(GlEditProgramTest, ASliderStaysWhereTheHandLeftIt) {
+    const auto editor = start("wood");
+    const double opened = editor->session().recipe().solid.scale;
+    play(*editor, R"({"click": "tab:Parameters"}, {"wait": 2},
+        {"drag": "solid.scale", "by": [-30, 0]}, {"wait": 2})");
+    const double once = editor->session().recipe().solid.scale;
+    EXPECT_LT(once, opened);
+    play(*editor, R"({"wait": 30}, {"drag": "solid.scale", "by": [-30, 0]}, {"wait": 2})");
+    EXPECT_NEAR(editor->session().recipe().solid.scale, once, 1e-6 * once);
 }
 
 TEST_F(GlEditProgramTest, OffersWhatACrashLeft) {

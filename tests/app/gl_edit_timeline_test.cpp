@@ -63,6 +63,26 @@ TEST_F(GlEditProgramTest, DiamondsAreMovedAndTakenAway) {
     EXPECT_EQ(editor->session().time(), 3.0);  // where the key was
 }
 
+/// Moving the texture sets keys of what has some; taken back it leaves none.
+TEST_F(GlEditProgramTest, EscapeTakesTheKeysOfAMoveAway) {
+    const auto editor = start();
+    play(*editor, R"({"click": "tab:Parameters"}, {"wait": 2}, {"key": "K"}, {"wait": 2},
+        {"drag": "solid.translate.0", "by": [4, 0]}, {"key": "I"}, {"wait": 2})");
+    const Recipe before = editor->session().recipe();
+    ASSERT_EQ(before.animation.tracks.at(0).keys.size(), 1u);
+    editor->session().set_time(1.0);
+    const auto object = [&] { return editor->items().find("object")->middle(); };
+    play(*editor, R"({"key": "G"}, {"wait": 2}, {"click": "move.axes"}, {"wait": 2})");
+    const glm::dvec2 at = object();
+    play(*editor, fmt::format(R"({{"events": [{{"move": [{0}, {1}]}}]}},
+        {{"events": [{{"button": 0, "down": true}}]}}, {{"events": [{{"move": [{2}, {1}]}}]}},
+        {{"wait": 2}})",
+                              at.x, at.y, at.x + 30.0));
+    ASSERT_EQ(editor->session().recipe().animation.tracks.at(0).keys.size(), 2u);
+    play(*editor, R"({"key": "Escape"}, {"events": [{"button": 0, "down": false}]}, {"wait": 2})");
+    EXPECT_EQ(editor->session().recipe(), before);
+}
+
 TEST_F(GlEditProgramTest, ExportsAreOfWhatIsSeenAndFramesOfAllTimes) {
     const ScratchFolder folder;
     Recipe recipe =
