@@ -18,6 +18,7 @@
 #include "app/gl_multipass_synthesizer.h"
 #include "app/gl_synthesizer.h"
 #include "app/lattice_check.h"
+#include "app/load_pose.h"
 #include "app/sha256.h"
 #include "app/solid_map_file.h"
 #include "app/up_to_date.h"
@@ -130,6 +131,7 @@ std::vector<std::string> BakeJob::outputs(std::uint32_t levels) const {
 
 std::vector<std::string> BakeJob::inputs() const {
     std::vector<std::string> inputs{command_.mesh, command_.recipe.recipe};
+    if (is_pose_file(command_.pose)) inputs.push_back(command_.pose);
     std::ranges::move(image_files(command_, recipes_[0]), std::back_inserter(inputs));
     return inputs;
 }
@@ -157,7 +159,8 @@ void BakeJob::check() const {
                                 "once without --frames: its texture coordinates fit every frame",
                                 command_.out));
     for (const std::string& path : paths_)
-        check_output(path, command_.mesh, extras_.levels.count, extras_.has_normals());
+        for (const std::string& input : {command_.mesh, command_.pose})
+            check_output(path, input, extras_.levels.count, extras_.has_normals());
     check_side_outputs();
     check_compress(command_.compress, recipes_[0].atlas.kind);
     if (command_.compress && extras_.has_normals())
@@ -189,6 +192,8 @@ std::shared_ptr<TextureSynthesizer> BakeJob::synthesizer() const {
 
 Json BakeJob::made_from() const {
     std::vector<std::string> files = mesh_files(command_.mesh);
+    if (is_pose_file(command_.pose))
+        std::ranges::move(mesh_files(command_.pose), std::back_inserter(files));
     std::ranges::move(image_files(command_, recipes_[0]), std::back_inserter(files));
     Json made_from = {{"burl", burl_version()},
                       {"inputs", content_of(files)},
@@ -216,7 +221,7 @@ void BakeJob::set_up(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> syn
 /// The pipeline's recipe as a texture in its file. Where it `releases`, the texels' points are gone
 /// before the file is made, whose own buffers are as large.
 BakeJob::Written BakeJob::write_texture(Pipeline& pipeline, const std::string& path,
-                                        bool releases) const {
+                                        const MeshPose* pose, bool releases) const {
     const bool alone = extras_.levels.count == 0 && !extras_.has_normals() && !command_.compress;
     if (kind_ == ImageKind::rgb_float && alone && pipeline.has_bands())
         return {.baked = {}, .seconds = write_bands(pipeline, path)};
@@ -229,6 +234,9 @@ BakeJob::Written BakeJob::write_texture(Pipeline& pipeline, const std::string& p
     const auto writing = Clock::now();
     options.crease_degrees = command_.crease;
     options.recipe_json = to_json(pipeline.recipe());
+    if (pose)
+        options.pose = ExportPose{atlas_pose(*pose, pipeline.mesh(), pipeline.mesh_atlas()),
+                                  pipeline.recipe().pose.weight};
     const BakedAtlas& baked = written.baked;
     export_scene(path, pipeline.atlas_mesh(), baked.packed ? *baked.packed : pipeline.atlas(),
                  baked.image, options);
@@ -243,6 +251,9 @@ Json BakeJob::run(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthe
     const auto start = Clock::now();
     for (const Recipe& recipe : recipes_) check_lattice(recipe, pipeline.mesh());
     const std::string shader = emitted_shader(command_, recipes_[0], pipeline.mesh());
+    std::optional<MeshPose> pose;
+    if (!command_.pose.empty())
+        pose = load_pose(command_.mesh, command_.pose, command_.meshes.read);
     set_up(pipeline, synthesizer);
     lay_out(pipeline);
     const AtlasMetrics metrics = measure(pipeline.atlas_mesh(), pipeline.atlas(), pipeline.solid());
@@ -252,7 +263,8 @@ Json BakeJob::run(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthe
     for (std::size_t i = 0; i < paths_.size(); ++i) {
         if (i > 0) pipeline.set_recipe(recipes_[i]);
         written = {};  // two textures need not be held at a time
-        written = write_texture(pipeline, paths_[i], !needed_later && i + 1 == paths_.size());
+        written = write_texture(pipeline, paths_[i], pose ? &*pose : nullptr,
+                                !needed_later && i + 1 == paths_.size());
         writing += written.seconds;
     }
     if (!command_.emitted_glsl.empty()) write_file(command_.emitted_glsl, shader);

@@ -60,7 +60,8 @@ class BakeJob {
   private:
     struct Written;
     void set_up(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthesizer) const;
-    Written write_texture(Pipeline& pipeline, const std::string& path, bool releases) const;
+    Written write_texture(Pipeline& pipeline, const std::string& path, const MeshPose* pose,
+                          bool releases) const;
     std::vector<std::string> texture_outputs(std::uint32_t levels) const;
     std::vector<std::string> outputs(std::uint32_t levels) const;
     void check() const;

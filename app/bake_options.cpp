@@ -18,6 +18,7 @@ void add_bake_options(CLI::App& verb, BakeCommand& command) {
                     "trapezoid2 or supersample:N");
     command.recipe.add_precision(verb, "float32");
     command.meshes.add(verb);
+    add_pose(verb, command.pose);
     verb.add_option("--levels", command.levels,
                     "MIP levels to write besides the texture: a number, all, or all by a rule, "
                     "average or direct");

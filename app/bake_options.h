@@ -16,6 +16,7 @@ namespace burl {
 
 struct BakeCommand {
     std::string mesh, out, report;
+    std::string pose;  ///< app/load_pose.h; empty: none
     RecipeOptions recipe;
     AnimationOptions animation;
     MeshOptions meshes;

@@ -127,6 +127,13 @@ Mesh MeshOptions::load(const std::string& path) const {
     return mesh;
 }
 
+void add_pose(CLI::App& verb, std::string& pose) {
+    verb.add_option("--pose", pose,
+                    "Another shape of the mesh, to which its texture sticks: a mesh file with the "
+                    "same faces, or a morph target of the mesh's own file; pose.weight says how "
+                    "far");
+}
+
 CLI::Validator in_range(double low, double high) {
     const std::string bounds = fmt::format("{:.3g} to {:.3g}", low, high);
     return {[=](std::string& text) {

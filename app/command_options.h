@@ -46,6 +46,9 @@ struct MeshOptions {
     Mesh load(const std::string& path) const;
 };
 
+/// --pose (app/load_pose.h).
+void add_pose(CLI::App& verb, std::string& pose);
+
 /// A number within bounds; CLI::Range would let NaN pass.
 CLI::Validator in_range(double low, double high);
 

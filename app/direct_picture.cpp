@@ -6,7 +6,9 @@
 #include <utility>
 
 #include "app/lattice_check.h"
+#include "app/load_pose.h"
 #include "app/normals.h"
+#include "app/posed_corners.h"
 #include "atlas/error.h"
 
 namespace burl {
@@ -43,6 +45,32 @@ FilteredColor mapped(FilteredColor color, const Affine3& map) {
     };
 }
 
+/// Of both, so that the view stays the same on the way from one to the other.
+Sphere sphere_of(const Mesh& mesh, const Mesh& posed) {
+    if (posed.triangles.empty()) return bounding_sphere(mesh);
+    return sphere_around([&](auto visit) {
+        for (const Mesh* one : {&mesh, &posed})
+            for (const Part& part : one->parts)
+                for (const Mat4d& placement : part.instances)
+                    for (std::uint32_t t = 0; t < part.triangle_count; ++t)
+                        for (const std::uint32_t p : one->triangles[part.first_triangle + t])
+                            visit(Vec3d(placement * Vec4d(one->positions[p], 1.0)));
+    });
+}
+
+/// A step along a triangle of the posed mesh as the same step along that at rest.
+Vec3d step_at_rest(const Mesh& posed, const Mesh& rest, std::uint32_t triangle, const Vec3d& step) {
+    const Triangle &p = posed.triangles[triangle], &r = rest.triangles[triangle];
+    const Vec3d e = posed.positions[p[1]] - posed.positions[p[0]],
+                f = posed.positions[p[2]] - posed.positions[p[0]];
+    const double ee = glm::dot(e, e), ef = glm::dot(e, f), ff = glm::dot(f, f);
+    const double area = ee * ff - ef * ef;
+    if (!(area > 0.0)) return Vec3d(0.0);
+    const double a = glm::dot(e, step), b = glm::dot(f, step);
+    return (ff * a - ef * b) / area * (rest.positions[r[1]] - rest.positions[r[0]]) +
+           (ee * b - ef * a) / area * (rest.positions[r[2]] - rest.positions[r[0]]);
+}
+
 }  // namespace
 
 void DirectOptions::add(CLI::App& verb) {
@@ -75,6 +103,7 @@ void DirectOptions::add(CLI::App& verb) {
         ->check(in_range(0.0, 180.0))
         ->capture_default_str();
     meshes.add(verb);
+    add_pose(verb, pose);
 }
 
 View DirectOptions::parsed_view() const {
@@ -102,7 +131,15 @@ DirectPicture::DirectPicture(const DirectOptions& options)
     const View view = options.parsed_view();
     if (!options.scene.empty()) mesh_ = options.meshes.load(options.scene);
     normals_ = corner_normals(mesh_, options.crease);
-    camera_ = orbit_camera(view, bounding_sphere(mesh_), picture_.size);
+    Mesh posed;
+    if (!options.pose.empty()) {
+        if (options.scene.empty())
+            throw Error(ExitCode::usage, "--pose: there is no mesh that it could be of");
+        pose_ = load_pose(options.scene, options.pose, options.meshes.read);
+        posed_normals_ = posed_corners(mesh_, *pose_, normals_).normals;
+        posed = posed_mesh(mesh_, *pose_, 1.0);
+    }
+    camera_ = orbit_camera(view, sphere_of(mesh_, posed), picture_.size);
 }
 
 FilteredColor DirectPicture::color_of(const Recipe& recipe, FilterKind otherwise) const {
@@ -120,8 +157,31 @@ std::vector<PlaneLayer> DirectPicture::layers(const Recipe& recipe) const {
     return result;
 }
 
+/// The posed surface shows the colours of the one at rest.
+Image<Rgb8> DirectPicture::draw_posed(const Recipe& recipe,
+                                      const std::vector<PlaneLayer>& planes) const {
+    if (!recipe.bump.empty())
+        throw Error(ExitCode::unsupported,
+                    "--direct draws no bumps of a mesh in a pose; use --lazy, or a recipe without "
+                    "\"bump\"");
+    check_lattice(recipe, mesh_);
+    const double weight = recipe.pose.weight;
+    const Mesh posed = posed_mesh(mesh_, *pose_, weight);
+    const FilteredColor color =
+        mapped(color_of(recipe, FilterKind::none), texture_from_mesh(recipe, mesh_));
+    const SampleColor at = [&](const SurfacePoint& point, const Footprint& steps) {
+        const auto rest = [&](const Vec3d& step) {
+            return step_at_rest(posed, mesh_, point.triangle, step);
+        };
+        return Vec3d(color(position(mesh_, point), {rest(steps.u), rest(steps.v)}));
+    };
+    const std::vector<Vec3f> normals = blended_normals(normals_, posed_normals_, weight);
+    return render_samples({posed, normals, at, {}, planes}, camera_, picture_);
+}
+
 Image<Rgb8> DirectPicture::operator()(const Recipe& recipe) const {
     const std::vector<PlaneLayer> planes = layers(recipe);
+    if (pose_) return draw_posed(recipe, planes);
     FilteredColor color;
     SurfaceNormal bumped;
     if (!mesh_.triangles.empty()) {

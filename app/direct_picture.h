@@ -8,6 +8,7 @@
 
 #include "app/command_options.h"
 #include "app/direct_render.h"
+#include "atlas/mesh_pose.h"
 
 namespace burl {
 
@@ -22,6 +23,7 @@ struct DirectOptions {
     bool widths = false;
     RecipeOptions recipe;
     MeshOptions meshes;
+    std::string pose;  ///< app/load_pose.h; empty: none
     double crease = 40.0;
 
     void add(CLI::App& verb);
@@ -47,12 +49,14 @@ class DirectPicture {
     };
     FilteredColor color_of(const Recipe& recipe, FilterKind otherwise) const;
     std::vector<PlaneLayer> layers(const Recipe& recipe) const;
+    Image<Rgb8> draw_posed(const Recipe& recipe, const std::vector<PlaneLayer>& planes) const;
 
     PictureOptions picture_;
     std::optional<FilterKind> filter_;
     bool widths_;
     Mesh mesh_;
-    std::vector<Vec3f> normals_;
+    std::vector<Vec3f> normals_, posed_normals_;
+    std::optional<MeshPose> pose_;
     std::vector<PlacedPlane> planes_;
     Camera camera_;
 };

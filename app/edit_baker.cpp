@@ -23,9 +23,10 @@ std::uint32_t coarsest_level(std::uint32_t size) {
     return size > coarsest_side ? std::uint32_t(std::bit_width(size / coarsest_side)) - 1 : 0;
 }
 
-std::shared_ptr<EditSurface> surface_of(Pipeline& pipeline) {
+std::shared_ptr<EditSurface> surface_of(Pipeline& pipeline, const MeshPose* pose) {
     auto surface = std::make_shared<EditSurface>();
-    surface->scene = baked_scene(pipeline, crease_degrees);
+    surface->scene = baked_scene(pipeline, crease_degrees, pose);
+    surface->posed = pose != nullptr;
     const int normals = baked_material(surface->scene).normals;
     if (normals >= 0)  // flat until there is a map of them
         surface->scene.textures[std::size_t(normals)].image = Image<Rgb8>(1, 1, {128, 128, 255});
@@ -37,6 +38,12 @@ std::shared_ptr<EditSurface> surface_of(Pipeline& pipeline) {
     surface->atlas = to_string(pipeline.atlas().options.kind);
     surface->layout_seconds = pipeline.records()[Stage::layout].seconds;
     return surface;
+}
+
+/// The scene lives as long as its surface.
+std::shared_ptr<const SurfacePick> pick_of(const std::shared_ptr<const EditSurface>& surface) {
+    return std::make_shared<const SurfacePick>(
+        std::shared_ptr<const Scene>(surface, &surface->scene));
 }
 
 /// Then the texture under the paint is there.
@@ -62,6 +69,12 @@ EditBaker::~EditBaker() {
 void EditBaker::set_mesh(Mesh mesh) {
     const std::scoped_lock lock(mutex_);
     next_mesh_ = std::move(mesh);
+    next_pose_ = nullptr;
+}
+
+void EditBaker::set_pose(std::shared_ptr<const MeshPose> pose) {
+    const std::scoped_lock lock(mutex_);
+    next_pose_ = std::move(pose);
 }
 
 std::shared_ptr<const EditSurface> EditBaker::surface() const {
@@ -115,20 +128,36 @@ std::optional<std::string> EditBaker::take_problem() {
     return std::exchange(problem_, std::nullopt);
 }
 
-void EditBaker::take_mesh() {
+/// Whether the mesh has another pose.
+bool EditBaker::take_mesh() {
     std::optional<Mesh> mesh;
+    std::optional<std::shared_ptr<const MeshPose>> pose;
     {
         const std::scoped_lock lock(mutex_);
         mesh = std::exchange(next_mesh_, std::nullopt);
+        pose = std::exchange(next_pose_, std::nullopt);
     }
-    if (!mesh) return;
-    pipeline_ = std::make_unique<Pipeline>(std::move(*mesh));
-    pipeline_->set_cache(cache_bytes);
-    fresh_ = true;
-    ++mesh_;
-    errands_.cancel();
-    laid_out_.reset();
-    finest_.reset();
+    if (mesh) {
+        pipeline_ = std::make_unique<Pipeline>(std::move(*mesh));
+        pipeline_->set_cache(cache_bytes);
+        fresh_ = true;
+        ++mesh_;
+        errands_.cancel();
+        laid_out_.reset();
+        finest_.reset();
+    }
+    if (!pose || *pose == pose_) return false;
+    take_pose(std::move(*pose));
+    return true;
+}
+
+void EditBaker::take_pose(std::shared_ptr<const MeshPose> pose) {
+    pose_ = std::move(pose);
+    const std::size_t corners = pipeline_ ? 3 * pipeline_->mesh().triangles.size() : 0;
+    if (!pose_ || pose_->positions.size() == corners) return;
+    pose_.reset();
+    const std::scoped_lock lock(mutex_);
+    problem_ = "the pose is of a mesh with other triangles: a file has changed";
 }
 
 /// What is shown from now on: the atlas that is wanted where it is there, or quick.
@@ -141,6 +170,10 @@ AtlasOptions EditBaker::take_atlas(const AtlasOptions& wanted) {
     }
     if (own && own->mesh == mesh_ && own->pipeline->recipe().atlas == wanted) {
         pipeline_ = std::move(own->pipeline);
+        if (own->pose != pose_) {
+            own->surface = surface_of(*pipeline_, pose_.get());
+            own->pick = pick_of(own->surface);
+        }
         pending_ = std::move(own->surface);
         pending_pick_ = std::move(own->pick);
         shown_bumps_ = !pipeline_->recipe().bump.empty();
@@ -163,20 +196,19 @@ void EditBaker::begin_atlas(const Recipe& recipe) {
     pipeline->set_cache(cache_bytes);
     pipeline->set_recipe(recipe);
     // A function that is kept may be copied, and a pipeline may not.
-    errands_.add([this, mesh = mesh_,
+    errands_.add([this, mesh = mesh_, pose = pose_,
                   held = std::make_shared<std::unique_ptr<Pipeline>>(std::move(pipeline))](
-                     const std::stop_token& stop) { lay_out(mesh, std::move(*held), stop); });
+                     const std::stop_token& stop) { lay_out(mesh, pose, std::move(*held), stop); });
 }
 
-void EditBaker::lay_out(std::uint64_t mesh, std::unique_ptr<Pipeline> pipeline,
-                        const std::stop_token& stop) {
+void EditBaker::lay_out(std::uint64_t mesh, const std::shared_ptr<const MeshPose>& pose,
+                        std::unique_ptr<Pipeline> pipeline, const std::stop_token& stop) {
     try {
         if (!lay_out_aside(*pipeline, stop)) return;
-        std::shared_ptr<EditSurface> surface = surface_of(*pipeline);
-        auto pick = std::make_shared<const SurfacePick>(
-            std::shared_ptr<const Scene>(surface, &surface->scene));
+        std::shared_ptr<EditSurface> surface = surface_of(*pipeline, pose.get());
+        std::shared_ptr<const SurfacePick> pick = pick_of(surface);
         const std::scoped_lock lock(mutex_);
-        own_ = OwnAtlas{mesh, std::move(pipeline), std::move(surface), std::move(pick)};
+        own_ = OwnAtlas{mesh, std::move(pipeline), pose, std::move(surface), std::move(pick)};
     } catch (const std::exception& problem) {
         const std::scoped_lock lock(mutex_);
         problem_ = problem.what();
@@ -203,9 +235,7 @@ void EditBaker::publish_normals() {
 
 /// Once for every surface.
 void EditBaker::publish_pick(const std::shared_ptr<const EditSurface>& surface) {
-    // The scene lives as long as its surface.
-    auto pick =
-        std::make_shared<const SurfacePick>(std::shared_ptr<const Scene>(surface, &surface->scene));
+    std::shared_ptr<const SurfacePick> pick = pick_of(surface);
     {
         const std::scoped_lock lock(mutex_);
         if (surface_ != surface) return;
@@ -262,7 +292,8 @@ void EditBaker::give_errands(const Recipe& recipe, bool moving) {
     if (!shown) return;
     if (errands_of_ != shown->number) {
         errands_of_ = shown->number;
-        if (laid_out_ == recipe.atlas) return;  // they are done
+        const std::shared_ptr<const SurfacePick> found = pick();
+        if (found && &found->scene() == &shown->scene) return;  // they are done
         errands_.cancel();
         {
             const std::scoped_lock lock(mutex_);
@@ -274,7 +305,7 @@ void EditBaker::give_errands(const Recipe& recipe, bool moving) {
 }
 
 void EditBaker::work(const WorkerRequest& request, const std::stop_token& stop) {
-    take_mesh();
+    const bool posed = take_mesh();
     if (!pipeline_) return;
     check_lattice(request.recipe, pipeline_->mesh());
     Recipe recipe = request.recipe;
@@ -282,9 +313,13 @@ void EditBaker::work(const WorkerRequest& request, const std::stop_token& stop) 
     const bool better = pending_pick_ != nullptr;
     pipeline_->set_recipe(recipe);
     if (better) normals_.reset();
-    if (fresh_ || shown_atlas_ != recipe.atlas || shown_bumps_ == recipe.bump.empty()) {
-        pending_ = surface_of(*pipeline_);
+    const bool other =
+        fresh_ || shown_atlas_ != recipe.atlas || shown_bumps_ == recipe.bump.empty();
+    if (other || (posed && !better)) {
+        pending_ = surface_of(*pipeline_, pose_.get());
         pending_pick_.reset();
+    }
+    if (other) {
         normals_.reset();
         shown_bumps_ = !recipe.bump.empty();
         shown_atlas_ = recipe.atlas;

@@ -14,6 +14,7 @@
 #include "app/level_choice.h"
 #include "app/pipeline.h"
 #include "app/surface_pick.h"
+#include "atlas/mesh_pose.h"
 
 namespace burl {
 
@@ -28,6 +29,7 @@ struct EditSurface {
     std::size_t triangles = 0;
     std::string atlas{};  ///< its kind
     double layout_seconds = 0.0;
+    bool posed = false;  ///< its scene has targets
 };
 
 /// A level of the texture of the surface `surface`.
@@ -55,8 +57,11 @@ class EditBaker {
     /// Stops what is under way.
     ~EditBaker();
 
-    /// From now on this mesh; pictures come after the next request.
+    /// From now on this mesh, which has no pose; pictures come after the next request.
     void set_mesh(Mesh mesh);
+    /// From now on the mesh has this pose (null: none), which changes no picture: a new surface
+    /// comes after the next request. One of another mesh is a problem.
+    void set_pose(std::shared_ptr<const MeshPose> pose);
     /// Its number, from 1 on, which the pictures made for it have.
     std::uint64_t request(const Recipe& recipe, bool moving) {
         worker_.request({recipe, moving, ++requests_});
@@ -89,17 +94,19 @@ class EditBaker {
     struct OwnAtlas {
         std::uint64_t mesh = 0;
         std::unique_ptr<Pipeline> pipeline{};
+        std::shared_ptr<const MeshPose> pose{};
         std::shared_ptr<EditSurface> surface{};
         std::shared_ptr<const SurfacePick> pick{};
     };
 
     void work(const WorkerRequest& request, const std::stop_token& stop);
-    void take_mesh();
+    bool take_mesh();
+    void take_pose(std::shared_ptr<const MeshPose> pose);
     AtlasOptions take_atlas(const AtlasOptions& wanted);
     void give_errands(const Recipe& recipe, bool moving);
     void begin_atlas(const Recipe& recipe);
-    void lay_out(std::uint64_t mesh, std::unique_ptr<Pipeline> pipeline,
-                 const std::stop_token& stop);
+    void lay_out(std::uint64_t mesh, const std::shared_ptr<const MeshPose>& pose,
+                 std::unique_ptr<Pipeline> pipeline, const std::stop_token& stop);
     void publish_normals();
     void publish_pick(const std::shared_ptr<const EditSurface>& surface);
     void publish_sheet();
@@ -110,8 +117,9 @@ class EditBaker {
     double budget_;
     std::uint64_t requests_ = 0;
 
-    mutable std::mutex mutex_;  ///< of the next nine
+    mutable std::mutex mutex_;  ///< of the next ten
     std::optional<Mesh> next_mesh_;
+    std::optional<std::shared_ptr<const MeshPose>> next_pose_;
     std::optional<OwnAtlas> own_;         ///< laid out, and not shown yet
     std::optional<AtlasOptions> begun_;   ///< what is being laid out
     std::optional<std::string> problem_;  ///< of that
@@ -126,6 +134,7 @@ class EditBaker {
 
     std::unique_ptr<Pipeline> pipeline_;  ///< the worker's alone, as the rest
     std::uint64_t mesh_ = 0;              ///< its number
+    std::shared_ptr<const MeshPose> pose_;
     EditLevels make_levels_;
     std::optional<LevelChoice> choice_;
     AtlasOptions shown_atlas_;

@@ -16,6 +16,7 @@
 #include "app/gl_emit.h"
 #include "app/keyed_recipe.h"
 #include "app/lattice_check.h"
+#include "app/load_pose.h"
 #include "atlas/error.h"
 
 namespace burl {
@@ -58,7 +59,8 @@ void bake_file(const ExportRequest& request) {
     const LevelsAsked levels =
         levels_asked(request.levels ? "all" : "", "", recipe.atlas.size, kind);
     const NormalSpace normals = normals_asked("", recipe, request.out);
-    check_output(request.out, request.mesh, levels.count, normals != NormalSpace::none);
+    for (const std::string& input : {request.mesh, request.pose})
+        check_output(request.out, input, levels.count, normals != NormalSpace::none);
     Pipeline pipeline(load_mesh(request.mesh));
     check_lattice(recipe, pipeline.mesh());
     pipeline.set_recipe(recipe);
@@ -67,6 +69,10 @@ void bake_file(const ExportRequest& request) {
     options.levels = std::move(texture.levels);
     options.normals = bake_normals(pipeline, normals, depth, options.crease_degrees);
     options.recipe_json = to_json(recipe);
+    if (!request.pose.empty() && holds_mesh(request.out))
+        options.pose = ExportPose{atlas_pose(load_pose(request.mesh, request.pose), pipeline.mesh(),
+                                             pipeline.mesh_atlas()),
+                                  recipe.pose.weight};
     export_scene(request.out, pipeline.atlas_mesh(), pipeline.atlas(), texture.image, options);
 }
 

@@ -17,6 +17,7 @@ struct ExportRequest {
     Recipe recipe{};      ///< one with keys over time becomes the textures of all its frames
     std::string out{};    ///< its extension says what is written
     bool levels = false;  ///< all MIP levels besides the texture
+    std::string pose{};   ///< of the mesh (app/load_pose.h); empty: none
 };
 
 /// Whether it is the texture as a shader: .frag or .glsl.

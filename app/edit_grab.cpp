@@ -69,10 +69,12 @@ Vec3d SolidGrab::solid_point(const ObjectView& view, const Vec2d& pointer) {
     if (const auto hit = hit_at(view, pointer)) {
         held_ = hit->point;
         mesh_from_scene_ = mesh_from_scene(view, *hit);
+        if (view.share != 0.0)
+            rest_offset_ = hit->mesh_point - Vec3d(mesh_from_scene_ * Vec4d(held_, 1.0));
         return view.solid_from_mesh(hit->mesh_point);
     }
     held_ = beside(camera, ray, held_);
-    return view.solid_from_mesh(Vec3d(mesh_from_scene_ * Vec4d(held_, 1.0)));
+    return view.solid_from_mesh(Vec3d(mesh_from_scene_ * Vec4d(held_, 1.0)) + rest_offset_);
 }
 
 std::optional<SolidOptions> SolidGrab::to(const ObjectView& view, const Vec2d& pointer) {

@@ -40,6 +40,7 @@ class SolidGrab {
     SolidDrag drag_ = SolidDrag::move;
     Vec3d from_{0.0};  ///< in the solid
     Vec3d held_{0.0};
+    Vec3d rest_offset_{0.0};      ///< from where the place hit last is to where it is at rest
     Mat4d mesh_from_scene_{1.0};  ///< of the placement that is held
     std::optional<GizmoHandle> handle_{};
     SolidGizmo gizmo_{};

@@ -1,6 +1,7 @@
 #pragma once
-// The mesh and the recipe that an editor has open: they are read beside the user interface, read
-// again when somebody else changes them, and remembered. It knows neither windows nor pictures.
+// The mesh, its pose and the recipe that an editor has open: they are read beside the user
+// interface, read again when somebody else changes them, and remembered. It knows neither windows
+// nor pictures.
 #include <functional>
 #include <string>
 #include <vector>
@@ -19,7 +20,10 @@ class EditOpenFiles {
 
     /// Begins to read it; what is open stays until that is done.
     void open(const std::string& path);
-    /// Reads the mesh and the recipe again, as far as they are files.
+    /// A pose of the mesh (app/load_pose.h), and none; another mesh has none.
+    void open_pose(const std::string& pose);
+    void close_pose();
+    /// Reads all again, as far as they are files.
     void reload();
     /// The recipe is now this file or preset, which was written or read by other means.
     void set_recipe(const std::string& path);
@@ -33,6 +37,9 @@ class EditOpenFiles {
 
     const std::string& mesh() const { return paths_[0]; }
     const std::string& recipe() const { return paths_[1]; }
+    const std::string& pose() const { return paths_[2]; }
+    /// Morph targets of the mesh's file.
+    const std::vector<std::string>& targets() const { return targets_; }
     const RecentFiles& recent() const { return recent_; }
     /// What is being read, by kind; empty: nothing.
     std::string reading(FileKind kind) const { return reader_.reading(kind); }
@@ -48,7 +55,8 @@ class EditOpenFiles {
     void adopt(const FileRead& read);
 
     std::function<void()> wake_;
-    std::array<std::string, 2> paths_;  ///< by kind
+    std::array<std::string, file_kinds> paths_;  ///< by kind
+    std::vector<std::string> targets_;
     bool asks_ = false;
     RecentFiles recent_;
     FileWatch watch_;

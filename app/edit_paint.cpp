@@ -21,14 +21,6 @@ double pixels_per_unit(const ObjectView& view, const SurfaceHit& hit) {
     return 0.5 * view.size.y * camera_of(view).focal_y / (hit.depth * solid_units(view));
 }
 
-Vec3d normal_at(const SurfacePick& pick, const SurfaceHit& hit) {
-    const Surface& surface = pick.scene().surfaces[hit.surface];
-    const Triangle& t = surface.triangles[hit.triangle];
-    const Vec3d &a = surface.positions[t[0]], &b = surface.positions[t[1]],
-                &c = surface.positions[t[2]];
-    return Mat3d(surface.placements[hit.placement]) * glm::cross(b - a, c - a);
-}
-
 Vec2d pointer_now() {
     const ImVec2 at = ImGui::GetIO().MousePos;
     return {double(at.x), double(at.y)};
@@ -88,8 +80,8 @@ void EditPaint::draw(const ObjectView& view) const {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const auto ring = [&](double radius, ImU32 color, float width) {
         std::vector<ImVec2> points;
-        for (const Vec3d& p : circle(hit->point, normal_at(*view.pick, *hit),
-                                     radius / solid_units(view), ring_points)) {
+        for (const Vec3d& p :
+             circle(hit->point, view.pick->normal(*hit), radius / solid_units(view), ring_points)) {
             const Vec3d seen = on_screen(view, p);
             points.push_back({float(seen.x), float(seen.y)});
         }

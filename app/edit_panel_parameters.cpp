@@ -74,9 +74,10 @@ void show(const PanelContext& context, const ParameterGroup& group) {
 
 }  // namespace
 
-void parameters_panel(const PanelContext& context) {
+void parameters_panel(const PanelContext& context, bool posed) {
     const auto leaves = recipe_leaves(slider_json(context.session.still()));
-    for (const ParameterGroup& group : parameter_groups(leaves)) show(context, group);
+    for (const ParameterGroup& group : parameter_groups(leaves))
+        if (posed || group.name != "pose") show(context, group);
 }
 
 }  // namespace burl

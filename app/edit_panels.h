@@ -19,8 +19,9 @@ struct PanelContext {
     EditItems& items;
 };
 
-/// Sliders for everything in the parameter tables (app/recipe_leaves.h), grouped as the recipe is.
-void parameters_panel(const PanelContext& context);
+/// Sliders for everything in the parameter tables (app/recipe_leaves.h), grouped as the recipe is;
+/// that of the pose where there is one.
+void parameters_panel(const PanelContext& context, bool posed);
 
 /// The colour maps of the recipe as bars with stops: drag, click to add, recolour, delete; wrap.
 struct StopSelection {

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "app/load_pose.h"
 #include "app/sample_meshes.h"
 #include "app/up_to_date.h"
 #include "atlas/mesh_io.h"
@@ -22,10 +23,16 @@ std::vector<std::string> recipe_files(const std::string& path, const Recipe& rec
     return files;
 }
 
-void read_into(FileRead& result) {
+void read_into(FileRead& result, const std::string& mesh) {
     if (result.kind == FileKind::mesh) {
         result.files = look_at(mesh_files(result.path));
         result.mesh = load_mesh(result.path);
+        result.targets = poses_of(result.path);
+        return;
+    }
+    if (result.kind == FileKind::pose) {
+        if (is_pose_file(result.path)) result.files = look_at(mesh_files(result.path));
+        result.pose = std::make_shared<const MeshPose>(load_pose(mesh, result.path));
         return;
     }
     result.files = look_at({result.path});
@@ -45,15 +52,16 @@ FileKind kind_of_file(const std::string& path) {
     return std::filesystem::path(path).extension() == ".json" ? FileKind::recipe : FileKind::mesh;
 }
 
-FileRead read_opened(FileKind kind, const std::string& path) {
+FileRead read_opened(const FileWish& wish) {
     const auto start = std::chrono::steady_clock::now();
-    FileRead result{kind, path};
+    FileRead result{wish.kind, wish.path, wish.again};
+    result.of_mesh = wish.mesh;
     try {
-        read_into(result);
+        read_into(result, wish.mesh);
     } catch (const Error& problem) {
         result.problem = problem;
     } catch (const std::exception& problem) {
-        result.problem = Error(ExitCode::runtime, fmt::format("{}: {}", path, problem.what()));
+        result.problem = Error(ExitCode::runtime, fmt::format("{}: {}", wish.path, problem.what()));
     }
     result.seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -64,25 +72,33 @@ EditReader::~EditReader() {
     for (const std::future<void>& one : running_) one.wait();
 }
 
-void EditReader::read(FileKind kind, const std::string& path, bool again) {
+void EditReader::read(FileWish wish) {
     std::erase_if(running_, [](const std::future<void>& one) {
         return one.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
     });
     const std::scoped_lock lock(mutex_);
     const std::uint64_t number = ++numbers_;
-    wanted_[std::size_t(kind)] = number;
-    paths_[std::size_t(kind)] = path;
-    running_.push_back(std::async(
-        std::launch::async, [this, number, kind, path, again] { run(number, kind, path, again); }));
+    wanted_[std::size_t(wish.kind)] = number;
+    paths_[std::size_t(wish.kind)] = wish.path;
+    running_.push_back(std::async(std::launch::async,
+                                  [this, number, what = std::move(wish)] { run(number, what); }));
 }
 
-void EditReader::run(std::uint64_t number, FileKind kind, const std::string& path, bool again) {
-    FileRead result = read_opened(kind, path);
-    result.again = again;
+void EditReader::forget(FileKind kind) {
     {
         const std::scoped_lock lock(mutex_);
-        if (wanted_[std::size_t(kind)] != number) return;
         wanted_[std::size_t(kind)] = 0;
+        std::erase_if(done_, [&](const FileRead& read) { return read.kind == kind; });
+    }
+    changed_.notify_all();
+}
+
+void EditReader::run(std::uint64_t number, const FileWish& wish) {
+    FileRead result = read_opened(wish);
+    {
+        const std::scoped_lock lock(mutex_);
+        if (wanted_[std::size_t(wish.kind)] != number) return;
+        wanted_[std::size_t(wish.kind)] = 0;
         done_.push_back(std::move(result));
     }
     changed_.notify_all();
@@ -96,12 +112,12 @@ std::string EditReader::reading(FileKind kind) const {
 
 bool EditReader::idle() const {
     const std::scoped_lock lock(mutex_);
-    return wanted_[0] == 0 && wanted_[1] == 0 && done_.empty();
+    return nothing_wanted() && done_.empty();
 }
 
 void EditReader::wait() const {
     std::unique_lock lock(mutex_);
-    changed_.wait(lock, [&] { return wanted_[0] == 0 && wanted_[1] == 0; });
+    changed_.wait(lock, [&] { return nothing_wanted(); });
 }
 
 std::vector<FileRead> EditReader::take() {

@@ -1,11 +1,13 @@
 #pragma once
 // Meshes and recipes are read beside the user interface, which goes on with what it has until they
 // are there.
+#include <algorithm>
 #include <array>
 #include <condition_variable>
 #include <cstdint>
 #include <functional>
 #include <future>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -15,6 +17,7 @@
 #include "app/recipe.h"
 #include "atlas/error.h"
 #include "atlas/mesh.h"
+#include "atlas/mesh_pose.h"
 
 namespace burl {
 
@@ -30,14 +33,25 @@ struct FileRead {
     std::string path{};
     bool again = false;  ///< it was open already
     std::optional<Error> problem{};
-    std::optional<Mesh> mesh{};  ///< one of the two, unless there is a problem
+    std::optional<Mesh> mesh{};  ///< one of the three, unless there is a problem
     std::optional<Recipe> recipe{};
-    WatchedFiles files{};  ///< as they were before they were read
+    std::shared_ptr<const MeshPose> pose{};
+    std::string of_mesh{};               ///< of a pose
+    std::vector<std::string> targets{};  ///< of a mesh: its morph targets
+    WatchedFiles files{};                ///< as they were before they were read
     double seconds = 0.0;
 };
 
+/// What to read. A pose may be a morph target of its mesh (app/load_pose.h).
+struct FileWish {
+    FileKind kind = FileKind::mesh;
+    std::string path{};
+    bool again = false;  ///< it is open already
+    std::string mesh{};  ///< of a pose: its mesh
+};
+
 /// Reads one. Never throws Error.
-FileRead read_opened(FileKind kind, const std::string& path);
+FileRead read_opened(const FileWish& wish);
 
 /// All functions may be called by one thread.
 class EditReader {
@@ -51,7 +65,9 @@ class EditReader {
 
     /// Begins at once. One of that kind that is still being read is not wanted any more: nobody
     /// hears of it.
-    void read(FileKind kind, const std::string& path, bool again = false);
+    void read(FileWish wish);
+    /// One of that kind that is being read is not wanted any more.
+    void forget(FileKind kind);
     /// What is being read, by kind; empty: nothing.
     std::string reading(FileKind kind) const;
     /// Nothing is being read, and take() has had all.
@@ -62,14 +78,16 @@ class EditReader {
     std::vector<FileRead> take();
 
   private:
-    void run(std::uint64_t number, FileKind kind, const std::string& path, bool again);
+    bool nothing_wanted() const { return std::ranges::count(wanted_, 0U) == file_kinds; }
+    void run(std::uint64_t number, const FileWish& wish);
 
     std::function<void()> wake_;
     mutable std::mutex mutex_;
     mutable std::condition_variable changed_;
     std::uint64_t numbers_ = 0;
-    std::array<std::uint64_t, 2> wanted_{};  ///< by kind, the newest that is under way; 0: none
-    std::array<std::string, 2> paths_;
+    std::array<std::uint64_t, file_kinds>
+        wanted_{};  ///< by kind, the newest that is under way; 0: none
+    std::array<std::string, file_kinds> paths_;
     std::vector<FileRead> done_;
     std::vector<std::future<void>> running_;
 };

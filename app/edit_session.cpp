@@ -194,11 +194,13 @@ RecipeSettings settings_between(const Recipe& base, const Recipe& recipe) {
 }
 
 std::string bake_command(const std::string& mesh, const std::string& base_path, const Recipe& base,
-                         const Recipe& recipe, std::vector<std::string> output) {
+                         const Recipe& recipe, std::vector<std::string> output,
+                         const std::string& pose) {
     const std::string name = recipe.name.empty() ? "texture" : recipe.name;
     if (output.empty()) output = {"-o", name + ".glb"};
     std::vector<std::string> words{"burl", "bake", mesh};
     words.insert(words.end(), output.begin(), output.end());
+    if (!pose.empty()) words.insert(words.end(), {"--pose", pose});
     words.emplace_back("--recipe");
     RecipeSettings between = settings_between(base, recipe);
     if (length_of(between.settings) > long_settings) between = {false, {}};

@@ -95,8 +95,9 @@ RecipeSettings settings_between(const Recipe& base, const Recipe& recipe);
 /// `burl bake MESH -o OUT --recipe BASE --set ...`, quoted for a shell, that makes the recipe's
 /// texture; with the recipe's whole JSON to be saved where settings cannot say it, or not within
 /// 4000 characters ("--recipe NAME.json"). `output`: the options that say what is written; none:
-/// -o NAME.glb.
+/// -o NAME.glb. `pose`: of --pose; empty: none.
 std::string bake_command(const std::string& mesh, const std::string& base_path, const Recipe& base,
-                         const Recipe& recipe, std::vector<std::string> output = {});
+                         const Recipe& recipe, std::vector<std::string> output = {},
+                         const std::string& pose = {});
 
 }  // namespace burl

@@ -12,6 +12,7 @@ namespace burl {
 /// What the object's view shows and where. Places on the screen are those of the pointer, y down.
 struct ObjectView {
     std::shared_ptr<const SurfacePick> pick{};  ///< null: nothing can be touched yet
+    double share = 0.0;                         ///< of the way to its pose
     Affine3 solid_from_mesh{};
     Affine3 unit_from_mesh{};  ///< solid_from_mesh of SolidSpace::unit
     EditCamera camera{};

@@ -55,8 +55,9 @@ bool FileWatch::look(FileKind kind) {
 }
 
 bool FileWatch::look() {
-    const bool mesh = look(FileKind::mesh), recipe = look(FileKind::recipe);
-    return mesh || recipe;
+    bool news = false;
+    for (std::size_t kind = 0; kind < file_kinds; ++kind) news |= look(FileKind(kind));
+    return news;
 }
 
 void FileWatch::start(std::function<void()> wake, std::chrono::milliseconds period) {

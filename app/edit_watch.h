@@ -17,7 +17,8 @@
 namespace burl {
 
 /// What an editor has opened.
-enum class FileKind { mesh, recipe };
+enum class FileKind { mesh, recipe, pose };
+inline constexpr std::size_t file_kinds = 3;
 
 /// What tells one state of a file from another.
 struct FileStamp {
@@ -51,7 +52,8 @@ class FileChange {
     WatchedFiles known_, last_;
 };
 
-/// Looks at the files of a mesh and of a recipe. All functions may be called by any thread.
+/// Looks at the files of a mesh, of a recipe and of a pose. All functions may be called by any
+/// thread.
 class FileWatch {
   public:
     FileWatch() = default;
@@ -75,9 +77,9 @@ class FileWatch {
 
     std::mutex mutex_;
     std::condition_variable_any ending_;
-    std::array<FileChange, 2> changes_;
-    std::array<std::uint64_t, 2> versions_{};  ///< of what is watched
-    std::array<bool, 2> changed_{};
+    std::array<FileChange, file_kinds> changes_;
+    std::array<std::uint64_t, file_kinds> versions_{};  ///< of what is watched
+    std::array<bool, file_kinds> changed_{};
     std::jthread thread_;  ///< last: it sees all the others
 };
 

@@ -16,6 +16,7 @@
 #include "app/image_io.h"
 #include "app/level_names.h"
 #include "app/normals.h"
+#include "app/posed_corners.h"
 #include "app/real_path.h"
 #include "app/tangents.h"
 #include "atlas/error.h"
@@ -173,32 +174,45 @@ void export_exr(const std::string& path, const BakedImage& image, const ExportOp
     normals.commit();
 }
 
+void export_obj(const std::string& path, const Mesh& mesh, const Atlas& atlas,
+                const BakedImage& image, const ExportOptions& options) {
+    const std::vector<ByteSource> levels = level_pngs(options);
+    const std::vector<Vec3f> rest = corner_normals(mesh, options.crease_degrees);
+    const auto write = [&](const Mesh& drawn, std::span<const Vec3f> normals) {
+        write_obj(path, {drawn, atlas, normals, png_of(image), levels, normal_png(options),
+                         options.normals && options.normals->tangent_space});
+    };
+    if (!options.pose) return write(mesh, rest);
+    const auto& [pose, weight] = *options.pose;
+    write(posed_mesh(mesh, pose, weight),
+          blended_normals(rest, posed_corners(mesh, pose, rest).normals, weight));
+}
+
 /// The arrays of a glTF; the normals they are made of are gone afterwards.
 std::vector<PartVertices> gltf_vertices(const Mesh& mesh, const Atlas& atlas,
                                         const ExportOptions& options) {
+    const bool bumped = options.normals && options.normals->tangent_space;
     const std::vector<Vec3f> normals = corner_normals(mesh, options.crease_degrees);
+    const std::vector<Vec2d> uvs = bumped ? corner_uvs(atlas) : std::vector<Vec2d>();
     std::vector<Vec4f> tangents;
-    if (options.normals && options.normals->tangent_space)
-        tangents = corner_tangents(mesh.positions, mesh.triangles, corner_uvs(atlas), normals);
-    return export_vertices(mesh, atlas, normals, tangents);
+    if (bumped) tangents = corner_tangents(mesh.positions, mesh.triangles, uvs, normals);
+    if (!options.pose) return export_vertices(mesh, atlas, normals, tangents);
+    const PosedCorners posed = posed_corners(mesh, options.pose->corners, normals, uvs);
+    return export_vertices(mesh, atlas, normals, tangents, &posed);
 }
 
-void export_mesh(const std::string& path, Format format, const Mesh& mesh, const Atlas& atlas,
+void export_gltf(const std::string& path, Format format, const Mesh& mesh, const Atlas& atlas,
                  const BakedImage& image, const ExportOptions& options) {
     const std::vector<ByteSource> levels = level_pngs(options);
-    if (format == Format::obj) {
-        const std::vector<Vec3f> normals = corner_normals(mesh, options.crease_degrees);
-        return write_obj(path, {mesh, atlas, normals, png_of(image), levels, normal_png(options),
-                                options.normals && options.normals->tangent_space});
-    }
     const std::vector<PartVertices> vertices = gltf_vertices(mesh, atlas, options);
-    const GltfContent content{mesh,
-                              vertices,
-                              atlas.options,
-                              png_of(image),
-                              levels,
-                              options.recipe_json,
-                              normal_png(options)};
+    GltfContent content{mesh,
+                        vertices,
+                        atlas.options,
+                        png_of(image),
+                        levels,
+                        options.recipe_json,
+                        normal_png(options)};
+    if (options.pose) content.target = {options.pose->corners.name, options.pose->weight};
     format == Format::glb ? write_glb(path, content) : write_gltf(path, content);
 }
 
@@ -269,8 +283,11 @@ void export_scene(const std::string& out_path, const Mesh& mesh, const Atlas& at
         case Format::exr:
             export_exr(out_path, image, options);
             break;
+        case Format::obj:
+            export_obj(out_path, mesh, atlas, image, options);
+            break;
         default:
-            export_mesh(out_path, format, mesh, atlas, image, options);
+            export_gltf(out_path, format, mesh, atlas, image, options);
             break;
     }
 }

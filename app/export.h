@@ -12,6 +12,7 @@
 #include "atlas/atlas.h"
 #include "atlas/image.h"
 #include "atlas/mesh.h"
+#include "atlas/mesh_pose.h"
 
 namespace burl {
 
@@ -28,12 +29,21 @@ struct NormalMap {
     bool tangent_space = true;
 };
 
+/// Of the exported mesh (atlas_pose), and how far it has gone there.
+struct ExportPose {
+    MeshPose corners{};
+    double weight = 1.0;  ///< 0 to 1
+};
+
 struct ExportOptions {
     double crease_degrees = 40.0;         ///< for computed normals (app/normals.h)
     ExrDepth exr_depth = ExrDepth::half;  ///< .exr only
     std::string recipe_json;              ///< kept in the glTF's asset.extras; may be empty
     std::vector<BakedImage> levels{};     ///< MIP levels 1, 2, ... (atlas/block_levels.h)
     std::optional<NormalMap> normals{};
+    /// .glb and .gltf get it as a morph target, .obj is written as posed; images are those of the
+    /// mesh at rest.
+    std::optional<ExportPose> pose{};
 };
 
 /// Refuses an output before any work starts: the extension is one of .glb, .gltf, .obj, .png, .exr

@@ -13,6 +13,12 @@
 
 namespace burl {
 
+/// How the vertices' targets are called, and how far they go.
+struct GltfTarget {
+    std::string name{};
+    double weight = 0.0;  ///< 0 to 1
+};
+
 /// What a glTF file is made of; images are file contents.
 struct GltfContent {
     const Mesh& mesh;
@@ -22,6 +28,7 @@ struct GltfContent {
     std::span<const ByteSource> levels;  ///< PNGs of MIP levels 1, 2, ...
     std::string recipe_json;             ///< for asset.extras; may be empty
     ByteSource normal_png{};  ///< in tangent space, for vertices with tangents; may be empty
+    GltfTarget target{};      ///< of vertices that have one
 };
 
 /// One file with everything in it, images last. Throws Error: io, or unsupported beyond 4 GiB.

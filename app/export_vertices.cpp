@@ -25,14 +25,20 @@ std::uint32_t bits(float value) {
     return std::bit_cast<std::uint32_t>(value + 0.0f);
 }  // -0 -> 0
 
-/// Per triangle corner; the tangents may be empty.
+/// Per triangle corner; the tangents may be empty, the pose null.
 struct CornerFrames {
     std::span<const Vec3f> normals;
     std::span<const Vec4f> tangents;
+    const PosedCorners* posed;
+
+    /// The pose's point of the corner.
+    std::uint32_t point(std::size_t corner) const {
+        return posed ? posed->points.triangles[corner / 3][corner % 3] : 0;
+    }
 };
 
-/// What corners at one point must agree in: part, u, v, normal, w of the tangent.
-using Row = std::array<std::uint32_t, 7>;
+/// What corners at one point must agree in: part, the pose's point, u, v, normal, w of the tangent.
+using Row = std::array<std::uint32_t, 8>;
 
 std::array<float, 2> uv_of(const Atlas& atlas, std::size_t corner) {
     const Vec2d uv = atlas.corners[corner / 3][corner % 3] / atlas.extent();
@@ -44,7 +50,10 @@ Row row_of(const Atlas& atlas, const CornerFrames& frames, std::span<const std::
     const Vec3f& n = frames.normals[corner];
     const float w = frames.tangents.empty() ? 1.0f : frames.tangents[corner].w;
     const auto [u, v] = uv_of(atlas, corner);
-    return {parts[corner / 3], bits(u), bits(v), bits(n.x), bits(n.y), bits(n.z), bits(w)};
+    return {parts[corner / 3], frames.point(corner),
+            bits(u),           bits(v),
+            bits(n.x),         bits(n.y),
+            bits(n.z),         bits(w)};
 }
 
 /// Finds for the corners at a point the first that each agrees with.
@@ -169,6 +178,20 @@ void resize(PartVertices& out, std::size_t count, const Corners& of) {
     out.uvs.resize(count);
     if (!of.frames.tangents.empty()) out.tangents.resize(count);
     if (!of.blocks.empty()) out.blocks.resize(count);
+    if (!of.frames.posed) return;
+    out.target.positions.resize(count);
+    out.target.normals.resize(count);
+    out.target.tangents.resize(out.tangents.size());
+}
+
+/// The change from vertex i as it was rounded.
+void fill_target(PartVertices& out, std::size_t i, std::size_t corner, const PosedCorners& posed) {
+    const Vec3d& place = posed.points.positions[posed.points.triangles[corner / 3][corner % 3]];
+    const Vec3d p = (place - out.centre) / out.scale;
+    out.target.positions[i] = Vec3f(p - Vec3d(out.positions[i])) + 0.0f;
+    out.target.normals[i] = posed.normals[corner] - out.normals[i] + 0.0f;
+    if (!out.tangents.empty())
+        out.target.tangents[i] = Vec3f(posed.tangents[corner]) - Vec3f(out.tangents[i]) + 0.0f;
 }
 
 /// Vertex i as its first corner has it.
@@ -183,6 +206,7 @@ void fill_vertex(PartVertices& out, std::size_t i, std::size_t corner, const Cor
     if (!out.tangents.empty()) out.tangents[i] = of.frames.tangents[corner];
     // Blocks do not touch at corners, so a vertex has one.
     if (!out.blocks.empty()) out.blocks[i] = rectangle_of(of.atlas, of.atlas.blocks[of.blocks[t]]);
+    if (of.frames.posed) fill_target(out, i, corner, *of.frames.posed);
 }
 
 /// `first` as of first_corners; what it says of the part is used up.
@@ -206,10 +230,11 @@ PartVertices part_vertices(const Corners& of, std::size_t index,
 
 std::vector<PartVertices> export_vertices(const Mesh& mesh, const Atlas& atlas,
                                           std::span<const Vec3f> normals,
-                                          std::span<const Vec4f> tangents) {
+                                          std::span<const Vec4f> tangents,
+                                          const PosedCorners* posed) {
     std::vector<PartVertices> parts;
     const std::vector<std::uint32_t> blocks = blocks_of_triangles(atlas);
-    const Corners corners{mesh, atlas, {normals, tangents}, blocks};
+    const Corners corners{mesh, atlas, {normals, tangents, posed}, blocks};
     std::vector<std::uint32_t> first = first_corners(mesh, atlas, corners.frames);
     for (std::size_t i = 0; i < mesh.parts.size(); ++i) {
         if (mesh.parts[i].triangle_count > 0) parts.push_back(part_vertices(corners, i, first));

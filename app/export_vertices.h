@@ -6,10 +6,17 @@
 #include <span>
 #include <vector>
 
+#include "app/posed_corners.h"
 #include "atlas/atlas.h"
 #include "atlas/mesh.h"
 
 namespace burl {
+
+/// What a pose adds to vertices, as a glTF's morph target has it.
+struct VertexTarget {
+    std::vector<Vec3f> positions, normals;
+    std::vector<Vec3f> tangents;  ///< where the vertices have any
+};
 
 /// One Part. A point of the mesh is centre + scale * position; subtracting the box's centre in
 /// double first keeps float32 positions exact to 2^-24 of the part's own size wherever it lies.
@@ -24,13 +31,16 @@ struct PartVertices {
     /// Of quad atlases: the block a vertex lies in, as texture coordinates low u, low v, high u,
     /// high v. A lookup of a MIP level that is clamped to it shows nothing of other blocks.
     std::vector<std::array<float, 4>> blocks;
+    VertexTarget target{};               ///< empty: there is no pose
     std::vector<std::uint32_t> indices;  ///< three per triangle, in the mesh's order
 };
 
 /// One entry per part that has triangles. `normals` are per corner (app/normals.h), as `tangents`,
-/// which may be empty; corners share a vertex where w agrees, too.
+/// which may be empty; corners share a vertex where w agrees, too, and where a pose does not part
+/// them. `posed` is of the mesh and these normals; null: there is no pose.
 std::vector<PartVertices> export_vertices(const Mesh& mesh, const Atlas& atlas,
                                           std::span<const Vec3f> normals,
-                                          std::span<const Vec4f> tangents = {});
+                                          std::span<const Vec4f> tangents = {},
+                                          const PosedCorners* posed = nullptr);
 
 }  // namespace burl

@@ -111,7 +111,8 @@ void GlEditAtlas::mark_object(const ObjectView& view) const {
     const Camera camera = camera_of(view);
     const auto seen = [&](const Vec3d& p) { return on_screen(view, p); };
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    for (const BorderLine& border : outline(*on_atlas_)) {
+    for (const BorderLine& rest : outline(*on_atlas_)) {
+        const BorderLine border = rest.at(view.share);
         const Vec3d from = seen(border.line.from), to = seen(border.line.to);
         if (from.z <= 0.0 || to.z <= 0.0) continue;
         const Vec3d middle = 0.5 * (border.line.from + border.line.to);
@@ -187,7 +188,7 @@ std::optional<TexelView> GlEditAtlas::texel(const EditBaker& baker, const GlEdit
 }
 
 void GlEditAtlas::panel(const PanelContext& context, const EditBaker& baker,
-                        const GlEditObject& object) {
+                        const GlEditObject& object, const SurfacePick* pick) {
     const auto surface = baker.surface();
     const std::uint32_t side = surface ? surface->size : 1;
     atlas_controls(context, state, int(std::bit_width(side)) - 1);
@@ -201,9 +202,7 @@ void GlEditAtlas::panel(const PanelContext& context, const EditBaker& baker,
                                    ImGuiButtonFlags_MouseButtonMiddle);
         context.items.note("atlas view");
         const Vec2d corner(low.x, low.y), extent(size.x, size.y);
-        auto pick = baker.pick();
-        if (!surface || !pick || &pick->scene() != &surface->scene) pick.reset();
-        input(corner, extent, pick.get(), side);
+        input(corner, extent, pick, side);
         ImDrawList& list = *ImGui::GetWindowDrawList();
         const ImVec2 high(low.x + size.x, low.y + size.y);
         list.PushClipRect(low, high, true);

@@ -27,7 +27,9 @@ class GlEditAtlas {
     /// The marks on the object, in the window that shows it.
     void mark_object(const ObjectView& view) const;
     /// Inside a window of its own.
-    void panel(const PanelContext& context, const EditBaker& baker, const GlEditObject& object);
+    /// `pick`: of the object's view; null: none yet.
+    void panel(const PanelContext& context, const EditBaker& baker, const GlEditObject& object,
+               const SurfacePick* pick);
 
     /// Of the newest surface; null: nobody wants them, or not yet.
     std::shared_ptr<const SurfaceLines> lines() const { return maker_.lines(); }

@@ -43,6 +43,8 @@ void EditorProgram::take_files() {
             session_.complain(read.problem->what());
         else if (read.kind == FileKind::mesh)
             take_mesh(std::move(read));
+        else if (read.kind == FileKind::pose)
+            take_pose(read);
         else
             take_recipe(std::move(read));
     }
@@ -58,7 +60,65 @@ void EditorProgram::take_mesh(FileRead read) {
     for (const std::string& note : sentences_of(read.mesh->notes))
         session_.tell(fmt::format("{}: {}", read.path, note));
     baker_.set_mesh(std::move(*read.mesh));
+    posed_ = false;
     requested_.reset();
+}
+
+void EditorProgram::take_pose(const FileRead& read) {
+    session_.tell(fmt::format("pose {}{}, read in {:.2f} s", read.path, read.again ? " again" : "",
+                              read.seconds));
+    baker_.set_pose(read.pose);
+    posed_ = true;
+    requested_.reset();
+}
+
+void EditorProgram::open_pose(const std::string& path) {
+    files_.open_pose(path);
+}
+
+void EditorProgram::close_pose() {
+    files_.close_pose();
+    baker_.set_pose(nullptr);
+    posed_ = false;
+    requested_.reset();
+}
+
+/// 0 without a pose.
+double EditorProgram::pose_share() {
+    const auto& surface = object_.surface();
+    if (!surface || !surface->posed) return 0.0;
+    return shown_recipe().pose.weight;
+}
+
+/// Of what is shown; null: not yet.
+std::shared_ptr<const SurfacePick> EditorProgram::pick() const {
+    const auto& surface = object_.surface();
+    if (!surface) return nullptr;
+    if (share_ != 0.0) return posed_pick_.pick(surface, share_);
+    auto pick = baker_.pick();
+    if (pick && &pick->scene() != &surface->scene) pick.reset();  // of another surface
+    return pick;
+}
+
+/// Poses of the mesh: files, and what its own has.
+void EditorProgram::pose_menu() {
+    if (menu_item("Open pose...", "", !files_.mesh().empty()))
+        ask_for_file(&EditorProgram::open_pose, {"Open a pose: a mesh with the same faces",
+                                                 {".obj", ".ply", ".stl", ".off", ".gltf", ".glb"},
+                                                 false,
+                                                 {}});
+    const std::vector<std::string>& targets = files_.targets();
+    const bool open = ImGui::BeginMenu("Morph targets", !targets.empty());
+    items_.note("menu:Morph targets");
+    if (open) {
+        for (const std::string& target : targets) {
+            if (ImGui::MenuItem(target.c_str(), nullptr, target == files_.pose()))
+                open_pose(target);
+            items_.note("target:" + target);
+        }
+        ImGui::EndMenu();
+    }
+    if (menu_item("Close pose", "", posed_)) close_pose();
 }
 
 /// One that is written as it stands here, such as by the editor itself, is no news.
@@ -93,7 +153,7 @@ void EditorProgram::recent_menu() {
 /// In the lower left corner of the object.
 void EditorProgram::notices() {
     std::vector<Notice> notices;
-    for (const FileKind kind : {FileKind::mesh, FileKind::recipe})
+    for (const FileKind kind : {FileKind::mesh, FileKind::recipe, FileKind::pose})
         if (const std::string path = files_.reading(kind); !path.empty())
             notices.push_back({fmt::format("Reading {} ...", name_of(path))});
     if (baker_.laying_out())
@@ -205,13 +265,15 @@ std::string EditorProgram::command(std::vector<std::string> output, double time)
     const bool saved = !session_.history().changed();
     const std::string line =
         bake_command(files_.mesh(), saved ? session_.recipe_path() : opened_path_,
-                     saved ? session_.recipe() : opened_, session_.recipe(), std::move(output));
+                     saved ? session_.recipe() : opened_, session_.recipe(), std::move(output),
+                     posed_ ? files_.pose() : "");
     return time > 0.0 ? fmt::format("{} --time {}", line, time) : line;
 }
 
 /// Of the recipe's own atlas, whatever is shown.
 void EditorProgram::export_as(const std::string& path) {
-    ExportRequest request{files_.mesh(), session_.still(), path, dialog_.chose()};
+    ExportRequest request{files_.mesh(), session_.still(), path, dialog_.chose(),
+                          posed_ ? files_.pose() : ""};
     session_.tell(
         fmt::format("exporting {}, as {}", path, command(bake_options(request), seen_time())));
     export_.start(std::move(request));

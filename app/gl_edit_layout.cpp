@@ -99,6 +99,7 @@ void EditorProgram::menu_toggle(const char* label, const char* key, bool& value)
 void EditorProgram::file_menu() {
     if (menu_item("Open...", "Ctrl+O")) open_dialog();
     recent_menu();
+    pose_menu();
     if (menu_item("Reload", "F5")) files_.reload();
     if (menu_item("Save recipe", "Ctrl+S")) save();
     if (menu_item("Export...", "Ctrl+E", !export_.busy())) export_dialog();
@@ -206,15 +207,13 @@ void EditorProgram::layout() {
 
 ObjectView EditorProgram::object_view(const ImVec2& low, const ImVec2& size) const {
     ObjectView view;
-    view.pick = baker_.pick();
+    view.pick = pick();
+    view.share = share_;
     view.camera = camera_;
     view.low = {double(low.x), double(low.y)};
     view.size = {double(size.x), double(size.y)};
     const auto& surface = object_.surface();
-    if (!surface || !view.pick || &view.pick->scene() != &surface->scene)
-        view.pick.reset();  // of another surface
-    else
-        view.sphere = surface->sphere;
+    if (view.pick) view.sphere = surface->sphere;
     if (surface) view.unit_from_mesh = surface->unit_from_mesh;
     if (surface && session_.recipe().solid.space == SolidSpace::unit)
         view.solid_from_mesh = surface->unit_from_mesh;
@@ -252,9 +251,10 @@ void EditorProgram::object_image(const ImVec2& low, const ImVec2& size) {
     options.size = {int(size.x * scale.x), int(size.y * scale.y)};
     options.camera = camera_;
     options.lit = lit_;
+    options.share = share_;
     options.edges = atlas_.edges;
     options.borders = atlas_.borders;
-    const bool moving = moving_camera_ || session_.history().in_gesture() || timeline_.moving();
+    const bool moving = moving_camera_ || is_moving();
     options.supersample = moving ? 1 : 2;
     const double began = thread_seconds();
     const GlTexture* texture = object_.draw(options);
@@ -284,7 +284,7 @@ void EditorProgram::object_window() {
 
 void EditorProgram::atlas_window() {
     if (ImGui::Begin("Atlas", nullptr, fixed | ImGuiWindowFlags_NoScrollbar))
-        atlas_.panel({session_, items_}, baker_, object_);
+        atlas_.panel({session_, items_}, baker_, object_, pick().get());
     ImGui::End();
 }
 
@@ -300,7 +300,7 @@ void EditorProgram::side_window() {
     };
     if (ImGui::Begin("Side", nullptr, fixed) && ImGui::BeginTabBar("tabs")) {
         tab("Presets", [&] { presets_panel(context, preset_search_, preset_picture()); });
-        tab("Parameters", [&] { parameters_panel(context); });
+        tab("Parameters", [&] { parameters_panel(context, posed_); });
         tab("Colours", [&] { color_maps_panel(context, stop_); });
         tab("Metrics", [&] { metrics_panel(context, metrics()); });
         tab("Log", [&] { log_panel(context); });

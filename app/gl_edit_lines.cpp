@@ -1,7 +1,5 @@
 #include "app/gl_edit_lines.h"
 
-#include <array>
-
 namespace burl {
 
 namespace {
@@ -29,33 +27,50 @@ void GlEditLines::show(std::shared_ptr<const SurfaceLines> lines, const Sphere& 
     borders_.reset();
 }
 
+/// As two attributes from number `first` on.
+void GlEditLines::upload(const Uploaded& into, const GlBuffer& buffer, const Ends& ends,
+                         GLuint first) const {
+    gl_->BindVertexArray(into.vertex_array.get());
+    gl_->BindBuffer(GL_ARRAY_BUFFER, buffer.get());
+    gl_->BufferData(GL_ARRAY_BUFFER, GLsizeiptr(ends.size() * sizeof(ends[0])), ends.data(),
+                    GL_STATIC_DRAW);
+    for (GLuint end = 0; end < 2; ++end) {
+        gl_->EnableVertexAttribArray(first + end);
+        gl_->VertexAttribPointer(first + end, 3, GL_FLOAT, GL_FALSE, sizeof(ends[0]),
+                                 reinterpret_cast<const void*>(end * sizeof(Vec3f)));
+        gl_->VertexAttribDivisor(first + end, 1);
+    }
+}
+
 /// Ends in the sphere's units, so that float32 suffices wherever it lies.
 GlEditLines::Uploaded GlEditLines::upload(Kind kind) const {
-    std::vector<std::array<Vec3f, 2>> ends;
+    Ends ends, changes;
     const auto add = [&](const SurfaceLine& line) {
         ends.push_back({Vec3f((line.from - sphere_.centre) / sphere_.radius),
                         Vec3f((line.to - sphere_.centre) / sphere_.radius)});
     };
-    if (kind == Kind::edges)
+    const auto add_change = [&](const SurfaceLine& line) {
+        changes.push_back({Vec3f(line.from / sphere_.radius), Vec3f(line.to / sphere_.radius)});
+    };
+    const bool moves = !lines_->changes.empty();
+    if (kind == Kind::edges) {
         for (const SurfaceLine& line : lines_->edges) add(line);
-    else
+        for (const SurfaceLine& line : lines_->changes) add_change(line);
+    } else {
         for (const BorderLine& border : lines_->borders) add(border.line);
-    Uploaded uploaded{make_vertex_array(*gl_), make_buffer(*gl_), GLsizei(ends.size())};
-    gl_->BindVertexArray(uploaded.vertex_array.get());
-    gl_->BindBuffer(GL_ARRAY_BUFFER, uploaded.ends.get());
-    gl_->BufferData(GL_ARRAY_BUFFER, GLsizeiptr(ends.size() * sizeof(ends[0])), ends.data(),
-                    GL_STATIC_DRAW);
-    for (GLuint end = 0; end < 2; ++end) {
-        gl_->EnableVertexAttribArray(end);
-        gl_->VertexAttribPointer(end, 3, GL_FLOAT, GL_FALSE, sizeof(ends[0]),
-                                 reinterpret_cast<const void*>(end * sizeof(Vec3f)));
-        gl_->VertexAttribDivisor(end, 1);
+        for (const BorderLine& border : lines_->borders)
+            if (moves) add_change(border.change);
     }
+    Uploaded uploaded{make_vertex_array(*gl_), make_buffer(*gl_), make_buffer(*gl_),
+                      GLsizei(ends.size())};
+    upload(uploaded, uploaded.ends, ends, 0);
+    if (moves) upload(uploaded, uploaded.changes, changes, 2);
     check_gl(*gl_, "uploading lines");
     return uploaded;
 }
 
-void GlEditLines::draw(Kind kind, const Camera& camera, const PictureSize& samples, int pixel) {
+void GlEditLines::draw(Kind kind, const Camera& camera, const PictureSize& samples, int pixel,
+                       double share) {
     if (!lines_) return;
     std::optional<Uploaded>& lines = kind == Kind::edges ? edges_ : borders_;
     if (!lines) lines = upload(kind);
@@ -72,6 +87,7 @@ void GlEditLines::draw(Kind kind, const Camera& camera, const PictureSize& sampl
     program_.set("size", glm::vec2(float(samples.width), float(samples.height)));
     program_.set("width", look.width * float(pixel));
     program_.set("color", look.color);
+    program_.set("share", float(lines_->changes.empty() ? 0.0 : share));
     gl_->Enable(GL_DEPTH_TEST);
     gl_->Enable(GL_BLEND);
     gl_->BlendEquation(GL_FUNC_ADD);

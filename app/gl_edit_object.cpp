@@ -121,9 +121,9 @@ void GlEditObject::draw_samples(const ObjectViewOptions& options) {
     const Camera camera = camera_of(options.camera, surface_->sphere, options.size);
     samples_->colors.bind();
     scene_->draw(camera, samples, {0, 0, samples.width, samples.height}, options.lit);
-    if (options.edges) lines_.draw(GlEditLines::Kind::edges, camera, samples, options.supersample);
-    if (options.borders)
-        lines_.draw(GlEditLines::Kind::borders, camera, samples, options.supersample);
+    for (const auto& [kind, shown] : {std::pair(GlEditLines::Kind::edges, options.edges),
+                                      std::pair(GlEditLines::Kind::borders, options.borders)})
+        if (shown) lines_.draw(kind, camera, samples, options.supersample, options.share);
     gl_->Disable(GL_DEPTH_TEST);
 }
 
@@ -150,6 +150,7 @@ const GlTexture* GlEditObject::draw(const ObjectViewOptions& options) {
     drew_ = drawn_ != options;
     if (drew_) {
         make_targets(options);
+        scene_->set_target_share(options.share);
         if (is_direct(options)) {
             draw_pixels(options);
         } else {

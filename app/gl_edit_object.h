@@ -19,6 +19,7 @@ struct ObjectViewOptions {
     PictureSize size{};  ///< in pixels
     EditCamera camera{};
     bool lit = true;
+    double share = 0.0;                   ///< of the way to its pose
     bool edges = false, borders = false;  ///< of triangles and charts, as far as there are lines
     int supersample = 1;  ///< samples a side of a pixel: 1 while things move, 2 at rest
     bool operator==(const ObjectViewOptions&) const = default;

@@ -55,6 +55,7 @@ EditorProgram::EditorProgram(std::unique_ptr<GlWindow> window, const EditorOptio
       export_([this] { window_->wake(); }),
       files_([this] { window_->wake(); }, options.recent),
       baker_([this] { window_->wake(); }),
+      posed_pick_([this] { window_->wake(); }),
       object_(window_->context().gl()),
       figures_([this] { window_->wake(); }),
       atlas_(window_->context().gl(), [this] { window_->wake(); }) {
@@ -117,11 +118,16 @@ void EditorProgram::take_screenshot() {
 }
 
 /// The recipe on the screen, or while comparing the one that was opened.
+Recipe EditorProgram::shown_recipe() {
+    return comparing_ ? still_of(opened_, session_.time()) : session_.still();
+}
+
+/// How far the mesh has gone to its pose is no affair of the texture's.
 void EditorProgram::request_texture() {
     if (baker_.want_sheet(atlas_.state.shown)) requested_.reset();
     if (comparing_ && compared_ != session_.recipe()) comparing_ = false;
-    const WorkerRequest wanted{comparing_ ? still_of(opened_, session_.time()) : session_.still(),
-                               session_.history().in_gesture() || timeline_.moving()};
+    WorkerRequest wanted{shown_recipe(), is_moving()};
+    wanted.recipe.pose = {};
     const bool same = requested_ && requested_->recipe == wanted.recipe &&
                       (requested_->moving == wanted.moving || !requested_->moving);
     if (same) return;
@@ -130,8 +136,8 @@ void EditorProgram::request_texture() {
 }
 
 bool EditorProgram::settled() const {
-    return files_.idle() && baker_.idle() && atlas_.idle() && !object_.uploading() &&
-           !session_.history().in_gesture() && !timeline_.moving();
+    return files_.idle() && baker_.idle() && posed_pick_.idle() && atlas_.idle() &&
+           !object_.uploading() && !is_moving();
 }
 
 void EditorProgram::frame(const std::vector<InputEvent>& events) {
@@ -166,6 +172,8 @@ void EditorProgram::panels(const std::vector<InputEvent>& events) {
         renderer_.upload_fonts();
     }
     still_ = nullptr;
+    share_ = pose_share();
+    posed_pick_.follow(object_.surface(), share_, is_moving());
     ImGui::NewFrame();
     shortcuts();
     layout();
@@ -210,6 +218,8 @@ void EditorProgram::settle() {
     do {
         frame({});
     } while (object_.uploading());
+    frame({});
+    posed_pick_.wait();
     if (gallery_) gallery_->wait();
     figures_.wait();
     atlas_.wait();

@@ -15,6 +15,7 @@
 #include "app/edit_paint.h"
 #include "app/edit_panel_presets.h"
 #include "app/edit_panels.h"
+#include "app/edit_posed_pick.h"
 #include "app/edit_session.h"
 #include "app/edit_timeline.h"
 #include "app/gl_edit_atlas.h"
@@ -97,6 +98,12 @@ class EditorProgram {
     void take_files();
     void take_mesh(FileRead read);
     void take_recipe(FileRead read);
+    void take_pose(const FileRead& read);
+    void open_pose(const std::string& path);
+    void close_pose();
+    void pose_menu();
+    double pose_share();
+    std::shared_ptr<const SurfacePick> pick() const;
     void settle();
     void open(const std::string& path);
     void recent_menu();
@@ -131,6 +138,9 @@ class EditorProgram {
     void object_image(const ImVec2& low, const ImVec2& size);
     void draw_screen();
     void request_texture();
+    Recipe shown_recipe();
+    /// A slider, a hand or the clock changes what is seen.
+    bool is_moving() const { return session_.history().in_gesture() || timeline_.moving(); }
     void compare();
     void take_tool(bool& tool);
     MetricsView metrics();
@@ -159,6 +169,8 @@ class EditorProgram {
     EditMove move_;
     Recipe opened_;  ///< to compare with
     std::string opened_path_;
+    bool posed_ = false;  ///< the mesh has a pose
+    double share_ = 0.0;  ///< of the way there that is shown
     std::optional<WorkerRequest> requested_;
     std::uint64_t request_ = 0;
     double last_seconds_ = 0.0;
@@ -176,6 +188,7 @@ class EditorProgram {
     ImTextureID still_{};  ///< the object's picture, where it is the last frame's
 
     EditBaker baker_;
+    EditPosedPick posed_pick_;
     GlEditObject object_;
     std::optional<GlEditGallery> gallery_;
     std::string preset_search_;

@@ -32,7 +32,7 @@ LazyPicture render_lazily(GlContext& context, Pipeline& pipeline, const View& vi
     LazyPicture result;
     const ViewSource source{pipeline.mesh_atlas(), pipeline.solid(), pipeline.recipe(),
                             options.rule};
-    const Scene scene = baked_scene(pipeline, options.crease_degrees);
+    const Scene scene = baked_scene(pipeline, options.crease_degrees, options.pose);
     const SceneMaterial& material = baked_material(scene);
     const Camera camera = orbit_camera(view, bounding_sphere(scene), options.picture.size);
     GlScene drawn(context.gl(), scene, options.filter);

@@ -8,6 +8,7 @@
 #include "app/gl_render.h"
 #include "app/pipeline.h"
 #include "app/view_texture.h"
+#include "atlas/mesh_pose.h"
 
 namespace burl {
 
@@ -17,6 +18,7 @@ struct LazyOptions {
     LevelRule rule{.direct = true};         ///< of the bake's --levels
     HostWay way{};
     double crease_degrees = 40.0;
+    const MeshPose* pose = nullptr;  ///< of the pipeline's mesh; null: none
     std::uint32_t cell = view_cell;
     Skips skips{};  ///< without Skip::unseen_tiles the whole atlas is worked out
 };

@@ -110,6 +110,10 @@ void GlScene::set_texture(int number, const SceneTexture& texture) {
     textures_[n] = burl::upload(gl_, texture, filters_[n]);
 }
 
+void GlScene::set_target_share(double share) {
+    for (GlSurface& surface : surfaces_) surface.set_target_share(share);
+}
+
 void GlScene::clear(const SampleTile& tile, const Vec3f& color) const {
     gl_.Viewport(0, 0, tile.width, tile.height);
     gl_.ClearColor(color.x, color.y, color.z, 1.0f);

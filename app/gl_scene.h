@@ -32,6 +32,9 @@ class GlScene {
     /// Replaces the pixels of texture `number` of the scene; how it is looked up stays.
     void set_texture(int number, const SceneTexture& texture);
 
+    /// How far all surfaces that have a target have gone there; 0 to 1.
+    void set_target_share(double share);
+
     const GlTexture& texture(int number) const { return textures_[std::size_t(number)]; }
 
     /// Draws one tile of the picture in linear light into the bound framebuffer; `lit`: under the

@@ -2,10 +2,26 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 namespace burl {
 
 namespace {
+
+/// What is added to a vertex at the end of its way.
+struct Change {
+    Vec3f position, normal, tangent;
+};
+
+std::vector<Change> pack_changes(const SurfaceTarget& target, double scale) {
+    std::vector<Change> changes(target.positions.size());
+    for (std::size_t i = 0; i < changes.size(); ++i) {
+        changes[i].position = Vec3f(target.positions[i] / scale);
+        changes[i].normal = target.normals.empty() ? Vec3f(0.0f) : target.normals[i];
+        changes[i].tangent = target.tangents.empty() ? Vec3f(0.0f) : target.tangents[i];
+    }
+    return changes;
+}
 
 /// Takes the whole picture's clip space to the tile's, turned over so that rows come top first.
 Mat4d tile_from_clip(const SampleTile& tile, const PictureSize& samples) {
@@ -45,6 +61,7 @@ GlSurface::GlSurface(const GladGLContext& gl, const Surface& surface, const Mat4
     : vertex_array_(make_vertex_array(gl)),
       local_from_unit_(frame),
       material_(surface.material),
+      target_share_(surface.target_share),
       placements_(surface.placements) {
     gl.BindVertexArray(vertex_array_.get());
     make(gl, Stream::position, surface.positions.size(), sizeof(Vec3f));
@@ -122,6 +139,7 @@ bool GlSurface::upload(const GladGLContext& gl, const Surface& surface, std::siz
     }
     check_gl(gl, "uploading a surface");
     if (stream_ < streams_.size()) return false;
+    if (!surface.target.positions.empty()) upload_target(gl, surface.target);
     points_ = {};
     uvs_ = {};
     return true;
@@ -137,10 +155,30 @@ void GlSurface::set_constants(const GladGLContext& gl) const {
     set(Stream::tangent, Vec4f(0.0f));
 }
 
+/// Beside the vertices, so that surfaces without a target have none of it.
+void GlSurface::upload_target(const GladGLContext& gl, const SurfaceTarget& target) {
+    const std::vector<Change> changes = pack_changes(target, local_from_unit_[0][0]);
+    gl.BindVertexArray(vertex_array_.get());
+    changes_ = make_buffer(gl);
+    gl.BindBuffer(GL_ARRAY_BUFFER, changes_->get());
+    gl.BufferData(GL_ARRAY_BUFFER, GLsizeiptr(changes.size() * sizeof(Change)), changes.data(),
+                  GL_STATIC_DRAW);
+    const auto set = [&](GLuint index, std::size_t offset) {
+        gl.EnableVertexAttribArray(index);
+        gl.VertexAttribPointer(index, 3, GL_FLOAT, GL_FALSE, sizeof(Change),
+                               reinterpret_cast<const void*>(offset));
+    };
+    set(6, offsetof(Change, position));
+    set(7, offsetof(Change, normal));
+    set(8, offsetof(Change, tangent));
+    check_gl(gl, "uploading a target");
+}
+
 void GlSurface::draw(const GladGLContext& gl, const GlProgram& program,
                      const TileView& view) const {
     gl.BindVertexArray(vertex_array_.get());
     set_constants(gl);
+    program.set("target_share", float(changes_ ? target_share_ : 0.0));
     for (const Mat4d& placement : placements_) {
         const Mat4d eye_from_local = view.eye_from_scene * placement * local_from_unit_;
         program.set("clip_from_local", glm::mat4(view.clip_from_eye * eye_from_local));

@@ -3,6 +3,7 @@
 // and scaled into [-1,1] so that float32 suffices wherever the surface lies. A large surface is
 // uploaded piece by piece, so that who draws frames meanwhile goes on doing so.
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "app/camera.h"
@@ -35,6 +36,9 @@ class GlSurface {
     /// All placements by a program in use with the uniforms of mesh.vert.
     void draw(const GladGLContext& gl, const GlProgram& program, const TileView& view) const;
 
+    /// How far it has gone to its target, if it has one.
+    void set_target_share(double share) { target_share_ = share; }
+
     const SceneMaterial& material() const { return material_; }
     bool in_blocks() const { return has(Stream::block); }
     bool bumped() const { return material_.normals >= 0 && has(Stream::tangent); }
@@ -52,6 +56,7 @@ class GlSurface {
     bool has(Stream stream) const { return streams_[std::size_t(stream)].count > 0; }
     void make(const GladGLContext& gl, Stream stream, std::size_t count, std::size_t stride);
     void set_constants(const GladGLContext& gl) const;
+    void upload_target(const GladGLContext& gl, const SurfaceTarget& target);
     const void* piece(const Surface& surface, Stream stream, std::size_t first, std::size_t count);
 
     GlVertexArray vertex_array_;
@@ -61,6 +66,8 @@ class GlSurface {
     std::vector<glm::vec2> uvs_;
     Mat4d local_from_unit_{1.0};
     SceneMaterial material_;
+    std::optional<GlBuffer> changes_;  ///< of vertices on their way to a target
+    double target_share_ = 0.0;
     std::vector<Mat4d> placements_;
 };
 

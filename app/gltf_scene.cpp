@@ -79,14 +79,22 @@ std::size_t add_indices(GltfScene& scene, const std::vector<std::uint32_t>& indi
 struct PrimitiveIds {
     std::size_t position, normal, uv, indices;
     std::optional<std::size_t> block, tangent;
+    Json target{};  ///< null: none
 };
 
-std::size_t add_mesh(GltfScene& scene, const std::string& name, const PrimitiveIds& ids) {
+std::size_t add_mesh(GltfScene& scene, const std::string& name, const PrimitiveIds& ids,
+                     const GltfTarget& target) {
     Json attributes{{"POSITION", ids.position}, {"NORMAL", ids.normal}, {"TEXCOORD_0", ids.uv}};
     if (ids.tangent) attributes["TANGENT"] = *ids.tangent;
     if (ids.block) attributes["_BURL_BLOCK"] = *ids.block;
-    const Json primitive{{"attributes", attributes}, {"indices", ids.indices}, {"material", 0}};
-    return append(scene.json["meshes"], {{"name", name}, {"primitives", Json::array({primitive})}});
+    Json primitive{{"attributes", attributes}, {"indices", ids.indices}, {"material", 0}};
+    if (!ids.target.is_null()) primitive["targets"] = Json::array({ids.target});
+    Json mesh{{"name", name}, {"primitives", Json::array({primitive})}};
+    if (!ids.target.is_null()) {
+        mesh["weights"] = Json::array({target.weight});
+        mesh["extras"]["targetNames"] = Json::array({target.name});
+    }
+    return append(scene.json["meshes"], std::move(mesh));
 }
 
 /// Hands out each name once: "leg", "leg 2", "leg 3".
@@ -115,6 +123,16 @@ void add_node(GltfScene& scene, const std::string& name, std::size_t mesh,
     scene.json["scenes"][0]["nodes"].push_back(append(scene.json["nodes"], std::move(node)));
 }
 
+Json add_target(GltfScene& scene, const VertexTarget& target) {
+    const auto add = [&](const std::vector<Vec3f>& values) {
+        return add_accessor(scene, as_bytes(values), gl_array_buffer, gl_float, values.size(),
+                            "VEC3");
+    };
+    Json ids{{"POSITION", add_positions(scene, target.positions)}, {"NORMAL", add(target.normals)}};
+    if (!target.tangents.empty()) ids["TANGENT"] = add(target.tangents);
+    return ids;
+}
+
 PrimitiveIds add_primitive(GltfScene& scene, const PartVertices& v) {
     PrimitiveIds ids{
         add_positions(scene, v.positions),
@@ -123,21 +141,25 @@ PrimitiveIds add_primitive(GltfScene& scene, const PartVertices& v) {
         add_accessor(scene, as_bytes(v.uvs), gl_array_buffer, gl_float, v.uvs.size(), "VEC2"),
         add_indices(scene, v.indices, v.positions.size()),
         std::nullopt,
-        std::nullopt};
+        std::nullopt,
+        {}};
     if (!v.tangents.empty())
         ids.tangent = add_accessor(scene, as_bytes(v.tangents), gl_array_buffer, gl_float,
                                    v.tangents.size(), "VEC4");
     if (!v.blocks.empty())
         ids.block = add_accessor(scene, as_bytes(v.blocks), gl_array_buffer, gl_float,
                                  v.blocks.size(), "VEC4");
+    if (!v.target.positions.empty()) ids.target = add_target(scene, v.target);
     return ids;
 }
 
-void add_part(GltfScene& scene, const Part& part, const std::string& fallback_name,
-              const PartVertices& vertices, UniqueNames& names) {
+void add_part(GltfScene& scene, const GltfContent& content, const PartVertices& vertices,
+              UniqueNames& names) {
+    const Part& part = content.mesh.parts[vertices.part];
+    const std::string fallback_name = content.mesh.name.empty() ? "mesh" : content.mesh.name;
     const std::string name = part.name.empty() ? fallback_name : part.name;
     const PrimitiveIds ids = add_primitive(scene, vertices);
-    const std::size_t mesh = add_mesh(scene, name, ids);
+    const std::size_t mesh = add_mesh(scene, name, ids, content.target);
     for (const Mat4d& instance : part.instances) {
         if (const auto place = decompose(centred(instance, vertices))) {
             add_node(scene, names(name), mesh, *place);
@@ -145,7 +167,8 @@ void add_part(GltfScene& scene, const Part& part, const std::string& fallback_na
         }
         const PartVertices& moved = scene.placed.emplace_back(placed(vertices, instance));
         const PrimitiveIds moved_ids = add_primitive(scene, moved);
-        add_node(scene, names(name), add_mesh(scene, name, moved_ids), node_of_placed(moved));
+        add_node(scene, names(name), add_mesh(scene, name, moved_ids, content.target),
+                 node_of_placed(moved));
     }
 }
 
@@ -220,10 +243,7 @@ GltfScene build_gltf_scene(const GltfContent& content) {
         scene.json[array] = Json::array();
     }
     UniqueNames names;
-    const std::string fallback = content.mesh.name.empty() ? "mesh" : content.mesh.name;
-    for (const PartVertices& vertices : content.vertices) {
-        add_part(scene, content.mesh.parts[vertices.part], fallback, vertices, names);
-    }
+    for (const PartVertices& vertices : content.vertices) add_part(scene, content, vertices, names);
     scene.json["materials"] = Json::array({material(bool(content.normal_png))});
     scene.json["textures"] = textures(content);
     scene.json["samplers"] = Json::array({sampler(content.atlas)});

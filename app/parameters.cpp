@@ -131,6 +131,8 @@ constexpr std::array table{
               "share of the stroke's colour where it covers most"},
     Parameter{"paint.*.points.*", numbers, -1e9, 1e9, 0.01, 3, "solid units", "", "",
               "a point of the stroke's line, before solid.scale"},
+    Parameter{"pose.weight", number, 0, 1, 0.05, 1, "", "1", "",
+              "of a mesh with a pose, how far it has gone there; the texture sticks to it"},
     Parameter{"animation.seconds", number, 0.01, 3600, 0.1, 1, "s", "2", "",
               "how long the animation is"},
     Parameter{"animation.rate", integer, 1, 240, 1, 1, "frames/s", "24", "",

@@ -24,6 +24,12 @@ struct SolidOptions {
     bool operator==(const SolidOptions&) const = default;
 };
 
+/// Of a mesh that has a pose (atlas/mesh_pose.h).
+struct PoseOptions {
+    double weight = 1.0;  ///< 0: at rest, 1: posed
+    bool operator==(const PoseOptions&) const = default;
+};
+
 struct Recipe {
     std::string name;
     AtlasOptions atlas;
@@ -34,6 +40,7 @@ struct Recipe {
     Filter filter;
     Precision precision;
     std::vector<PaintStroke> paint;  ///< over the texture, in this order
+    PoseOptions pose;                ///< what is drawn; the texture is that of the mesh at rest
     KeyedAnimation animation;        ///< app/keyed_recipe.h: the recipe at a time
     bool operator==(const Recipe&) const = default;
 };

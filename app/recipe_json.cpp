@@ -121,6 +121,7 @@ Recipe recipe_from_json(const Json& json, const ImageReader& read_image) {
     read(filter, "octaves", filter_octaves, recipe.filter.band_limit);
     recipe.precision = precision_from_json(part("precision"));
     if (json.contains("paint")) recipe.paint = paint_from_json(json["paint"]);
+    if (part("pose").contains("weight")) recipe.pose.weight = part("pose")["weight"].get<double>();
     if (json.contains("animation")) recipe.animation = animation_from_json(json["animation"]);
     return recipe;
 }
@@ -153,6 +154,7 @@ Json tree_of(const Recipe& recipe) {
         json["bump"] = {{"height", recipe.bump.height},
                         {"input", graph_to_json(recipe.bump.input)}};
     if (!recipe.paint.empty()) json["paint"] = paint_to_json(recipe.paint);
+    if (recipe.pose != PoseOptions{}) json["pose"] = {{"weight", recipe.pose.weight}};
     if (recipe.animation != KeyedAnimation{})
         json["animation"] = animation_to_json(recipe.animation);
     return json;

@@ -22,15 +22,18 @@ bool is_sample_mesh(const std::string& argument) {
     return argument.starts_with(prefix);
 }
 
-Mesh sample_mesh(const std::string& argument, const ReadOptions& options) {
+FileBuffer sample_file(const std::string& argument) {
     const std::string file_name = argument.substr(prefix.size()) + std::string(extension);
     for (const EmbeddedFile& file : embedded_meshes()) {
-        if (file.name != file_name) continue;
-        return build_mesh(parse_mesh(buffer_from(file.content, file_name), options), file_name,
-                          options);
+        if (file.name == file_name) return buffer_from(file.content, file_name);
     }
     throw Error(ExitCode::usage, fmt::format("there is no mesh \"{}\"; the samples are {}",
                                              argument, fmt::join(sample_mesh_names(), ", ")));
+}
+
+Mesh sample_mesh(const std::string& argument, const ReadOptions& options) {
+    const FileBuffer file = sample_file(argument);
+    return build_mesh(parse_mesh(file, options), file.path, options);
 }
 
 std::vector<std::string> sample_mesh_names() {

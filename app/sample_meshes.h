@@ -4,12 +4,16 @@
 #include <string>
 #include <vector>
 
+#include "atlas/file_buffer.h"
 #include "atlas/mesh_io.h"
 
 namespace burl {
 
 /// Whether a mesh argument names a sample; a file of such a name is reached as "./sample:...".
 bool is_sample_mesh(const std::string& argument);
+
+/// Its file. Throws Error(usage), with the names there are, when it is none of them.
+FileBuffer sample_file(const std::string& argument);
 
 /// The mesh "sample:NAME". Throws Error(usage), with the names there are, when it is none of them.
 Mesh sample_mesh(const std::string& argument, const ReadOptions& options = {});

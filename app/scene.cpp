@@ -82,6 +82,9 @@ void add_tangents(Surface& surface) {
     spread(surface.uvs, surface.triangles);
     spread(surface.colors, surface.triangles);
     spread(surface.blocks, surface.triangles);
+    spread(surface.target.positions, surface.triangles);
+    spread(surface.target.normals, surface.triangles);
+    surface.target.tangents.clear();  // of other ones
     std::uint32_t corner = 0;
     for (Triangle& triangle : surface.triangles)
         for (std::uint32_t& vertex : triangle) vertex = corner++;
@@ -95,7 +98,11 @@ Sphere bounding_sphere(const Scene& scene) {
             for (const Mat4d& placement : surface.placements) {
                 for (const Triangle& triangle : surface.triangles) {
                     for (const std::uint32_t vertex : triangle) {
-                        visit(Vec3d(placement * Vec4d(surface.positions[vertex], 1.0)));
+                        const Vec3d& point = surface.positions[vertex];
+                        visit(Vec3d(placement * Vec4d(point, 1.0)));
+                        if (surface.target.positions.empty()) continue;
+                        const Vec3d end = point + surface.target.positions[vertex];
+                        visit(Vec3d(placement * Vec4d(end, 1.0)));
                     }
                 }
             }

@@ -38,6 +38,12 @@ struct SceneMaterial {
     float normal_scale = 1.0f;
 };
 
+/// Where a surface's vertices go: what is added to each, times the share of the way gone.
+struct SurfaceTarget {
+    std::vector<Vec3d> positions;          ///< local
+    std::vector<Vec3f> normals, tangents;  ///< or empty
+};
+
 /// Indexed triangles drawn with one material at one or more places.
 struct Surface {
     std::vector<Vec3d> positions;  ///< local
@@ -48,9 +54,17 @@ struct Surface {
     /// Per position the part of the texture it may show (low u, low v, high u, high v), or empty:
     /// lookups of every MIP level are clamped to it.
     std::vector<Vec4f> blocks;
+    SurfaceTarget target{};     ///< one of each per position, or empty
+    double target_share = 1.0;  ///< of the target's way that is gone
     std::vector<Triangle> triangles;
     SceneMaterial material;
     std::vector<Mat4d> placements{Mat4d(1.0)};  ///< scene from local
+
+    /// Where vertex `i` is drawn, local.
+    Vec3d drawn(std::uint32_t i) const {
+        if (target.positions.empty()) return positions[i];
+        return positions[i] + target_share * target.positions[i];
+    }
 };
 
 struct Scene {
@@ -79,7 +93,8 @@ inline constexpr Vec4f default_grey{0.6f, 0.6f, 0.6f, 1.0f};
 /// The mesh with its own normals, UVs and colours, else normals with creases at 40 degrees.
 Scene scene_from_mesh(const Mesh& mesh, const SceneMaterial& material);
 
-/// Sphere around the centre of the box of all placed, drawn points, as bounding_sphere(Mesh).
+/// Sphere around the centre of the box of all placed points that triangles use, both as they are
+/// and, so that views stay the same on the way, as their target has them; as bounding_sphere(Mesh).
 Sphere bounding_sphere(const Scene& scene);
 
 }  // namespace burl

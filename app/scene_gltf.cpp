@@ -3,6 +3,7 @@
 #include <tiny_gltf.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <map>
 #include <string_view>
@@ -93,6 +94,7 @@ class GltfSceneLoader {
         }
         set_blocks(surface, primitive);
         set_tangents(surface, primitive);
+        set_target(surface, primitive, weights_of(placement.mesh), where);
         if (primitive.material >= 0) set_material(surface, primitive, where);
         if (surface.normals.empty()) make_flat(surface);
         if (surface.material.normals >= 0 && surface.tangents.empty()) add_tangents(surface);
@@ -109,6 +111,51 @@ class GltfSceneLoader {
             const double* v = values[i];
             surface.blocks.emplace_back(float(v[0]), float(v[1]), float(v[2]), float(v[3]));
         }
+    }
+
+    /// Of the mesh's morph targets: its first node's own, else the mesh's, else none.
+    std::vector<double> weights_of(int mesh) const {
+        for (const tinygltf::Node& node : model_.nodes)
+            if (node.mesh == mesh && !node.weights.empty()) return node.weights;
+        return model_.meshes[std::size_t(mesh)].weights;
+    }
+
+    /// One target goes as far as its weight says; several are added up to one.
+    void set_target(Surface& surface, const tinygltf::Primitive& primitive,
+                    std::vector<double> weights, const std::string& where) const {
+        weights.resize(primitive.targets.size());
+        const bool one = weights.size() == 1;
+        if (!one && std::ranges::all_of(weights, [](double w) { return w == 0.0; })) return;
+        surface.target_share = one ? weights[0] : 1.0;
+        for (std::size_t i = 0; i < weights.size(); ++i)
+            add_target(surface, primitive.targets[i], one ? 1.0 : weights[i], where);
+    }
+
+    void add_target(Surface& surface, const std::map<std::string, int>& target, double weight,
+                    const std::string& where) const {
+        const auto add = [&](const char* name, auto& sums, bool wanted) {
+            const auto found = target.find(name);
+            if (!wanted || found == target.end()) return;
+            const AccessorValues values = read_accessor(model_, found->second);
+            if (values.components != 3 || values.count() != surface.positions.size())
+                throw invalid_file(
+                    path_, 0,
+                    fmt::format("{}: {} of a morph target has a wrong type or count", where, name));
+            using Value = std::decay_t<decltype(sums[0])>;
+            sums.resize(values.count(), Value(0));
+            for (std::size_t i = 0; i < values.count(); ++i)
+                sums[i] += Value(weight * Vec3d(values[i][0], values[i][1], values[i][2]));
+        };
+        add("POSITION", surface.target.positions, true);
+        add("NORMAL", surface.target.normals, !surface.normals.empty());
+        add("TANGENT", surface.target.tangents, !surface.tangents.empty());
+        for (const Vec3d& change : surface.target.positions)
+            for (int k = 0; k < 3; ++k)
+                if (!(std::abs(change[k]) <= largest_coordinate))
+                    throw invalid_file(path_, 0,
+                                       fmt::format("{}: a morph target moves a vertex by what is "
+                                                   "not finite, or beyond 1e100",
+                                                   where));
     }
 
     /// Looked at where there is a normal map; without them they are computed.
@@ -249,6 +296,7 @@ class GltfSceneLoader {
         Surface flat;
         flat.material = surface.material;
         flat.placements = std::move(surface.placements);
+        flat.target_share = surface.target_share;
         for (const Triangle& t : surface.triangles) {
             const Vec3d& a = surface.positions[t[0]];
             const Vec3d n = glm::cross(surface.positions[t[1]] - a, surface.positions[t[2]] - a);
@@ -261,6 +309,8 @@ class GltfSceneLoader {
                 if (!surface.uvs.empty()) flat.uvs.push_back(surface.uvs[i]);
                 if (!surface.colors.empty()) flat.colors.push_back(surface.colors[i]);
                 if (!surface.blocks.empty()) flat.blocks.push_back(surface.blocks[i]);
+                if (!surface.target.positions.empty())
+                    flat.target.positions.push_back(surface.target.positions[i]);
             }
         }
         surface = std::move(flat);

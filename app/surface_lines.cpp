@@ -70,12 +70,13 @@ class Lines {
         : surface_(surface), groups_(surface.triangles.size()), sides_(sides_of(surface)) {}
 
     /// Charts are numbered from border_begin's end on.
-    void add_to(SurfaceLines& lines) {
+    void add_to(SurfaceLines& lines, bool changes) {
         std::vector<Side> borders;
         for (auto side = sides_.begin(); side != sides_.end();) {
             const auto end = std::find_if(
                 side, sides_.end(), [&](const Side& other) { return !other.same_edge(*side); });
             lines.edges.push_back(line(*side));
+            if (changes) lines.changes.push_back(change(*side));
             if (end - side == 2 && lie_together(side[0], side[1]))
                 groups_.join(side[0].triangle, side[1].triangle);
             else
@@ -112,15 +113,23 @@ class Lines {
     Vec3d point(std::uint32_t vertex) const {
         return Vec3d(surface_.placements.front() * Vec4d(surface_.positions[vertex], 1.0));
     }
+    Vec3d change(std::uint32_t vertex) const {
+        if (surface_.target.positions.empty()) return Vec3d(0.0);
+        return Mat3d(surface_.placements.front()) * surface_.target.positions[vertex];
+    }
+    SurfaceLine change(const Side& side) const { return {change(side.from), change(side.to)}; }
+    Vec3d normal(const Triangle& t, double share) const {
+        const auto at = [&](std::size_t k) { return point(t[k]) + share * change(t[k]); };
+        return glm::cross(at(1) - at(0), at(2) - at(0));
+    }
     Vec2d uv(std::uint32_t vertex) const {
         return surface_.uvs.empty() ? Vec2d(0.0) : surface_.uvs[vertex];
     }
     SurfaceLine line(const Side& side) const { return {point(side.from), point(side.to)}; }
     BorderLine border(const Side& side) const {
         const Triangle& t = surface_.triangles[side.triangle];
-        const Vec3d corner = point(t[0]);
-        return {line(side), uv(side.from), uv(side.to),
-                glm::cross(point(t[1]) - corner, point(t[2]) - corner)};
+        const Vec3d rest = normal(t, 0.0);
+        return {line(side), uv(side.from), uv(side.to), rest, change(side), normal(t, 1.0) - rest};
     }
 
     const Surface& surface_;
@@ -130,10 +139,20 @@ class Lines {
 
 }  // namespace
 
+BorderLine BorderLine::at(double share) const {
+    BorderLine moved = *this;
+    moved.line.from += share * change.from;
+    moved.line.to += share * change.to;
+    moved.normal += share * normal_change;
+    return moved;
+}
+
 SurfaceLines surface_lines(const Scene& scene) {
     SurfaceLines lines;
     lines.border_begin.push_back(0);
-    for (const Surface& surface : scene.surfaces) Lines(surface).add_to(lines);
+    const bool changes = std::ranges::any_of(
+        scene.surfaces, [](const Surface& surface) { return !surface.target.positions.empty(); });
+    for (const Surface& surface : scene.surfaces) Lines(surface).add_to(lines, changes);
     return lines;
 }
 

@@ -18,10 +18,19 @@ struct BorderLine {
     SurfaceLine line{};
     Vec2d from_uv{0.0}, to_uv{0.0};  ///< of its ends, on one of its sides
     Vec3d normal{0.0};               ///< of the triangle on that side, of any length
+    /// What is added at the end of the way to the surface's target.
+    SurfaceLine change{};
+    Vec3d normal_change{0.0};
+
+    /// On its way there.
+    BorderLine at(double share) const;
 };
 
 struct SurfaceLines {
-    std::vector<SurfaceLine> edges;   ///< of triangles
+    std::vector<SurfaceLine> edges;  ///< of triangles
+    /// Per edge what is added at the end of the way to the surfaces' targets; empty: there are
+    /// none.
+    std::vector<SurfaceLine> changes;
     std::vector<BorderLine> borders;  ///< by chart; one between two charts is there for each
     /// Chart c has borders border_begin[c] up to border_begin[c + 1].
     std::vector<std::size_t> border_begin;

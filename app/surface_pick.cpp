@@ -100,24 +100,24 @@ auto mixed(const Values& values, const Triangle& corners, const Vec3d& weights) 
            weights.z * values[corners[2]];
 }
 
-/// What follows from the triangle, the placement and the weights.
-SurfaceHit completed(const Scene& scene, SurfaceHit hit) {
-    const Surface& surface = scene.surfaces[hit.surface];
-    const Triangle& corners = surface.triangles[hit.triangle];
-    const Vec3d local = mixed(surface.positions, corners, hit.weights);
-    hit.point = transformed(surface.placements[hit.placement], local);
-    hit.mesh_point = transformed(surface.placements.front(), local);
-    if (!surface.uvs.empty()) hit.uv = mixed(surface.uvs, corners, hit.weights);
-    return hit;
+/// Empty where nothing moves.
+std::vector<Vec3d> moved_places(const Surface& surface, double share) {
+    if (share == 0.0 || surface.target.positions.empty()) return {};
+    std::vector<Vec3d> places = surface.positions;
+    for (std::size_t i = 0; i < places.size(); ++i)
+        places[i] += share * surface.target.positions[i];
+    return places;
 }
 
 }  // namespace
 
-SurfacePick::SurfacePick(std::shared_ptr<const Scene> scene) : scene_(std::move(scene)) {
+SurfacePick::SurfacePick(std::shared_ptr<const Scene> scene, double share)
+    : scene_(std::move(scene)), share_(share) {
     for (const Surface& surface : scene_->surfaces) {
         Trees trees;
-        trees.points = tree_of(surface.triangles,
-                               [&](std::uint32_t corner) { return surface.positions[corner]; });
+        trees.moved = moved_places(surface, share);
+        const std::vector<Vec3d>& at = trees.moved.empty() ? surface.positions : trees.moved;
+        trees.points = tree_of(surface.triangles, [&](std::uint32_t corner) { return at[corner]; });
         if (!surface.uvs.empty())
             trees.uvs = tree_of(surface.triangles, [&](std::uint32_t corner) {
                 return Vec3d(surface.uvs[corner], 0.0);
@@ -128,11 +128,32 @@ SurfacePick::SurfacePick(std::shared_ptr<const Scene> scene) : scene_(std::move(
     }
 }
 
+/// What follows from the triangle, the placement and the weights.
+SurfaceHit SurfacePick::completed(SurfaceHit hit) const {
+    const Surface& surface = scene_->surfaces[hit.surface];
+    const Triangle& corners = surface.triangles[hit.triangle];
+    const Vec3d local = mixed(places(hit.surface), corners, hit.weights);
+    const Vec3d rest = mixed(surface.positions, corners, hit.weights);
+    hit.point = transformed(surface.placements[hit.placement], local);
+    hit.mesh_point = transformed(surface.placements.front(), rest);
+    if (!surface.uvs.empty()) hit.uv = mixed(surface.uvs, corners, hit.weights);
+    return hit;
+}
+
+Vec3d SurfacePick::normal(const SurfaceHit& hit) const {
+    const Surface& surface = scene_->surfaces[hit.surface];
+    const Triangle& t = surface.triangles[hit.triangle];
+    const std::vector<Vec3d>& at = places(hit.surface);
+    return Mat3d(surface.placements[hit.placement]) *
+           glm::cross(at[t[1]] - at[t[0]], at[t[2]] - at[t[0]]);
+}
+
 std::optional<SurfaceHit> SurfacePick::meet(const Ray& ray) const {
     std::optional<SurfaceHit> best;
     double end = ray.end;
     for (std::uint32_t s = 0; s < trees_.size(); ++s) {
         const Surface& surface = scene_->surfaces[s];
+        const std::vector<Vec3d>& at = places(s);
         for (std::uint32_t k = 0; k < trees_[s].local_from_scene.size(); ++k) {
             // The direction keeps its length, so that depths are those of the scene.
             const Mat4d& local_from_scene = trees_[s].local_from_scene[k];
@@ -142,8 +163,7 @@ std::optional<SurfaceHit> SurfacePick::meet(const Ray& ray) const {
             const ShearedRay sheared(local);
             trees_[s].points.along(local, end, [&](std::uint32_t t) {
                 const auto& [a, b, c] = surface.triangles[t];
-                const auto met =
-                    sheared.meet(surface.positions[a], surface.positions[b], surface.positions[c]);
+                const auto met = sheared.meet(at[a], at[b], at[c]);
                 if (!met || met->w < ray.begin || met->w > end) return;
                 const bool here = best && best->surface == s && best->placement == k;
                 if (best && met->w == end && !(here && t < best->triangle)) return;
@@ -152,7 +172,7 @@ std::optional<SurfaceHit> SurfacePick::meet(const Ray& ray) const {
             });
         }
     }
-    if (best) best = completed(*scene_, *best);
+    if (best) best = completed(*best);
     return best;
 }
 
@@ -171,7 +191,7 @@ std::optional<SurfaceHit> SurfacePick::at(const Vec2d& uv, double reach) const {
             distance = nearest.distance;
             best = SurfaceHit{s, t, 0, nearest.weights, {}, {}, {}, 0.0};
         });
-    if (best) best = completed(*scene_, *best);
+    if (best) best = completed(*best);
     return best;
 }
 

@@ -20,7 +20,8 @@ struct SurfaceHit {
     std::uint32_t placement = 0;  ///< index into Surface::placements
     Vec3d weights{0.0};           ///< barycentric, of the triangle's corners in order; sum 1
     Vec3d point{0.0};             ///< in the scene
-    /// The same point of the surface where its first placement has it. For a scene of
+    /// The same point of the surface, before it went to its target, where its first placement has
+    /// it. For a scene of
     /// baked_scene() (app/view_scene.h) these are the mesh's coordinates, which decide the colour:
     /// texture_from_mesh(recipe, mesh) takes them.
     Vec3d mesh_point{0.0};
@@ -33,9 +34,13 @@ class SurfacePick {
   public:
     /// Triangles' corners must lie within their surface's positions. 1 to 2 microseconds a
     /// triangle, some 70 bytes of each.
-    explicit SurfacePick(std::shared_ptr<const Scene> scene);
+    /// Surfaces that have a target have gone `share` of the way there.
+    explicit SurfacePick(std::shared_ptr<const Scene> scene, double share = 0.0);
 
     const Scene& scene() const { return *scene_; }
+    double share() const { return share_; }
+    /// Of the triangle in its placement, of any length.
+    Vec3d normal(const SurfaceHit& hit) const;
     /// The first triangle that the ray meets, from either side, in any placement; of equally near
     /// ones the first in order. Triangles without area are not met.
     std::optional<SurfaceHit> meet(const Ray& ray) const;
@@ -45,12 +50,21 @@ class SurfacePick {
     std::optional<SurfaceHit> at(const Vec2d& uv, double reach = 0.0) const;
 
   private:
+    /// Where the surface's vertices are, local.
+    const std::vector<Vec3d>& places(std::uint32_t surface) const {
+        const std::vector<Vec3d>& moved = trees_[surface].moved;
+        return moved.empty() ? scene_->surfaces[surface].positions : moved;
+    }
+    SurfaceHit completed(SurfaceHit hit) const;
+
     struct Trees {
+        std::vector<Vec3d> moved;  ///< on their way to a target; empty: they are where they are
         BoxTree points, uvs;
         std::vector<Mat4d> local_from_scene;  ///< per placement
     };
 
     std::shared_ptr<const Scene> scene_;
+    double share_;
     std::vector<Trees> trees_;  ///< per surface
 };
 

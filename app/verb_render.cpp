@@ -13,6 +13,7 @@
 #include "app/gl_render.h"
 #include "app/image_io.h"
 #include "app/lattice_check.h"
+#include "app/load_pose.h"
 #include "app/report.h"
 #include "app/scene.h"
 #include "app/verbs.h"
@@ -84,6 +85,11 @@ Image<Rgb8> draw_lazily(const RenderCommand& command) {
     Pipeline pipeline(options.meshes.load(options.scene));
     check_lattice(recipe, pipeline.mesh());
     pipeline.set_recipe(recipe);
+    std::optional<MeshPose> pose;
+    if (!options.pose.empty()) {
+        pose = load_pose(options.scene, options.pose, options.meshes.read);
+        lazy.pose = &*pose;
+    }
     const std::unique_ptr<GlContext> context = create_gl_context(command.platform);
     LazyPicture drawn = render_lazily(*context, pipeline, view, lazy);
     if (!command.report.empty()) write_json(command.report, work_json(drawn));
@@ -100,6 +106,7 @@ void draw_truth(const RenderCommand& command, const std::vector<std::string>& pa
 /// Files that are read and must not be written over.
 std::vector<std::string> inputs(const DirectOptions& options) {
     std::vector<std::string> files{options.scene, options.recipe.recipe};
+    if (is_pose_file(options.pose)) files.push_back(options.pose);
     for (const std::string& plane : options.planes) files.push_back(parse_plane(plane).recipe);
     return files;
 }
@@ -148,7 +155,7 @@ void add_render(CLI::App& program) {
     for (const char* option : {"--frames", "--plane", "--widths"})
         verb->get_option(option)->needs(direct);
     verb->callback([command, verb] {
-        for (const char* option : {"--recipe", "--set", "--time", "--precision"})
+        for (const char* option : {"--recipe", "--set", "--time", "--precision", "--pose"})
             if (verb->count(option) > 0 && !command->direct && !command->lazy)
                 throw Error(ExitCode::usage,
                             fmt::format("{} goes with --direct or --lazy: a scene that is drawn "

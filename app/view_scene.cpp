@@ -23,6 +23,14 @@ void resize(Surface& surface, std::size_t count, const PartVertices& like) {
     if (!like.blocks.empty()) surface.blocks.resize(count);
 }
 
+/// As a file of this weight has it.
+void set_target(Surface& surface, const VertexTarget& target, double weight) {
+    surface.target_share = weight;
+    surface.target.positions.assign(target.positions.begin(), target.positions.end());
+    surface.target.normals = target.normals;
+    surface.target.tangents = target.tangents;
+}
+
 Surface surface_of(const PartVertices& vertices, const SceneMaterial& material) {
     Surface surface;
     surface.material = material;
@@ -47,19 +55,24 @@ Surface surface_of(const PartVertices& vertices, const SceneMaterial& material) 
 
 /// The part where a node can place it, and a copy of it for every placement that none can.
 void add_part(Scene& scene, const Part& part, const PartVertices& vertices,
-              const SceneMaterial& material) {
+              const SceneMaterial& material, double weight) {
+    const auto add = [&](const PartVertices& drawn) {
+        scene.surfaces.push_back(surface_of(drawn, material));
+        if (!drawn.target.positions.empty())
+            set_target(scene.surfaces.back(), drawn.target, weight);
+    };
     std::optional<std::size_t> own;
     for (const Mat4d& instance : part.instances) {
         if (const auto place = decompose(centred(instance, vertices))) {
             if (!own) {
                 own = scene.surfaces.size();
-                scene.surfaces.push_back(surface_of(vertices, material));
+                add(vertices);
             }
             scene.surfaces[*own].placements.push_back(matrix_of(*place));
             continue;
         }
         const PartVertices moved = placed(vertices, instance);
-        scene.surfaces.push_back(surface_of(moved, material));
+        add(moved);
         scene.surfaces.back().placements.push_back(matrix_of(node_of_placed(moved)));
     }
 }
@@ -96,7 +109,7 @@ std::vector<Vec3f> normals_of(Pipeline& pipeline, double crease_degrees) {
 
 }  // namespace
 
-Scene baked_scene(Pipeline& pipeline, double crease_degrees) {
+Scene baked_scene(Pipeline& pipeline, double crease_degrees, const MeshPose* pose) {
     const std::vector<Vec3f> normals = normals_of(pipeline, crease_degrees);
     const Mesh& mesh = pipeline.atlas_mesh();
     const Atlas& atlas = pipeline.atlas();
@@ -104,10 +117,16 @@ Scene baked_scene(Pipeline& pipeline, double crease_degrees) {
     std::vector<Vec4f> tangents;
     if (bumped)
         tangents = corner_tangents(mesh.positions, mesh.triangles, corner_uvs(atlas), normals);
+    std::optional<PosedCorners> posed;
+    if (pose)
+        posed = posed_corners(mesh, atlas_pose(*pose, pipeline.mesh(), pipeline.mesh_atlas()),
+                              normals, bumped ? corner_uvs(atlas) : std::vector<Vec2d>());
     Scene scene;
     const SceneMaterial material = add_textures(scene, atlas.options, bumped);
-    for (const PartVertices& vertices : export_vertices(mesh, atlas, normals, tangents))
-        add_part(scene, mesh.parts[vertices.part], vertices, material);
+    for (const PartVertices& vertices :
+         export_vertices(mesh, atlas, normals, tangents, posed ? &*posed : nullptr))
+        add_part(scene, mesh.parts[vertices.part], vertices, material,
+                 pipeline.recipe().pose.weight);
     return scene;
 }
 

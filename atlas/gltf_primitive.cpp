@@ -37,6 +37,16 @@ Vec4f weights_of_sum_one(const double* w) {
     return sum > 0.0f && std::isfinite(sum) ? weights / sum : first_joint_only;
 }
 
+/// The elements moved by those of the target, where it has any by this name.
+AccessorValues moved(const tinygltf::Model& model, AccessorValues values,
+                     const std::map<std::string, int>* target, const char* name) {
+    if (!target || !target->contains(name)) return values;
+    const AccessorValues change = read_accessor(model, target->at(name));
+    if (change.components != values.components) return values;
+    for (std::size_t i = 0; i < values.values.size(); ++i) values.values[i] += change.values[i];
+    return values;
+}
+
 /// Points, lines, line loops and line strips of `vertices` vertices.
 std::uint64_t drawn_elements(int mode, std::size_t vertices) {
     if (mode == TINYGLTF_MODE_LINE) return vertices / 2;
@@ -47,13 +57,21 @@ std::uint64_t drawn_elements(int mode, std::size_t vertices) {
 }  // namespace
 
 PrimitiveReader::PrimitiveReader(const tinygltf::Model& model, const std::string& path,
-                                 const Mat4d& to_scene, PolygonSoup& soup)
+                                 const Mat4d& to_scene, PolygonSoup& soup,
+                                 std::optional<std::size_t> target)
     : model_(model),
       path_(path),
       to_scene_(to_scene),
       normal_to_scene_(normal_matrix(Mat3d(to_scene))),
       mirrored_(glm::determinant(Mat3d(to_scene)) < 0.0),
-      soup_(soup) {}
+      soup_(soup),
+      target_(target) {}
+
+/// Null: the primitive stays as it is.
+const std::map<std::string, int>* PrimitiveReader::target_of(
+    const tinygltf::Primitive& primitive) const {
+    return target_ && *target_ < primitive.targets.size() ? &primitive.targets[*target_] : nullptr;
+}
 
 void PrimitiveReader::append(const tinygltf::Primitive& primitive, const std::string& where) {
     const auto position = primitive.attributes.find("POSITION");
@@ -86,8 +104,11 @@ void PrimitiveReader::append(const tinygltf::Primitive& primitive, const std::st
 std::uint32_t PrimitiveReader::append_vertices(const tinygltf::Primitive& primitive,
                                                const std::string& where) {
     const std::size_t first = soup_.points.size();
+    std::map<std::string, int> arrays = primitive.attributes;
+    if (const auto* target = target_of(primitive))
+        for (const auto& [name, accessor] : *target) arrays["target " + name] = accessor;
     const auto [entry, is_new] =
-        first_point_of_.try_emplace(primitive.attributes, static_cast<std::uint32_t>(first));
+        first_point_of_.try_emplace(std::move(arrays), static_cast<std::uint32_t>(first));
     if (is_new) {
         append_positions(primitive, where);
         append_attributes(primitive, first, where);
@@ -97,7 +118,9 @@ std::uint32_t PrimitiveReader::append_vertices(const tinygltf::Primitive& primit
 
 void PrimitiveReader::append_positions(const tinygltf::Primitive& primitive,
                                        const std::string& where) {
-    const AccessorValues values = read_accessor(model_, primitive.attributes.at("POSITION"));
+    const AccessorValues values =
+        moved(model_, read_accessor(model_, primitive.attributes.at("POSITION")),
+              target_of(primitive), "POSITION");
     if (values.components != 3) throw invalid_file(path_, 0, where + ": POSITION must be VEC3");
     if (soup_.points.size() + values.count() >= no_index)
         throw Error(ExitCode::unsupported, fmt::format("{}: too many vertices", path_));
@@ -122,16 +145,20 @@ void PrimitiveReader::append_attributes(const tinygltf::Primitive& primitive, st
                             const auto& missing, const auto& convert) {
         const auto found = primitive.attributes.find(name);
         if (found == primitive.attributes.end()) return;
-        const AccessorValues source = read_accessor(model_, found->second);
+        const AccessorValues source =
+            moved(model_, read_accessor(model_, found->second), target_of(primitive), name);
         if (source.components < least || source.components > most)
             throw invalid_file(path_, 0, fmt::format("{}: {} has a wrong type", where, name));
         values.resize(first, missing);
         for (std::size_t i = 0; i < source.count(); ++i)
             values.push_back(convert(source[i], source.components));
     };
-    append("NORMAL", 3, 3, soup_.normals.values, Vec3f(0.0f), [&](const double* n, std::size_t) {
-        return Vec3f(glm::normalize(normal_to_scene_ * Vec3d(n[0], n[1], n[2])));
-    });
+    const auto* target = target_of(primitive);
+    if (!target || target->contains("NORMAL"))
+        append("NORMAL", 3, 3, soup_.normals.values, Vec3f(0.0f),
+               [&](const double* n, std::size_t) {
+                   return Vec3f(glm::normalize(normal_to_scene_ * Vec3d(n[0], n[1], n[2])));
+               });
     append("TEXCOORD_0", 2, 2, soup_.uvs.values, Vec2d(0.0), [](const double* uv, std::size_t) {
         return Vec2d(std::isfinite(uv[0]) ? uv[0] : 0.0, std::isfinite(uv[1]) ? uv[1] : 0.0);
     });

@@ -189,6 +189,12 @@ void weld_into(Mesh& mesh, const std::vector<Vec3d>& points, std::vector<std::ui
 
 }  // namespace
 
+std::vector<std::uint32_t> corners_of_triangles(PolygonSoup& soup) {
+    if (soup.face_sizes.empty()) return {};
+    MeshNotes notes;
+    return triangulate(soup, notes).source_corners;
+}
+
 Mesh build_mesh(PolygonSoup&& soup, const std::string& path, const ReadOptions& options) {
     check_size(soup, path);
     Mesh mesh;

@@ -11,6 +11,7 @@
 #include "atlas/gltf_document.h"
 #include "atlas/gltf_primitive.h"
 #include "atlas/gltf_scene.h"
+#include "atlas/gltf_targets.h"
 #include "atlas/mesh_readers.h"
 #include "atlas/text_scanner.h"
 
@@ -32,8 +33,10 @@ std::string name_of(const tinygltf::Model& model, int mesh) {
 
 class SceneReader {
   public:
-    SceneReader(const tinygltf::Model& model, const std::string& path, const ReadOptions& options)
-        : model_(model), path_(path), options_(options) {}
+    /// `target`: the morph target that is applied; empty: none.
+    SceneReader(const tinygltf::Model& model, const std::string& path, const ReadOptions& options,
+                std::string target = {})
+        : model_(model), path_(path), options_(options), target_(std::move(target)) {}
 
     PolygonSoup read() {
         const std::vector<GltfPlacement> placements = scene_placements(model_);
@@ -63,7 +66,9 @@ class SceneReader {
     void read_copy(const GltfPlacement& placement, const Mat4d& to_scene) {
         const tinygltf::Mesh& mesh = model_.meshes[static_cast<std::size_t>(placement.mesh)];
         const std::size_t first = soup_.face_count();
-        PrimitiveReader reader(model_, path_, to_scene, soup_);
+        PrimitiveReader reader(
+            model_, path_, to_scene, soup_,
+            target_.empty() ? std::optional<std::size_t>() : find_target(mesh, target_));
         for (std::size_t p = 0; p < mesh.primitives.size(); ++p)
             reader.append(mesh.primitives[p],
                           fmt::format("meshes[{}].primitives[{}]", placement.mesh, p));
@@ -96,6 +101,7 @@ class SceneReader {
     const tinygltf::Model& model_;
     const std::string& path_;
     const ReadOptions& options_;
+    std::string target_;
     PolygonSoup soup_;
     std::uint32_t next_face_number_ = 0;
     std::uint64_t stitches_ = 0;
@@ -106,6 +112,21 @@ class SceneReader {
 PolygonSoup parse_gltf(const FileBuffer& file, const ReadOptions& options) {
     const tinygltf::Model model = load_gltf(file);
     return SceneReader(model, file.path, options).read();
+}
+
+PolygonSoup parse_gltf_target(const FileBuffer& file, const std::string& target,
+                              const ReadOptions& options) {
+    const tinygltf::Model model = load_gltf(file);
+    const std::vector<std::string> names = target_names(model);
+    if (std::ranges::find(names, target) == names.end())
+        throw Error(ExitCode::usage,
+                    names.empty()
+                        ? fmt::format("{}: there is no morph target \"{}\", nor any other one",
+                                      file.path, target)
+                        : fmt::format("{}: there is no morph target \"{}\"; those of the file are "
+                                      "{}",
+                                      file.path, target, fmt::join(names, ", ")));
+    return SceneReader(model, file.path, options, target).read();
 }
 
 }  // namespace burl

@@ -2,10 +2,13 @@
 // A line as a rectangle of even width on the screen, a little nearer than the surface it lies on.
 layout(location = 0) in vec3 from;
 layout(location = 1) in vec3 to;
+layout(location = 2) in vec3 from_change;  // on the way to a target
+layout(location = 3) in vec3 to_change;
 
 uniform mat4 clip_from_unit;
 uniform vec2 size;    // of the target, in samples
 uniform float width;  // in samples
+uniform float share;  // of that way
 
 // The end itself or, where it lies before the near plane, where the line meets that.
 vec4 before_the_eye(vec4 end, vec4 other) {
@@ -14,7 +17,8 @@ vec4 before_the_eye(vec4 end, vec4 other) {
 }
 
 void main() {
-    vec4 a = clip_from_unit * vec4(from, 1.0), b = clip_from_unit * vec4(to, 1.0);
+    vec4 a = clip_from_unit * vec4(from + share * from_change, 1.0);
+    vec4 b = clip_from_unit * vec4(to + share * to_change, 1.0);
     vec4 low = before_the_eye(a, b), high = before_the_eye(b, a);
     vec2 along = (high.xy / high.w - low.xy / low.w) * size;
     float far = length(along);

@@ -23,8 +23,8 @@ TEST(EditReader, ReadsMeshesAndRecipes) {
     write_file(folder / "wood.json", to_json(load_recipe("wood")));
     std::atomic<int> woken = 0;
     EditReader reader([&] { ++woken; });
-    reader.read(FileKind::mesh, "sample:cube");
-    reader.read(FileKind::recipe, folder / "wood.json");
+    reader.read({FileKind::mesh, "sample:cube"});
+    reader.read({FileKind::recipe, folder / "wood.json"});
     reader.wait();
     std::vector<FileRead> read = reader.take();
     ASSERT_EQ(read.size(), 2u);
@@ -43,7 +43,7 @@ TEST(EditReader, TellsTheReadersSentence) {
     const ScratchFolder folder;
     write_file(folder / "bad.obj", "v 0 0 0\nf 1 2 3\n");
     EditReader reader([] {});
-    reader.read(FileKind::mesh, folder / "bad.obj");
+    reader.read({FileKind::mesh, folder / "bad.obj"});
     reader.wait();
     const std::vector<FileRead> read = reader.take();
     ASSERT_EQ(read.size(), 1u);
@@ -61,8 +61,8 @@ TEST(EditReader, OnlyTheLastOfAKindIsHeardOf) {
     const ScratchFolder folder;
     write_file(folder / "one.obj", triangle);
     EditReader reader([] {});
-    for (int i = 0; i < 20; ++i) reader.read(FileKind::mesh, "sample:teapot");
-    reader.read(FileKind::mesh, folder / "one.obj");
+    for (int i = 0; i < 20; ++i) reader.read({FileKind::mesh, "sample:teapot"});
+    reader.read({FileKind::mesh, folder / "one.obj"});
     reader.wait();
     const std::vector<FileRead> read = reader.take();
     ASSERT_FALSE(read.empty());

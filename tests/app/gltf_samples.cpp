@@ -59,6 +59,17 @@ void write_normal_map(const std::string& path, const Mesh& mesh) {
     export_scene(path, mesh, pair_atlas(mesh, 64), sample_image(64), options);
 }
 
+/// A morph target, with tangents, of every placement.
+void write_pose(const std::string& path, const Mesh& mesh) {
+    ExportOptions options;
+    options.normals = NormalMap{Image<Rgb8>(64, 64, {128, 128, 255}), true};
+    options.pose = ExportPose{{"stretched \xff", {}, {}}, 0.5};
+    for (const Triangle& t : mesh.triangles)
+        for (const std::uint32_t p : t)
+            options.pose->corners.positions.push_back(Vec3d(1, 2, 3) * mesh.positions[p]);
+    export_scene(path, mesh, pair_atlas(mesh, 64), sample_image(64), options);
+}
+
 }  // namespace
 
 int main(int count, char** arguments) try {
@@ -77,6 +88,8 @@ int main(int count, char** arguments) try {
     write_normal_map(folder + "normal map.gltf", cubes_in_placements());
     write_normal_map(folder + "normal_map_degenerate.glb", degenerate_faces());
     write_normal_map(folder + "normal_map_tiny.glb", scaled_cube(1e-30));
+    write_pose(folder + "pose.glb", cubes_in_placements());
+    write_pose(folder + "pose.gltf", degenerate_faces());
     return 0;
 } catch (const std::exception& e) {
     std::fprintf(stderr, "gltf_samples: %s\n", e.what());

@@ -1,0 +1,45 @@
+#include "app/load_pose.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <filesystem>
+#include <string_view>
+
+#include "app/sample_meshes.h"
+#include "atlas/error.h"
+
+namespace burl {
+
+namespace {
+
+FileBuffer bytes_of(const std::string& path) {
+    return is_sample_mesh(path) ? sample_file(path) : read_file(path);
+}
+
+}  // namespace
+
+bool is_pose_file(const std::string& pose) {
+    constexpr std::array<std::string_view, 6> extensions{".obj", ".ply",  ".stl",
+                                                         ".off", ".gltf", ".glb"};
+    std::string extension = std::filesystem::path(pose).extension().string();
+    std::ranges::transform(extension, extension.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return is_sample_mesh(pose) || std::ranges::find(extensions, extension) != extensions.end();
+}
+
+MeshPose load_pose(const std::string& mesh, const std::string& pose, const ReadOptions& options) {
+    return is_pose_file(pose) ? read_pose(bytes_of(mesh), bytes_of(pose), options)
+                              : read_target(bytes_of(mesh), pose, options);
+}
+
+std::vector<std::string> poses_of(const std::string& mesh) {
+    if (is_sample_mesh(mesh)) return {};
+    try {
+        return pose_names(read_file(mesh));
+    } catch (const Error&) {
+        return {};
+    }
+}
+
+}  // namespace burl
