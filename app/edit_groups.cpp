@@ -103,7 +103,7 @@ bool is_rare(const RecipeLeaf& leaf, std::string_view kind) {
 
 /// Where a group stands: the texture's own between its place and what bakes are about.
 int group_place(std::string_view name) {
-    constexpr std::array<std::pair<std::string_view, int>, 8> places{{{"pose", 0},
+    constexpr std::array<std::pair<std::string_view, int>, 8> places{{{"pose", 3},
                                                                       {"solid", 0},
                                                                       {"texture", 2},
                                                                       {"animation", 4},

@@ -103,7 +103,10 @@ TEST_F(EditAtlasTest, APointerOnTheOneIsMarkedInTheOther) {
     point(*editor, atlas.low + pixel_at({}, size, hit.uv));
     ASSERT_TRUE(editor->atlas().on_atlas());
     EXPECT_FALSE(editor->atlas().on_object());
-    EXPECT_LT(glm::distance(editor->atlas().on_atlas()->point, hit.point), 0.02);
+    // The pointer stands on whole pixels.
+    const SurfaceHit found = *editor->atlas().on_atlas();
+    EXPECT_LT(glm::distance(found.uv, hit.uv) * std::min(size.x, size.y), 1.5);
+    EXPECT_LT(glm::distance(found.point, hit.point), 0.05);
     EXPECT_GT(different_within(plain, editor->screenshot(), object), 20u);
     EXPECT_EQ(different(*editor, plain), 0u);
 }
