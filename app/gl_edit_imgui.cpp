@@ -17,6 +17,31 @@ glm::ivec2 pixel_size(const ImDrawData& data) {
             int(std::lround(data.DisplaySize.y * data.FramebufferScale.y))};
 }
 
+bool contains(const ScreenRect& outer, const ScreenRect& inner) {
+    return outer.low.x <= inner.low.x && outer.low.y <= inner.low.y &&
+           outer.high.x >= inner.high.x && outer.high.y >= inner.high.y;
+}
+
+/// Where the command shows all of an image, unblended with any colour; nothing where it does not.
+ScreenRect image_place(const ImDrawList& list, const ImDrawCmd& command) {
+    if (command.ElemCount != 6) return {};
+    const ImDrawIdx* index = list.IdxBuffer.Data + command.IdxOffset;
+    const ImDrawVert* vertices = list.VtxBuffer.Data + command.VtxOffset;
+    for (int i = 0; i < 6; ++i)
+        if (vertices[index[i]].col != IM_COL32_WHITE) return {};
+    // AddImage's quad begins at its low corner, and its third point is the high one.
+    return {vertices[index[0]].pos, vertices[index[2]].pos};
+}
+
+/// Whole pixels, row 0 the highest.
+PixelRect pixel_rect(const ScreenRect& part, const ImDrawData& data, const glm::ivec2& pixels) {
+    const auto pixel = [&](const ImVec2& at) {
+        return glm::ivec2((at.x - data.DisplayPos.x) * data.FramebufferScale.x,
+                          (at.y - data.DisplayPos.y) * data.FramebufferScale.y);
+    };
+    return {glm::max(pixel(part.low), glm::ivec2(0)), glm::min(pixel(part.high), pixels)};
+}
+
 ScreenRect whole(const ImDrawData& data) {
     const ImVec2 &low = data.DisplayPos, &size = data.DisplaySize;
     return {low, {low.x + size.x, low.y + size.y}};
@@ -84,27 +109,60 @@ void GlImGui::draw(const ImDrawData& data) const {
     check_gl(*gl_, "drawing the user interface");
 }
 
-void GlImGui::update(const ImDrawData& data, const Vec3f& background, ImTextureID still) {
+void GlImGui::update(const ImDrawData& data, const Vec3f& background, const OpaqueImage& image) {
     const glm::ivec2 pixels = pixel_size(data);
     if (pixels.x <= 0 || pixels.y <= 0) return;
+    const ImTextureID picture = image.target ? imgui_texture(image.target->texture()) : nullptr;
     const std::vector<ScreenRect> parts = changes_.update(data, [&](ImTextureID texture) {
-        return texture == still || texture == imgui_texture(fonts_);
+        return (image.still && texture == picture) || texture == imgui_texture(fonts_);
     });
     if (parts.empty()) return;
     set_state(data, pixels);
     gl_->ClearColor(background.x, background.y, background.z, 1.0f);
     for (const ScreenRect& part : parts) {
-        if (!scissor(part, data, pixels)) continue;
-        gl_->Clear(GL_COLOR_BUFFER_BIT);
-        draw_within(data, pixels, part);
+        const ImDrawCmd* copied = picture ? copy(data, pixels, part, *image.target) : nullptr;
+        if (!scissor(pixel_rect(part, data, pixels), pixels)) continue;
+        if (!copied) gl_->Clear(GL_COLOR_BUFFER_BIT);
+        draw_within(data, pixels, part, copied);
     }
     gl_->Disable(GL_SCISSOR_TEST);
     gl_->Disable(GL_BLEND);
     check_gl(*gl_, "drawing the user interface");
 }
 
-void GlImGui::draw_within(const ImDrawData& data, const glm::ivec2& pixels,
-                          const ScreenRect& part) const {
+/// Where the image hides whatever was drawn before it in all of the part, pixel upon pixel, it is
+/// copied: the last command that shows it so. Null, and nothing is done, where there is none.
+const ImDrawCmd* GlImGui::copy(const ImDrawData& data, const glm::ivec2& pixels,
+                               const ScreenRect& part, const GlTarget& image) const {
+    const ImDrawCmd* found = nullptr;
+    glm::ivec2 origin;
+    for (int i = 0; i < data.CmdListsCount; ++i)
+        for (const ImDrawCmd& command : data.CmdLists[i]->CmdBuffer) {
+            const ImVec4& clip = command.ClipRect;
+            if (command.GetTexID() != imgui_texture(image.texture())) continue;
+            const ScreenRect place = image_place(*data.CmdLists[i], command);
+            const PixelRect box = pixel_rect(place, data, pixels);
+            if (box.high - box.low != image.size() || !contains(place, part) ||
+                !contains({{clip.x, clip.y}, {clip.z, clip.w}}, part))
+                continue;
+            found = &command;
+            origin = box.low;
+        }
+    const PixelRect box = pixel_rect(part, data, pixels);
+    if (!found || box.empty()) return nullptr;
+    const glm::ivec2 low = box.low - origin, high = box.high - origin;
+    gl_->Disable(GL_SCISSOR_TEST);
+    gl_->BindFramebuffer(GL_READ_FRAMEBUFFER, image.framebuffer());
+    gl_->BlitFramebuffer(low.x, low.y, high.x, high.y, box.low.x, pixels.y - box.low.y, box.high.x,
+                         pixels.y - box.high.y, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    gl_->Enable(GL_SCISSOR_TEST);
+    return found;
+}
+
+/// `after`: the command from whose successor on it is drawn; null: from the first.
+void GlImGui::draw_within(const ImDrawData& data, const glm::ivec2& pixels, const ScreenRect& part,
+                          const ImDrawCmd* after) const {
+    bool begun = after == nullptr;
     for (int i = 0; i < data.CmdListsCount; ++i) {
         const ImDrawList& list = *data.CmdLists[i];
         gl_->BindBuffer(GL_ARRAY_BUFFER, vertices_.get());
@@ -115,22 +173,19 @@ void GlImGui::draw_within(const ImDrawData& data, const glm::ivec2& pixels,
         for (const ImDrawCmd& command : list.CmdBuffer) {
             const ImVec4& clip = command.ClipRect;
             const ScreenRect shown = common(part, {{clip.x, clip.y}, {clip.z, clip.w}});
-            if (command.UserCallback == nullptr && scissor(shown, data, pixels)) draw(command);
+            if (begun && command.UserCallback == nullptr &&
+                scissor(pixel_rect(shown, data, pixels), pixels))
+                draw(command);
+            begun = begun || &command == after;
         }
     }
 }
 
-/// Whole pixels; whether there are any.
-bool GlImGui::scissor(const ScreenRect& part, const ImDrawData& data,
-                      const glm::ivec2& pixels) const {
-    const auto pixel = [&](const ImVec2& at) {
-        return glm::ivec2((at.x - data.DisplayPos.x) * data.FramebufferScale.x,
-                          (at.y - data.DisplayPos.y) * data.FramebufferScale.y);
-    };
-    const glm::ivec2 low = glm::max(pixel(part.low), glm::ivec2(0));
-    const glm::ivec2 high = glm::min(pixel(part.high), pixels);
-    if (low.x >= high.x || low.y >= high.y) return false;
-    gl_->Scissor(low.x, pixels.y - high.y, high.x - low.x, high.y - low.y);
+/// Whether there are any pixels.
+bool GlImGui::scissor(const PixelRect& part, const glm::ivec2& pixels) const {
+    if (part.empty()) return false;
+    const glm::ivec2 size = part.high - part.low;
+    gl_->Scissor(part.low.x, pixels.y - part.high.y, size.x, size.y);
     return true;
 }
 

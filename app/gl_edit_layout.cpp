@@ -259,7 +259,7 @@ void EditorProgram::object_image(const ImVec2& low, const ImVec2& size) {
     const double began = thread_seconds();
     const GlTexture* texture = object_.draw(options);
     times_.worked -= thread_seconds() - began;
-    still_ = texture && !object_.drew() ? imgui_texture(*texture) : nullptr;
+    if (texture) object_image_ = {object_.target(), !object_.drew()};
     if (texture)
         ImGui::GetWindowDrawList()->AddImage(imgui_texture(*texture), low,
                                              {low.x + size.x, low.y + size.y});

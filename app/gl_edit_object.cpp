@@ -23,15 +23,6 @@ bool is_direct(const ObjectViewOptions& options) {
     return options.supersample == 1 && !options.edges && !options.borders;
 }
 
-GlRenderbuffer make_depth(const GladGLContext& gl, const PictureSize& size) {
-    GLuint name = 0;
-    gl.GenRenderbuffers(1, &name);
-    GlRenderbuffer depth(gl, name);
-    gl.BindRenderbuffer(GL_RENDERBUFFER, name);
-    gl.RenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, size.width, size.height);
-    return depth;
-}
-
 }  // namespace
 
 GlEditObject::GlEditObject(const GladGLContext& gl)
@@ -41,7 +32,8 @@ GlEditObject::GlEditObject(const GladGLContext& gl)
                                    ShaderSource().add("srgb_encode.glsl").add("edit_encode.frag"))),
       pass_(gl),
       programs_(std::make_shared<GlScenePrograms>(gl)),
-      lines_(gl) {}
+      lines_(gl),
+      places_(gl) {}
 
 void GlEditObject::show(std::shared_ptr<const EditSurface> surface,
                         const std::shared_ptr<const EditPicture>& picture) {
@@ -71,6 +63,8 @@ void GlEditObject::upload_surface() {
     picture_.reset();
     normals_.reset();
     drawn_.reset();
+    seen_.reset();
+    placed_.reset();
 }
 
 void GlEditObject::show_lines(const std::shared_ptr<const SurfaceLines>& lines) {
@@ -100,15 +94,11 @@ void GlEditObject::upload_normals(std::shared_ptr<const Image<Rgb8>> normals) {
     scene_->set_texture(number, texture);
 }
 
-/// A target with depth.
-void GlEditObject::make_target(std::optional<View>& view, const PictureSize& size,
-                               GLenum format) const {
-    const GlSize texels{size.width, size.height};
-    if (view && view->colors.size() == texels) return;
-    view.emplace(View{GlTarget(*gl_, texels, {format}), make_depth(*gl_, size)});
-    view->colors.bind();
-    gl_->FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER,
-                                 view->depth.get());
+void GlEditObject::make_target(std::optional<GlDepthTarget>& target, const PictureSize& size,
+                               GLenum format) {
+    if (target && target->colors.size() == GlSize{size.width, size.height}) return;
+    target.emplace(*gl_, size, format);
+    placed_.reset();
 }
 
 void GlEditObject::make_targets(const ObjectViewOptions& options) {
@@ -127,7 +117,8 @@ void GlEditObject::draw_samples(const ObjectViewOptions& options) {
     gl_->Disable(GL_DEPTH_TEST);
 }
 
-void GlEditObject::draw_pixels(const ObjectViewOptions& options) const {
+void GlEditObject::draw_pixels(const ObjectViewOptions& options) {
+    placed_.reset();  // their depth is drawn over
     const PictureSize& size = options.size;
     shown_->colors.bind();
     scene_->draw_encoded(camera_of(options.camera, surface_->sphere, size), size,
@@ -145,19 +136,34 @@ void GlEditObject::encode(const ObjectViewOptions& options) const {
     check_gl(*gl_, "drawing the object");
 }
 
+void GlEditObject::draw_view(const ObjectViewOptions& options) {
+    if (is_direct(options) && draw_places(options)) return;
+    scene_->set_target_share(options.share);
+    if (is_direct(options)) return draw_pixels(options);
+    draw_samples(options);
+    encode(options);
+}
+
+/// Where it is the texture alone that changes; whether it could.
+bool GlEditObject::draw_places(const ObjectViewOptions& options) {
+    if (seen_ != options || !scene_->has_places()) return false;
+    if (placed_ != options) {
+        scene_->set_target_share(options.share);
+        places_.find(*scene_, camera_of(options.camera, surface_->sphere, options.size), *shown_,
+                     options.lit);
+        placed_ = options;
+    }
+    places_.draw(*texture(), *shown_);
+    return true;
+}
+
 const GlTexture* GlEditObject::draw(const ObjectViewOptions& options) {
     if (!scene_ || options.size.width <= 0 || options.size.height <= 0) return nullptr;
     drew_ = drawn_ != options;
     if (drew_) {
         make_targets(options);
-        scene_->set_target_share(options.share);
-        if (is_direct(options)) {
-            draw_pixels(options);
-        } else {
-            draw_samples(options);
-            encode(options);
-        }
-        drawn_ = options;
+        draw_view(options);
+        drawn_ = seen_ = options;
     }
     return &shown_->colors.texture();
 }

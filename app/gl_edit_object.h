@@ -9,6 +9,7 @@
 #include "app/edit_baker.h"
 #include "app/edit_camera.h"
 #include "app/gl_edit_lines.h"
+#include "app/gl_edit_places.h"
 #include "app/gl_edit_texture.h"
 #include "app/gl_scene.h"
 #include "app/gl_target.h"
@@ -44,6 +45,8 @@ class GlEditObject {
     /// Draws if need be. Row 0 of the texture is the picture's top row. Null without a surface or
     /// with a size of 0.
     const GlTexture* draw(const ObjectViewOptions& options);
+    /// What the last draw() drew into.
+    const GlTarget* target() const { return shown_ ? &shown_->colors : nullptr; }
     /// Whether the last draw() had to.
     bool drew() const { return drew_; }
     /// What was shown last; null: nothing of this surface.
@@ -55,14 +58,11 @@ class GlEditObject {
     void upload_surface();
     void upload(const std::shared_ptr<const EditPicture>& picture);
     void upload_normals(std::shared_ptr<const Image<Rgb8>> normals);
-    /// What the scene is drawn into.
-    struct View {
-        GlTarget colors;
-        GlRenderbuffer depth;
-    };
-    void make_target(std::optional<View>& view, const PictureSize& size, GLenum format) const;
+    void make_target(std::optional<GlDepthTarget>& target, const PictureSize& size, GLenum format);
     void make_targets(const ObjectViewOptions& options);
-    void draw_pixels(const ObjectViewOptions& options) const;
+    void draw_view(const ObjectViewOptions& options);
+    bool draw_places(const ObjectViewOptions& options);
+    void draw_pixels(const ObjectViewOptions& options);
     void draw_samples(const ObjectViewOptions& options);
     void encode(const ObjectViewOptions& options) const;
 
@@ -76,9 +76,12 @@ class GlEditObject {
     std::shared_ptr<const EditPicture> picture_;
     GlEditLines lines_;
     std::shared_ptr<const Image<Rgb8>> normals_;  ///< that are shown
-    std::optional<View> samples_,
+    std::optional<GlDepthTarget> samples_,
         shown_;  ///< the former where there are lines or many samples a pixel
+    GlEditPlaces places_;
     std::optional<ObjectViewOptions> drawn_;
+    /// Of this surface, with whatever texture: what was drawn last, and whose places are known.
+    std::optional<ObjectViewOptions> seen_, placed_;
     bool drew_ = false;
     std::future<void> dropping_;  ///< of the surface that was shown before
 };

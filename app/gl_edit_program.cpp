@@ -171,7 +171,7 @@ void EditorProgram::panels(const std::vector<InputEvent>& events) {
         set_interface_scale(scale_);
         renderer_.upload_fonts();
     }
-    still_ = nullptr;
+    object_image_ = {};
     share_ = pose_share();
     posed_pick_.follow(object_.surface(), share_, is_moving());
     ImGui::NewFrame();
@@ -184,7 +184,7 @@ void EditorProgram::panels(const std::vector<InputEvent>& events) {
 
 void EditorProgram::draw_screen() {
     window_->bind_screen();
-    renderer_.update(*ImGui::GetDrawData(), Vec3f(0.1f), still_);
+    renderer_.update(*ImGui::GetDrawData(), Vec3f(0.1f), object_image_);
 }
 
 Image<Rgb8> EditorProgram::screenshot() {

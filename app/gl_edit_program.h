@@ -185,7 +185,7 @@ class EditorProgram {
     EditExport export_;
     FrameTimes times_;
     EditOpenFiles files_;
-    ImTextureID still_{};  ///< the object's picture, where it is the last frame's
+    GlImGui::OpaqueImage object_image_{};
 
     EditBaker baker_;
     EditPosedPick posed_pick_;

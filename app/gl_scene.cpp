@@ -114,9 +114,9 @@ void GlScene::set_target_share(double share) {
     for (GlSurface& surface : surfaces_) surface.set_target_share(share);
 }
 
-void GlScene::clear(const SampleTile& tile, const Vec3f& color) const {
+void GlScene::clear(const SampleTile& tile, const Vec4f& color) const {
     gl_.Viewport(0, 0, tile.width, tile.height);
-    gl_.ClearColor(color.x, color.y, color.z, 1.0f);
+    gl_.ClearColor(color.x, color.y, color.z, color.w);
     gl_.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     gl_.Enable(GL_DEPTH_TEST);
 }
@@ -130,26 +130,49 @@ void GlScene::bind(GLenum unit, int number) const {
 
 void GlScene::draw(const Camera& camera, const PictureSize& samples, const SampleTile& tile,
                    bool lit) const {
-    clear(tile, Vec3f(background_linear()));
-    draw_surfaces(TileView(camera, samples, tile), lit, false);
+    clear(tile, Vec4f(Vec3f(background_linear()), 1.0f));
+    draw_surfaces(TileView(camera, samples, tile), {.lit = lit});
 }
 
 void GlScene::draw_encoded(const Camera& camera, const PictureSize& samples, const SampleTile& tile,
                            bool lit) const {
     const Vec3f codes(background_srgb.r, background_srgb.g, background_srgb.b);
-    clear(tile, codes / 255.0f);
-    draw_surfaces(TileView(camera, samples, tile), lit, true);
+    clear(tile, Vec4f(codes / 255.0f, 1.0f));
+    draw_surfaces(TileView(camera, samples, tile), {.encoded = true, .lit = lit});
 }
 
-void GlScene::draw_surfaces(const TileView& view, bool lit, bool encoded) const {
+bool GlScene::has_places() const {
+    const auto shows = [&](const GlSurface& surface) {
+        const SceneMaterial& material = surface.material();
+        return material.texture >= 0 && material.texture == surfaces_.front().material().texture &&
+               material.normals < 0 && material.factor == Vec4f(1.0f) && has_levels(surface) &&
+               !surface.in_blocks() && !surface.colored();
+    };
+    return !surfaces_.empty() && std::ranges::all_of(surfaces_, shows);
+}
+
+void GlScene::draw_places(const Camera& camera, const PictureSize& samples, const SampleTile& tile,
+                          bool lit) const {
+    clear(tile, Vec4f(0.0f));
+    draw_surfaces(TileView(camera, samples, tile), {.lit = lit, .places = true});
+}
+
+bool GlScene::has_levels(const GlSurface& surface) const {
+    const auto has = [&](int number) {
+        return number >= 0 && filters_[std::size_t(number)] == TextureFilter::mip;
+    };
+    return has(surface.material().texture) || has(surface.material().normals);
+}
+
+/// `look`: as far as it does not depend on the surface.
+void GlScene::draw_surfaces(const TileView& view, const GlScenePrograms::Look& look) const {
     for (const GlSurface& surface : surfaces_) {
         const SceneMaterial& material = surface.material();
-        const auto has_levels = [&](int number) {
-            return number >= 0 && filters_[std::size_t(number)] == TextureFilter::mip;
-        };
-        const bool levels = has_levels(material.texture) || has_levels(material.normals);
-        const GlProgram& program =
-            programs_->use({encoded, lit, surface.bumped(), levels, levels && surface.in_blocks()});
+        GlScenePrograms::Look own = look;
+        own.bumped = surface.bumped();
+        own.levels = has_levels(surface);
+        own.in_blocks = own.levels && surface.in_blocks();
+        const GlProgram& program = programs_->use(own);
         bind(GL_TEXTURE0, material.texture);
         bind(GL_TEXTURE1, material.normals);
         program.set("normal_scale", material.normal_scale);
@@ -161,7 +184,7 @@ void GlScene::draw_surfaces(const TileView& view, bool lit, bool encoded) const 
 
 void GlScene::draw_lookups(const Camera& camera, const PictureSize& samples, const SampleTile& tile,
                            int number, std::uint32_t size) const {
-    clear(tile, Vec3f(0.0f));
+    clear(tile, Vec4f(0.0f, 0.0f, 0.0f, 1.0f));
     const GlProgram& lookups = programs_->use_lookups();
     lookups.set("texture_size", glm::vec2(float(size)));
     const TileView view(camera, samples, tile);

@@ -46,16 +46,24 @@ class GlScene {
     void draw_encoded(const Camera& camera, const PictureSize& samples, const SampleTile& tile,
                       bool lit) const;
 
+    /// Whether draw_places() can: all that surfaces show is one texture with levels, looked up
+    /// without blocks.
+    bool has_places() const;
+    /// Draws instead where every sample looks that texture up: u, v, level and share of its light.
+    void draw_places(const Camera& camera, const PictureSize& samples, const SampleTile& tile,
+                     bool lit) const;
+
     /// Draws instead what every sample looks up of texture `number` (LookupSample,
     /// app/view_texels.h), whose sides have `size` texels whatever was uploaded.
     void draw_lookups(const Camera& camera, const PictureSize& samples, const SampleTile& tile,
                       int number, std::uint32_t size) const;
 
   private:
-    void clear(const SampleTile& tile, const Vec3f& color) const;
+    void clear(const SampleTile& tile, const Vec4f& color) const;
+    bool has_levels(const GlSurface& surface) const;
     void bind(GLenum unit, int number) const;
     void make_textures(const Scene& scene, std::optional<TextureFilter> filter);
-    void draw_surfaces(const TileView& view, bool lit, bool encoded) const;
+    void draw_surfaces(const TileView& view, const GlScenePrograms::Look& look) const;
 
     const GladGLContext& gl_;
     std::shared_ptr<GlScenePrograms> programs_;

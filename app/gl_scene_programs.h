@@ -14,7 +14,8 @@ class GlScenePrograms {
 
     /// What the program that draws a surface is made for.
     struct Look {
-        bool encoded = false, lit = false, bumped = false, levels = false, in_blocks = false;
+        bool encoded = false, lit = false, bumped = false, levels = false, in_blocks = false,
+             places = false;
         auto operator<=>(const Look&) const = default;
     };
     /// The program that draws so, in use.

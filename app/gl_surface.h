@@ -41,6 +41,7 @@ class GlSurface {
 
     const SceneMaterial& material() const { return material_; }
     bool in_blocks() const { return has(Stream::block); }
+    bool colored() const { return has(Stream::color); }
     bool bumped() const { return material_.normals >= 0 && has(Stream::tangent); }
     GLsizei triangles() const { return GLsizei(streams_[std::size_t(Stream::index)].count); }
 

@@ -47,6 +47,7 @@ class GlTarget {
     const GlTexture& texture(std::size_t number = 0) const { return textures_[number]; }
     const GlFormat& format(std::size_t number = 0) const { return *formats_[number]; }
     std::size_t count() const { return textures_.size(); }
+    GLuint framebuffer() const { return framebuffer_.get(); }
 
     /// Draws go into it, over its whole area. No texture of it may be read by the same pass.
     void bind() const { bind({{0, 0}, size_}); }

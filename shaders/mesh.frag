@@ -13,7 +13,7 @@ flat in vec4 texture_block;  // low u, low v, high u, high v
 
 // A software OpenGL takes every branch, whichever way a uniform decides; so these are macros:
 // ENCODED: see above. LIT, BUMPED: by a normal map. LEVELS: lookups choose a level. IN_BLOCKS: they
-// keep to the block.
+// keep to the block. PLACES: instead of a colour where and how it is looked up: u, v, level, light.
 uniform sampler2D base_color;
 uniform sampler2D normal_map;
 uniform float normal_scale;
@@ -44,10 +44,14 @@ vec4 block_lookup(sampler2D map, float level) {
 
 // The level is chosen here, as the specification has it, and not by the sampler, which may be half
 // a level off: which texels are read is known beforehand (app/view_texels.h).
+float level_of(sampler2D map) {
+    float footprint = footprint_squared(texture_uv, vec2(textureSize(map, 0)));
+    return 0.5 * log2(max(footprint, 1.0));
+}
+
 vec4 lookup(sampler2D map) {
     if (!LEVELS) return texture(map, texture_uv);
-    float footprint = footprint_squared(texture_uv, vec2(textureSize(map, 0)));
-    float level = 0.5 * log2(max(footprint, 1.0));
+    float level = level_of(map);
     return IN_BLOCKS ? block_lookup(map, level) : textureLod(map, texture_uv, level);
 }
 
@@ -70,6 +74,10 @@ float headlight() {
 }
 
 void main() {
+    if (PLACES) {
+        fragment = vec4(texture_uv, level_of(base_color), LIT ? headlight() : 1.0);
+        return;
+    }
     vec4 color = lookup(base_color) * base_color_factor * vertex_color;
     vec3 light = LIT ? color.rgb * headlight() : color.rgb;
     fragment = vec4(ENCODED ? srgb_encoded(light) : light, 1.0);

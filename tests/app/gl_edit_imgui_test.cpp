@@ -122,7 +122,40 @@ TEST_F(GlImGuiTest, WhatChangedIsWhatWouldBeDrawn) {
         if (frame % 3 == 0) paint_random(*ImGui::GetForegroundDrawList(), moving);
         ImGui::Render();
         window->bind_screen();
-        renderer.update(*ImGui::GetDrawData(), Vec3f(0.0f), nullptr);
+        renderer.update(*ImGui::GetDrawData(), Vec3f(0.0f), {});
+        const Image<Rgb8> updated = read_screen(*window, gl);
+        GlTarget target(gl, {64, 48}, {GL_RGBA8});
+        target.clear(0, Vec4f(0, 0, 0, 1));
+        renderer.draw(*ImGui::GetDrawData());
+        EXPECT_EQ(differing(updated, read_screen(*window, gl)), 0u) << frame;
+    }
+}
+
+/// An image is copied where nothing below it shows, and whatever lies over it is drawn again.
+TEST_F(GlImGuiTest, AnImageThatHidesAllBelowItIsWhatWouldBeDrawn) {
+    const GladGLContext& gl = window->context().gl();
+    GlImGui renderer(gl);
+    const GlTarget image(gl, {32, 24}, {GL_RGBA8});
+    for (unsigned frame = 0; frame < 40; ++frame) {
+        std::mt19937 random(frame), fixed(frame / 8);
+        const bool still = frame % 5 == 4;
+        std::vector<std::uint8_t> texels(std::size_t{32} * 24 * 4, 255);
+        for (std::size_t i = 0; i < texels.size(); ++i)
+            if (i % 4 != 3) texels[i] = std::uint8_t(random());
+        gl.BindTexture(GL_TEXTURE_2D, image.texture().get());
+        if (!still)
+            gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 32, 24, GL_RGBA, GL_UNSIGNED_BYTE,
+                             texels.data());
+        ImGui::NewFrame();
+        ImDrawList& list = *ImGui::GetBackgroundDrawList();
+        paint_random(list, fixed);
+        const ImVec2 low = frame < 30 ? ImVec2(9, 7) : ImVec2(9.5f, 7);  // not on pixels
+        list.AddImage(imgui_texture(image.texture()), low, {low.x + 32, low.y + 24}, {0, 0}, {1, 1},
+                      frame < 20 ? IM_COL32_WHITE : IM_COL32(255, 255, 255, 128));
+        if (frame % 2 == 0) paint_random(*ImGui::GetForegroundDrawList(), random);
+        ImGui::Render();
+        window->bind_screen();
+        renderer.update(*ImGui::GetDrawData(), Vec3f(0.0f), {&image, still});
         const Image<Rgb8> updated = read_screen(*window, gl);
         GlTarget target(gl, {64, 48}, {GL_RGBA8});
         target.clear(0, Vec4f(0, 0, 0, 1));
