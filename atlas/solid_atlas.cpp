@@ -4,8 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+
+#include <tbb/parallel_for.h>
 
 #include "atlas/block_corners.h"
+#include "atlas/each_index.h"
 #include "atlas/overscan.h"
 
 namespace burl {
@@ -49,72 +53,127 @@ TexelMap turned_map(const TexelMap& map, const Block& block) {
     return turned;
 }
 
-/// Fills solid.maps and solid.turned.
+/// Whether it shows its one triangle turned, by a map of its own.
+bool is_turned(const Block& block) {
+    return block.fills_up && !block.collapsed();
+}
+
+/// Per block the number of the map that shows it turned, after those of the triangles; fills
+/// solid.turned and makes room for the maps.
+std::vector<std::uint32_t> number_maps(SolidAtlas& solid, const Atlas& atlas,
+                                       std::size_t triangles) {
+    std::vector<std::uint32_t> rest(atlas.blocks.size());
+    for (std::size_t i = 0; i < rest.size(); ++i) {
+        if (!is_turned(atlas.blocks[i])) continue;
+        rest[i] = static_cast<std::uint32_t>(triangles + solid.turned.size());
+        solid.turned.push_back(std::uint32_t(atlas.blocks[i].lower));
+    }
+    solid.maps.resize(triangles + solid.turned.size());
+    return rest;
+}
+
+/// The maps of a block; `rest` as of number_maps.
 void make_maps(SolidAtlas& solid, const Mesh& mesh, const Atlas& atlas,
-               std::span<const Vec3d> positions) {
-    const auto turned = std::ranges::count_if(
-        atlas.blocks, [](const Block& block) { return block.fills_up && !block.collapsed(); });
-    solid.maps.reserve(mesh.triangles.size() + std::size_t(turned));
-    solid.maps.resize(mesh.triangles.size());
-    const auto make = [&](const Block& block, std::int32_t face,
-                          const std::array<Vec2d, 3>& corners) {
+               std::span<const Vec3d> positions, const Block& block, std::uint32_t rest) {
+    const auto make = [&](std::int32_t face, const std::array<Vec2d, 3>& corners) {
         const auto& [a, b, c] = mesh.triangles[std::size_t(face)];
         solid.maps[std::size_t(face)] =
             texel_map(corners, {positions[a], positions[b], positions[c]}, block);
     };
-    for (const Block& block : atlas.blocks) {
-        const auto lower = std::size_t(block.lower), upper = std::size_t(block.upper);
-        if (block.collapsed()) {
-            const BlockCorners sampled = sampled_corners(block);
-            make(block, block.lower, rotated(sampled.lower, block.lower_corner));
-            if (block.upper >= 0)
-                make(block, block.upper, rotated(sampled.upper, block.upper_corner));
-            continue;
-        }
-        make(block, block.lower, atlas.corners[lower]);
-        if (block.upper >= 0) make(block, block.upper, atlas.corners[upper]);
-        if (!block.fills_up) continue;
-        solid.maps.push_back(turned_map(solid.maps[lower], block));
-        solid.turned.push_back(static_cast<std::uint32_t>(lower));
+    if (block.collapsed()) {
+        const BlockCorners sampled = sampled_corners(block);
+        make(block.lower, rotated(sampled.lower, block.lower_corner));
+        if (block.upper >= 0) make(block.upper, rotated(sampled.upper, block.upper_corner));
+        return;
     }
+    make(block.lower, atlas.corners[std::size_t(block.lower)]);
+    if (block.upper >= 0) make(block.upper, atlas.corners[std::size_t(block.upper)]);
+    if (is_turned(block))
+        solid.maps[rest] = turned_map(solid.maps[std::size_t(block.lower)], block);
 }
 
-/// Calls visit(row, span) for every span of the block, the rest of a single by map `rest`.
+struct Rows {
+    std::size_t begin = 0, end = 0;
+};
+
+/// Calls visit(row, span) for every span of the block in these rows, the rest of a single by map
+/// `rest`.
 template <class Visit>
-void visit_spans(const Block& block, Overscan mode, std::uint32_t rest, Visit visit) {
+void visit_spans(const Block& block, Overscan mode, std::uint32_t rest, const Rows& rows,
+                 Visit visit) {
     const std::uint32_t first = std::uint32_t(block.lower);
     const std::uint32_t second = block.upper >= 0 ? std::uint32_t(block.upper) : rest;
-    for (std::uint32_t j = 0; j < block.height; ++j) {
-        const std::uint32_t lower = split(block, mode, j), upper = block.width - lower;
-        const std::size_t y = block.y + j;
+    const std::size_t end = std::min<std::size_t>(block.y + block.height, rows.end);
+    for (std::size_t y = std::max<std::size_t>(block.y, rows.begin); y < end; ++y) {
+        const std::uint32_t lower = split(block, mode, std::uint32_t(y - block.y)),
+                            upper = block.width - lower;
         if (block.rising && upper > 0) visit(y, Span{block.x, upper, second});
         if (lower > 0) visit(y, Span{block.rising ? block.x + upper : block.x, lower, first});
         if (!block.rising && upper > 0) visit(y, Span{block.x + lower, upper, second});
     }
 }
 
-struct BlockSpans {
-    const Block* block;
-    std::uint32_t rest;  ///< map of the texels that a single does not read
+/// The texture in bands of rows, which are worked at apart, with the numbers of their blocks.
+class Bands {
+  public:
+    explicit Bands(const Atlas& atlas)
+        : height_(std::max<std::size_t>(1, atlas.options.size / most_bands)),
+          begin_((atlas.options.size + height_ - 1) / height_ + 2) {
+        each_band(atlas, [&](std::uint32_t, std::size_t band) { ++begin_[band + 2]; });
+        for (std::size_t i = 2; i < begin_.size(); ++i) begin_[i] += begin_[i - 1];
+        blocks_.resize(begin_.back());
+        each_band(atlas, [&](std::uint32_t block, std::size_t band) {
+            blocks_[begin_[band + 1]++] = block;
+        });
+        begin_.pop_back();
+        tbb::parallel_for(std::size_t(0), count(), [&](std::size_t band) {
+            std::ranges::sort(blocks_of(band), {}, [&](std::uint32_t block) {
+                return std::pair(atlas.blocks[block].x, block);
+            });
+        });
+    }
+
+    std::size_t count() const { return begin_.size() - 1; }
+    /// From left to right, so that spans come sorted within each row.
+    std::span<std::uint32_t> blocks_of(std::size_t band) {
+        return {blocks_.data() + begin_[band], blocks_.data() + begin_[band + 1]};
+    }
+    Rows rows_of(std::size_t band) const { return {band * height_, (band + 1) * height_}; }
+
+  private:
+    static constexpr std::uint32_t most_bands = 64;
+
+    template <class Visit>
+    void each_band(const Atlas& atlas, Visit visit) const {
+        for (std::uint32_t i = 0; i < atlas.blocks.size(); ++i) {
+            const Block& block = atlas.blocks[i];
+            if (block.shares_texel) continue;
+            const std::size_t last = (block.y + block.height - 1) / height_;
+            for (std::size_t band = block.y / height_; band <= last; ++band) visit(i, band);
+        }
+    }
+
+    std::size_t height_;
+    std::vector<std::size_t> begin_;
+    std::vector<std::uint32_t> blocks_;
 };
 
-/// The atlas's blocks from left to right, so that spans arrive sorted within each row.
-std::vector<BlockSpans> left_to_right(const Atlas& atlas, std::size_t triangles) {
-    std::vector<BlockSpans> blocks;
-    blocks.reserve(atlas.blocks.size());
-    auto rest = static_cast<std::uint32_t>(triangles);
-    for (const Block& block : atlas.blocks)
-        if (!block.shares_texel)
-            blocks.push_back({&block, block.fills_up && !block.collapsed() ? rest++ : 0});
-    const auto before = [](const BlockSpans& a, const BlockSpans& b) {
-        return a.block->x < b.block->x;
+/// Fills solid.row_begin and solid.spans; `rest` as of number_maps.
+void make_spans(SolidAtlas& solid, const Atlas& atlas, std::span<const std::uint32_t> rest) {
+    Bands bands(atlas);
+    const auto visit_all = [&](const auto& visit) {
+        tbb::parallel_for(std::size_t(0), bands.count(), [&](std::size_t band) {
+            for (const std::uint32_t i : bands.blocks_of(band))
+                visit_spans(atlas.blocks[i], atlas.options.overscan, rest[i], bands.rows_of(band),
+                            visit);
+        });
     };
-    const auto by_rows = [](const BlockSpans& a, const BlockSpans& b) {
-        return a.block->y != b.block->y ? a.block->y < b.block->y : a.block->x < b.block->x;
-    };
-    if (!std::is_sorted(blocks.begin(), blocks.end(), by_rows))
-        std::stable_sort(blocks.begin(), blocks.end(), before);
-    return blocks;
+    solid.row_begin.assign(std::size_t{solid.size} + 1, 0);
+    visit_all([&](std::size_t y, const Span&) { ++solid.row_begin[y + 1]; });
+    for (std::size_t y = 0; y < solid.size; ++y) solid.row_begin[y + 1] += solid.row_begin[y];
+    solid.spans.resize(solid.row_begin.back());
+    std::vector<std::size_t> next(solid.row_begin.begin(), solid.row_begin.end() - 1);
+    visit_all([&](std::size_t y, const Span& span) { solid.spans[next[y]++] = span; });
 }
 
 }  // namespace
@@ -122,19 +181,11 @@ std::vector<BlockSpans> left_to_right(const Atlas& atlas, std::size_t triangles)
 SolidAtlas rasterize(const Mesh& mesh, const Atlas& atlas, std::span<const Vec3d> positions) {
     SolidAtlas solid;
     solid.size = atlas.options.size;
-    make_maps(solid, mesh, atlas, positions);
-    const std::vector<BlockSpans> blocks = left_to_right(atlas, mesh.triangles.size());
-    const Overscan mode = atlas.options.overscan;
-    solid.row_begin.assign(std::size_t{solid.size} + 1, 0);
-    for (const auto& [block, rest] : blocks)
-        visit_spans(*block, mode, rest,
-                    [&](std::size_t y, const Span&) { ++solid.row_begin[y + 1]; });
-    for (std::size_t y = 0; y < solid.size; ++y) solid.row_begin[y + 1] += solid.row_begin[y];
-    solid.spans.resize(solid.row_begin.back());
-    std::vector<std::size_t> next(solid.row_begin.begin(), solid.row_begin.end() - 1);
-    for (const auto& [block, rest] : blocks)
-        visit_spans(*block, mode, rest,
-                    [&](std::size_t y, const Span& span) { solid.spans[next[y]++] = span; });
+    const std::vector<std::uint32_t> rest = number_maps(solid, atlas, mesh.triangles.size());
+    for_each_index(atlas.blocks.size(), [&](std::size_t i) {
+        make_maps(solid, mesh, atlas, positions, atlas.blocks[i], rest[i]);
+    });
+    make_spans(solid, atlas, rest);
     return solid;
 }
 
@@ -149,9 +200,8 @@ Affine3 solid_from_mesh(const Mesh& mesh, SolidSpace space) {
 }
 
 std::vector<Vec3d> map_positions(const Mesh& mesh, const Affine3& map) {
-    std::vector<Vec3d> mapped;
-    mapped.reserve(mesh.positions.size());
-    for (const Vec3d& p : mesh.positions) mapped.push_back(map(p));
+    std::vector<Vec3d> mapped(mesh.positions.size());
+    for_each_index(mapped.size(), [&](std::size_t i) { mapped[i] = map(mesh.positions[i]); });
     return mapped;
 }
 

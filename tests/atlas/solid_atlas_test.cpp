@@ -4,6 +4,11 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <utility>
+
+#include <tbb/global_control.h>
+
 #include "tests/atlas/made_meshes.h"
 
 namespace burl {
@@ -216,6 +221,27 @@ TEST(SolidAtlas, BilinearLookupOfSinglesReproducesTheSurfaceExactly) {
         }
     });
     EXPECT_GT(checked, 10000u);
+}
+
+TEST(SolidAtlas, AnyNumberOfThreadsMakesTheSameSpans) {
+    const Mesh mesh = made::ball(5);
+    // Blocks of one texel in several bands of rows, and blocks that are higher than a band.
+    for (const auto& [kind, size] :
+         {std::pair{AtlasKind::quad, 128u}, {AtlasKind::quad, 1024u}, {AtlasKind::area, 1024u}}) {
+        const Atlas atlas = layout_atlas(mesh, made::neighbours_by_brute_force(mesh),
+                                         {kind, Overscan::bilinear, size});
+        const SolidAtlas many = rasterize(mesh, atlas, mesh.positions);
+        const tbb::global_control alone(tbb::global_control::max_allowed_parallelism, 1);
+        const SolidAtlas one = rasterize(mesh, atlas, mesh.positions);
+        EXPECT_EQ(many.row_begin, one.row_begin);
+        EXPECT_EQ(many.turned, one.turned);
+        const auto same = [](const Span& a, const Span& b) {
+            return a.x == b.x && a.count == b.count && a.map == b.map;
+        };
+        EXPECT_TRUE(std::ranges::equal(many.spans, one.spans, same));
+        for (std::size_t y = 0; y < size; ++y)
+            EXPECT_TRUE(std::ranges::is_sorted(many.row(y), {}, &Span::x));
+    }
 }
 
 TEST(SolidAtlas, UnitSpaceCentresTheBoxAndMakesItsLongestSideOne) {
