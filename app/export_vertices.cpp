@@ -6,6 +6,7 @@
 #include <bit>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <utility>
 
 #include <tbb/blocked_range.h>
@@ -91,9 +92,42 @@ std::vector<std::uint32_t> parts_of_triangles(const Mesh& mesh) {
     return parts;
 }
 
+/// Whether corners can agree only within a block: its corners lie half a texel or more within it,
+/// so that no other's have the same texture coordinates.
+bool parts_blocks(const Atlas& atlas) {
+    return atlas.options.kind == AtlasKind::quad && atlas.options.overscan == Overscan::bilinear &&
+           std::ranges::none_of(atlas.blocks, &Block::shares_texel);
+}
+
+/// Per corner the first that is the same vertex, among those of its block.
+std::vector<std::uint32_t> first_corners_of_blocks(const Mesh& mesh, const Atlas& atlas,
+                                                   const CornerFrames& frames) {
+    const std::vector<std::uint32_t> parts = parts_of_triangles(mesh);
+    std::vector<std::uint32_t> first(3 * mesh.triangles.size());
+    const auto point = [&](std::uint32_t corner) { return mesh.triangles[corner / 3][corner % 3]; };
+    for_each_index(atlas.blocks.size(), [&](std::size_t i) {
+        const Block& block = atlas.blocks[i];
+        const auto lower = 3 * std::uint32_t(block.lower),
+                   upper = block.upper < 0 ? lower : 3 * std::uint32_t(block.upper);
+        std::array<std::uint32_t, 6> corners{};
+        std::iota(corners.begin(), corners.begin() + 3, std::min(lower, upper));
+        std::iota(corners.begin() + 3, corners.end(), std::max(lower, upper));
+        std::array<Row, 6> rows;
+        const std::size_t count = block.upper < 0 ? 3 : 6;
+        for (std::size_t k = 0; k < count; ++k) {
+            rows[k] = row_of(atlas, frames, parts, corners[k]);
+            std::size_t same = 0;
+            while (point(corners[same]) != point(corners[k]) || rows[same] != rows[k]) ++same;
+            first[corners[k]] = corners[same];
+        }
+    });
+    return first;
+}
+
 /// Per corner the first that is the same vertex.
 std::vector<std::uint32_t> first_corners(const Mesh& mesh, const Atlas& atlas,
                                          const CornerFrames& frames) {
+    if (parts_blocks(atlas)) return first_corners_of_blocks(mesh, atlas, frames);
     const CornersByPoint around(mesh);
     const std::vector<std::uint32_t> parts = parts_of_triangles(mesh);
     std::vector<std::uint32_t> first(3 * mesh.triangles.size());

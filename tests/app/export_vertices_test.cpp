@@ -7,6 +7,7 @@
 #include <random>
 #include <tuple>
 
+#include "atlas/connectivity.h"
 #include "tests/app/sample_scene.h"
 
 namespace burl {
@@ -72,6 +73,34 @@ void expect_shared(const Sample& sample, std::span<const Vec4f> tangents) {
         EXPECT_EQ(got.normals.size(), known.size());
         EXPECT_EQ(got.uvs.size(), known.size());
         EXPECT_EQ(got.tangents.size(), tangents.empty() ? 0 : known.size());
+    }
+}
+
+/// In blocks as they are laid out, corners agree where they agree in all that a map of all corners
+/// looks at, though every block is worked at apart.
+TEST(ExportVertices, OfBlocksAreThoseOfAMapOfAllCorners) {
+    Sample sample;
+    for (const auto& [overscan, size] : {std::pair{Overscan::bilinear, 256u},
+                                         {Overscan::nearest, 256u},
+                                         {Overscan::bilinear, 8u}}) {
+        AtlasOptions options{AtlasKind::quad, overscan, size};
+        sample.atlas = layout_atlas(sample.mesh, build_connectivity(sample.mesh), options);
+        const auto parts = export_vertices(sample.mesh, sample.atlas, sample.normals);
+        for (const PartVertices& got : parts) {
+            const Part& part = sample.mesh.parts[got.part];
+            std::map<std::tuple<std::uint32_t, float, float, float>, std::uint32_t> known;
+            std::vector<std::uint32_t> indices;
+            for (std::size_t c = 3 * part.first_triangle; indices.size() < 3 * part.triangle_count;
+                 ++c) {
+                const Vec2d uv = sample.atlas.corners[c / 3][c % 3] / double(size);
+                const auto point = sample.mesh.triangles[c / 3][c % 3];
+                indices.push_back(
+                    known.try_emplace({point, uv.x, uv.y, sample.normals[c].z}, known.size())
+                        .first->second);
+            }
+            EXPECT_EQ(got.indices, indices) << to_string(overscan) << " " << size;
+            EXPECT_LT(got.positions.size(), indices.size());
+        }
     }
 }
 
