@@ -4,6 +4,8 @@
 #include <chrono>
 #include <utility>
 
+#include <tbb/parallel_invoke.h>
+
 #include "app/edit_atlas.h"
 #include "app/lattice_check.h"
 #include "app/refinement.h"
@@ -23,21 +25,25 @@ std::uint32_t coarsest_level(std::uint32_t size) {
     return size > coarsest_side ? std::uint32_t(std::bit_width(size / coarsest_side)) - 1 : 0;
 }
 
-std::shared_ptr<EditSurface> surface_of(Pipeline& pipeline, const MeshPose* pose) {
+std::shared_ptr<EditSurface> surface_of(const SceneParts& parts, const MeshPose* pose) {
     auto surface = std::make_shared<EditSurface>();
-    surface->scene = baked_scene(pipeline, crease_degrees, pose);
+    surface->scene = baked_scene(parts, pose);
     surface->posed = pose != nullptr;
     const int normals = baked_material(surface->scene).normals;
     if (normals >= 0)  // flat until there is a map of them
         surface->scene.textures[std::size_t(normals)].image = Image<Rgb8>(1, 1, {128, 128, 255});
-    surface->unit_from_mesh = solid_from_mesh(pipeline.mesh(), SolidSpace::unit);
-    surface->sphere = bounding_sphere(surface->scene);
-    surface->frames = unit_frames(surface->scene);
-    surface->size = pipeline.recipe().atlas.size;
-    surface->triangles = pipeline.mesh().triangles.size();
-    surface->atlas = to_string(pipeline.atlas().options.kind);
-    surface->layout_seconds = pipeline.records()[Stage::layout].seconds;
+    tbb::parallel_invoke(
+        [&] { surface->unit_from_mesh = solid_from_mesh(*parts.input, SolidSpace::unit); },
+        [&] { surface->sphere = bounding_sphere(surface->scene); },
+        [&] { surface->frames = unit_frames(surface->scene); });
+    surface->size = parts.atlas().options.size;
+    surface->triangles = parts.input->triangles.size();
+    surface->atlas = to_string(parts.atlas().options.kind);
     return surface;
+}
+
+std::shared_ptr<EditSurface> surface_of(Pipeline& pipeline, const MeshPose* pose) {
+    return surface_of(scene_parts(pipeline, crease_degrees), pose);
 }
 
 /// The scene lives as long as its surface.
@@ -70,6 +76,7 @@ void EditBaker::set_mesh(Mesh mesh) {
     const std::scoped_lock lock(mutex_);
     next_mesh_ = std::move(mesh);
     next_pose_ = nullptr;
+    unseen_ = true;
 }
 
 void EditBaker::set_pose(std::shared_ptr<const MeshPose> pose) {
@@ -80,6 +87,17 @@ void EditBaker::set_pose(std::shared_ptr<const MeshPose> pose) {
 std::shared_ptr<const EditSurface> EditBaker::surface() const {
     const std::scoped_lock lock(mutex_);
     return surface_;
+}
+
+std::shared_ptr<const EditSurface> EditBaker::coming() const {
+    const std::scoped_lock lock(mutex_);
+    return coming_;
+}
+
+bool EditBaker::opening() const {
+    if (worker_.idle()) return false;
+    const std::scoped_lock lock(mutex_);
+    return unseen_;
 }
 
 std::shared_ptr<const EditPicture> EditBaker::picture() const {
@@ -160,6 +178,17 @@ void EditBaker::take_pose(std::shared_ptr<const MeshPose> pose) {
     problem_ = "the pose is of a mesh with other triangles: a file has changed";
 }
 
+/// It will be shown with its first picture.
+void EditBaker::announce(std::shared_ptr<EditSurface> surface) {
+    {
+        const std::scoped_lock lock(mutex_);
+        surface->number = ++numbers_;
+        coming_ = surface;
+    }
+    pending_ = std::move(surface);
+    wake_();
+}
+
 /// What is shown from now on: the atlas that is wanted where it is there, or quick.
 AtlasOptions EditBaker::take_atlas(const AtlasOptions& wanted) {
     std::optional<OwnAtlas> own;
@@ -174,7 +203,7 @@ AtlasOptions EditBaker::take_atlas(const AtlasOptions& wanted) {
             own->surface = surface_of(*pipeline_, pose_.get());
             own->pick = pick_of(own->surface);
         }
-        pending_ = std::move(own->surface);
+        announce(std::move(own->surface));
         pending_pick_ = std::move(own->pick);
         shown_bumps_ = !pipeline_->recipe().bump.empty();
         laid_out_ = shown_atlas_ = wanted;
@@ -273,9 +302,10 @@ void EditBaker::publish_picture(const WorkerRequest& request, std::uint32_t leve
     picture->normals = normals_;
     {
         const std::scoped_lock lock(mutex_);
+        if (level == 0 && !next_mesh_) unseen_ = false;
         if (pending_) {
-            pending_->number = ++numbers_;
             surface_ = std::exchange(pending_, nullptr);
+            coming_.reset();
             if (pending_pick_) pick_ = std::exchange(pending_pick_, nullptr);
         }
         picture->number = ++numbers_;
@@ -316,7 +346,9 @@ void EditBaker::work(const WorkerRequest& request, const std::stop_token& stop) 
     const bool other =
         fresh_ || shown_atlas_ != recipe.atlas || shown_bumps_ == recipe.bump.empty();
     if (other || (posed && !better)) {
-        pending_ = surface_of(*pipeline_, pose_.get());
+        const SceneParts parts = scene_parts(*pipeline_, crease_degrees);
+        tbb::parallel_invoke([&] { announce(surface_of(parts, pose_.get())); },
+                             [&] { pipeline_->solid(); });
         pending_pick_.reset();
     }
     if (other) {

@@ -28,8 +28,7 @@ struct EditSurface {
     std::uint32_t size = 0;    ///< of the texture at level 0
     std::size_t triangles = 0;
     std::string atlas{};  ///< its kind
-    double layout_seconds = 0.0;
-    bool posed = false;  ///< its scene has targets
+    bool posed = false;   ///< its scene has targets
 };
 
 /// A level of the texture of the surface `surface`.
@@ -71,6 +70,14 @@ class EditBaker {
     /// The newest; null: none yet.
     std::shared_ptr<const EditSurface> surface() const;
     std::shared_ptr<const EditPicture> picture() const;
+    /// The surface that will be shown with its first picture, so that it can be uploaded meanwhile;
+    /// null: none.
+    std::shared_ptr<const EditSurface> coming() const;
+    /// The last mesh has no picture at level 0 yet, and that is being worked at.
+    bool opening() const;
+    /// While held, nothing is begun that can wait until the pictures are seen: what finds places
+    /// on a surface, and the recipe's own atlas.
+    void hold_errands(bool held) { errands_.hold(held); }
     /// What finds places on the newest surface; null, or that of an older surface (its scene() is
     /// another), until the newest surface's first picture is done.
     std::shared_ptr<const SurfacePick> pick() const;
@@ -101,6 +108,7 @@ class EditBaker {
 
     void work(const WorkerRequest& request, const std::stop_token& stop);
     bool take_mesh();
+    void announce(std::shared_ptr<EditSurface> surface);
     void take_pose(std::shared_ptr<const MeshPose> pose);
     AtlasOptions take_atlas(const AtlasOptions& wanted);
     void give_errands(const Recipe& recipe, bool moving);
@@ -117,15 +125,16 @@ class EditBaker {
     double budget_;
     std::uint64_t requests_ = 0;
 
-    mutable std::mutex mutex_;  ///< of the next ten
+    mutable std::mutex mutex_;  ///< of the next twelve
     std::optional<Mesh> next_mesh_;
     std::optional<std::shared_ptr<const MeshPose>> next_pose_;
     std::optional<OwnAtlas> own_;         ///< laid out, and not shown yet
     std::optional<AtlasOptions> begun_;   ///< what is being laid out
     std::optional<std::string> problem_;  ///< of that
-    std::shared_ptr<const EditSurface> surface_;
+    std::shared_ptr<const EditSurface> surface_, coming_;
     std::shared_ptr<const EditPicture> picture_;
     std::shared_ptr<const SurfacePick> pick_;
+    bool unseen_ = false;  ///< the last mesh has no picture at level 0 yet
     bool wants_sheet_ = false;
     std::shared_ptr<const AtlasSheet> sheet_;
     SheetKey sheet_key_;

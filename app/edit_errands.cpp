@@ -31,6 +31,14 @@ void EditErrands::cancel() {
     current_.request_stop();
 }
 
+void EditErrands::hold(bool held) {
+    {
+        const std::scoped_lock lock(mutex_);
+        if (std::exchange(held_, held) == held) return;
+    }
+    changed_.notify_all();
+}
+
 bool EditErrands::idle() const {
     const std::scoped_lock lock(mutex_);
     return !busy_ && waiting_.empty();
@@ -43,7 +51,7 @@ void EditErrands::wait() const {
 
 void EditErrands::run(const std::stop_token& ending) {
     std::unique_lock lock(mutex_);
-    while (changed_.wait(lock, ending, [&] { return !waiting_.empty(); })) {
+    while (changed_.wait(lock, ending, [&] { return !held_ && !waiting_.empty(); })) {
         const Errand errand = std::move(waiting_.front());
         waiting_.pop_front();
         current_ = std::stop_source();

@@ -26,6 +26,8 @@ class EditErrands {
     void cancel();
     /// The same, waits for it, and does nothing any more.
     void end();
+    /// While held, what has not begun waits.
+    void hold(bool held);
     bool idle() const;
     /// Waits until idle().
     void wait() const;
@@ -37,7 +39,7 @@ class EditErrands {
     mutable std::condition_variable_any changed_;
     std::deque<Errand> waiting_;
     std::stop_source current_{std::nostopstate};
-    bool busy_ = false, ended_ = false;
+    bool busy_ = false, ended_ = false, held_ = false;
     std::jthread thread_;  ///< last: it sees all the others
 };
 

@@ -28,6 +28,8 @@ class EditThumbnails {
     /// A preset's ball; null: it is not ready, and is made after those asked for before it. Null
     /// for ever where it cannot be drawn.
     std::shared_ptr<const Image<Rgb8>> picture(const std::string& preset, int side);
+    /// While held, no picture is begun.
+    void hold(bool held) { errands_.hold(held); }
     /// Nothing is under way or waits.
     bool idle() const { return errands_.idle(); }
     void wait() const { errands_.wait(); }

@@ -105,6 +105,9 @@ OpenBench bench_open(std::size_t faces) {
     const auto finest = [&](EditorProgram& editor) {
         return shown(editor) && editor.shown()->level == 0;
     };
+    const auto smooth = [&](EditorProgram& editor) {
+        return finest(editor) && editor.shown_smooth();
+    };
     const auto patches = [&](EditorProgram& editor) {
         return finest(editor) && editor.baker().surface()->atlas == "patch";
     };
@@ -115,6 +118,7 @@ OpenBench bench_open(std::size_t faces) {
         bench.shown = opening.until(shown);
         bench.worked = double(std::clock() - began) / CLOCKS_PER_SEC;
         bench.finest = opening.until(finest);
+        bench.smooth = opening.until(smooth);
         bench.patches = opening.until(patches);
         bench.frame = opening.frames();
         bench.panels = opening.panels();
@@ -137,6 +141,7 @@ Json open_bench_json(const OpenBench& bench) {
             {"shown_seconds", bench.shown},
             {"shown_processor_seconds", bench.worked},
             {"finest_seconds", bench.finest},
+            {"smooth_seconds", bench.smooth},
             {"patches_seconds", bench.patches},
             {"frame_ms", json(bench.frame)},
             {"panels_ms", json(bench.panels)},
@@ -152,12 +157,13 @@ std::string open_bench_table(const OpenBench& bench) {
     return fmt::format(
         "{} faces\n  read                  {:.2f} s\n  first picture         {:.2f} s ({:.2f} s of "
         "processors)\n"
-        "  finest level          {:.2f} s\n  patches               {:.2f} s\n"
+        "  finest level          {:.2f} s, smooth {:.2f} s\n  patches               {:.2f} s\n"
         "  frames, median (p95)  {}\n  panels alone          {}\n  worked, drawing aside {}\n  "
         "while turning         {}\n"
         "  closing meanwhile     {:.2f} s\n",
-        bench.faces, bench.read, bench.shown, bench.worked, bench.finest, bench.patches,
-        row(bench.frame), row(bench.panels), row(bench.thread), row(bench.turning), bench.closing);
+        bench.faces, bench.read, bench.shown, bench.worked, bench.finest, bench.smooth,
+        bench.patches, row(bench.frame), row(bench.panels), row(bench.thread), row(bench.turning),
+        bench.closing);
 }
 
 }  // namespace burl

@@ -13,6 +13,7 @@ struct OpenBench {
     double read = 0.0;     ///< the mesh was read
     double shown = 0.0;    ///< its first picture was on the screen
     double finest = 0.0;   ///< the first one at level 0 was
+    double smooth = 0.0;   ///< it was with many samples a pixel
     double patches = 0.0;  ///< the one with the recipe's own atlas was
     double worked = 0.0;   ///< processor time of all threads until `shown`
     Durations frame{};     ///< from input to the end of drawing, while the pointer moves

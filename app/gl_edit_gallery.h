@@ -21,6 +21,8 @@ class GlEditGallery {
     /// yet. The context must be current.
     ImTextureID picture(const std::string& preset, int side);
 
+    /// While held, no picture is begun.
+    void hold(bool held) { thumbnails_.hold(held); }
     bool idle() const { return thumbnails_.idle(); }
     void wait() const { thumbnails_.wait(); }
 

@@ -243,8 +243,15 @@ void EditorProgram::object_input(const ImVec2& low, const ImVec2& size) {
     }
 }
 
+/// The picture is to be replaced by a finer one, or has just come of a mesh that is opened: it is
+/// smooth a frame later.
+bool EditorProgram::is_rough() const {
+    const EditPicture* picture = object_.picture();
+    return picture && (picture->level > 0 || (opening_ && !baker_.opening()));
+}
+
 void EditorProgram::object_image(const ImVec2& low, const ImVec2& size) {
-    object_.show(baker_.surface(), baker_.picture());
+    object_.show(baker_.surface(), baker_.picture(), baker_.coming());
     object_.show_lines(object_.uploading() ? nullptr : atlas_.lines());
     const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
     ObjectViewOptions options;
@@ -254,8 +261,7 @@ void EditorProgram::object_image(const ImVec2& low, const ImVec2& size) {
     options.share = share_;
     options.edges = atlas_.edges;
     options.borders = atlas_.borders;
-    const bool moving = moving_camera_ || is_moving();
-    options.supersample = moving ? 1 : 2;
+    options.supersample = moving_camera_ || is_moving() || is_rough() ? 1 : 2;
     const double began = thread_seconds();
     const GlTexture* texture = object_.draw(options);
     times_.worked -= thread_seconds() - began;

@@ -35,24 +35,34 @@ GlEditObject::GlEditObject(const GladGLContext& gl)
       lines_(gl),
       places_(gl) {}
 
-void GlEditObject::show(std::shared_ptr<const EditSurface> surface,
-                        const std::shared_ptr<const EditPicture>& picture) {
-    if (surface != next_) {
-        next_ = std::move(surface);
-        next_scene_.reset();
-        if (next_ && next_ != surface_)
-            next_scene_ = std::make_unique<GlScene>(*gl_, next_->scene, programs_, next_->frames);
-    }
-    if (next_ != surface_) upload_surface();
+void GlEditObject::show(const std::shared_ptr<const EditSurface>& surface,
+                        const std::shared_ptr<const EditPicture>& picture,
+                        const std::shared_ptr<const EditSurface>& coming) {
+    begin(coming ? coming : surface);
+    upload();
+    if (next_ == surface && next_ != surface_ && !uploading()) take_over();
     const bool fits = surface_ && picture && picture->surface == surface_->number;
     if (fits && picture != picture_) upload(picture);
 }
 
-/// Once all of it is there it is what is shown.
-void GlEditObject::upload_surface() {
+/// To upload it, unless it is there.
+void GlEditObject::begin(const std::shared_ptr<const EditSurface>& surface) {
+    if (surface == next_) return;
+    next_ = surface;
+    next_scene_.reset();
+    uploaded_ = false;
+    if (next_ && next_ != surface_)
+        next_scene_ = std::make_unique<GlScene>(*gl_, next_->scene, programs_, next_->frames);
+}
+
+void GlEditObject::upload() {
     const auto begin = std::chrono::steady_clock::now();
-    while (next_scene_ && !next_scene_->upload(next_->scene, piece_bytes))
-        if (std::chrono::steady_clock::now() - begin > patience) return;
+    while (uploading() && std::chrono::steady_clock::now() - begin < patience)
+        uploaded_ = next_scene_->upload(next_->scene, piece_bytes);
+}
+
+/// What is uploaded is what is shown.
+void GlEditObject::take_over() {
     scene_ = std::move(next_scene_);
     // Freeing hundreds of megabytes takes longer than a frame may.
     dropping_ = std::async(std::launch::async,

@@ -31,11 +31,15 @@ class GlEditObject {
     explicit GlEditObject(const GladGLContext& gl);
 
     /// What is shown from now on; null: nothing. Uploads only what is new, and of a large surface a
-    /// few milliseconds' worth: until the last of several calls the one before is shown.
-    void show(std::shared_ptr<const EditSurface> surface,
-              const std::shared_ptr<const EditPicture>& picture);
-    /// A surface is not there yet: show() is to be called again.
-    bool uploading() const { return next_scene_ != nullptr; }
+    /// few milliseconds' worth: until the last of several calls the one before is shown. `coming`
+    /// (null: none) is what will be shown next and is uploaded already.
+    void show(const std::shared_ptr<const EditSurface>& surface,
+              const std::shared_ptr<const EditPicture>& picture,
+              const std::shared_ptr<const EditSurface>& coming = nullptr);
+    /// A few milliseconds' worth more.
+    void upload();
+    /// A surface is not there yet: show() or upload() is to be called again.
+    bool uploading() const { return next_scene_ && !uploaded_; }
     /// What is shown; null: nothing.
     const std::shared_ptr<const EditSurface>& surface() const { return surface_; }
     /// The lines over it; null: none.
@@ -55,7 +59,8 @@ class GlEditObject {
     int drawn_samples() const { return drawn_ ? drawn_->supersample : 0; }
 
   private:
-    void upload_surface();
+    void begin(const std::shared_ptr<const EditSurface>& surface);
+    void take_over();
     void upload(const std::shared_ptr<const EditPicture>& picture);
     void upload_normals(std::shared_ptr<const Image<Rgb8>> normals);
     void make_target(std::optional<GlDepthTarget>& target, const PictureSize& size, GLenum format);
@@ -72,6 +77,7 @@ class GlEditObject {
     std::shared_ptr<GlScenePrograms> programs_;
     std::shared_ptr<const EditSurface> surface_, next_;  ///< shown, and being uploaded
     std::unique_ptr<GlScene> scene_, next_scene_;        ///< of these
+    bool uploaded_ = false;                              ///< the latter is there
     std::optional<GlEditTexture> texture_;               ///< that the scene's surfaces show
     std::shared_ptr<const EditPicture> picture_;
     GlEditLines lines_;

@@ -180,6 +180,18 @@ void EditorProgram::panels(const std::vector<InputEvent>& events) {
     ImGui::Render();
     request_texture();
     atlas_.follow(baker_, request_, requested_->recipe);
+    follow_opening();
+}
+
+/// What can wait does while a mesh is opened: the processors are wanted for that.
+void EditorProgram::follow_opening() {
+    const bool is_seen = !object_.uploading() && object_.picture() == baker_.picture().get();
+    const bool opening =
+        !files_.reading(FileKind::mesh).empty() || baker_.opening() || (opening_ && !is_seen);
+    if (opening_ && !opening) frames_to_draw_ = std::max(frames_to_draw_, 2);
+    opening_ = opening;
+    baker_.hold_errands(opening_);
+    if (gallery_) gallery_->hold(opening_);
 }
 
 void EditorProgram::draw_screen() {
@@ -193,14 +205,36 @@ Image<Rgb8> EditorProgram::screenshot() {
     return read_screen(*window_, window_->context().gl());
 }
 
+/// What happens until the next frame is due while a mesh is opened, which goes on being uploaded.
+/// News of other threads end it, and so do events that are more than a pointer passing by.
+std::vector<InputEvent> EditorProgram::until_due() {
+    std::vector<InputEvent> events;
+    while (true) {
+        const bool uploading = object_.uploading();
+        window_->context().make_current();
+        object_.upload();
+        const std::vector<InputEvent> some =
+            window_->poll(object_.uploading() ? 0.0 : pace_.seconds_left());
+        events.insert(events.end(), some.begin(), some.end());
+        const bool news = some.empty() && !object_.uploading();
+        const bool ended = uploading && !object_.uploading();
+        if (news || ended || !passes_by(some) || pace_.seconds_left() <= 0.0) return events;
+    }
+}
+
 void EditorProgram::turn() {
     const bool busy = frames_to_draw_ > 0 || turntable_ || timeline_.playing || object_.uploading();
-    const std::vector<InputEvent> events = window_->poll(busy ? 0.0 : 1.0);
+    const bool handled = ImGui::IsAnyMouseDown() || turntable_ || timeline_.playing;
+    const std::vector<InputEvent> events =
+        opening_ && !handled ? until_due() : window_->poll(busy ? 0.0 : 1.0);
     // A wake of the pipeline ends the waiting without an event: a frame is due, too.
     frames_to_draw_ = events.empty() && !busy ? 1 : std::max(frames_to_draw_ - 1, 0);
     if (!events.empty()) frames_to_draw_ = 3;
     for (const std::vector<InputEvent>& some : in_frames(events)) {
+        const auto began = EditPace::Clock::now();
         frame(some);
+        if (opening_) window_->context().gl().Finish();
+        pace_.drew(EditPace::Clock::now() - began);
         window_->present();
     }
 }
@@ -214,6 +248,7 @@ void EditorProgram::run() {
 void EditorProgram::settle() {
     while (files_.settle()) frame({});
     export_.wait();
+    baker_.hold_errands(false);
     baker_.wait();
     do {
         frame({});

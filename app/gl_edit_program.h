@@ -12,6 +12,7 @@
 #include "app/edit_items.h"
 #include "app/edit_move.h"
 #include "app/edit_open_files.h"
+#include "app/edit_pace.h"
 #include "app/edit_paint.h"
 #include "app/edit_panel_presets.h"
 #include "app/edit_panels.h"
@@ -58,6 +59,8 @@ class EditorProgram {
     void run();
     /// Once round run()'s loop.
     void turn();
+    /// A mesh is read, laid out or uploaded, or its finest picture is not on the screen yet.
+    bool opening() const { return opening_; }
     /// Plays a script to its end; its screenshots go into `folder`, empty: nowhere. Waits at
     /// "settle" for the pipeline. Throws Error as ScriptPlayer does, io for screenshots.
     void play(InputScript script, const std::string& folder);
@@ -105,6 +108,8 @@ class EditorProgram {
     double pose_share();
     std::shared_ptr<const SurfacePick> pick() const;
     void settle();
+    void follow_opening();
+    std::vector<InputEvent> until_due();
     void open(const std::string& path);
     void recent_menu();
     void notices();
@@ -135,6 +140,7 @@ class EditorProgram {
     void object_input(const ImVec2& low, const ImVec2& size);
     ObjectView object_view(const ImVec2& low, const ImVec2& size) const;
     void side_window();
+    bool is_rough() const;
     void object_image(const ImVec2& low, const ImVec2& size);
     void draw_screen();
     void request_texture();
@@ -174,6 +180,8 @@ class EditorProgram {
     std::optional<WorkerRequest> requested_;
     std::uint64_t request_ = 0;
     double last_seconds_ = 0.0;
+    bool opening_ = false;
+    EditPace pace_;
     int frames_to_draw_ = 3;  ///< until the user interface has come to rest
     FileDialog dialog_;
     void (EditorProgram::*chosen_)(const std::string&) = nullptr;  ///< takes the dialog's file

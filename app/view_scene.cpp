@@ -109,24 +109,32 @@ std::vector<Vec3f> normals_of(Pipeline& pipeline, double crease_degrees) {
 
 }  // namespace
 
-Scene baked_scene(Pipeline& pipeline, double crease_degrees, const MeshPose* pose) {
-    const std::vector<Vec3f> normals = normals_of(pipeline, crease_degrees);
-    const Mesh& mesh = pipeline.atlas_mesh();
-    const Atlas& atlas = pipeline.atlas();
-    const bool bumped = !pipeline.recipe().bump.empty();
+SceneParts scene_parts(Pipeline& pipeline, double crease_degrees) {
+    SceneParts parts;
+    parts.normals = normals_of(pipeline, crease_degrees);
+    parts.input = &pipeline.mesh();
+    parts.layout = &pipeline.mesh_atlas();
+    parts.bumped = !pipeline.recipe().bump.empty();
+    parts.weight = pipeline.recipe().pose.weight;
+    return parts;
+}
+
+Scene baked_scene(const SceneParts& parts, const MeshPose* pose) {
+    const Mesh& mesh = parts.mesh();
+    const Atlas& atlas = parts.atlas();
+    const std::vector<Vec3f>& normals = parts.normals;
     std::vector<Vec4f> tangents;
-    if (bumped)
+    if (parts.bumped)
         tangents = corner_tangents(mesh.positions, mesh.triangles, corner_uvs(atlas), normals);
     std::optional<PosedCorners> posed;
     if (pose)
-        posed = posed_corners(mesh, atlas_pose(*pose, pipeline.mesh(), pipeline.mesh_atlas()),
-                              normals, bumped ? corner_uvs(atlas) : std::vector<Vec2d>());
+        posed = posed_corners(mesh, atlas_pose(*pose, *parts.input, *parts.layout), normals,
+                              parts.bumped ? corner_uvs(atlas) : std::vector<Vec2d>());
     Scene scene;
-    const SceneMaterial material = add_textures(scene, atlas.options, bumped);
+    const SceneMaterial material = add_textures(scene, atlas.options, parts.bumped);
     for (const PartVertices& vertices :
          export_vertices(mesh, atlas, normals, tangents, posed ? &*posed : nullptr))
-        add_part(scene, mesh.parts[vertices.part], vertices, material,
-                 pipeline.recipe().pose.weight);
+        add_part(scene, mesh.parts[vertices.part], vertices, material, parts.weight);
     return scene;
 }
 

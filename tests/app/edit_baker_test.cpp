@@ -60,6 +60,24 @@ TEST(EditErrands, AreDoneInOrderAndCancelledAtOnce) {
     EXPECT_EQ(done, (std::vector{1, 2}));
 }
 
+TEST(EditErrands, WaitWhileTheyAreHeld) {
+    EditErrands errands;
+    std::atomic<int> done = 0;
+    errands.hold(true);
+    errands.add([&](const std::stop_token&) { ++done; });
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    EXPECT_EQ(done, 0);
+    EXPECT_FALSE(errands.idle());
+    errands.hold(false);
+    errands.wait();
+    EXPECT_EQ(done, 1);
+    errands.hold(true);
+    errands.add([&](const std::stop_token&) { ++done; });
+    errands.cancel();
+    errands.wait();
+    EXPECT_EQ(done, 1);
+}
+
 TEST(EditAtlas, OnlyPatchesOfManyFacesComeLater) {
     AtlasOptions own;
     own.size = 1000;
@@ -126,6 +144,49 @@ TEST(EditBaker, AnotherMeshOrAnotherAtlasDoesNotWaitForPatches) {
     baker.wait();
     EXPECT_EQ(baker.surface()->triangles, cube.triangles.size());
     EXPECT_EQ(baker.picture()->texels, picture_of(cube, recipe_of(64)));
+}
+
+TEST(EditBaker, ASurfaceComesBeforeItsFirstPicture) {
+    std::mutex mutex;
+    std::vector<std::shared_ptr<const EditSurface>> coming;
+    EditBaker* made = nullptr;
+    EditBaker baker([&] {
+        const std::scoped_lock lock(mutex);
+        if (made && made->coming()) {
+            EXPECT_TRUE(made->opening());
+            EXPECT_NE(made->coming(), made->surface());
+            coming.push_back(made->coming());
+        }
+    });
+    {
+        const std::scoped_lock lock(mutex);
+        made = &baker;
+    }
+    EXPECT_FALSE(baker.opening());
+    baker.set_mesh(sample_mesh("sample:cube"));
+    baker.request(recipe_of(64), false);
+    baker.wait();
+    ASSERT_EQ(coming.size(), 1u);
+    EXPECT_EQ(coming.front(), baker.surface());
+    EXPECT_FALSE(coming.front()->scene.surfaces.empty());
+    EXPECT_FALSE(baker.coming());
+    EXPECT_FALSE(baker.opening());
+}
+
+TEST(EditBaker, WhatIsHeldWaitsUntilThePicturesAreSeen) {
+    EditBaker baker([] {});
+    baker.hold_errands(true);
+    baker.set_mesh(bumpy_sphere(many_faces + 1000));
+    baker.request(recipe_of(64), false);
+    while (!baker.picture() || baker.opening()) std::this_thread::yield();
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    EXPECT_FALSE(baker.pick());
+    EXPECT_FALSE(baker.idle());
+    EXPECT_EQ(baker.surface()->atlas, "quad");
+    baker.hold_errands(false);
+    baker.wait();
+    EXPECT_TRUE(baker.pick());
+    EXPECT_EQ(baker.surface()->atlas, "patch");
 }
 
 TEST(EditBaker, EndsWhilePatchesAreLaidOut) {

@@ -96,6 +96,28 @@ TEST_F(GlEditProgramTest, OpensWhatIsDroppedAndSaysWhatItCannotOpen) {
     EXPECT_EQ(editor->session().recipe(), other.recipe());
 }
 
+TEST_F(GlEditProgramTest, AMeshOpensFromTheFirstFrameOnUntilItsFinestPictureIsSmooth) {
+    const auto editor = start();
+    EXPECT_FALSE(editor->opening());
+    EXPECT_TRUE(editor->shown_smooth());
+    editor->frame({{InputKind::drop, {}, 0, false, {}, {"sample:teapot"}}});
+    EXPECT_TRUE(editor->opening());
+    std::uint32_t rough = 0;
+    while (editor->opening()) {
+        editor->turn();
+        const auto surface = editor->baker().surface();
+        if (editor->shown()->surface == surface->number && surface->triangles > 12)
+            rough += !editor->shown_smooth();
+    }
+    EXPECT_GT(rough, 0u);
+    EXPECT_EQ(editor->shown(), editor->baker().picture().get());
+    EXPECT_EQ(editor->shown()->level, 0u);
+    editor->turn();
+    EXPECT_TRUE(editor->shown_smooth());
+    while (!editor->baker().idle()) editor->turn();
+    EXPECT_TRUE(editor->baker().pick()) << "what was held goes on";
+}
+
 TEST_F(GlEditProgramTest, SavesAndExportsThroughTheDialog) {
     const ScratchFolder folder;
     const auto editor = start();
