@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "app/edit_keys.h"
+#include "atlas/file_extension.h"
 
 namespace burl {
 
@@ -20,9 +21,7 @@ namespace {
 const ImVec4 remark_color{1.0f, 0.75f, 0.4f, 1.0f};
 
 bool fits(const std::string& name, const std::vector<std::string>& extensions) {
-    std::string extension = fs::path(name).extension().string();
-    std::ranges::transform(extension, extension.begin(),
-                           [](unsigned char c) { return char(std::tolower(c)); });
+    const std::string extension = lower_extension(name);
     return extensions.empty() || std::ranges::find(extensions, extension) != extensions.end();
 }
 

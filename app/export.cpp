@@ -20,6 +20,7 @@
 #include "app/real_path.h"
 #include "app/tangents.h"
 #include "atlas/error.h"
+#include "atlas/file_extension.h"
 
 namespace burl {
 namespace {
@@ -39,14 +40,6 @@ constexpr std::array<FormatFiles, 5> formats{{{Format::glb, ".glb", {}},
                                               {Format::obj, ".obj", {".mtl", ".png"}},
                                               {Format::png, ".png", {}},
                                               {Format::exr, ".exr", {}}}};
-
-std::string lower_extension(const std::string& path) {
-    std::string extension = fs::path(path).extension().string();
-    for (char& c : extension) {
-        if (c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
-    }
-    return extension;
-}
 
 const FormatFiles& format_of(const std::string& path) {
     const std::string extension = lower_extension(path);

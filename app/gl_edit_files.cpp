@@ -12,6 +12,7 @@
 #include "app/gl_edit_program.h"
 #include "app/mesh_notes.h"
 #include "atlas/error.h"
+#include "atlas/file_extension.h"
 
 namespace burl {
 
@@ -103,10 +104,8 @@ std::shared_ptr<const SurfacePick> EditorProgram::pick() const {
 /// Poses of the mesh: files, and what its own has.
 void EditorProgram::pose_menu() {
     if (menu_item("Open pose...", "", !files_.mesh().empty()))
-        ask_for_file(&EditorProgram::open_pose, {"Open a pose: a mesh with the same faces",
-                                                 {".obj", ".ply", ".stl", ".off", ".gltf", ".glb"},
-                                                 false,
-                                                 {}});
+        ask_for_file(&EditorProgram::open_pose,
+                     {"Open a pose: a mesh with the same faces", mesh_extensions(), false, {}});
     const std::vector<std::string>& targets = files_.targets();
     const bool open = ImGui::BeginMenu("Morph targets", !targets.empty());
     items_.note("menu:Morph targets");
@@ -232,10 +231,9 @@ void EditorProgram::ask_for_file(void (EditorProgram::*then)(const std::string&)
 }
 
 void EditorProgram::open_dialog() {
-    ask_for_file(&EditorProgram::open, {"Open a mesh or recipe",
-                                        {".obj", ".ply", ".stl", ".off", ".gltf", ".glb", ".json"},
-                                        false,
-                                        {}});
+    std::vector<std::string> extensions = mesh_extensions();
+    extensions.push_back(".json");
+    ask_for_file(&EditorProgram::open, {"Open a mesh or recipe", std::move(extensions), false, {}});
 }
 
 void EditorProgram::export_dialog() {

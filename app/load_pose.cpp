@@ -1,13 +1,10 @@
 #include "app/load_pose.h"
 
 #include <algorithm>
-#include <array>
-#include <cctype>
-#include <filesystem>
-#include <string_view>
 
 #include "app/sample_meshes.h"
 #include "atlas/error.h"
+#include "atlas/file_extension.h"
 
 namespace burl {
 
@@ -20,12 +17,9 @@ FileBuffer bytes_of(const std::string& path) {
 }  // namespace
 
 bool is_pose_file(const std::string& pose) {
-    constexpr std::array<std::string_view, 6> extensions{".obj", ".ply",  ".stl",
-                                                         ".off", ".gltf", ".glb"};
-    std::string extension = std::filesystem::path(pose).extension().string();
-    std::ranges::transform(extension, extension.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return is_sample_mesh(pose) || std::ranges::find(extensions, extension) != extensions.end();
+    const std::vector<std::string> extensions = mesh_extensions();
+    return is_sample_mesh(pose) ||
+           std::ranges::find(extensions, lower_extension(pose)) != extensions.end();
 }
 
 MeshPose load_pose(const std::string& mesh, const std::string& pose, const ReadOptions& options) {

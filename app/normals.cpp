@@ -21,6 +21,10 @@ Vec3d unit_or_zero(const Vec3d& v) {
     return glm::normalize(v / longest);
 }
 
+double angle_between(const Vec3d& u, const Vec3d& v) {
+    return std::atan2(glm::length(glm::cross(u, v)), glm::dot(u, v));
+}
+
 namespace {
 
 using Range = tbb::blocked_range<std::size_t>;
@@ -52,7 +56,7 @@ double corner_angle(const Mesh& mesh, const Triangle& t, std::size_t k) {
     const auto& p = mesh.positions;
     const Vec3d u = unit_or_zero(p[t[(k + 1) % 3]] - p[t[k]]);
     const Vec3d v = unit_or_zero(p[t[(k + 2) % 3]] - p[t[k]]);
-    return std::atan2(glm::length(glm::cross(u, v)), glm::dot(u, v));
+    return angle_between(u, v);
 }
 
 /// The faces around one point, grouped into smooth fans. Reused from point to point.

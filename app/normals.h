@@ -11,6 +11,9 @@ namespace burl {
 /// numbers vanish.
 Vec3d unit_or_zero(const Vec3d& v);
 
+/// Between two unit vectors, in radians; 0 where one is zero.
+double angle_between(const Vec3d& u, const Vec3d& v);
+
 /// One unit normal per triangle corner (3t+k). The mesh's own normals where it has them; zero or
 /// non-finite ones among them, and all of a mesh without any, are computed: around each point,
 /// faces that follow one another across edges whose dihedral angle is below `crease_degrees` share

@@ -1,7 +1,6 @@
 #include "app/posed_corners.h"
 
 #include <bit>
-#include <cmath>
 
 #include "app/normals.h"
 #include "app/tangents.h"
@@ -15,8 +14,7 @@ namespace {
 Vec3d weighted_normal(const std::array<Vec3d, 3>& corners, std::size_t k) {
     const Vec3d u = unit_or_zero(corners[(k + 1) % 3] - corners[k]);
     const Vec3d v = unit_or_zero(corners[(k + 2) % 3] - corners[k]);
-    const Vec3d across = glm::cross(u, v);
-    return std::atan2(glm::length(across), glm::dot(u, v)) * unit_or_zero(across);
+    return angle_between(u, v) * unit_or_zero(glm::cross(u, v));
 }
 
 /// `v` as the shortest turn from one unit vector to the other takes it along (Rodrigues).

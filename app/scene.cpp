@@ -1,25 +1,17 @@
 #include "app/scene.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
-#include <filesystem>
 
 #include "app/normals.h"
 #include "app/tangents.h"
 #include "atlas/error.h"
+#include "atlas/file_extension.h"
 #include "atlas/mesh_io.h"
 
 namespace burl {
 
 namespace {
-
-std::string extension_of(const std::string& path) {
-    std::string extension = std::filesystem::path(path).extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return char(std::tolower(c)); });
-    return extension;
-}
 
 Scene load_plain_mesh(const std::string& path) {
     const Mesh mesh = read_mesh(path);
@@ -40,7 +32,7 @@ void spread(std::vector<T>& values, const std::vector<Triangle>& triangles) {
 }  // namespace
 
 Scene load_scene(const std::string& path) {
-    const std::string extension = extension_of(path);
+    const std::string extension = lower_extension(path);
     Scene scene = extension == ".glb" || extension == ".gltf" ? load_gltf_scene(read_file(path))
                   : extension == ".obj"                       ? load_obj_scene(path)
                                                               : load_plain_mesh(path);

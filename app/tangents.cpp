@@ -55,7 +55,7 @@ double corner_angle(const Corners& of, std::size_t t, std::size_t k) {
     const Vec3d& at = of.positions[corners[k]];
     const Vec3d u = unit_or_zero(of.positions[corners[(k + 1) % 3]] - at);
     const Vec3d v = unit_or_zero(of.positions[corners[(k + 2) % 3]] - at);
-    return std::atan2(glm::length(glm::cross(u, v)), glm::dot(u, v));
+    return angle_between(u, v);
 }
 
 std::uint32_t bits(double value) {

@@ -1,7 +1,6 @@
 #include "app/up_to_date.h"
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 
 #include <sys/stat.h>
@@ -11,6 +10,7 @@
 #include "app/sample_meshes.h"
 #include "app/sha256.h"
 #include "atlas/error.h"
+#include "atlas/file_extension.h"
 #include "atlas/gltf_container.h"
 
 namespace burl {
@@ -18,13 +18,6 @@ namespace burl {
 namespace {
 
 namespace fs = std::filesystem;
-
-bool ends_like_gltf(const std::string& path) {
-    std::string extension = fs::path(path).extension().string();
-    std::ranges::transform(extension, extension.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return extension == ".gltf" || extension == ".glb";
-}
 
 /// Files that the document's buffers name.
 void add_buffers(const std::string& path, std::vector<std::string>& files) {
@@ -65,7 +58,7 @@ std::string record_path(const std::string& out_path) {
 std::vector<std::string> mesh_files(const std::string& mesh_path) {
     if (is_sample_mesh(mesh_path)) return {};
     std::vector<std::string> files{mesh_path};
-    if (!ends_like_gltf(mesh_path)) return files;
+    if (!has_gltf_extension(mesh_path)) return files;
     try {
         add_buffers(mesh_path, files);
     } catch (const Error&) {

@@ -2,23 +2,16 @@
 #include "atlas/mesh_io.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <new>
 #include <stdexcept>
 
 #include "atlas/error.h"
+#include "atlas/file_extension.h"
 #include "atlas/mesh_builder.h"
 #include "atlas/mesh_readers.h"
 
 namespace burl {
 namespace {
-
-std::string lower_extension(const std::string& path) {
-    std::string extension = std::filesystem::path(path).extension().string();
-    for (char& c : extension)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    return extension;
-}
 
 using Parser = PolygonSoup (*)(const FileBuffer&, const ReadOptions&);
 

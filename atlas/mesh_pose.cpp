@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "atlas/error.h"
+#include "atlas/file_extension.h"
 #include "atlas/gltf_document.h"
 #include "atlas/gltf_targets.h"
 #include "atlas/mesh_atlas.h"
@@ -13,13 +14,6 @@
 
 namespace burl {
 namespace {
-
-bool is_gltf_file(const std::string& path) {
-    std::string extension = std::filesystem::path(path).extension().string();
-    for (char& c : extension)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    return extension == ".gltf" || extension == ".glb";
-}
 
 Error other_faces(const FileBuffer& mesh, const FileBuffer& posed, const std::string& what) {
     return invalid_file(posed.path, 0,
@@ -130,7 +124,8 @@ void check_size(const MeshPose& pose, const Mesh& mesh) {
 }  // namespace
 
 std::vector<std::string> pose_names(const FileBuffer& mesh) {
-    return is_gltf_file(mesh.path) ? target_names(load_gltf(mesh)) : std::vector<std::string>();
+    return has_gltf_extension(mesh.path) ? target_names(load_gltf(mesh))
+                                         : std::vector<std::string>();
 }
 
 MeshPose read_pose(const FileBuffer& mesh, const FileBuffer& posed, const ReadOptions& options) {
@@ -145,7 +140,7 @@ MeshPose read_pose(const FileBuffer& mesh, const FileBuffer& posed, const ReadOp
 
 MeshPose read_target(const FileBuffer& mesh, const std::string& target,
                      const ReadOptions& options) {
-    if (!is_gltf_file(mesh.path))
+    if (!has_gltf_extension(mesh.path))
         throw Error(ExitCode::usage,
                     fmt::format("{}: there is no morph target \"{}\": only .gltf and .glb have "
                                 "any; name a file with the same faces",
