@@ -107,7 +107,6 @@ void FieldSampler::values(FieldBatch& batch) const {
 void FieldSampler::values(FieldBatch& batch, const KeptBatch& kept) const {
     const std::size_t scalars = scalar_octaves_.size(), streamed = kept.octaves.size() - scalars;
     if (kept.start.known) {
-        std::copy_n(kept.start.values + kept.at, batch.count, batch.field);
         count_idle(batch);
     } else if (kept.quadric_known) {
         std::copy_n(kept.quadric + kept.at, batch.count, batch.field);
@@ -120,6 +119,13 @@ void FieldSampler::values(FieldBatch& batch, const KeptBatch& kept) const {
     streams_.add_kept(batch.pieces, batch.count, kept.part(0, streamed), batch.streams,
                       batch.field);
     add_kept_scalar_octaves(batch, kept.part(streamed, scalars));
+}
+
+bool FieldSampler::needs_pieces(const KeptBatch& kept, double longest) const {
+    const std::size_t streamed = kept.octaves.size() - scalar_octaves_.size();
+    return !(kept.quadric_known || kept.start.known) ||
+           !std::ranges::all_of(kept.octaves.subspan(streamed), &KeptNoise::known) ||
+           streams_.needs_pieces(kept.part(0, streamed), longest);
 }
 
 std::vector<NoiseKey> FieldSampler::noise_keys() const {

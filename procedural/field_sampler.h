@@ -24,6 +24,8 @@ class FieldSampler {
     /// The same to the bit, but evaluates only octaves whose noise is not known, and keeps it, as
     /// it does a start that is to be kept (OctaveStreams::add_kept). Not with a band limit.
     void values(FieldBatch& batch, const KeptBatch& kept) const;
+    /// Whether that needs pieces where the longest span has so many texels, or lines serve as well.
+    bool needs_pieces(const KeptBatch& kept, double longest) const;
     /// Looks at the blocks of texels of `pilot`, which lie all over the atlas, where
     /// values_for_colors() had better leave out octaves. Those evaluated for that are not counted.
     void plan_exit(const ColorMap& colors, FieldBatch& pilot, const ExitCosts& costs = {});

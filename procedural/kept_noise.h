@@ -4,6 +4,7 @@
 #include <span>
 
 #include "procedural/octaves.h"
+#include "procedural/span_lines.h"
 
 namespace burl {
 
@@ -31,16 +32,18 @@ struct FieldStart {
 };
 /// As many octaves as a sampler has keys, and the first texel of a batch among the numbers. Numbers
 /// are read (not written) up to batch_padding beyond the last texel. Octaves of a start that is
-/// known are not read. Where all is known, batches need no pieces.
+/// known are not read. Where all is known, batches need no pieces, nor where lines are there that
+/// FieldSampler::needs_pieces takes instead.
 struct KeptBatch {
     std::span<const KeptNoise> octaves;
     double* quadric = nullptr;  ///< its values; null: not kept
     bool quadric_known = false;
     std::size_t at = 0;
     FieldStart start{};
+    const SpanLines* lines = nullptr;  ///< of the batch; null: it has pieces
 
     KeptBatch part(std::size_t first, std::size_t count) const {
-        return {octaves.subspan(first, count), quadric, quadric_known, at, start};
+        return {octaves.subspan(first, count), quadric, quadric_known, at, start, lines};
     }
 };
 

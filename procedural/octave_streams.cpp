@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "procedural/band_limit.h"
-#include "procedural/kept_sums.h"
 #include "procedural/simd_level.h"
 #include "procedural/simplex_kernel.h"
 
@@ -40,12 +39,6 @@ constexpr ScanRange scan_ranges[] = {
     {NoiseKind::perlin, false, 24, 128, 1.0 / 32}, {NoiseKind::perlin, false, 24, 256, 3.0 / 16},
     {NoiseKind::perlin, false, 1, 256, 1.0 / 4},   {NoiseKind::perlin, false, 1, 1024, 5.0 / 16}};
 
-void clear(OctaveSums& sums, std::size_t count, bool slopes) {
-    std::fill_n(sums.values, count + batch_padding, 0.0f);
-    if (!slopes) return;
-    for (float* along : sums.gradients.along) std::fill_n(along, count + batch_padding, 0.0f);
-}
-
 /// For texels from number `at` on.
 void add_weighted(float weight, const OctaveSums& part, std::size_t at, std::size_t count,
                   bool slopes, OctaveSums& sums) {
@@ -56,16 +49,6 @@ void add_weighted(float weight, const OctaveSums& part, std::size_t at, std::siz
     if (!slopes) return;
     for (int axis = 0; axis < 3; ++axis)
         add(part.gradients.along[axis], sums.gradients.along[axis]);
-}
-
-/// A group of which everything is known.
-void add_known_group(const OctaveGroup& group, const KeptBatch& kept, std::size_t count,
-                     SynthesisWork& work, double* values) {
-    std::vector<KeptSummand> summands;
-    for (std::size_t k = group.octaves.size(); k-- > 0;)
-        summands.push_back({group.octaves[k].weight, kept.octaves[k].noise + kept.at});
-    add_kept_sums(summands, group.scale * stream_unit(group.kind), count, values);
-    work.skip_octaves(Skip::kept_terms, group.octaves.size() * count);
 }
 
 }  // namespace
@@ -168,7 +151,7 @@ void OctaveStreams::add_limited(const Group& group, const Plan& plan, std::span<
             add_octave(group, group.octaves[k], plan, count, buffers, buffers.sums);
             continue;
         }
-        clear(buffers.part, count, plan.slopes);
+        buffers.part.clear(count, plan.slopes);
         add_octave(group, group.octaves[k], plan, count, buffers, buffers.part);
         std::size_t at = 0;
         for (std::size_t i = 0; i < pieces.size(); ++i) {
@@ -188,6 +171,19 @@ OctaveStreams::Plan OctaveStreams::prepare(const Group& group, std::span<const P
     const Affine3& map = group.lattice_from_solid;
     const double planes = fill_stream(map, group.finest(), pieces, buffers.lattice, group.period());
     if (offsets) move_stream(map, pieces, *offsets, buffers.lattice);
+    return plan_of(group, planes, count, buffers, slopes);
+}
+
+OctaveStreams::Plan OctaveStreams::prepare_lines(const Group& group, const SpanLines& lines,
+                                                 StreamBuffers& buffers) const {
+    const double planes = fill_stream(group.lattice_from_solid, group.finest(), lines,
+                                      buffers.lattice, group.period());
+    return plan_of(group, planes, lines.texels, buffers, false);
+}
+
+/// For so many texels whose lines cross so many planes.
+OctaveStreams::Plan OctaveStreams::plan_of(const Group& group, double planes, std::size_t count,
+                                           StreamBuffers& buffers, bool slopes) const {
     const Plan plan{sharing(group, planes / double(count), slopes), slopes};
     if (plan.shared > 0) find_runs(buffers.lattice, int(plan.shared) - 1, count, buffers.runs);
     return plan;
@@ -197,7 +193,7 @@ void OctaveStreams::add_streamed(const Group& group, std::span<const Piece> piec
                                  std::size_t count, StreamBuffers& buffers, double* values,
                                  SlopeBatch* slopes, const TexelOffsets* offsets) const {
     const Plan plan = prepare(group, pieces, count, buffers, slopes != nullptr, offsets);
-    clear(buffers.sums, count, plan.slopes);
+    buffers.sums.clear(count, plan.slopes);
     if (band_limit_)
         add_limited(group, plan, pieces, count, buffers);
     else
@@ -213,29 +209,12 @@ void OctaveStreams::add_streamed(const Group& group, std::span<const Piece> piec
 void OctaveStreams::add_scanned(const Group& group, std::span<const Piece> pieces,
                                 std::size_t count, StreamBuffers& buffers, double* values) const {
     map_scan_lines(group.lattice_from_solid, group.finest(), pieces, buffers.lines);
-    clear(buffers.sums, count, false);
+    buffers.sums.clear(count, false);
     for (std::size_t k = group.octaves.size(); k-- > 0;)
         add_octave_scanline(group.kind, group.fade, group.octaves[k], buffers.lines,
                             buffers.segments, buffers.sums.values);
     buffers.work.octaves += group.octaves.size() * count;
     add_sums(group.scale * stream_unit(group.kind), buffers.sums.values, count, values);
-}
-
-/// Calls visit(pieces, their number of texels, whether they are scanned) for pieces that follow one
-/// another and are added up in the same way.
-template <class Visit>
-void OctaveStreams::for_each_way(const Group& group, std::span<const Piece> pieces,
-                                 Visit&& visit) const {
-    bool next = !pieces.empty() && scans(group, pieces.front());
-    for (std::size_t begin = 0, end = 0; begin < pieces.size(); begin = end) {
-        const bool scanned = next;
-        std::size_t count = 0;
-        do {
-            count += pieces[end].solid.count;
-            next = ++end < pieces.size() && scans(group, pieces[end]);
-        } while (end < pieces.size() && next == scanned);
-        visit(pieces.subspan(begin, end - begin), count, scanned);
-    }
 }
 
 void OctaveStreams::add_values(const Group& group, std::span<const Piece> pieces,
@@ -258,69 +237,6 @@ void OctaveStreams::add(std::span<const Piece> pieces, std::size_t count, Stream
             add_values(group, pieces, buffers, values);
 }
 
-std::vector<FieldSum::Group> OctaveStreams::sum_groups() const {
-    std::vector<FieldSum::Group> groups;
-    for (const Group& group : groups_) {
-        FieldSum::Group& sum = groups.emplace_back();
-        sum.scale = group.scale;
-        for (const StreamOctave& octave : group.octaves) {
-            NoiseKey& key = sum.keys.emplace_back();
-            key.noise.kind = group.kind, key.noise.fade = group.fade, key.noise.seed = octave.seed;
-            key.noise.radius2 = group.radius2;
-            key.lattice_from_solid = group.lattice_from_solid;
-            key.doublings = octave.doublings;
-            key.most_doublings = group.finest();
-            sum.weights.push_back(octave.weight);
-        }
-    }
-    return groups;
-}
-
-std::vector<NoiseKey> OctaveStreams::noise_keys() const {
-    std::vector<NoiseKey> keys;
-    for (const FieldSum::Group& group : sum_groups())
-        keys.insert(keys.end(), group.keys.begin(), group.keys.end());
-    return keys;
-}
-
-void OctaveStreams::add_kept_group(const Group& group, std::span<const Piece> pieces,
-                                   std::size_t count, bool scanned, const KeptBatch& kept,
-                                   StreamBuffers& buffers, double* values) const {
-    Plan plan;
-    if (scanned)
-        map_scan_lines(group.lattice_from_solid, group.finest(), pieces, buffers.lines);
-    else
-        plan = prepare(group, pieces, count, buffers, false, nullptr);
-    clear(buffers.sums, count, false);
-    for (std::size_t k = group.octaves.size(); k-- > 0;) {
-        const auto [noise, known] = kept.octaves[k];
-        StreamOctave octave = group.octaves[k];
-        if (known) {
-            add_scaled(octave.weight, noise + kept.at, count, buffers.sums.values);
-            buffers.work.skip_octaves(Skip::kept_terms, count);
-            continue;
-        }
-        buffers.work.octaves += count;
-        const auto add_to = [&](OctaveSums& sums) {
-            if (scanned)
-                add_octave_scanline(group.kind, group.fade, octave, buffers.lines, buffers.segments,
-                                    sums.values);
-            else
-                add_octave(group, octave, plan, count, buffers, sums);
-        };
-        if (!noise) {
-            add_to(buffers.sums);
-            continue;
-        }
-        const float weight = std::exchange(octave.weight, 1.0f);
-        clear(buffers.part, count, false);
-        add_to(buffers.part);
-        std::copy_n(buffers.part.values, count, noise + kept.at);
-        add_scaled(weight, buffers.part.values, count, buffers.sums.values);
-    }
-    add_sums(group.scale * stream_unit(group.kind), buffers.sums.values, count, values);
-}
-
 /// Octaves [begin, end) of the group, from element `at` of the arrays on.
 void OctaveStreams::fill_group_noise(const Group& group, std::size_t begin, std::size_t end,
                                      std::span<const Piece> pieces, std::size_t count, bool scanned,
@@ -334,7 +250,7 @@ void OctaveStreams::fill_group_noise(const Group& group, std::size_t begin, std:
     for (std::size_t k = begin; k < end; ++k) {
         StreamOctave octave = group.octaves[k];
         octave.weight = 1.0f;
-        clear(buffers.part, count, false);
+        buffers.part.clear(count, false);
         if (scanned)
             add_octave_scanline(group.kind, group.fade, octave, buffers.lines, buffers.segments,
                                 buffers.part.values);
@@ -361,40 +277,6 @@ void OctaveStreams::fill_noise(std::size_t begin, std::size_t end, std::span<con
                          });
         first = last;
     }
-}
-
-void OctaveStreams::add_kept(std::span<const Piece> pieces, std::size_t count,
-                             const KeptBatch& kept, StreamBuffers& buffers, double* values) const {
-    const FieldStart& start = kept.start;
-    const auto keep_start = [&](std::size_t groups) {
-        if (start.values && !start.known && start.groups == groups)
-            std::copy_n(values, count, start.values + kept.at);
-    };
-    std::size_t first = start.known ? start.octaves : 0;
-    buffers.work.skip_octaves(Skip::kept_terms, first * count);
-    for (std::size_t i = start.known ? start.groups : 0; i < groups_.size(); ++i) {
-        const Group& group = groups_[i];
-        KeptBatch own = kept.part(first, group.octaves.size());
-        first += group.octaves.size();
-        keep_start(i);
-        if (std::ranges::none_of(own.octaves,
-                                 [](const KeptNoise& octave) { return octave.noise; })) {
-            add_values(group, pieces, buffers, values);
-            continue;
-        }
-        if (std::ranges::all_of(own.octaves, &KeptNoise::known)) {
-            add_known_group(group, own, count, buffers.work, values);
-            continue;
-        }
-        double* at = values;
-        for_each_way(group, pieces,
-                     [&](std::span<const Piece> part, std::size_t texels, bool scanned) {
-                         add_kept_group(group, part, texels, scanned, own, buffers, at);
-                         own.at += texels;
-                         at += texels;
-                     });
-    }
-    keep_start(groups_.size());
 }
 
 }  // namespace burl

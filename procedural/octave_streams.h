@@ -1,6 +1,7 @@
 #pragma once
 // The octaves of a texture that vectorised kernels know, added up group by group
 // (octave_groups.h), each in the way that is fastest for its pieces.
+#include <algorithm>
 #include <limits>
 #include <vector>
 
@@ -19,6 +20,12 @@ namespace burl {
 struct OctaveSums {
     alignas(64) float values[batch_capacity + batch_padding];
     GradientSums gradients;
+
+    void clear(std::size_t count, bool slopes) {
+        std::fill_n(values, count + batch_padding, 0.0f);
+        if (!slopes) return;
+        for (float* along : gradients.along) std::fill_n(along, count + batch_padding, 0.0f);
+    }
 };
 
 /// What a thread works with.
@@ -54,9 +61,13 @@ class OctaveStreams {
     std::vector<FieldSum::Group> sum_groups() const;
     /// As add() without slopes and offsets, to the bit, but evaluates only octaves whose noise is
     /// not known, and keeps it, as it does the start that is to be kept; a known one is in the
-    /// values already. Where all are known it needs no pieces. Not with a band limit.
+    /// values already. Where all are known it needs no pieces. Not with a band limit. Of a start
+    /// that is known the values take the numbers.
     void add_kept(std::span<const Piece> pieces, std::size_t count, const KeptBatch& kept,
                   StreamBuffers& buffers, double* values) const;
+    /// Whether a batch needs pieces whose longest span has so many texels, or the kept lines of its
+    /// spans do.
+    bool needs_pieces(const KeptBatch& kept, double longest) const;
     /// noise[k][j] = octave k of noise_keys() at texel j, for k in [begin, end): what add_kept()
     /// keeps of it, to the bit. The arrays are padded.
     void fill_noise(std::size_t begin, std::size_t end, std::span<const Piece> pieces,
@@ -83,15 +94,17 @@ class OctaveStreams {
     struct Plan {
         std::size_t shared = 0;  ///< number of its coarsest octaves that share corners
         bool slopes = false;
+        bool scanned = false;  ///< instead
     };
     std::vector<ScanLimit> scan_limits(const Group& group) const;
     bool scans(const Group& group, const Piece& piece) const;
     std::size_t sharing(const Group& group, double crossings, bool slopes) const;
     template <class Visit>
     void for_each_way(const Group& group, std::span<const Piece> pieces, Visit&& visit) const;
-    void add_kept_group(const Group& group, std::span<const Piece> pieces, std::size_t count,
-                        bool scanned, const KeptBatch& kept, StreamBuffers& buffers,
-                        double* values) const;
+    void add_kept_octaves(const Group& group, const Plan& plan, std::size_t count,
+                          const KeptBatch& kept, StreamBuffers& buffers) const;
+    void add_kept_pieces(const Group& group, std::span<const Piece> pieces, const KeptBatch& kept,
+                         StreamBuffers& buffers, double* values) const;
     void fill_group_noise(const Group& group, std::size_t begin, std::size_t end,
                           std::span<const Piece> pieces, std::size_t count, bool scanned,
                           std::size_t at, StreamBuffers& buffers,
@@ -119,6 +132,9 @@ class OctaveStreams {
                      std::size_t count, StreamBuffers& buffers) const;
     Plan prepare(const Group& group, std::span<const Piece> pieces, std::size_t count,
                  StreamBuffers& buffers, bool slopes, const TexelOffsets* offsets) const;
+    Plan prepare_lines(const Group& group, const SpanLines& lines, StreamBuffers& buffers) const;
+    Plan plan_of(const Group& group, double planes, std::size_t count, StreamBuffers& buffers,
+                 bool slopes) const;
     static void add_octave(const Group& group, const StreamOctave& octave, const Plan& plan,
                            std::size_t count, const StreamBuffers& buffers, OctaveSums& sums);
 
@@ -128,5 +144,22 @@ class OctaveStreams {
     Skips skips_;
     bool wide_vectors_;
 };
+
+/// Calls visit(pieces, their number of texels, whether they are scanned) for pieces that follow one
+/// another and are added up in the same way.
+template <class Visit>
+void OctaveStreams::for_each_way(const Group& group, std::span<const Piece> pieces,
+                                 Visit&& visit) const {
+    bool next = !pieces.empty() && scans(group, pieces.front());
+    for (std::size_t begin = 0, end = 0; begin < pieces.size(); begin = end) {
+        const bool scanned = next;
+        std::size_t count = 0;
+        do {
+            count += pieces[end].solid.count;
+            next = ++end < pieces.size() && scans(group, pieces[end]);
+        } while (end < pieces.size() && next == scanned);
+        visit(pieces.subspan(begin, end - begin), count, scanned);
+    }
+}
 
 }  // namespace burl

@@ -4,6 +4,8 @@
 #include <bit>
 #include <cmath>
 
+#include <hwy/cache_control.h>
+
 // This file is compiled once per instruction set.
 // clang-format off
 #undef HWY_TARGET_INCLUDE
@@ -22,16 +24,18 @@ namespace HWY_NAMESPACE {
 
 /// Lines that stay this close to the cell of their start can be worked out that way.
 constexpr double fixed_reach = 0x1p18;
+/// And those that stay this close to 0 from there instead of from a cell: the same bits, sooner.
+constexpr double origin_reach = 0x1p19;
 
-/// Up to `capacity` pieces in the lattice: on an axis texel x of its line has the fixed-point bits
-/// of from + x * step, plus offset.
-struct PieceLines {
+/// Up to `capacity` lines in the lattice: on an axis texel x of its line has the fixed-point bits
+/// of from + x * step, plus offset; where all are near 0, without it.
+struct FixedLines {
     static constexpr std::size_t capacity = 64;
     alignas(64) double from[3][capacity], step[3][capacity];
     alignas(64) std::uint64_t offset[3][capacity];
-    alignas(64) double length[capacity];  ///< of the whole line, in texels
-    alignas(64) double planes[capacity];  ///< of the lattice crossed per texel
-    alignas(64) double hard[capacity];    ///< 1: out of reach of these numbers
+    alignas(64) double length[capacity + 8];  ///< of the whole line, in texels
+    alignas(64) double planes[capacity];      ///< of the lattice crossed per texel
+    alignas(64) double hard[capacity];        ///< 1: out of reach of these numbers
 };
 
 /// What lines have to stay within.
@@ -48,15 +52,75 @@ HWY_ATTR HWY_INLINE Double Wrapped(Double x, double period) {
     return hn::Sub(x, hn::Mul(periods, hn::Set(d, period)));
 }
 
-HWY_ATTR void MapPieces(const Affine3& map, const LineLimits& limits, std::span<const Piece> pieces,
-                        PieceLines& lines) {
+/// Where lines come from: pieces,
+struct PieceSource {
+    std::span<const Piece> pieces;
+
+    std::size_t size() const { return pieces.size(); }
+    double Length(std::size_t i) const {
+        return std::max(pieces[i].length, pieces[i].solid.first + double(pieces[i].solid.count));
+    }
+    const LatticeLine& Line(std::size_t i, std::size_t) const { return pieces[i].solid; }
+    void Prefetch(std::size_t, std::size_t) const {}
+    HWY_ATTR HWY_INLINE PieceLanes Lanes(std::size_t i) const { return {pieces, i}; }
+};
+
+/// Start and step of a vector of spans.
+struct SpanLanes {
+    Double x, y, z, u, v, w;
+
+    HWY_ATTR HWY_INLINE SpanLanes(const SpanLines& lines, std::size_t i) {
+        const Doubles d;
+        const auto numbers = [&](const double* from) HWY_ATTR { return hn::LoadU(d, from + i); };
+        x = numbers(lines.start[0]), y = numbers(lines.start[1]), z = numbers(lines.start[2]);
+        u = numbers(lines.step[0]), v = numbers(lines.step[1]), w = numbers(lines.step[2]);
+    }
+};
+
+/// or spans.
+struct SpanSource {
+    const SpanLines& lines;
+
+    std::size_t size() const { return lines.spans; }
+    double Length(std::size_t i) const { return double(lines.counts[i]); }
+    LatticeLine Line(std::size_t i, std::size_t at) const { return lines.line(i, at); }
+    /// A line of the cache of what is needed soon, and one of spans that follow: their numbers come
+    /// from beyond the caches, where nobody else foresees them.
+    HWY_ATTR HWY_INLINE void Prefetch(std::size_t i, std::size_t at) const {
+        constexpr std::size_t ahead = 160;
+        if (lines.needed) hwy::Prefetch(lines.needed + at);
+        const std::size_t k = i % 8;
+        if (k < 6) hwy::Prefetch((k < 3 ? lines.start[k] : lines.step[k - 3]) + i + ahead);
+    }
+    HWY_ATTR HWY_INLINE SpanLanes Lanes(std::size_t i) const { return {lines, i}; }
+};
+
+/// A line's start for FixedLines.
+template <bool near_origin>
+HWY_ATTR HWY_INLINE void StoreStart(Double start, int axis, std::size_t i, FixedLines& lines) {
     const Doubles d;
-    const bool wraps = limits.period > 0.0;
-    for (std::size_t i = 0; i < pieces.size(); ++i)
-        lines.length[i] =
-            std::max(pieces[i].length, pieces[i].solid.first + double(pieces[i].solid.count));
-    for (std::size_t i = 0; i < pieces.size(); i += hn::Lanes(d)) {
-        const PieceLanes p(pieces, i);
+    const Double magic = hn::Set(d, fixed_magic);
+    if constexpr (near_origin) {
+        hn::Store(hn::Add(start, magic), d, lines.from[axis] + i);
+    } else {
+        const NearestInteger cell(start);
+        hn::Store(hn::Add(cell.rest, magic), d, lines.from[axis] + i);
+        hn::Store(hn::Sub(cell.integer, hn::Set(Longs(), fixed_zero)), Longs(),
+                  lines.offset[axis] + i);
+    }
+}
+
+/// Lines from number `begin` on. Whether none of them is hard and, if that is asked for, all are
+/// near 0.
+template <bool near_origin, class Source>
+HWY_ATTR bool MapLines(const Affine3& map, const LineLimits& limits, const Source& source,
+                       std::size_t begin, std::size_t count, FixedLines& lines) {
+    const Doubles d;
+    const auto most =
+        hn::Set(d, near_origin ? std::min(limits.coordinate, origin_reach) : limits.coordinate);
+    auto all_hard = hn::Zero(d);
+    for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
+        const auto p = source.Lanes(begin + i);
         const auto length = hn::Load(d, lines.length + i);
         auto planes = hn::Zero(d), hard = hn::Zero(d);
         for (int axis = 0; axis < 3; ++axis) {
@@ -65,52 +129,54 @@ HWY_ATTR void MapPieces(const Affine3& map, const LineLimits& limits, std::span<
             auto start = hn::Add(Dot(a, b, c, p.x, p.y, p.z), hn::Set(d, map.offset[axis]));
             const auto speed = hn::Abs(step), extent = hn::Mul(length, speed);
             const auto reach = hn::Add(hn::Abs(start), extent);
-            const auto near = hn::And(hn::Lt(extent, hn::Set(d, fixed_reach)),
-                                      hn::Lt(reach, hn::Set(d, limits.coordinate)));
+            const auto near = hn::And(hn::Lt(extent, hn::Set(d, fixed_reach)), hn::Lt(reach, most));
             hard = hn::IfThenElse(near, hard, hn::Set(d, 1.0));
             planes = hn::Add(planes, speed);
-            if (wraps) start = Wrapped(start, limits.period);
-            const NearestInteger cell(start);
-            hn::Store(hn::Add(cell.rest, hn::Set(d, fixed_magic)), d, lines.from[axis] + i);
+            if (limits.period > 0.0) start = Wrapped(start, limits.period);
+            StoreStart<near_origin>(start, axis, i, lines);
             hn::Store(step, d, lines.step[axis] + i);
-            hn::Store(hn::Sub(cell.integer, hn::Set(Longs(), fixed_zero)), Longs(),
-                      lines.offset[axis] + i);
         }
+        all_hard = hn::Max(all_hard, hard);
         hn::Store(planes, d, lines.planes + i);
         hn::Store(hard, d, lines.hard + i);
     }
+    return hn::AllTrue(d, hn::Eq(all_hard, hn::Zero(d)));
 }
 
 /// An axis of a line, in every lane.
+template <bool near_origin>
 struct FixedAxis {
     Double from, step;
     Long offset;
 
-    HWY_ATTR HWY_INLINE FixedAxis(const PieceLines& lines, std::size_t i, int axis)
+    HWY_ATTR HWY_INLINE FixedAxis(const FixedLines& lines, std::size_t i, int axis)
         : from(hn::Set(Doubles(), lines.from[axis][i])),
           step(hn::Set(Doubles(), lines.step[axis][i])),
-          offset(hn::Set(Longs(), lines.offset[axis][i])) {}
+          offset(hn::Set(Longs(), near_origin ? 0 : lines.offset[axis][i])) {}
 
     HWY_ATTR HWY_INLINE Long At(Double x) const {
-        return hn::Add(hn::BitCast(Longs(), hn::Add(from, hn::Mul(x, step))), offset);
+        const Long sum = hn::BitCast(Longs(), hn::Add(from, hn::Mul(x, step)));
+        return near_origin ? sum : hn::Add(sum, offset);
     }
     /// A vector of floats of texels, half at x, half at x + lanes.
     HWY_ATTR HWY_INLINE void Store(Double x, Double lanes, std::uint32_t* cells,
                                    std::uint32_t* places) const {
         const Halves at(At(x), At(hn::Add(x, lanes)));
-        hn::StoreU(at.upper, Bits(), cells);
+        const Bit zero = hn::Set(Bits(), std::uint32_t(fixed_zero >> 32));
+        hn::StoreU(near_origin ? hn::Sub(at.upper, zero) : at.upper, Bits(), cells);
         hn::StoreU(at.lower, Bits(), places);
     }
 };
 
-HWY_ATTR HWY_INLINE void FillLine(const PieceLines& lines, std::size_t i, const LatticeLine& line,
-                                  std::size_t at, LatticeStream& stream) {
+template <bool near_origin>
+HWY_ATTR HWY_INLINE void FillLine(const FixedLines& lines, std::size_t i, double first,
+                                  std::size_t count, std::size_t at, LatticeStream& stream) {
     const Doubles d;
-    const FixedAxis axes[] = {{lines, i, 0}, {lines, i, 1}, {lines, i, 2}};
+    const FixedAxis<near_origin> axes[] = {{lines, i, 0}, {lines, i, 1}, {lines, i, 2}};
     const auto lanes = hn::Set(d, double(hn::Lanes(d))),
                both = hn::Set(d, double(hn::Lanes(Bits())));
-    auto x = hn::Add(LaneNumbers(), hn::Set(d, line.first));
-    for (std::size_t j = at; j < at + line.count; j += hn::Lanes(Bits())) {
+    auto x = hn::Add(LaneNumbers(), hn::Set(d, first));
+    for (std::size_t j = at; j < at + count; j += hn::Lanes(Bits())) {
         for (int axis = 0; axis < 3; ++axis)
             axes[axis].Store(x, lanes, stream.cells[axis] + j, stream.places[axis] + j);
         x = hn::Add(x, both);
@@ -137,27 +203,58 @@ void FillHardLine(const Affine3& map, const LatticeLine& line, double length,
     }
 }
 
-HWY_ATTR double FillStream(const Affine3& map, int doublings, double period,
-                           std::span<const Piece> pieces, LatticeStream& stream) {
+/// What FillLines fills.
+struct StreamEnd {
+    LatticeStream& stream;
+    std::size_t texels = 0;
+    double planes = 0.0;  ///< crossed by them
+};
+
+/// `count` lines from number `begin` on.
+template <bool near_origin, class Source>
+HWY_ATTR void FillLines(const Affine3& map, const LineLimits& limits, const Source& source,
+                        std::size_t begin, std::size_t count, const FixedLines& lines,
+                        StreamEnd& end) {
+    for (std::size_t i = 0; i < count; ++i) {
+        const LatticeLine& line = source.Line(begin + i, end.texels);
+        source.Prefetch(begin + i, end.texels);
+        if (near_origin || lines.hard[i] == 0.0)
+            FillLine<near_origin>(lines, i, line.first, line.count, end.texels, end.stream);
+        else
+            FillHardLine(map, line, lines.length[i], limits, end.texels, end.stream);
+        end.texels += line.count;
+        end.planes += double(line.count) * lines.planes[i];
+    }
+}
+
+template <class Source>
+HWY_ATTR double FillStreamFrom(const Affine3& map, int doublings, double period,
+                               const Source& source, LatticeStream& stream) {
     const LineLimits limits{std::ldexp(lattice_limit, -doublings), period};
-    PieceLines lines;
-    std::size_t at = 0;
-    double planes = 0.0;
-    for (std::size_t first = 0; first < pieces.size(); first += PieceLines::capacity) {
-        const auto part =
-            pieces.subspan(first, std::min(PieceLines::capacity, pieces.size() - first));
-        MapPieces(map, limits, part, lines);
-        for (std::size_t i = 0; i < part.size(); ++i) {
-            const LatticeLine& line = part[i].solid;
-            if (lines.hard[i] == 0.0)
-                FillLine(lines, i, line, at, stream);
-            else
-                FillHardLine(map, line, lines.length[i], limits, at, stream);
-            at += line.count;
-            planes += double(line.count) * lines.planes[i];
+    FixedLines lines;
+    StreamEnd end{stream};
+    for (std::size_t begin = 0; begin < source.size(); begin += FixedLines::capacity) {
+        const std::size_t count = std::min(FixedLines::capacity, source.size() - begin);
+        for (std::size_t i = 0; i < count; ++i) lines.length[i] = source.Length(begin + i);
+        std::fill_n(lines.length + count, hn::Lanes(Doubles()), 0.0);
+        if (MapLines<true>(map, limits, source, begin, count, lines)) {
+            FillLines<true>(map, limits, source, begin, count, lines, end);
+        } else {
+            MapLines<false>(map, limits, source, begin, count, lines);
+            FillLines<false>(map, limits, source, begin, count, lines, end);
         }
     }
-    return planes;
+    return end.planes;
+}
+
+HWY_ATTR double FillStream(const Affine3& map, int doublings, double period,
+                           std::span<const Piece> pieces, LatticeStream& stream) {
+    return FillStreamFrom(map, doublings, period, PieceSource{pieces}, stream);
+}
+
+HWY_ATTR double FillStreamOfSpans(const Affine3& map, int doublings, double period,
+                                  const SpanLines& spans, LatticeStream& stream) {
+    return FillStreamFrom(map, doublings, period, SpanSource{spans}, stream);
 }
 
 template <class Corner, class FadeFunction>
@@ -192,15 +289,16 @@ HWY_ATTR void AddScaledNoise(float weight, const float* noise, std::size_t count
                   sums + j);
 }
 
-HWY_ATTR void AddSums(double scale, const float* sums, std::size_t count, double* values) {
+HWY_ATTR void AddSumsTo(const double* from, double scale, const float* sums, std::size_t count,
+                        double* values) {
     const Doubles d;
     const auto scales = hn::Set(d, scale);
     std::size_t j = 0;
     for (; j + hn::Lanes(d) <= count; j += hn::Lanes(d)) {
         const auto sum = hn::PromoteTo(d, hn::Load(HalfFloats(), sums + j));
-        hn::StoreU(hn::Add(hn::LoadU(d, values + j), hn::Mul(sum, scales)), d, values + j);
+        hn::StoreU(hn::Add(hn::LoadU(d, from + j), hn::Mul(sum, scales)), d, values + j);
     }
-    for (; j < count; ++j) values[j] += double(sums[j]) * scale;
+    for (; j < count; ++j) values[j] = from[j] + double(sums[j]) * scale;
 }
 
 }  // namespace HWY_NAMESPACE
@@ -211,13 +309,20 @@ HWY_AFTER_NAMESPACE();
 namespace burl {
 
 HWY_EXPORT(FillStream);
+HWY_EXPORT(FillStreamOfSpans);
 HWY_EXPORT(AddOctaveDirect);
 HWY_EXPORT(AddScaledNoise);
-HWY_EXPORT(AddSums);
+HWY_EXPORT(AddSumsTo);
 
 double fill_stream(const Affine3& lattice_from_solid, int doublings, std::span<const Piece> pieces,
                    LatticeStream& stream, double period) {
     return HWY_DYNAMIC_DISPATCH(FillStream)(lattice_from_solid, doublings, period, pieces, stream);
+}
+
+double fill_stream(const Affine3& lattice_from_solid, int doublings, const SpanLines& lines,
+                   LatticeStream& stream, double period) {
+    return HWY_DYNAMIC_DISPATCH(FillStreamOfSpans)(lattice_from_solid, doublings, period, lines,
+                                                   stream);
 }
 
 void add_octave_direct(NoiseKind kind, Fade fade, const StreamOctave& octave,
@@ -230,8 +335,13 @@ void add_scaled(float weight, const float* noise, std::size_t count, float* sums
     HWY_DYNAMIC_DISPATCH(AddScaledNoise)(weight, noise, count, sums);
 }
 
+void add_sums_to(const double* from, double scale, const float* sums, std::size_t count,
+                 double* values) {
+    HWY_DYNAMIC_DISPATCH(AddSumsTo)(from, scale, sums, count, values);
+}
+
 void add_sums(double scale, const float* sums, std::size_t count, double* values) {
-    HWY_DYNAMIC_DISPATCH(AddSums)(scale, sums, count, values);
+    add_sums_to(values, scale, sums, count, values);
 }
 
 }  // namespace burl

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "procedural/noise_spec.h"
+#include "procedural/span_lines.h"
 #include "procedural/texel_piece.h"
 
 namespace burl {
@@ -42,6 +43,9 @@ struct StreamOctave {
 /// With a period, at most 2^17, cells are modulo it instead of 2^32, and stay within 2^19 of 0.
 double fill_stream(const Affine3& lattice_from_solid, int doublings, std::span<const Piece> pieces,
                    LatticeStream& stream, double period = 0.0);
+/// The same bits of the same lines.
+double fill_stream(const Affine3& lattice_from_solid, int doublings, const SpanLines& lines,
+                   LatticeStream& stream, double period = 0.0);
 
 /// What the kernels' sums are multiples of: they leave the noise unscaled.
 constexpr double stream_unit(NoiseKind kind) {
@@ -60,5 +64,8 @@ void add_scaled(float weight, const float* noise, std::size_t count, float* sums
 
 /// values[j] += scale * sums[j].
 void add_sums(double scale, const float* sums, std::size_t count, double* values);
+/// values[j] = from[j] + scale * sums[j].
+void add_sums_to(const double* from, double scale, const float* sums, std::size_t count,
+                 double* values);
 
 }  // namespace burl

@@ -14,10 +14,6 @@ namespace burl {
 
 namespace {
 
-struct Batch : FieldBatch {
-    ColorBuffers colors;
-};
-
 bool wants_slopes(FilterKind kind) {
     return kind != FilterKind::none && kind != FilterKind::supersample;
 }
@@ -53,13 +49,29 @@ Image<Pixel> from_scratch(const SolidAtlas& solid, const Texture& texture, const
 
 }  // namespace
 
+struct KeptSynthesis::Batch : FieldBatch {
+    ColorBuffers colors;
+};
+
+/// How the rows of a texture are worked out.
+template <class Pixel>
+struct KeptSynthesis::Evaluation {
+    const FieldSampler& sampler;
+    const PointColors<Pixel>& colors;
+    Pixel background;
+    KeptBatch kept;  ///< of the whole picture
+    double* field;   ///< null: f is not kept
+    bool all_known;
+};
+
 KeptSynthesis::KeptSynthesis(const SolidAtlas& solid, const Affine3& texture_from_atlas,
                              std::size_t budget, Kernel kernel)
     : solid_(&solid),
       texture_from_atlas_(texture_from_atlas),
       budget_(budget),
       kernel_(kernel),
-      rows_(solid) {}
+      rows_(solid),
+      lines_(solid) {}
 
 void KeptSynthesis::set_map(const Affine3& texture_from_atlas) {
     if (texture_from_atlas == texture_from_atlas_) return;
@@ -68,50 +80,11 @@ void KeptSynthesis::set_map(const Affine3& texture_from_atlas) {
     forget();
 }
 
-/// The memory stays, for what comes next.
-void KeptSynthesis::forget() {
-    moved_ = true;
-    known_field_.reset();
-    start_.forget();
-    known_quadric_.reset();
-    for (KeptOctave& octave : octaves_) octave.key.doublings = -1;  // nobody's
-}
-
-void KeptSynthesis::forget_octaves() {
-    octaves_.clear();
-    last_keys_.clear();
-    start_.forget();
-    entries_ = {};
-    quadric_ = {};
-    known_quadric_.reset();
-}
-
 KeptSynthesis::FieldKey KeptSynthesis::field_key(const Texture& texture, const Filter& filter) {
     const FilterKind kind = filter.kind == FilterKind::trapezoid2 || !wants_slopes(filter.kind)
                                 ? filter.kind
                                 : FilterKind::exact;
     return {texture.quadric, texture.noise, kind, filter.band_limit};
-}
-
-std::size_t KeptSynthesis::bytes() const {
-    const auto kept = [](const auto& array) { return array.data() ? sizeof(*array.data()) : 0; };
-    std::size_t bytes =
-        kept(field_) + kept(quadric_) + kept(slopes_u_) + kept(slopes_v_) + kept(entries_);
-    for (const KeptOctave& octave : octaves_) bytes += kept(octave.noise);
-    return rows_.size() * bytes;
-}
-
-bool KeptSynthesis::keep_field(bool slopes) {
-    const std::size_t wanted = sizeof(double) + (slopes ? 2 * sizeof(float) : 0);
-    const bool fits = bytes_per_texel() >= wanted;
-    if (!slopes || !fits) slopes_u_ = {}, slopes_v_ = {};
-    if (!fits) field_ = {};
-    if (fits && slopes && !slopes_u_.data()) {
-        slopes_u_ = KeptArray<float>(rows_.size());
-        slopes_v_ = KeptArray<float>(rows_.size());
-    }
-    if (fits && !field_.data()) field_ = KeptArray<double>(rows_.size());
-    return fits;
 }
 
 /// Octaves are compared with those in their places before.
@@ -132,60 +105,10 @@ void KeptSynthesis::note_changes(const std::vector<NoiseKey>& keys, const FieldK
     last_field_ = field;
 }
 
-/// Places for the keys' noise, those of before where they hold it already. What is not evaluated
-/// after all because of an exception is forgotten.
-std::vector<KeptSynthesis::KeptOctave> KeptSynthesis::keep(const std::vector<NoiseKey>& keys) {
-    const std::size_t most = bytes_per_texel();
-    std::size_t rest = keep_field(false) ? most - sizeof(double) : 0;
-    std::vector<KeptOctave> before = std::exchange(octaves_, {}), octaves(keys.size());
-    for (std::size_t k = 0; k < keys.size(); ++k) {
-        octaves[k].key = keys[k];
-        const auto same = std::ranges::find(before, keys[k], &KeptOctave::key);
-        if (same == before.end() || rest < sizeof(float)) continue;
-        octaves[k].noise = std::move(same->noise);
-        octaves[k].known = octaves[k].noise.data() != nullptr;
-        before.erase(same);
-        rest -= octaves[k].known ? sizeof(float) : 0;
-    }
-    std::erase_if(before, [](const KeptOctave& octave) { return !octave.noise.data(); });
-    for (std::size_t k = 0; k < keys.size(); ++k) {
-        if (octaves[k].known || octave_changes_[k].again || rest < sizeof(float)) continue;
-        rest -= sizeof(float);
-        if (before.empty()) {
-            octaves[k].noise = KeptArray<float>(rows_.size());
-        } else {
-            octaves[k].noise = std::move(before.back().noise);
-            before.pop_back();
-        }
-    }
-    before.clear();
-    if (rest < sizeof(double)) {
-        quadric_ = {};
-        known_quadric_.reset();
-    } else {
-        rest -= sizeof(double);
-        if (!quadric_.data()) {
-            quadric_ = KeptArray<double>(rows_.size());
-            known_quadric_.reset();
-        }
-    }
-    if (rest < sizeof(std::int32_t)) entries_ = {};
-    return octaves;
-}
-
 void KeptSynthesis::count_recolored(const Economy& economy) const {
     if (!economy.work) return;
     economy.work->texels += rows_.texels();
     economy.work->skip_octaves(Skip::kept_terms, octaves_per_texel_ * rows_.texels());
-}
-
-/// Whether there is room for them.
-bool KeptSynthesis::keep_entries() {
-    if (entries_.data()) return true;
-    if (bytes() + rows_.size() * sizeof(std::int32_t) > budget_) return false;
-    entries_ = KeptArray<std::int32_t>(rows_.size());
-    known_entries_.reset();
-    return true;
 }
 
 template <class Pixel>
@@ -207,10 +130,40 @@ void KeptSynthesis::recolor(const Texture& texture, int threads, const Economy& 
 }
 
 template <class Pixel>
+void KeptSynthesis::evaluate_row(std::size_t y, const Evaluation<Pixel>& to, Batch& batch,
+                                 Image<Pixel>& image) {
+    RowPainter<Pixel> painter(rows_.runs(y), image.row(y), to.background);
+    KeptBatch kept = to.kept;
+    kept.at = rows_.begin(y);
+    const auto fill = [&](std::size_t count) {
+        batch.count = count;
+        to.sampler.values(batch, kept);
+        if (to.field) std::copy_n(batch.field, count, to.field + kept.at);
+        to.colors.look_up(batch.field, count, batch.colors);
+        paint(to.colors, batch.field, count, batch.colors, painter);
+        batch.streams.work.texels += count;
+        kept.at += count;
+        batch.count = 0;
+    };
+    if (to.all_known)
+        return rows_.for_each_batch(y, [&](std::size_t, std::size_t count) { fill(count); });
+    if (lines_.kept() && !to.sampler.needs_pieces(to.kept, lines_.longest(y)))
+        return lines_.for_each_batch(y, maps_, [&](const SpanLines& lines) {
+            kept.lines = &lines;
+            fill(lines.texels);
+        });
+    const auto empty = [&] {
+        if (batch.count > 0) fill(batch.count);
+        batch.pieces.clear();
+    };
+    add_row(*solid_, maps_, y, batch, empty);
+    empty();
+}
+
+template <class Pixel>
 void KeptSynthesis::evaluate(const Texture& texture, int threads, const Economy& economy,
                              Image<Pixel>& image) {
-    const PointColors<Pixel> colors(texture.colors);
-    const Pixel background = colors(0.0);
+    const PointColors<Pixel>& colors = colors_.of<Pixel>(texture.colors);
     const FieldSampler sampler(texture, false, kernel_, economy.skips);
     known_field_.reset();
     known_entries_.reset();
@@ -231,36 +184,14 @@ void KeptSynthesis::evaluate(const Texture& texture, int threads, const Economy&
     double* const quadric = quadric_known || fills_quadric ? quadric_.data() : nullptr;
     const bool all_known =
         (quadric_known || start.known) && std::ranges::all_of(kept, &KeptNoise::known);
+    const Evaluation<Pixel> to{
+        sampler, colors, colors(0.0), {kept, quadric, quadric_known, 0, start}, field, all_known};
+    if (lines_fit_ && !all_known && !sampler.needs_pieces(to.kept, 0.0)) lines_.keep();
     WorkSum work(economy.work);
     const auto fill_rows = [&](const RowRange& range) {
         const auto batch = std::make_unique_for_overwrite<Batch>();
-        for (std::size_t y = range.begin(); y != range.end(); ++y) {
-            RowPainter<Pixel> painter(rows_.runs(y), image.row(y), background);
-            const auto fill = [&](std::size_t at, std::size_t count) {
-                sampler.values(*batch, {kept, quadric, quadric_known, at, start});
-                if (field) std::copy_n(batch->field, count, field + at);
-                colors.look_up(batch->field, count, batch->colors);
-                paint(colors, batch->field, count, batch->colors, painter);
-                batch->streams.work.texels += count;
-            };
-            if (all_known) {
-                rows_.for_each_batch(y, [&](std::size_t at, std::size_t count) {
-                    batch->count = count;
-                    fill(at, count);
-                });
-                continue;
-            }
-            std::size_t at = rows_.begin(y);
-            const auto empty = [&] {
-                if (batch->count == 0) return;
-                fill(at, batch->count);
-                at += batch->count;
-                batch->pieces.clear();
-                batch->count = 0;
-            };
-            add_row(*solid_, maps_, y, *batch, empty);
-            empty();
-        }
+        for (std::size_t y = range.begin(); y != range.end(); ++y)
+            evaluate_row(y, to, *batch, image);
         work.add(batch->streams.work);
     };
     for_row_ranges(solid_->size, 8 * batch_capacity, threads, fill_rows, economy.stop);

@@ -12,7 +12,9 @@
 #include "procedural/economy.h"
 #include "procedural/field_sampler.h"
 #include "procedural/filter.h"
+#include "procedural/kept_colors.h"
 #include "procedural/kept_start.h"
+#include "procedural/synthesize_kept_lines.h"
 #include "procedural/synthesize_kept_rows.h"
 
 namespace burl {
@@ -27,10 +29,11 @@ class KeptSynthesis {
     };
 
     /// `solid` must outlive this. At most `budget` bytes are kept of texels: 8 each for the field,
-    /// then 4 for every octave of the texture, as many as fit, then 8 for the quadric, and while
-    /// colours change 4 for f's place in the colour map; with a filter 8 for the field and 8 for
-    /// its slopes, no octaves. With less memory more is worked out again; nothing else changes.
-    /// (The texels' maps, 80 bytes a triangle, are not counted.)
+    /// then 4 for every octave of the texture, as many as fit, then 8 for the quadric, while
+    /// octaves change 52 for every span, and while colours change 4 for f's place in the colour
+    /// map; with a filter 8 for the field and 8 for its slopes, no octaves. With less memory more
+    /// is worked out again; nothing else changes. (The texels' maps, 80 bytes a triangle, are not
+    /// counted.)
     KeptSynthesis(const SolidAtlas& solid, const Affine3& texture_from_atlas, std::size_t budget,
                   Kernel kernel = Kernel::automatic);
 
@@ -85,6 +88,12 @@ class KeptSynthesis {
     template <class Pixel>
     void recolor(const Texture& texture, int threads, const Economy& economy, Image<Pixel>& image);
     bool keep_entries();
+    struct Batch;
+    template <class Pixel>
+    struct Evaluation;
+    template <class Pixel>
+    void evaluate_row(std::size_t y, const Evaluation<Pixel>& to, Batch& batch,
+                      Image<Pixel>& image);
     template <class Pixel>
     void evaluate(const Texture& texture, int threads, const Economy& economy, Image<Pixel>& image);
     /// By a shader (procedural/texel_shaders.h).
@@ -105,6 +114,9 @@ class KeptSynthesis {
     Kernel kernel_;
     std::vector<TexelMap> maps_;  ///< of the texture's coordinates; empty before the first call
     KeptRows rows_;
+    KeptColors colors_;
+    KeptLines lines_;
+    bool lines_fit_ = false;  ///< within the budget
 
     KeptArray<double> field_, quadric_;
     KeptArray<float> slopes_u_, slopes_v_;
