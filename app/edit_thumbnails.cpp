@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -19,7 +20,30 @@ double filling_distance() {
     return 0.985 / std::sin(half);
 }
 
+std::uint8_t mean(int a, int b, int c, int d) {
+    return static_cast<std::uint8_t>((a + b + c + d + 2) / 4);
+}
+
+Image<Rgb8> halved(const Image<Rgb8>& fine) {
+    const std::size_t side = std::max<std::size_t>(fine.width() / 2, 1);
+    Image<Rgb8> coarse(side, side);
+    for (std::size_t y = 0; y < side; ++y)
+        for (std::size_t x = 0; x < side; ++x) {
+            const Rgb8 &a = fine(2 * x, 2 * y), &b = fine(2 * x + 1, 2 * y),
+                       &c = fine(2 * x, 2 * y + 1), &d = fine(2 * x + 1, 2 * y + 1);
+            coarse(x, y) = {mean(a.r, b.r, c.r, d.r), mean(a.g, b.g, c.g, d.g),
+                            mean(a.b, b.b, c.b, d.b)};
+        }
+    return coarse;
+}
+
 }  // namespace
+
+std::vector<Image<Rgb8>> picture_levels(Image<Rgb8> picture) {
+    std::vector<Image<Rgb8>> levels{std::move(picture)};
+    while (levels.back().width() > 1) levels.push_back(halved(levels.back()));
+    return levels;
+}
 
 Image<Rgb8> ball_picture(const Recipe& recipe, int side) {
     DirectOptions options;

@@ -7,6 +7,7 @@
 #include <mutex>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "app/edit_errands.h"
 #include "app/recipe.h"
@@ -18,6 +19,10 @@ namespace burl {
 /// pixels, side >= 1; what lies outside the circle is of no meaning. Bit-identical for every thread
 /// count. Throws Error(unsupported) for a recipe that cannot be drawn.
 Image<Rgb8> ball_picture(const Recipe& recipe, int side);
+
+/// The picture and its MIP levels, of means of codes, down to a side of one pixel: a software
+/// OpenGL that makes levels compiles a program for it first, and a frame waits.
+std::vector<Image<Rgb8>> picture_levels(Image<Rgb8> picture);
 
 /// All functions may be called by one thread.
 class EditThumbnails {

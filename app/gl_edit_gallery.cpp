@@ -10,13 +10,15 @@ GlTexture upload(const GladGLContext& gl, const Image<Rgb8>& image) {
     GlTexture texture = make_texture(gl);
     gl.BindTexture(GL_TEXTURE_2D, texture.get());
     gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGB8, GLsizei(image.width()), GLsizei(image.height()), 0,
-                  GL_RGB, GL_UNSIGNED_BYTE, image.pixels().data());
+    const std::vector<Image<Rgb8>> levels = picture_levels(image);
+    for (std::size_t level = 0; level < levels.size(); ++level)
+        gl.TexImage2D(GL_TEXTURE_2D, GLint(level), GL_RGB8, GLsizei(levels[level].width()),
+                      GLsizei(levels[level].height()), 0, GL_RGB, GL_UNSIGNED_BYTE,
+                      levels[level].pixels().data());
     gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
     gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
     gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-    gl.GenerateMipmap(GL_TEXTURE_2D);
     check_gl(gl, "uploading a preset's picture");
     return texture;
 }

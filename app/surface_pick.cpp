@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include <tbb/parallel_invoke.h>
+
 namespace burl {
 
 namespace {
@@ -117,10 +119,16 @@ SurfacePick::SurfacePick(std::shared_ptr<const Scene> scene, double share)
         Trees trees;
         trees.moved = moved_places(surface, share);
         const std::vector<Vec3d>& at = trees.moved.empty() ? surface.positions : trees.moved;
-        trees.points = tree_of(surface.triangles, [&](std::uint32_t corner) { return at[corner]; });
-        if (!surface.uvs.empty())
-            trees.uvs = tree_of(surface.triangles, [&](std::uint32_t corner) {
-                return Vec3d(surface.uvs[corner], 0.0);
+        tbb::parallel_invoke(
+            [&] {
+                trees.points =
+                    tree_of(surface.triangles, [&](std::uint32_t corner) { return at[corner]; });
+            },
+            [&] {
+                if (surface.uvs.empty()) return;
+                trees.uvs = tree_of(surface.triangles, [&](std::uint32_t corner) {
+                    return Vec3d(surface.uvs[corner], 0.0);
+                });
             });
         for (const Mat4d& placement : surface.placements)
             trees.local_from_scene.push_back(glm::inverse(placement));

@@ -32,6 +32,21 @@ TEST(BallPicture, FillsTheCircleWithLitColours) {
         EXPECT_EQ(at(x, y), background_srgb) << x << " " << y;
 }
 
+TEST(BallPicture, HasLevelsOfMeansDownToOnePixel) {
+    Image<Rgb8> picture(12, 12);
+    for (std::size_t y = 0; y < 12; ++y)
+        for (std::size_t x = 0; x < 12; ++x)
+            picture(x, y) = {std::uint8_t(20 * x), std::uint8_t(20 * y), std::uint8_t(x + y)};
+    const auto levels = picture_levels(picture);
+    ASSERT_EQ(levels.size(), 4u);
+    EXPECT_EQ(levels[0], picture);
+    EXPECT_EQ(levels[1].width(), 6u);
+    EXPECT_EQ(levels[2].height(), 3u);
+    EXPECT_EQ(levels[3].width(), 1u);
+    EXPECT_EQ(levels[1](2, 5), (Rgb8{90, 210, 15}));
+    EXPECT_EQ(levels[2](1, 0), (Rgb8{110, 30, 7}));
+}
+
 TEST(EditThumbnails, MakeAPictureOnceWhenItIsAskedFor) {
     std::atomic<int> woken = 0;
     EditThumbnails thumbnails([&] { ++woken; });
