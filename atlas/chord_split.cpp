@@ -67,6 +67,10 @@ std::uint32_t split_chords(Patch& patch, std::span<const SideMask> sides) {
     Patch result;
     result.points = patch.points;
     result.origins = patch.origins;
+    const std::size_t triangles = patch.triangles.size() + 2 * (patch.points.size() - before);
+    result.triangles.reserve(triangles);
+    result.neighbours.reserve(triangles);
+    result.faces.reserve(triangles);
     std::vector<std::array<HalfEdge, 2>> halves(middle.size());  // in the result, by old half-edge
     for (std::uint32_t t = 0; t < patch.triangles.size(); ++t) {
         const auto base = static_cast<std::int32_t>(result.triangles.size());

@@ -139,7 +139,12 @@ CoarsePatch coarsen_patch(const Patch& fine, std::size_t triangles) {
         if (patch.on_border(h)) border_from[patch.start(h)] = h;
     auto& loop = patch.loops.emplace_back();
     for (const HalfEdge h : fine.loops[0]) loop.push_back(border_from[number[fine.start(h)]]);
-    result.collapsed.triangles.clear();
+    CollapsedMesh& way_back = result.collapsed;
+    way_back.triangles = {};
+    way_back.which = {};
+    way_back.heir = {};
+    way_back.collapses.shrink_to_fit();
+    way_back.ring.shrink_to_fit();
     return result;
 }
 

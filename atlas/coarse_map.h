@@ -15,7 +15,7 @@ namespace burl {
 struct CoarsePatch {
     Patch patch;
     std::vector<std::uint32_t> fine_vertex;  ///< per coarse vertex
-    CollapsedMesh collapsed;                 ///< the way back; its triangles are empty
+    CollapsedMesh collapsed;                 ///< the way back: its collapses and their rings alone
 };
 
 struct CoarseMap {

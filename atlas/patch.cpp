@@ -117,6 +117,8 @@ void rebuild_vertices(Patch& patch) {
     const std::vector<std::uint32_t> from = number_vertices(patch);
     std::vector<Vec3d> points;
     std::vector<VertexOrigin> origins;
+    points.reserve(from.size());
+    origins.reserve(from.size());
     for (const std::uint32_t old : from) {
         points.push_back(patch.points[old]);
         origins.push_back(patch.origins[old]);
@@ -130,6 +132,8 @@ Patch extract_patch(const Mesh& mesh, const Connectivity& connectivity,
                     std::span<const std::uint32_t> faces, std::vector<std::int32_t>& local) {
     Patch patch;
     patch.faces.assign(faces.begin(), faces.end());
+    patch.neighbours.reserve(faces.size());
+    patch.triangles.reserve(faces.size());
     for (std::size_t i = 0; i < faces.size(); ++i) local[faces[i]] = static_cast<std::int32_t>(i);
     for (const std::uint32_t face : faces) {
         auto& sides = patch.neighbours.emplace_back(connectivity.neighbours[face]);
@@ -138,7 +142,10 @@ Patch extract_patch(const Mesh& mesh, const Connectivity& connectivity,
         patch.triangles.push_back(mesh.triangles[face]);
     }
     for (const std::uint32_t face : faces) local[face] = -1;
-    for (const std::uint32_t point : number_vertices(patch)) {
+    const std::vector<std::uint32_t> points = number_vertices(patch);
+    patch.points.reserve(points.size());
+    patch.origins.reserve(points.size());
+    for (const std::uint32_t point : points) {
         patch.points.push_back(mesh.positions[point]);
         patch.origins.push_back({point, point});
     }

@@ -21,6 +21,7 @@ void refit(PatchCandidate& candidate, const std::stop_token& stop) {
     tbb::parallel_for(std::size_t(0), candidate.maps.patches.size(), [&](std::size_t i) {
         MappedPatch& mapped = candidate.maps.patches[i];
         if (!mapped.rectangle || stop.stop_requested()) return;
+        mapped.rectangle->uv = std::move(mapped.uv);
         fit_map(mapped.patch, *mapped.rectangle,
                 {.iterations = refit_iterations,
                  .aspect = candidate.layout.blocks[i].aspect(),

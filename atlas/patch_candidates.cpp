@@ -174,12 +174,13 @@ std::vector<PatchCandidate> best_divisions(const Mesh& mesh, const Connectivity&
         judge_coarse ? best_of_all(coarse->mesh, coarse->connectivity, size, tries, most, stop)
                      : best_of_all(mesh, connectivity, size, tries, most, stop);
     std::vector<PatchCandidate> result(best.size());
-    tbb::parallel_for(std::size_t(0), best.size(), [&](std::size_t i) {
+    // One after the other: fewer patches are in work at a time.
+    for (std::size_t i = 0; i < best.size(); ++i) {
         result[i] = std::move(best[i].candidate);
-        if (!judge_coarse || stop.stop_requested()) return;
+        if (!judge_coarse || stop.stop_requested()) continue;
         PatchMaps maps = carry_over(mesh, connectivity, *coarse, result[i], best[i].attempt, stop);
         result[i].maps = std::move(maps);
-    });
+    }
     return result;
 }
 

@@ -76,9 +76,9 @@ class RegionMapper {
         const double planar_d = planar ? planar->stretch.distortion() : 1e300;
         if (planar_d <= planar_at_once) return keep(std::move(patch), std::move(*planar), result);
         std::optional<RectangleMap> map;
-        Patch mapped = patch;
+        Patch mapped = planar ? patch : std::move(patch);
         PatchMapNotes notes;
-        if (make_disk(mapped, notes)) map = map_disk(mapped, limit, notes);
+        if (make_disk(mapped, notes)) map = map_disk(mapped, faces, limit, notes);
         const double d = map ? map->stretch.distortion() : 1e300;
         if (planar_d <= planar_at_most && !(d < rectangle_better * planar_d))
             return keep(std::move(patch), std::move(*planar), result);
@@ -108,13 +108,15 @@ class RegionMapper {
         return map_patch(patch, {.least_gain = options_.least_gain, .wanted = limit});
     }
 
-    /// The map of a disk; where it stretches too much and the patch is still whole, with a slit.
-    std::optional<RectangleMap> map_disk(Patch& patch, double limit, PatchMapNotes& notes) const {
-        Patch slit = patch;
+    /// The map of a disk; where it stretches too much and the patch is still whole, which is then
+    /// made of the faces anew, with a slit.
+    std::optional<RectangleMap> map_disk(Patch& patch, const std::vector<std::uint32_t>& faces,
+                                         double limit, PatchMapNotes& notes) {
         auto map = map_wanted(patch, options_.tolerance * limit);
         if (map) notes.extra_vertices = map->extra_vertices;
         const double d = map ? map->stretch.distortion() : 1e300;
         if (d <= limit || notes.holes_closed + notes.tubes_slit > 0) return map;
+        Patch slit = extract_patch(mesh_, connectivity_, faces, local_.local());
         if (!slit_sock(slit)) return map;
         const double wanted = std::min(options_.tolerance * limit, sock_better * d);
         auto slit_map = map_wanted(slit, wanted);
@@ -146,7 +148,8 @@ class RegionMapper {
     static Regions keep(Patch patch, RectangleMap map, PatchMaps& result) {
         MappedPatch& kept = result.patches.emplace_back();
         kept.patch = std::move(patch);
-        kept.uv = map.uv;
+        if (map.coarse) kept.patch.neighbours = {};
+        kept.uv = std::move(map.uv);
         kept.stretch = map.stretch;
         kept.rectangle = std::move(map);
         return {};

@@ -14,10 +14,10 @@
 namespace burl {
 
 struct MappedPatch {
-    Patch patch;
+    Patch patch;            ///< where it was mapped coarsely, of many triangles: no neighbours
     std::vector<Vec2d> uv;  ///< per vertex, in the unit square
     Stretch stretch;
-    /// One of the two: how uv came about.
+    /// One of the two: how uv came about (the rectangle's own are moved there).
     std::optional<RectangleMap> rectangle;
     std::optional<PlanarMap> planar;
 };

@@ -2,8 +2,12 @@
 // million triangles stay within their bound (docs/economy.md) as long as these do.
 #include <gtest/gtest.h>
 
+#include <tbb/global_control.h>
+
+#include "atlas/coarse_map.h"
 #include "atlas/mesh_atlas.h"
-#include "made_meshes.h"
+#include "made_patches.h"
+#include "tests/counted_memory.h"
 
 namespace burl {
 namespace {
@@ -27,6 +31,39 @@ TEST(PatchMemory, TheAtlasKeepsNinetyBytesATriangle) {
     for (const PlacedPatch& patch : atlas.patches) all += bytes(patch.fans);
     EXPECT_GT(all, 60.0 * triangles);  // two thirds of it are corners
     EXPECT_LT(all, 90.0 * triangles);
+}
+
+/// Two divisions of a mesh are worked out, with patches so large that they are mapped coarsely.
+TEST(PatchMemory, FittingTakesAtMostThreeHundredAndTwentyBytesATriangle) {
+    if (!counts_bytes()) GTEST_SKIP() << "bytes are not counted here";
+    const Mesh mesh = made::ball(8);
+    const Connectivity connectivity = build_connectivity(mesh);
+    const tbb::global_control two(tbb::global_control::max_allowed_parallelism, 2);
+    begin_peak();
+    const auto fitted = fit_patches(mesh, connectivity, {.size = 1024});
+    EXPECT_LT(double(peak_bytes()), 320.0 * double(mesh.triangles.size()));
+    ASSERT_TRUE(fitted);
+    std::size_t coarse = 0;
+    for (const MappedPatch& mapped : fitted->maps.patches)
+        coarse += mapped.patch.triangles.size() > largest_patch;
+    EXPECT_GT(coarse, 0u);
+}
+
+TEST(PatchMemory, PatchesHaveNoRoomToSpare) {
+    const Mesh mesh = made::ball(5);
+    Patch patch = made::whole(mesh);
+    const auto fits = [&] {
+        EXPECT_EQ(patch.points.capacity(), patch.points.size());
+        EXPECT_EQ(patch.origins.capacity(), patch.origins.size());
+        EXPECT_EQ(patch.triangles.capacity(), patch.triangles.size());
+        EXPECT_EQ(patch.faces.capacity(), patch.faces.size());
+        EXPECT_EQ(patch.neighbours.capacity(), patch.neighbours.size());
+    };
+    fits();
+    std::vector<SideMask> sides(patch.points.size(), 0);
+    sides[patch.triangles[7][0]] = sides[patch.triangles[7][1]] = 1;
+    EXPECT_EQ(split_chords(patch, sides), 1u);
+    fits();
 }
 
 /// Rows that are filled twice over, or room for more than there is, would show.
