@@ -133,6 +133,7 @@ void weld_with(Welder welder, const std::vector<Vec3d>& points, WeldedPoints& we
         }
         corner = id;
     }
+    welded.positions.shrink_to_fit();  // they grew one by one, and stay
     for (const std::uint32_t id : id_of_point) welded.unreferenced += id == no_index;
 }
 
