@@ -6,6 +6,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "atlas/mip_chain.h"
 #include "atlas/solid_level.h"
@@ -37,7 +38,7 @@ Image<RgbF> divided(const Image<RgbF>& sums, const Image<float>& weights, Image<
 
 /// Inner texels' means for those of the levels after `first` that are after `pure`, too.
 void keep_gutters_out(const PatchAtlas& atlas, const Image<RgbF>& image, std::uint32_t first,
-                      std::uint32_t pure, std::vector<Image<RgbF>>& levels) {
+                      std::uint32_t pure, std::span<Image<RgbF>> levels) {
     Image<float> weights = inner_texels(atlas, first);
     Image<RgbF> sums;
     for (std::uint32_t l = first + 1; l <= first + levels.size(); ++l) {
@@ -131,8 +132,13 @@ std::vector<Image<RgbF>> block_levels(const MeshAtlas& atlas, const Image<RgbF>&
     for (std::uint32_t l = first + 1; l <= last; ++l)
         result.push_back(halve(result.empty() ? image : result.back()));
     const std::uint32_t pure = last_pure_level(atlas);
-    if (const PatchAtlas* patches = atlas.patches(); patches && last > std::max(pure, first))
-        keep_gutters_out(*patches, image, first, pure, result);
+    if (const PatchAtlas* patches = atlas.patches(); patches && last > std::max(pure, first)) {
+        // Texels up to there are gutter or surface alone, whose means are the level's own.
+        const std::uint32_t start = std::max(first, last_source_level(atlas));
+        const std::size_t known = start - first;
+        keep_gutters_out(*patches, known == 0 ? image : result[known - 1], start, pure,
+                         std::span(result).subspan(known));
+    }
     return result;
 }
 
