@@ -10,6 +10,7 @@
 
 #include "app/atomic_file.h"
 #include "app/bake_compress.h"
+#include "app/bake_exr.h"
 #include "app/bake_levels.h"
 #include "app/bake_report.h"
 #include "app/bake_texture.h"
@@ -24,6 +25,7 @@
 #include "app/up_to_date.h"
 #include "app/version.h"
 #include "atlas/error.h"
+#include "atlas/freed_memory.h"
 
 namespace burl {
 
@@ -78,19 +80,6 @@ std::vector<Recipe> recipes_of(const BakeCommand& command) {
 /// The texture as a shader, where it is asked for.
 std::string emitted_shader(const BakeCommand& command, const Recipe& recipe, const Mesh& mesh) {
     return command.emitted_glsl.empty() ? "" : emit_glsl(recipe, texture_from_mesh(recipe, mesh));
-}
-
-/// The texture of an .exr that nothing goes with, a band of rows at a time. Gives the seconds that
-/// writing took.
-double write_bands(Pipeline& pipeline, const std::string& path) {
-    pipeline.solid();
-    const auto start = Clock::now();
-    const double before = pipeline.records()[Stage::synthesis].seconds;
-    const std::size_t size = pipeline.recipe().atlas.size;
-    write_exr_rows(path, size, size, [&](const RowSink& sink) {
-        pipeline.synthesize_in_bands([&](std::size_t, const Image<RgbF>& rows) { sink(rows); });
-    });
-    return seconds_since(start) - (pipeline.records()[Stage::synthesis].seconds - before);
 }
 
 }  // namespace
@@ -222,9 +211,9 @@ void BakeJob::set_up(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> syn
 /// before the file is made, whose own buffers are as large.
 BakeJob::Written BakeJob::write_texture(Pipeline& pipeline, const std::string& path,
                                         const MeshPose* pose, bool releases) const {
-    const bool alone = extras_.levels.count == 0 && !extras_.has_normals() && !command_.compress;
-    if (kind_ == ImageKind::rgb_float && alone && pipeline.has_bands())
-        return {.baked = {}, .seconds = write_bands(pipeline, path)};
+    if (kind_ == ImageKind::rgb_float && !command_.compress &&
+        comes_in_bands(pipeline, extras_.levels))
+        return write_bands(pipeline, path);
     BakedTexture texture = bake_texture(pipeline, kind_, extras_.levels);
     ExportOptions options;
     options.levels = std::move(texture.levels);
@@ -246,6 +235,17 @@ BakeJob::Written BakeJob::write_texture(Pipeline& pipeline, const std::string& p
     return written;
 }
 
+/// The same of an .exr whose texture is never there as a whole.
+BakeJob::Written BakeJob::write_bands(Pipeline& pipeline, const std::string& path) const {
+    Written written;
+    written.normals = bake_normals(pipeline, extras_.normals, command_.depth, command_.crease);
+    const BandsWritten bands = write_exr_in_bands(pipeline, path, extras_.levels,
+                                                  written.normals ? &*written.normals : nullptr);
+    written.levels = bands.levels;
+    written.seconds = bands.seconds;
+    return written;
+}
+
 Json BakeJob::run(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthesizer,
                   double reading, const Json& made_from, bool keeps) const {
     const auto start = Clock::now();
@@ -256,7 +256,9 @@ Json BakeJob::run(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthe
         pose = load_pose(command_.mesh, command_.pose, command_.meshes.read);
     set_up(pipeline, synthesizer);
     lay_out(pipeline);
+    if (!keeps) pipeline.release_neighbours();
     const AtlasMetrics metrics = measure(pipeline.atlas_mesh(), pipeline.atlas(), pipeline.solid());
+    if (pipeline.mesh().triangles.size() > many_triangles) return_freed_memory();
     const bool needed_later = keeps || !command_.solid_map.empty() || extras_.has_normals();
     Written written;
     double writing = 0.0;

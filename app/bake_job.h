@@ -62,6 +62,7 @@ class BakeJob {
     void set_up(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthesizer) const;
     Written write_texture(Pipeline& pipeline, const std::string& path, const MeshPose* pose,
                           bool releases) const;
+    Written write_bands(Pipeline& pipeline, const std::string& path) const;
     std::vector<std::string> texture_outputs(std::uint32_t levels) const;
     std::vector<std::string> outputs(std::uint32_t levels) const;
     void check() const;

@@ -23,27 +23,32 @@ Image<Rgb16> converted(const Image<RgbF>& rows, Rgb16) {
     return to_rgb16(rows);
 }
 
-/// The texture and averaged levels of it; in floats the texture is never there as a whole.
+/// The texture and its levels; in floats the texture is never there as a whole.
 template <class Pixel>
-BakedTexture bake_in_bands(Pipeline& pipeline, ImageKind kind, std::uint32_t levels) {
+BakedTexture bake_in_bands(Pipeline& pipeline, ImageKind kind, const LevelsAsked& levels) {
     const std::size_t size = pipeline.recipe().atlas.size;
     auto image = Image<Pixel>::unset(size, size);
     const auto take = [&](std::size_t first, const Image<RgbF>& rows) {
         std::ranges::copy(converted(rows, Pixel()).pixels(), &image(0, first));
     };
-    std::vector<BakedImage> coarser = convert_to(pipeline.levels_in_bands(levels, take), kind);
+    std::vector<BakedImage> coarser =
+        convert_to(pipeline.levels_in_bands(levels.count, levels.rule, take), kind);
     return {std::move(image), std::move(coarser)};
 }
 
 }  // namespace
 
+bool comes_in_bands(Pipeline& pipeline, const LevelsAsked& levels) {
+    return pipeline.has_bands() && (levels.count == 0 || halves_in_bands(pipeline.mesh_atlas()));
+}
+
 BakedTexture bake_texture(Pipeline& pipeline, ImageKind kind, const LevelsAsked& levels) {
     if (levels.count == 0) return {synthesize(pipeline, kind)};
     const LevelsAsked known{levels_there_are(pipeline, levels, kind), levels.rule};
-    const bool wanted = known.count > 0 && kind != ImageKind::rgb_float && !known.rule.direct;
-    if (wanted && pipeline.has_bands() && halves_in_bands(pipeline.mesh_atlas()))
-        return kind == ImageKind::rgb8 ? bake_in_bands<Rgb8>(pipeline, kind, known.count)
-                                       : bake_in_bands<Rgb16>(pipeline, kind, known.count);
+    const bool wanted = known.count > 0 && kind != ImageKind::rgb_float;
+    if (wanted && comes_in_bands(pipeline, known))
+        return kind == ImageKind::rgb8 ? bake_in_bands<Rgb8>(pipeline, kind, known)
+                                       : bake_in_bands<Rgb16>(pipeline, kind, known);
     Image<RgbF> texture = pipeline.synthesize<RgbF>();
     std::vector<BakedImage> coarser =
         convert_to(pipeline.levels(texture, known.count, known.rule), kind);

@@ -61,6 +61,16 @@ std::vector<Image<RgbF>> direct_levels(const MeshAtlas& atlas, const SolidAtlas&
                                        const Recipe& recipe, const Image<RgbF>& texture,
                                        std::uint32_t levels, const LevelRule& rule,
                                        const LevelSynthesis& synthesize) {
+    const TextureMeans means = [&](std::uint32_t last) {
+        return block_levels(atlas, texture, last);
+    };
+    return direct_levels(atlas, solid, recipe, means, levels, rule, synthesize);
+}
+
+std::vector<Image<RgbF>> direct_levels(const MeshAtlas& atlas, const SolidAtlas& solid,
+                                       const Recipe& recipe, const TextureMeans& means,
+                                       std::uint32_t levels, const LevelRule& rule,
+                                       const LevelSynthesis& synthesize) {
     levels = std::min(levels, last_of(solid));
     std::vector<Image<RgbF>> result;
     while (result.size() < levels) {
@@ -68,13 +78,15 @@ std::vector<Image<RgbF>> direct_levels(const MeshAtlas& atlas, const SolidAtlas&
         const std::uint32_t source = source_level(atlas, rule, next);
         std::uint32_t end = next;  // the last level with the same source
         while (end < levels && source_level(atlas, rule, end + 1) == source) ++end;
-        const Image<RgbF> sampled =
-            source == 0 ? Image<RgbF>() : samples(solid, recipe, source, synthesize);
-        const Image<RgbF>& finest = source == 0 ? texture : sampled;
-        if (source == next) result.push_back(finest);
-        std::vector<Image<RgbF>> means = block_levels(atlas, finest, end, source);
+        if (source == 0) {
+            result = means(end);
+            continue;
+        }
+        Image<RgbF> finest = samples(solid, recipe, source, synthesize);
+        std::vector<Image<RgbF>> averaged = block_levels(atlas, finest, end, source);
+        if (source == next) result.push_back(std::move(finest));
         for (std::size_t l = result.size() + 1; l <= end; ++l)
-            result.push_back(std::move(means[l - source - 1]));
+            result.push_back(std::move(averaged[l - source - 1]));
     }
     return result;
 }

@@ -39,10 +39,19 @@ Recipe sample_recipe(const Recipe& recipe);
 /// A recipe's texture on an atlas in the recipe's space, in linear light.
 using LevelSynthesis = std::function<Image<RgbF>(const SolidAtlas& solid, const Recipe& recipe)>;
 
+/// Levels 1 to so many that are averaged from the recipe's texture.
+using TextureMeans = std::function<std::vector<Image<RgbF>>(std::uint32_t levels)>;
+
 /// Levels 1 to `levels` (at most down to 1 x 1). `solid` is the whole atlas, `texture` its texture,
 /// which levels are averaged from whose samples are its texels: up to log4(samples).
 std::vector<Image<RgbF>> direct_levels(const MeshAtlas& atlas, const SolidAtlas& solid,
                                        const Recipe& recipe, const Image<RgbF>& texture,
+                                       std::uint32_t levels, const LevelRule& rule,
+                                       const LevelSynthesis& synthesize);
+
+/// The same where somebody else knows the texture; `means` is asked once at most.
+std::vector<Image<RgbF>> direct_levels(const MeshAtlas& atlas, const SolidAtlas& solid,
+                                       const Recipe& recipe, const TextureMeans& means,
                                        std::uint32_t levels, const LevelRule& rule,
                                        const LevelSynthesis& synthesize);
 

@@ -78,13 +78,44 @@ void write_level(Imf::TiledOutputFile& file, int level, const Image<RgbF>& image
     }
 }
 
+Imf::Header tiled_header(std::size_t width, std::size_t height, ExrDepth depth) {
+    Imf::Header header = header_of(width, height, depth);
+    header.setTileDescription({tile_side, tile_side, Imf::MIPMAP_LEVELS, Imf::ROUND_DOWN});
+    return header;
+}
+
 void encode_levels(Imf::OStream& stream, std::span<const Image<RgbF>* const> levels,
                    ExrDepth depth) {
-    Imf::Header header = header_of(levels[0]->width(), levels[0]->height(), depth);
-    header.setTileDescription({tile_side, tile_side, Imf::MIPMAP_LEVELS, Imf::ROUND_DOWN});
-    Imf::TiledOutputFile file(stream, header);
+    Imf::TiledOutputFile file(stream, tiled_header(levels[0]->width(), levels[0]->height(), depth));
     for (int l = 0; l < file.numLevels(); ++l) write_level(file, l, *levels[std::size_t(l)], depth);
 }
+
+/// Rows of level 0 as they come, in any numbers: each row of tiles is written once it is there.
+class TileRows {
+  public:
+    TileRows(Imf::TiledOutputFile& file, std::size_t width, std::size_t height, ExrDepth depth)
+        : file_(file), height_(height), depth_(depth), rows_(width, tile_side) {}
+
+    void add(const Image<RgbF>& rows) {
+        for (std::size_t y = 0; y < rows.height(); ++y) {
+            std::ranges::copy(rows.row(y), rows_.row(next_ % tile_side).begin());
+            if (++next_ % tile_side == 0 || next_ == height_) write();
+        }
+    }
+
+  private:
+    void write() {
+        const std::size_t tile = (next_ - 1) / tile_side, begin = tile * tile_side;
+        Band band(rows_, depth_);
+        file_.setFrameBuffer(band.rows(0, next_ - begin, begin));
+        file_.writeTiles(0, file_.numXTiles(0) - 1, int(tile), int(tile), 0);
+    }
+
+    Imf::TiledOutputFile& file_;
+    std::size_t height_, next_ = 0;
+    ExrDepth depth_;
+    Image<RgbF> rows_;
+};
 
 /// The next rows of the file.
 void write_rows(Imf::OutputFile& file, const Image<RgbF>& image, ExrDepth depth) {
@@ -136,6 +167,18 @@ void write_exr_levels(const std::string& path, std::span<const Image<RgbF>* cons
                       ExrDepth depth) {
     write_whole(path, levels[0]->width(), levels[0]->height(),
                 [&](Imf::OStream& stream) { encode_levels(stream, levels, depth); });
+}
+
+void write_exr_levels(const std::string& path, std::size_t width, std::size_t height,
+                      const LevelSource& source, ExrDepth depth) {
+    write_whole(path, width, height, [&](Imf::OStream& stream) {
+        Imf::TiledOutputFile file(stream, tiled_header(width, height, depth));
+        TileRows tiles(file, width, height, depth);
+        const std::vector<Image<RgbF>> levels =
+            source([&](const Image<RgbF>& rows) { tiles.add(rows); });
+        for (std::size_t l = 0; l < levels.size(); ++l)
+            write_level(file, int(l + 1), levels[l], depth);
+    });
 }
 
 }  // namespace burl

@@ -4,6 +4,7 @@
 #include <functional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "atlas/image.h"
 
@@ -28,9 +29,14 @@ using RowSource = std::function<void(const RowSink&)>;
 void write_exr_rows(const std::string& path, std::size_t width, std::size_t height,
                     const RowSource& source, ExrDepth depth = ExrDepth::half);
 
+/// Hands over the rows of an image, and then gives its levels 1, 2, ...
+using LevelSource = std::function<std::vector<Image<RgbF>>(const RowSink&)>;
+
 /// The same with MIP levels: `levels[l]` is level l, of max(1, floor(n / 2^l)) pixels a side; tiles
 /// of 64 x 64, MIPMAP_LEVELS rounded down. All levels down to 1 x 1 must be there.
 void write_exr_levels(const std::string& path, std::span<const Image<RgbF>* const> levels,
                       ExrDepth depth = ExrDepth::half);
+void write_exr_levels(const std::string& path, std::size_t width, std::size_t height,
+                      const LevelSource& source, ExrDepth depth = ExrDepth::half);
 
 }  // namespace burl

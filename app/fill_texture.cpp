@@ -1,5 +1,7 @@
 #include "app/fill_texture.h"
 
+#include <algorithm>
+
 #include "app/paint_texture.h"
 #include "procedural/synthesize.h"
 #include "procedural/synthesize_forward.h"
@@ -35,8 +37,26 @@ struct Fast<Rgb16> {
 template <>
 struct Fast<RgbF> {
     static constexpr auto model = synthesize_rgbf;
-    static constexpr auto graph = synthesize_graph_rgbf;
+    static Image<RgbF> graph(const SolidAtlas& solid, const TextureGraph& graph, const Affine3& map,
+                             const Filter& filter, int threads, PrecisionKind precision,
+                             const Economy& economy) {
+        return synthesize_graph_rgbf(solid, graph, map, filter, threads, precision, economy);
+    }
 };
+
+/// Rows of a recipe without has_fast_way.
+Image<RgbF> rows_by_other_ways(const SolidAtlas& solid, const Recipe& recipe, const HostWay& way,
+                               const Economy& economy, const RowWindow& rows) {
+    const Affine3 map = texture_from_solid(recipe);
+    if (way.forward)
+        return synthesize_forward<RgbF>(solid, recipe.texture, map, forward_precision(recipe),
+                                        way.threads, economy, rows);
+    if (!recipe.graph.empty())
+        return synthesize_graph_rgbf(solid, recipe.graph, map, recipe.filter, way.threads,
+                                     bake_precision(recipe), economy, rows);
+    return synthesize_texels<RgbF>(solid, recipe.texture, map, recipe.precision, recipe.filter,
+                                   way.threads, economy, rows);
+}
 
 }  // namespace
 
@@ -76,8 +96,13 @@ Image<Pixel> fill_texture(const SolidAtlas& solid, const Recipe& recipe, const H
 
 void fill_in_bands(const SolidAtlas& solid, const Recipe& recipe, const HostWay& way,
                    const Economy& economy, std::size_t texels, const TakeRows& take) {
-    synthesize_rgbf_bands(solid, recipe.texture, texture_from_solid(recipe), way.threads,
-                          recipe.filter, way.kernel, economy, texels, take);
+    if (has_fast_way(recipe, way))
+        return synthesize_rgbf_bands(solid, recipe.texture, texture_from_solid(recipe), way.threads,
+                                     recipe.filter, way.kernel, economy, texels, take);
+    const std::size_t least = band_rows * solid.size;
+    const std::size_t at_once = band_rows * std::max<std::size_t>(1, texels / least);
+    for (std::size_t first = 0; first < solid.size; first += at_once)
+        take(first, rows_by_other_ways(solid, recipe, way, economy, {first, first + at_once}));
 }
 
 template Image<Rgb8> fill_texture(const SolidAtlas&, const Recipe&, const HostWay&, const Economy&);

@@ -44,8 +44,7 @@ template <class Pixel>
 Image<Pixel> fill_unpainted(const SolidAtlas& solid, const Recipe& recipe, const HostWay& way,
                             const Economy& economy = {});
 
-/// The texture in linear light, without paint, as synthesize_rgbf_bands gives it; only where
-/// has_fast_way.
+/// The texture in linear light, without paint, in bands as synthesize_rgbf_bands gives them.
 void fill_in_bands(const SolidAtlas& solid, const Recipe& recipe, const HostWay& way,
                    const Economy& economy, std::size_t texels, const TakeRows& take);
 

@@ -18,9 +18,10 @@ struct PaintWork {
 
 class PaintLayer {
   public:
-    /// `solid` must outlive this. `threads` 0: all; no result depends on it.
-    PaintLayer(const SolidAtlas& solid, int threads)
-        : tiles_(solid, threads), threads_(threads), paint_(tiles_.count()) {}
+    /// Of some rows, as PaintTiles. `solid` must outlive this. `threads` 0: all; no result depends
+    /// on it.
+    PaintLayer(const SolidAtlas& solid, int threads, const RowWindow& rows = {})
+        : tiles_(solid, threads, rows), threads_(threads), paint_(tiles_.count()) {}
 
     const PaintTiles& tiles() const { return tiles_; }
     /// From now on the paint of these strokes, bit for bit as if they were the first.

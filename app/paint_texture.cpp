@@ -56,9 +56,9 @@ void PaintMixer<Pixel>::mix(const PaintLayer& layer, std::size_t tile, const Ima
 
 template <class Pixel>
 std::uint64_t paint_over(const SolidAtlas& solid, std::span<const PaintStroke> strokes, int threads,
-                         Image<Pixel>& image) {
+                         Image<Pixel>& image, std::size_t first) {
     if (strokes.empty()) return 0;
-    PaintLayer layer(solid, threads);
+    PaintLayer layer(solid, threads, {first, first + image.height()});
     const std::uint64_t texels = layer.update(strokes).texels;
     const PaintMixer<Pixel> mixer;
     for (const std::uint32_t tile : layer.painted_tiles()) mixer.mix(layer, tile, image, image);
@@ -69,10 +69,10 @@ template class PaintMixer<Rgb8>;
 template class PaintMixer<Rgb16>;
 template class PaintMixer<RgbF>;
 template std::uint64_t paint_over(const SolidAtlas&, std::span<const PaintStroke>, int,
-                                  Image<Rgb8>&);
+                                  Image<Rgb8>&, std::size_t);
 template std::uint64_t paint_over(const SolidAtlas&, std::span<const PaintStroke>, int,
-                                  Image<Rgb16>&);
+                                  Image<Rgb16>&, std::size_t);
 template std::uint64_t paint_over(const SolidAtlas&, std::span<const PaintStroke>, int,
-                                  Image<RgbF>&);
+                                  Image<RgbF>&, std::size_t);
 
 }  // namespace burl

@@ -17,7 +17,7 @@ class PaintMixer {
     PaintMixer();
 
     /// Writes the tile's texels of `image`: those of `base` under its paint. Both have the layer's
-    /// size and may be the same.
+    /// rows and may be the same.
     void mix(const PaintLayer& layer, std::size_t tile, const Image<Pixel>& base,
              Image<Pixel>& image) const;
 
@@ -29,9 +29,10 @@ class PaintMixer {
 };
 
 /// Lays the strokes over the texture of an atlas. For Rgb8, Rgb16 and RgbF. `threads` 0: all; the
-/// result does not depend on it. Gives the texels that it went through.
+/// result does not depend on it. The image may be some rows alone of the texture, from `first` on,
+/// a multiple of PaintTiles::side. Gives the texels that it went through.
 template <class Pixel>
 std::uint64_t paint_over(const SolidAtlas& solid, std::span<const PaintStroke> strokes, int threads,
-                         Image<Pixel>& image);
+                         Image<Pixel>& image, std::size_t first = 0);
 
 }  // namespace burl

@@ -6,11 +6,12 @@
 
 namespace burl {
 
-PaintTiles::PaintTiles(const SolidAtlas& solid, int threads)
+PaintTiles::PaintTiles(const SolidAtlas& solid, int threads, const RowWindow& window)
     : solid_(&solid),
       columns_((solid.size + side - 1) / side),
-      boxes_(std::size_t(columns_) * columns_) {
-    for_row_ranges(columns_, 4 * columns_, threads, [&](const RowRange& rows) {
+      first_row_(std::uint32_t(window.of(solid.size).first / side)),
+      boxes_((window.of(solid.size).count() + side - 1) / side * columns_) {
+    for_row_ranges(boxes_.size() / columns_, 4 * columns_, threads, [&](const RowRange& rows) {
         for (std::size_t tile = rows.begin() * columns_; tile < rows.end() * columns_; ++tile)
             measure(tile);
     });
@@ -20,7 +21,7 @@ PaintTiles::PaintTiles(const SolidAtlas& solid, int threads)
 void PaintTiles::measure(std::size_t tile) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     Box3 box{Vec3d(infinity), Vec3d(-infinity)};
-    const auto column = std::uint32_t(tile % columns_), row = std::uint32_t(tile / columns_);
+    const auto column = std::uint32_t(tile % columns_), row = row_of(tile);
     for (std::uint32_t y = row * side; y < end(row); ++y)
         for_each_piece(column * side, end(column), y,
                        [&](std::uint32_t first, std::uint32_t last, const TexelMap& map) {

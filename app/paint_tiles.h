@@ -8,6 +8,7 @@
 
 #include "app/paint_brush.h"
 #include "atlas/solid_atlas.h"
+#include "procedural/row_window.h"
 
 namespace burl {
 
@@ -15,8 +16,9 @@ class PaintTiles {
   public:
     static constexpr std::uint32_t side = 16;  ///< texels
 
+    /// Of some rows, the first of them a multiple of `side`: the first tile is the one there.
     /// `solid` must outlive this. `threads` 0: all.
-    PaintTiles(const SolidAtlas& solid, int threads);
+    PaintTiles(const SolidAtlas& solid, int threads, const RowWindow& rows = {});
 
     std::uint32_t size() const { return solid_->size; }  ///< of the texture, in texels
     std::uint32_t columns() const { return columns_; }
@@ -31,7 +33,7 @@ class PaintTiles {
     /// the longer step to a neighbour, in solid units.
     template <class Visit>
     void for_each_texel(std::size_t tile, const Visit& visit) const {
-        const auto column = std::uint32_t(tile % columns_), row = std::uint32_t(tile / columns_);
+        const auto column = std::uint32_t(tile % columns_), row = row_of(tile);
         for (std::uint32_t y = row * side; y < end(row); ++y)
             for_each_piece(column * side, end(column), y,
                            [&](std::uint32_t first, std::uint32_t last, const TexelMap& map) {
@@ -43,6 +45,9 @@ class PaintTiles {
     }
 
   private:
+    std::uint32_t row_of(std::size_t tile) const {
+        return first_row_ + std::uint32_t(tile / columns_);
+    }
     std::uint32_t end(std::uint32_t index) const {
         return std::min(solid_->size, (index + 1) * side);
     }
@@ -61,7 +66,7 @@ class PaintTiles {
     void measure(std::size_t tile);
 
     const SolidAtlas* solid_;
-    std::uint32_t columns_;
+    std::uint32_t columns_, first_row_;  ///< in tiles
     std::vector<Box3> boxes_;
 };
 

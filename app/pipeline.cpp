@@ -4,6 +4,7 @@
 #include <chrono>
 #include <utility>
 
+#include "app/paint_texture.h"
 #include "atlas/block_levels.h"
 #include "atlas/mip_chain.h"
 #include "atlas/solid_level.h"
@@ -19,9 +20,6 @@ std::uint64_t texels_of(const SolidAtlas& solid) {
     return count;
 }
 
-/// 48 MB of float pixels.
-constexpr std::size_t band_texels = std::size_t(1) << 22;
-
 template <class Element>
 std::uint64_t bytes_of(const std::vector<Element>& elements) {
     return elements.size() * sizeof(Element);
@@ -30,6 +28,14 @@ std::uint64_t bytes_of(const std::vector<Element>& elements) {
 template <class Pixel>
 std::uint64_t bytes_of(const Image<Pixel>& image) {
     return image.width() * image.height() * sizeof(Pixel);
+}
+
+/// What levels cost; those that are direct count their texels as they are synthesised.
+void add_levels(const std::vector<Image<RgbF>>& levels, const LevelRule& rule, StageCost& cost) {
+    for (const Image<RgbF>& level : levels) {
+        if (!rule.direct) cost.work.texels += level.width() * level.height();
+        cost.bytes += bytes_of(level);
+    }
 }
 
 }  // namespace
@@ -119,6 +125,7 @@ bool Pipeline::lay_out(const std::stop_token& stop) {
         if (records_.keep(Stage::layout)) connectivity();
         return true;
     }
+    if (connectivity_ && connectivity_->neighbours.empty()) connectivity_.reset();
     const Connectivity& edges = connectivity();
     return records_.attempt(Stage::layout, [&](StageCost& cost) {
         atlas_ = build_atlas(mesh_, edges, recipe_.atlas, stop);
@@ -242,25 +249,27 @@ Image<Pixel> Pipeline::synthesize(std::uint32_t level) {
     return image;
 }
 
-bool Pipeline::has_bands() const {
-    return cache_ == 0 && !synthesizer_ && recipe_.paint.empty() && has_fast_way(recipe_, way_);
-}
-
-void Pipeline::synthesize_in_bands(const TakeRows& take) {
+void Pipeline::synthesize_in_bands(const TakeRows& take, std::size_t texels) {
     using Clock = std::chrono::steady_clock;
     const SolidAtlas& points = solid();
-    StageCost cost;
-    std::chrono::duration<double> taking{};
+    StageCost cost, paint_cost;
+    std::chrono::duration<double> taking{}, painting{};
     const auto start = Clock::now();
     const auto take_rows = [&](std::size_t first, Image<RgbF> rows) {
-        const auto taken = Clock::now();
+        const auto filled = Clock::now();
         cost.bytes += bytes_of(rows);
+        paint_cost.work.texels += paint_over(points, recipe_.paint, way_.threads, rows, first);
+        const auto painted = Clock::now();
         take(first, std::move(rows));
-        taking += Clock::now() - taken;
+        painting += painted - filled;
+        taking += Clock::now() - painted;
     };
-    fill_in_bands(points, recipe_, way_, {skips_, &cost.work}, band_texels, take_rows);
+    fill_in_bands(points, recipe_, way_, {skips_, &cost.work}, texels, take_rows);
     const std::chrono::duration<double> all = Clock::now() - start;
-    records_.add(Stage::synthesis, (all - taking).count(), cost);
+    records_.add(Stage::synthesis, (all - painting - taking).count(), cost);
+    if (recipe_.paint.empty()) return;
+    paint_cost.bytes = cost.bytes;
+    records_.add(Stage::paint, painting.count(), paint_cost);
 }
 
 /// Forward differences know no filter, so that direct levels do without them.
@@ -282,16 +291,15 @@ std::vector<Image<RgbF>> Pipeline::levels(const Image<RgbF>& texture, std::uint3
                                            level_synthesis(cost))
             : synthesizer_ ? synthesizer_->levels(layout, texture, count)
                            : block_levels(layout, texture, count);
-        for (const Image<RgbF>& level : levels) {
-            if (!rule.direct) cost.work.texels += level.width() * level.height();
-            cost.bytes += bytes_of(level);
-        }
+        add_levels(levels, rule, cost);
         return levels;
     });
 }
 
-std::vector<Image<RgbF>> Pipeline::levels_in_bands(std::uint32_t count, const TakeRows& take) {
+std::vector<Image<RgbF>> Pipeline::levels_in_bands(std::uint32_t count, const LevelRule& rule,
+                                                   const TakeRows& take) {
     const MeshAtlas& layout = mesh_atlas();
+    const SolidAtlas& points = finest_solid();
     const std::size_t half = recipe_.atlas.size / 2;
     auto first_level = Image<RgbF>::unset(half, half);
     synthesize_in_bands([&](std::size_t first, Image<RgbF> rows) {
@@ -299,13 +307,17 @@ std::vector<Image<RgbF>> Pipeline::levels_in_bands(std::uint32_t count, const Ta
         std::ranges::copy(halved.pixels(), &first_level(0, first / 2));
         take(first, std::move(rows));
     });
-    return records_.time(Stage::levels, [&](StageCost& cost) {
-        std::vector<Image<RgbF>> levels = block_levels(layout, first_level, count, 1);
+    const TextureMeans means = [&](std::uint32_t last) {
+        std::vector<Image<RgbF>> levels = block_levels(layout, first_level, last, 1);
         levels.insert(levels.begin(), std::move(first_level));
-        for (const Image<RgbF>& level : levels) {
-            cost.work.texels += level.width() * level.height();
-            cost.bytes += bytes_of(level);
-        }
+        return levels;
+    };
+    return records_.time(Stage::levels, [&](StageCost& cost) {
+        std::vector<Image<RgbF>> levels =
+            rule.direct
+                ? direct_levels(layout, points, recipe_, means, count, rule, level_synthesis(cost))
+                : means(count);
+        add_levels(levels, rule, cost);
         return levels;
     });
 }

@@ -64,12 +64,12 @@ class Pipeline {
     /// RgbF.
     template <class Pixel>
     Image<Pixel> synthesize(std::uint32_t level = 0);
-    /// Whether the texture can come a band of rows at a time: by the host's fast way, without
-    /// paint, and where nothing is kept.
-    bool has_bands() const;
-    /// The texture in linear light, an even number of rows at a time (but for the last ones). What
-    /// `take` takes is not counted as synthesis.
-    void synthesize_in_bands(const TakeRows& take);
+    /// Whether the texture can come a band of rows at a time: from the host, where nothing is kept.
+    bool has_bands() const { return cache_ == 0 && !synthesizer_; }
+    /// The texture in linear light, a multiple of band_rows (procedural/synthesize.h) at a time,
+    /// but for the last ones. What `take` takes is not counted as synthesis. `texels` are about a
+    /// band's: 48 MB of float pixels.
+    void synthesize_in_bands(const TakeRows& take, std::size_t texels = std::size_t(1) << 22);
     /// The same for programs that show a texture while it changes. It stays until the next call for
     /// that level. Null: `stop` came first, and no field or octave kept before is lost.
     template <class Pixel>
@@ -78,9 +78,10 @@ class Pipeline {
     /// direct, always by the host (app/direct_levels.h).
     std::vector<Image<RgbF>> levels(const Image<RgbF>& texture, std::uint32_t count,
                                     const LevelRule& rule = {});
-    /// Averaged levels 1 to `count` where has_bands() and halves_in_bands (atlas/block_levels.h):
-    /// `take` gets the texture, too, which is never there as a whole.
-    std::vector<Image<RgbF>> levels_in_bands(std::uint32_t count, const TakeRows& take);
+    /// The same where has_bands() and halves_in_bands (atlas/block_levels.h): `take` gets the
+    /// texture, which is never there as a whole.
+    std::vector<Image<RgbF>> levels_in_bands(std::uint32_t count, const LevelRule& rule,
+                                             const TakeRows& take);
     /// Such a level alone: by a direct rule without working out anything finer than it samples.
     Image<RgbF> level(std::uint32_t number, const LevelRule& rule);
     /// The recipe's bumps, which it must have, as a normal map of the atlas's mesh with the normals
@@ -92,6 +93,11 @@ class Pipeline {
     /// Gives back what textures alone need, some 170 bytes a triangle; it is made again when it is
     /// asked for.
     void release_texels() { forget_solid(); }
+    /// The same of what layouts alone need, 12 bytes a triangle: connectivity() is counts alone
+    /// until another layout is made.
+    void release_neighbours() {
+        if (connectivity_) connectivity_->neighbours = {};
+    }
 
     const StageRecords& records() const { return records_; }
     /// Bytes that the cache holds of fields and octaves.

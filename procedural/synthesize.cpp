@@ -186,8 +186,8 @@ void synthesize_rgbf_bands(const SolidAtlas& solid, const Texture& texture,
         const RowSynthesis rows(solid, texture, texture_from_atlas, filter, kernel, economy, shader,
                                 exits);
         const RowGroups& groups = rows.groups;
-        const std::size_t pair = 2 * groups.rows * solid.size;
-        const std::size_t at_once = 2 * std::max<std::size_t>(1, texels / pair);
+        const std::size_t least = band_rows * groups.rows * solid.size;
+        const std::size_t at_once = band_rows * std::max<std::size_t>(1, texels / least);
         for (std::size_t begin = 0; begin < groups.count(); begin += at_once) {
             const std::size_t end = std::min(begin + at_once, groups.count());
             const std::size_t first = groups.begin(begin);

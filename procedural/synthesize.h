@@ -33,8 +33,11 @@ Image<RgbF> synthesize_rgbf(const SolidAtlas& solid, const Texture& texture,
 /// Takes rows of a texture from `first` on, in order.
 using TakeRows = std::function<void(std::size_t first, Image<RgbF> rows)>;
 
-/// The texture of synthesize_rgbf in bands of an even number of rows (but for the last), about so
-/// many texels each, for those who need not have it all at a time.
+/// Bands have a multiple of this many rows, but for the last.
+inline constexpr std::size_t band_rows = 16;
+
+/// The texture of synthesize_rgbf in bands of about so many texels each, for those who need not
+/// have it all at a time.
 void synthesize_rgbf_bands(const SolidAtlas& solid, const Texture& texture,
                            const Affine3& texture_from_atlas, int threads, const Filter& filter,
                            Kernel kernel, const Economy& economy, std::size_t texels,

@@ -16,15 +16,17 @@ namespace {
 template <class Pixel, class Shade>
 Image<Pixel> fill(const SolidAtlas& solid, const Texture& texture, const Affine3& map,
                   ForwardPrecision precision, int threads, const Economy& economy,
-                  const Pixel& background, const Shade& pixel) {
+                  const RowWindow& window, const Pixel& background, const Shade& pixel) {
     constexpr std::size_t texels_per_task = 8192;
     const std::vector<Octave> octaves = expand_octaves(texture);
-    Image<Pixel> image(solid.size, solid.size, background);
+    const RowWindow own_rows = window.of(solid.size);
+    Image<Pixel> rows_of_image(solid.size, own_rows.count(), background);
+    const RowBand image(rows_of_image, own_rows.first);
     WorkSum total(economy.work);
     const auto fill_rows = [&](const RowRange& rows) {
         SynthesisWork work;
         std::vector<double> f(solid.size);
-        for (std::size_t y = rows.begin(); y != rows.end(); ++y)
+        for (std::size_t y = image.first + rows.begin(); y != image.first + rows.end(); ++y)
             for (const Span& span : solid.row(y)) {
                 const TexelMap& texel = solid.maps[span.map];
                 const WholeSpan whole = solid.whole(span);  // differences add up from its start
@@ -39,36 +41,38 @@ Image<Pixel> fill(const SolidAtlas& solid, const Texture& texture, const Affine3
         work.octaves = work.texels * octaves.size();
         total.add(work);
     };
-    for_row_ranges(solid.size, texels_per_task, threads, fill_rows, economy.stop);
-    return image;
+    for_row_ranges(own_rows.count(), texels_per_task, threads, fill_rows, economy.stop);
+    return rows_of_image;
 }
 
 }  // namespace
 
 template <class Pixel>
 Image<Pixel> synthesize_forward(const SolidAtlas& solid, const Texture& texture, const Affine3& map,
-                                ForwardPrecision precision, int threads, const Economy& economy) {
+                                ForwardPrecision precision, int threads, const Economy& economy,
+                                const RowWindow& rows) {
     const PreparedColorMap color(texture.colors);
     const PixelEncoder<Pixel> encode;
     const auto pixel = [&](double f) { return encode(color(f)); };
-    return fill(solid, texture, map, precision, threads, economy, pixel(0.0), pixel);
+    return fill(solid, texture, map, precision, threads, economy, rows, pixel(0.0), pixel);
 }
 
 template <>
 Image<Rgb8> synthesize_forward(const SolidAtlas& solid, const Texture& texture, const Affine3& map,
-                               ForwardPrecision precision, int threads, const Economy& economy) {
+                               ForwardPrecision precision, int threads, const Economy& economy,
+                               const RowWindow& rows) {
     const ColorTable8 color(texture.colors);
-    return fill(solid, texture, map, precision, threads, economy, color(0.0), color);
+    return fill(solid, texture, map, precision, threads, economy, rows, color(0.0), color);
 }
 
 template Image<Rgb16> synthesize_forward(const SolidAtlas&, const Texture&, const Affine3&,
-                                         ForwardPrecision, int, const Economy&);
+                                         ForwardPrecision, int, const Economy&, const RowWindow&);
 template Image<RgbF> synthesize_forward(const SolidAtlas&, const Texture&, const Affine3&,
-                                        ForwardPrecision, int, const Economy&);
+                                        ForwardPrecision, int, const Economy&, const RowWindow&);
 
 Image<double> forward_field_of_atlas(const SolidAtlas& solid, const Texture& texture,
                                      const Affine3& map, ForwardPrecision precision, int threads) {
-    return fill(solid, texture, map, precision, threads, {}, 0.0, [](double f) { return f; });
+    return fill(solid, texture, map, precision, threads, {}, {}, 0.0, [](double f) { return f; });
 }
 
 }  // namespace burl

@@ -9,6 +9,7 @@
 #include "procedural/filter.h"
 #include "procedural/graph.h"
 #include "procedural/precision.h"
+#include "procedural/row_window.h"
 
 namespace burl {
 
@@ -25,9 +26,10 @@ Image<Rgb16> synthesize_graph_rgb16(const SolidAtlas& solid, const TextureGraph&
                                     const Affine3& texture_from_atlas, const Filter& filter,
                                     int threads, PrecisionKind precision = PrecisionKind::float32,
                                     const Economy& economy = {});
+/// Or only some rows of it.
 Image<RgbF> synthesize_graph_rgbf(const SolidAtlas& solid, const TextureGraph& graph,
                                   const Affine3& texture_from_atlas, const Filter& filter,
                                   int threads, PrecisionKind precision = PrecisionKind::float32,
-                                  const Economy& economy = {});
+                                  const Economy& economy = {}, const RowWindow& rows = {});
 
 }  // namespace burl

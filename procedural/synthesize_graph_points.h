@@ -12,6 +12,7 @@
 #include "procedural/pixel_encoder.h"
 #include "procedural/quadric_kernel.h"
 #include "procedural/row_tasks.h"
+#include "procedural/row_window.h"
 #include "procedural/sample_pattern.h"
 #include "procedural/srgb_kernels.h"
 #include "procedural/texel_piece.h"
@@ -49,7 +50,7 @@ template <class Pixel>
 class PointQueue {
   public:
     PointQueue(const GraphValues& graph, const Filter& filter, const BatchEncoder<Pixel>& encode,
-               Image<Pixel>& image)
+               const RowBand<Pixel>& image)
         : graph_(graph),
           supersampled_(filter.kind == FilterKind::supersample),
           pattern_(supersampled_ ? filter.samples : 1),
@@ -132,7 +133,7 @@ class PointQueue {
     bool supersampled_;
     SamplePattern pattern_;
     const BatchEncoder<Pixel>& encode_;
-    Image<Pixel>& image_;
+    const RowBand<Pixel>& image_;
     GraphValues::Scratch scratch_;
     std::vector<GraphValues::Scratch::Array> sums_;
     std::vector<Piece> pieces_;
@@ -142,24 +143,30 @@ class PointQueue {
     Pixel pixels_[value_batch];
 };
 
-/// Texels of the image that lie in no span.
-inline std::uint64_t texels_outside(const SolidAtlas& solid) {
-    std::uint64_t count = std::uint64_t(solid.size) * solid.size;
-    for (const Span& span : solid.spans) count -= span.count;
+/// Texels of these rows that lie in no span.
+inline std::uint64_t texels_outside(const SolidAtlas& solid, const RowWindow& rows) {
+    std::uint64_t count = std::uint64_t(solid.size) * rows.count();
+    for (std::size_t y = rows.first; y < rows.end; ++y)
+        for (const Span& span : solid.row(y)) count -= span.count;
     return count;
 }
 
-/// Fills the image's texels that lie in spans, as fill_texels (synthesize_graph_texels.h) does.
+/// Fills the rows' texels that lie in spans, as fill_texels (synthesize_graph_texels.h) does.
 template <class Pixel>
 void fill_points(const SolidAtlas& solid, const Affine3& map, const GraphValues& graph,
-                 const Filter& filter, int threads, const Economy& economy, Image<Pixel>& image) {
+                 const Filter& filter, int threads, const Economy& economy,
+                 const RowBand<Pixel>& image) {
     const BatchEncoder<Pixel> encode;
     WorkSum work(economy.work);
-    const RowGroups groups(solid.size, 16 * value_batch);
+    const RowWindow rows = image.rows();
+    RowGroups groups(solid.size, 16 * value_batch);
+    groups.size = rows.count();
     const auto fill_rows = [&](const RowRange& range) {
         const auto queue = std::make_unique<PointQueue<Pixel>>(graph, filter, encode, image);
-        for (std::size_t y = groups.begin(range.begin()); y != groups.begin(range.end()); ++y) {
-            if (y % groups.rows == 0) queue->flush();
+        for (std::size_t row = groups.begin(range.begin()); row != groups.begin(range.end());
+             ++row) {
+            const std::size_t y = rows.first + row;
+            if (row % groups.rows == 0) queue->flush();
             for (const Span& span : solid.row(y)) {
                 const TexelMap& texel = solid.maps[span.map];
                 const WholeSpan whole = solid.whole(span);
@@ -175,7 +182,7 @@ void fill_points(const SolidAtlas& solid, const Affine3& map, const GraphValues&
     };
     for_row_ranges(groups.count(), 1, threads, fill_rows, economy.stop);
     SynthesisWork gaps;
-    gaps.skip_texels(Skip::unread_texels, texels_outside(solid));
+    gaps.skip_texels(Skip::unread_texels, texels_outside(solid, rows));
     work.add(gaps);
 }
 

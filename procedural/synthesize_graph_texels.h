@@ -9,6 +9,7 @@
 #include "procedural/filter.h"
 #include "procedural/graph_evaluator.h"
 #include "procedural/row_tasks.h"
+#include "procedural/row_window.h"
 #include "procedural/sample_pattern.h"
 #include "procedural/texel_place.h"
 
@@ -20,7 +21,7 @@ template <class Pixel, class Shade, class Encode>
 class TexelQueue {
   public:
     TexelQueue(const GraphEvaluator& evaluate, const Filter& filter, const Shade& shade,
-               const Encode& encode, Image<Pixel>& image)
+               const Encode& encode, const RowBand<Pixel>& image)
         : evaluate_(evaluate),
           kind_(filter.kind),
           pattern_(kind_ == FilterKind::supersample ? filter.samples : 1),
@@ -73,7 +74,7 @@ class TexelQueue {
     SamplePattern pattern_;
     const Shade& shade_;
     const Encode& encode_;
-    Image<Pixel>& image_;
+    const RowBand<Pixel>& image_;
     GraphEvaluator::Scratch scratch_;
     std::vector<TexelPlace> texels_;
     std::vector<Vec3d> points_;
@@ -81,15 +82,15 @@ class TexelQueue {
     std::vector<GraphSample> samples_;
 };
 
-/// Fills the image's texels that lie in spans, rows in parallel; the bytes do not depend on
+/// Fills the rows' texels that lie in spans, rows in parallel; the bytes do not depend on
 /// `threads` (0: all). `map` takes the SolidAtlas's space to the texture's.
 template <class Pixel, class Shade, class Encode>
 void fill_texels(const SolidAtlas& solid, const Affine3& map, const GraphEvaluator& evaluate,
                  const Filter& filter, const Shade& shade, const Encode& encode, int threads,
-                 Image<Pixel>& image, const std::stop_token& stop = {}) {
+                 const RowBand<Pixel>& image, const std::stop_token& stop = {}) {
     const auto fill_rows = [&](const RowRange& rows) {
         TexelQueue<Pixel, Shade, Encode> queue(evaluate, filter, shade, encode, image);
-        for (std::size_t y = rows.begin(); y != rows.end(); ++y)
+        for (std::size_t y = image.first + rows.begin(); y != image.first + rows.end(); ++y)
             for (const Span& span : solid.row(y)) {
                 const TexelMap& texel = solid.maps[span.map];
                 const Footprint steps{map.linear * texel.step_x, map.linear * texel.step_y};
@@ -99,7 +100,7 @@ void fill_texels(const SolidAtlas& solid, const Affine3& map, const GraphEvaluat
             }
         queue.flush();
     };
-    for_row_ranges(solid.size, 16 * graph_batch_size, threads, fill_rows, stop);
+    for_row_ranges(image.rows().count(), 16 * graph_batch_size, threads, fill_rows, stop);
 }
 
 }  // namespace burl

@@ -103,7 +103,7 @@ void KeptGraph::synthesize(const TextureGraph& graph, const Affine3& texture_fro
         const GraphValues number(key.graph);
         octaves_ = number.program().octaves();
         fill_points(*solid_, texture_from_atlas, number, {}, threads,
-                    {economy.skips, &work, economy.stop}, values_);
+                    {economy.skips, &work, economy.stop}, RowBand(values_));
         if (economy.stop.stop_requested()) return;
         known_ = key;
     }

@@ -96,7 +96,8 @@ Image<Pixel> synthesize_normals(const SolidAtlas& solid, const ShadingFrames& fr
     const GraphEvaluator evaluate(bump.input, filter);
     const BumpShade shade(solid, frames, bump, texture_from_atlas);
     Image<Pixel> image(solid.size, solid.size, encode({0.0, 0.0, 1.0}));
-    fill_texels(solid, texture_from_atlas, evaluate, filter, shade, encode, threads, image);
+    fill_texels(solid, texture_from_atlas, evaluate, filter, shade, encode, threads,
+                RowBand(image));
     return image;
 }
 

@@ -68,6 +68,7 @@ struct Task {
     const Affine3& map;
     int threads = 0;
     const Economy& economy;
+    RowWindow rows;
     std::uint64_t octaves = 0;  ///< evaluated per texel, for the economy's count
 };
 
@@ -78,12 +79,13 @@ Image<Pixel> fill(const Task& task, const Field& whole, const Pixel& background,
     const SolidAtlas& solid = task.solid;
     const Affine3& map = task.map;
     constexpr std::size_t texels_per_task = 1024;
-    Image<Pixel> image(solid.size, solid.size, background);
+    Image<Pixel> rows_of_image(solid.size, task.rows.count(), background);
+    const RowBand image(rows_of_image, task.rows.first);
     WorkSum total(task.economy.work);
     const auto fill_rows = [&](const RowRange& rows) {
         SynthesisWork work;
         std::optional<Field> limited;
-        for (std::size_t y = rows.begin(); y != rows.end(); ++y)
+        for (std::size_t y = image.first + rows.begin(); y != image.first + rows.end(); ++y)
             for (const Span& span : solid.row(y)) {
                 const TexelMap& texel = solid.maps[span.map];
                 const Footprint steps{map.linear * texel.step_x, map.linear * texel.step_y};
@@ -96,8 +98,8 @@ Image<Pixel> fill(const Task& task, const Field& whole, const Pixel& background,
         work.octaves = work.texels * task.octaves;
         total.add(work);
     };
-    for_row_ranges(solid.size, texels_per_task, task.threads, fill_rows, task.economy.stop);
-    return image;
+    for_row_ranges(task.rows.count(), texels_per_task, task.threads, fill_rows, task.economy.stop);
+    return rows_of_image;
 }
 
 /// Colours of several places in the texel, weighted.
@@ -180,8 +182,12 @@ std::uint64_t evaluations(const Filter& filter) {
 template <class Pixel>
 Image<Pixel> synthesize_texels(const SolidAtlas& solid, const Texture& texture, const Affine3& map,
                                const Precision& precision, const Filter& filter, int threads,
-                               const Economy& economy) {
-    const Task task{solid, map, threads, economy,
+                               const Economy& economy, const RowWindow& rows) {
+    const Task task{solid,
+                    map,
+                    threads,
+                    economy,
+                    rows.of(solid.size),
                     evaluations(filter) * expand_octaves(texture).size()};
     if (precision.kind == PrecisionKind::fixed)
         return sampled_colors<Pixel>(task, texture.colors, filter,
@@ -193,17 +199,20 @@ Image<Pixel> synthesize_texels(const SolidAtlas& solid, const Texture& texture, 
 }
 
 template Image<Rgb8> synthesize_texels(const SolidAtlas&, const Texture&, const Affine3&,
-                                       const Precision&, const Filter&, int, const Economy&);
+                                       const Precision&, const Filter&, int, const Economy&,
+                                       const RowWindow&);
 template Image<Rgb16> synthesize_texels(const SolidAtlas&, const Texture&, const Affine3&,
-                                        const Precision&, const Filter&, int, const Economy&);
+                                        const Precision&, const Filter&, int, const Economy&,
+                                        const RowWindow&);
 template Image<RgbF> synthesize_texels(const SolidAtlas&, const Texture&, const Affine3&,
-                                       const Precision&, const Filter&, int, const Economy&);
+                                       const Precision&, const Filter&, int, const Economy&,
+                                       const RowWindow&);
 
 Image<double> field_of_texels(const SolidAtlas& solid, const Texture& texture, const Affine3& map,
                               const Precision& precision, int threads) {
     const auto value = [](const auto& field, const TexelPlace& t) { return field(t.point); };
     const Economy nothing;
-    const Task task{solid, map, threads, nothing, 0};
+    const Task task{solid, map, threads, nothing, RowWindow().of(solid.size), 0};
     if (precision.kind == PrecisionKind::fixed)
         return fill(task, FixedField(texture, precision.format), 0.0, value);
     return fill(task, ExactField(texture, false), 0.0, value);

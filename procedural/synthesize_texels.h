@@ -7,6 +7,7 @@
 #include "procedural/economy.h"
 #include "procedural/filter.h"
 #include "procedural/precision.h"
+#include "procedural/row_window.h"
 #include "procedural/texture.h"
 
 namespace burl {
@@ -14,11 +15,12 @@ namespace burl {
 /// As synthesize_rgb8 and its like (synthesize.h), for Rgb8, Rgb16 and RgbF. precision.kind must be
 /// float64 or fixed; for the latter has_fixed_point(texture) must hold, and the filter be `none` or
 /// `supersample` with all octaves. `economy` counts, as if a texel showed all of every octave; all
-/// that may be left out is left out.
+/// that may be left out is left out. Gives the `rows` alone.
 template <class Pixel>
 Image<Pixel> synthesize_texels(const SolidAtlas& solid, const Texture& texture,
                                const Affine3& texture_from_atlas, const Precision& precision,
-                               const Filter& filter, int threads, const Economy& economy = {});
+                               const Filter& filter, int threads, const Economy& economy = {},
+                               const RowWindow& rows = {});
 
 /// The field itself, in any of the two precisions; 0 outside every span.
 Image<double> field_of_texels(const SolidAtlas& solid, const Texture& texture,

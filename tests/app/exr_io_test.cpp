@@ -9,6 +9,7 @@
 #include <ImfInputFile.h>
 #include <ImfTiledInputFile.h>
 
+#include "app/file_bytes.h"
 #include "tests/app/scratch_folder.h"
 
 namespace burl {
@@ -92,6 +93,33 @@ TEST(Exr, LevelsComeBackBitForBit) {
         file.setFrameBuffer(frame);
         file.readTiles(0, file.numXTiles(l) - 1, 0, file.numYTiles(l) - 1, l);
         EXPECT_EQ(image, levels[std::size_t(l)]) << l;
+    }
+}
+
+TEST(Exr, LevelsWhoseRowsComeInAnyNumbersAreTheSameFile) {
+    const ScratchFolder folder;
+    for (const std::size_t height : {150u, 128u}) {
+        std::vector<Image<RgbF>> levels{ramp(100, height)};
+        while (levels.back().width() > 1 || levels.back().height() > 1)
+            levels.push_back(ramp(std::max<std::size_t>(1, levels.back().width() / 2),
+                                  std::max<std::size_t>(1, levels.back().height() / 2)));
+        std::vector<const Image<RgbF>*> addresses;
+        for (const Image<RgbF>& level : levels) addresses.push_back(&level);
+        for (const ExrDepth depth : {ExrDepth::half, ExrDepth::float_full}) {
+            write_exr_levels(folder / "whole.exr", addresses, depth);
+            const auto in_bands = [&](const RowSink& sink) {
+                for (std::size_t y = 0, rows = 1; y < height; y += rows, ++rows) {
+                    rows = std::min(rows, height - y);
+                    Image<RgbF> band(100, rows);
+                    for (std::size_t j = 0; j < rows; ++j)
+                        std::ranges::copy(levels[0].row(y + j), band.row(j).begin());
+                    sink(band);
+                }
+                return std::vector<Image<RgbF>>(levels.begin() + 1, levels.end());
+            };
+            write_exr_levels(folder / "bands.exr", 100, height, in_bands, depth);
+            EXPECT_EQ(read_file_bytes(folder / "bands.exr"), read_file_bytes(folder / "whole.exr"));
+        }
     }
 }
 
