@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "procedural/kept_sums.h"
+#include "procedural/lone_octave.h"
 #include "procedural/octave_streams.h"
 
 namespace burl {
@@ -105,6 +106,32 @@ void OctaveStreams::add_kept_pieces(const Group& group, std::span<const Piece> p
     });
 }
 
+/// Whether an octave that nobody keeps is alone on its lines, and better evaluated as such: from
+/// half of the crossings on at which shared corners are no longer faster.
+bool OctaveStreams::is_lone(const Group& group, const SpanLines& lines,
+                            const KeptBatch& kept) const {
+    if (group.octaves.size() > 1 || group.kind == NoiseKind::simplex || keeps_any(kept))
+        return false;
+    return sharing(group, 2.0 * crossings_per_texel(group.lattice_from_solid, lines), false) == 0;
+}
+
+/// values = lines.needed + the group.
+void OctaveStreams::add_kept_lines(const Group& group, const SpanLines& lines,
+                                   const KeptBatch& kept, StreamBuffers& buffers,
+                                   double* values) const {
+    const double unit = group.scale * stream_unit(group.kind);
+    if (is_lone(group, lines, kept) &&
+        add_lone_octave(
+            {group.kind, group.fade, group.octaves.front().seed, group.lattice_from_solid, unit},
+            lines, values)) {
+        buffers.work.octaves += lines.texels;
+        return;
+    }
+    const Plan plan = prepare_lines(group, lines, buffers);
+    add_kept_octaves(group, plan, lines.texels, kept, buffers);
+    add_sums_to(lines.needed, unit, buffers.sums.values, lines.texels, values);
+}
+
 bool OctaveStreams::needs_pieces(const KeptBatch& kept, double longest) const {
     std::size_t first = 0;
     for (std::size_t i = 0; i < groups_.size(); ++i) {
@@ -142,11 +169,8 @@ void OctaveStreams::add_kept(std::span<const Piece> pieces, std::size_t count,
             add_known_group(group, own, count, buffers.work, values);
         } else if (kept.lines) {
             SpanLines lines = *kept.lines;
-            lines.needed = from;
-            const Plan plan = prepare_lines(group, lines, buffers);
-            add_kept_octaves(group, plan, count, own, buffers);
-            add_sums_to(std::exchange(from, values), group.scale * stream_unit(group.kind),
-                        buffers.sums.values, count, values);
+            lines.needed = std::exchange(from, values);
+            add_kept_lines(group, lines, own, buffers, values);
         } else {
             fetch();
             add_kept_pieces(group, pieces, own, buffers, values);

@@ -91,7 +91,8 @@ template <class FadeFunction>
 struct StreamPlaces {
     Float s[3], fade[3];
 
-    HWY_ATTR HWY_INLINE StreamPlaces(const LatticeStream& stream, std::size_t j, int doublings) {
+    template <class Stream>
+    HWY_ATTR HWY_INLINE StreamPlaces(const Stream& stream, std::size_t j, int doublings) {
         for (int axis = 0; axis < 3; ++axis) {
             s[axis] = PlacesOf(stream, axis, j, doublings);
             fade[axis] = FadeOf(FadeFunction(), s[axis]);

@@ -23,15 +23,16 @@ HWY_ATTR HWY_INLINE Bit CellsOf(const LatticeStream& stream, int axis, std::size
     return hn::Or(hn::ShiftLeftSame(cells, doublings), hn::ShiftRightSame(places, 32 - doublings));
 }
 
-/// Places of a vector of texels after doublings, in units of 2^-32 cells.
-HWY_ATTR HWY_INLINE Bit PlaceBitsOf(const LatticeStream& stream, int axis, std::size_t j,
-                                    int doublings) {
+/// Places of a vector of texels after doublings (of whatever stream has places), in units of 2^-32
+/// cells.
+template <class Stream>
+HWY_ATTR HWY_INLINE Bit PlaceBitsOf(const Stream& stream, int axis, std::size_t j, int doublings) {
     return hn::ShiftLeftSame(hn::Load(Bits(), stream.places[axis] + j), doublings);
 }
 
 /// 2^32 times the distance from the cell's middle, rounded to float.
-HWY_ATTR HWY_INLINE Float PlacesOf(const LatticeStream& stream, int axis, std::size_t j,
-                                   int doublings) {
+template <class Stream>
+HWY_ATTR HWY_INLINE Float PlacesOf(const Stream& stream, int axis, std::size_t j, int doublings) {
     const Bit places = PlaceBitsOf(stream, axis, j, doublings);
     const Bit centred = hn::Xor(places, hn::Set(Bits(), 0x80000000u));
     return hn::ConvertTo(Floats(), hn::BitCast(Ints(), centred));

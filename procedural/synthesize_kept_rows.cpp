@@ -1,6 +1,24 @@
 #include "procedural/synthesize_kept_rows.h"
 
+#include <new>
+
+#if defined(__linux__)
+#include <sys/mman.h>
+#endif
+
 namespace burl {
+
+void* allot_kept(std::size_t bytes) {
+    constexpr std::size_t cache_line = 64, large_page = std::size_t(1) << 21;
+    const std::size_t step = bytes < 2 * large_page ? cache_line : large_page;
+    void* const memory = std::aligned_alloc(step, (bytes / step + 1) * step);
+    if (!memory) throw std::bad_alloc();
+#if defined(MADV_HUGEPAGE)
+    // Whole ones only: nothing is taken that is not used. Advice, which may be refused.
+    if (step == large_page) ::madvise(memory, bytes / large_page * large_page, MADV_HUGEPAGE);
+#endif
+    return memory;
+}
 
 KeptRows::KeptRows(const SolidAtlas& solid) {
     std::size_t kept = 0;

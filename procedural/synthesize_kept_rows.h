@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cstdlib>
 #include <memory>
-#include <new>
 #include <span>
 #include <vector>
 
@@ -13,15 +12,16 @@
 
 namespace burl {
 
+/// Memory that begins on a line of the cache, in large pages where there is much of it and the
+/// system lends them: it is read from end to end for every texture. For std::free.
+void* allot_kept(std::size_t bytes);
+
 /// Uninitialised numbers that begin on a line of the cache.
 template <class T>
 class KeptArray {
   public:
     KeptArray() = default;
-    explicit KeptArray(std::size_t count)
-        : data_(static_cast<T*>(std::aligned_alloc(64, count * sizeof(T) / 64 * 64 + 64))) {
-        if (!data_) throw std::bad_alloc();
-    }
+    explicit KeptArray(std::size_t count) : data_(static_cast<T*>(allot_kept(count * sizeof(T)))) {}
     T* data() const { return data_.get(); }
 
   private:
