@@ -8,6 +8,8 @@ namespace burl {
 
 namespace {
 
+constexpr std::size_t texels_at_once = std::size_t(1) << 20;
+
 template <class Pixel>
 struct Codes {
     static constexpr std::size_t count = 0;
@@ -36,19 +38,20 @@ Vec3f PaintMixer<Pixel>::light(const Pixel& pixel) const {
 
 template <class Pixel>
 void PaintMixer<Pixel>::mix(const PaintLayer& layer, std::size_t tile, const Image<Pixel>& base,
-                            Image<Pixel>& image) const {
+                            Image<Pixel>& image, std::size_t first) const {
     constexpr std::size_t side = PaintTiles::side;
     const std::span<const PaintLight> paint = layer.paint(tile);
-    const std::size_t column = tile % layer.tiles().columns(), row = tile / layer.tiles().columns();
+    const std::size_t column = tile % layer.tiles().columns();
+    const std::size_t y_begin = first + tile / layer.tiles().columns() * side;
     const std::size_t x_end = std::min(base.width(), (column + 1) * side),
-                      y_end = std::min(base.height(), (row + 1) * side);
-    for (std::size_t y = row * side; y < y_end; ++y) {
+                      y_end = std::min(base.height(), y_begin + side);
+    for (std::size_t y = y_begin; y < y_end; ++y) {
         for (std::size_t x = column * side; x < x_end; ++x) {
             const Pixel& below = base(x, y);
             Pixel& texel = image(x, y);
             texel = below;
             if (paint.empty()) continue;
-            const PaintLight& over = paint[y % side * side + x % side];
+            const PaintLight& over = paint[(y - y_begin) * side + x % side];
             if (over.a > 0.0f) texel = encode_(Vec3d(painted(over, light(below))));
         }
     }
@@ -58,10 +61,18 @@ template <class Pixel>
 std::uint64_t paint_over(const SolidAtlas& solid, std::span<const PaintStroke> strokes, int threads,
                          Image<Pixel>& image, std::size_t first) {
     if (strokes.empty()) return 0;
-    PaintLayer layer(solid, threads, {first, first + image.height()});
-    const std::uint64_t texels = layer.update(strokes).texels;
     const PaintMixer<Pixel> mixer;
-    for (const std::uint32_t tile : layer.painted_tiles()) mixer.mix(layer, tile, image, image);
+    const std::size_t at_once =
+        PaintTiles::side *
+        std::max<std::size_t>(1, texels_at_once / (PaintTiles::side * image.width()));
+    std::uint64_t texels = 0;
+    for (std::size_t begin = 0; begin < image.height(); begin += at_once) {
+        const std::size_t end = std::min(begin + at_once, image.height());
+        PaintLayer layer(solid, threads, {first + begin, first + end});
+        texels += layer.update(strokes).texels;
+        for (const std::uint32_t tile : layer.painted_tiles())
+            mixer.mix(layer, tile, image, image, begin);
+    }
     return texels;
 }
 

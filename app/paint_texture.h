@@ -17,9 +17,9 @@ class PaintMixer {
     PaintMixer();
 
     /// Writes the tile's texels of `image`: those of `base` under its paint. Both have the layer's
-    /// rows and may be the same.
+    /// rows, from number `first` of theirs on, and may be the same.
     void mix(const PaintLayer& layer, std::size_t tile, const Image<Pixel>& base,
-             Image<Pixel>& image) const;
+             Image<Pixel>& image, std::size_t first = 0) const;
 
   private:
     Vec3f light(const Pixel& pixel) const;
@@ -28,7 +28,8 @@ class PaintMixer {
     std::vector<float> decoded_;  ///< per code; none for floats
 };
 
-/// Lays the strokes over the texture of an atlas. For Rgb8, Rgb16 and RgbF. `threads` 0: all; the
+/// Lays the strokes over the texture of an atlas, about a million texels at a time: paint takes 32
+/// bytes a texel. For Rgb8, Rgb16 and RgbF. `threads` 0: all; the
 /// result does not depend on it. The image may be some rows alone of the texture, from `first` on,
 /// a multiple of PaintTiles::side. Gives the texels that it went through.
 template <class Pixel>

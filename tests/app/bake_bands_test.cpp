@@ -6,6 +6,7 @@
 #include "app/convert_image.h"
 #include "app/file_bytes.h"
 #include "app/level_names.h"
+#include "app/paint_texture.h"
 #include "app/parameters.h"
 #include "app/sample_meshes.h"
 #include "atlas/block_levels.h"
@@ -118,6 +119,25 @@ TEST(BakeBands, EveryWayOfTheHostAndPaintComeInBands) {
             expect_bands_are_the_texture(
                 pipeline, way.edits.empty() && way.preset == "marble" && !way.forward ? 1 : 4);
         }
+}
+
+TEST(BakeBands, PaintThatComesInPartsIsThatOfOneLayer) {
+    Recipe recipe = load_recipe("stripes", {});
+    recipe.atlas.size = 1200;  // two parts
+    Pipeline pipeline(sample_mesh("sample:teapot"));
+    pipeline.set_recipe(recipe);
+    Image<Rgb8> expected = pipeline.synthesize<Rgb8>();
+    PaintLayer layer(pipeline.solid(), 1);
+    layer.update(strokes());
+    const PaintMixer<Rgb8> mixer;
+    for (const std::uint32_t tile : layer.painted_tiles())
+        mixer.mix(layer, tile, expected, expected);
+    const auto columns = layer.tiles().columns();
+    EXPECT_GT(layer.painted_tiles().back() / columns, 60u);
+    EXPECT_LT(layer.painted_tiles().front() / columns, 20u);
+    recipe.paint = strokes();
+    pipeline.set_recipe(recipe);
+    EXPECT_EQ(pipeline.synthesize<Rgb8>(), expected);
 }
 
 TEST(BakeBands, LevelsOfEitherRuleAreThoseOfTheWholeTexture) {
