@@ -63,30 +63,31 @@ GlSurface::GlSurface(const GladGLContext& gl, const Surface& surface, const Mat4
       material_(surface.material),
       target_share_(surface.target_share),
       placements_(surface.placements) {
-    gl.BindVertexArray(vertex_array_.get());
-    make(gl, Stream::position, surface.positions.size(), sizeof(Vec3f));
-    make(gl, Stream::normal, surface.normals.size(), sizeof(Vec3f));
-    make(gl, Stream::uv, surface.uvs.size(), sizeof(glm::vec2));
-    make(gl, Stream::color, surface.colors.size(), sizeof(Vec4f));
-    make(gl, Stream::block, surface.blocks.size(), sizeof(Vec4f));
-    make(gl, Stream::tangent, surface.tangents.size(), sizeof(Vec4f));
-    make(gl, Stream::index, surface.triangles.size(), sizeof(Triangle));
-    check_gl(gl, "making room for a surface");
+    const auto set = [&](Stream stream, std::size_t count, std::size_t stride) {
+        streams_[std::size_t(stream)] = {{}, count, stride};
+    };
+    set(Stream::position, surface.positions.size(), sizeof(Vec3f));
+    set(Stream::normal, surface.normals.size(), sizeof(Vec3f));
+    set(Stream::uv, surface.uvs.size(), sizeof(glm::vec2));
+    set(Stream::color, surface.colors.size(), sizeof(Vec4f));
+    set(Stream::block, surface.blocks.size(), sizeof(Vec4f));
+    set(Stream::tangent, surface.tangents.size(), sizeof(Vec4f));
+    set(Stream::index, surface.triangles.size(), sizeof(Triangle));
 }
 
-/// An attribute without elements has one value for all (set_constants).
-void GlSurface::make(const GladGLContext& gl, Stream stream, std::size_t count,
-                     std::size_t stride) {
-    if (count == 0) return;
+/// An attribute without elements has one value for all (set_constants). One buffer at a time: a
+/// software OpenGL clears what it gives.
+void GlSurface::make_room(const GladGLContext& gl, Stream stream) {
     Buffer& buffer = streams_[std::size_t(stream)];
-    buffer = {make_buffer(gl), count, stride};
+    buffer.buffer = make_buffer(gl);
     const GLenum target = stream == Stream::index ? GL_ELEMENT_ARRAY_BUFFER : GL_ARRAY_BUFFER;
+    gl.BindVertexArray(vertex_array_.get());
     gl.BindBuffer(target, buffer.buffer.get());
-    gl.BufferData(target, GLsizeiptr(count * stride), nullptr, GL_STATIC_DRAW);
+    gl.BufferData(target, GLsizeiptr(buffer.count * buffer.stride), nullptr, GL_STATIC_DRAW);
     if (stream == Stream::index) return;
     gl.EnableVertexAttribArray(GLuint(stream));
-    gl.VertexAttribPointer(GLuint(stream), GLint(stride / sizeof(float)), GL_FLOAT, GL_FALSE, 0,
-                           nullptr);
+    gl.VertexAttribPointer(GLuint(stream), GLint(buffer.stride / sizeof(float)), GL_FLOAT, GL_FALSE,
+                           0, nullptr);
 }
 
 /// Elements as they lie in the buffer. Positions and texture coordinates are made here.
@@ -128,6 +129,7 @@ bool GlSurface::upload(const GladGLContext& gl, const Surface& surface, std::siz
             uploaded_ = 0;
             continue;
         }
+        if (uploaded_ == 0) make_room(gl, Stream(stream_));
         const std::size_t count =
             std::clamp<std::size_t>(bytes / to.stride, 1, to.count - uploaded_);
         gl.BindBuffer(GL_ARRAY_BUFFER, to.buffer.get());

@@ -27,7 +27,7 @@ struct TileView {
 
 class GlSurface {
   public:
-    /// Room for the surface; what it shows comes with upload(). `frame` as of app/unit_frame.h.
+    /// What it shows, and room for that, comes with upload(). `frame` as of app/unit_frame.h.
     GlSurface(const GladGLContext& gl, const Surface& surface, const Mat4d& frame);
 
     /// The next piece, of about `bytes`, of the surface it was made for. Whether all is there.
@@ -55,7 +55,7 @@ class GlSurface {
     };
 
     bool has(Stream stream) const { return streams_[std::size_t(stream)].count > 0; }
-    void make(const GladGLContext& gl, Stream stream, std::size_t count, std::size_t stride);
+    void make_room(const GladGLContext& gl, Stream stream);
     void set_constants(const GladGLContext& gl) const;
     void upload_target(const GladGLContext& gl, const SurfaceTarget& target);
     const void* piece(const Surface& surface, Stream stream, std::size_t first, std::size_t count);
