@@ -130,8 +130,8 @@ Mesh MeshOptions::load(const std::string& path) const {
 void add_pose(CLI::App& verb, std::string& pose) {
     verb.add_option("--pose", pose,
                     "Another shape of the mesh, to which its texture sticks: a mesh file with the "
-                    "same faces, or a morph target of the mesh's own file; pose.weight says how "
-                    "far");
+                    "same faces, or a pose of the mesh's own file: a morph target, a moment of an "
+                    "animation (NAME@SECONDS) or \"nodes\"; pose.weight says how far");
 }
 
 CLI::Validator in_range(double low, double high) {

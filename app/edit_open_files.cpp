@@ -66,7 +66,7 @@ void EditOpenFiles::adopt(const FileRead& read) {
     if (read.kind == FileKind::recipe) asks_ = false;
     if (!read.again && read.kind != FileKind::pose) recent_.add(read.path);
     if (read.kind != FileKind::mesh) return;
-    targets_ = read.targets;
+    own_poses_ = read.own_poses;
     const std::string pose = paths_[std::size_t(FileKind::pose)];
     if (!read.again) close_pose();
     if (read.again && !pose.empty()) reader_.read({FileKind::pose, pose, true, mesh()});

@@ -38,8 +38,8 @@ class EditOpenFiles {
     const std::string& mesh() const { return paths_[0]; }
     const std::string& recipe() const { return paths_[1]; }
     const std::string& pose() const { return paths_[2]; }
-    /// Morph targets of the mesh's file.
-    const std::vector<std::string>& targets() const { return targets_; }
+    /// What poses the mesh's file has.
+    const std::vector<std::string>& own_poses() const { return own_poses_; }
     const RecentFiles& recent() const { return recent_; }
     /// What is being read, by kind; empty: nothing.
     std::string reading(FileKind kind) const { return reader_.reading(kind); }
@@ -56,7 +56,7 @@ class EditOpenFiles {
 
     std::function<void()> wake_;
     std::array<std::string, file_kinds> paths_;  ///< by kind
-    std::vector<std::string> targets_;
+    std::vector<std::string> own_poses_;
     bool asks_ = false;
     RecentFiles recent_;
     FileWatch watch_;

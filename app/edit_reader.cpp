@@ -27,7 +27,7 @@ void read_into(FileRead& result, const std::string& mesh) {
     if (result.kind == FileKind::mesh) {
         result.files = look_at(mesh_files(result.path));
         result.mesh = load_mesh(result.path);
-        result.targets = poses_of(result.path);
+        result.own_poses = poses_of(result.path);
         return;
     }
     if (result.kind == FileKind::pose) {

@@ -36,13 +36,13 @@ struct FileRead {
     std::optional<Mesh> mesh{};  ///< one of the three, unless there is a problem
     std::optional<Recipe> recipe{};
     std::shared_ptr<const MeshPose> pose{};
-    std::string of_mesh{};               ///< of a pose
-    std::vector<std::string> targets{};  ///< of a mesh: its morph targets
-    WatchedFiles files{};                ///< as they were before they were read
+    std::string of_mesh{};                 ///< of a pose
+    std::vector<std::string> own_poses{};  ///< of a mesh: what its file has
+    WatchedFiles files{};                  ///< as they were before they were read
     double seconds = 0.0;
 };
 
-/// What to read. A pose may be a morph target of its mesh (app/load_pose.h).
+/// What to read. A pose may be one of its mesh's own (app/load_pose.h).
 struct FileWish {
     FileKind kind = FileKind::mesh;
     std::string path{};

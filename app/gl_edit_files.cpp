@@ -106,14 +106,13 @@ void EditorProgram::pose_menu() {
     if (menu_item("Open pose...", "", !files_.mesh().empty()))
         ask_for_file(&EditorProgram::open_pose,
                      {"Open a pose: a mesh with the same faces", mesh_extensions(), false, {}});
-    const std::vector<std::string>& targets = files_.targets();
-    const bool open = ImGui::BeginMenu("Morph targets", !targets.empty());
-    items_.note("menu:Morph targets");
+    const std::vector<std::string>& poses = files_.own_poses();
+    const bool open = ImGui::BeginMenu("Poses of the file", !poses.empty());
+    items_.note("menu:Poses of the file");
     if (open) {
-        for (const std::string& target : targets) {
-            if (ImGui::MenuItem(target.c_str(), nullptr, target == files_.pose()))
-                open_pose(target);
-            items_.note("target:" + target);
+        for (const std::string& pose : poses) {
+            if (ImGui::MenuItem(pose.c_str(), nullptr, pose == files_.pose())) open_pose(pose);
+            items_.note("pose:" + pose);
         }
         ImGui::EndMenu();
     }

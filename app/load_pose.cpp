@@ -24,7 +24,7 @@ bool is_pose_file(const std::string& pose) {
 
 MeshPose load_pose(const std::string& mesh, const std::string& pose, const ReadOptions& options) {
     return is_pose_file(pose) ? read_pose(bytes_of(mesh), bytes_of(pose), options)
-                              : read_target(bytes_of(mesh), pose, options);
+                              : read_own_pose(bytes_of(mesh), pose, options);
 }
 
 std::vector<std::string> poses_of(const std::string& mesh) {

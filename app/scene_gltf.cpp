@@ -78,7 +78,7 @@ class GltfSceneLoader {
     void add_surface(const tinygltf::Primitive& primitive, const GltfPlacement& placement,
                      const std::string& where) {
         PolygonSoup soup;
-        PrimitiveReader reader(model_, path_, Mat4d(1.0), soup);
+        PrimitiveReader reader(model_, path_, {}, soup);
         reader.append(primitive, where);
         fill_attributes(soup);
         if (soup.corners.empty()) return;

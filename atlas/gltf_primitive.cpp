@@ -4,6 +4,7 @@
 
 #include <tiny_gltf.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "atlas/error.h"
@@ -37,16 +38,6 @@ Vec4f weights_of_sum_one(const double* w) {
     return sum > 0.0f && std::isfinite(sum) ? weights / sum : first_joint_only;
 }
 
-/// The elements moved by those of the target, where it has any by this name.
-AccessorValues moved(const tinygltf::Model& model, AccessorValues values,
-                     const std::map<std::string, int>* target, const char* name) {
-    if (!target || !target->contains(name)) return values;
-    const AccessorValues change = read_accessor(model, target->at(name));
-    if (change.components != values.components) return values;
-    for (std::size_t i = 0; i < values.values.size(); ++i) values.values[i] += change.values[i];
-    return values;
-}
-
 /// Points, lines, line loops and line strips of `vertices` vertices.
 std::uint64_t drawn_elements(int mode, std::size_t vertices) {
     if (mode == TINYGLTF_MODE_LINE) return vertices / 2;
@@ -56,21 +47,47 @@ std::uint64_t drawn_elements(int mode, std::size_t vertices) {
 
 }  // namespace
 
-PrimitiveReader::PrimitiveReader(const tinygltf::Model& model, const std::string& path,
-                                 const Mat4d& to_scene, PolygonSoup& soup,
-                                 std::optional<std::size_t> target)
-    : model_(model),
-      path_(path),
-      to_scene_(to_scene),
-      normal_to_scene_(normal_matrix(Mat3d(to_scene))),
-      mirrored_(glm::determinant(Mat3d(to_scene)) < 0.0),
-      soup_(soup),
-      target_(target) {}
+/// Those of one primitive.
+struct PrimitiveReader::Vertices {
+    const tinygltf::Model& model;
+    const tinygltf::Primitive& primitive;
+    const std::string& where;
+    Targets targets;
+    VertexSkin skin;
 
-/// Null: the primitive stays as it is.
-const std::map<std::string, int>* PrimitiveReader::target_of(
-    const tinygltf::Primitive& primitive) const {
-    return target_ && *target_ < primitive.targets.size() ? &primitive.targets[*target_] : nullptr;
+    /// An attribute, moved by the targets that have it, too.
+    AccessorValues read(const std::string& name) const {
+        AccessorValues values = read_accessor(model, primitive.attributes.at(name));
+        for (const WeightedTarget& target : targets) {
+            if (!target.attributes->contains(name)) continue;
+            const AccessorValues change = read_accessor(model, target.attributes->at(name));
+            if (change.components != values.components) continue;
+            for (std::size_t i = 0; i < values.values.size(); ++i)
+                values.values[i] += target.weight * change.values[i];
+        }
+        return values;
+    }
+
+    bool keeps_normals() const {
+        return primitive.attributes.contains("NORMAL") &&
+               std::ranges::all_of(targets, [](const WeightedTarget& target) {
+                   return target.attributes->contains("NORMAL");
+               });
+    }
+};
+
+PrimitiveReader::PrimitiveReader(const tinygltf::Model& model, const std::string& path,
+                                 MeshPlace place, PolygonSoup& soup)
+    : model_(model), path_(path), place_(std::move(place)), soup_(soup) {}
+
+/// Those that move it.
+PrimitiveReader::Targets PrimitiveReader::targets_of(const tinygltf::Primitive& primitive) const {
+    Targets targets;
+    const std::size_t count = std::min(place_.target_weights.size(), primitive.targets.size());
+    for (std::size_t i = 0; i < count; ++i)
+        if (place_.target_weights[i] != 0.0)
+            targets.push_back({&primitive.targets[i], place_.target_weights[i]});
+    return targets;
 }
 
 void PrimitiveReader::append(const tinygltf::Primitive& primitive, const std::string& where) {
@@ -104,61 +121,65 @@ void PrimitiveReader::append(const tinygltf::Primitive& primitive, const std::st
 std::uint32_t PrimitiveReader::append_vertices(const tinygltf::Primitive& primitive,
                                                const std::string& where) {
     const std::size_t first = soup_.points.size();
-    std::map<std::string, int> arrays = primitive.attributes;
-    if (const auto* target = target_of(primitive))
-        for (const auto& [name, accessor] : *target) arrays["target " + name] = accessor;
-    const auto [entry, is_new] =
-        first_point_of_.try_emplace(std::move(arrays), static_cast<std::uint32_t>(first));
+    const auto [entry, is_new] = first_point_of_.try_emplace(
+        {primitive.attributes, targets_of(primitive)}, static_cast<std::uint32_t>(first));
     if (is_new) {
-        append_positions(primitive, where);
-        append_attributes(primitive, first, where);
+        const Vertices vertices{model_, primitive, where, targets_of(primitive),
+                                VertexSkin(model_, primitive, place_.joints, path_, where)};
+        append_positions(vertices);
+        if (vertices.keeps_normals()) append_normals(vertices, first);
+        append_attributes(vertices, first);
     }
     return entry->second;
 }
 
-void PrimitiveReader::append_positions(const tinygltf::Primitive& primitive,
-                                       const std::string& where) {
-    const AccessorValues values =
-        moved(model_, read_accessor(model_, primitive.attributes.at("POSITION")),
-              target_of(primitive), "POSITION");
-    if (values.components != 3) throw invalid_file(path_, 0, where + ": POSITION must be VEC3");
+void PrimitiveReader::append_positions(const Vertices& vertices) {
+    const AccessorValues values = vertices.read("POSITION");
+    if (values.components != 3)
+        throw invalid_file(path_, 0, vertices.where + ": POSITION must be VEC3");
     if (soup_.points.size() + values.count() >= no_index)
         throw Error(ExitCode::unsupported, fmt::format("{}: too many vertices", path_));
     soup_.points.reserve(soup_.points.size() + values.count());
     for (std::size_t i = 0; i < values.count(); ++i) {
-        const Vec3d p(to_scene_ * Vec4d(values[i][0], values[i][1], values[i][2], 1.0));
+        const Mat4d to_scene = vertices.skin.empty() ? place_.to_scene : vertices.skin[i];
+        const Vec3d p(to_scene * Vec4d(values[i][0], values[i][1], values[i][2], 1.0));
         for (int k = 0; k < 3; ++k)
             if (!(std::abs(p[k]) <= largest_coordinate))
                 throw invalid_file(
                     path_, 0,
                     fmt::format("{}: the position of vertex {} is not finite, or beyond "
                                 "1e100, in the scene",
-                                where, i));
+                                vertices.where, i));
         soup_.points.push_back(p);
     }
 }
 
-void PrimitiveReader::append_attributes(const tinygltf::Primitive& primitive, std::size_t first,
-                                        const std::string& where) {
+void PrimitiveReader::append_normals(const Vertices& vertices, std::size_t first) {
+    const AccessorValues values = vertices.read("NORMAL");
+    if (values.components != 3)
+        throw invalid_file(path_, 0, vertices.where + ": NORMAL has a wrong type");
+    soup_.normals.values.resize(first, Vec3f(0.0f));
+    const Mat3d to_scene = normal_matrix(Mat3d(place_.to_scene));
+    for (std::size_t i = 0; i < values.count(); ++i) {
+        const Vec3d normal(values[i][0], values[i][1], values[i][2]);
+        soup_.normals.values.push_back(Vec3f(glm::normalize(
+            (vertices.skin.empty() ? to_scene : normal_matrix(Mat3d(vertices.skin[i]))) * normal)));
+    }
+}
+
+void PrimitiveReader::append_attributes(const Vertices& vertices, std::size_t first) {
     // Fills up for earlier primitives without the attribute, then converts each element.
     const auto append = [&](const char* name, std::size_t least, std::size_t most, auto& values,
                             const auto& missing, const auto& convert) {
-        const auto found = primitive.attributes.find(name);
-        if (found == primitive.attributes.end()) return;
-        const AccessorValues source =
-            moved(model_, read_accessor(model_, found->second), target_of(primitive), name);
+        if (!vertices.primitive.attributes.contains(name)) return;
+        const AccessorValues source = vertices.read(name);
         if (source.components < least || source.components > most)
-            throw invalid_file(path_, 0, fmt::format("{}: {} has a wrong type", where, name));
+            throw invalid_file(path_, 0,
+                               fmt::format("{}: {} has a wrong type", vertices.where, name));
         values.resize(first, missing);
         for (std::size_t i = 0; i < source.count(); ++i)
             values.push_back(convert(source[i], source.components));
     };
-    const auto* target = target_of(primitive);
-    if (!target || target->contains("NORMAL"))
-        append("NORMAL", 3, 3, soup_.normals.values, Vec3f(0.0f),
-               [&](const double* n, std::size_t) {
-                   return Vec3f(glm::normalize(normal_to_scene_ * Vec3d(n[0], n[1], n[2])));
-               });
     append("TEXCOORD_0", 2, 2, soup_.uvs.values, Vec2d(0.0), [](const double* uv, std::size_t) {
         return Vec2d(std::isfinite(uv[0]) ? uv[0] : 0.0, std::isfinite(uv[1]) ? uv[1] : 0.0);
     });
@@ -199,7 +220,8 @@ void PrimitiveReader::append_triangles(int mode, const std::vector<std::uint32_t
 }
 
 void PrimitiveReader::push(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-    soup_.corners.insert(soup_.corners.end(), {a, mirrored_ ? c : b, mirrored_ ? b : c});
+    soup_.corners.insert(soup_.corners.end(),
+                         {a, place_.mirrored ? c : b, place_.mirrored ? b : c});
 }
 
 void fill_attributes(PolygonSoup& soup) {

@@ -5,7 +5,7 @@
 #include "atlas/error.h"
 #include "atlas/file_extension.h"
 #include "atlas/gltf_document.h"
-#include "atlas/gltf_targets.h"
+#include "atlas/gltf_pose.h"
 #include "atlas/mesh_atlas.h"
 #include "atlas/mesh_builder.h"
 #include "atlas/mesh_readers.h"
@@ -124,8 +124,7 @@ void check_size(const MeshPose& pose, const Mesh& mesh) {
 }  // namespace
 
 std::vector<std::string> pose_names(const FileBuffer& mesh) {
-    return has_gltf_extension(mesh.path) ? target_names(load_gltf(mesh))
-                                         : std::vector<std::string>();
+    return has_gltf_extension(mesh.path) ? pose_names(load_gltf(mesh)) : std::vector<std::string>();
 }
 
 MeshPose read_pose(const FileBuffer& mesh, const FileBuffer& posed, const ReadOptions& options) {
@@ -138,17 +137,17 @@ MeshPose read_pose(const FileBuffer& mesh, const FileBuffer& posed, const ReadOp
     return pose;
 }
 
-MeshPose read_target(const FileBuffer& mesh, const std::string& target,
-                     const ReadOptions& options) {
+MeshPose read_own_pose(const FileBuffer& mesh, const std::string& name,
+                       const ReadOptions& options) {
     if (!has_gltf_extension(mesh.path))
         throw Error(ExitCode::usage,
-                    fmt::format("{}: there is no morph target \"{}\": only .gltf and .glb have "
-                                "any; name a file with the same faces",
-                                mesh.path, target));
+                    fmt::format("{}: there is no pose \"{}\": only .gltf and .glb have any; "
+                                "name a file with the same faces",
+                                mesh.path, name));
     PolygonSoup soup = parse_mesh(mesh, options);
-    const PolygonSoup posed = parse_gltf_target(mesh, target, options);
+    const PolygonSoup posed = parse_gltf_pose(mesh, name, options);
     MeshPose pose = corners_of(soup, posed);
-    pose.name = target;
+    pose.name = name;
     return pose;
 }
 

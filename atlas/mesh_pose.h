@@ -1,6 +1,6 @@
 #pragma once
-// The same surface in another shape: where a second file, or a morph target of the mesh's own file,
-// has the corners of its triangles. A solid texture is made for the mesh at rest and sticks to
+// The same surface in another shape: where a second file, or a pose of the mesh's own file, has the
+// corners of its triangles. A solid texture is made for the mesh at rest and sticks to
 // whatever the surface becomes (Carr and Hart, "Real-Time Procedural Solid Texturing", 2001).
 //
 // Triangles correspond corner by corner, in the order of the file. Points of a file that coincide
@@ -19,14 +19,14 @@ namespace burl {
 class MeshAtlas;
 
 struct MeshPose {
-    std::string name;              ///< the file's without folder and extension, or the target's
+    std::string name;              ///< the file's without folder and extension, or the pose's own
     std::vector<Vec3d> positions;  ///< per triangle corner (3t+k) of the mesh
     /// Per triangle corner, of any length, zero where the pose says none; or empty.
     std::vector<Vec3f> normals{};
 };
 
-/// What morph targets of the file are called; none of other formats than glTF. Throws Error as
-/// read_mesh does.
+/// What poses the file brings itself (atlas/gltf_pose.h); none of other formats than glTF. Throws
+/// Error as read_mesh does.
 std::vector<std::string> pose_names(const FileBuffer& mesh);
 
 /// The pose of the mesh that read_mesh makes of `mesh` with the same options; `posed` is a mesh
@@ -35,10 +35,11 @@ std::vector<std::string> pose_names(const FileBuffer& mesh);
 MeshPose read_pose(const FileBuffer& mesh, const FileBuffer& posed,
                    const ReadOptions& options = {});
 
-/// The same from a morph target of the mesh's own file. Throws Error: as read_mesh does, usage
-/// where there is no such target.
-MeshPose read_target(const FileBuffer& mesh, const std::string& target,
-                     const ReadOptions& options = {});
+/// The same from the mesh's own file: a morph target, a moment of an animation ("walk@0.5"), or the
+/// skeleton as the nodes stand ("nodes"). Throws Error: as read_mesh does, usage where there is no
+/// such pose.
+MeshPose read_own_pose(const FileBuffer& mesh, const std::string& name,
+                       const ReadOptions& options = {});
 
 /// The pose of the mesh whose triangles the atlas places, from that of the one it was built for:
 /// the middles that a patch atlas puts on edges are the middles of the posed edges. Throws

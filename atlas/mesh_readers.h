@@ -14,11 +14,12 @@ PolygonSoup parse_ply(const FileBuffer& file, const ReadOptions& options = {});
 PolygonSoup parse_stl(const FileBuffer& file, const ReadOptions& options = {});
 PolygonSoup parse_gltf(const FileBuffer& file, const ReadOptions& options = {});
 
-/// What a morph target makes of the file's meshes, in the same order of faces and corners; meshes
-/// that have no target of this name stay as they are. Normals that the target says nothing of are
-/// zero. Throws Error(usage), with the names there are, where no mesh has it.
-PolygonSoup parse_gltf_target(const FileBuffer& file, const std::string& target,
-                              const ReadOptions& options = {});
+/// What a pose of its own (atlas/gltf_pose.h) makes of the file's meshes, in the same order of
+/// faces and corners; meshes that it does not move stay as they are. Normals that a morph target
+/// says nothing of are zero. Throws Error(usage), with the names there are, where there is no such
+/// pose.
+PolygonSoup parse_gltf_pose(const FileBuffer& file, const std::string& pose,
+                            const ReadOptions& options);
 
 /// The first half of read_mesh(): reads and parses `path` by its extension, with read_mesh()'s
 /// errors. build_mesh() is the second half.

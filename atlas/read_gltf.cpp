@@ -9,9 +9,10 @@
 #include "atlas/error.h"
 #include "atlas/gltf_accessor.h"
 #include "atlas/gltf_document.h"
+#include "atlas/gltf_pose.h"
 #include "atlas/gltf_primitive.h"
 #include "atlas/gltf_scene.h"
-#include "atlas/gltf_targets.h"
+#include "atlas/gltf_skin.h"
 #include "atlas/mesh_readers.h"
 #include "atlas/text_scanner.h"
 
@@ -33,10 +34,12 @@ std::string name_of(const tinygltf::Model& model, int mesh) {
 
 class SceneReader {
   public:
-    /// `target`: the morph target that is applied; empty: none.
+    /// `pose`: null, or where the scene's vertices are. Parts and instances are those at rest.
     SceneReader(const tinygltf::Model& model, const std::string& path, const ReadOptions& options,
-                std::string target = {})
-        : model_(model), path_(path), options_(options), target_(std::move(target)) {}
+                const GltfPose* pose = nullptr)
+        : model_(model), path_(path), options_(options), pose_(pose) {
+        if (pose_) posed_to_scene_ = scene_transforms(model_, pose_->nodes.local);
+    }
 
     PolygonSoup read() {
         const std::vector<GltfPlacement> placements = scene_placements(model_);
@@ -54,7 +57,7 @@ class SceneReader {
         const std::uint32_t first_number = next_face_number_;
         for (std::size_t i = 0; i < copies; ++i) {
             next_face_number_ = first_number;
-            read_copy(placement, placement.to_scene[i]);
+            read_copy(placement, i);
         }
         if (!share || soup_.parts.empty()) return;
         const Mat4d from_first = glm::inverse(first);
@@ -62,13 +65,24 @@ class SceneReader {
             soup_.parts.back().instances.push_back(placement.to_scene[i] * from_first);
     }
 
+    MeshPlace place(const GltfPlacement& placement, std::size_t number) const {
+        const Mat4d& to_scene = placement.to_scene[number];
+        MeshPlace result{to_scene, glm::determinant(Mat3d(to_scene)) < 0.0};
+        if (!pose_) return result;
+        const int node = placement.nodes[number];
+        result.target_weights = pose_->target_weights(model_, placement.mesh, node);
+        if (placement.skin < 0)
+            result.to_scene = posed_to_scene_[static_cast<std::size_t>(node)];
+        else if (pose_->skinned)
+            result.joints = joint_matrices(model_, placement.skin, posed_to_scene_, path_);
+        return result;
+    }
+
     /// Appends one Part: the mesh, moved to the scene.
-    void read_copy(const GltfPlacement& placement, const Mat4d& to_scene) {
+    void read_copy(const GltfPlacement& placement, std::size_t number) {
         const tinygltf::Mesh& mesh = model_.meshes[static_cast<std::size_t>(placement.mesh)];
         const std::size_t first = soup_.face_count();
-        PrimitiveReader reader(
-            model_, path_, to_scene, soup_,
-            target_.empty() ? std::optional<std::size_t>() : find_target(mesh, target_));
+        PrimitiveReader reader(model_, path_, place(placement, number), soup_);
         for (std::size_t p = 0; p < mesh.primitives.size(); ++p)
             reader.append(mesh.primitives[p],
                           fmt::format("meshes[{}].primitives[{}]", placement.mesh, p));
@@ -101,7 +115,8 @@ class SceneReader {
     const tinygltf::Model& model_;
     const std::string& path_;
     const ReadOptions& options_;
-    std::string target_;
+    const GltfPose* pose_;
+    std::vector<Mat4d> posed_to_scene_;  ///< per node
     PolygonSoup soup_;
     std::uint32_t next_face_number_ = 0;
     std::uint64_t stitches_ = 0;
@@ -114,19 +129,11 @@ PolygonSoup parse_gltf(const FileBuffer& file, const ReadOptions& options) {
     return SceneReader(model, file.path, options).read();
 }
 
-PolygonSoup parse_gltf_target(const FileBuffer& file, const std::string& target,
-                              const ReadOptions& options) {
+PolygonSoup parse_gltf_pose(const FileBuffer& file, const std::string& pose,
+                            const ReadOptions& options) {
     const tinygltf::Model model = load_gltf(file);
-    const std::vector<std::string> names = target_names(model);
-    if (std::ranges::find(names, target) == names.end())
-        throw Error(ExitCode::usage,
-                    names.empty()
-                        ? fmt::format("{}: there is no morph target \"{}\", nor any other one",
-                                      file.path, target)
-                        : fmt::format("{}: there is no morph target \"{}\"; those of the file are "
-                                      "{}",
-                                      file.path, target, fmt::join(names, ", ")));
-    return SceneReader(model, file.path, options, target).read();
+    const GltfPose found = find_pose(model, pose, file.path);
+    return SceneReader(model, file.path, options, &found).read();
 }
 
 }  // namespace burl

@@ -102,6 +102,34 @@ TEST_F(GlEditPoseTest, AnExportIsWhatTheCommandLineOfTheLogWrites) {
     EXPECT_EQ(read_file_bytes(folder / "out.glb"), bytes);
 }
 
+/// A bake with a pose is a file that has one itself.
+TEST_F(GlEditPoseTest, APoseOfTheFileIsInItsMenuAndItsWeightIsKeyed) {
+    const test::Scratch scratch;
+    const std::string own = folder / "own.glb";
+    const std::string bake = fmt::format("bake {} --pose {} -r {} -o {}", folder / "sheet.obj",
+                                         folder / "bent.obj", folder / "r.json", own);
+    ASSERT_EQ(test::run_burl(scratch, bake).exit_code, 0);
+    play(*editor, R"({"drop": [")" + own + R"("]}, {"settle": true}, {"wait": 2})");
+    const Image<Rgb8> rest = settled(*editor);
+    play(*editor, R"({"click": "menu:File"}, {"wait": 2}, {"click": "menu:Poses of the file"},
+                     {"wait": 2}, {"click": "pose:bent"}, {"settle": true}, {"wait": 2})");
+    EXPECT_GT(different(*editor, rest), 500u);
+    play(*editor, R"({"click": "tab:Parameters"}, {"wait": 2}, {"key": "K"}, {"wait": 2},
+        {"drag": "pose.weight", "by": [-30, 0]}, {"click": "timeline.key"},
+        {"drag": "timeline.ruler", "by": [120, 0]}, {"wait": 2},
+        {"drag": "pose.weight", "by": [-200, 0]}, {"wait": 2})");
+    const std::vector<KeyTrack> tracks = editor->session().recipe().animation.tracks;
+    ASSERT_EQ(tracks.size(), 1u);
+    EXPECT_EQ(tracks[0].path, "pose.weight");
+    ASSERT_EQ(tracks[0].keys.size(), 2u);
+    EXPECT_EQ(tracks[0].keys[1].value, 0.0);
+    const Image<Rgb8> flat = settled(*editor);
+    editor->session().set_time(0.0);
+    play(*editor, settle);
+    EXPECT_GT(different(*editor, flat), 500u);  // the object, and the timeline's clock
+    EXPECT_EQ(editor->baker().records()[Stage::synthesis].runs, 1u);
+}
+
 TEST_F(GlEditPoseTest, PaintGoesWhereTheSurfaceWasAtRest) {
     open_pose("bent.obj");
     play(*editor, R"({"key": "P"}, {"wait": 2}, {"click": "object"}, {"settle": true})");

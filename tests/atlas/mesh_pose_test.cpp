@@ -120,7 +120,7 @@ TEST(MeshPose, OtherFacesAreRefusedInOneSentence) {
     swapped.replace(swapped.find("f 1 3 4 2"), 9, "f 23 25 26 24");
     refused(swapped, "joins other points");
     expect_error([&] { pose_of(rest, "v nan 0 0\nf 1 1 1\n"); }, ExitCode::invalid_file, "posed");
-    expect_error([&] { read_target(obj(rest), "smile"); }, ExitCode::usage, "smile");
+    expect_error([&] { read_own_pose(obj(rest), "smile"); }, ExitCode::usage, "smile");
 }
 
 TEST(MeshPose, APoseOfAnotherMeshIsAnErrorNotACrash) {
@@ -153,7 +153,7 @@ TEST(MeshPose, MorphTargetsMoveVerticesInTheScene) {
     const std::string text = quad_with_targets().gltf();
     const FileBuffer file = buffer_from(text, "m.gltf");
     EXPECT_EQ(pose_names(file), (std::vector<std::string>{"up", "wide"}));
-    const MeshPose up = read_target(file, "up"), wide = read_target(file, "wide");
+    const MeshPose up = read_own_pose(file, "up"), wide = read_own_pose(file, "wide");
     EXPECT_EQ(up.name, "up");
     ASSERT_EQ(up.positions.size(), 6u);
     EXPECT_LT(glm::distance(up.positions[2], Vec3d(4, 1, 2)), 1e-6);
@@ -163,7 +163,7 @@ TEST(MeshPose, MorphTargetsMoveVerticesInTheScene) {
     for (const Vec3f& n : up.normals) EXPECT_EQ(n, Vec3f(0.0f));
     ASSERT_EQ(wide.normals.size(), 6u);
     EXPECT_LT(glm::distance(wide.normals[1], Vec3f(0, std::sqrt(0.5f), std::sqrt(0.5f))), 1e-6f);
-    expect_error([&] { read_target(file, "down"); }, ExitCode::usage, "up, wide");
+    expect_error([&] { read_own_pose(file, "down"); }, ExitCode::usage, "up, wide");
 }
 
 TEST(MeshPose, TargetsWithoutNamesHaveNumbers) {
@@ -172,8 +172,8 @@ TEST(MeshPose, TargetsWithoutNamesHaveNumbers) {
     const std::string text = file.gltf();
     const FileBuffer buffer = buffer_from(text, "m.gltf");
     EXPECT_EQ(pose_names(buffer), (std::vector<std::string>{"0", "1"}));
-    EXPECT_EQ(read_target(buffer, "1").positions,
-              read_target(buffer_from(quad_with_targets().gltf(), "m.gltf"), "wide").positions);
+    EXPECT_EQ(read_own_pose(buffer, "1").positions,
+              read_own_pose(buffer_from(quad_with_targets().gltf(), "m.gltf"), "wide").positions);
 }
 
 TEST(MeshPose, ATargetThatIsNotFiniteIsRefused) {
@@ -181,7 +181,7 @@ TEST(MeshPose, ATargetThatIsNotFiniteIsRefused) {
     const int bad = file.positions({0, 0, 0, std::nanf(""), 0, 0, 0, 0, 0, 0, 0, 0});
     file.root["meshes"][0]["primitives"][0]["targets"][0]["POSITION"] = bad;
     const std::string text = file.gltf();
-    expect_error([&] { read_target(buffer_from(text, "m.gltf"), "up"); }, ExitCode::invalid_file,
+    expect_error([&] { read_own_pose(buffer_from(text, "m.gltf"), "up"); }, ExitCode::invalid_file,
                  "not finite");
 }
 
