@@ -247,7 +247,7 @@ BakeJob::Written BakeJob::write_bands(Pipeline& pipeline, const std::string& pat
 }
 
 Json BakeJob::run(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthesizer,
-                  double reading, const Json& made_from, bool keeps) const {
+                  double reading, const Json& made_from, LaterBake later) const {
     const auto start = Clock::now();
     for (const Recipe& recipe : recipes_) check_lattice(recipe, pipeline.mesh());
     const std::string shader = emitted_shader(command_, recipes_[0], pipeline.mesh());
@@ -256,10 +256,11 @@ Json BakeJob::run(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthe
         pose = load_pose(command_.mesh, command_.pose, command_.meshes.read);
     set_up(pipeline, synthesizer);
     lay_out(pipeline);
-    if (!keeps) pipeline.release_neighbours();
+    if (later == LaterBake::none) pipeline.release_neighbours();
     const AtlasMetrics metrics = measure(pipeline.atlas_mesh(), pipeline.atlas(), pipeline.solid());
     if (pipeline.mesh().triangles.size() > many_triangles) return_freed_memory();
-    const bool needed_later = keeps || !command_.solid_map.empty() || extras_.has_normals();
+    const bool needed_later =
+        later == LaterBake::atlas || !command_.solid_map.empty() || extras_.has_normals();
     Written written;
     double writing = 0.0;
     for (std::size_t i = 0; i < paths_.size(); ++i) {

@@ -23,6 +23,9 @@ struct BakeExtras {
     bool has_normals() const { return normals != NormalSpace::none; }
 };
 
+/// What another bake with the same pipeline will want of it.
+enum class LaterBake { none, mesh, atlas };
+
 class BakeJob {
   public:
     /// Loads the recipe of every frame and checks all that can be known before the mesh is read.
@@ -44,10 +47,10 @@ class BakeJob {
     std::shared_ptr<TextureSynthesizer> synthesizer() const;
 
     /// Writes the outputs, the report where one is asked for, and the record of `made_from`. The
-    /// pipeline has the command's mesh; `keeps` says whether another bake will want its atlas.
+    /// pipeline has the command's mesh; What a `later` bake does not want is given back early.
     /// `reading`: seconds that the mesh took. Gives the report. Throws Error.
     Json run(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthesizer, double reading,
-             const Json& made_from, bool keeps) const;
+             const Json& made_from, LaterBake later) const;
 
     /// The report of an earlier bake whose outputs are up to date and may stay as they are.
     std::optional<Json> known_report(const Json& made_from) const;

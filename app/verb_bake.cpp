@@ -18,7 +18,7 @@ Json bake(const BakeJob& job, const Json& made_from) {
     Pipeline pipeline(job.command().meshes.load(job.command().mesh));
     return_large_blocks(pipeline.mesh().triangles.size());
     const std::chrono::duration<double> reading = std::chrono::steady_clock::now() - start;
-    return job.run(pipeline, synthesizer, reading.count(), made_from, false);
+    return job.run(pipeline, synthesizer, reading.count(), made_from, LaterBake::none);
 }
 
 void run_bake(const BakeCommand& command, const Json& settings) {

@@ -190,7 +190,7 @@ std::vector<std::string> kept_stages(const StageRecords& before, const StageReco
     return names;
 }
 
-void run(Bake& bake, SharedMesh& mesh, bool keeps) {
+void run(Bake& bake, SharedMesh& mesh, LaterBake later) {
     const Json made_from = bake.job.made_from();
     if (bake.job.known_report(made_from)) {
         bake.status = "up to date";
@@ -199,7 +199,7 @@ void run(Bake& bake, SharedMesh& mesh, bool keeps) {
     const auto synthesizer = bake.job.synthesizer();
     const bool had_mesh = mesh.read(bake.job);
     const StageRecords before = mesh.pipeline().records();
-    bake.job.run(mesh.pipeline(), synthesizer, had_mesh ? 0.0 : mesh.seconds(), made_from, keeps);
+    bake.job.run(mesh.pipeline(), synthesizer, had_mesh ? 0.0 : mesh.seconds(), made_from, later);
     if (had_mesh) {
         bake.shared = kept_stages(before, mesh.pipeline().records());
         bake.shared.insert(bake.shared.begin(), "mesh");
@@ -208,10 +208,10 @@ void run(Bake& bake, SharedMesh& mesh, bool keeps) {
 }
 
 /// What goes wrong with one bake is its own.
-void run_alone(Bake& bake, SharedMesh& mesh, bool keeps) {
+void run_alone(Bake& bake, SharedMesh& mesh, LaterBake later) {
     const auto start = std::chrono::steady_clock::now();
     try {
-        run(bake, mesh, keeps);
+        run(bake, mesh, later);
     } catch (const Error& error) {
         bake.fail(error.code(), error.what());
     } catch (const std::bad_alloc&) {
@@ -247,15 +247,19 @@ Json batch_json(const std::vector<Bake>& bakes) {
     return {{"bakes", std::move(list)}, {"counts", counts}, {"shared", shared}};
 }
 
+LaterBake later_of(const Group& group, std::size_t i) {
+    if (i + 1 == group.size()) return LaterBake::none;
+    const bool same = group[i]->job.recipe().atlas == group[i + 1]->job.recipe().atlas;
+    return same ? LaterBake::atlas : LaterBake::mesh;
+}
+
 void run_batch(const BatchCommand& command) {
     std::vector<Bake> bakes = check_manifest(command);
     const bool speaks = !command.json && !command.quiet && command.report != "-";
     for (Group& group : groups_of(bakes)) {
         SharedMesh mesh;
         for (std::size_t i = 0; i < group.size(); ++i) {
-            const bool keeps = i + 1 < group.size() &&
-                               group[i]->job.recipe().atlas == group[i + 1]->job.recipe().atlas;
-            run_alone(*group[i], mesh, keeps);
+            run_alone(*group[i], mesh, later_of(group, i));
             if (speaks) fmt::print("{}\n", line_of(*group[i]));
         }
     }
