@@ -36,6 +36,16 @@ Image<RgbF> divided(const Image<RgbF>& sums, const Image<float>& weights, Image<
     return plain;
 }
 
+/// The last level whose texels are gutter or surface and not both, up to which their means are
+/// those of the level itself.
+std::uint32_t last_unmixed_level(const PatchAtlas& atlas) {
+    std::uint32_t ends = atlas.atlas.options.size;
+    for (const PatchBlock& b : atlas.layout.blocks)
+        ends |= (b.x + b.gutter) | (b.y + b.gutter) | (b.x + b.width - b.gutter) |
+                (b.y + b.height - b.gutter);
+    return static_cast<std::uint32_t>(std::countr_zero(ends));
+}
+
 /// Inner texels' means for those of the levels after `first` that are after `pure`, too.
 void keep_gutters_out(const PatchAtlas& atlas, const Image<RgbF>& image, std::uint32_t first,
                       std::uint32_t pure, std::span<Image<RgbF>> levels) {
@@ -102,12 +112,7 @@ std::uint32_t last_source_level(const MeshAtlas& atlas) {
 
 bool halves_in_bands(const MeshAtlas& atlas) {
     if (atlas.atlas().options.size % 2 != 0) return false;
-    if (!atlas.patches()) return true;
-    return std::ranges::all_of(atlas.patches()->layout.blocks, [](const PatchBlock& b) {
-        const std::uint32_t ends = (b.x + b.gutter) | (b.y + b.gutter) |
-                                   (b.x + b.width - b.gutter) | (b.y + b.height - b.gutter);
-        return ends % 2 == 0;
-    });
+    return !atlas.patches() || last_unmixed_level(*atlas.patches()) > 0;
 }
 
 Image<float> inner_texels(const PatchAtlas& atlas, std::uint32_t level) {
@@ -133,8 +138,7 @@ std::vector<Image<RgbF>> block_levels(const MeshAtlas& atlas, const Image<RgbF>&
         result.push_back(halve(result.empty() ? image : result.back()));
     const std::uint32_t pure = last_pure_level(atlas);
     if (const PatchAtlas* patches = atlas.patches(); patches && last > std::max(pure, first)) {
-        // Texels up to there are gutter or surface alone, whose means are the level's own.
-        const std::uint32_t start = std::max(first, last_source_level(atlas));
+        const std::uint32_t start = std::clamp(last_unmixed_level(*patches), first, last);
         const std::size_t known = start - first;
         keep_gutters_out(*patches, known == 0 ? image : result[known - 1], start, pure,
                          std::span(result).subspan(known));
