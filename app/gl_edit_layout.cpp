@@ -250,7 +250,17 @@ bool EditorProgram::is_rough() const {
     return picture && (picture->level > 0 || (opening_ && !baker_.opening()));
 }
 
+/// What moved has come to rest, and its last texture is not on the screen yet: that comes first,
+/// and is smooth a frame later.
+bool EditorProgram::comes_to_rest() const {
+    const EditPicture *shown = object_.picture(), *newest = baker_.picture().get();
+    if (!shown || object_.drawn_samples() != 1) return false;
+    return shown != newest || (shown->request < request_ && !baker_.idle());
+}
+
 void EditorProgram::object_image(const ImVec2& low, const ImVec2& size) {
+    const bool rests = comes_to_rest();
+    if (rests) frames_to_draw_ = std::max(frames_to_draw_, 1);
     object_.show(baker_.surface(), baker_.picture(), baker_.coming());
     object_.show_lines(object_.uploading() ? nullptr : atlas_.lines());
     const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
@@ -261,7 +271,7 @@ void EditorProgram::object_image(const ImVec2& low, const ImVec2& size) {
     options.share = share_;
     options.edges = atlas_.edges;
     options.borders = atlas_.borders;
-    options.supersample = moving_camera_ || is_moving() || is_rough() ? 1 : 2;
+    options.supersample = moving_camera_ || is_moving() || is_rough() || rests ? 1 : 2;
     const double began = thread_seconds();
     const GlTexture* texture = object_.draw(options);
     times_.worked -= thread_seconds() - began;

@@ -141,6 +141,7 @@ class EditorProgram {
     ObjectView object_view(const ImVec2& low, const ImVec2& size) const;
     void side_window();
     bool is_rough() const;
+    bool comes_to_rest() const;
     void object_image(const ImVec2& low, const ImVec2& size);
     void draw_screen();
     void request_texture();
