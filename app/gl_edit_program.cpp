@@ -172,6 +172,8 @@ void EditorProgram::panels(const std::vector<InputEvent>& events) {
         renderer_.upload_fonts();
     }
     object_image_ = {};
+    const std::string new_title = title();
+    if (std::exchange(shown_title_, new_title) != new_title) window_->set_title(new_title);
     share_ = pose_share();
     posed_pick_.follow(object_.surface(), share_, is_moving());
     ImGui::NewFrame();
@@ -192,6 +194,12 @@ void EditorProgram::follow_opening() {
     opening_ = opening;
     baker_.hold_errands(opening_);
     if (gallery_) gallery_->hold(opening_);
+}
+
+std::string EditorProgram::title() const {
+    const std::string mesh = std::filesystem::path(files_.mesh()).filename().string();
+    return fmt::format("{}{} on {} - Burl", session_.recipe().name,
+                       session_.history().changed() ? " *" : "", mesh);
 }
 
 void EditorProgram::draw_screen() {

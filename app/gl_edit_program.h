@@ -86,6 +86,8 @@ class EditorProgram {
     /// The texture that the last frame shows; null: none. And whether with many samples a pixel.
     const EditPicture* shown() const { return object_.picture(); }
     bool shown_smooth() const { return object_.drawn_samples() > 1; }
+    /// The window's: recipe and mesh, and a star where the recipe is not saved.
+    std::string title() const;
     /// Of the last frame.
     const FrameTimes& times() const { return times_; }
 
@@ -183,6 +185,7 @@ class EditorProgram {
     double last_seconds_ = 0.0;
     bool opening_ = false;
     EditPace pace_;
+    std::string shown_title_;
     int frames_to_draw_ = 3;  ///< until the user interface has come to rest
     FileDialog dialog_;
     void (EditorProgram::*chosen_)(const std::string&) = nullptr;  ///< takes the dialog's file
