@@ -44,6 +44,19 @@ class GlImGuiTest : public GlTest {
         return read_screen(*window, gl);
     }
 
+    /// What the screen shows after an update is what drawing all of it would show.
+    void expect_update_draws(GlImGui& renderer, const GlImGui::OpaqueImage& image,
+                             unsigned frame) const {
+        const GladGLContext& gl = window->context().gl();
+        window->bind_screen();
+        renderer.update(*ImGui::GetDrawData(), Vec3f(0.0f), image);
+        const Image<Rgb8> updated = read_screen(*window, gl);
+        const GlTarget target(gl, {64, 48}, {GL_RGBA8});
+        target.clear(0, Vec4f(0, 0, 0, 1));
+        renderer.draw(*ImGui::GetDrawData());
+        EXPECT_EQ(differing(updated, read_screen(*window, gl)), 0u) << frame;
+    }
+
     std::unique_ptr<GlWindow> window;
 };
 
@@ -121,13 +134,7 @@ TEST_F(GlImGuiTest, WhatChangedIsWhatWouldBeDrawn) {
         paint_random(*ImGui::GetBackgroundDrawList(), fixed);
         if (frame % 3 == 0) paint_random(*ImGui::GetForegroundDrawList(), moving);
         ImGui::Render();
-        window->bind_screen();
-        renderer.update(*ImGui::GetDrawData(), Vec3f(0.0f), {});
-        const Image<Rgb8> updated = read_screen(*window, gl);
-        GlTarget target(gl, {64, 48}, {GL_RGBA8});
-        target.clear(0, Vec4f(0, 0, 0, 1));
-        renderer.draw(*ImGui::GetDrawData());
-        EXPECT_EQ(differing(updated, read_screen(*window, gl)), 0u) << frame;
+        expect_update_draws(renderer, {}, frame);
     }
 }
 
@@ -154,13 +161,7 @@ TEST_F(GlImGuiTest, AnImageThatHidesAllBelowItIsWhatWouldBeDrawn) {
                       frame < 20 ? IM_COL32_WHITE : IM_COL32(255, 255, 255, 128));
         if (frame % 2 == 0) paint_random(*ImGui::GetForegroundDrawList(), random);
         ImGui::Render();
-        window->bind_screen();
-        renderer.update(*ImGui::GetDrawData(), Vec3f(0.0f), {&image, still});
-        const Image<Rgb8> updated = read_screen(*window, gl);
-        GlTarget target(gl, {64, 48}, {GL_RGBA8});
-        target.clear(0, Vec4f(0, 0, 0, 1));
-        renderer.draw(*ImGui::GetDrawData());
-        EXPECT_EQ(differing(updated, read_screen(*window, gl)), 0u) << frame;
+        expect_update_draws(renderer, {&image, still}, frame);
     }
 }
 
