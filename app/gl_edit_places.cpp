@@ -2,7 +2,6 @@
 
 #include "app/gl_scene.h"
 #include "app/gl_source.h"
-#include "app/shading.h"
 
 namespace burl {
 
@@ -54,8 +53,8 @@ void GlEditPlaces::find(const GlScene& scene, const Camera& camera, const GlDept
 /// The pass lies at the far end, where nothing was drawn: so only pixels with a surface pass.
 void GlEditPlaces::draw(const GlTexture& texture, const GlDepthTarget& target) const {
     target.colors.bind();
-    const Vec3f codes = Vec3f(background_srgb.r, background_srgb.g, background_srgb.b) / 255.0f;
-    gl_->ClearColor(codes.x, codes.y, codes.z, 1.0f);
+    const Vec4f background = GlScene::background_codes();
+    gl_->ClearColor(background.x, background.y, background.z, background.w);
     gl_->Clear(GL_COLOR_BUFFER_BIT);
     gl_->Enable(GL_DEPTH_TEST);
     gl_->DepthMask(GL_FALSE);

@@ -136,9 +136,12 @@ void GlScene::draw(const Camera& camera, const PictureSize& samples, const Sampl
 
 void GlScene::draw_encoded(const Camera& camera, const PictureSize& samples, const SampleTile& tile,
                            bool lit) const {
-    const Vec3f codes(background_srgb.r, background_srgb.g, background_srgb.b);
-    clear(tile, Vec4f(codes / 255.0f, 1.0f));
+    clear(tile, background_codes());
     draw_surfaces(TileView(camera, samples, tile), {.encoded = true, .lit = lit});
+}
+
+Vec4f GlScene::background_codes() {
+    return Vec4f(background_srgb.r, background_srgb.g, background_srgb.b, 255.0f) / 255.0f;
 }
 
 bool GlScene::has_places() const {

@@ -46,6 +46,8 @@ class GlScene {
     void draw_encoded(const Camera& camera, const PictureSize& samples, const SampleTile& tile,
                       bool lit) const;
 
+    /// The background in such codes.
+    static Vec4f background_codes();
     /// Whether draw_places() can: all that surfaces show is one texture with levels, looked up
     /// without blocks.
     bool has_places() const;
