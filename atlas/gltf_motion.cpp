@@ -10,6 +10,7 @@
 
 #include "atlas/error.h"
 #include "atlas/gltf_accessor.h"
+#include "atlas/gltf_targets.h"
 
 namespace burl {
 namespace {
@@ -104,14 +105,6 @@ class Keys {
     bool rotation_, step_, cubic_;
 };
 
-std::size_t target_count(const tinygltf::Model& model, const tinygltf::Node& node) {
-    if (node.mesh < 0) return 0;
-    std::size_t count = 0;
-    for (const auto& primitive : model.meshes[std::size_t(node.mesh)].primitives)
-        count = std::max(count, primitive.targets.size());
-    return count;
-}
-
 }  // namespace
 
 GltfMotion nodes_at_rest(const tinygltf::Model& model) {
@@ -156,8 +149,9 @@ GltfMotion motion_at(const tinygltf::Model& model, std::size_t animation, double
         if (channel.target_path == "translation") parts[n].translation = at(3);
         if (channel.target_path == "rotation") parts[n].rotation = at(4);
         if (channel.target_path == "scale") parts[n].scale = at(3);
-        if (channel.target_path == "weights" && target_count(model, model.nodes[n]) > 0)
-            motion.target_weights[n] = at(target_count(model, model.nodes[n]));
+        if (channel.target_path != "weights" || model.nodes[n].mesh < 0) continue;
+        const std::size_t targets = target_count(model.meshes[std::size_t(model.nodes[n].mesh)]);
+        if (targets > 0) motion.target_weights[n] = at(targets);
     }
     for (std::size_t n = 0; n < parts.size(); ++n)
         if (moved[n]) motion.local[n] = parts[n].matrix();

@@ -64,10 +64,11 @@ std::vector<std::string> pose_names(const tinygltf::Model& model) {
         if (std::ranges::find(names, name) == names.end()) names.push_back(std::move(name));
     };
     if (!model.skins.empty()) add(nodes_name);
-    for (std::size_t a = 0; a < model.animations.size(); ++a)
+    for (std::size_t a = 0; a < model.animations.size(); ++a) {
+        const double end = animation_end(model, model.animations[a]);
         for (int k = 0; k < moments; ++k)
-            add(fmt::format("{}@{:.6g}", animation_name(model, a),
-                            animation_end(model, model.animations[a]) * k / (moments - 1)));
+            add(fmt::format("{}@{:.6g}", animation_name(model, a), end * k / (moments - 1)));
+    }
     return names;
 }
 

@@ -8,10 +8,15 @@
 
 namespace burl {
 
-std::vector<std::string> target_names(const tinygltf::Mesh& mesh) {
+std::size_t target_count(const tinygltf::Mesh& mesh) {
     std::size_t count = 0;
     for (const tinygltf::Primitive& primitive : mesh.primitives)
         count = std::max(count, primitive.targets.size());
+    return count;
+}
+
+std::vector<std::string> target_names(const tinygltf::Mesh& mesh) {
+    const std::size_t count = target_count(mesh);
     std::vector<std::string> names;
     for (std::size_t i = 0; i < count; ++i) names.push_back(fmt::format("{}", i));
     if (!mesh.extras.IsObject() || !mesh.extras.Has("targetNames")) return names;

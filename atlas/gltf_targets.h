@@ -11,6 +11,9 @@ struct Mesh;
 
 namespace burl {
 
+/// Of the primitive that has most.
+std::size_t target_count(const tinygltf::Mesh& mesh);
+
 /// What each target of the mesh is called: `extras.targetNames`, else "0", "1", ...
 std::vector<std::string> target_names(const tinygltf::Mesh& mesh);
 
