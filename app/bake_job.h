@@ -47,7 +47,7 @@ class BakeJob {
     std::shared_ptr<TextureSynthesizer> synthesizer() const;
 
     /// Writes the outputs, the report where one is asked for, and the record of `made_from`. The
-    /// pipeline has the command's mesh; What a `later` bake does not want is given back early.
+    /// pipeline has the command's mesh; what a `later` bake does not want is given back early.
     /// `reading`: seconds that the mesh took. Gives the report. Throws Error.
     Json run(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthesizer, double reading,
              const Json& made_from, LaterBake later) const;
