@@ -7,6 +7,10 @@ std::string source_folder() {
     return BURL_SOURCE_DIR;
 }
 
+std::string case_file(const std::string& name) {
+    return source_folder() + "/tests/cases/" + name;
+}
+
 std::string binary_folder() {
     return BURL_BINARY_DIR;
 }

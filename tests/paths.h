@@ -6,8 +6,9 @@
 
 namespace burl::test {
 
-std::string source_folder();  ///< the checkout
-std::string binary_folder();  ///< of the build
-std::string mesh_folder();    ///< the sample meshes' files, made by the build
+std::string source_folder();                     ///< the checkout
+std::string case_file(const std::string& name);  ///< of tests/cases/
+std::string binary_folder();                     ///< of the build
+std::string mesh_folder();                       ///< the sample meshes' files, made by the build
 
 }  // namespace burl::test
