@@ -39,8 +39,8 @@ void add_stage(std::vector<BenchCase>& cases, const std::string& stage,
 }
 
 /// A mesh, what all its atlases are built from, and what they are judged by.
-struct Subject {
-    Subject(std::size_t faces, std::size_t points)
+struct AtlasSubject {
+    AtlasSubject(std::size_t faces, std::size_t points)
         : mesh(bumpy_sphere(faces)),
           connectivity(build_connectivity(mesh)),
           size(bench_texture(mesh.triangles.size())) {
@@ -59,7 +59,7 @@ struct Subject {
     SurfaceTruth truth;
 };
 
-void add_quad_stages(std::vector<BenchCase>& cases, const Subject& subject,
+void add_quad_stages(std::vector<BenchCase>& cases, const AtlasSubject& subject,
                      const AtlasOptions& options) {
     constexpr double most_cost = 1.5;  // as in atlas/layout_quad.cpp
     const auto opposite = std::make_shared<std::vector<std::int32_t>>(
@@ -74,7 +74,7 @@ void add_quad_stages(std::vector<BenchCase>& cases, const Subject& subject,
     });
 }
 
-std::vector<BenchCase> stages_of(const Subject& subject, const MeshAtlas& atlas,
+std::vector<BenchCase> stages_of(const AtlasSubject& subject, const MeshAtlas& atlas,
                                  const AtlasOptions& options) {
     std::vector<BenchCase> cases;
     add_stage(cases, "connectivity", [&subject] { build_connectivity(subject.mesh); });
@@ -88,7 +88,7 @@ std::vector<BenchCase> stages_of(const Subject& subject, const MeshAtlas& atlas,
 }
 
 /// Coverage and lookup errors, at the same points of the surface for all kinds.
-void add_quality(AtlasBench& bench, const Subject& subject, const MeshAtlas& atlas) {
+void add_quality(AtlasBench& bench, const AtlasSubject& subject, const MeshAtlas& atlas) {
     const Mesh& mesh = atlas.mesh(subject.mesh);
     const SolidAtlas solid = rasterize(subject.mesh, atlas, mesh.positions);
     bench.coverage = measure(mesh, atlas.atlas(), solid).coverage;
@@ -103,7 +103,7 @@ void add_quality(AtlasBench& bench, const Subject& subject, const MeshAtlas& atl
         bench.rmse.push_back(errors.levels[l].rmse);
 }
 
-AtlasBench bench_atlas(const Subject& subject, AtlasKind kind, int repeats) {
+AtlasBench bench_atlas(const AtlasSubject& subject, AtlasKind kind, int repeats) {
     AtlasOptions options;
     options.kind = kind;
     options.size = subject.size;
@@ -136,7 +136,7 @@ std::vector<AtlasBench> bench_atlases(std::span<const std::size_t> faces, int re
                                       std::size_t points) {
     std::vector<AtlasBench> result;
     for (const std::size_t count : faces) {
-        const Subject subject(count, points);
+        const AtlasSubject subject(count, points);
         for (const AtlasKind kind : {AtlasKind::uniform, AtlasKind::area, AtlasKind::length,
                                      AtlasKind::quad, AtlasKind::patch})
             result.push_back(bench_atlas(subject, kind, repeats));

@@ -17,7 +17,7 @@ namespace burl {
 
 namespace {
 
-constexpr std::uint32_t block = 8, blocks = 8, fine = 64, texels = block * blocks;
+constexpr std::uint32_t block = 8, blocks = 8, fine = 64, side_texels = block * blocks;
 constexpr double footprints[] = {1.0 / 32, 0.1, 0.25, 1.0};
 
 /// A texture with the filter under test; the first of a subject's has none.
@@ -26,7 +26,7 @@ struct NamedRecipe {
     Recipe recipe;
 };
 
-struct Subject {
+struct FilterSubject {
     std::string texture;
     double frequency = 1.0;  ///< finest cells per unit of the solid
     double reach = 1.0;      ///< how far from the origin texels are
@@ -42,10 +42,10 @@ double finest_frequency(const Texture& texture) {
     return finest > 0.0 ? finest : 50.0;
 }
 
-Subject preset(const char* name) {
+FilterSubject preset(const char* name) {
     using enum FilterKind;
     Recipe recipe = load_recipe(name);
-    Subject subject{name, finest_frequency(recipe.texture), 1.0, {}};
+    FilterSubject subject{name, finest_frequency(recipe.texture), 1.0, {}};
     const auto add = [&](const char* filter_name, const Filter& filter) {
         recipe.filter = filter;
         subject.recipes.push_back({filter_name, recipe});
@@ -63,8 +63,8 @@ Subject preset(const char* name) {
 }
 
 /// A checkerboard by each of its node's own forms and by samples of the whole texture.
-Subject checkers(const char* node) {
-    Subject subject{node, 1.0, 16.0, {}};
+FilterSubject checkers(const char* node) {
+    FilterSubject subject{node, 1.0, 16.0, {}};
     const auto add = [&](const char* name, const char* form, FilterKind kind) {
         const std::string json =
             fmt::format(R"({{"burl": 1, "texture": {{"node": "{}", "aa": "{}"}}}})", node, form);
@@ -152,7 +152,7 @@ TexelTruth summed(const Image<RgbF>& samples, std::size_t x, std::size_t y, std:
 }
 
 std::vector<TexelTruth> truths(const std::vector<TexelMap>& maps, const Recipe& point) {
-    std::vector<TexelTruth> result(texels * texels);
+    std::vector<TexelTruth> result(side_texels * side_texels);
     std::mt19937 random(7);
     for (std::size_t m = 0; m < maps.size(); ++m) {
         TexelMap map = maps[m];
@@ -162,7 +162,7 @@ std::vector<TexelTruth> truths(const std::vector<TexelMap>& maps, const Recipe& 
         const Image<RgbF> samples = colors(squares({map}, 1, block * fine), point);
         for (std::size_t y = 0; y < block; ++y)
             for (std::size_t x = 0; x < block; ++x)
-                result[(m / blocks * block + y) * texels + m % blocks * block + x] =
+                result[(m / blocks * block + y) * side_texels + m % blocks * block + x] =
                     summed(samples, x, y, random);
     }
     return result;
@@ -186,7 +186,7 @@ std::string group_name(const std::string& texture, double footprint) {
 }
 
 /// Times of all filters on one large square.
-std::vector<BenchRow> timed(const Subject& subject, const std::string& group, double side,
+std::vector<BenchRow> timed(const FilterSubject& subject, const std::string& group, double side,
                             std::size_t across, int repeats) {
     const auto solid = std::make_shared<SolidAtlas>(
         squares({plane({0.3, 0.2, 0.1}, side)}, 1, std::uint32_t(across)));
@@ -197,7 +197,7 @@ std::vector<BenchRow> timed(const Subject& subject, const std::string& group, do
     return run_paired(cases, repeats);
 }
 
-std::vector<TexelMap> random_planes(const Subject& subject, double side) {
+std::vector<TexelMap> random_planes(const FilterSubject& subject, double side) {
     std::mt19937 random(3);
     std::uniform_real_distribution<double> place(-subject.reach, subject.reach);
     std::vector<TexelMap> maps;
@@ -206,8 +206,8 @@ std::vector<TexelMap> random_planes(const Subject& subject, double side) {
     return maps;
 }
 
-void add_rows(std::vector<FilterBench>& rows, const Subject& subject, double footprint, int repeats,
-              std::size_t across) {
+void add_rows(std::vector<FilterBench>& rows, const FilterSubject& subject, double footprint,
+              int repeats, std::size_t across) {
     const double side = footprint / subject.frequency;
     const std::vector<TexelMap> maps = random_planes(subject, side);
     const std::vector<TexelTruth> truth = truths(maps, subject.recipes.front().recipe);
@@ -237,12 +237,12 @@ void add_rows(std::vector<FilterBench>& rows, const Subject& subject, double foo
 }  // namespace
 
 std::vector<FilterBench> bench_filters(int repeats, std::size_t side) {
-    std::vector<Subject> subjects;
+    std::vector<FilterSubject> subjects;
     for (const char* name : {"wood", "marble", "clouds", "planet", "zoneplate"})
         subjects.push_back(preset(name));
     for (const char* node : {"checkerboard", "checkerboard_3d"}) subjects.push_back(checkers(node));
     std::vector<FilterBench> rows;
-    for (const Subject& subject : subjects)
+    for (const FilterSubject& subject : subjects)
         for (const double footprint : footprints) add_rows(rows, subject, footprint, repeats, side);
     return rows;
 }

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t batches = 64;
 
-struct Subject {
+struct KernelSubject {
     std::vector<std::vector<Piece>> batches;
     StreamBuffers buffers;
     double values[batch_capacity + batch_padding] = {};
@@ -53,7 +53,7 @@ std::vector<Octave> octaves_of(NoiseKind kind, Fade fade, std::uint32_t octaves)
 KernelBench bench_kernel(const std::string& name, const std::vector<Octave>& octaves,
                          double crossings, std::size_t span, int repeats) {
     std::mt19937 random(5);
-    const auto subject = std::make_shared<Subject>();
+    const auto subject = std::make_shared<KernelSubject>();
     subject->batches = random_spans(random, crossings, span);
     std::vector<BenchCase> cases;
     for (const Kernel kernel : {Kernel::direct, Kernel::share, Kernel::scanline, Kernel::automatic})

@@ -107,7 +107,7 @@ void add_scalar(NoiseCases& all, const std::string& group, const std::string& na
     });
 }
 
-std::vector<Octave> octaves_of(NoiseKind kind, Fade fade, std::uint32_t octaves) {
+std::vector<Octave> noise_octaves(NoiseKind kind, Fade fade, std::uint32_t octaves) {
     Texture texture;
     NoiseTerm& term = texture.noise.emplace_back();
     term.kind = kind, term.fade = fade, term.octaves = octaves;
@@ -155,7 +155,7 @@ void add_ours(NoiseCases& all, const BenchPoints& points, const Lines& lines) {
         noise.fade = fade.value;
         const std::string name = fmt::format("value {}", fade.name);
         add_scalar(all, "value", name, noise, points);
-        add_kernel(all, "value", name, octaves_of(noise.kind, noise.fade, 1), lines);
+        add_kernel(all, "value", name, noise_octaves(noise.kind, noise.fade, 1), lines);
     }
     for (const auto& kind : noise_kinds) {
         if (kind.value == NoiseKind::value) continue;
@@ -165,12 +165,13 @@ void add_ours(NoiseCases& all, const BenchPoints& points, const Lines& lines) {
                             kind.value == NoiseKind::worley;
         const std::string group = random ? "random and distances" : "gradient";
         add_scalar(all, group, std::string(kind.name), noise, points);
-        add_kernel(all, group, std::string(kind.name), octaves_of(kind.value, Fade::quintic, 1),
+        add_kernel(all, group, std::string(kind.name), noise_octaves(kind.value, Fade::quintic, 1),
                    lines);
     }
-    add_octaves(all, "value smooth", octaves_of(NoiseKind::value, Fade::smooth, 4), points, lines);
-    add_octaves(all, "perlin", octaves_of(NoiseKind::perlin, Fade::quintic, 4), points, lines);
-    add_octaves(all, "simplex", octaves_of(NoiseKind::simplex, Fade::quintic, 4), points, lines);
+    add_octaves(all, "value smooth", noise_octaves(NoiseKind::value, Fade::smooth, 4), points,
+                lines);
+    add_octaves(all, "perlin", noise_octaves(NoiseKind::perlin, Fade::quintic, 4), points, lines);
+    add_octaves(all, "simplex", noise_octaves(NoiseKind::simplex, Fade::quintic, 4), points, lines);
 }
 
 }  // namespace

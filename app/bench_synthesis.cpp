@@ -18,7 +18,7 @@ namespace {
 using Values = std::vector<double>;
 
 /// A texture's cases and where each leaves what it computed.
-struct Subject {
+struct SynthesisSubject {
     std::shared_ptr<Pipeline> pipeline;
     std::string group;
     std::vector<BenchCase> cases;
@@ -52,7 +52,7 @@ bool has_definition(const Recipe& recipe) {
     return recipe.filter == Filter{} && !recipe.precision.kind;
 }
 
-std::vector<BenchResult> bench_subject(const Subject& subject, int repeats) {
+std::vector<BenchResult> bench_subject(const SynthesisSubject& subject, int repeats) {
     const std::vector<BenchRow> times = run_paired(subject.cases, repeats);
     const bool defined = has_definition(subject.pipeline->recipe());
     const Values reference = defined ? subject.results.back()() : Values();
@@ -84,7 +84,7 @@ std::vector<BenchResult> bench_synthesis(int repeats, SynthesisSubjects subjects
         check_lattice(recipe, pipeline->mesh());
         pipeline->set_recipe(recipe);
         pipeline->solid();
-        Subject subject{pipeline, fmt::format("{}, {} x {}", name, side, side), {}, {}};
+        SynthesisSubject subject{pipeline, fmt::format("{}, {} x {}", name, side, side), {}, {}};
         subject.add<Rgb8>("sRGB 8 bits, 1 thread", 1);
         subject.add<Rgb8>("sRGB 8 bits, all threads", 0);
         subject.add<RgbF>("linear float, 1 thread", 1);

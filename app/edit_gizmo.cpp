@@ -18,7 +18,7 @@ namespace {
 constexpr std::array<ImU32, 3> colors{IM_COL32(235, 64, 52, 255), IM_COL32(88, 196, 62, 255),
                                       IM_COL32(66, 133, 255, 255)};
 constexpr ImU32 bright = IM_COL32(255, 226, 92, 255), shadow = IM_COL32(0, 0, 0, 150),
-                white = IM_COL32(240, 240, 240, 255);
+                handle_color = IM_COL32(240, 240, 240, 255);
 constexpr float line = 2.5f, outline = 2.0f;  // pixels; the outline on both sides of the line
 constexpr float head_length = 13.0f, head_width = 5.5f;
 constexpr unsigned faint = 70;  // opacity of a ring's far half, of 255
@@ -75,7 +75,7 @@ class Drawing {
         const ImVec2 middle = at(gizmo_.centre);
         const auto half = float(gizmo_square) - 1.0f;
         const ImVec2 low(middle.x - half, middle.y - half), high(middle.x + half, middle.y + half);
-        list_.AddRectFilled(low, high, lit_ == GizmoHandle{} ? bright : white, 2.0f);
+        list_.AddRectFilled(low, high, lit_ == GizmoHandle{} ? bright : handle_color, 2.0f);
         list_.AddRect(low, high, IM_COL32(0, 0, 0, 220), 2.0f, 0, 1.5f);
     }
 

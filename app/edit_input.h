@@ -36,4 +36,12 @@ Json to_json(const InputEvent& event);
 /// Throws Error(invalid_file) naming `place` ("file: steps.3") and what is wrong.
 InputEvent input_from_json(const Json& json, const std::string& place);
 
+/// The value of `key` at `place` of an input file as text or as two numbers. Throws
+/// Error(invalid_file) if it is something else.
+std::string input_text(const Json& json, const std::string& place, const std::string& key);
+glm::dvec2 input_pair(const Json& json, const std::string& place, const std::string& key);
+/// Throws Error(invalid_file): `key` at `place` must be `wanted`.
+[[noreturn]] void refuse_input(const std::string& place, const std::string& key,
+                               const char* wanted);
+
 }  // namespace burl

@@ -100,4 +100,9 @@ bool pressed(std::string_view shortcut) {
            ImGui::IsKeyPressed(number, false);
 }
 
+Vec2d pointer_now() {
+    const ImVec2 at = ImGui::GetIO().MousePos;
+    return {double(at.x), double(at.y)};
+}
+
 }  // namespace burl

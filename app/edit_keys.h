@@ -18,4 +18,7 @@ void feed(ImGuiIO& io, const InputEvent& event);
 /// modifiers held.
 bool pressed(std::string_view shortcut);
 
+/// Where the pointer is on the screen, y down.
+Vec2d pointer_now();
+
 }  // namespace burl

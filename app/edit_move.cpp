@@ -16,11 +16,6 @@ namespace {
 
 constexpr double arrow_pixels = 110.0;
 
-Vec2d pointer_now() {
-    const ImVec2 at = ImGui::GetIO().MousePos;
-    return {double(at.x), double(at.y)};
-}
-
 SolidDrag drag_of(const ImGuiIO& io) {
     return io.KeyShift ? SolidDrag::turn : io.KeyCtrl ? SolidDrag::size : SolidDrag::move;
 }

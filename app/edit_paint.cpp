@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/edit_keys.h"
+
 namespace burl {
 
 namespace {
 
-constexpr int ring_points = 48;
+constexpr int brush_points = 48;
 constexpr int most_steps = 200;  // places between two of the pointer's
 
 double solid_units(const ObjectView& view) {
@@ -19,11 +21,6 @@ double solid_units(const ObjectView& view) {
 /// Pixels that a solid unit has at the place hit.
 double pixels_per_unit(const ObjectView& view, const SurfaceHit& hit) {
     return 0.5 * view.size.y * camera_of(view).focal_y / (hit.depth * solid_units(view));
-}
-
-Vec2d pointer_now() {
-    const ImVec2 at = ImGui::GetIO().MousePos;
-    return {double(at.x), double(at.y)};
 }
 
 }  // namespace
@@ -80,12 +77,12 @@ void EditPaint::draw(const ObjectView& view) const {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const auto ring = [&](double radius, ImU32 color, float width) {
         std::vector<ImVec2> points;
-        for (const Vec3d& p :
-             circle(hit->point, view.pick->normal(*hit), radius / solid_units(view), ring_points)) {
+        for (const Vec3d& p : circle(hit->point, view.pick->normal(*hit),
+                                     radius / solid_units(view), brush_points)) {
             const Vec3d seen = on_screen(view, p);
             points.push_back({float(seen.x), float(seen.y)});
         }
-        list.AddPolyline(points.data(), ring_points, color, ImDrawFlags_Closed, width);
+        list.AddPolyline(points.data(), brush_points, color, ImDrawFlags_Closed, width);
     };
     const Rgb8& c = tool.brush.color;
     const bool erases = tool.brush.mode == PaintMode::erase;

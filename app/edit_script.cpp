@@ -15,7 +15,7 @@ using Kind = ScriptStep::Kind;
 using Frame = ScriptPlayer::Frame;
 
 // In the order of ScriptStep::Kind.
-constexpr std::array<std::string_view, 12> kind_names{
+constexpr std::array<std::string_view, 12> step_names{
     "events", "click", "double_click", "drag", "wheel",  "key",
     "type",   "drop",  "resize",       "wait", "settle", "screenshot"};
 
@@ -25,7 +25,7 @@ bool names_item(Kind kind) {
 }
 
 Json step_json(const ScriptStep& step) {
-    const std::string key(kind_names[std::size_t(step.kind)]);
+    const std::string key(step_names[std::size_t(step.kind)]);
     Json json = Json::object();
     if (names_item(step.kind)) {
         json[key] = step.item;
@@ -50,67 +50,52 @@ Json step_json(const ScriptStep& step) {
     return json;
 }
 
-[[noreturn]] void refuse(const std::string& place, const std::string& key, const char* wanted) {
-    throw invalid_file(place, 0, fmt::format("\"{}\" must be {}", key, wanted));
-}
-
-std::string text_from(const Json& json, const std::string& key, const std::string& place) {
-    if (!json.is_string()) refuse(place, key, "a string");
-    return json.get<std::string>();
-}
-
-glm::dvec2 pair_from(const Json& json, const std::string& key, const std::string& place) {
-    if (!json.is_array() || json.size() != 2 || !json[0].is_number() || !json[1].is_number())
-        refuse(place, key, "two numbers");
-    return {json[0].get<double>(), json[1].get<double>()};
-}
-
-/// Of a window.
+/// A window's size.
 glm::dvec2 size_from(const Json& json, const std::string& key, const std::string& place) {
-    const glm::dvec2 size = pair_from(json, key, place);
+    const glm::dvec2 size = input_pair(json, place, key);
     if (glm::any(glm::lessThan(size, glm::dvec2(64.0))) ||
         glm::any(glm::greaterThan(size, glm::dvec2(8192.0))))
-        refuse(place, key, "two numbers from 64 to 8192");
+        refuse_input(place, key, "two numbers from 64 to 8192");
     return size;
 }
 
 int frames_from(const Json& json, const std::string& key, const std::string& place) {
     if (!json.is_number_integer() || json < 1 || json > 100000)
-        refuse(place, key, "a number of frames from 1 to 100000");
+        refuse_input(place, key, "a number of frames from 1 to 100000");
     return json.get<int>();
 }
 
 ScriptStep step_of(Kind kind, const Json& json, const std::string& place) {
-    const std::string key(kind_names[std::size_t(kind)]);
+    const std::string key(step_names[std::size_t(kind)]);
     const Json& value = json[key];
     ScriptStep step{kind};
-    if (names_item(kind)) step.item = text_from(value, key, place);
+    if (names_item(kind)) step.item = input_text(value, place, key);
     if (kind == Kind::key || kind == Kind::type || kind == Kind::screenshot)
-        step.text = text_from(value, key, place);
+        step.text = input_text(value, place, key);
     if (kind == Kind::click && json.contains("button"))
-        step.text = text_from(json["button"], "button", place);
+        step.text = input_text(json["button"], place, "button");
     if (kind == Kind::resize) step.by = size_from(value, key, place);
     if (kind == Kind::wait) step.frames = frames_from(value, key, place);
     if (kind == Kind::drag || kind == Kind::wheel) {
-        if (!json.contains("by")) refuse(place, "by", "given: two numbers");
-        step.by = pair_from(json["by"], "by", place);
+        if (!json.contains("by")) refuse_input(place, "by", "given: two numbers");
+        step.by = input_pair(json["by"], place, "by");
     }
     if (kind == Kind::drag)
         step.frames = json.contains("frames") ? frames_from(json["frames"], "frames", place) : 8;
     const bool list = kind == Kind::events || kind == Kind::drop;
-    if (list && !value.is_array()) refuse(place, key, "a list");
+    if (list && !value.is_array()) refuse_input(place, key, "a list");
     if (kind == Kind::events)
         for (const Json& event : value) step.events.push_back(input_from_json(event, place));
     if (kind == Kind::drop)
-        for (const Json& file : value) step.files.push_back(text_from(file, key, place));
+        for (const Json& file : value) step.files.push_back(input_text(file, place, key));
     return step;
 }
 
 ScriptStep step_from_json(const Json& json, const std::string& place) {
-    for (std::size_t k = 0; k < kind_names.size(); ++k)
-        if (json.is_object() && json.contains(kind_names[k])) return step_of(Kind(k), json, place);
+    for (std::size_t k = 0; k < step_names.size(); ++k)
+        if (json.is_object() && json.contains(step_names[k])) return step_of(Kind(k), json, place);
     throw invalid_file(
-        place, 0, fmt::format("a step must have one of the keys {}", fmt::join(kind_names, ", ")));
+        place, 0, fmt::format("a step must have one of the keys {}", fmt::join(step_names, ", ")));
 }
 
 InputEvent move_to(const glm::dvec2& at) {
@@ -172,11 +157,11 @@ std::string script_text(const InputScript& script) {
 InputScript parse_script(const std::string& text, const std::string& origin) {
     const Json json = parse_json_text(text, origin);
     if (!json.is_object() || !json.contains("burl_input") || json["burl_input"] != 1)
-        refuse(origin, "burl_input", "1");
+        refuse_input(origin, "burl_input", "1");
     InputScript script;
     if (json.contains("size")) script.size = glm::ivec2(size_from(json["size"], "size", origin));
     if (!json.contains("steps") || !json["steps"].is_array())
-        refuse(origin, "steps", "a list of steps");
+        refuse_input(origin, "steps", "a list of steps");
     for (std::size_t i = 0; i < json["steps"].size(); ++i)
         script.steps.push_back(
             step_from_json(json["steps"][i], fmt::format("{}: steps.{}", origin, i)));

@@ -1,5 +1,6 @@
 // Vertices are numbered by first use, so the arrays follow the triangles and are deterministic.
-// Corners can agree only where they meet at a point of the mesh, so points are worked at apart.
+// ExportCorners can agree only where they meet at a point of the mesh, so points are worked at
+// apart.
 #include "app/export_vertices.h"
 
 #include <algorithm>
@@ -199,14 +200,14 @@ std::vector<std::uint32_t> number_vertices(const Part& part, std::vector<std::ui
 }
 
 /// What export_vertices looks at.
-struct Corners {
+struct ExportCorners {
     const Mesh& mesh;
     const Atlas& atlas;
     CornerFrames frames;
     std::span<const std::uint32_t> blocks;  ///< per triangle, or empty
 };
 
-void resize(PartVertices& out, std::size_t count, const Corners& of) {
+void resize(PartVertices& out, std::size_t count, const ExportCorners& of) {
     out.positions.resize(count);
     out.normals.resize(count);
     out.uvs.resize(count);
@@ -229,14 +230,14 @@ void fill_target(PartVertices& out, std::size_t i, std::size_t corner, const Pos
 }
 
 /// Vertex i as its first corner has it.
-void fill_vertex(PartVertices& out, std::size_t i, std::size_t corner, const Corners& of) {
+void fill_vertex(PartVertices& out, std::size_t i, std::size_t corner, const ExportCorners& of) {
     const std::size_t t = corner / 3;
     const Vec3d& point = of.mesh.positions[of.mesh.triangles[t][corner % 3]];
     const auto [u, v] = uv_of(of.atlas, corner);
     out.positions[i] = Vec3f((point - out.centre) / out.scale) + 0.0f;
     out.normals[i] = of.frames.normals[corner] + 0.0f;
     out.uvs[i] = {u + 0.0f, v + 0.0f};
-    // Corners that share a vertex share their tangent.
+    // ExportCorners that share a vertex share their tangent.
     if (!out.tangents.empty()) out.tangents[i] = of.frames.tangents[corner];
     // Blocks do not touch at corners, so a vertex has one.
     if (!out.blocks.empty()) out.blocks[i] = rectangle_of(of.atlas, of.atlas.blocks[of.blocks[t]]);
@@ -244,7 +245,7 @@ void fill_vertex(PartVertices& out, std::size_t i, std::size_t corner, const Cor
 }
 
 /// `first` as of first_corners; what it says of the part is used up.
-PartVertices part_vertices(const Corners& of, std::size_t index,
+PartVertices part_vertices(const ExportCorners& of, std::size_t index,
                            std::vector<std::uint32_t>& first) {
     const Part& part = of.mesh.parts[index];
     const Box3 box = box_of(of.mesh, part);
@@ -268,7 +269,7 @@ std::vector<PartVertices> export_vertices(const Mesh& mesh, const Atlas& atlas,
                                           const PosedCorners* posed) {
     std::vector<PartVertices> parts;
     const std::vector<std::uint32_t> blocks = blocks_of_triangles(atlas);
-    const Corners corners{mesh, atlas, {normals, tangents, posed}, blocks};
+    const ExportCorners corners{mesh, atlas, {normals, tangents, posed}, blocks};
     std::vector<std::uint32_t> first = first_corners(mesh, atlas, corners.frames);
     for (std::size_t i = 0; i < mesh.parts.size(); ++i) {
         if (mesh.parts[i].triangle_count > 0) parts.push_back(part_vertices(corners, i, first));

@@ -33,14 +33,14 @@ double median(std::vector<double> values) {
 }
 
 /// What is drawn, and every how many rows errors are taken.
-struct Subject {
+struct GlSubject {
     std::shared_ptr<Pipeline> pipeline;
     std::uint32_t octaves = 0, side = 0, step = 1;
     std::string group{};
 };
 
-Subject make_subject(std::uint32_t octaves, std::uint32_t side) {
-    Subject subject{std::make_shared<Pipeline>(torus(6000)), octaves, side};
+GlSubject make_subject(std::uint32_t octaves, std::uint32_t side) {
+    GlSubject subject{std::make_shared<Pipeline>(torus(6000)), octaves, side};
     subject.pipeline->set_recipe(
         load_recipe("marble", {fmt::format("atlas.size={}", side),
                                fmt::format("texture.input.noise.0.octaves={}", octaves)}));
@@ -68,9 +68,9 @@ class Way {
     const std::string name;
 };
 
-class HostWay final : public Way {
+class HostSynthesis final : public Way {
   public:
-    HostWay(const Subject& subject, int threads)
+    HostSynthesis(const GlSubject& subject, int threads)
         : Way(threads == 1 ? "host, 1 thread" : "host, all threads"),
           subject_(subject),
           threads_(threads) {}
@@ -84,7 +84,7 @@ class HostWay final : public Way {
     }
 
   private:
-    Subject subject_;
+    GlSubject subject_;
     int threads_;
     Image<Rgb8> image_;
 };
@@ -95,7 +95,7 @@ class GlWay final : public Way {
   public:
     /// make(GlContext&) gives the Synthesis. Makes the first picture.
     template <class Make>
-    GlWay(const std::string& text, const Subject& subject, const std::string& platform,
+    GlWay(const std::string& text, const GlSubject& subject, const std::string& platform,
           const Make& make, bool is_defined = true)
         : Way(text), subject_(subject), is_defined_(is_defined) {
         const auto start = Clock::now();
@@ -134,7 +134,7 @@ class GlWay final : public Way {
                                texture_from_solid(recipe), 0, image);
     }
 
-    Subject subject_;
+    GlSubject subject_;
     bool is_defined_;
     std::unique_ptr<GlContext> context_;
     std::optional<Synthesis> synthesis_;
@@ -153,7 +153,7 @@ struct Passes {
 
 /// The papers' passes at every precision, and of 4 octaves by their own random numbers, which are
 /// not the definition's; bit by bit they are thousands of passes, for small textures only.
-std::vector<Passes> passes_of(const Subject& subject) {
+std::vector<Passes> passes_of(const GlSubject& subject) {
     std::vector<Passes> passes{{"multipass 32f", PassPrecision::float32, Randomizer::hash},
                                {"multipass 16f", PassPrecision::float16, Randomizer::hash},
                                {"multipass 8", PassPrecision::fixed8, Randomizer::hash}};
@@ -164,9 +164,10 @@ std::vector<Passes> passes_of(const Subject& subject) {
     return passes;
 }
 
-Ways ways_of(const Subject& subject, const std::string& platform) {
+Ways ways_of(const GlSubject& subject, const std::string& platform) {
     Ways ways;
-    for (const int threads : {1, 0}) ways.push_back(std::make_shared<HostWay>(subject, threads));
+    for (const int threads : {1, 0})
+        ways.push_back(std::make_shared<HostSynthesis>(subject, threads));
     for (const bool float64 : {true, false})
         ways.push_back(
             std::make_shared<GlWay<GlSynthesis>>(float64 ? "single pass" : "single pass, float32",
@@ -185,7 +186,7 @@ Ways ways_of(const Subject& subject, const std::string& platform) {
     return ways;
 }
 
-std::vector<GlBench> bench_subject(const Subject& subject, const std::string& platform,
+std::vector<GlBench> bench_subject(const GlSubject& subject, const std::string& platform,
                                    int repeats) {
     const Ways ways = ways_of(subject, platform);
     std::vector<BenchCase> cases;
@@ -214,7 +215,7 @@ std::vector<double> values_of(const std::vector<Image<RgbF>>& levels) {
 }
 
 /// All levels of a texture, uploaded and read back, against the host's.
-std::vector<GlBench> bench_levels(const Subject& subject, const std::string& platform,
+std::vector<GlBench> bench_levels(const GlSubject& subject, const std::string& platform,
                                   int repeats) {
     Pipeline& pipeline = *subject.pipeline;
     const Image<RgbF> texture = pipeline.synthesize<RgbF>();

@@ -40,15 +40,15 @@ Mesh teapot_behind_balls() {
     return mesh;
 }
 
-struct Subject {
+struct ViewSubject {
     std::string name;
     Mesh mesh;
     double distance;  ///< of the eye in radii of the scene's sphere
 };
 
-std::vector<Subject> scenes(const ViewBenchSubjects& subjects) {
-    std::vector<Subject> result{{"teapot", sample_mesh("sample:teapot"), 2.5},
-                                {"teapot behind balls", teapot_behind_balls(), 1.7}};
+std::vector<ViewSubject> scenes(const ViewBenchSubjects& subjects) {
+    std::vector<ViewSubject> result{{"teapot", sample_mesh("sample:teapot"), 2.5},
+                                    {"teapot behind balls", teapot_behind_balls(), 1.7}};
     for (const std::string& name : subjects.samples)
         result.push_back({name, sample_mesh("sample:" + name), 2.5});
     return result;
@@ -121,7 +121,7 @@ Recipe recipe_of(AtlasKind kind, std::uint32_t size) {
     return recipe;
 }
 
-void add_rows(GlContext& context, const Subject& subject, AtlasKind kind,
+void add_rows(GlContext& context, const ViewSubject& subject, AtlasKind kind,
               const ViewBenchSubjects& subjects, std::vector<ViewBench>& all) {
     Pipeline pipeline(subject.mesh);
     pipeline.set_recipe(recipe_of(kind, subjects.size));
@@ -149,7 +149,7 @@ std::vector<ViewBench> bench_views(const std::string& platform, const ViewBenchS
     const std::unique_ptr<GlContext> context = create_gl_context(platform);
     context->make_current();
     std::vector<ViewBench> rows;
-    for (const Subject& scene : scenes(subjects))
+    for (const ViewSubject& scene : scenes(subjects))
         for (const AtlasKind kind : {AtlasKind::area, AtlasKind::quad, AtlasKind::patch})
             add_rows(*context, scene, kind, subjects, rows);
     return rows;

@@ -53,7 +53,7 @@ bool has_word(const char* words, std::string_view word) {
     return fmt::format(" {} ", words).find(fmt::format(" {} ", word)) != std::string::npos;
 }
 
-EglLibrary load_library(std::span<const char* const> names) {
+EglLibrary load_egl(std::span<const char* const> names) {
     const auto [library, name] = open_library(names);
     if (library == nullptr)
         throw Error(ExitCode::unsupported,
@@ -143,7 +143,7 @@ Made make_context(const EglLibrary& egl, const Place& place) {
 class EglContext final : public GlContext {
   public:
     explicit EglContext(std::span<const char* const> library_names)
-        : egl_(load_library(library_names)) {
+        : egl_(load_egl(library_names)) {
         const std::vector<Place> places = places_of(egl_);
         for (std::size_t i = 0; i < places.size() && made_.context == nullptr; ++i) {
             made_ = make_context(egl_, places[i]);

@@ -29,7 +29,7 @@ struct OsMesaLibrary {
     GlProcedure (*get_proc)(const char* name) = nullptr;
 };
 
-OsMesaLibrary load_library(std::span<const char* const> names) {
+OsMesaLibrary load_osmesa(std::span<const char* const> names) {
     const auto [library, name] = open_library(names);
     if (library == nullptr)
         throw Error(ExitCode::unsupported,
@@ -71,7 +71,7 @@ void* create_highest(const OsMesaLibrary& library) {
 class OsMesaContext final : public GlContext {
   public:
     explicit OsMesaContext(std::span<const char* const> library_names)
-        : library_(load_library(library_names)), context_(create_highest(library_)) {
+        : library_(load_osmesa(library_names)), context_(create_highest(library_)) {
         if (context_ == nullptr) {
             throw Error(ExitCode::unsupported,
                         fmt::format("{} gives no OpenGL 3.3 core context; install a later "

@@ -12,7 +12,7 @@ namespace burl {
 
 namespace {
 
-constexpr double bar_height = 15, bar_step = 20, bar_length = 460, title_height = 66,
+constexpr double bar_height = 15, bar_step = 20, bar_length = 460, shares_title_height = 66,
                  note_width = 110;
 
 struct Share {
@@ -81,8 +81,8 @@ std::string share_plot(const Json& report, const Json& rows) {
     const std::string body = svg_text(16, 24, "start", "burl bench " + text_at(report, "suite"),
                                       "font-size=\"15\" font-weight=\"bold\"") +
                              fmt::format("<g transform=\"translate({:.0f} {:.0f})\">\n{}</g>\n",
-                                         left, title_height, inside);
-    return svg_document(left + bar_length + note_width, title_height + height + 44, body);
+                                         left, shares_title_height, inside);
+    return svg_document(left + bar_length + note_width, shares_title_height + height + 44, body);
 }
 
 }  // namespace burl

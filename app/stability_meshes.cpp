@@ -65,18 +65,18 @@ std::vector<Subject> subjects(StabilityChoice choice) {
     return all;
 }
 
-long double cross(const Vec2d& a, const Vec2d& b) {
+long double exact_cross(const Vec2d& a, const Vec2d& b) {
     return (long double)(a.x) * b.y - (long double)(a.y) * b.x;
 }
 
 /// Where a texel's centre lies in its triangle, or nothing if outside or the triangle has no area.
 std::optional<Vec3d> place_in_triangle(const std::array<Vec2d, 3>& corners, const Vec2d& centre) {
     const auto& [a, b, c] = corners;
-    const long double area = cross(b - a, c - a);
+    const long double area = exact_cross(b - a, c - a);
     if (area == 0.0L) return {};
-    const Vec3d weights(double(cross(b - centre, c - centre) / area),
-                        double(cross(c - centre, a - centre) / area),
-                        double(cross(a - centre, b - centre) / area));
+    const Vec3d weights(double(exact_cross(b - centre, c - centre) / area),
+                        double(exact_cross(c - centre, a - centre) / area),
+                        double(exact_cross(a - centre, b - centre) / area));
     return weights.x >= 0.0 && weights.y >= 0.0 && weights.z >= 0.0 ? std::optional(weights)
                                                                     : std::nullopt;
 }

@@ -54,10 +54,6 @@ class ShearedRay {
     Vec3d shear_{0.0};
 };
 
-double cross(const Vec2d& a, const Vec2d& b) {
-    return a.x * b.y - a.y * b.x;
-}
-
 struct Nearest {
     Vec3d weights{0.0};
     double distance = std::numeric_limits<double>::infinity();

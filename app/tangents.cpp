@@ -23,14 +23,14 @@ struct TriangleTangent {
 };
 
 /// Per triangle corner but for the positions.
-struct Corners {
+struct TangentCorners {
     std::span<const Vec3d> positions;
     std::span<const Triangle> triangles;
     std::span<const Vec2d> uvs;
     std::span<const Vec3f> normals;
 };
 
-TriangleTangent triangle_tangent(const Corners& of, std::size_t t) {
+TriangleTangent triangle_tangent(const TangentCorners& of, std::size_t t) {
     const auto& [a, b, c] = of.triangles[t];
     const auto& p = of.positions;
     const Vec2d* uvs = &of.uvs[3 * t];
@@ -50,7 +50,7 @@ TriangleTangent triangle_tangent(const Corners& of, std::size_t t) {
     return result;
 }
 
-double corner_angle(const Corners& of, std::size_t t, std::size_t k) {
+double corner_angle(const TangentCorners& of, std::size_t t, std::size_t k) {
     const Triangle& corners = of.triangles[t];
     const Vec3d& at = of.positions[corners[k]];
     const Vec3d u = unit_or_zero(of.positions[corners[(k + 1) % 3]] - at);
@@ -64,7 +64,7 @@ std::uint32_t bits(double value) {
 
 using Shared = UniqueRows<12>;  // x, y, z as doubles, u, v, normal, w
 
-Shared::Row shared_row(const Corners& of, std::size_t t, std::size_t k, float w) {
+Shared::Row shared_row(const TangentCorners& of, std::size_t t, std::size_t k, float w) {
     const Vec3d& p = of.positions[of.triangles[t][k]];
     const Vec2d& uv = of.uvs[3 * t + k];
     const Vec3f& n = of.normals[3 * t + k];
@@ -83,7 +83,7 @@ Shared::Row shared_row(const Corners& of, std::size_t t, std::size_t k, float w)
 std::vector<Vec4f> corner_tangents(std::span<const Vec3d> positions,
                                    std::span<const Triangle> triangles, std::span<const Vec2d> uvs,
                                    std::span<const Vec3f> normals) {
-    const Corners of{positions, triangles, uvs, normals};
+    const TangentCorners of{positions, triangles, uvs, normals};
     Shared rows(normals.size() / 2);
     std::vector<std::uint32_t> row_of(normals.size());
     std::vector<Vec3d> sums;

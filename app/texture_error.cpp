@@ -19,7 +19,7 @@ namespace burl {
 
 namespace {
 
-constexpr std::size_t texels_per_task = 8192;
+constexpr std::size_t error_texels_per_task = 8192;
 
 double difference(std::uint8_t code, float linear) {
     const double exact = 255.0 * srgb_encode(std::clamp(double(linear), 0.0, 1.0));
@@ -90,7 +90,7 @@ std::optional<TextureError> texture_error(const SolidAtlas& solid, const Recipe&
     TextureError error{Image<float>(solid.size, solid.size, -1.0f)};
     std::vector<RowSum> rows(solid.size);
     for_row_ranges(
-        solid.size, texels_per_task, 0,
+        solid.size, error_texels_per_task, 0,
         [&](const RowRange& range) {
             for (std::size_t y = range.begin(); y != range.end(); ++y)
                 rows[y] =

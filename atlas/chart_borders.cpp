@@ -9,8 +9,8 @@ namespace burl {
 
 namespace {
 
-constexpr double cell_size = 4.0;  // texels
-constexpr double reach = 1.0;      // texels
+constexpr double cell_size = 4.0;     // texels
+constexpr double border_reach = 1.0;  // texels
 
 double squared_distance(const Vec2d& p, const Vec2d& a, const Vec2d& b) {
     const Vec2d d = b - a;
@@ -41,7 +41,7 @@ void ChartBorders::add(const Vec2d& a, const Vec2d& b) {
     const double pieces = std::clamp(std::ceil(glm::length(b - a) / cell_size), 1.0, 1e4);
     for (double i = 0.0; i < pieces; ++i) {
         const Vec2d p = a + (i / pieces) * (b - a), q = a + ((i + 1.0) / pieces) * (b - a);
-        const Vec2d low = glm::min(p, q) - reach, high = glm::max(p, q) + reach;
+        const Vec2d low = glm::min(p, q) - border_reach, high = glm::max(p, q) + border_reach;
         if (!(high.x >= 0.0 && high.y >= 0.0 && low.x <= size_ && low.y <= size_)) continue;
         const auto number = std::uint32_t(segments_.size());
         segments_.push_back({p, q});
@@ -63,7 +63,7 @@ bool ChartBorders::near(const Vec2d& place) const {
     auto it = std::lower_bound(in_cell_.begin(), in_cell_.end(), std::pair{here, 0u});
     for (; it != in_cell_.end() && it->first == here; ++it) {
         const Segment& s = segments_[it->second];
-        if (squared_distance(place, s.a, s.b) <= reach * reach) return true;
+        if (squared_distance(place, s.a, s.b) <= border_reach * border_reach) return true;
     }
     return false;
 }

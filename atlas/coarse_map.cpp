@@ -16,11 +16,7 @@ namespace {
 constexpr std::size_t least_triangles = 8000, step_down = 4;
 /// Detail costs a map some distortion, and smoothing gains some.
 constexpr double carried_over = 1.1;
-constexpr int sweeps = 40, most_halvings = 40;
-
-double cross(const Vec2d& a, const Vec2d& b) {
-    return a.x * b.y - a.y * b.x;
-}
+constexpr int relaxation_sweeps = 40, most_halvings = 40;
 
 /// What a vertex's place is decided from.
 struct Ring {
@@ -79,7 +75,7 @@ std::uint32_t split_border_chords(Patch& patch) {
 bool carry_map(const Patch& patch, const CoarseMap& coarse, RectangleMap& map) {
     auto uv = carry_to_fine(patch, coarse.level, coarse.map.uv);
     if (!uv) return false;
-    sweep_stretch(patch, *uv, coarse.map.stretch.best_aspect(), sweeps);
+    sweep_stretch(patch, *uv, coarse.map.stretch.best_aspect(), relaxation_sweeps);
     const Stretch stretch = StretchMeasure(patch)(*uv);
     if (!stretch.finite()) return false;
     map.uv = std::move(*uv);

@@ -28,12 +28,12 @@ std::array<double, 3> channels(const Rgb<T>& p) {
 }
 
 /// Sides and mean colour in cells of a width.
-using Cell = std::array<std::int64_t, 5>;
+using BlockKey = std::array<std::int64_t, 5>;
 
-struct CellHash {
-    std::size_t operator()(const Cell& cell) const {
+struct BlockKeyHash {
+    std::size_t operator()(const BlockKey& key) const {
         std::uint64_t hash = 0;
-        for (const std::int64_t k : cell)
+        for (const std::int64_t k : key)
             hash = (hash ^ std::uint64_t(k)) * 0x9e3779b97f4a7c15u + (hash >> 29);
         return hash;
     }
@@ -48,24 +48,24 @@ class Alike {
 
     /// The number of the first block of those that look like this one, itself if there is none.
     std::uint32_t find(std::uint32_t i) {
-        const Cell cell = cell_of(atlas_.blocks[i]);
+        const BlockKey key = key_of(atlas_.blocks[i]);
         const int reach = most_error_ > 0.0 ? 1 : 0;
         for (int r = -reach; r <= reach; ++r)
             for (int g = -reach; g <= reach; ++g)
                 for (int b = -reach; b <= reach; ++b) {
                     const auto found =
-                        seen_.find({cell[0], cell[1], cell[2] + r, cell[3] + g, cell[4] + b});
+                        seen_.find({key[0], key[1], key[2] + r, key[3] + g, key[4] + b});
                     if (found == seen_.end()) continue;
                     if (const std::int64_t j = find_in(found->second, i); j >= 0)
                         return std::uint32_t(j);
                 }
-        seen_[cell].push_back(i);
+        seen_[key].push_back(i);
         return i;
     }
     double largest_error() const { return largest_error_; }
 
   private:
-    Cell cell_of(const Block& block) const;
+    BlockKey key_of(const Block& block) const;
     /// Largest difference, or infinite when it is more than allowed.
     double difference(const Block& a, const Block& b) const;
     std::int64_t find_in(const std::vector<std::uint32_t>& candidates, std::uint32_t i) {
@@ -83,22 +83,22 @@ class Alike {
     const Image<Pixel>& image_;
     double most_error_;
     double largest_error_ = 0.0;
-    std::unordered_map<Cell, std::vector<std::uint32_t>, CellHash> seen_;
+    std::unordered_map<BlockKey, std::vector<std::uint32_t>, BlockKeyHash> seen_;
 };
 
 template <class Pixel>
-Cell Alike<Pixel>::cell_of(const Block& block) const {
+BlockKey Alike<Pixel>::key_of(const Block& block) const {
     std::array<double, 3> sums{};
     for (std::uint32_t y = block.y; y < block.y + block.height; ++y)
         for (const Pixel& p : image_.row(y).subspan(block.x, block.width))
             for (std::size_t k = 0; k < 3; ++k) sums[k] += channels(p)[k];
     // Means of blocks that are alike differ by the error at most, and by rounding: a little wider.
     const double width = std::max(1.001 * most_error_, 0x1p-20);
-    Cell cell{block.width, block.height};
+    BlockKey key{block.width, block.height};
     const double texels = double(block.width) * block.height;
     for (std::size_t k = 0; k < 3; ++k)
-        cell[k + 2] = std::int64_t(std::floor(std::clamp(sums[k] / texels / width, -1e15, 1e15)));
-    return cell;
+        key[k + 2] = std::int64_t(std::floor(std::clamp(sums[k] / texels / width, -1e15, 1e15)));
+    return key;
 }
 
 template <class Pixel>

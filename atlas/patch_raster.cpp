@@ -15,10 +15,6 @@ namespace {
 
 constexpr std::uint32_t nobody = std::numeric_limits<std::uint32_t>::max();
 
-double cross(const Vec2d& a, const Vec2d& b) {
-    return a.x * b.y - a.y * b.x;
-}
-
 /// The affine map through three places, anchored at a texel of the block.
 TexelMap affine_map(const std::array<Vec2d, 3>& places, const std::array<Vec3d, 3>& points,
                     const PatchBlock& block) {

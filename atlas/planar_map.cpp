@@ -11,10 +11,6 @@ namespace {
 
 constexpr double least_flatness = 0.9999, most_thickness = 0.002;
 
-double cross(const Vec2d& a, const Vec2d& b) {
-    return a.x * b.y - a.y * b.x;
-}
-
 /// Convex hull, counter-clockwise, without points on its edges (monotone chain).
 std::vector<Vec2d> convex_hull(std::vector<Vec2d> points) {
     std::sort(points.begin(), points.end(),

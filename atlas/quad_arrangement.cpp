@@ -12,7 +12,7 @@ namespace burl {
 
 namespace {
 
-constexpr int sweeps = 2;  // per level; later ones see what the neighbours have decided
+constexpr int swap_sweeps = 2;  // per level; later ones see what the neighbours have decided
 constexpr std::array<QuadSide, 4> all_sides{quad_left, quad_right, quad_below, quad_above};
 
 /// A node at its place on the current level of the tree, with what its neighbours want to know.
@@ -36,7 +36,7 @@ class Level {
         return std::ranges::any_of(spots_, [](const Spot& s) { return !s.leaf; });
     }
     void decide() {
-        for (int sweep = 0; sweep < sweeps; ++sweep)
+        for (int sweep = 0; sweep < swap_sweeps; ++sweep)
             for (Spot& spot : spots_)
                 if (!spot.leaf) decide(spot);
     }

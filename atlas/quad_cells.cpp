@@ -14,15 +14,15 @@ namespace burl {
 
 namespace {
 
-struct Sides {
+struct CornerSides {
     std::array<double, 3> squared{};  ///< edge k, corner k to corner k+1
     double area = 0.0;
 };
 
-std::vector<Sides> all_sides(const Mesh& mesh) {
+std::vector<CornerSides> sides_of_corners(const Mesh& mesh) {
     const double scale = unit_scale(mesh);
     const std::vector<double> areas = triangle_areas(mesh).areas;
-    std::vector<Sides> sides(mesh.triangles.size());
+    std::vector<CornerSides> sides(mesh.triangles.size());
     for_each_index(sides.size(), [&](std::size_t t) {
         for (std::size_t k = 0; k < 3; ++k) {
             const auto& triangle = mesh.triangles[t];
@@ -40,7 +40,7 @@ struct Extent {
     double area = 0.0, x = 0.0, y = 0.0, longest = 0.0;
     std::array<double, 3> error{};
 
-    void add(const Sides& sides, std::size_t right_angle) {
+    void add(const CornerSides& sides, std::size_t right_angle) {
         const double x2 = sides.squared[right_angle], y2 = sides.squared[(right_angle + 2) % 3];
         area += sides.area;
         x += sides.area * x2;
@@ -54,12 +54,12 @@ struct Extent {
 };
 
 /// The corner between the two shorter edges: the cheapest right angle.
-std::size_t best_right_angle(const Sides& sides) {
+std::size_t best_right_angle(const CornerSides& sides) {
     const auto longest = std::max_element(sides.squared.begin(), sides.squared.end());
     return std::size_t(longest - sides.squared.begin() + 2) % 3;
 }
 
-double single_budget(const Sides& sides) {
+double single_budget(const CornerSides& sides) {
     Extent extent;
     extent.add(sides, best_right_angle(sides));
     return extent.budget();
@@ -72,7 +72,7 @@ std::uint32_t pair_key(double pair, double singles, double most_cost) {
     return static_cast<std::uint32_t>(std::ldexp(std::min(ratio, 128.0), 24));
 }
 
-std::vector<std::uint32_t> pair_keys(std::span<const Sides> sides,
+std::vector<std::uint32_t> pair_keys(std::span<const CornerSides> sides,
                                      std::span<const std::int32_t> opposite, double most_cost) {
     std::vector<double> budgets(sides.size());
     for_each_index(sides.size(), [&](std::size_t t) { budgets[t] = single_budget(sides[t]); });
@@ -149,7 +149,7 @@ std::vector<Pair> pairs_of(std::span<const std::int32_t> opposite,
 }
 
 QuadCell make_cell(const Pair& pair, const Mesh& mesh, std::span<const std::int32_t> opposite,
-                   std::span<const Sides> sides, AtlasWeight weight, double scale) {
+                   std::span<const CornerSides> sides, AtlasWeight weight, double scale) {
     const auto t = std::size_t(pair.lower);
     QuadCell cell;
     Extent extent;
@@ -176,7 +176,7 @@ QuadCell make_cell(const Pair& pair, const Mesh& mesh, std::span<const std::int3
 
 std::vector<QuadCell> make_quad_cells(const Mesh& mesh, std::span<const std::int32_t> opposite,
                                       AtlasWeight weight, double most_cost) {
-    const std::vector<Sides> sides = all_sides(mesh);
+    const std::vector<CornerSides> sides = sides_of_corners(mesh);
     const std::vector<Pair> pairs =
         pairs_of(opposite, match_triangles(opposite, pair_keys(sides, opposite, most_cost)));
     const double scale = unit_scale(mesh);

@@ -11,7 +11,7 @@ namespace burl {
 
 namespace {
 
-constexpr std::size_t few_items = 24;  // what is coarser than these is the partitioner's business
+constexpr std::size_t few_cells = 24;  // what is coarser than these is the partitioner's business
 constexpr double mean_edge_units = 64.0, most_edge_units = 64000.0;
 constexpr int seed = 1;
 
@@ -87,7 +87,7 @@ void QuadGraph::add_to_last_row(std::int32_t target, std::int32_t length) {
 }
 
 std::size_t QuadGraph::halve(std::span<QuadItem> items, const HalfBounds& bounds) {
-    if (items.size() <= few_items) return halve_by_place(items, bounds);
+    if (items.size() <= few_cells) return halve_by_place(items, bounds);
     DualGraph graph;
     graph.node_weights = node_weights(items);
     graph.begin.push_back(0);

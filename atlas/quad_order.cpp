@@ -10,7 +10,7 @@ namespace burl {
 
 namespace {
 
-constexpr std::size_t few_items = 24;  // up to here all three axes are tried
+constexpr std::size_t few_blocks = 24;  // up to here all three axes are tried
 
 /// Texels that a block of the mean size has beyond its legs.
 double mean_border(std::size_t cells, const AtlasOptions& options) {
@@ -105,7 +105,7 @@ std::size_t halve_many(std::span<QuadItem> items, std::size_t least, std::size_t
     const std::uint64_t whole = total_weight(items);
     std::uint64_t before = 0;
     std::size_t low = 0, high = items.size();
-    while (high - low > few_items) {
+    while (high - low > few_blocks) {
         const std::size_t middle = low + (high - low) / 2;
         std::nth_element(items.begin() + std::ptrdiff_t(low),
                          items.begin() + std::ptrdiff_t(middle),
@@ -160,8 +160,8 @@ std::vector<QuadItem> quad_items(std::span<const QuadCell> cells, const AtlasOpt
 }
 
 std::size_t halve_by_place(std::span<QuadItem> items, const HalfBounds& bounds) {
-    return items.size() <= few_items ? halve_few(items, bounds.least, bounds.most)
-                                     : halve_many(items, bounds.least, bounds.most);
+    return items.size() <= few_blocks ? halve_few(items, bounds.least, bounds.most)
+                                      : halve_many(items, bounds.least, bounds.most);
 }
 
 }  // namespace burl

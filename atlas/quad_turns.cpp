@@ -9,15 +9,15 @@ namespace burl {
 
 namespace {
 
-constexpr int sweeps = 3;  // later ones see how the neighbours have turned
-constexpr std::array<QuadSide, 4> all_sides{quad_left, quad_right, quad_below, quad_above};
+constexpr int turn_sweeps = 3;  // later ones see how the neighbours have turned
+constexpr std::array<QuadSide, 4> turn_sides{quad_left, quad_right, quad_below, quad_above};
 
 /// What a block's four sides show in the middle when nothing is turned, in the order of quarter
 /// turns: below, right, above, left.
-using Sides = std::array<Vec3d, 4>;
+using TurnSides = std::array<Vec3d, 4>;
 
 /// Corners go round the block from the low-x, low-y one by way of the high-x one.
-Sides sides_of(const QuadCell& cell, const Mesh& mesh, double scale) {
+TurnSides sides_of(const QuadCell& cell, const Mesh& mesh, double scale) {
     const auto corner = [&](std::int32_t face, std::size_t k) {
         return scale * mesh.positions[mesh.triangles[std::size_t(face)][k % 3]];
     };
@@ -30,7 +30,7 @@ Sides sides_of(const QuadCell& cell, const Mesh& mesh, double scale) {
 }
 
 /// After so many quarter turns, the way `QuadLeaf::turned` is one.
-const Vec3d& shown(const Sides& sides, QuadSide side, std::size_t quarters) {
+const Vec3d& shown(const TurnSides& sides, QuadSide side, std::size_t quarters) {
     constexpr std::array<std::size_t, 4> order{3, 1, 0, 2};  // by QuadSide
     return sides[(order[side] + 4 - quarters) % 4];
 }
@@ -50,10 +50,10 @@ struct Beside {
     std::array<double, 4> weights{};
 };
 
-Beside beside(std::span<const QuadLeaf> leaves, std::size_t i, std::span<const Sides> sides) {
+Beside beside(std::span<const QuadLeaf> leaves, std::size_t i, std::span<const TurnSides> sides) {
     const QuadLeaf& leaf = leaves[i];
     Beside result;
-    for (const QuadSide side : all_sides) {
+    for (const QuadSide side : turn_sides) {
         const std::uint32_t other = leaf.beside[side];
         if (other == no_spot) continue;
         result.places[side] = shown(sides[other], facing(side), quarters_of(leaves[other]));
@@ -63,9 +63,9 @@ Beside beside(std::span<const QuadLeaf> leaves, std::size_t i, std::span<const S
     return result;
 }
 
-double unlikeness(const Sides& sides, std::size_t quarters, const Beside& beside) {
+double unlikeness(const TurnSides& sides, std::size_t quarters, const Beside& beside) {
     double sum = 0.0;
-    for (const QuadSide side : all_sides) {
+    for (const QuadSide side : turn_sides) {
         if (beside.weights[side] == 0.0) continue;
         const Vec3d off = shown(sides, side, quarters) - beside.places[side];
         sum += beside.weights[side] * glm::dot(off, off);
@@ -74,7 +74,7 @@ double unlikeness(const Sides& sides, std::size_t quarters, const Beside& beside
 }
 
 /// The number of quarter turns, of those the leaf may take, that suits its neighbours best.
-std::size_t best_quarters(const QuadLeaf& leaf, bool pair, const Sides& sides,
+std::size_t best_quarters(const QuadLeaf& leaf, bool pair, const TurnSides& sides,
                           const Beside& beside) {
     std::size_t best = quarters_of(leaf);
     double least = unlikeness(sides, best, beside);
@@ -91,10 +91,10 @@ std::size_t best_quarters(const QuadLeaf& leaf, bool pair, const Sides& sides,
 void turn_to_neighbours(std::span<QuadLeaf> leaves, std::span<const QuadCell> cells,
                         const Mesh& mesh) {
     const double scale = unit_scale(mesh);
-    std::vector<Sides> sides(leaves.size());
+    std::vector<TurnSides> sides(leaves.size());
     for_each_index(leaves.size(),
                    [&](std::size_t i) { sides[i] = sides_of(cells[leaves[i].cell], mesh, scale); });
-    for (int sweep = 0; sweep < sweeps; ++sweep)
+    for (int sweep = 0; sweep < turn_sweeps; ++sweep)
         for (std::size_t i = 0; i < leaves.size(); ++i) {
             QuadLeaf& leaf = leaves[i];
             const bool pair = cells[leaf.cell].upper >= 0;

@@ -12,10 +12,6 @@ namespace {
 /// are kept from flipping, too.
 constexpr double least_weight = 1e-6;
 
-double cross(const Vec2d& a, const Vec2d& b) {
-    return a.x * b.y - a.y * b.x;
-}
-
 /// The smallest positive root of a + b t + c t^2 with a > 0, or infinity.
 double first_root(double a, double b, double c) {
     const double infinity = std::numeric_limits<double>::infinity();

@@ -12,7 +12,7 @@
 namespace burl {
 namespace {
 
-constexpr int most_halvings = 6;
+constexpr int most_step_halvings = 6;
 constexpr double least_gain = 0.01;
 
 /// A triangle from one of its corners: the other two, and the surface's edges to them.
@@ -127,7 +127,7 @@ class Sweeper {
         const Vec2d step(-(here.yy * here.gradient.x - here.xy * here.gradient.y) / determinant,
                          -(here.xx * here.gradient.y - here.xy * here.gradient.x) / determinant);
         double share = 1.0;
-        for (int i = 0; i < most_halvings; ++i, share *= 0.5) {
+        for (int i = 0; i < most_step_halvings; ++i, share *= 0.5) {
             const Vec2d q = uv_[v] + share * step;
             const double there = value(v, q);
             if (!(there < here.value)) continue;

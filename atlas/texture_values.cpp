@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::uint32_t no_row = std::numeric_limits<std::uint32_t>::max();
 
-constexpr std::int64_t reach = 2;  // texels a map is continued by
+constexpr std::int64_t continued_texels = 2;  // texels a map is continued by
 
 void fill_row(const SolidAtlas& solid, const SolidColor& f, std::size_t y, TextureValues& texture,
               Image<std::uint32_t>& maps) {
@@ -72,7 +72,8 @@ std::pair<std::size_t, std::uint32_t> nearest_owned(const Image<std::uint32_t>& 
 Vec3f continued(const SolidAtlas& solid, const SolidColor& f, std::uint32_t map,
                 std::array<std::int64_t, 2> owned, std::array<std::int64_t, 2> texel) {
     for (std::size_t axis : {0u, 1u})
-        texel[axis] = std::clamp(texel[axis], owned[axis] - reach, owned[axis] + reach);
+        texel[axis] =
+            std::clamp(texel[axis], owned[axis] - continued_texels, owned[axis] + continued_texels);
     return Vec3f(f(solid.maps[map](texel[0], texel[1])));
 }
 

@@ -13,6 +13,11 @@ using Vec4f = glm::vec4;
 using Mat3d = glm::dmat3;
 using Mat4d = glm::dmat4;
 
+/// The signed area of the parallelogram of two vectors of the plane.
+inline double cross(const Vec2d& a, const Vec2d& b) {
+    return a.x * b.y - a.y * b.x;
+}
+
 /// Affine map of space: p -> linear * p + offset.
 struct Affine3 {
     Mat3d linear{1.0};

@@ -95,14 +95,14 @@ GlslNode image(const GlslNodeCall& call) {
                                                                call.axis(0), call.axis(1))));
 }
 
-constexpr std::array table{NamedGlslNode{"color_map", color_map},
-                           NamedGlslNode{"layer_over", layer_over}, NamedGlslNode{"uv", uv},
-                           NamedGlslNode{"marble", marble}, NamedGlslNode{"image", image}};
+constexpr std::array colors_table{NamedGlslNode{"color_map", color_map},
+                                  NamedGlslNode{"layer_over", layer_over}, NamedGlslNode{"uv", uv},
+                                  NamedGlslNode{"marble", marble}, NamedGlslNode{"image", image}};
 
 }  // namespace
 
 std::span<const NamedGlslNode> glsl_color_nodes() {
-    return table;
+    return colors_table;
 }
 
 }  // namespace burl

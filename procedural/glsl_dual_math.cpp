@@ -156,32 +156,32 @@ GlslNode map_cylindrical(const GlslNodeCall& call) {
              height, away}};
 }
 
-constexpr std::array table{NamedGlslNode{"constant", constant},
-                           NamedGlslNode{"coordinate", coordinate},
-                           NamedGlslNode{"add", add},
-                           NamedGlslNode{"multiply", multiply},
-                           NamedGlslNode{"min", minimum},
-                           NamedGlslNode{"max", maximum},
-                           NamedGlslNode{"abs", absolute},
-                           NamedGlslNode{"power", power},
-                           NamedGlslNode{"sin", sine_of},
-                           NamedGlslNode{"slope", slope},
-                           NamedGlslNode{"floor", floor_of},
-                           NamedGlslNode{"fract", fract_of},
-                           NamedGlslNode{"smoothstep", smoothstep},
-                           NamedGlslNode{"scale", scale},
-                           NamedGlslNode{"mix", mix},
-                           NamedGlslNode{"bilerp", bilerp},
-                           NamedGlslNode{"transform", transform},
-                           NamedGlslNode{"map_uv", map_uv},
-                           NamedGlslNode{"map_planar", map_planar},
-                           NamedGlslNode{"map_spherical", map_spherical},
-                           NamedGlslNode{"map_cylindrical", map_cylindrical}};
+constexpr std::array math_table{NamedGlslNode{"constant", constant},
+                                NamedGlslNode{"coordinate", coordinate},
+                                NamedGlslNode{"add", add},
+                                NamedGlslNode{"multiply", multiply},
+                                NamedGlslNode{"min", minimum},
+                                NamedGlslNode{"max", maximum},
+                                NamedGlslNode{"abs", absolute},
+                                NamedGlslNode{"power", power},
+                                NamedGlslNode{"sin", sine_of},
+                                NamedGlslNode{"slope", slope},
+                                NamedGlslNode{"floor", floor_of},
+                                NamedGlslNode{"fract", fract_of},
+                                NamedGlslNode{"smoothstep", smoothstep},
+                                NamedGlslNode{"scale", scale},
+                                NamedGlslNode{"mix", mix},
+                                NamedGlslNode{"bilerp", bilerp},
+                                NamedGlslNode{"transform", transform},
+                                NamedGlslNode{"map_uv", map_uv},
+                                NamedGlslNode{"map_planar", map_planar},
+                                NamedGlslNode{"map_spherical", map_spherical},
+                                NamedGlslNode{"map_cylindrical", map_cylindrical}};
 
 }  // namespace
 
 std::span<const NamedGlslNode> glsl_math_nodes() {
-    return table;
+    return math_table;
 }
 
 }  // namespace burl

@@ -228,15 +228,15 @@ GlslNode field(const GlslNodeCall& call) {
                                    call.axis(1), call.axis(2)));
 }
 
-constexpr std::array table{NamedGlslNode{"field", field},       NamedGlslNode{"fbm", fbm},
-                           NamedGlslNode{"wrinkled", wrinkled}, NamedGlslNode{"windy", windy},
-                           NamedGlslNode{"bumps", bumps},       NamedGlslNode{"dots", dots},
-                           NamedGlslNode{"warp", warp}};
+constexpr std::array noise_table{NamedGlslNode{"field", field},       NamedGlslNode{"fbm", fbm},
+                                 NamedGlslNode{"wrinkled", wrinkled}, NamedGlslNode{"windy", windy},
+                                 NamedGlslNode{"bumps", bumps},       NamedGlslNode{"dots", dots},
+                                 NamedGlslNode{"warp", warp}};
 
 }  // namespace
 
 std::span<const NamedGlslNode> glsl_noise_nodes() {
-    return table;
+    return noise_table;
 }
 
 std::string glsl_octaves_at(const GlslNodeCall& call, const Vec3d& factors) {

@@ -103,18 +103,18 @@ GlslNode checkerboard_3d(const GlslNodeCall& call) {
     return checkers(call, 3);
 }
 
-constexpr std::array table{NamedGlslNode{"stripes", stripes},
-                           NamedGlslNode{"ramp", ramp},
-                           NamedGlslNode{"sine", sine},
-                           NamedGlslNode{"rings", rings},
-                           NamedGlslNode{"wood_grain", wood_grain},
-                           NamedGlslNode{"checkerboard", checkerboard},
-                           NamedGlslNode{"checkerboard_3d", checkerboard_3d}};
+constexpr std::array patterns_table{NamedGlslNode{"stripes", stripes},
+                                    NamedGlslNode{"ramp", ramp},
+                                    NamedGlslNode{"sine", sine},
+                                    NamedGlslNode{"rings", rings},
+                                    NamedGlslNode{"wood_grain", wood_grain},
+                                    NamedGlslNode{"checkerboard", checkerboard},
+                                    NamedGlslNode{"checkerboard_3d", checkerboard_3d}};
 
 }  // namespace
 
 std::span<const NamedGlslNode> glsl_pattern_nodes() {
-    return table;
+    return patterns_table;
 }
 
 }  // namespace burl

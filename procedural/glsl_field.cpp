@@ -16,7 +16,7 @@ std::array<std::uint32_t, 3> prepared_seed(NoiseKind kind, std::uint32_t seed) {
     return {LatticeHash::shift(seed, 0), LatticeHash::shift(seed, 1), LatticeHash::shift(seed, 2)};
 }
 
-std::string_view fade_name(Fade fade) {
+std::string_view stream_fade_name(Fade fade) {
     return fade == Fade::linear ? "linear" : fade == Fade::smooth ? "smooth" : "quintic";
 }
 
@@ -129,7 +129,7 @@ std::string glsl_octave_noise(const FieldShape::Group& group, std::size_t number
         return fmt::format("stream_simplex({}, seeds[{}], radii[{}])", site, octave, number);
     const std::string name = group.kind == NoiseKind::perlin
                                  ? "stream_perlin"
-                                 : fmt::format("stream_value_{}", fade_name(group.fade));
+                                 : fmt::format("stream_value_{}", stream_fade_name(group.fade));
     return fmt::format("{}({}, seeds[{}].x)", name, site, octave);
 }
 

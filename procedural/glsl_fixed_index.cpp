@@ -26,7 +26,8 @@ std::string octave_word(std::size_t i, std::size_t word) {
 
 /// A group's sum, from the finest octave to the coarsest, added to the index. Its octaves are
 /// numbered from `first` on.
-std::string group_text(const FieldShape::Group& group, std::size_t number, std::size_t first) {
+std::string index_group_text(const FieldShape::Group& group, std::size_t number,
+                             std::size_t first) {
     std::string text =
         fmt::format("    HashSite site{0} = map_site(texelFetch(map_sites{0}, place));\n", number);
     for (std::size_t k = group.octaves; k-- > 0;)
@@ -118,7 +119,7 @@ std::vector<GlslPart> glsl_fixed_index(const FixedShape& shape) {
         "    int index = int(base + index_words.x);\n";
     std::size_t first = 0;
     for (std::size_t i = 0; i < shape.groups.size(); ++i) {
-        text += group_text(shape.groups[i], i, first);
+        text += index_group_text(shape.groups[i], i, first);
         first += shape.groups[i].octaves;
     }
     text += "    code = base == no_base ? index_words.w : fixed_color(index);\n}\n";

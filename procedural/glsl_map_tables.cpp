@@ -35,19 +35,19 @@ std::string GlslMapTables::add(const ColorMap& colors) {
 }
 
 std::string GlslMapTables::text() const {
-    using Piece = MapPieces::Piece;
-    const auto colors = [&](const char* name, Vec3d Piece::*member) {
+    using MapPiece = MapPieces::Piece;
+    const auto colors = [&](const char* name, Vec3d MapPiece::*member) {
         return array("real3", name, pieces_,
-                     [&](const Piece& piece) { return real3(piece.*member, real_); });
+                     [&](const MapPiece& piece) { return real3(piece.*member, real_); });
     };
     const auto changes = [&](const char* name, Vec3d MapBreak::*member) {
         return array("real3", name, breaks_,
                      [&](const MapBreak& at) { return real3(at.*member, real_); });
     };
     return array("real", "piece_starts", pieces_,
-                 [&](const Piece& piece) { return glsl_number(piece.start, real_); }) +
-           colors("piece_colors", &Piece::color) + colors("piece_slopes", &Piece::slope) +
-           colors("piece_firsts", &Piece::first) + colors("piece_seconds", &Piece::second) +
+                 [&](const MapPiece& piece) { return glsl_number(piece.start, real_); }) +
+           colors("piece_colors", &MapPiece::color) + colors("piece_slopes", &MapPiece::slope) +
+           colors("piece_firsts", &MapPiece::first) + colors("piece_seconds", &MapPiece::second) +
            array("real", "break_places", breaks_,
                  [&](const MapBreak& at) { return glsl_number(at.position, real_); }) +
            changes("break_jumps", &MapBreak::jump) + changes("break_kinks", &MapBreak::kink);

@@ -96,7 +96,7 @@ std::vector<GlslPart> gradient_parts_of(NoiseKind kind) {
     return {};
 }
 
-std::string_view fade_name(Fade fade) {
+std::string_view fade_function(Fade fade) {
     return fade == Fade::linear   ? "linear_fade"
            : fade == Fade::smooth ? "smooth_fade"
                                   : "quintic_fade";
@@ -119,8 +119,8 @@ constexpr Form value_form{"float", "noise"}, sample_form{"vec4", "sample", true}
 std::string fades(Fade fade, bool timed, const Form& form) {
     const std::string t = timed ? "place + place" : "vec4(place + place, 0.0)";
     const char* part = timed ? "" : ".xyz";
-    std::string text = fmt::format("{}({}){}", fade_name(fade), t, part);
-    if (form.sloped) text += fmt::format(", {}_slope({}){}", fade_name(fade), t, part);
+    std::string text = fmt::format("{}({}){}", fade_function(fade), t, part);
+    if (form.sloped) text += fmt::format(", {}_slope({}){}", fade_function(fade), t, part);
     return text;
 }
 

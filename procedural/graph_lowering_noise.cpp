@@ -153,15 +153,15 @@ LoweredNode field(const LoweringCall& call) {
     return call.number(total);
 }
 
-constexpr std::array table{NamedLowering{"field", field},       NamedLowering{"fbm", fbm},
-                           NamedLowering{"wrinkled", wrinkled}, NamedLowering{"windy", windy},
-                           NamedLowering{"marble", marble},     NamedLowering{"bumps", bumps},
-                           NamedLowering{"dots", dots},         NamedLowering{"warp", warp}};
+constexpr std::array noise_table{NamedLowering{"field", field},       NamedLowering{"fbm", fbm},
+                                 NamedLowering{"wrinkled", wrinkled}, NamedLowering{"windy", windy},
+                                 NamedLowering{"marble", marble},     NamedLowering{"bumps", bumps},
+                                 NamedLowering{"dots", dots},         NamedLowering{"warp", warp}};
 
 }  // namespace
 
 std::span<const NamedLowering> noise_lowerings() {
-    return table;
+    return noise_table;
 }
 
 }  // namespace burl

@@ -241,43 +241,43 @@ LoweredNode map_cylindrical(const LoweringCall& call) {
     return {{}, {{call.linear(0.5 / pi, angle(call), 0.5), height, away}, {}}};
 }
 
-constexpr std::array table{NamedLowering{"constant", constant},
-                           NamedLowering{"coordinate", coordinate},
-                           NamedLowering{"add", add},
-                           NamedLowering{"multiply", multiply},
-                           NamedLowering{"min", of_two<ValueOp::minimum>},
-                           NamedLowering{"max", of_two<ValueOp::maximum>},
-                           NamedLowering{"abs", of_one<ValueOp::absolute>},
-                           NamedLowering{"power", power},
-                           NamedLowering{"sin", of_one<ValueOp::sine>},
-                           NamedLowering{"slope", slope},
-                           NamedLowering{"floor", of_one<ValueOp::floor>},
-                           NamedLowering{"fract", of_one<ValueOp::fract>},
-                           NamedLowering{"smoothstep", smoothstep},
-                           NamedLowering{"scale", scale},
-                           NamedLowering{"mix", mix},
-                           NamedLowering{"bilerp", bilerp},
-                           NamedLowering{"color_map", color_map},
-                           NamedLowering{"layer_over", layer_over},
-                           NamedLowering{"image", image},
-                           NamedLowering{"uv", uv},
-                           NamedLowering{"checkerboard", checkerboard},
-                           NamedLowering{"checkerboard_3d", checkerboard_3d},
-                           NamedLowering{"stripes", stripes},
-                           NamedLowering{"ramp", ramp},
-                           NamedLowering{"sine", sine},
-                           NamedLowering{"rings", rings},
-                           NamedLowering{"wood_grain", wood_grain},
-                           NamedLowering{"transform", transform},
-                           NamedLowering{"map_uv", map_uv},
-                           NamedLowering{"map_spherical", map_spherical},
-                           NamedLowering{"map_cylindrical", map_cylindrical},
-                           NamedLowering{"map_planar", map_planar}};
+constexpr std::array pattern_table{NamedLowering{"constant", constant},
+                                   NamedLowering{"coordinate", coordinate},
+                                   NamedLowering{"add", add},
+                                   NamedLowering{"multiply", multiply},
+                                   NamedLowering{"min", of_two<ValueOp::minimum>},
+                                   NamedLowering{"max", of_two<ValueOp::maximum>},
+                                   NamedLowering{"abs", of_one<ValueOp::absolute>},
+                                   NamedLowering{"power", power},
+                                   NamedLowering{"sin", of_one<ValueOp::sine>},
+                                   NamedLowering{"slope", slope},
+                                   NamedLowering{"floor", of_one<ValueOp::floor>},
+                                   NamedLowering{"fract", of_one<ValueOp::fract>},
+                                   NamedLowering{"smoothstep", smoothstep},
+                                   NamedLowering{"scale", scale},
+                                   NamedLowering{"mix", mix},
+                                   NamedLowering{"bilerp", bilerp},
+                                   NamedLowering{"color_map", color_map},
+                                   NamedLowering{"layer_over", layer_over},
+                                   NamedLowering{"image", image},
+                                   NamedLowering{"uv", uv},
+                                   NamedLowering{"checkerboard", checkerboard},
+                                   NamedLowering{"checkerboard_3d", checkerboard_3d},
+                                   NamedLowering{"stripes", stripes},
+                                   NamedLowering{"ramp", ramp},
+                                   NamedLowering{"sine", sine},
+                                   NamedLowering{"rings", rings},
+                                   NamedLowering{"wood_grain", wood_grain},
+                                   NamedLowering{"transform", transform},
+                                   NamedLowering{"map_uv", map_uv},
+                                   NamedLowering{"map_spherical", map_spherical},
+                                   NamedLowering{"map_cylindrical", map_cylindrical},
+                                   NamedLowering{"map_planar", map_planar}};
 
 }  // namespace
 
 std::span<const NamedLowering> pattern_lowerings() {
-    return table;
+    return pattern_table;
 }
 
 }  // namespace burl

@@ -63,7 +63,7 @@ constexpr Inputs one_number{a_number("input", "a number")};
 constexpr Inputs two_numbers{a_number("a", "a number"), a_number("b", "a number")};
 constexpr Inputs two_sides{any("a", "where the pattern is 0", "0"),
                            any("b", "where the pattern is 1", "1")};
-constexpr Inputs moved{any("input", "what is evaluated at the point made here")};
+constexpr Inputs moved_input{any("input", "what is evaluated at the point made here")};
 
 constexpr Parameters checker_parameters{
     one_of("aa", "\"closed_form\"", "none|closed_form|supersample|trapezoid",
@@ -75,7 +75,7 @@ constexpr Parameters along_parameters{
 
 constexpr std::string_view slides = "Chuang 2008", pbrt = "pbrt (Chuang 2008)", own = "-";
 
-constexpr std::array table{
+constexpr std::array node_table{
     // Numbers and arithmetic
     NodeType{"constant", NodeResult::inputs, nodes::constant,
              "a number or an sRGB colour, `value`; also written as the bare value", pbrt},
@@ -259,7 +259,7 @@ constexpr std::array table{
              nodes::transform,
              "matrix (translate + rotate scale point); pbrt's 3-D mapping",
              pbrt,
-             moved,
+             moved_input,
              {several("scale", 3, "[1,1,1]", "factors of the coordinates"),
               several("rotate", 3, "[0,0,0]", "degrees about the first, second and third axis"),
               several("translate", 3, "[0,0,0]", "added"),
@@ -269,7 +269,7 @@ constexpr std::array table{
              nodes::warp,
              "point + strength * three fbm noises of the point",
              "Perlin 1985",
-             moved,
+             moved_input,
              {real("strength", -1e6, 1e6, "0.5", "how far the point is moved"), kind_parameter,
               seed_parameter, octaves_parameter("1"), lacunarity_parameter, gain_parameter,
               time_parameter, time_period_parameter}},
@@ -278,16 +278,16 @@ constexpr std::array table{
              nodes::map_uv,
              "(scale u + offset, third coordinate) of the point's first two, u",
              pbrt,
-             moved,
+             moved_input,
              {several("scale", 2, "[1,1]", "factors"), several("offset", 2, "[0,0]", "added")}},
     NodeType{"map_spherical", NodeResult::inner, nodes::map_spherical,
-             "(angle from the r axis / pi, turn about it in [0,1), distance)", pbrt, moved},
+             "(angle from the r axis / pi, turn about it in [0,1), distance)", pbrt, moved_input},
     NodeType{"map_cylindrical",
              NodeResult::inner,
              nodes::map_cylindrical,
              "(turn about the r axis in [0,1], height, distance from it)",
              pbrt,
-             moved,
+             moved_input,
              {one_of("height", "\"axis\"", "axis|normalized",
                      "r itself, or (pbrt) r over the distance from the origin")}},
     NodeType{
@@ -296,7 +296,7 @@ constexpr std::array table{
         nodes::map_planar,
         "(vs . point, vt . point, 0) + offset",
         pbrt,
-        moved,
+        moved_input,
         {several("vs", 3, "[1,0,0]", "gives the first coordinate"),
          several("vt", 3, "[0,1,0]", "gives the second"), several("offset", 2, "[0,0]", "added")}},
 };
@@ -322,11 +322,11 @@ const NodeInput* NodeType::input(std::string_view key) const {
 }
 
 std::span<const NodeType> graph_table() {
-    return table;
+    return node_table;
 }
 
 const NodeType* find_node(std::string_view name) {
-    for (const NodeType& type : table)
+    for (const NodeType& type : node_table)
         if (type.name == name) return &type;
     return nullptr;
 }
