@@ -8,7 +8,7 @@
 namespace burl::test {
 namespace {
 
-const char* const square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
+const char* const bad_input_square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
 const char* const ply_head =
     "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float "
     "z\n"
@@ -60,25 +60,26 @@ INSTANTIATE_TEST_SUITE_P(
         BadCase{"TruncatedPly", "m.ply", ply_head, "", 3, "m.ply"},
         BadCase{"AbsurdPly", "m.ply", absurd_ply, "", 3, "m.ply"},
         BadCase{"UnknownMeshExtension", "m.xyz", "0 0 0\n", "", 5, "xyz"},
-        BadCase{"SizeZero", "m.obj", square, "--size 0", 1, "size"},
-        BadCase{"SizeHuge", "m.obj", square, "--size 100000", 1, "size"},
-        BadCase{"SizeNoNumber", "m.obj", square, "--size 0x0", 1, "size"},
-        BadCase{"SizeTooSmall", "m.obj", square, "--size 1 --atlas area", 4, "--size"},
-        BadCase{"UnknownAtlas", "m.obj", square, "--atlas aria", 1, "area"},
-        BadCase{"UnknownPreset", "m.obj", square, "--recipe marbel", 1, "marble"},
-        BadCase{"UnknownKey", "m.obj", square, "--set texture.input.nose.0.gain=1", 1, "noise"},
-        BadCase{"UnknownOption", "m.obj", square, "--sise 64", 1, "--sise"},
-        BadCase{"NanCrease", "m.obj", square, "--crease nan", 1, "--crease"},
-        BadCase{"NanWeld", "m.obj", square, "--weld nan", 1, "--weld"},
-        BadCase{"EmptySize", "m.obj", square, "--size ''", 1, "size"},
-        BadCase{"EmptyAtlas", "m.obj", square, "--atlas ''", 1, "atlas"},
-        BadCase{"ReportInNoFolder", "m.obj", square, "--report /no/where.json", 2, "/no"},
-        BadCase{"NanParameter", "m.obj", square, "--set solid.scale=nan", 1, "scale"}),
+        BadCase{"SizeZero", "m.obj", bad_input_square, "--size 0", 1, "size"},
+        BadCase{"SizeHuge", "m.obj", bad_input_square, "--size 100000", 1, "size"},
+        BadCase{"SizeNoNumber", "m.obj", bad_input_square, "--size 0x0", 1, "size"},
+        BadCase{"SizeTooSmall", "m.obj", bad_input_square, "--size 1 --atlas area", 4, "--size"},
+        BadCase{"UnknownAtlas", "m.obj", bad_input_square, "--atlas aria", 1, "area"},
+        BadCase{"UnknownPreset", "m.obj", bad_input_square, "--recipe marbel", 1, "marble"},
+        BadCase{"UnknownKey", "m.obj", bad_input_square, "--set texture.input.nose.0.gain=1", 1,
+                "noise"},
+        BadCase{"UnknownOption", "m.obj", bad_input_square, "--sise 64", 1, "--sise"},
+        BadCase{"NanCrease", "m.obj", bad_input_square, "--crease nan", 1, "--crease"},
+        BadCase{"NanWeld", "m.obj", bad_input_square, "--weld nan", 1, "--weld"},
+        BadCase{"EmptySize", "m.obj", bad_input_square, "--size ''", 1, "size"},
+        BadCase{"EmptyAtlas", "m.obj", bad_input_square, "--atlas ''", 1, "atlas"},
+        BadCase{"ReportInNoFolder", "m.obj", bad_input_square, "--report /no/where.json", 2, "/no"},
+        BadCase{"NanParameter", "m.obj", bad_input_square, "--set solid.scale=nan", 1, "scale"}),
     [](const auto& bad) { return bad.param.name; });
 
 TEST(Program, DirectoriesMissingFilesAndUnknownExtensions) {
     const Scratch scratch;
-    const std::string mesh = scratch.write("m.obj", square), out = scratch / "o.glb";
+    const std::string mesh = scratch.write("m.obj", bad_input_square), out = scratch / "o.glb";
     fs::create_directory(scratch / "folder.obj");
     const struct {
         std::string mesh, out;
@@ -109,7 +110,7 @@ TEST(Program, WrongVerbsAreNamedAndTheRightHelpIsOffered) {
 
 TEST(Program, PicturesAndReportsNeverReplaceWhatTheCommandNeeds) {
     const Scratch scratch;
-    const std::string mesh = scratch.write("m.obj", square);
+    const std::string mesh = scratch.write("m.obj", bad_input_square);
     const auto refused = [&](const std::string& arguments, int code) {
         const Outcome outcome = run_burl(scratch, arguments);
         EXPECT_EQ(outcome.exit_code, code) << arguments;
@@ -120,7 +121,7 @@ TEST(Program, PicturesAndReportsNeverReplaceWhatTheCommandNeeds) {
     refused(
         fmt::format("bake '{0}' -o '{1}.glb' --size 64 --report '{1}.glb'", mesh, scratch / "a"),
         2);
-    EXPECT_EQ(slurp(mesh), square);
+    EXPECT_EQ(slurp(mesh), bad_input_square);
     EXPECT_FALSE(fs::exists(scratch / "a.glb"));
     for (const char* name : {"b.gltf", "c.obj"}) {
         const std::string scene = scratch / name;
@@ -138,7 +139,7 @@ TEST(Program, PicturesAndReportsNeverReplaceWhatTheCommandNeeds) {
 
 TEST(Program, ClosedAndFullStandardStreams) {
     const Scratch scratch;
-    const std::string mesh = scratch.write("m.obj", square + std::string("v 9 9 9\n"));
+    const std::string mesh = scratch.write("m.obj", bad_input_square + std::string("v 9 9 9\n"));
     const std::string burl = fmt::format("'{}/bin/burl'", test::binary_folder());
     const auto status = [&](const std::string& arguments) {
         return WEXITSTATUS(std::system((burl + " " + arguments).c_str()));
@@ -154,7 +155,7 @@ TEST(Program, ClosedAndFullStandardStreams) {
 
 TEST(Program, UnknownRecipeKeyNamesTheNearest) {
     const Scratch scratch;
-    const std::string mesh = scratch.write("m.obj", square), out = scratch / "o.glb";
+    const std::string mesh = scratch.write("m.obj", bad_input_square), out = scratch / "o.glb";
     const std::string recipe = scratch.write("r.json", R"({"burl": 1, "solids": {"scale": 2}})");
     const Outcome outcome =
         run_burl(scratch, fmt::format("bake '{}' -o '{}' --recipe '{}'", mesh, out, recipe));
@@ -172,7 +173,7 @@ std::string as_nobody() {
 
 TEST(Program, NoPermission) {
     const Scratch scratch;
-    const std::string mesh = scratch.write("m.obj", square), locked = scratch / "locked";
+    const std::string mesh = scratch.write("m.obj", bad_input_square), locked = scratch / "locked";
     if (run_burl(scratch, "--version", as_nobody()).exit_code != 0) {
         GTEST_SKIP() << "cannot run the program as an ordinary user here";
     }
@@ -194,7 +195,7 @@ TEST(Program, NoPermission) {
 
 TEST(Program, FileSizeLimitLeavesNothingBehind) {
     const Scratch scratch;
-    const std::string mesh = scratch.write("m.obj", square), out = scratch / "o.glb";
+    const std::string mesh = scratch.write("m.obj", bad_input_square), out = scratch / "o.glb";
     const Outcome outcome =
         run_burl(scratch, fmt::format("bake '{}' -o '{}' --size 512", mesh, out), "ulimit -f 16;");
     EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
@@ -204,7 +205,7 @@ TEST(Program, FileSizeLimitLeavesNothingBehind) {
 
 TEST(Program, FullDiskLeavesNothingBehind) {
     const Scratch scratch;
-    const std::string mesh = scratch.write("m.obj", square), disk = scratch / "disk";
+    const std::string mesh = scratch.write("m.obj", bad_input_square), disk = scratch / "disk";
     fs::create_directory(disk);
     if (std::system(
             fmt::format("mount -t tmpfs -o size=64k none '{}' 2>/dev/null", disk).c_str()) != 0) {

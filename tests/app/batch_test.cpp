@@ -10,7 +10,7 @@
 namespace burl::test {
 namespace {
 
-const char* const square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
+const char* const batch_square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
 const char* const roof = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv .5 .5 1\nf 1 2 5\nf 2 3 5\n";
 
 class Batch : public testing::Test {
@@ -18,7 +18,7 @@ class Batch : public testing::Test {
     const Scratch scratch;
 
     Batch() {
-        scratch.write("square.obj", square);
+        scratch.write("square.obj", batch_square);
         scratch.write("roof.obj", roof);
     }
     Outcome run(const std::string& manifest, const std::string& options = "") const {

@@ -16,7 +16,7 @@ namespace burl {
 namespace {
 
 constexpr const char* triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
-constexpr const char* square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
+constexpr const char* open_files_square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
 
 TEST(EditReader, ReadsMeshesAndRecipes) {
     const ScratchFolder folder;
@@ -90,7 +90,7 @@ TEST_F(EditOpenFilesTest, AMeshThatChangesIsReadAgain) {
     ASSERT_EQ(settled().size(), 1u);
     EXPECT_EQ(files.mesh(), folder / "m.obj");
     EXPECT_TRUE(settled().empty());
-    write_file(folder / "m.obj", square);
+    write_file(folder / "m.obj", open_files_square);
     const auto read = settled(true);
     ASSERT_EQ(read.size(), 1u);
     EXPECT_TRUE(read[0].again);
@@ -107,7 +107,7 @@ TEST_F(EditOpenFilesTest, AHalfWrittenFileIsTriedAgain) {
     EXPECT_TRUE(read[0].problem);
     EXPECT_EQ(files.mesh(), folder / "m.obj");
     EXPECT_TRUE(settled().empty());  // once is enough
-    write_file(folder / "m.obj", square);
+    write_file(folder / "m.obj", open_files_square);
     read = settled();
     ASSERT_EQ(read.size(), 1u);
     EXPECT_TRUE(read[0].mesh);

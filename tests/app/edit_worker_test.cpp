@@ -12,7 +12,7 @@
 namespace burl {
 namespace {
 
-Recipe scaled(double scale) {
+Recipe worker_scaled(double scale) {
     Recipe recipe;
     recipe.solid.scale = scale;
     return recipe;
@@ -27,9 +27,9 @@ TEST(EditWorker, DoesWhatItIsAskedAndWakes) {
         },
         [&] { ++woken; });
     EXPECT_TRUE(worker.idle());
-    worker.request({scaled(2), true});
+    worker.request({worker_scaled(2), true});
     worker.wait();
-    worker.request({scaled(3), false});
+    worker.request({worker_scaled(3), false});
     worker.wait();
     EXPECT_EQ(made, (std::vector<std::pair<double, bool>>{{2, true}, {3, false}}));
     EXPECT_GE(woken, 1);
@@ -49,10 +49,10 @@ TEST(EditWorker, ANewRequestStopsTheOldOne) {
             finished.push_back(request.recipe.solid.scale);
         },
         [] {});
-    worker.request({scaled(1), false});
+    worker.request({worker_scaled(1), false});
     while (!started) std::this_thread::yield();
     EXPECT_FALSE(worker.idle());
-    worker.request({scaled(2), false});
+    worker.request({worker_scaled(2), false});
     worker.wait();
     EXPECT_EQ(finished, std::vector<double>{2});
 }
@@ -67,10 +67,10 @@ TEST(EditWorker, ASlidersPictureComesBeforeTheNext) {
             made.emplace_back(request.recipe.solid.scale, stop.stop_requested());
         },
         [] {});
-    worker.request({scaled(1), true});
+    worker.request({worker_scaled(1), true});
     while (!started) std::this_thread::yield();
-    worker.request({scaled(2), true});  // is dropped
-    worker.request({scaled(3), true});
+    worker.request({worker_scaled(2), true});  // is dropped
+    worker.request({worker_scaled(3), true});
     go_on = true;
     worker.wait();
     EXPECT_EQ(made, (std::vector<std::pair<double, bool>>{{1, false}, {3, false}}));
@@ -86,7 +86,7 @@ TEST(EditWorker, EndsWhileAtWork) {
                 stopped = true;
             },
             [] {});
-        worker.request({scaled(1), false});
+        worker.request({worker_scaled(1), false});
         while (!started) std::this_thread::yield();
     }
     EXPECT_TRUE(stopped);
@@ -100,11 +100,11 @@ TEST(EditWorker, TellsAProblemOnceAndGoesOn) {
             ++made;
         },
         [] {});
-    worker.request({scaled(1), false});
+    worker.request({worker_scaled(1), false});
     worker.wait();
     EXPECT_EQ(worker.take_problem(), "no such noise");
     EXPECT_FALSE(worker.take_problem());
-    worker.request({scaled(2), false});
+    worker.request({worker_scaled(2), false});
     worker.wait();
     EXPECT_EQ(made, 1);
 }

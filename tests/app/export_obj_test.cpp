@@ -56,7 +56,7 @@ ObjText parse(const std::string& path) {
     return obj;
 }
 
-std::string content(const std::string& path) {
+std::string export_obj_content(const std::string& path) {
     std::ostringstream text;
     text << std::ifstream(path).rdbuf();
     return text.str();
@@ -91,7 +91,7 @@ TEST(ExportObj, MaterialNamesTheTexture) {
     EXPECT_EQ(folder.entries(), 3u);
     const ObjText obj = parse(folder / "my cube.obj");
     EXPECT_EQ(obj.mtllib, "my cube.mtl");
-    const std::string mtl = content(folder / "my cube.mtl");
+    const std::string mtl = export_obj_content(folder / "my cube.mtl");
     EXPECT_NE(mtl.find("newmtl " + obj.usemtl + "\n"), std::string::npos);
     EXPECT_NE(mtl.find("map_Kd my cube.png\n"), std::string::npos);
     EXPECT_EQ(read_png(folder / "my cube.png"), sample_image(64));

@@ -28,7 +28,7 @@ namespace {
 using testing::HasSubstr;
 using GlGraphTest = GlTest;
 
-const Affine3 somewhere{Mat3d(1.7), Vec3d(0.3, -0.2, 0.1)};
+const Affine3 graph_somewhere{Mat3d(1.7), Vec3d(0.3, -0.2, 0.1)};
 
 template <class Pixel>
 Image<Pixel> on_host(const SolidAtlas& solid, const TextureGraph& graph, const Affine3& map) {
@@ -70,8 +70,8 @@ double share_beyond(const Image<RgbF>& a, const Image<RgbF>& b, double error) {
 /// Linear light, which 8- and 16-bit codes follow from.
 void expect_equal(GlGraphSynthesis& gl, std::string_view name, const TextureGraph& graph,
                   const SolidAtlas& solid) {
-    const Image<RgbF> expected = on_host<RgbF>(solid, graph, somewhere);
-    EXPECT_EQ(differing(drawn<RgbF>(gl, solid, graph, somewhere), expected), 0u) << name;
+    const Image<RgbF> expected = on_host<RgbF>(solid, graph, graph_somewhere);
+    EXPECT_EQ(differing(drawn<RgbF>(gl, solid, graph, graph_somewhere), expected), 0u) << name;
     if (name != "constant" && name != "slope") {
         EXPECT_GT(colors_of(expected), 1u) << name;
     }
@@ -103,8 +103,8 @@ TEST_F(GlGraphTest, ManyStopsInFloat32) {
     GlGraphSynthesis gl(*context, limits);
     const SolidAtlas solid = SyntheticAtlas{}.make(2);
     const TextureGraph graph = map_of(500);
-    const Image<RgbF> expected = on_host<RgbF>(solid, graph, somewhere),
-                      image = drawn<RgbF>(gl, solid, graph, somewhere);
+    const Image<RgbF> expected = on_host<RgbF>(solid, graph, graph_somewhere),
+                      image = drawn<RgbF>(gl, solid, graph, graph_somewhere);
     for (std::size_t i = 0; i < image.pixels().size(); ++i)
         EXPECT_NEAR(image.pixels()[i].r, expected.pixels()[i].r, 2e-4f);
 }
@@ -134,8 +134,8 @@ TEST_P(GlGraphSlopeTest, HasTheHostsBits) {
     const TextureGraph graph = graph_of(fmt::format(
         R"({{"node": "slope", "direction": [0.3, -0.2, 0.25], "input": {}}})", GetParam().json));
     const SolidAtlas solid = SyntheticAtlas{64, 16, 0.4, 0.03}.make(7);
-    const Image<RgbF> expected = on_host<RgbF>(solid, graph, somewhere),
-                      image = drawn<RgbF>(gl, solid, graph, somewhere);
+    const Image<RgbF> expected = on_host<RgbF>(solid, graph, graph_somewhere),
+                      image = drawn<RgbF>(gl, solid, graph, graph_somewhere);
     EXPECT_GT(colors_of(expected), 1u);
     EXPECT_EQ(differing(image, expected), 0u);
 }
@@ -295,11 +295,11 @@ TEST_F(GlGraphTest, CodesAreTheHosts) {
     const SolidAtlas solid = SyntheticAtlas{}.make(6);
     const TextureGraph graph = graph_of(R"({"node": "mix", "a": "#20ff40", "b": {"node": "marble"},
         "amount": {"node": "coordinate", "direction": [1, 1, 0]}})");
-    EXPECT_EQ(
-        differing(drawn<Rgb8>(gl, solid, graph, somewhere), on_host<Rgb8>(solid, graph, somewhere)),
-        0u);
-    EXPECT_EQ(differing(drawn<Rgb16>(gl, solid, graph, somewhere),
-                        on_host<Rgb16>(solid, graph, somewhere)),
+    EXPECT_EQ(differing(drawn<Rgb8>(gl, solid, graph, graph_somewhere),
+                        on_host<Rgb8>(solid, graph, graph_somewhere)),
+              0u);
+    EXPECT_EQ(differing(drawn<Rgb16>(gl, solid, graph, graph_somewhere),
+                        on_host<Rgb16>(solid, graph, graph_somewhere)),
               0u);
 }
 
@@ -309,9 +309,9 @@ TEST_F(GlGraphTest, TilesLeaveNoTrace) {
     GlSynthesisLimits limits;
     limits.tile = 24;
     GlGraphSynthesis gl(*context, limits);
-    EXPECT_EQ(
-        differing(drawn<Rgb8>(gl, solid, graph, somewhere), on_host<Rgb8>(solid, graph, somewhere)),
-        0u);
+    EXPECT_EQ(differing(drawn<Rgb8>(gl, solid, graph, graph_somewhere),
+                        on_host<Rgb8>(solid, graph, graph_somewhere)),
+              0u);
     EXPECT_EQ(gl.work().passes, 9);
 }
 

@@ -15,7 +15,7 @@ namespace {
 
 using GlLineFieldTest = GlTest;
 
-const Affine3 somewhere{Mat3d(1.7), Vec3d(0.3, -0.2, 0.1)};
+const Affine3 line_field_somewhere{Mat3d(1.7), Vec3d(0.3, -0.2, 0.1)};
 
 Filter samples(int count) {
     Filter filter;
@@ -32,23 +32,25 @@ Filter corners(bool band_limit = false) {
 }
 
 template <class Pixel>
-Image<Pixel> on_host(const SolidAtlas& solid, const Texture& texture, const Filter& filter) {
+Image<Pixel> line_field_on_host(const SolidAtlas& solid, const Texture& texture,
+                                const Filter& filter) {
     if constexpr (std::is_same_v<Pixel, Rgb8>)
-        return synthesize_rgb8(solid, texture, somewhere, 1, filter, Kernel::direct);
+        return synthesize_rgb8(solid, texture, line_field_somewhere, 1, filter, Kernel::direct);
     else if constexpr (std::is_same_v<Pixel, Rgb16>)
-        return synthesize_rgb16(solid, texture, somewhere, 1, filter, Kernel::direct);
+        return synthesize_rgb16(solid, texture, line_field_somewhere, 1, filter, Kernel::direct);
     else
-        return synthesize_rgbf(solid, texture, somewhere, 1, filter, Kernel::direct);
+        return synthesize_rgbf(solid, texture, line_field_somewhere, 1, filter, Kernel::direct);
 }
 
 template <class Pixel>
-void expect_equal(GlSynthesis& gl, const SolidAtlas& solid, const Texture& texture,
-                  const Filter& filter) {
+void line_field_expect_equal(GlSynthesis& gl, const SolidAtlas& solid, const Texture& texture,
+                             const Filter& filter) {
     Image<Pixel> drawn;
-    gl.synthesize(solid, texture, somewhere, 1, drawn, filter);
-    const Image<Pixel> expected = on_host<Pixel>(solid, texture, filter);
+    gl.synthesize(solid, texture, line_field_somewhere, 1, drawn, filter);
+    const Image<Pixel> expected = line_field_on_host<Pixel>(solid, texture, filter);
     EXPECT_EQ(differing(drawn, expected), 0u);
-    EXPECT_GT(differing(on_host<Pixel>(solid, texture, {}), expected), 100u) << "nothing to filter";
+    EXPECT_GT(differing(line_field_on_host<Pixel>(solid, texture, {}), expected), 100u)
+        << "nothing to filter";
 }
 
 NoiseTerm term_of(NoiseKind kind, std::uint32_t octaves) {
@@ -81,15 +83,15 @@ Texture streamed_texture() {
 TEST_F(GlLineFieldTest, SupersampledTexturesHaveTheHostsBytes) {
     GlSynthesis gl(*context);
     const SolidAtlas solid = coarse.make(3);
-    expect_equal<Rgb8>(gl, solid, streamed_texture(), samples(4));
-    expect_equal<Rgb16>(gl, solid, streamed_texture(), samples(6));
-    expect_equal<RgbF>(gl, solid, streamed_texture(), samples(5));
+    line_field_expect_equal<Rgb8>(gl, solid, streamed_texture(), samples(4));
+    line_field_expect_equal<Rgb16>(gl, solid, streamed_texture(), samples(6));
+    line_field_expect_equal<RgbF>(gl, solid, streamed_texture(), samples(5));
     EXPECT_EQ(gl.work().passes, 1);
 }
 
 TEST_F(GlLineFieldTest, TexturesByCornersHaveTheHostsBytes) {
     GlSynthesis gl(*context);
-    expect_equal<RgbF>(gl, coarse.make(3), streamed_texture(), corners());
+    line_field_expect_equal<RgbF>(gl, coarse.make(3), streamed_texture(), corners());
     EXPECT_EQ(gl.work().passes, 2);
 }
 
@@ -99,17 +101,18 @@ TEST_F(GlLineFieldTest, OctavesWithoutAStreamHaveTheHostsBytes) {
     worley.range = NoiseRange::unit;
     GlSynthesis gl(*context);
     const SolidAtlas solid = coarse.make(5);
-    expect_equal<RgbF>(gl, solid, texture_of({ridged, worley}), samples(4));
-    expect_equal<RgbF>(gl, solid, texture_of({worley, term_of(NoiseKind::value, 1)}), samples(3));
-    expect_equal<RgbF>(gl, solid, texture_of({}), samples(3));
-    expect_equal<RgbF>(gl, solid, texture_of({}), corners());
+    line_field_expect_equal<RgbF>(gl, solid, texture_of({ridged, worley}), samples(4));
+    line_field_expect_equal<RgbF>(gl, solid, texture_of({worley, term_of(NoiseKind::value, 1)}),
+                                  samples(3));
+    line_field_expect_equal<RgbF>(gl, solid, texture_of({}), samples(3));
+    line_field_expect_equal<RgbF>(gl, solid, texture_of({}), corners());
 }
 
 TEST_F(GlLineFieldTest, CornersOfOctavesWithoutAStreamHaveTheHostsBytes) {
     NoiseTerm ridged = term_of(NoiseKind::perlin, 1), worley = term_of(NoiseKind::worley, 1);
     ridged.shape = OctaveShape::ridged;
     GlSynthesis gl(*context);
-    expect_equal<RgbF>(gl, coarse.make(5), texture_of({ridged, worley}), corners());
+    line_field_expect_equal<RgbF>(gl, coarse.make(5), texture_of({ridged, worley}), corners());
 }
 
 TEST_F(GlLineFieldTest, FadingOctavesHaveTheHostsBytes) {
@@ -120,11 +123,11 @@ TEST_F(GlLineFieldTest, FadingOctavesHaveTheHostsBytes) {
     const Texture texture = texture_of({term_of(NoiseKind::value, 2), ridged});
     GlSynthesis gl(*context);
     const SolidAtlas solid = coarse.make(6);
-    expect_equal<RgbF>(gl, solid, texture, fading);
-    expect_equal<RgbF>(gl, solid, texture, corners(true));
-    EXPECT_GT(
-        differing(on_host<RgbF>(solid, texture, samples(4)), on_host<RgbF>(solid, texture, fading)),
-        1000u)
+    line_field_expect_equal<RgbF>(gl, solid, texture, fading);
+    line_field_expect_equal<RgbF>(gl, solid, texture, corners(true));
+    EXPECT_GT(differing(line_field_on_host<RgbF>(solid, texture, samples(4)),
+                        line_field_on_host<RgbF>(solid, texture, fading)),
+              1000u)
         << "nothing fades";
 }
 
@@ -134,11 +137,11 @@ TEST_F(GlLineFieldTest, FarAndFastLinesHaveTheHostsBytes) {
     Texture texture = texture_of({term_of(NoiseKind::value, 2)});
     const SolidAtlas fast = SyntheticAtlas{64, 16, 1e5, 3e4}.make(9),
                      far = SyntheticAtlas{64, 16, 1e9, 0.03}.make(8);
-    expect_equal<RgbF>(gl, fast, texture, samples(4));
-    expect_equal<RgbF>(gl, fast, texture, corners());
+    line_field_expect_equal<RgbF>(gl, fast, texture, samples(4));
+    line_field_expect_equal<RgbF>(gl, fast, texture, corners());
     texture.quadric = {};
-    expect_equal<RgbF>(gl, far, texture, samples(4));
-    expect_equal<RgbF>(gl, far, texture, corners());
+    line_field_expect_equal<RgbF>(gl, far, texture, samples(4));
+    line_field_expect_equal<RgbF>(gl, far, texture, corners());
 }
 
 TEST_F(GlLineFieldTest, TilesAndEditsLeaveNoTrace) {
@@ -148,10 +151,10 @@ TEST_F(GlLineFieldTest, TilesAndEditsLeaveNoTrace) {
     GlSynthesis gl(*context, limits);
     const SolidAtlas solid = coarse.make(3);
     Texture texture = texture_of({term_of(NoiseKind::value, 3)});
-    expect_equal<Rgb8>(gl, solid, texture, samples(4));
+    line_field_expect_equal<Rgb8>(gl, solid, texture, samples(4));
     texture.noise[0].amplitude = 0.4;
     texture.quadric.a = -1.0;
-    expect_equal<Rgb8>(gl, solid, texture, samples(9));
+    line_field_expect_equal<Rgb8>(gl, solid, texture, samples(9));
     EXPECT_EQ(gl.work().compile, 0.0);
 }
 
@@ -163,8 +166,8 @@ TEST_F(GlLineFieldTest, Float32StaysNearTheHost) {
     Texture texture = texture_of({term_of(NoiseKind::value, 3)});
     texture.colors.stops = {{0.0, {0, 0, 120}}, {0.5, {200, 90, 10}}};
     Image<RgbF> drawn;
-    gl.synthesize(solid, texture, somewhere, 1, drawn, samples(4));
-    const Image<RgbF> expected = on_host<RgbF>(solid, texture, samples(4));
+    gl.synthesize(solid, texture, line_field_somewhere, 1, drawn, samples(4));
+    const Image<RgbF> expected = line_field_on_host<RgbF>(solid, texture, samples(4));
     float largest = 0.0f;
     for (std::size_t i = 0; i < drawn.pixels().size(); ++i)
         largest = std::max(largest, std::abs(drawn.pixels()[i].r - expected.pixels()[i].r));
@@ -176,17 +179,17 @@ template <class Pixel>
 Image<Pixel> graph_on_host(const SolidAtlas& solid, const TextureGraph& graph,
                            const Filter& filter) {
     if constexpr (std::is_same_v<Pixel, Rgb8>)
-        return synthesize_graph_rgb8(solid, graph, somewhere, filter, 1);
+        return synthesize_graph_rgb8(solid, graph, line_field_somewhere, filter, 1);
     else
-        return synthesize_graph_rgbf(solid, graph, somewhere, filter, 1);
+        return synthesize_graph_rgbf(solid, graph, line_field_somewhere, filter, 1);
 }
 
 template <class Pixel>
-void expect_equal(GlGraphSynthesis& gl, const SolidAtlas& solid, std::string_view json,
-                  const Filter& filter) {
+void line_field_expect_equal(GlGraphSynthesis& gl, const SolidAtlas& solid, std::string_view json,
+                             const Filter& filter) {
     const TextureGraph graph = graph_of(json);
     Image<Pixel> drawn;
-    gl.synthesize(solid, graph, somewhere, 1, drawn, filter);
+    gl.synthesize(solid, graph, line_field_somewhere, 1, drawn, filter);
     const Image<Pixel> expected = graph_on_host<Pixel>(solid, graph, filter);
     EXPECT_EQ(differing(drawn, expected), 0u) << json;
     EXPECT_GT(differing(graph_on_host<Pixel>(solid, graph, {}), expected), 100u)
@@ -198,13 +201,14 @@ TEST_F(GlLineFieldTest, GraphsHaveTheHostsBytes) {
     limits.tile = 40;
     GlGraphSynthesis gl(*context, limits);
     const SolidAtlas solid = coarse.make(7);
-    expect_equal<RgbF>(gl, solid, R"({"node": "checkerboard_3d"})", samples(5));
+    line_field_expect_equal<RgbF>(gl, solid, R"({"node": "checkerboard_3d"})", samples(5));
     EXPECT_EQ(gl.work().passes, 4);
-    expect_equal<Rgb8>(gl, solid, R"({"node": "mix", "a": "#20ff40", "b": {"node": "marble"},
+    line_field_expect_equal<Rgb8>(gl, solid,
+                                  R"({"node": "mix", "a": "#20ff40", "b": {"node": "marble"},
         "amount": {"node": "image", "file": "image.png"}})",
-                       samples(4));
-    expect_equal<Rgb8>(gl, solid, R"({"node": "wrinkled", "kind": "simplex", "octaves": 2})",
-                       samples(4));
+                                  samples(4));
+    line_field_expect_equal<Rgb8>(
+        gl, solid, R"({"node": "wrinkled", "kind": "simplex", "octaves": 2})", samples(4));
 }
 
 }  // namespace

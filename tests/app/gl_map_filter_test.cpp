@@ -52,7 +52,8 @@ class GlMapFilterTest : public GlTest {
 };
 
 template <class Pixel>
-Image<Pixel> on_host(const SolidAtlas& solid, const Texture& texture, const Filter& filter) {
+Image<Pixel> map_filter_on_host(const SolidAtlas& solid, const Texture& texture,
+                                const Filter& filter) {
     if constexpr (std::is_same_v<Pixel, Rgb8>)
         return synthesize_rgb8(solid, texture, {}, 0, filter, Kernel::direct);
     else if constexpr (std::is_same_v<Pixel, Rgb16>)
@@ -62,13 +63,14 @@ Image<Pixel> on_host(const SolidAtlas& solid, const Texture& texture, const Filt
 }
 
 template <class Pixel>
-void expect_equal(GlSynthesis& gl, const SolidAtlas& solid, const Texture& texture,
-                  const Filter& filter) {
+void map_filter_expect_equal(GlSynthesis& gl, const SolidAtlas& solid, const Texture& texture,
+                             const Filter& filter) {
     Image<Pixel> drawn;
     gl.synthesize(solid, texture, {}, 0, drawn, filter);
-    const Image<Pixel> expected = on_host<Pixel>(solid, texture, filter);
+    const Image<Pixel> expected = map_filter_on_host<Pixel>(solid, texture, filter);
     EXPECT_EQ(differing(drawn, expected), 0u);
-    EXPECT_GT(differing(on_host<Pixel>(solid, texture, {}), expected), 100u) << "nothing to filter";
+    EXPECT_GT(differing(map_filter_on_host<Pixel>(solid, texture, {}), expected), 100u)
+        << "nothing to filter";
 }
 
 TEST_F(GlMapFilterTest, EveryNoiseHasTheHostsBytes) {
@@ -76,7 +78,7 @@ TEST_F(GlMapFilterTest, EveryNoiseHasTheHostsBytes) {
     const SolidAtlas& atlas = solid();
     const Filter trapezoid = filter(FilterKind::trapezoid);
     for (const NoiseKind kind : {NoiseKind::value, NoiseKind::perlin, NoiseKind::simplex})
-        expect_equal<Rgb8>(gl, atlas, texture(kind, Wrap::repeat), trapezoid);
+        map_filter_expect_equal<Rgb8>(gl, atlas, texture(kind, Wrap::repeat), trapezoid);
 }
 
 TEST_F(GlMapFilterTest, EveryFadeHasTheHostsBits) {
@@ -85,17 +87,17 @@ TEST_F(GlMapFilterTest, EveryFadeHasTheHostsBits) {
     for (const Fade fade : {Fade::linear, Fade::quintic}) {
         Texture subject = texture(NoiseKind::value, Wrap::repeat);
         subject.noise[0].fade = fade;
-        expect_equal<RgbF>(gl, atlas, subject, filter(FilterKind::trapezoid));
+        map_filter_expect_equal<RgbF>(gl, atlas, subject, filter(FilterKind::trapezoid));
     }
 }
 
 TEST_F(GlMapFilterTest, ClampedMapsAndBoxesHaveTheHostsBytes) {
     GlSynthesis gl(*context);
     const SolidAtlas& atlas = solid();
-    expect_equal<Rgb16>(gl, atlas, texture(NoiseKind::perlin, Wrap::clamp),
-                        filter(FilterKind::trapezoid));
-    expect_equal<Rgb8>(gl, atlas, texture(NoiseKind::value, Wrap::repeat),
-                       filter(FilterKind::exact));
+    map_filter_expect_equal<Rgb16>(gl, atlas, texture(NoiseKind::perlin, Wrap::clamp),
+                                   filter(FilterKind::trapezoid));
+    map_filter_expect_equal<Rgb8>(gl, atlas, texture(NoiseKind::value, Wrap::repeat),
+                                  filter(FilterKind::exact));
 }
 
 TEST_F(GlMapFilterTest, TablesHaveTheHostsBytes) {
@@ -103,13 +105,15 @@ TEST_F(GlMapFilterTest, TablesHaveTheHostsBytes) {
     const SolidAtlas& atlas = solid();
     for (const FilterKind kind :
          {FilterKind::table_mip, FilterKind::table_sat, FilterKind::table_sat3}) {
-        expect_equal<Rgb8>(gl, atlas, texture(NoiseKind::value, Wrap::repeat), filter(kind));
+        map_filter_expect_equal<Rgb8>(gl, atlas, texture(NoiseKind::value, Wrap::repeat),
+                                      filter(kind));
         EXPECT_EQ(gl.work().passes, 1);
-        expect_equal<RgbF>(gl, atlas, texture(NoiseKind::simplex, Wrap::clamp), filter(kind));
+        map_filter_expect_equal<RgbF>(gl, atlas, texture(NoiseKind::simplex, Wrap::clamp),
+                                      filter(kind));
     }
     Filter fading = filter(FilterKind::table_sat);
     fading.band_limit = true;
-    expect_equal<Rgb16>(gl, atlas, texture(NoiseKind::perlin, Wrap::repeat), fading);
+    map_filter_expect_equal<Rgb16>(gl, atlas, texture(NoiseKind::perlin, Wrap::repeat), fading);
 }
 
 /// Octaves without a stream kernel.
@@ -124,11 +128,11 @@ TEST_F(GlMapFilterTest, OtherNoisesHaveTheHostsBytes) {
     ridged.period = {3, 0, 4}, ridged.time = 0.7, ridged.range = NoiseRange::unit;
     subject.noise.push_back(worley);
     subject.noise.push_back(ridged);
-    expect_equal<RgbF>(gl, atlas, subject, filter(FilterKind::trapezoid));
-    expect_equal<Rgb8>(gl, atlas, subject, filter(FilterKind::table_sat));
+    map_filter_expect_equal<RgbF>(gl, atlas, subject, filter(FilterKind::trapezoid));
+    map_filter_expect_equal<Rgb8>(gl, atlas, subject, filter(FilterKind::table_sat));
     Filter fading = filter(FilterKind::none);
     fading.band_limit = true;
-    expect_equal<RgbF>(gl, atlas, subject, fading);
+    map_filter_expect_equal<RgbF>(gl, atlas, subject, fading);
 }
 
 TEST_F(GlMapFilterTest, FadingOctavesHaveTheHostsBytes) {
@@ -138,10 +142,10 @@ TEST_F(GlMapFilterTest, FadingOctavesHaveTheHostsBytes) {
     subject.noise[0].frequency = Vec3d(4.0);
     Filter fading = filter(FilterKind::none);
     fading.band_limit = true;
-    expect_equal<Rgb8>(gl, atlas, subject, fading);
+    map_filter_expect_equal<Rgb8>(gl, atlas, subject, fading);
     EXPECT_EQ(gl.work().passes, 1);
     fading.kind = FilterKind::trapezoid;
-    expect_equal<Rgb8>(gl, atlas, subject, fading);
+    map_filter_expect_equal<Rgb8>(gl, atlas, subject, fading);
 }
 
 /// One program for both textures and both tiles; the second finds the maps of the first.
@@ -151,11 +155,11 @@ TEST_F(GlMapFilterTest, SlidersAndTilesNeedNoNewMaps) {
     GlSynthesis gl(*context, limits);
     const SolidAtlas& atlas = solid();
     Texture subject = texture(NoiseKind::value, Wrap::clamp);
-    expect_equal<Rgb8>(gl, atlas, subject, filter(FilterKind::exact));
+    map_filter_expect_equal<Rgb8>(gl, atlas, subject, filter(FilterKind::exact));
     EXPECT_EQ(gl.work().passes, 8);
     subject.noise[0].amplitude = 1.7;
     subject.colors.stops[1].color = {255, 0, 0};
-    expect_equal<Rgb8>(gl, atlas, subject, filter(FilterKind::exact));
+    map_filter_expect_equal<Rgb8>(gl, atlas, subject, filter(FilterKind::exact));
     EXPECT_EQ(gl.work().maps, 0);
     EXPECT_EQ(gl.work().compile, 0.0);
 }
@@ -170,7 +174,7 @@ TEST_F(GlMapFilterTest, Float32StaysNearTheHost) {
     const Filter trapezoid = filter(FilterKind::trapezoid);
     Image<Rgb8> drawn;
     gl.synthesize(atlas, subject, {}, 0, drawn, trapezoid);
-    const Image<Rgb8> expected = on_host<Rgb8>(atlas, subject, trapezoid);
+    const Image<Rgb8> expected = map_filter_on_host<Rgb8>(atlas, subject, trapezoid);
     ASSERT_EQ(drawn.pixels().size(), expected.pixels().size());
     std::size_t far = 0;
     for (std::size_t i = 0; i < drawn.pixels().size(); ++i) {

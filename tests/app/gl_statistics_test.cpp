@@ -29,7 +29,7 @@ void PrintTo(const Pair& pair, std::ostream* out) {
 constexpr std::string_view filters[] = {"none",  "table-mip", "table-sat",  "table-sat3",
                                         "exact", "trapezoid", "trapezoid2", "supersample"};
 
-std::vector<std::string> presets() {
+std::vector<std::string> statistics_presets() {
     std::vector<std::string> names;
     for (const EmbeddedFile& preset : embedded_recipes())
         names.emplace_back(preset.name.substr(0, preset.name.rfind('.')));
@@ -38,7 +38,7 @@ std::vector<std::string> presets() {
 
 std::vector<Pair> all_pairs() {
     std::vector<Pair> pairs;
-    for (const std::string& preset : presets())
+    for (const std::string& preset : statistics_presets())
         for (const std::string_view filter : filters)
             pairs.push_back({preset, std::string(filter)});
     return pairs;
@@ -48,7 +48,7 @@ std::vector<Pair> all_pairs() {
 std::vector<Pair> pairs_in_turn() {
     std::vector<Pair> pairs;
     std::size_t next[2] = {0, 0};
-    for (const std::string& preset : presets()) {
+    for (const std::string& preset : statistics_presets()) {
         std::size_t& turn = next[load_recipe(preset).graph.empty() ? 0 : 1];
         pairs.push_back({preset, std::string(filters[turn++ % std::size(filters)])});
     }

@@ -41,7 +41,7 @@ OctaveGroup group_of(NoiseKind kind, Fade fade, double radius2, int octaves) {
     return group;
 }
 
-FieldOctaves octaves_of(const OctaveGroup& group) {
+FieldOctaves stream_noise_octaves_of(const OctaveGroup& group) {
     FieldOctaves octaves{Texture()};
     octaves.groups.push_back(group);
     return octaves;
@@ -72,7 +72,7 @@ class GlStreamNoiseTest : public GlTest {
         const GladGLContext& gl = context->gl();
         ShaderSource source;
         source.define_real(true);
-        const FieldOctaves octaves = octaves_of(group);
+        const FieldOctaves octaves = stream_noise_octaves_of(group);
         for (const GlslPart& part : glsl_field(octaves.shape()))
             if (part.text.empty())
                 source.add(part.name);

@@ -15,9 +15,9 @@ namespace burl {
 namespace {
 
 /// A mesh's atlas, and textures of it.
-struct Subject {
+struct SynthesizeSubject {
     Pipeline pipeline;
-    Subject(const std::string& mesh, std::uint32_t size) : pipeline(sample_mesh(mesh)) {
+    SynthesizeSubject(const std::string& mesh, std::uint32_t size) : pipeline(sample_mesh(mesh)) {
         Recipe recipe;
         recipe.atlas.size = size;
         pipeline.set_recipe(recipe);
@@ -40,7 +40,7 @@ Image<Pixel> on_host(const SolidAtlas& solid, const Texture& texture, const Affi
 using GlSynthesizeTest = GlTest;
 
 template <class Pixel>
-void expect_equal(GlSynthesis& gl, Subject& subject, const Recipe& recipe) {
+void expect_equal(GlSynthesis& gl, SynthesizeSubject& subject, const Recipe& recipe) {
     const Affine3 map = texture_from_solid(recipe);
     Image<Pixel> drawn;
     gl.synthesize(subject.solid(), recipe.texture, map, 0, drawn);
@@ -50,7 +50,7 @@ void expect_equal(GlSynthesis& gl, Subject& subject, const Recipe& recipe) {
 
 TEST_F(GlSynthesizeTest, EveryPresetHasTheHostsBytes) {
     GlSynthesis gl(*context);
-    Subject subject("sample:teapot", 64);
+    SynthesizeSubject subject("sample:teapot", 64);
     int presets = 0;
     for (const EmbeddedFile& preset : embedded_recipes()) {
         const Recipe recipe =
@@ -66,7 +66,7 @@ TEST_F(GlSynthesizeTest, EveryPresetHasTheHostsBytes) {
 
 TEST_F(GlSynthesizeTest, WiderPixelsHaveTheHostsBits) {
     GlSynthesis gl(*context);
-    Subject subject("sample:king", 64);
+    SynthesizeSubject subject("sample:king", 64);
     const Recipe recipe = load_recipe("marble");
     expect_equal<Rgb16>(gl, subject, recipe);
     expect_equal<RgbF>(gl, subject, recipe);
@@ -87,7 +87,7 @@ TEST_F(GlSynthesizeTest, OctavesWithoutAStreamHaveTheHostsBits) {
     ridged.kind = NoiseKind::perlin, ridged.shape = OctaveShape::ridged, ridged.octaves = 2;
     periodic.period = {3, 0, 5}, periodic.frequency = Vec3d(2.0), periodic.amplitude = -0.4;
     GlSynthesis gl(*context);
-    Subject subject("sample:torus", 64);
+    SynthesizeSubject subject("sample:torus", 64);
     const Recipe recipe = with_noise({stream, worley, timed, ridged, periodic});
     expect_equal<float>(gl, subject, recipe);
     expect_equal<Rgb8>(gl, subject, recipe);
@@ -95,7 +95,7 @@ TEST_F(GlSynthesizeTest, OctavesWithoutAStreamHaveTheHostsBits) {
 
 TEST_F(GlSynthesizeTest, ColoursJumpWhereTheHostsDo) {
     GlSynthesis gl(*context);
-    Subject subject("sample:cube", 64);
+    SynthesizeSubject subject("sample:cube", 64);
     Recipe recipe = load_recipe("marble");
     // Far more steps than entries in the first hundredth, jumps, and ends that hold.
     recipe.texture.colors.wrap = Wrap::clamp;
@@ -114,7 +114,7 @@ TEST_F(GlSynthesizeTest, TilesAndThreadsLeaveNoTrace) {
     limits.tile = 24;
     limits.map_budget = 0;
     GlSynthesis whole(*context), tiled(*context, limits);
-    Subject subject("sample:teapot", 64);
+    SynthesizeSubject subject("sample:teapot", 64);
     const Recipe recipe = load_recipe("wood");
     const Affine3 map = texture_from_solid(recipe);
     Image<Rgb8> one, two;
@@ -130,7 +130,7 @@ TEST_F(GlSynthesizeTest, TilesAndThreadsLeaveNoTrace) {
 
 TEST_F(GlSynthesizeTest, EditsKeepMapsAndShaders) {
     GlSynthesis gl(*context);
-    Subject subject("sample:teapot", 64);
+    SynthesizeSubject subject("sample:teapot", 64);
     Recipe recipe = load_recipe("marble");
     expect_equal<Rgb8>(gl, subject, recipe);
     EXPECT_EQ(gl.work().maps, 2);  // of the lattice and the quadric
@@ -154,7 +154,7 @@ TEST_F(GlSynthesizeTest, WithoutFloat64TheFieldAgreesTo2em6) {
     GlSynthesisLimits limits;
     limits.float64 = false;
     GlSynthesis gl(*context, limits);
-    Subject subject("sample:king", 64);
+    SynthesizeSubject subject("sample:king", 64);
     const Recipe recipe = load_recipe("marble");
     const Affine3 map = texture_from_solid(recipe);
     Image<float> drawn;
@@ -169,7 +169,7 @@ TEST_F(GlSynthesizeTest, WithoutFloat64TheFieldAgreesTo2em6) {
 
 TEST_F(GlSynthesizeTest, MoreLatticesThanTextureUnitsAreRefused) {
     GlSynthesis gl(*context);
-    Subject subject("sample:cube", 64);
+    SynthesizeSubject subject("sample:cube", 64);
     NoiseTerm term;
     term.octaves = 24, term.lacunarity = 1.9;
     const Recipe recipe = with_noise({term});

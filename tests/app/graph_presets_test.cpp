@@ -13,13 +13,13 @@ namespace burl {
 namespace {
 
 /// Over the texels that show the mesh, in linear light.
-struct TextureError {
+struct NearestErrors {
     double max = 0.0, rms = 0.0;
     int jumps = 0;  ///< texels more than 1e-3 apart, which do not count in the others
 };
 
-TextureError error_of(const SolidAtlas& solid, const Image<RgbF>& a, const Image<RgbF>& b) {
-    TextureError error;
+NearestErrors error_of(const SolidAtlas& solid, const Image<RgbF>& a, const Image<RgbF>& b) {
+    NearestErrors error;
     double squares = 0.0, texels = 0.0;
     for (std::size_t y = 0; y < solid.size; ++y)
         for (const Span& span : solid.row(y))
@@ -42,7 +42,7 @@ TextureError error_of(const SolidAtlas& solid, const Image<RgbF>& a, const Image
 
 TEST(GraphPresets, BakeInFloat32WhatTheyAreInFloat64) {
     Pipeline pipeline(torus(300));
-    std::map<std::string, TextureError> errors;
+    std::map<std::string, NearestErrors> errors;
     for (const EmbeddedFile& preset : embedded_recipes()) {
         const std::string name(preset.name.substr(0, preset.name.rfind('.')));
         const auto load = [&](const char* precision) {

@@ -15,7 +15,7 @@ namespace {
 
 using testing::HasSubstr;
 
-const std::string amplitude = "texture.input.noise.0.amplitude";
+const std::string keyed_recipe_amplitude = "texture.input.noise.0.amplitude";
 const std::string phase = "texture.input.noise.0.phase.2";
 
 KeyTrack track(std::string path, KeyEase ease, std::vector<KeyPoint> keys) {

@@ -28,7 +28,8 @@ TEST(Precision, IsPartOfTheRecipeAndComesBackFromItsJson) {
 }
 
 /// The bytes that a bake with the options writes.
-std::string baked(const Scratch& scratch, const std::string& mesh, const std::string& options) {
+std::string precision_baked(const Scratch& scratch, const std::string& mesh,
+                            const std::string& options) {
     const std::string out = scratch / "out.png";
     const Outcome outcome =
         run_burl(scratch, fmt::format("bake '{}' -o '{}' -s 64 -a area -q {}", mesh, out, options));
@@ -39,7 +40,9 @@ std::string baked(const Scratch& scratch, const std::string& mesh, const std::st
 TEST(Precision, DecidesWhatABakeWrites) {
     const Scratch scratch;
     const std::string mesh = scratch.write("t.obj", tetrahedron);
-    const auto bake = [&](const std::string& options) { return baked(scratch, mesh, options); };
+    const auto bake = [&](const std::string& options) {
+        return precision_baked(scratch, mesh, options);
+    };
     const std::string usual = bake("");
     EXPECT_EQ(bake("--precision float32"), usual);
     EXPECT_NE(bake("--depth 16 --precision float64"), bake("--depth 16"));

@@ -7,11 +7,11 @@
 namespace burl::test {
 namespace {
 
-const char* const square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
+const char* const program_square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
 
 TEST(Program, BakesEveryOutputKind) {
     const Scratch scratch;
-    const std::string mesh = scratch.write("square.obj", square);
+    const std::string mesh = scratch.write("square.obj", program_square);
     for (const char* name : {"a.glb", "b.gltf", "c.obj", "d.png", "e.exr"}) {
         const Outcome outcome =
             run_burl(scratch, fmt::format("bake '{}' -o '{}' --size 64", mesh, scratch / name));
@@ -25,7 +25,7 @@ TEST(Program, BakesEveryOutputKind) {
 
 TEST(Program, WritesLevelsBesideOrIntoTheTexture) {
     const Scratch scratch;
-    const std::string mesh = scratch.write("square.obj", square);
+    const std::string mesh = scratch.write("square.obj", program_square);
     const auto bake = [&](const std::string& arguments) {
         return run_burl(scratch, fmt::format("bake '{}' --size 64 {}", mesh, arguments));
     };
@@ -50,7 +50,7 @@ TEST(Program, WritesLevelsBesideOrIntoTheTexture) {
 
 TEST(Program, TextureIsExactlyAsLargeAsAskedAndNotFlat) {
     const Scratch scratch;
-    const std::string mesh = scratch.write("square.obj", square), png = scratch / "t.png";
+    const std::string mesh = scratch.write("square.obj", program_square), png = scratch / "t.png";
     ASSERT_EQ(run_burl(scratch, fmt::format("bake '{}' -o '{}' --size 100", mesh, png)).exit_code,
               0);
     const Image<Rgb8> image = read_png(png);
@@ -66,7 +66,7 @@ TEST(Program, TextureIsExactlyAsLargeAsAskedAndNotFlat) {
 
 TEST(Program, SameBytesForEveryThreadCount) {
     const Scratch scratch;
-    const std::string mesh = scratch.write("square.obj", square);
+    const std::string mesh = scratch.write("square.obj", program_square);
     for (const int threads : {1, 2, 5}) {
         const std::string png = scratch / fmt::format("{}.png", threads);
         ASSERT_EQ(
@@ -79,7 +79,7 @@ TEST(Program, SameBytesForEveryThreadCount) {
 
 TEST(Program, ReportIsJson) {
     const Scratch scratch;
-    const std::string mesh = scratch.write("square.obj", square), glb = scratch / "s.glb";
+    const std::string mesh = scratch.write("square.obj", program_square), glb = scratch / "s.glb";
     const Outcome outcome =
         run_burl(scratch, fmt::format("bake '{}' -o '{}' --size 64 --json", mesh, glb));
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -96,10 +96,10 @@ TEST(Program, ReportIsJson) {
 TEST(Program, MeasuresTheUvsAFileBrings) {
     const Scratch scratch;
     const auto quoted = [](const std::string& path) { return "'" + path + "'"; };
-    const std::string plain = quoted(scratch.write("plain.obj", square));
-    const std::string mesh = quoted(
-        scratch.write("uv.obj", std::string(square).substr(0, std::string(square).find('f')) +
-                                    "vt 0 0\nvt .5 0\nvt .5 .5\nvt 0 .5\nf 1/1 2/2 3/3 4/4\n"));
+    const std::string plain = quoted(scratch.write("plain.obj", program_square));
+    const std::string mesh = quoted(scratch.write(
+        "uv.obj", std::string(program_square).substr(0, std::string(program_square).find('f')) +
+                      "vt 0 0\nvt .5 0\nvt .5 .5\nvt 0 .5\nf 1/1 2/2 3/3 4/4\n"));
     const auto kinds = [&](const std::string& arguments) {
         const Outcome outcome = run_burl(scratch, "metrics --json --size 32 " + arguments);
         EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -119,7 +119,7 @@ TEST(Program, MeasuresTheUvsAFileBrings) {
 
 TEST(Program, MeasuresLookupsOfEveryLevel) {
     const Scratch scratch;
-    const std::string mesh = scratch.write("square.obj", square);
+    const std::string mesh = scratch.write("square.obj", program_square);
     const Outcome outcome =
         run_burl(scratch, fmt::format("metrics '{}' --size 64 --levels --json", mesh));
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -144,7 +144,7 @@ TEST(Program, MeasuresLookupsOfEveryLevel) {
 
 TEST(Program, MeasuresLookupsOfAnyTexture) {
     const Scratch scratch;
-    const std::string mesh = scratch.write("square.obj", square);
+    const std::string mesh = scratch.write("square.obj", program_square);
     // Grey grows with height alone: bilinear lookups and levels are all but exact.
     const std::string recipe =
         scratch.write("ramp.json",
@@ -170,7 +170,7 @@ TEST(Program, MeasuresLookupsOfAnyTexture) {
 
 TEST(Program, DrawsPicturesOfWhatItMeasures) {
     const Scratch scratch;
-    const std::string mesh = scratch.write("square.obj", square);
+    const std::string mesh = scratch.write("square.obj", program_square);
     const Outcome outcome = run_burl(
         scratch, fmt::format("metrics '{}' --size 32 --json --image '{}'", mesh, scratch / "s"));
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -223,7 +223,7 @@ TEST(Program, TellsItsOpenGl) {
 
 TEST(Program, DrawsTheSameThroughEveryPlatformOfSoftwareOpenGl) {
     const Scratch scratch;
-    const std::string mesh = scratch.write("square.obj", square);
+    const std::string mesh = scratch.write("square.obj", program_square);
     const auto draw = [&](const char* platform) {
         return run_burl(scratch, fmt::format("render '{}' -o '{}.png' --size 64x48 --gl {}", mesh,
                                              scratch / platform, platform));

@@ -30,7 +30,7 @@ std::string invalid(const std::string& json) {
     return message_of(ExitCode::invalid_file, [&] { parse_recipe(json, "r.json"); });
 }
 
-std::string wrong_setting(const std::string& setting, const std::string& json = "{}") {
+std::string recipe_json_wrong_setting(const std::string& setting, const std::string& json = "{}") {
     return message_of(ExitCode::usage, [&] { parse_recipe(json, "r.json", {setting}); });
 }
 
@@ -251,26 +251,30 @@ TEST(Settings, MayPassThroughAnInvalidRecipe) {
 }
 
 TEST(Settings, WrongPathsAreUsageErrorsWithTheNearest) {
-    EXPECT_THAT(wrong_setting("texture.input.noise.0.amplitud=1"),
+    EXPECT_THAT(recipe_json_wrong_setting("texture.input.noise.0.amplitud=1"),
                 HasSubstr("did you mean \"texture.input.noise.0.amplitude\"?"));
-    EXPECT_THAT(wrong_setting("gain=1"), HasSubstr("\"texture.input.noise.0.gain\""));
-    EXPECT_THAT(wrong_setting("atlas.sise=1"), HasSubstr("\"atlas.size\""));
-    EXPECT_THAT(wrong_setting("texture.input.noise.*.gain=1"), HasSubstr("no parameter"));
-    EXPECT_THAT(wrong_setting("atlas.size.0=1"), HasSubstr("no parameter"));
-    EXPECT_THAT(wrong_setting("=1"), HasSubstr("path=value"));
-    EXPECT_THAT(wrong_setting("atlas.size"), HasSubstr("path=value"));
-    EXPECT_THAT(wrong_setting("texture.input.noise.1.gain=1"), HasSubstr("the next index is 0"));
-    EXPECT_THAT(wrong_setting("texture.input.noise.0.frequency.3=1"), HasSubstr("0 to 2"));
-    EXPECT_THAT(wrong_setting("texture.input.noise.0.matrix.3=1"), HasSubstr("all 12"));
+    EXPECT_THAT(recipe_json_wrong_setting("gain=1"), HasSubstr("\"texture.input.noise.0.gain\""));
+    EXPECT_THAT(recipe_json_wrong_setting("atlas.sise=1"), HasSubstr("\"atlas.size\""));
+    EXPECT_THAT(recipe_json_wrong_setting("texture.input.noise.*.gain=1"),
+                HasSubstr("no parameter"));
+    EXPECT_THAT(recipe_json_wrong_setting("atlas.size.0=1"), HasSubstr("no parameter"));
+    EXPECT_THAT(recipe_json_wrong_setting("=1"), HasSubstr("path=value"));
+    EXPECT_THAT(recipe_json_wrong_setting("atlas.size"), HasSubstr("path=value"));
+    EXPECT_THAT(recipe_json_wrong_setting("texture.input.noise.1.gain=1"),
+                HasSubstr("the next index is 0"));
+    EXPECT_THAT(recipe_json_wrong_setting("texture.input.noise.0.frequency.3=1"),
+                HasSubstr("0 to 2"));
+    EXPECT_THAT(recipe_json_wrong_setting("texture.input.noise.0.matrix.3=1"), HasSubstr("all 12"));
 }
 
 TEST(Settings, WrongValuesAreUsageErrorsThatNameTheSetting) {
-    const std::string message = wrong_setting("texture.input.noise.0.gain=7");
+    const std::string message = recipe_json_wrong_setting("texture.input.noise.0.gain=7");
     EXPECT_THAT(message, HasSubstr("--set texture.input.noise.0.gain=7: "));
     EXPECT_THAT(message, HasSubstr("from 0 to 2"));
-    EXPECT_THAT(wrong_setting("atlas.size=big"), HasSubstr("atlas.size is \"big\""));
-    EXPECT_THAT(wrong_setting("texture.wrap=mirror"), HasSubstr("\"repeat\", \"clamp\""));
-    EXPECT_THAT(wrong_setting("name=\xff\xfe"), HasSubstr("UTF-8"));
+    EXPECT_THAT(recipe_json_wrong_setting("atlas.size=big"), HasSubstr("atlas.size is \"big\""));
+    EXPECT_THAT(recipe_json_wrong_setting("texture.wrap=mirror"),
+                HasSubstr("\"repeat\", \"clamp\""));
+    EXPECT_THAT(recipe_json_wrong_setting("name=\xff\xfe"), HasSubstr("UTF-8"));
 }
 
 TEST(Presets, AreFoundByName) {

@@ -22,7 +22,7 @@ double difference(const Mat3d& a, const Mat3d& b) {
     return most;
 }
 
-class Random {
+class SolidDragRandom {
   public:
     double number(double low, double high) {
         return std::uniform_real_distribution(low, high)(engine_);
@@ -44,7 +44,7 @@ class Random {
 };
 
 TEST(RotationAngles, GiveTheRotationBack) {
-    Random random;
+    SolidDragRandom random;
     for (int i = 0; i < 1000; ++i) {
         const Mat3d rotation = random.rotation();
         const Vec3d angles = angles_of(rotation, random.vector(-360, 360));
@@ -54,7 +54,7 @@ TEST(RotationAngles, GiveTheRotationBack) {
 }
 
 TEST(RotationAngles, AreTheOnesThatWereThere) {
-    Random random;
+    SolidDragRandom random;
     for (int i = 0; i < 1000; ++i) {
         const Vec3d angles = random.vector(-360, 360);
         EXPECT_LT(glm::distance(angles_of(rotation_about_axes(angles), angles), angles), 1e-9);
@@ -74,7 +74,7 @@ TEST(RotationAngles, NearThePolesAreAsExactAsElsewhere) {
 }
 
 TEST(TurnBetween, TakesOneDirectionToTheOtherAboutTheLineAcrossBoth) {
-    Random random;
+    SolidDragRandom random;
     for (int i = 0; i < 1000; ++i) {
         const Vec3d from = random.vector(-2, 2), to = random.vector(-2, 2);
         const Mat3d turn = turn_between(from, to);
@@ -97,7 +97,7 @@ TEST(TurnBetween, StandsTheSameTheOppositeAndNothing) {
 }
 
 TEST(TurnAbout, IsGlms) {
-    Random random;
+    SolidDragRandom random;
     for (int i = 0; i < 100; ++i) {
         const Vec3d axis = random.vector(-2, 2);
         const double angle = random.number(-7, 7);
@@ -107,7 +107,7 @@ TEST(TurnAbout, IsGlms) {
 }
 
 TEST(SolidDrag, MovesTurnsAndSizesWhatWasThere) {
-    Random random;
+    SolidDragRandom random;
     for (int i = 0; i < 300; ++i) {
         const SolidOptions start = random.solid();
         const Affine3 before = map_of(start);
@@ -126,7 +126,7 @@ TEST(SolidDrag, MovesTurnsAndSizesWhatWasThere) {
 }
 
 TEST(SolidDrag, APointTakenIsWhereThePointerHasIt) {
-    Random random;
+    SolidDragRandom random;
     for (int i = 0; i < 300; ++i) {
         const SolidOptions start = random.solid();
         const Affine3 before = map_of(start);
@@ -149,7 +149,7 @@ TEST(SolidDrag, APointTakenIsWhereThePointerHasIt) {
 }
 
 TEST(SolidDrag, NoWayIsNoChange) {
-    const SolidOptions start = Random().solid();
+    const SolidOptions start = SolidDragRandom().solid();
     for (const SolidDrag drag : {SolidDrag::move, SolidDrag::turn, SolidDrag::size})
         EXPECT_EQ(dragged(start, drag, {}, {0.1, 0.2, 0.3}, {0.1, 0.2, 0.3}), start);
 }
@@ -187,7 +187,7 @@ TEST(SolidDrag, StaysWithinWhatRecipesHold) {
     solid.scale = 1e6;
     EXPECT_EQ(moved(solid, {9, 0, 0}).translate.x, -1e6);
     Recipe recipe = load_recipe("marble");
-    Random random;
+    SolidDragRandom random;
     for (int i = 0; i < 500; ++i) {
         recipe.solid = turned(recipe.solid, random.vector(-1, 1), random.rotation());
         ASSERT_EQ(parse_recipe(to_json(recipe), "test"), recipe);
@@ -195,7 +195,7 @@ TEST(SolidDrag, StaysWithinWhatRecipesHold) {
 }
 
 TEST(SolidDrag, KeysStepInThePicture) {
-    const SolidOptions start = Random().solid();
+    const SolidOptions start = SolidDragRandom().solid();
     const Affine3 before = map_of(start);
     const Camera camera = orbit_camera({40, 25, 3.0}, {}, {200, 100});
     const Vec3d pivot(0.1, 0.2, 0.3), right = camera.right, up = camera.up, front = camera.back;

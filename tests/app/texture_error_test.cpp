@@ -66,7 +66,7 @@ void expect_error(Pipeline& pipeline, const Definition& definition) {
     EXPECT_NEAR(error->rms, expected.rms, 1e-4);
 }
 
-Pipeline with(const std::string& recipe, std::vector<std::string> settings) {
+Pipeline texture_error_with(const std::string& recipe, std::vector<std::string> settings) {
     settings.push_back("atlas.size=64");
     Pipeline pipeline(made::ball(3));
     pipeline.set_recipe(load_recipe(recipe, settings));
@@ -75,13 +75,13 @@ Pipeline with(const std::string& recipe, std::vector<std::string> settings) {
 
 TEST(TextureError, IsTheDifferenceFromTheDefinition) {
     for (const char* recipe : {"marble", "wood", "clouds"}) {
-        Pipeline pipeline = with(recipe, {"solid.rotate=[10,20,30]"});
+        Pipeline pipeline = texture_error_with(recipe, {"solid.rotate=[10,20,30]"});
         expect_error(pipeline, unpainted(pipeline.recipe()));
     }
 }
 
 TEST(TextureError, ShowsCoarseArithmetic) {
-    Pipeline coarse = with("wood", {});
+    Pipeline coarse = texture_error_with("wood", {});
     Recipe recipe = coarse.recipe();
     recipe.precision = {PrecisionKind::fixed, {8, 6}};
     coarse.set_recipe(recipe);
@@ -91,7 +91,7 @@ TEST(TextureError, ShowsCoarseArithmetic) {
 }
 
 TEST(TextureError, TheReferenceIsPaintedAsTheTextureIs) {
-    Pipeline pipeline = with("marble", {});
+    Pipeline pipeline = texture_error_with("marble", {});
     Recipe recipe = pipeline.recipe();
     // Covers all of the ball evenly.
     recipe.paint = {{{{0, 0, 0}}, 5.0, 1.0, 0.25, {200, 30, 90}, PaintMode::paint}};
@@ -103,7 +103,7 @@ TEST(TextureError, TheReferenceIsPaintedAsTheTextureIs) {
 }
 
 TEST(TextureError, StopsWhenItIsToldTo) {
-    Pipeline pipeline = with("marble", {});
+    Pipeline pipeline = texture_error_with("marble", {});
     std::stop_source source;
     source.request_stop();
     EXPECT_FALSE(texture_error(pipeline.solid(), pipeline.recipe(), pipeline.synthesize<Rgb8>(),

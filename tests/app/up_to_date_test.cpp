@@ -13,7 +13,7 @@
 namespace burl::test {
 namespace {
 
-const char* const square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
+const char* const up_to_date_square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
 
 // The examples of FIPS 180-4's companion (NIST, "SHA256.pdf") and of RFC 6234.
 TEST(Sha256, HasThePublishedDigests) {
@@ -72,7 +72,8 @@ TEST(UpToDate, ARecordThatIsDamagedIsNone) {
 class UpToDateBake : public testing::Test {
   protected:
     const Scratch scratch;
-    const std::string mesh = scratch.write("square.obj", square), out = scratch / "a.png";
+    const std::string mesh = scratch.write("square.obj", up_to_date_square),
+                      out = scratch / "a.png";
 
     /// Whether the bake had anything to do; its outputs are there afterwards.
     bool bakes(const std::string& options = "") {
@@ -107,7 +108,7 @@ TEST_F(UpToDateBake, WhateverDecidesTheOutputBringsItBack) {
         EXPECT_FALSE(bakes(options)) << options;
     }
     EXPECT_TRUE(bakes());
-    scratch.write("square.obj", std::string(square) + "v 2 0 0\nf 2 5 3\n");
+    scratch.write("square.obj", std::string(up_to_date_square) + "v 2 0 0\nf 2 5 3\n");
     EXPECT_TRUE(bakes());
     EXPECT_FALSE(bakes());
 }
@@ -140,7 +141,7 @@ TEST_F(UpToDateBake, TheRecordSaysWhatWentIn) {
     EXPECT_TRUE(bakes("--recipe wood"));
     const auto record = nlohmann::json::parse(slurp(record_path(out)));
     EXPECT_EQ(record["made_from"]["inputs"][0]["file"], "square.obj");
-    EXPECT_EQ(record["made_from"]["inputs"][0]["sha256"], sha256(square));
+    EXPECT_EQ(record["made_from"]["inputs"][0]["sha256"], sha256(up_to_date_square));
     EXPECT_EQ(record["made_from"]["recipe"]["name"], "wood");
     EXPECT_EQ(record["outputs"][0]["file"], "a.png");
     EXPECT_EQ(record["outputs"][0]["state"]["bytes"], fs::file_size(out));

@@ -9,7 +9,7 @@
 namespace burl {
 namespace {
 
-Image<float> noise(std::size_t width, std::size_t height) {
+Image<float> mip_chain_noise(std::size_t width, std::size_t height) {
     std::mt19937 random(7);
     Image<float> image(width, height);
     for (std::size_t y = 0; y < height; ++y)
@@ -39,12 +39,13 @@ TEST(MipChain, SizesAreHalvedDownToOneTexel) {
 
 TEST(MipChain, EveryLevelKeepsTheMean) {
     // Multiples of 2^-12 halve exactly: with powers of two the mean is the same number.
-    const MipChain<float> even = build_mip_chain(noise(64, 64));
+    const MipChain<float> even = build_mip_chain(mip_chain_noise(64, 64));
     for (std::size_t l = 0; l < 5; ++l) EXPECT_EQ(mean(even.levels[l]), mean(even.levels[0])) << l;
     EXPECT_NEAR(mean(even.levels.back()), mean(even.levels[0]), 1e-7);
     for (const auto& [width, height] : {std::pair{63u, 63u}, {37u, 100u}, {5u, 1u}, {21u, 64u}})
-        for (const Image<float>& level : build_mip_chain(noise(width, height)).levels)
-            EXPECT_NEAR(mean(level), mean(noise(width, height)), 2e-7) << width << " " << height;
+        for (const Image<float>& level : build_mip_chain(mip_chain_noise(width, height)).levels)
+            EXPECT_NEAR(mean(level), mean(mip_chain_noise(width, height)), 2e-7)
+                << width << " " << height;
 }
 
 TEST(MipChain, ConstantsStayConstant) {
@@ -71,7 +72,7 @@ TEST(MipChain, StepBecomesTheShareOfTheTexelBehindIt) {
 TEST(MipChain, OddSidesIntegrateTheImageOverEachTexel) {
     // Against the integral of the piecewise constant row, from its running sum.
     for (const std::size_t size : {3u, 5u, 9u, 101u}) {
-        const Image<float> row = noise(size, 1);
+        const Image<float> row = mip_chain_noise(size, 1);
         const auto integral = [&](double to) {
             double sum = 0.0;
             for (std::size_t i = 0; i < size; ++i)
@@ -88,7 +89,7 @@ TEST(MipChain, OddSidesIntegrateTheImageOverEachTexel) {
 }
 
 TEST(MipChain, ColoursAreThreeSeparateChannels) {
-    const Image<float> red = noise(9, 8);
+    const Image<float> red = mip_chain_noise(9, 8);
     Image<Vec3f> vectors(9, 8);
     Image<RgbF> colours(9, 8);
     for (std::size_t y = 0; y < 8; ++y)

@@ -17,7 +17,8 @@
 namespace burl {
 namespace {
 
-Atlas layout(const Mesh& mesh, std::uint32_t size, AtlasWeight weight = AtlasWeight::error) {
+Atlas quad_neighbours_layout(const Mesh& mesh, std::uint32_t size,
+                             AtlasWeight weight = AtlasWeight::error) {
     return layout_atlas(mesh, made::neighbours_by_brute_force(mesh),
                         {AtlasKind::quad, Overscan::bilinear, size, weight});
 }
@@ -103,7 +104,7 @@ TEST(QuadTurns, BlocksSideBySideShareTheirEdges) {
     std::mt19937 random(5);
     for (std::size_t t = 0; t < mesh.triangles.size(); t += 2)
         if (random() % 2 == 0) std::swap(mesh.triangles[t], mesh.triangles[t + 1]);
-    const Atlas atlas = layout(mesh, 128);
+    const Atlas atlas = quad_neighbours_layout(mesh, 128);
     ASSERT_EQ(atlas.blocks.size(), 256u);
     const auto corners = corners_on_mesh(mesh, atlas);
     std::size_t same = 0, all = 0;
@@ -162,7 +163,7 @@ TEST(QuadOrder, RandomOrderLosesWhatTheTreeKeeps) {
     options.levels = 5;
     options.size = 512;
     const SurfaceTruth truth = surface_truth(mesh, grey(metric_marble), options);
-    const Atlas atlas = layout(mesh, options.size);
+    const Atlas atlas = quad_neighbours_layout(mesh, options.size);
     const LookupErrors tree = lookups(mesh, atlas, truth),
                        random = lookups(mesh, in_random_order(atlas, 1), truth);
     EXPECT_NEAR(tree.psnr, random.psnr, 1e-6);

@@ -28,7 +28,7 @@ AtlasOptions by_graph(std::uint32_t size) {
     return options;
 }
 
-Atlas layout(const Mesh& mesh, const AtlasOptions& options) {
+Atlas quad_options_layout(const Mesh& mesh, const AtlasOptions& options) {
     return layout_atlas(mesh, made::neighbours_by_brute_force(mesh), options);
 }
 
@@ -67,26 +67,27 @@ std::size_t mixed_squares(const Mesh& mesh, const Atlas& atlas) {
 
 TEST(QuadGraph, ClustersAreConnectedWhereCoordinatesMixSheets) {
     const Mesh mesh = two_sheets();
-    EXPECT_GT(mixed_squares(mesh, layout(mesh, quad(128))), 32u);
-    EXPECT_LT(mixed_squares(mesh, layout(mesh, by_graph(128))), 8u);
+    EXPECT_GT(mixed_squares(mesh, quad_options_layout(mesh, quad(128))), 32u);
+    EXPECT_LT(mixed_squares(mesh, quad_options_layout(mesh, by_graph(128))), 8u);
 }
 
 TEST(QuadGraph, TilesTheSquareAndRepeatsBitForBitAtEveryScale) {
     for (const auto& [name, mesh] : made::all()) {
-        const Atlas atlas = layout(mesh, by_graph(64));
+        const Atlas atlas = quad_options_layout(mesh, by_graph(64));
         const SolidAtlas solid = rasterize(mesh, atlas, mesh.positions);
         EXPECT_EQ(measure(mesh, atlas, solid).texel_coverage, 1.0) << name;
         for (const double scale : {1.0, 0x1p-20, 0x1p30}) {
             Mesh scaled = mesh;
             for (Vec3d& p : scaled.positions) p *= scale;
-            EXPECT_EQ(layout(scaled, by_graph(64)).corners, atlas.corners) << name << scale;
+            EXPECT_EQ(quad_options_layout(scaled, by_graph(64)).corners, atlas.corners)
+                << name << scale;
         }
     }
 }
 
 TEST(QuadSharing, EveryTexelShowsOneOfThePairsThatShareIt) {
     const Mesh mesh = made::ball(4);  // 2048 triangles, 1024 pairs
-    const Atlas atlas = layout(mesh, quad(16));
+    const Atlas atlas = quad_options_layout(mesh, quad(16));
     EXPECT_EQ(atlas.notes.minimal_cells, 2048u);
     EXPECT_EQ(atlas.notes.shared_triangles, 2048u);
     EXPECT_EQ(atlas.notes.shared_texels, 256u);
@@ -120,7 +121,7 @@ TEST(QuadSharing, HoldsAnyMeshInAnyTexture) {
                     AtlasOptions options = quad(size);
                     options.overscan = overscan;
                     options.partition = partition;
-                    const Atlas atlas = layout(mesh, options);
+                    const Atlas atlas = quad_options_layout(mesh, options);
                     const std::vector<std::uint32_t> maps =
                         shown(rasterize(mesh, atlas, mesh.positions));
                     EXPECT_EQ(std::count(maps.begin(), maps.end(), ~0u), 0) << name << size;
@@ -136,7 +137,7 @@ TEST(QuadSharing, HoldsAnyMeshInAnyTexture) {
 TEST(QuadSharing, StartsWhereTexelsEnd) {
     for (const std::uint32_t count : {255u, 256u, 257u, 300u, 512u, 1000u}) {
         const Mesh mesh = made::soup(count, 8);
-        const LayoutNotes notes = layout(mesh, quad(16)).notes;
+        const LayoutNotes notes = quad_options_layout(mesh, quad(16)).notes;
         EXPECT_EQ(notes.shared_texels > 0, count > 256);
         if (count <= 256) continue;
         EXPECT_EQ(notes.minimal_cells, count);
@@ -149,7 +150,7 @@ TEST(QuadGutter, IsAsWideAsAskedOrHalvedUntilItIsAnEighthOfTheBlock) {
     std::uint64_t narrowed = 0;
     for (const auto& [name, mesh] : made::all())
         for (const std::uint32_t gutter : {1u, 2u, 3u, 5u, 8u}) {
-            const Atlas atlas = layout(mesh, with_gutter(128, gutter));
+            const Atlas atlas = quad_options_layout(mesh, with_gutter(128, gutter));
             std::uint64_t texels = 0, fewer = 0;
             for (const Block& block : atlas.blocks) {
                 std::uint32_t expected = gutter;
@@ -179,7 +180,7 @@ TEST(QuadGutter, IsAsWideAsAskedOrHalvedUntilItIsAnEighthOfTheBlock) {
 // the plane where the same map goes on, so box averages stay right beyond the triangle's edge.
 TEST(QuadGutter, GoesOnWithTheTrianglesOnItsSideOfTheDiagonal) {
     const Mesh mesh = made::square();
-    const Atlas atlas = layout(mesh, with_gutter(32, 3));
+    const Atlas atlas = quad_options_layout(mesh, with_gutter(32, 3));
     const SolidAtlas solid = rasterize(mesh, atlas, mesh.positions);
     const std::vector<std::uint32_t> maps = shown(solid);
     const TexelMap& map = solid.maps[0];
@@ -199,7 +200,7 @@ TEST(QuadGutter, GoesOnWithTheTrianglesOnItsSideOfTheDiagonal) {
 // that show the plane of the triangle or of its partner.
 TEST(QuadGutter, LookupsBesideABlockStayWithItsTriangles) {
     const Mesh mesh = made::ball(2);
-    const Atlas atlas = layout(mesh, with_gutter(256, 2));
+    const Atlas atlas = quad_options_layout(mesh, with_gutter(256, 2));
     const SolidAtlas solid = rasterize(mesh, atlas, mesh.positions);
     const std::vector<std::uint32_t> maps = shown(solid);
     std::uint64_t checked = 0;
@@ -252,22 +253,22 @@ double worst_lookup(const Mesh& mesh, const Atlas& atlas) {
 TEST(QuadDiagonals, OverscanRemovesTheKinkOfAPair) {
     const Mesh mesh = kinked();
     AtlasOptions options = quad(64);
-    EXPECT_GT(worst_lookup(mesh, layout(mesh, options)), 1e-3);
+    EXPECT_GT(worst_lookup(mesh, quad_options_layout(mesh, options)), 1e-3);
     options.diagonals = Diagonals::overscan;
-    const Atlas atlas = layout(mesh, options);
+    const Atlas atlas = quad_options_layout(mesh, options);
     EXPECT_GT(atlas.notes.overscan_texels, 64u);
     EXPECT_EQ(atlas.notes.paired_triangles, 2u);
     EXPECT_LT(worst_lookup(mesh, atlas), 1e-12);
     options.gutter = 3;
-    EXPECT_LT(worst_lookup(mesh, layout(mesh, options)), 1e-12);
+    EXPECT_LT(worst_lookup(mesh, quad_options_layout(mesh, options)), 1e-12);
 }
 
 TEST(QuadDiagonals, StaySharedWherePairsAreFlatOrBlocksSmall) {
     AtlasOptions options = quad(64);
     options.diagonals = Diagonals::overscan;
-    EXPECT_EQ(layout(made::square(), options).notes.overscan_texels, 0u);
+    EXPECT_EQ(quad_options_layout(made::square(), options).notes.overscan_texels, 0u);
     options.size = 16;
-    EXPECT_EQ(layout(kinked(), options).notes.overscan_texels, 0u);
+    EXPECT_EQ(quad_options_layout(kinked(), options).notes.overscan_texels, 0u);
 }
 
 }  // namespace

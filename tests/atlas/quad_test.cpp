@@ -14,12 +14,12 @@
 namespace burl {
 namespace {
 
-AtlasOptions quad(std::uint32_t size, AtlasWeight weight = AtlasWeight::error,
-                  Overscan overscan = Overscan::bilinear) {
+AtlasOptions quad_options_of(std::uint32_t size, AtlasWeight weight = AtlasWeight::error,
+                             Overscan overscan = Overscan::bilinear) {
     return {AtlasKind::quad, overscan, size, weight};
 }
 
-Atlas layout(const Mesh& mesh, const AtlasOptions& options) {
+Atlas quad_layout(const Mesh& mesh, const AtlasOptions& options) {
     return layout_atlas(mesh, made::neighbours_by_brute_force(mesh), options);
 }
 
@@ -37,11 +37,11 @@ void for_all_quads(Check check) {
              {AtlasWeight::equal, AtlasWeight::area, AtlasWeight::length, AtlasWeight::error})
             for (const Overscan overscan : {Overscan::nearest, Overscan::bilinear})
                 for (const std::uint32_t size : {16u, 64u, 256u}) {
-                    const AtlasOptions options = quad(size, weight, overscan);
+                    const AtlasOptions options = quad_options_of(size, weight, overscan);
                     if (size < smallest_size(mesh.triangles.size(), options)) continue;
                     SCOPED_TRACE(fmt::format("{} {} {} {}", name, to_string(weight),
                                              to_string(overscan), size));
-                    check(mesh, layout(mesh, options));
+                    check(mesh, quad_layout(mesh, options));
                     if (testing::Test::HasFailure()) return;
                 }
 }
@@ -79,7 +79,7 @@ TEST(Quad, LevelTexelsMixNoBlocksThatAreLargerThanThey) {
 
 TEST(Quad, EqualSharesOfAPowerOfTwoAreEqual) {
     const Mesh mesh = flat(16);
-    const Atlas atlas = layout(mesh, quad(128, AtlasWeight::equal));
+    const Atlas atlas = quad_layout(mesh, quad_options_of(128, AtlasWeight::equal));
     ASSERT_EQ(atlas.blocks.size(), 256u);
     for (const Block& block : atlas.blocks) {
         EXPECT_EQ(block.width, 8u);
@@ -90,7 +90,7 @@ TEST(Quad, EqualSharesOfAPowerOfTwoAreEqual) {
 TEST(Quad, EqualWeightGivesAllBlocksAboutAsManyTexels) {
     const Mesh mesh = made::soup(300, 4);
     std::uint32_t least = ~0u, most = 0;
-    for (const Block& block : layout(mesh, quad(256, AtlasWeight::equal)).blocks) {
+    for (const Block& block : quad_layout(mesh, quad_options_of(256, AtlasWeight::equal)).blocks) {
         least = std::min(least, block.width * block.height);
         most = std::max(most, block.width * block.height);
     }
@@ -100,7 +100,8 @@ TEST(Quad, EqualWeightGivesAllBlocksAboutAsManyTexels) {
 
 TEST(Quad, DensityFollowsTheArea) {
     for (const Mesh& mesh : {made::ball(3), made::grid(20, 20), made::soup(400, 5)}) {
-        const Atlas atlas = layout(mesh, quad(1024, AtlasWeight::area, Overscan::nearest));
+        const Atlas atlas =
+            quad_layout(mesh, quad_options_of(1024, AtlasWeight::area, Overscan::nearest));
         const AtlasMetrics m = measure(mesh, atlas, rasterize(mesh, atlas, mesh.positions));
         const double whole = m.coverage;  // half of a single's block is not read
         EXPECT_GT(m.density[0], 0.45 * whole);
@@ -117,7 +118,7 @@ TEST(Quad, LengthGivesSliversMoreThanTheirArea) {
         both.triangles.push_back({a + shift, b + shift, c + shift});
     both = made::mesh_of(both.positions, both.triangles);
     const auto sliver_share = [&](AtlasWeight weight) {
-        const Atlas atlas = layout(both, quad(512, weight));
+        const Atlas atlas = quad_layout(both, quad_options_of(512, weight));
         double texels = 0.0;
         for (const Block& block : atlas.blocks)
             if (block.lower >= 32) texels += double(block.width) * block.height;
@@ -135,7 +136,7 @@ TEST(Quad, LengthGivesSliversMoreThanTheirArea) {
 TEST(Quad, BlocksTakeTheShapeOfTheirPairs) {
     Mesh mesh = flat(8);
     for (Vec3d& p : mesh.positions) p.x *= 16.0;
-    for (const Block& block : layout(mesh, quad(256)).blocks) {
+    for (const Block& block : quad_layout(mesh, quad_options_of(256)).blocks) {
         const double along = block.rising ? block.height : block.width;
         const double across = block.rising ? block.width : block.height;
         const auto corner = std::size_t(block.lower_corner);
@@ -152,7 +153,7 @@ TEST(Quad, BlocksTakeTheShapeOfTheirPairs) {
 // all texels is the mean over the triangle, but for the cell of overscan.
 TEST(Quad, TheMeanOfASinglesBlockIsItsTrianglesMean) {
     const Mesh mesh = made::one_triangle();
-    const Atlas atlas = layout(mesh, quad(64));
+    const Atlas atlas = quad_layout(mesh, quad_options_of(64));
     const SolidAtlas solid = rasterize(mesh, atlas, mesh.positions);
     ASSERT_EQ(solid.maps.size(), 2u);
     Vec3d sum{0.0};
@@ -167,7 +168,7 @@ TEST(Quad, TheMeanOfASinglesBlockIsItsTrianglesMean) {
 
 TEST(Quad, OneTexelShowsTheMiddleOfWhatItHolds) {
     const auto shown = [](const Mesh& mesh) {
-        const Atlas atlas = layout(mesh, quad(1));
+        const Atlas atlas = quad_layout(mesh, quad_options_of(1));
         EXPECT_EQ(atlas.notes.minimal_cells, mesh.triangles.size());
         const SolidAtlas solid = rasterize(mesh, atlas, mesh.positions);
         return solid.maps[solid.row(0)[0].map](0, 0);
@@ -180,8 +181,9 @@ TEST(Quad, OneTexelShowsTheMiddleOfWhatItHolds) {
 TEST(Quad, NarrowBlocksShowOnlyTheSurface) {
     std::uint64_t narrow = 0;
     for (const auto& [name, mesh] : made::all()) {
-        const AtlasOptions options = quad(smallest_size(mesh.triangles.size(), quad(0)));
-        const Atlas atlas = layout(mesh, options);
+        const AtlasOptions options =
+            quad_options_of(smallest_size(mesh.triangles.size(), quad_options_of(0)));
+        const Atlas atlas = quad_layout(mesh, options);
         const SolidAtlas solid = rasterize(mesh, atlas, mesh.positions);
         const std::vector<bool> collapsed = made::collapsed_triangles(atlas);
         for (std::uint32_t y = 0; y < options.size; ++y)
@@ -205,18 +207,18 @@ TEST(Quad, NarrowBlocksShowOnlyTheSurface) {
 
 TEST(Quad, HoldsAsManyPairsAsTexels) {
     const Mesh mesh = flat(16);  // 512 triangles, 256 pairs
-    EXPECT_EQ(smallest_size(512, quad(0)), 32u);
-    const Atlas atlas = layout(mesh, quad(16));
+    EXPECT_EQ(smallest_size(512, quad_options_of(0)), 32u);
+    const Atlas atlas = quad_layout(mesh, quad_options_of(16));
     EXPECT_EQ(atlas.blocks.size(), 256u);
     EXPECT_EQ(atlas.notes.minimal_cells, 512u);
     EXPECT_EQ(atlas.notes.shared_texels, 0u);
     const Mesh loose = made::soup(256, 3);
-    EXPECT_EQ(layout(loose, quad(16)).blocks.size(), 256u);
+    EXPECT_EQ(quad_layout(loose, quad_options_of(16)).blocks.size(), 256u);
 }
 
 TEST(Quad, RefusesSizesThatCannotBeHalvedAndNamesTheNearest) {
     try {
-        layout(made::square(), quad(1000));
+        quad_layout(made::square(), quad_options_of(1000));
         FAIL() << "1000 is no power of two";
     } catch (const Error& error) {
         EXPECT_EQ(error.code(), ExitCode::usage);
@@ -253,7 +255,7 @@ double level_error(const Mesh& mesh, const Atlas& atlas, std::vector<double> ima
 // The paper's figure 8: levels above the blocks average neighbours on the surface.
 TEST(Quad, TreeOrderKeepsLevelsThatRandomOrderLoses) {
     const Mesh mesh = made::ball(4);  // 1024 pairs
-    Atlas atlas = layout(mesh, quad(128, AtlasWeight::equal));
+    Atlas atlas = quad_layout(mesh, quad_options_of(128, AtlasWeight::equal));
     const auto image_of = [&mesh](const Atlas& a) {
         const SolidAtlas solid = rasterize(mesh, a, mesh.positions);
         std::vector<double> image(128 * 128);

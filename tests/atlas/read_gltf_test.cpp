@@ -9,7 +9,7 @@ using test::corner;
 using test::GltfFile;
 using Json = nlohmann::json;
 
-void expect_near(const Vec3d& a, const Vec3d& b) {
+void gltf_expect_near(const Vec3d& a, const Vec3d& b) {
     EXPECT_NEAR(glm::distance(a, b), 0.0, 1e-12) << a.x << ' ' << a.y << ' ' << a.z;
 }
 
@@ -27,9 +27,9 @@ TEST(ReadGltf, TransformsOfNestedNodes) {
     file.node({{"children", {0}}, {"scale", {2, 1, 1}}});
     file.node({{"children", {1}}, {"matrix", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 10, 0, 0, 1}}});
     const Mesh read = file.read();
-    expect_near(corner(read, 0, 0), {10, 0, 0});
-    expect_near(corner(read, 0, 1), {10, 1, 0});
-    expect_near(corner(read, 0, 2), {8, 0, 0});
+    gltf_expect_near(corner(read, 0, 0), {10, 0, 0});
+    gltf_expect_near(corner(read, 0, 1), {10, 1, 0});
+    gltf_expect_near(corner(read, 0, 2), {8, 0, 0});
 }
 
 TEST(ReadGltf, WhichScene) {
@@ -52,11 +52,11 @@ TEST(ReadGltf, MirroringTurnsTheWinding) {
     file.root["meshes"][0]["primitives"][0]["attributes"]["NORMAL"] = normals;
     file.node({{"mesh", mesh}, {"scale", {-2, 1, 1}}});
     const Mesh read = file.read();
-    expect_near(normal_of(read, 0), {0, 0, 2});
+    gltf_expect_near(normal_of(read, 0), {0, 0, 2});
     EXPECT_EQ(read.corners.normals[0], Vec3f(0, 0, 1));
     // Corner 2 came to place 1; its normal follows the inverse transposed: (-1/2, 1, 0).
-    expect_near(Vec3d(read.corners.normals[1]) * std::sqrt(1.25) / 1.0,
-                Vec3d(Vec3f(glm::normalize(Vec3d(-0.5, 1, 0)))) * std::sqrt(1.25));
+    gltf_expect_near(Vec3d(read.corners.normals[1]) * std::sqrt(1.25) / 1.0,
+                     Vec3d(Vec3f(glm::normalize(Vec3d(-0.5, 1, 0)))) * std::sqrt(1.25));
     EXPECT_EQ(corner(read, 0, 1), Vec3d(0, 1, 0));
 }
 
@@ -73,7 +73,8 @@ TEST(ReadGltf, InstancesStandWhereTheirNodesStand) {
     ASSERT_EQ(shared.parts[0].instances.size(), 2u);
     EXPECT_EQ(shared.parts[0].instances[0], Mat4d(1.0));
     EXPECT_EQ(corner(shared, 0, 1), Vec3d(7, 0, 0));
-    expect_near(Vec3d(shared.parts[0].instances[1] * Vec4d(corner(shared, 0, 1), 1.0)), {3, 7, 0});
+    gltf_expect_near(Vec3d(shared.parts[0].instances[1] * Vec4d(corner(shared, 0, 1), 1.0)),
+                     {3, 7, 0});
 
     const Mesh copies = file.read({.unshare_instances = true});
     ASSERT_EQ(copies.triangles.size(), 2u);

@@ -25,7 +25,7 @@ struct Measured {
     AtlasMeasures all;
 };
 
-Measured measured(const Mesh& mesh, std::uint32_t size) {
+Measured uv_metrics_measured(const Mesh& mesh, std::uint32_t size) {
     const Connectivity connectivity = made::neighbours_by_brute_force(mesh);
     Measured m;
     m.atlas = atlas_from_uvs(mesh, connectivity, size);
@@ -36,7 +36,7 @@ Measured measured(const Mesh& mesh, std::uint32_t size) {
 
 // The unit square on [1/4, 3/4]^2 of 16 x 16 texels: corners on texel edges 4 and 12.
 TEST(UvMetrics, SquareInTheMiddle) {
-    const Measured m = measured(
+    const Measured m = uv_metrics_measured(
         with_uvs(made::square(), [](const Vec3d& p) { return Vec2d(p.x, p.y) * 0.5 + 0.25; }), 16);
     EXPECT_DOUBLE_EQ(m.all.use.coverage, 0.25);
     EXPECT_DOUBLE_EQ(m.all.use.relative_scale, 0.5);
@@ -54,10 +54,10 @@ TEST(UvMetrics, SquareInTheMiddle) {
 }
 
 TEST(UvMetrics, TexelsShowThePointOfTheTriangleUnderTheirCentre) {
-    const Measured m =
-        measured(with_uvs(made::square(),
-                          [](const Vec3d& p) { return Vec2d(0.1 + 0.8 * p.x, 0.2 + 0.5 * p.y); }),
-                 40);
+    const Measured m = uv_metrics_measured(
+        with_uvs(made::square(),
+                 [](const Vec3d& p) { return Vec2d(0.1 + 0.8 * p.x, 0.2 + 0.5 * p.y); }),
+        40);
     std::size_t texels = 0;
     for (std::size_t y = 0; y < 40; ++y)
         for (const Span& span : m.solid.row(y))
@@ -77,7 +77,7 @@ TEST(UvMetrics, AnisotropyOfAStretchWhateverTheTriangle) {
         return Vec2d(0.5 + std::cos(angle) * stretched.x - std::sin(angle) * stretched.y,
                      0.3 + std::sin(angle) * stretched.x + std::cos(angle) * stretched.y);
     });
-    const Measured m = measured(mesh, 64);
+    const Measured m = uv_metrics_measured(mesh, 64);
     EXPECT_NEAR(m.all.shape.anisotropy_50, 3.0, 1e-9);
     EXPECT_NEAR(m.all.shape.anisotropy_95, 3.0, 1e-9);
     EXPECT_TRUE(std::isinf(anisotropy({Vec3d(0), Vec3d(1, 0, 0), Vec3d(0, 1, 0)},
@@ -92,7 +92,7 @@ Mesh cut_square() {
 }
 
 TEST(UvMetrics, SeamAlongTheDiagonal) {
-    const Measured m = measured(cut_square(), 32);
+    const Measured m = uv_metrics_measured(cut_square(), 32);
     EXPECT_EQ(m.all.charts.with_area, 2u);
     EXPECT_EQ(m.atlas.chart_count, 2u);
     EXPECT_EQ(m.all.charts.seam_share, 1.0);
@@ -111,7 +111,7 @@ TEST(UvMetrics, SeamShareOfAGridCutInTwo) {
             mesh.corners.uvs.push_back(
                 {0.4 * mesh.positions[p].x + (right ? 0.2 : 0.0), 0.9 * mesh.positions[p].y});
     }
-    const Measured m = measured(mesh, 64);
+    const Measured m = uv_metrics_measured(mesh, 64);
     EXPECT_EQ(m.all.charts.with_area, 2u);
     // In sides of a square: 4 of 20 upright edges, beside 18 level ones and 24 diagonals.
     EXPECT_NEAR(m.all.charts.seam_share, 4.0 / (20.0 + 18.0 + 24.0 * std::sqrt(2.0)), 1e-12);
@@ -123,7 +123,7 @@ TEST(UvMetrics, StackedTrianglesOverlapWhereBothAre) {
     Mesh mesh = made::mesh_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}},
                               {{0, 1, 2}, {3, 4, 5}});
     mesh = with_uvs(mesh, [](const Vec3d& p) { return Vec2d(p.x, p.y); });
-    const Measured m = measured(mesh, 16);
+    const Measured m = uv_metrics_measured(mesh, 16);
     EXPECT_EQ(m.all.texels.overlapped, 120u);  // centres below the diagonal: 15 + 14 + ... + 1
     EXPECT_EQ(m.all.texels.covered, 136u);     // and the 16 on it
     EXPECT_EQ(m.all.charts.with_area, 2u);
@@ -138,7 +138,7 @@ TEST(UvMetrics, FoldedAndVanishedTriangles) {
                                    {0.5, 0.5}, {0.3, 0.1}, {0.4, 0.3}};
     for (const Triangle& t : mesh.triangles)
         for (const std::uint32_t p : t) mesh.corners.uvs.push_back(place[p]);
-    const Measured m = measured(mesh, 64);
+    const Measured m = uv_metrics_measured(mesh, 64);
     EXPECT_EQ(m.all.shape.flipped, 1u);
     EXPECT_EQ(m.all.shape.vanished, 1u);
     EXPECT_GT(m.all.texels.overlapped, 0u);
@@ -147,7 +147,7 @@ TEST(UvMetrics, FoldedAndVanishedTriangles) {
 
 TEST(UvMetrics, PlacesOutsideTheTextureAreCountedAndClipped) {
     for (const double far : {2.0, 1e9, 1e300}) {
-        const Measured m = measured(
+        const Measured m = uv_metrics_measured(
             with_uvs(made::square(),
                      [&](const Vec3d& p) { return Vec2d(p.x * far, p.y * far) - 0.25 * far; }),
             8);

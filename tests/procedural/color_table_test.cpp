@@ -16,7 +16,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-ColorMap random_map(std::mt19937& random) {
+ColorMap color_table_random_map(std::mt19937& random) {
     ColorMap map;
     map.wrap = random() % 2 ? Wrap::repeat : Wrap::clamp;
     std::vector<double> positions(1 + random() % 6);
@@ -75,7 +75,7 @@ TEST(ColorTable8, LooksUpTheLastStepUpToEveryPlaceHoweverNear) {
     alignas(64) static ColorCode codes[batch_capacity + batch_padding];
     static std::uint32_t later[batch_capacity + 2 * batch_padding];
     for (int i = 0; i < 60; ++i) {
-        const ColorMap map = random_map(random);
+        const ColorMap map = color_table_random_map(random);
         const ColorTable8 table(map);
         std::vector<double> f = values_around(table, random);
         const std::size_t count = f.size();

@@ -17,7 +17,7 @@ using test::random_batch;
 using test::random_vector;
 
 /// Terms of every kind with a kernel, in chains and by themselves, and some without one.
-Texture random_texture(std::mt19937& random) {
+Texture field_sampler_random_texture(std::mt19937& random) {
     std::uniform_real_distribution<double> unit(-1.0, 1.0);
     Texture texture;
     Quadric& q = texture.quadric;
@@ -59,7 +59,7 @@ double error_of(const std::vector<Octave>& octaves) {
 TEST(FieldSampler, SlopesAreTheReferencesAndLeaveNoTraceInTheValues) {
     std::mt19937 random(21);
     for (int i = 0; i < 20; ++i) {
-        const Texture texture = random_texture(random);
+        const Texture texture = field_sampler_random_texture(random);
         const std::vector<Octave> octaves = expand_octaves(texture);
         const std::vector<Piece> pieces = random_batch(random, 3.0, 0.1);
         const auto points = batch_of(pieces);
@@ -87,7 +87,7 @@ TEST(FieldSampler, TakesValuesBesideTheCentres) {
     std::mt19937 random(22);
     std::uniform_real_distribution<float> offset(-1.0f, 1.0f);
     for (int i = 0; i < 20; ++i) {
-        const Texture texture = random_texture(random);
+        const Texture texture = field_sampler_random_texture(random);
         const std::vector<Octave> octaves = expand_octaves(texture);
         const std::vector<Piece> pieces = random_batch(random, 3.0, i % 4 == 0 ? 1e4 : 0.5);
         const auto batch = batch_of(pieces);
@@ -105,7 +105,7 @@ TEST(FieldSampler, TakesValuesBesideTheCentres) {
 
 TEST(FieldSampler, OffsetsOfZeroAreTheCentres) {
     std::mt19937 random(23);
-    Texture texture = random_texture(random);
+    Texture texture = field_sampler_random_texture(random);
     texture.quadric = {};  // along lines by another formula
     const auto centres = batch_of(random_batch(random, 3.0, 0.1));
     const auto batch = batch_of(centres->pieces);
@@ -133,7 +133,7 @@ std::vector<Octave> limited(std::vector<Octave> octaves, const Piece& piece, dou
 TEST(FieldSampler, LeavesOutOfAnOctaveWhatATexelCannotShow) {
     std::mt19937 random(24);
     for (int i = 0; i < 12; ++i) {
-        const Texture texture = random_texture(random);
+        const Texture texture = field_sampler_random_texture(random);
         const std::vector<Octave> all = expand_octaves(texture);
         const std::vector<Piece> pieces = random_batch(random, 3.0, 0.5);
         const auto values = batch_of(pieces), slopes = batch_of(pieces);
@@ -159,7 +159,7 @@ TEST(FieldSampler, LeavesOutOfAnOctaveWhatATexelCannotShow) {
 
 TEST(FieldSampler, LeavesNothingOutOfLargeOctaves) {
     std::mt19937 random(25);
-    Texture texture = random_texture(random);
+    Texture texture = field_sampler_random_texture(random);
     const std::vector<Piece> pieces = random_batch(random, 3.0, 1e-3);
     const auto all = batch_of(pieces), limited = batch_of(pieces);
     FieldSampler(texture, false).values_and_slopes(*all);

@@ -83,7 +83,7 @@ Texture wood() {
     return texture;
 }
 
-Texture marble() {
+Texture fixed_field_marble() {
     Texture texture = quadric({.i = 0.5});
     NoiseTerm term;
     term.amplitude = 0.5, term.frequency = Vec3d(2.0), term.octaves = 4;
@@ -123,14 +123,14 @@ TEST(FixedField, ErrsByAStatedNumberOfUnits) {
         marble_units += 0.5 * 20 * amplitude + 1.5 * 3 * (1.0 + amplitude) + 1;
     for (const unsigned bits : {4u, 6u, 8u, 10u, 12u, 16u}) {
         const Errors of_wood = errors_in_units(wood(), bits),
-                     of_marble = errors_in_units(marble(), bits);
+                     of_marble = errors_in_units(fixed_field_marble(), bits);
         EXPECT_LE(of_wood.worst, wood_units) << bits;
         EXPECT_LE(of_marble.worst, marble_units) << bits;
         EXPECT_GE(of_wood.rms, 1.0) << bits;
         EXPECT_GE(of_marble.rms, 1.0) << bits;
     }
     // The error itself is halved by every bit.
-    for (const Texture& texture : {wood(), marble()})
+    for (const Texture& texture : {wood(), fixed_field_marble()})
         for (const unsigned bits : {6u, 10u})
             EXPECT_NEAR(errors_in_units(texture, bits + 4).rms / errors_in_units(texture, bits).rms,
                         1.0, 0.15);

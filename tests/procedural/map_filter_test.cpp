@@ -47,7 +47,7 @@ Vec3d counted(const ColorMap& map, double f, const FilterWidths& w, int n) {
     return sum / double(n * n);
 }
 
-double distance(const Vec3d& a, const Vec3d& b) {
+double map_filter_distance(const Vec3d& a, const Vec3d& b) {
     return std::max({std::abs(a.x - b.x), std::abs(a.y - b.y), std::abs(a.z - b.z)});
 }
 
@@ -57,7 +57,9 @@ TEST(MapPieces, HasTheMapsColours) {
     for (const ColorMap& map : maps())
         for (int i = 0; i < 500; ++i) {
             const double f = uniform(random);
-            EXPECT_LT(distance(MapPieces(map).extended(f, f), evaluate_color(map, f)), 1e-14) << f;
+            EXPECT_LT(map_filter_distance(MapPieces(map).extended(f, f), evaluate_color(map, f)),
+                      1e-14)
+                << f;
         }
 }
 
@@ -65,7 +67,7 @@ TEST(MapPieces, MarksJumps) {
     const MapPieces pieces(jumping(Wrap::clamp));
     int jumps = 0;
     for (const MapBreak& b : pieces.breaks())
-        if (distance(b.jump, Vec3d(0.0)) > 1e-6) {
+        if (map_filter_distance(b.jump, Vec3d(0.0)) > 1e-6) {
             ++jumps;
             EXPECT_EQ(b.position, 0.35);
         }
@@ -93,8 +95,9 @@ TEST(MapFilter, StopsNextToOneAnotherMakeAJump) {
                 for (const Vec3d& color : {box, trapezoid, near.first(f), near.second(f)})
                     ASSERT_TRUE(std::isfinite(color.x + color.y + color.z)) << f << " " << width;
                 if (width < 1e-3) continue;  // it matters on which side of a jump f lies
-                EXPECT_LT(distance(box, box_filtered(jumps, f, width)), 1e-11) << f;
-                EXPECT_LT(distance(trapezoid, trapezoid_filtered(jumps, f, {width, 0.4 * width})),
+                EXPECT_LT(map_filter_distance(box, box_filtered(jumps, f, width)), 1e-11) << f;
+                EXPECT_LT(map_filter_distance(trapezoid,
+                                              trapezoid_filtered(jumps, f, {width, 0.4 * width})),
                           1e-11)
                     << f;
             }
@@ -112,7 +115,9 @@ TEST(MapFilter, AgreesWithCounting) {
             const double v = 3.0 * std::exp2(-9.0 * uniform(random));
             const FilterWidths w = FilterWidths::of(u, v);
             // Midpoints are off by a jump over n where a line of samples runs along it.
-            EXPECT_LT(distance(trapezoid_filtered(pieces, f, w), counted(map, f, w, 250)), 5e-3)
+            EXPECT_LT(
+                map_filter_distance(trapezoid_filtered(pieces, f, w), counted(map, f, w, 250)),
+                5e-3)
                 << f << " " << w.wide << " " << w.narrow;
         }
     }
@@ -148,7 +153,8 @@ TEST(MapFilter, BoxIsTheIntegralOverItsPieces) {
                 box_filtered(pieces, f + 0.5 * w - 0.5 * (1.0 - cut) * w, (1.0 - cut) * w);
             const Vec3d whole = box_filtered(pieces, f, w);
             // f - w/2 is rounded to 2^-52: worth a jump times 2^-52 / w.
-            EXPECT_LT(distance(cut * left + (1.0 - cut) * right, whole), 1e-12 + 2e-15 / w)
+            EXPECT_LT(map_filter_distance(cut * left + (1.0 - cut) * right, whole),
+                      1e-12 + 2e-15 / w)
                 << f << " " << w;
         }
     }
@@ -168,7 +174,8 @@ TEST(MapFilter, TrapezoidIsTheMeanOfBoxesAtEveryRatio) {
             // The reference itself meets a box's kinks: an error of (narrow / 512)^2 at most.
             const double slack =
                 30.0 * std::pow(w.narrow / 512, 2) + 4.0 * w.narrow / wide / 512 / 512;
-            const double error = distance(trapezoid_filtered(pieces, f, w), reference) - slack;
+            const double error =
+                map_filter_distance(trapezoid_filtered(pieces, f, w), reference) - slack;
             worst = std::max(worst, error);
             EXPECT_LT(error, 2e-7) << f << " " << w.wide << " " << w.narrow;
         }
@@ -188,11 +195,12 @@ TEST(MapFilter, ConstantStaysConstant) {
         for (int i = 0; i < 500; ++i) {
             const double f = 20.0 * uniform(random) - 10.0,
                          w = std::exp2(20.0 * uniform(random) - 15.0);
-            EXPECT_LT(distance(trapezoid_filtered(pieces, f, {w, w * uniform(random)}), color),
-                      1e-12);
-            EXPECT_LT(distance(mip(f, w), color), 1e-12);
-            EXPECT_LT(distance(sums(f, w), color), 1e-11) << f << " " << w;
-            EXPECT_LT(distance(thrice(f, w), color), 1e-11) << f << " " << w;
+            EXPECT_LT(
+                map_filter_distance(trapezoid_filtered(pieces, f, {w, w * uniform(random)}), color),
+                1e-12);
+            EXPECT_LT(map_filter_distance(mip(f, w), color), 1e-12);
+            EXPECT_LT(map_filter_distance(sums(f, w), color), 1e-11) << f << " " << w;
+            EXPECT_LT(map_filter_distance(thrice(f, w), color), 1e-11) << f << " " << w;
         }
     }
 }
@@ -203,17 +211,17 @@ TEST(MapFilter, RepeatIsAsExactFarOut) {
         for (const double t : {0.25, 0.34375, 0.875})  // exact in binary at 1e9, too
             for (const FilterWidths w :
                  {FilterWidths{0.5, 0.25}, {2.5, 0.5}, {0.001, 0.0003}, {1e6, 3.0}})
-                EXPECT_LT(distance(trapezoid_filtered(pieces, whole + t, w),
-                                   trapezoid_filtered(pieces, t, w)),
+                EXPECT_LT(map_filter_distance(trapezoid_filtered(pieces, whole + t, w),
+                                              trapezoid_filtered(pieces, t, w)),
                           1e-12);
 }
 
 TEST(MapFilter, WideFootprintsReachTheMeanOrTheHalves) {
     const MapPieces repeat(jumping(Wrap::repeat)), clamp(jumping(Wrap::clamp));
-    EXPECT_LT(distance(box_filtered(repeat, 0.3, 1e12), repeat.mean()), 1e-10);
+    EXPECT_LT(map_filter_distance(box_filtered(repeat, 0.3, 1e12), repeat.mean()), 1e-10);
     const Vec3d ends = 0.5 * (clamp.extended(-1.0, -1.0) + clamp.extended(2.0, 2.0));
-    EXPECT_LT(distance(box_filtered(clamp, 0.3, 1e300), ends), 1e-9);
-    EXPECT_LT(distance(trapezoid_filtered(clamp, 0.3, {1e300, 1e299}), ends), 1e-6);
+    EXPECT_LT(map_filter_distance(box_filtered(clamp, 0.3, 1e300), ends), 1e-9);
+    EXPECT_LT(map_filter_distance(trapezoid_filtered(clamp, 0.3, {1e300, 1e299}), ends), 1e-6);
     const Vec3d low = clamp.extended(-1.0, -1.0);
     EXPECT_EQ(trapezoid_filtered(clamp, -1e200, {1e10, 1.0}), low);
     EXPECT_EQ(box_filtered(repeat, NAN, 0.1), repeat.extended(0.0, 0.0));
@@ -222,9 +230,9 @@ TEST(MapFilter, WideFootprintsReachTheMeanOrTheHalves) {
 TEST(MapFilter, ZeroWidthIsTheColour) {
     for (const ColorMap& map : maps())
         for (const double f : {-0.7, 0.0, 0.1, 0.35, 0.36, 0.9, 1.0, 1.35})
-            EXPECT_LT(
-                distance(trapezoid_filtered(MapPieces(map), f, {0.0, 0.0}), evaluate_color(map, f)),
-                1e-14)
+            EXPECT_LT(map_filter_distance(trapezoid_filtered(MapPieces(map), f, {0.0, 0.0}),
+                                          evaluate_color(map, f)),
+                      1e-14)
                 << f;
 }
 
@@ -239,8 +247,8 @@ TEST(ColorSums, AgreesWithTheExactBoxToAnEntry) {
                          w = std::exp2(-7.0 * uniform(random)) * 4.0;
             const double entry = 1.0 / ColorSums::entry_count;
             const Vec3d exact = box_filtered(pieces, f, w);
-            EXPECT_LT(distance(sums(f, w), exact), 1.5 * entry / w) << f << " " << w;
-            EXPECT_LT(distance(thrice(f, w), sums(f, w)), 1e-11) << f << " " << w;
+            EXPECT_LT(map_filter_distance(sums(f, w), exact), 1.5 * entry / w) << f << " " << w;
+            EXPECT_LT(map_filter_distance(thrice(f, w), sums(f, w)), 1e-11) << f << " " << w;
         }
     }
 }
@@ -252,7 +260,7 @@ TEST(ColorMip, AgreesWithTheExactBoxOnItsOwnEntries) {
     for (int level = 0; level <= ColorMip::finest; ++level) {
         const double width = std::ldexp(1.0, level - ColorMip::finest);
         for (double f = 0.5 * width; f < 1.0; f += width * std::max(1.0, std::floor(0.07 / width)))
-            EXPECT_LT(distance(mip(f, width), box_filtered(pieces, f, width)), 1e-12)
+            EXPECT_LT(map_filter_distance(mip(f, width), box_filtered(pieces, f, width)), 1e-12)
                 << f << " " << width;
     }
 }

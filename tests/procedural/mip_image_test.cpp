@@ -23,7 +23,7 @@ Vec3d linear(const Rgb8& c) {
     return {srgb_decode(c.r / 255.0), srgb_decode(c.g / 255.0), srgb_decode(c.b / 255.0)};
 }
 
-double distance(const Vec3d& a, const Vec3d& b) {
+double mip_image_distance(const Vec3d& a, const Vec3d& b) {
     return glm::length(a - b);
 }
 
@@ -38,7 +38,7 @@ TEST(MipImage, LevelsAreMeans) {
     Vec3d mean(0.0);
     for (const Rgb8& c : source.pixels()) mean += linear(c) / 64.0;
     const RgbF& top = image.levels()[4](0, 0);
-    EXPECT_LT(distance(Vec3d(top.r, top.g, top.b), mean), 1e-6);
+    EXPECT_LT(mip_image_distance(Vec3d(top.r, top.g, top.b), mean), 1e-6);
 }
 
 TEST(MipImage, OtherSidesAreResampled) {
@@ -47,7 +47,7 @@ TEST(MipImage, OtherSidesAreResampled) {
     EXPECT_EQ(flat.levels()[0].width(), 8u);
     EXPECT_EQ(flat.levels()[0].height(), 4u);
     for (const RgbF& c : flat.levels()[0].pixels())
-        EXPECT_LT(distance({c.r, c.g, c.b}, linear({200, 100, 50})), 1e-6);
+        EXPECT_LT(mip_image_distance({c.r, c.g, c.b}, linear({200, 100, 50})), 1e-6);
     Image<Rgb8> wave(48, 1);
     for (std::size_t x = 0; x < 48; ++x) {
         const double value = 0.5 + 0.4 * std::sin(2 * 3.14159265358979 * (double(x) + 0.5) / 48);
@@ -69,14 +69,15 @@ TEST(MipImage, TexelCentresAreExactAndWrapsDiffer) {
         for (int i = 0; i < 4; ++i) {
             const double s = (i + 0.5) / 4, t = (j + 0.5) / 4;
             const Vec3d color = linear(source(std::size_t(i), std::size_t(j)));
-            EXPECT_LT(distance(repeat.bilinear(0, s, t).color, color), 1e-7);
-            EXPECT_LT(distance(repeat.bilinear(0, s - 3, t + 2).color, color), 1e-7);
-            EXPECT_LT(distance(clamp.bilinear(0, s, t).color, color), 1e-7);
+            EXPECT_LT(mip_image_distance(repeat.bilinear(0, s, t).color, color), 1e-7);
+            EXPECT_LT(mip_image_distance(repeat.bilinear(0, s - 3, t + 2).color, color), 1e-7);
+            EXPECT_LT(mip_image_distance(clamp.bilinear(0, s, t).color, color), 1e-7);
         }
     EXPECT_EQ(black.bilinear(0, -1.5, 0.5).color, Vec3d(0.0));
-    EXPECT_LT(distance(clamp.bilinear(0, -7, 0.125).color, linear(source(0, 0))), 1e-7);
-    EXPECT_LT(distance(clamp.bilinear(0, 9, 11).color, linear(source(3, 3))), 1e-7);
-    EXPECT_LT(distance(black.bilinear(0, 0.0, 0.125).color, 0.5 * linear(source(0, 0))), 1e-7);
+    EXPECT_LT(mip_image_distance(clamp.bilinear(0, -7, 0.125).color, linear(source(0, 0))), 1e-7);
+    EXPECT_LT(mip_image_distance(clamp.bilinear(0, 9, 11).color, linear(source(3, 3))), 1e-7);
+    EXPECT_LT(mip_image_distance(black.bilinear(0, 0.0, 0.125).color, 0.5 * linear(source(0, 0))),
+              1e-7);
 }
 
 TEST(MipImage, LevelsFollowTheWidth) {
@@ -88,7 +89,7 @@ TEST(MipImage, LevelsFollowTheWidth) {
     EXPECT_EQ(image.trilinear(s, t, 1.0 / 4).color, image.bilinear(2, s, t).color);
     EXPECT_EQ(image.trilinear(s, t, 1e9).color, image.bilinear(4, s, t).color);
     const Vec3d between = 0.5 * (image.bilinear(1, s, t).color + image.bilinear(2, s, t).color);
-    EXPECT_LT(distance(image.trilinear(s, t, std::sqrt(2.0) / 8).color, between), 1e-12);
+    EXPECT_LT(mip_image_distance(image.trilinear(s, t, std::sqrt(2.0) / 8).color, between), 1e-12);
 }
 
 TEST(MipImage, EllipsesAverageAlongTheFootprintOnly) {
@@ -118,7 +119,7 @@ TEST(MipImage, ConstantsStayConstant) {
         const Vec2d u{unit(random), 0.1 * unit(random)}, v{0.01 * unit(random), unit(random)};
         for (const double scale : {1e-12, 0.01, 0.3, 1e6}) {
             const ImageSample sample = image.ewa(s, t, scale * u, scale * v, 8);
-            EXPECT_LT(distance(sample.color, linear({10, 200, 90})), 1e-6);
+            EXPECT_LT(mip_image_distance(sample.color, linear({10, 200, 90})), 1e-6);
             EXPECT_LT(glm::length(sample.by_s) + glm::length(sample.by_t), 1e-5);
         }
     }
@@ -138,10 +139,10 @@ TEST(MipImage, DerivativesAgreeWithDifferences) {
             const Vec3d by_t = (lookup(s, t + h).color - lookup(s, t - h).color) / (2 * h);
             // Not across a line of texels, where the bilinear slope jumps.
             const Vec3d near = (lookup(s + 2 * h, t).color - lookup(s - 2 * h, t).color) / (4 * h);
-            if (distance(by_s, near) > 1e-6) return;
+            if (mip_image_distance(by_s, near) > 1e-6) return;
             ++checked;
-            EXPECT_LT(distance(sample.by_s, by_s), 1e-5 * (1 + glm::length(by_s)));
-            EXPECT_LT(distance(sample.by_t, by_t), 1e-4 * (1 + glm::length(by_t)));
+            EXPECT_LT(mip_image_distance(sample.by_s, by_s), 1e-5 * (1 + glm::length(by_s)));
+            EXPECT_LT(mip_image_distance(sample.by_t, by_t), 1e-4 * (1 + glm::length(by_t)));
         };
         check([&](double x, double y) { return image.trilinear(x, y, 0.15); });
         check([&](double x, double y) { return image.ewa(x, y, {0.2, 0.05}, {-0.02, 0.1}, 8); });

@@ -48,8 +48,8 @@ Points random_points(std::mt19937& random) {
     return points;
 }
 
-NoiseSum sum_of(NoiseKind kind, OctaveShape shape, std::size_t octaves, double lacunarity,
-                double gain) {
+NoiseSum reference_sum_of(NoiseKind kind, OctaveShape shape, std::size_t octaves, double lacunarity,
+                          double gain) {
     NoiseSum sum{{.kind = kind}, shape, {}, 0.125};
     double frequency = 0.7, weight = 1.0;
     for (std::size_t k = 0; k < octaves; ++k) {
@@ -99,7 +99,8 @@ TEST(NoiseSum, StaysWithinItsStatedError) {
                 const bool table = kind == perlin1985 || kind == perlin2002;
                 if (kind == cell && shape == OctaveShape::plain) continue;  // it jumps
                 if (kind == simplex || kind == cell) continue;              // the former jumps, too
-                const NoiseSum sum = sum_of(kind, shape, std::size_t(octaves), lacunarity, gain);
+                const NoiseSum sum =
+                    reference_sum_of(kind, shape, std::size_t(octaves), lacunarity, gain);
                 EXPECT_LT(worst_share(sum, table ? 8e-7 : 5e-7), 1.0)
                     << int(kind) << " " << octaves << " " << int(shape);
             }
@@ -107,19 +108,19 @@ TEST(NoiseSum, StaysWithinItsStatedError) {
 
 TEST(NoiseSum, RidgesErrByTwiceAsMuch) {
     for (const NoiseKind kind : {NoiseKind::value, NoiseKind::perlin})
-        EXPECT_LT(worst_share(sum_of(kind, OctaveShape::ridged, 6, 2.0, 0.5), 1e-6), 1.0);
+        EXPECT_LT(worst_share(reference_sum_of(kind, OctaveShape::ridged, 6, 2.0, 0.5), 1e-6), 1.0);
 }
 
 TEST(NoiseSum, FadesOfValueNoiseAreTheirOwn) {
     for (const Fade fade : {Fade::linear, Fade::smooth, Fade::quintic}) {
-        NoiseSum sum = sum_of(NoiseKind::value, OctaveShape::plain, 3, 2.0, 0.5);
+        NoiseSum sum = reference_sum_of(NoiseKind::value, OctaveShape::plain, 3, 2.0, 0.5);
         sum.noise.fade = fade;
         EXPECT_LT(worst_share(sum, 5e-7), 1.0);
     }
 }
 
 TEST(NoiseSum, TimeAndPeriodsArePointByPoint) {
-    NoiseSum sum = sum_of(NoiseKind::perlin, OctaveShape::plain, 3, 2.0, 0.5);
+    NoiseSum sum = reference_sum_of(NoiseKind::perlin, OctaveShape::plain, 3, 2.0, 0.5);
     sum.noise.time = 0.3;
     EXPECT_FALSE(has_point_kernel(sum.noise));
     EXPECT_LT(worst_share(sum, 8e-7), 1.0);
@@ -161,7 +162,7 @@ TEST(NoiseSum, SlopesStayWithinTheirStatedError) {
         for (const OctaveShape shape :
              {OctaveShape::plain, OctaveShape::absolute, OctaveShape::ridged})
             for (const bool fading : {false, true}) {
-                const NoiseSum sum = sum_of(kind, shape, 9, 2.0, 0.6);
+                const NoiseSum sum = reference_sum_of(kind, shape, 9, 2.0, 0.6);
                 double steepness = 0.0;
                 for (const SumOctave& octave : sum.octaves)
                     steepness += std::abs(octave.weight * octave.frequency);
@@ -198,7 +199,7 @@ TEST(NoiseSum, SlopesHaveTheSameBitsOnEveryInstructionSet) {
     for (std::size_t j = 0; j < value_batch; ++j) kept[j] = float(j % 11);
     using enum NoiseKind;
     for (const NoiseKind kind : {value, perlin, perlin1985, perlin2002}) {
-        const NoiseSum sum = sum_of(kind, OctaveShape::ridged, 10, 2.0, 0.6);
+        const NoiseSum sum = reference_sum_of(kind, OctaveShape::ridged, 10, 2.0, 0.6);
         const auto run = [&](Slopes& out) {
             add_up_slopes(sum, points.arrays(), value_batch, {kept, 0.5}, out.arrays());
         };
@@ -217,7 +218,7 @@ TEST(NoiseSum, SlopesHaveTheSameBitsOnEveryInstructionSet) {
 
 TEST(NoiseSum, CoordinatesThatLeaveTheLatticeCountAsNothing) {
     // At 2^45 the octaves from 2^6 on have left it, on that axis alone.
-    NoiseSum sum = sum_of(NoiseKind::value, OctaveShape::plain, 8, 2.0, 0.5);
+    NoiseSum sum = reference_sum_of(NoiseKind::value, OctaveShape::plain, 8, 2.0, 0.5);
     for (SumOctave& octave : sum.octaves) octave.frequency /= 0.7;
     Points points;
     const double out_there[] = {0x1p45, -0x1p45, 0x1p51, 1e300, NAN, INFINITY, 0x1p46};
@@ -238,7 +239,7 @@ TEST(NoiseSum, GivesTheSameBitsOnEveryInstructionSetAndInEveryBatch) {
     Points points = random_points(random);
     points.axes[1].values[77] = 0x1p50;
     for (const NoiseKind kind : {value, perlin, perlin1985, perlin2002, worley}) {
-        const NoiseSum sum = sum_of(kind, OctaveShape::absolute, 10, 2.0, 0.6);
+        const NoiseSum sum = reference_sum_of(kind, OctaveShape::absolute, 10, 2.0, 0.6);
         Array all;
         add_up(sum, points.arrays(), value_batch, all.values);
         on_every_target([&] {

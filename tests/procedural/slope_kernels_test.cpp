@@ -16,7 +16,7 @@ namespace {
 using test::for_each_texel;
 using test::NoiseName;
 using test::random_batch;
-constexpr auto& noises = test::shared_noises;
+constexpr auto& slope_kernels_noises = test::shared_noises;
 
 struct Sums {
     alignas(64) float values[batch_capacity + batch_padding] = {};
@@ -48,7 +48,7 @@ Vec3d gradient(const NoiseName& k, std::uint32_t seed, const Vec3d& p) {
 
 TEST(SlopeKernels, GradientsAreTheReferences) {
     std::mt19937 random(11);
-    for (const NoiseName& k : noises)
+    for (const NoiseName& k : slope_kernels_noises)
         for (const int doublings : {0, 1, 6}) {
             const auto stream = std::make_unique<Stream>(random, 50.0, 0.4);
             const StreamOctave octave{std::uint32_t(random()), doublings, 0.75f};
@@ -69,7 +69,7 @@ TEST(SlopeKernels, GradientsAreTheReferences) {
 
 TEST(SlopeKernels, AddToWhatIsThereWithTheBitsOfTheOtherKernels) {
     std::mt19937 random(12);
-    for (const NoiseName& k : noises)
+    for (const NoiseName& k : slope_kernels_noises)
         for (int i = 0; i < 12; ++i) {
             const auto stream = std::make_unique<Stream>(random, 1e6, std::ldexp(1.0, -i));
             const auto runs = std::make_unique<CellRuns>();
@@ -99,7 +99,8 @@ TEST(SlopeKernels, AddToWhatIsThereWithTheBitsOfTheOtherKernels) {
         }
 }
 
-const Affine3 oblique{Mat3d(1.5, 0.25, 0, -0.75, 2, 0.5, 0, 0.125, 1), Vec3d(0.3, -7.0, 100.0)};
+const Affine3 slope_kernels_oblique{Mat3d(1.5, 0.25, 0, -0.75, 2, 0.5, 0, 0.125, 1),
+                                    Vec3d(0.3, -7.0, 100.0)};
 
 TEST(SlopeKernels, LookAtGradientsAlongTheSides) {
     std::mt19937 random(13);
@@ -113,10 +114,10 @@ TEST(SlopeKernels, LookAtGradientsAlongTheSides) {
     const auto slopes = std::make_unique<SlopeBatch>();
     std::fill_n(slopes->u, batch_capacity, 0.5f);
     std::fill_n(slopes->v, batch_capacity, -0.25f);
-    add_slopes(oblique, -1.25, pieces, *gradients, *slopes);
+    add_slopes(slope_kernels_oblique, -1.25, pieces, *gradients, *slopes);
     for_each_texel(pieces, [&](std::size_t at, const Piece& piece, const Vec3d&) {
         const auto slope = [&](const Vec3d& side) {
-            const Vec3d mapped = oblique.linear * side;
+            const Vec3d mapped = slope_kernels_oblique.linear * side;
             double sum = 0.0;
             for (int axis = 0; axis < 3; ++axis)
                 if (std::abs(mapped[axis]) < 0x1p50)

@@ -21,7 +21,7 @@ namespace {
 using test::NoiseName;
 using test::piece;
 using test::random_vector;
-constexpr auto& noises = test::shared_noises;
+constexpr auto& stream_kernels_noises = test::shared_noises;
 
 /// Pieces of 1 to 40 texels, near and far, slow and fast; 0 where `far` is false.
 std::vector<Piece> random_pieces(std::mt19937& random, bool far) {
@@ -48,20 +48,21 @@ void for_each_texel(const std::vector<Piece>& pieces, const Affine3& map, Visit&
             visit(at++, map(p.solid.start + (p.solid.first + double(j)) * p.solid.step));
 }
 
-const Affine3 oblique{Mat3d(1.5, 0.25, 0, -0.75, 2, 0.5, 0, 0.125, 1), Vec3d(0.3, -7.0, 100.0)};
+const Affine3 stream_kernels_oblique{Mat3d(1.5, 0.25, 0, -0.75, 2, 0.5, 0, 0.125, 1),
+                                     Vec3d(0.3, -7.0, 100.0)};
 
 TEST(LatticeStream, HoldsCoordinatesTo2ToTheMinus32) {
     std::mt19937 random(5);
     const auto stream = std::make_unique<LatticeStream>();
     for (int i = 0; i < 30; ++i) {
         const std::vector<Piece> pieces = random_pieces(random, true);
-        fill_stream(oblique, 3, pieces, *stream);
+        fill_stream(stream_kernels_oblique, 3, pieces, *stream);
         std::vector<double> size_at;  // of what is added up to a coordinate
         for (const Piece& p : pieces) {
             const double start = glm::length(p.solid.start), step = glm::length(p.solid.step);
             size_at.insert(size_at.end(), p.solid.count, 100.0 + 3.0 * (start + p.length * step));
         }
-        for_each_texel(pieces, oblique, [&](std::size_t at, const Vec3d& p) {
+        for_each_texel(pieces, stream_kernels_oblique, [&](std::size_t at, const Vec3d& p) {
             for (int axis = 0; axis < 3; ++axis) {
                 const std::uint64_t bits = stream->at(axis, at);
                 const double x = double(std::int32_t(bits >> 32)) + double(bits << 32) * 0x1p-64;
@@ -104,8 +105,9 @@ TEST(LatticeStream, DoesNotDependOnHowSpansAreCut) {
         const auto cut = [&](double first, std::size_t count) {
             return piece(start, steps, first, count, 100.0);
         };
-        fill_stream(oblique, 5, std::vector{cut(0, 100)}, *whole);
-        fill_stream(oblique, 5, std::vector{cut(0, 3), cut(3, 37), cut(40, 60)}, *parts);
+        fill_stream(stream_kernels_oblique, 5, std::vector{cut(0, 100)}, *whole);
+        fill_stream(stream_kernels_oblique, 5, std::vector{cut(0, 3), cut(3, 37), cut(40, 60)},
+                    *parts);
         for (int axis = 0; axis < 3; ++axis)
             for (std::size_t j = 0; j < 100; ++j)
                 ASSERT_EQ(whole->at(axis, j), parts->at(axis, j)) << step;
@@ -161,9 +163,10 @@ TEST(StreamKernels, GiveTheBitsOfTheSameAdditionsInTurn) {
     std::mt19937 random(6);
     const auto stream = std::make_unique<LatticeStream>();
     alignas(64) float sums[batch_capacity + batch_padding];
-    for (const NoiseName& k : noises)
+    for (const NoiseName& k : stream_kernels_noises)
         for (int doublings : {0, 1, 7, 23}) {
-            fill_stream(oblique, doublings, random_pieces(random, doublings < 8), *stream);
+            fill_stream(stream_kernels_oblique, doublings, random_pieces(random, doublings < 8),
+                        *stream);
             const StreamOctave octave{std::uint32_t(random()), doublings, 0.7f};
             std::fill(std::begin(sums), std::end(sums), 0.0f);
             add_octave_direct(k.kind, k.fade, octave, *stream, batch_capacity, sums);
@@ -180,12 +183,12 @@ TEST(StreamKernels, ErrAtMostAsTheirCommentSays) {
     std::mt19937 random(11);
     const auto stream = std::make_unique<LatticeStream>();
     alignas(64) float sums[batch_capacity + batch_padding];
-    for (const NoiseName& k : noises) {
+    for (const NoiseName& k : stream_kernels_noises) {
         NoiseSpec noise;
         noise.kind = k.kind, noise.fade = k.fade, noise.seed = 77;
         double worst = 0.0;
         for (int i = 0; i < 20; ++i) {
-            fill_stream(oblique, 2, random_pieces(random, false), *stream);
+            fill_stream(stream_kernels_oblique, 2, random_pieces(random, false), *stream);
             std::fill(std::begin(sums), std::end(sums), 0.0f);
             add_octave_direct(k.kind, k.fade, {noise.seed, 2, 1.0f}, *stream, batch_capacity, sums);
             for (std::size_t j = 0; j < batch_capacity; ++j) {
@@ -209,11 +212,11 @@ TEST(StreamKernels, SharedCornersGiveTheBitsOfDirectOnes) {
     const auto stream = std::make_unique<LatticeStream>();
     const auto runs = std::make_unique<CellRuns>();
     std::vector<float> sums[2];
-    for (const NoiseName& k : noises)
+    for (const NoiseName& k : stream_kernels_noises)
         for (int i = 0; i < 24; ++i) {
             const int doublings = i % 8, finer = i % 3;
             const std::vector<Piece> pieces = random_pieces(random, i % 2 == 0);
-            fill_stream(oblique, doublings + finer, pieces, *stream);
+            fill_stream(stream_kernels_oblique, doublings + finer, pieces, *stream);
             const std::size_t count = i < 8 ? batch_capacity : 1 + random() % batch_capacity;
             find_runs(*stream, doublings + finer, count, *runs);
             const StreamOctave octave{std::uint32_t(random()), doublings, 0.7f};
@@ -235,7 +238,7 @@ TEST(StreamKernels, FindRunsOfTexelsInOneCell) {
     const auto stream = std::make_unique<LatticeStream>();
     const auto runs = std::make_unique<CellRuns>();
     for (int doublings : {0, 1, 5, 23}) {
-        fill_stream(oblique, doublings, random_pieces(random, true), *stream);
+        fill_stream(stream_kernels_oblique, doublings, random_pieces(random, true), *stream);
         const std::size_t count = 900;
         find_runs(*stream, doublings, count, *runs);
         std::int32_t run = -1;

@@ -10,8 +10,8 @@
 namespace burl {
 namespace {
 
-constexpr std::size_t plenty = std::size_t(1) << 30;
-const Affine3 twice{2.0 * Mat3d(1.0), Vec3d(0.5, 0.0, -3.0)};
+constexpr std::size_t kept_plenty = std::size_t(1) << 30;
+const Affine3 kept_twice{2.0 * Mat3d(1.0), Vec3d(0.5, 0.0, -3.0)};
 
 /// Terms of every way octaves are added up: chains that double, ones that do not, and noise without
 /// a vectorised kernel.
@@ -32,11 +32,11 @@ template <class Pixel>
 Image<Pixel> from_scratch(const SolidAtlas& solid, const Texture& texture, Kernel kernel,
                           const Filter& filter = {}) {
     if constexpr (std::is_same_v<Pixel, Rgb8>)
-        return synthesize_rgb8(solid, texture, twice, 1, filter, kernel);
+        return synthesize_rgb8(solid, texture, kept_twice, 1, filter, kernel);
     else if constexpr (std::is_same_v<Pixel, Rgb16>)
-        return synthesize_rgb16(solid, texture, twice, 1, filter, kernel);
+        return synthesize_rgb16(solid, texture, kept_twice, 1, filter, kernel);
     else
-        return synthesize_rgbf(solid, texture, twice, 1, filter, kernel);
+        return synthesize_rgbf(solid, texture, kept_twice, 1, filter, kernel);
 }
 
 /// One thing about the texture that a slider would change.
@@ -107,7 +107,7 @@ void follow_edits(Kernel kernel, std::size_t budget, int edits, bool filters = f
             solid.spans.resize(solid.row_begin[2]);
         }
         std::mt19937 random(std::uint32_t(budget % 1000 + block + std::size_t(kernel)));
-        KeptSynthesis kept(solid, twice, budget, kernel);
+        KeptSynthesis kept(solid, kept_twice, budget, kernel);
         Texture texture = many_terms();
         Filter filter;
         Image<Pixel> image;
@@ -124,16 +124,16 @@ void follow_edits(Kernel kernel, std::size_t budget, int edits, bool filters = f
 TEST(KeptSynthesis, GivesTheBytesOfASynthesisFromScratchAfterAnyEdit) {
     for (const auto& [name, kernel] : kernel_names) {
         SCOPED_TRACE(name);
-        follow_edits<Rgb8>(kernel, plenty, 20);
+        follow_edits<Rgb8>(kernel, kept_plenty, 20);
     }
-    follow_edits<Rgb16>(Kernel::automatic, plenty, 5);
-    follow_edits<RgbF>(Kernel::automatic, plenty, 5);
+    follow_edits<Rgb16>(Kernel::automatic, kept_plenty, 5);
+    follow_edits<RgbF>(Kernel::automatic, kept_plenty, 5);
 }
 
 TEST(KeptSynthesis, GivesTheSameBytesWithEveryFilter) {
-    follow_edits<Rgb8>(Kernel::automatic, plenty, 40, true);
-    follow_edits<Rgb16>(Kernel::automatic, plenty, 10, true);
-    follow_edits<RgbF>(Kernel::scanline, plenty, 10, true);
+    follow_edits<Rgb8>(Kernel::automatic, kept_plenty, 40, true);
+    follow_edits<Rgb16>(Kernel::automatic, kept_plenty, 10, true);
+    follow_edits<RgbF>(Kernel::scanline, kept_plenty, 10, true);
 }
 
 TEST(KeptSynthesis, GivesTheSameBytesWithinAnyBudget) {
@@ -146,7 +146,7 @@ TEST(KeptSynthesis, GivesTheSameBytesWithinAnyBudget) {
 void follow_drags(std::size_t budget, Kernel kernel) {
     const SolidAtlas solid = SyntheticAtlas{40, 11, 10.0, 0.02, true}.make(2);
     std::mt19937 random(std::uint32_t(budget + std::size_t(kernel)));
-    KeptSynthesis kept(solid, twice, budget, kernel);
+    KeptSynthesis kept(solid, kept_twice, budget, kernel);
     Texture texture = many_terms();
     Image<Rgb8> image;
     for (int drag = 0; drag < 30; ++drag) {
@@ -170,12 +170,12 @@ void follow_drags(std::size_t budget, Kernel kernel) {
 TEST(KeptSynthesis, GivesTheSameBytesWhileSlidersAreDragged) {
     for (const std::size_t bytes : {8, 12, 30, 1000})
         follow_drags(bytes * 40 * 48, Kernel::automatic);
-    follow_drags(plenty, Kernel::scanline);
+    follow_drags(kept_plenty, Kernel::scanline);
 }
 
 TEST(KeptSynthesis, EvaluatesNothingThatComesBeforeTheOctavesThatMove) {
     const SolidAtlas solid = SyntheticAtlas{40, 11, 10.0, 0.02, true}.make(1);
-    KeptSynthesis kept(solid, twice, 8 * 40 * 48);  // no room for octaves
+    KeptSynthesis kept(solid, kept_twice, 8 * 40 * 48);  // no room for octaves
     Texture texture = many_terms();
     Image<Rgb8> image;
     const auto move = [&](double& slider) {
@@ -201,9 +201,9 @@ TEST(KeptSynthesis, EvaluatesNothingThatComesBeforeTheOctavesThatMove) {
 
 TEST(KeptSynthesis, StartsAnewForAnotherMap) {
     const SolidAtlas solid = SyntheticAtlas{40, 11, 10.0, 0.02, true}.make(1);
-    KeptSynthesis kept(solid, Affine3{}, plenty);
+    KeptSynthesis kept(solid, Affine3{}, kept_plenty);
     Image<Rgb8> image;
-    for (const Affine3& map : {Affine3{}, twice, twice, Affine3{}}) {
+    for (const Affine3& map : {Affine3{}, kept_twice, kept_twice, Affine3{}}) {
         kept.set_map(map);
         kept.synthesize(many_terms(), 1, image);
         EXPECT_EQ(image, synthesize_rgb8(solid, many_terms(), map, 1));
@@ -212,7 +212,7 @@ TEST(KeptSynthesis, StartsAnewForAnotherMap) {
 
 TEST(KeptSynthesis, DoesNotKeepAnOctaveThatKeepsMoving) {
     const SolidAtlas solid = SyntheticAtlas{40, 11, 10.0, 0.02, true}.make(1);
-    KeptSynthesis kept(solid, twice, plenty);
+    KeptSynthesis kept(solid, kept_twice, kept_plenty);
     Texture texture = many_terms();
     Image<Rgb8> image;
     std::vector<std::size_t> bytes;
@@ -239,7 +239,7 @@ TEST(KeptSynthesis, DoesNotKeepAnOctaveThatKeepsMoving) {
 
 TEST(KeptSynthesis, KeepsAFieldAgainThatHasComeToRest) {
     const SolidAtlas solid = SyntheticAtlas{40, 11, 10.0, 0.02, true}.make(1);
-    KeptSynthesis kept(solid, twice, plenty);
+    KeptSynthesis kept(solid, kept_twice, kept_plenty);
     Texture texture = many_terms();
     Image<Rgb8> image;
     const auto next = [&] {
@@ -272,7 +272,7 @@ TEST(KeptSynthesis, CountsWhatItDidAndSpared) {
     const SolidAtlas solid = SyntheticAtlas{40, 11, 10.0, 0.02, true}.make(1);
     std::uint64_t texels = 0;
     for (const Span& span : solid.spans) texels += span.count;
-    KeptSynthesis kept(solid, twice, plenty);
+    KeptSynthesis kept(solid, kept_twice, kept_plenty);
     Texture texture = many_terms();
     Image<Rgb8> image;
     const auto expect = [&](std::uint64_t octaves, std::uint64_t skipped) {
@@ -292,7 +292,7 @@ TEST(KeptSynthesis, CountsWhatItDidAndSpared) {
 
 TEST(KeptSynthesis, KeepsWhatItHadWhenItIsStopped) {
     const SolidAtlas solid = SyntheticAtlas{40, 11, 10.0, 0.02, true}.make(1);
-    KeptSynthesis kept(solid, twice, plenty);
+    KeptSynthesis kept(solid, kept_twice, kept_plenty);
     Texture texture = many_terms();
     Image<Rgb8> image;
     kept.synthesize(texture, 1, image);
@@ -309,9 +309,9 @@ TEST(KeptSynthesis, KeepsWhatItHadWhenItIsStopped) {
 
 /// The work of going from one texture to the other.
 KeptSynthesis::Work work_between(const Texture& from, const Texture& to,
-                                 std::size_t budget = plenty) {
+                                 std::size_t budget = kept_plenty) {
     const SolidAtlas solid = SyntheticAtlas{40, 11, 10.0, 0.02, true}.make(1);
-    KeptSynthesis kept(solid, twice, budget);
+    KeptSynthesis kept(solid, kept_twice, budget);
     Image<Rgb8> image;
     kept.synthesize(from, 1, image);
     EXPECT_FALSE(kept.work().field_kept);
@@ -370,7 +370,7 @@ TEST(KeptSynthesis, KeepsTheFieldFirstAndThenOctavesWithinTheBudget) {
 
 TEST(KeptSynthesis, StatesTheBytesItKeeps) {
     const SolidAtlas solid = SyntheticAtlas{64, 16, 10.0, 0.02, false}.make(1);
-    KeptSynthesis kept(solid, twice, plenty);
+    KeptSynthesis kept(solid, kept_twice, kept_plenty);
     EXPECT_EQ(kept.bytes(), 0u);
     Image<Rgb8> image;
     kept.synthesize(many_terms(), 1, image);
@@ -383,7 +383,7 @@ TEST(KeptSynthesis, StatesTheBytesItKeeps) {
 
 TEST(KeptSynthesis, PaintsWhatNobodyOwnsAnew) {
     const SolidAtlas solid = SyntheticAtlas{40, 11, 10.0, 0.02, true}.make(1);
-    KeptSynthesis kept(solid, twice, plenty);
+    KeptSynthesis kept(solid, kept_twice, kept_plenty);
     Image<Rgb8> image(40, 40, Rgb8{1, 2, 3});
     Texture texture = many_terms();
     for (const std::uint8_t red : {std::uint8_t(9), std::uint8_t(77)}) {

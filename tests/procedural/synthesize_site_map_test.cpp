@@ -16,7 +16,7 @@
 namespace burl {
 namespace {
 
-Texture texture_of(NoiseKind kind) {
+Texture site_map_texture_of(NoiseKind kind) {
     Texture texture;
     texture.quadric = {0.5, 0, 0.25, 1, -0.75, 0, 2, 0.5, -1, 0.125};
     NoiseTerm term;
@@ -26,7 +26,7 @@ Texture texture_of(NoiseKind kind) {
     return texture;
 }
 
-SolidAtlas atlas_of(std::uint32_t size) {
+SolidAtlas site_map_atlas_of(std::uint32_t size) {
     SyntheticAtlas atlas;
     atlas.size = size, atlas.block = 13;
     return atlas.make(4);
@@ -45,8 +45,8 @@ TEST(SiteOrderTest, HasAPlaceForEveryTexel) {
 }
 
 TEST(SiteMapTest, HoldsTheLatticeMapsNumbers) {
-    const SolidAtlas solid = atlas_of(80);
-    const Texture texture = texture_of(NoiseKind::value);
+    const SolidAtlas solid = site_map_atlas_of(80);
+    const Texture texture = site_map_texture_of(NoiseKind::value);
     const auto index = fixed_index(texture);
     ASSERT_TRUE(index);
     const LatticeStreamKey key = stream_key(index->groups[0]);
@@ -80,8 +80,8 @@ INSTANTIATE_TEST_SUITE_P(Noises, SparseTexelsOf,
                          testing::Values(NoiseKind::value, NoiseKind::perlin, NoiseKind::worley));
 
 TEST_P(SparseTexelsOf, AreThoseOfTheWholePicture) {
-    const SolidAtlas solid = atlas_of(64);
-    const Texture texture = texture_of(GetParam());
+    const SolidAtlas solid = site_map_atlas_of(64);
+    const Texture texture = site_map_texture_of(GetParam());
     const Affine3 move{Mat3d(0.75), Vec3d(0.25, -1, 3)};
     const Image<Rgb8> whole = synthesize_rgb8(solid, texture, move, 1, {}, Kernel::direct);
     std::vector<glm::uvec2> texels;

@@ -18,7 +18,7 @@ Affine3 scaled(double scale) {
     return {scale * Mat3d(1.0), Vec3d(0.0)};
 }
 
-Texture marble() {
+Texture synthesize_marble() {
     Texture texture;
     texture.quadric.i = 0.5;
     NoiseTerm term;
@@ -34,7 +34,7 @@ Texture random_texture(std::mt19937& random, bool with_quadric) {
         const std::array all{values...};
         return all[random() % all.size()];
     };
-    Texture texture = marble();
+    Texture texture = synthesize_marble();
     texture.quadric = {};
     if (with_quadric) {
         Quadric& q = texture.quadric;
@@ -122,19 +122,19 @@ TEST(Synthesis, KeepsTheErrorContractAlongLongRows) {
     SolidAtlas strip = solid;  // rows of 3000 texels, but only five of them
     strip.row_begin.assign(3001, 5);
     for (std::size_t y = 0; y < 5; ++y) strip.row_begin[y] = y;
-    EXPECT_LT(worst_share(strip, marble(), scaled(4.0)), 1.0);
+    EXPECT_LT(worst_share(strip, synthesize_marble(), scaled(4.0)), 1.0);
 }
 
 TEST(Synthesis, AppliesTheTexturesMap) {
     // A rotation with scale and offset in the map is the same as points moved by hand.
     const SolidAtlas solid = SyntheticAtlas{32, 8, 0.0, 0.05, true}.make(5);
     Affine3 map{Mat3d(0, 2, 0, 0, 0, 2, 2, 0, 0), Vec3d(1.0, -7.0, 0.25)};
-    EXPECT_LT(worst_share(solid, marble(), map), 1.0);
+    EXPECT_LT(worst_share(solid, synthesize_marble(), map), 1.0);
     SolidAtlas moved = solid;
     for (TexelMap& m : moved.maps)
         m = {map(m.origin), map.linear * m.step_x, map.linear * m.step_y, m.anchor_x, m.anchor_y};
-    EXPECT_EQ(synthesize_field(solid, marble(), map, 1),
-              synthesize_field(moved, marble(), scaled(1.0), 1));
+    EXPECT_EQ(synthesize_field(solid, synthesize_marble(), map, 1),
+              synthesize_field(moved, synthesize_marble(), scaled(1.0), 1));
 }
 
 TEST(Synthesis, GivesTheSameBytesForEveryThreadCount) {
@@ -162,7 +162,7 @@ TEST(Synthesis, EveryNoiseIsTheReferencesForEveryThreadCount) {
     for (const auto& [name, noise] : test::noise_cases(3))
         for (const OctaveShape shape :
              {OctaveShape::plain, OctaveShape::absolute, OctaveShape::ridged}) {
-            Texture texture = marble();
+            Texture texture = synthesize_marble();
             texture.quadric = {};
             NoiseTerm& term = texture.noise[0];
             term.kind = noise.kind, term.fade = noise.fade, term.feature = noise.feature;
@@ -186,7 +186,7 @@ TEST(Synthesis, EveryNoiseIsTheReferencesForEveryThreadCount) {
 TEST(Synthesis, GivesTheSameBytesOnEveryInstructionSet) {
     std::mt19937 random(8);
     const SolidAtlas solid = SyntheticAtlas{50, 13, 1000.0, 0.07, true}.make(0);
-    std::vector<Texture> textures{marble()};
+    std::vector<Texture> textures{synthesize_marble()};
     for (int i = 0; i < 12; ++i) textures.push_back(random_texture(random, true));
     for (std::size_t i = 0; i < textures.size(); ++i)
         textures[i].colors.wrap = i % 2 ? Wrap::clamp : Wrap::repeat;
@@ -222,7 +222,7 @@ TEST(Synthesis, GivesTheSameBytesOnEveryInstructionSet) {
 TEST(Synthesis, ColoursAreTheReferenceWithinOneCode) {
     const SolidAtlas solid = SyntheticAtlas{128, 32, 3.0, 0.01, true}.make(6);
     for (const Wrap wrap : {Wrap::repeat, Wrap::clamp}) {
-        Texture texture = marble();
+        Texture texture = synthesize_marble();
         texture.colors.wrap = wrap;
         texture.colors.stops = {{0.1, {250, 10, 30}}, {0.4, {0, 200, 40}}, {0.9, {3, 5, 255}}};
         const Image<Rgb8> image8 = synthesize_rgb8(solid, texture, scaled(1.0), 1);
@@ -253,7 +253,7 @@ TEST(Synthesis, TexelsWithoutOwnerHaveTheColourOfFieldZero) {
     solid.size = 4;
     solid.row_begin.assign(5, 0);
     const Rgb8 expected{244, 239, 230};
-    const Image<Rgb8> image = synthesize_rgb8(solid, marble(), scaled(1.0), 1);
+    const Image<Rgb8> image = synthesize_rgb8(solid, synthesize_marble(), scaled(1.0), 1);
     ASSERT_EQ(image.pixels().size(), 16u);
     for (const Rgb8 c : image.pixels()) EXPECT_EQ(c, expected);
 }
@@ -261,7 +261,7 @@ TEST(Synthesis, TexelsWithoutOwnerHaveTheColourOfFieldZero) {
 TEST(Synthesis, SurvivesHopelessCoordinates) {
     for (const double huge : {1e18, 1e300}) {
         const SolidAtlas solid = SyntheticAtlas{20, 7, huge, huge, true}.make(2);
-        Texture texture = marble();
+        Texture texture = synthesize_marble();
         texture.quadric = {1, 1, 1, 1, 1, 1, 1, 1, 1, 1};
         const Image<Rgb8> image = synthesize_rgb8(solid, texture, scaled(1e6), 1);
         EXPECT_EQ(image.width(), 20u);

@@ -1,4 +1,4 @@
-// Textures filled texel by texel: float64 against the scalar reference and the fast path, fixed
+// Textures filled texel by texel: in_float64 against the scalar reference and the fast path, fixed
 // point against the field of one point.
 #include "procedural/synthesize_texels.h"
 
@@ -15,14 +15,14 @@
 namespace burl {
 namespace {
 
-const Precision float64{PrecisionKind::float64, {}};
-const Affine3 twice{2.0 * Mat3d(1.0), Vec3d(0.25, 0.0, -1.0)};
+const Precision in_float64{PrecisionKind::float64, {}};
+const Affine3 texels_twice{2.0 * Mat3d(1.0), Vec3d(0.25, 0.0, -1.0)};
 
 Precision fixed(unsigned integer_bits, unsigned fraction_bits) {
     return {PrecisionKind::fixed, {integer_bits, fraction_bits}};
 }
 
-Texture marble() {
+Texture texels_marble() {
     Texture texture;
     texture.quadric.i = 0.5, texture.quadric.a = 0.3;
     NoiseTerm term;
@@ -38,15 +38,17 @@ void for_each_texel(const SolidAtlas& solid, const Visit& visit) {
     for (std::size_t y = 0; y < solid.size; ++y)
         for (const Span& span : solid.row(y))
             for (std::size_t x = span.x; x < span.x + span.count; ++x)
-                visit(x, y, twice(solid.maps[span.map](std::int64_t(x), std::int64_t(y))));
+                visit(x, y, texels_twice(solid.maps[span.map](std::int64_t(x), std::int64_t(y))));
 }
 
 TEST(SynthesizeTexels, InFloat64IsTheReferenceItself) {
     const SolidAtlas solid = SyntheticAtlas{60, 13, 3.0, 0.03, true}.make(1);
-    const Texture texture = marble();
-    const Image<double> field = field_of_texels(solid, texture, twice, float64, 1);
-    const Image<RgbF> colors = synthesize_texels<RgbF>(solid, texture, twice, float64, {}, 1);
-    const Image<Rgb8> codes = synthesize_texels<Rgb8>(solid, texture, twice, float64, {}, 1);
+    const Texture texture = texels_marble();
+    const Image<double> field = field_of_texels(solid, texture, texels_twice, in_float64, 1);
+    const Image<RgbF> colors =
+        synthesize_texels<RgbF>(solid, texture, texels_twice, in_float64, {}, 1);
+    const Image<Rgb8> codes =
+        synthesize_texels<Rgb8>(solid, texture, texels_twice, in_float64, {}, 1);
     const SrgbEncoder<std::uint8_t> encode;
     for_each_texel(solid, [&](std::size_t x, std::size_t y, const Vec3d& s) {
         const double f = evaluate_field(texture, s);
@@ -56,15 +58,16 @@ TEST(SynthesizeTexels, InFloat64IsTheReferenceItself) {
         ASSERT_EQ(codes(x, y), (Rgb8{encode(color.x), encode(color.y), encode(color.z)}));
         ASSERT_LE(glm::length(color - evaluate_color(texture.colors, f)), 1e-15);
     });
-    EXPECT_EQ(codes(59, 59), synthesize_rgb8(solid, texture, twice, 1)(59, 59));
+    EXPECT_EQ(codes(59, 59), synthesize_rgb8(solid, texture, texels_twice, 1)(59, 59));
 }
 
 TEST(SynthesizeTexels, InFixedPointIsTheFieldOfEveryPoint) {
     const SolidAtlas solid = SyntheticAtlas{40, 9, 3.0, 0.03, true}.make(2);
-    const Texture texture = marble();
+    const Texture texture = texels_marble();
     const FixedField one(texture, {5, 7});
-    const Image<double> field = field_of_texels(solid, texture, twice, fixed(5, 7), 1);
-    const Image<RgbF> colors = synthesize_texels<RgbF>(solid, texture, twice, fixed(5, 7), {}, 1);
+    const Image<double> field = field_of_texels(solid, texture, texels_twice, fixed(5, 7), 1);
+    const Image<RgbF> colors =
+        synthesize_texels<RgbF>(solid, texture, texels_twice, fixed(5, 7), {}, 1);
     for_each_texel(solid, [&](std::size_t x, std::size_t y, const Vec3d& s) {
         ASSERT_EQ(field(x, y), one(s));
         const Vec3d color = evaluate_color(texture.colors, one(s));
@@ -87,7 +90,7 @@ double difference(const Image<RgbF>& a, const Image<RgbF>& b) {
 /// The fast path has the same definition of every filter, and float32's error.
 TEST(SynthesizeTexels, FiltersAsTheFastPathDoes) {
     const SolidAtlas solid = SyntheticAtlas{48, 11, 0.0, 0.08, true}.make(3);
-    Texture texture = marble();
+    Texture texture = texels_marble();
     texture.quadric = {.i = 0.05};
     NoiseTerm ridges = texture.noise[0];
     ridges.kind = NoiseKind::simplex, ridges.shape = OctaveShape::ridged, ridges.amplitude = 0.2;
@@ -98,14 +101,14 @@ TEST(SynthesizeTexels, FiltersAsTheFastPathDoes) {
          {none, table_mip, table_sat, table_sat3, exact, trapezoid, trapezoid2, supersample})
         for (const bool band_limit : {false, true}) {
             const Filter filter{kind, 9, band_limit};
-            const Image<RgbF> fast = synthesize_rgbf(solid, texture, twice, 1, filter);
+            const Image<RgbF> fast = synthesize_rgbf(solid, texture, texels_twice, 1, filter);
             const Image<RgbF> exactly =
-                synthesize_texels<RgbF>(solid, texture, twice, float64, filter, 1);
+                synthesize_texels<RgbF>(solid, texture, texels_twice, in_float64, filter, 1);
             EXPECT_LT(difference(fast, exactly), 2e-5) << int(kind) << band_limit;
             EXPECT_NE(fast, exactly) << int(kind) << band_limit;
             const bool plain = kind == none && !band_limit;
             const Image<RgbF> point =
-                synthesize_texels<RgbF>(solid, texture, twice, float64, {}, 1);
+                synthesize_texels<RgbF>(solid, texture, texels_twice, in_float64, {}, 1);
             EXPECT_EQ(difference(exactly, point) > 1e-3, !plain);
         }
 }
@@ -113,13 +116,13 @@ TEST(SynthesizeTexels, FiltersAsTheFastPathDoes) {
 TEST(SynthesizeTexels, GivesTheSameBytesForEveryThreadCount) {
     const tbb::global_control more(tbb::global_control::max_allowed_parallelism, 8);
     const SolidAtlas solid = SyntheticAtlas{120, 17, 3.0, 0.02, true}.make(4);
-    const Texture texture = marble();
+    const Texture texture = texels_marble();
     const auto filled = [&](const Precision& precision, const Filter& filter, int threads) {
-        return synthesize_texels<Rgb8>(solid, texture, twice, precision, filter, threads);
+        return synthesize_texels<Rgb8>(solid, texture, texels_twice, precision, filter, threads);
     };
     const Filter faded{FilterKind::trapezoid2, 1, true}, sampled{FilterKind::supersample, 4, false};
-    for (const auto& [precision, filter] : {std::pair(float64, Filter{}),
-                                            {float64, faded},
+    for (const auto& [precision, filter] : {std::pair(in_float64, Filter{}),
+                                            {in_float64, faded},
                                             {fixed(8, 8), Filter{}},
                                             {fixed(8, 8), sampled}})
         for (const int threads : {2, 7, 0})
@@ -131,10 +134,10 @@ TEST(SynthesizeTexels, LeavesTexelsWithoutOwnerTheColourOfFieldZero) {
     solid.size = 4;
     solid.row_begin.assign(5, 0);
     const Rgb8 expected{244, 239, 230};
-    for (const Precision& precision : {float64, fixed(8, 8)})
+    for (const Precision& precision : {in_float64, fixed(8, 8)})
         for (const FilterKind kind : {FilterKind::none, FilterKind::supersample}) {
-            const Image<Rgb8> image =
-                synthesize_texels<Rgb8>(solid, marble(), twice, precision, {kind, 4, false}, 1);
+            const Image<Rgb8> image = synthesize_texels<Rgb8>(solid, texels_marble(), texels_twice,
+                                                              precision, {kind, 4, false}, 1);
             for (const Rgb8 c : image.pixels()) EXPECT_EQ(c, expected);
         }
 }

@@ -14,9 +14,9 @@
 namespace burl {
 namespace {
 
-const Affine3 twice{2.0 * Mat3d(1.0), Vec3d(0.25, 0.0, -1.0)};
+const Affine3 tiles_twice{2.0 * Mat3d(1.0), Vec3d(0.25, 0.0, -1.0)};
 
-Texture marble(NoiseKind kind, Fade fade) {
+Texture tiles_marble(NoiseKind kind, Fade fade) {
     Texture texture;
     texture.quadric.i = 0.5, texture.quadric.a = 0.3;
     NoiseTerm term;
@@ -112,24 +112,24 @@ TEST(SynthesizeTiles, PointSamplesOfEveryKernel) {
         for (const NoiseKind kind : {NoiseKind::value, NoiseKind::perlin, NoiseKind::simplex})
             for (const Fade fade : {Fade::linear, Fade::smooth})
                 for (const auto& [name, kernel] : kernel_names) {
-                    const Texture texture = marble(kind, fade);
+                    const Texture texture = tiles_marble(kind, fade);
                     expect_part_of_whole(
                         solid,
                         [&](const SolidAtlas& atlas) {
-                            return synthesize_rgbf(atlas, texture, twice, 2, {}, kernel);
+                            return synthesize_rgbf(atlas, texture, tiles_twice, 2, {}, kernel);
                         },
                         std::string(name));
                     expect_part_of_whole(
                         solid,
                         [&](const SolidAtlas& atlas) {
-                            return synthesize_rgb8(atlas, texture, twice, 2, {}, kernel);
+                            return synthesize_rgb8(atlas, texture, tiles_twice, 2, {}, kernel);
                         },
                         std::string(name));
                 }
 }
 
 TEST(SynthesizeTiles, EveryFilter) {
-    const Texture texture = marble(NoiseKind::perlin, Fade::quintic);
+    const Texture texture = tiles_marble(NoiseKind::perlin, Fade::quintic);
     for (const SolidAtlas& solid : atlases())
         for (const FilterKind kind :
              {FilterKind::table_mip, FilterKind::table_sat, FilterKind::table_sat3,
@@ -141,27 +141,27 @@ TEST(SynthesizeTiles, EveryFilter) {
                 expect_part_of_whole(
                     solid,
                     [&](const SolidAtlas& atlas) {
-                        return synthesize_rgbf(atlas, texture, twice, 2, filter);
+                        return synthesize_rgbf(atlas, texture, tiles_twice, 2, filter);
                     },
                     "filter " + std::to_string(int(kind)));
             }
 }
 
 TEST(SynthesizeTiles, EveryPrecision) {
-    const Texture texture = marble(NoiseKind::value, Fade::smooth);
+    const Texture texture = tiles_marble(NoiseKind::value, Fade::smooth);
     for (const SolidAtlas& solid : atlases()) {
         for (const PrecisionKind kind : {PrecisionKind::float64, PrecisionKind::fixed})
             expect_part_of_whole(
                 solid,
                 [&](const SolidAtlas& atlas) {
-                    return synthesize_texels<Rgb16>(atlas, texture, twice, {kind, {}}, {}, 2);
+                    return synthesize_texels<Rgb16>(atlas, texture, tiles_twice, {kind, {}}, {}, 2);
                 },
                 "texel by texel");
         for (const ForwardPrecision kind : {ForwardPrecision::float32, ForwardPrecision::float64})
             expect_part_of_whole(
                 solid,
                 [&](const SolidAtlas& atlas) {
-                    return synthesize_forward<Rgb8>(atlas, texture, twice, kind, 2);
+                    return synthesize_forward<Rgb8>(atlas, texture, tiles_twice, kind, 2);
                 },
                 "forward differences");
     }
@@ -176,7 +176,7 @@ TEST(SynthesizeTiles, Graphs) {
             expect_part_of_whole(
                 solid,
                 [&](const SolidAtlas& atlas) {
-                    return synthesize_graph_rgbf(atlas, graph, twice, filter, 2);
+                    return synthesize_graph_rgbf(atlas, graph, tiles_twice, filter, 2);
                 },
                 "graph");
 }

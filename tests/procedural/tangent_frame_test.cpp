@@ -20,7 +20,7 @@ class RandomVectors {
     std::normal_distribution<double> gauss_;
 };
 
-double degrees_between(const Vec3d& a, const Vec3d& b) {
+double tangent_frame_degrees_between(const Vec3d& a, const Vec3d& b) {
     return glm::degrees(std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)));
 }
 
@@ -76,17 +76,18 @@ TEST(NormalCodes, ComeBackWithinHalfACode) {
     double worst8 = 0.0, worst16 = 0.0;
     for (int i = 0; i < 20000; ++i) {
         const Vec3d n = vectors.unit();
-        worst8 =
-            std::max(worst8, degrees_between(n, decode_normal(encode_normal<std::uint8_t>(n))));
-        worst16 =
-            std::max(worst16, degrees_between(n, decode_normal(encode_normal<std::uint16_t>(n))));
+        worst8 = std::max(worst8, tangent_frame_degrees_between(
+                                      n, decode_normal(encode_normal<std::uint8_t>(n))));
+        worst16 = std::max(worst16, tangent_frame_degrees_between(
+                                        n, decode_normal(encode_normal<std::uint16_t>(n))));
     }
     // Half a code in each of three axes: sqrt(3) / 255 radians at most.
     EXPECT_LT(worst8, glm::degrees(std::sqrt(3.0) / 255.0));
     EXPECT_GT(worst8, 0.2);
     EXPECT_LT(worst16, glm::degrees(std::sqrt(3.0) / 65535.0));
     const Vec3d flat = decode_normal(Rgb8{128, 128, 255});
-    EXPECT_NEAR(degrees_between(flat, {0, 0, 1}), 0.318, 0.001) << "128 is not quite 0";
+    EXPECT_NEAR(tangent_frame_degrees_between(flat, {0, 0, 1}), 0.318, 0.001)
+        << "128 is not quite 0";
 }
 
 }  // namespace
