@@ -90,7 +90,7 @@ install_optional_packages() { # KIND...
 # Compiles with ccache where there is one, so that a second checkout builds quickly.
 use_ccache() {
     if command -v ccache >/dev/null; then
-        export CMAKE_CXX_COMPILER_LAUNCHER=ccache CCACHE_NOHASHDIR=1 CCACHE_BASEDIR="$root"
+        export CMAKE_CXX_COMPILER_LAUNCHER=ccache CCACHE_NOHASHDIR=1 CCACHE_BASEDIR="$root" CCACHE_DEPEND=1
     fi
 }
 
