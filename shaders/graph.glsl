@@ -97,8 +97,13 @@ int image_index(real x, int size, int wrap) {
 // From here on a coordinate holds no useful fraction of a texel.
 const real farthest_image = real(1099511627776.0);  // 2^40
 
+// From level 0: software OpenGL gives neighbouring pixels that ask for different levels one's size.
+ivec2 level_size(sampler2D image, int level) {
+    return max(textureSize(image, 0) >> level, 1);
+}
+
 real3 image_texel(sampler2D image, int level, real x, real y, int wrap) {
-    ivec2 size = textureSize(image, level);
+    ivec2 size = level_size(image, level);
     ivec2 texel = ivec2(image_index(x, size.x, wrap), image_index(y, size.y, wrap));
     if (texel.x < 0 || texel.y < 0) return real3(0.0);
     return real3(texelFetch(image, texel, level).rgb);
