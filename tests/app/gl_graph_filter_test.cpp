@@ -102,9 +102,10 @@ TEST_P(GlGraphFilterNodeTest, StaysCloseInFloat32) {
 TEST_F(GlGraphFilterTest, BoardsHaveTheHostsMeans) {
     for (const char* board : {"checkerboard", "checkerboard_3d"})
         for (const char* aa : {"none", "supersample", "trapezoid"})
-            expect_hosts(graph_of(fmt::format(
-                             R"({{"node": "{}", "aa": "{}", "a": {{"node": "fbm"}}}})", board, aa)),
-                         trapezoid, std::string_view(aa) == "supersample" ? 2e-6 : 0.0);
+            expect_hosts(
+                graph_of(fmt::format(
+                    R"({{"node": "{}", "aa": "{}", "a": {{"node": "coordinate"}}}})", board, aa)),
+                trapezoid, std::string_view(aa) == "supersample" ? 2e-6 : 0.0);
 }
 
 TEST_F(GlGraphFilterTest, ColourMapsHaveTheHostsMeans) {
@@ -150,7 +151,7 @@ TEST_F(GlGraphFilterTest, OctavesOfFieldsFade) {
     const Filter faded{FilterKind::trapezoid, 16, true};
     expect_hosts(graph, faded, 2e-6);
     const SolidAtlas solid = SyntheticAtlas{64, 16, 0.4, 0.1}.make(7);
-    EXPECT_GT(distance(drawn(solid, graph, faded), drawn(solid, graph, trapezoid)), 0.01);
+    EXPECT_GT(distance(on_host(solid, graph, faded), on_host(solid, graph, trapezoid)), 0.01);
 }
 
 TEST_F(GlGraphFilterTest, WhatIsTheHostsAloneIsRefused) {
