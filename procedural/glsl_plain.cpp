@@ -125,8 +125,7 @@ std::vector<Definition> definitions_of(std::string_view text) {
         if (last == std::string_view::npos) return;
         open.code += code;
         for (const char c : code) depth += c == '{' || c == '(' ? 1 : c == '}' || c == ')' ? -1 : 0;
-        const bool ends = open.code.starts_with('#') ? code[last] != '\\'
-                                                     : code[last] == ';' || code[last] == '}';
+        const bool ends = open.code.starts_with('#') || code[last] == ';' || code[last] == '}';
         if (depth != 0 || !ends) return;
         all.push_back(std::move(open));
         open = {};

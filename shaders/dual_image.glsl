@@ -17,7 +17,7 @@ ImageSample first_texel(sampler2D image, int level, int wrap) {
 ImageSample bilinear_sample(sampler2D image, int level, real s, real t, int wrap) {
     if (!(abs(s) < farthest_image && abs(t) < farthest_image))
         return first_texel(image, level, wrap);
-    real2 size = real2(textureSize(image, level));
+    real2 size = real2(level_size(image, level));
     exact real x = s * size.x - real(0.5), y = t * size.y - real(0.5);
     real i = floor(x), j = floor(y);
     exact real u = x - i, v = y - j, left = real(1.0) - u, top = real(1.0) - v;
@@ -54,7 +54,7 @@ ImageSample ellipse_sample(sampler2D image, int level, real s, real t, real2 fir
                            int wrap) {
     if (!(abs(s) < farthest_image && abs(t) < farthest_image))
         return first_texel(image, level, wrap);
-    real2 size = real2(textureSize(image, level));
+    real2 size = real2(level_size(image, level));
     exact real x = s * size.x - real(0.5), y = t * size.y - real(0.5);
     exact real2 p = first * size, q = second * size;
     // r^2 = a dx^2 + b dx dy + c dy^2 over the ellipse of the two steps, one texel wider.

@@ -59,18 +59,21 @@ struct DotDisk {
     real dx, dy;
 };
 
+// The random number in [-1,1) of the square that lies so many squares across and down from this one.
+real dot_number(uvec2 square, int across, int down, uint seed, uvec2 period) {
+    uint i = lattice_index(square.x, across, period.x), j = lattice_index(square.y, down, period.y);
+    return real(lattice_value(lattice_bits(uvec3(i, j, 0u), seed)));
+}
+
 // Half of the squares have a disk; square (i, j) draws three random numbers. `period` in squares,
 // 0: none.
 DotDisk dot_disk(real x, real y, uint seed, uvec2 period, real radius) {
     exact real shift = real(0.5) - radius;
     exact real3 corner = real3(x + real(0.5), y + real(0.5), real(0.0));
     uvec2 square = cell_bits(lattice_site(corner, uvec3(period, 0u))).xy;
-#define dot_random(across, down)                                                        \
-    (shift * real(lattice_value(lattice_bits(uvec3(lattice_index(square.x, across, period.x), \
-                                                   lattice_index(square.y, down, period.y), 0u), seed))))
-    exact real chance = dot_random(0, 0);
-    exact real dx = x - (floor(corner.x) + dot_random(1, 2));
-    exact real dy = y - (floor(corner.y) + dot_random(4, 9));
+    exact real chance = shift * dot_number(square, 0, 0, seed, period);
+    exact real dx = x - (floor(corner.x) + shift * dot_number(square, 1, 2, seed, period));
+    exact real dy = y - (floor(corner.y) + shift * dot_number(square, 4, 9, seed, period));
     return DotDisk(chance >= real(0.0), dx, dy);
 }
 
@@ -94,8 +97,13 @@ int image_index(real x, int size, int wrap) {
 // From here on a coordinate holds no useful fraction of a texel.
 const real farthest_image = real(1099511627776.0);  // 2^40
 
+// From level 0: software OpenGL gives neighbouring pixels that ask for different levels one's size.
+ivec2 level_size(sampler2D image, int level) {
+    return max(textureSize(image, 0) >> level, 1);
+}
+
 real3 image_texel(sampler2D image, int level, real x, real y, int wrap) {
-    ivec2 size = textureSize(image, level);
+    ivec2 size = level_size(image, level);
     ivec2 texel = ivec2(image_index(x, size.x, wrap), image_index(y, size.y, wrap));
     if (texel.x < 0 || texel.y < 0) return real3(0.0);
     return real3(texelFetch(image, texel, level).rgb);

@@ -24,9 +24,10 @@ uniform float ambient;
 out vec4 fragment;
 
 // Bilinear in one level, half of its texels off the block's border; of a block under one texel the
-// middle.
+// middle. Its size is worked out from level 0: software OpenGL gives neighbouring pixels that ask for
+// different levels one's size.
 vec4 block_level(sampler2D map, float level) {
-    vec2 half_texel = 0.5 / vec2(textureSize(map, int(level)));
+    vec2 half_texel = 0.5 / vec2(max(textureSize(map, 0) >> int(level), 1));
     vec2 middle = 0.5 * (texture_block.xy + texture_block.zw);
     vec2 low = min(texture_block.xy + half_texel, middle);
     vec2 high = max(texture_block.zw - half_texel, middle);

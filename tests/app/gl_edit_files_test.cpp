@@ -22,11 +22,14 @@ constexpr const char* triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 
 class GlEditFilesTest : public GlEditProgramTest {
   protected:
-    std::unique_ptr<EditorProgram> open(const std::string& mesh, const std::string& recipe) {
+    /// `gallery`: with its balls, which take longer than most tests.
+    std::unique_ptr<EditorProgram> open(const std::string& mesh, const std::string& recipe,
+                                        bool gallery = false) {
         EditorOptions options;
         options.mesh = mesh;
         options.recipe = recipe;
         options.recent = folder / "recent";
+        options.gallery = gallery;
         auto editor = std::make_unique<EditorProgram>(
             create_unseen_window(create_osmesa_context(), {800, 640}), options);
         play(*editor, settle);
@@ -120,7 +123,7 @@ TEST_F(GlEditFilesTest, ARecipeReadAgainLeavesTheClockWhereItIs) {
 
 TEST_F(GlEditFilesTest, ABallIsLargeWhereThePointerRests) {
     save("marble");
-    const auto editor = open("sample:cube", folder / "r.json");
+    const auto editor = open("sample:cube", folder / "r.json", true);
     play(*editor, R"({"wheel": "preset:sine-marble", "by": [0, 0]}, {"wait": 5})");
     EXPECT_FALSE(editor->items().find("preset enlarged"));
     play(*editor, R"({"wait": 20}, {"settle": true}, {"wait": 2})");

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -116,6 +117,28 @@ TEST(GlEmit, SaysWhatItIsAndHoldsNothingElse) {
         EXPECT_THAT(text, HasSubstr(part));
     for (const char* part : {"real", "double", "exact", "sine", "mix_bits", "#if"})
         EXPECT_THAT(text, Not(HasSubstr(part)));
+}
+
+/// OpenGL drivers forgive what the language does not have, so the reference compiler reads them.
+TEST(GlEmit, PresetsAndNodesAreValidGlsl) {
+    if (std::system("command -v glslangValidator >/dev/null") != 0)
+        GTEST_SKIP() << "glslangValidator (package glslang-tools) is not installed";
+    const Scratch scratch;
+    std::string files;
+    const auto add = [&](std::string_view name, const Recipe& recipe) {
+        files += " '" + scratch.write(fmt::format("{}.frag", name), emit_glsl(recipe, {})) + "'";
+    };
+    for (const std::string& name : presets()) add("preset-" + name, load_recipe(name));
+    for (const GraphCase& one : graph_cases) {
+        Recipe recipe;
+        recipe.graph = graph_of(one.json);
+        add(fmt::format("node-{}", one.node), recipe);
+    }
+    const std::string log = scratch / "log.txt";
+    const int status = std::system(("glslangValidator" + files + " >'" + log + "'").c_str());
+    EXPECT_EQ(status, 0) << test::slurp(log);
+    // It names each file that it has read.
+    EXPECT_THAT(test::slurp(log), HasSubstr("preset-zoneplate.frag"));
 }
 
 TEST(GlEmit, BakesWriteIt) {

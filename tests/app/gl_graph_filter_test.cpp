@@ -13,6 +13,7 @@
 #include "app/pipeline.h"
 #include "procedural/synthesize_graph.h"
 #include "tests/app/gl_fixture.h"
+#include "tests/paths.h"
 #include "tests/procedural/graph_cases.h"
 #include "tests/procedural/synthetic_atlas.h"
 
@@ -22,6 +23,7 @@ namespace {
 using testing::HasSubstr;
 
 const Affine3 somewhere{Mat3d(1.7), Vec3d(0.3, -0.2, 0.1)};
+constexpr Filter trapezoid{FilterKind::trapezoid, 16, false};
 
 /// Largest difference of a channel; infinite where something is no number.
 double distance(const Image<RgbF>& a, const Image<RgbF>& b) {
@@ -48,19 +50,32 @@ class GlGraphFilterTest : public GlTest {
                                const Filter& filter) {
         return synthesize_graph_rgbf(solid, graph, somewhere, filter, 1);
     }
-    /// Small footprints and wide ones, which octaves fade in. `error` 0: bit for bit.
+    /// Small footprints and wide ones, which octaves fade in, in blocks with borders between pixels
+    /// that are drawn together. `error` 0: bit for bit.
     void expect_hosts(const TextureGraph& graph, const Filter& filter, double error) {
         for (const double step : {0.02, 0.3}) {
-            const SolidAtlas solid = SyntheticAtlas{64, 16, 0.4, step}.make(7);
+            const SolidAtlas solid = SyntheticAtlas{64, 13, 0.4, step}.make(7);
             const Image<RgbF> expected = on_host(solid, graph, filter);
             EXPECT_LE(distance(drawn(solid, graph, filter), expected), error) << step;
         }
     }
+    /// Filtered pictures repeat, and are the host's.
+    void expect_hosts(const Recipe& recipe) {
+        Pipeline pipeline(torus(300));
+        pipeline.set_recipe(recipe);
+        const Affine3 map = texture_from_solid(recipe);
+        const SolidAtlas& solid = pipeline.solid();
+        GlGraphSynthesis gl(*context);
+        Image<RgbF> first, second;
+        gl.synthesize(solid, recipe.graph, map, 1, first, trapezoid);
+        gl.synthesize(solid, recipe.graph, map, 1, second, trapezoid);
+        EXPECT_EQ(differing(first, second), 0u);
+        EXPECT_EQ(differing(first, synthesize_graph_rgbf(solid, recipe.graph, map, trapezoid, 1)),
+                  0u);
+    }
 
     std::optional<GlGraphSynthesis> gl_;
 };
-
-constexpr Filter trapezoid{FilterKind::trapezoid, 16, false};
 
 class GlGraphFilterNodeTest : public GlGraphFilterTest,
                               public testing::WithParamInterface<GraphCase> {};
@@ -87,9 +102,10 @@ TEST_P(GlGraphFilterNodeTest, StaysCloseInFloat32) {
 TEST_F(GlGraphFilterTest, BoardsHaveTheHostsMeans) {
     for (const char* board : {"checkerboard", "checkerboard_3d"})
         for (const char* aa : {"none", "supersample", "trapezoid"})
-            expect_hosts(graph_of(fmt::format(
-                             R"({{"node": "{}", "aa": "{}", "a": {{"node": "fbm"}}}})", board, aa)),
-                         trapezoid, std::string_view(aa) == "supersample" ? 2e-6 : 0.0);
+            expect_hosts(
+                graph_of(fmt::format(
+                    R"({{"node": "{}", "aa": "{}", "a": {{"node": "coordinate"}}}})", board, aa)),
+                trapezoid, std::string_view(aa) == "supersample" ? 2e-6 : 0.0);
 }
 
 TEST_F(GlGraphFilterTest, ColourMapsHaveTheHostsMeans) {
@@ -113,6 +129,21 @@ TEST_F(GlGraphFilterTest, ImagesHaveTheHostsMeans) {
                          trapezoid, 0.0);
 }
 
+TEST_F(GlGraphFilterTest, ImagesMayBeLong) {
+    const auto image = [](const std::string&) { return random_image(40, 5); };
+    const auto json =
+        nlohmann::ordered_json::parse(R"({"node": "image", "file": "image.png", "lookup": "ewa"})");
+    expect_hosts(graph_from_json(json, image), trapezoid, 0.0);
+}
+
+/// Its quads differ in size, so neighbouring texels read different levels.
+TEST_F(GlGraphFilterTest, ImagesOnQuadsHaveTheHostsMeans) {
+    for (const char* lookup : {"trilinear", "ewa"})
+        expect_hosts(load_recipe(
+            test::case_file("rg.json"),
+            {"atlas.size=128", "atlas.kind=quad", fmt::format("texture.lookup={}", lookup)}));
+}
+
 TEST_F(GlGraphFilterTest, OctavesOfFieldsFade) {
     const TextureGraph graph = graph_of(R"({"node": "field", "quadric": {"A": 0.1}, "noise": [
         {"kind": "perlin", "shape": "ridged", "octaves": 4, "range": "unit"},
@@ -120,7 +151,7 @@ TEST_F(GlGraphFilterTest, OctavesOfFieldsFade) {
     const Filter faded{FilterKind::trapezoid, 16, true};
     expect_hosts(graph, faded, 2e-6);
     const SolidAtlas solid = SyntheticAtlas{64, 16, 0.4, 0.1}.make(7);
-    EXPECT_GT(distance(drawn(solid, graph, faded), drawn(solid, graph, trapezoid)), 0.01);
+    EXPECT_GT(distance(on_host(solid, graph, faded), on_host(solid, graph, trapezoid)), 0.01);
 }
 
 TEST_F(GlGraphFilterTest, WhatIsTheHostsAloneIsRefused) {
@@ -136,21 +167,12 @@ TEST_F(GlGraphFilterTest, WhatIsTheHostsAloneIsRefused) {
         Error);
 }
 
-/// Filtered pictures repeat, and are the host's, on an atlas with gaps.
-class GlGraphFilterPresetTest : public GlTest, public testing::WithParamInterface<std::string> {};
+class GlGraphFilterPresetTest : public GlGraphFilterTest,
+                                public testing::WithParamInterface<std::string> {};
 
+/// On an atlas with gaps.
 TEST_P(GlGraphFilterPresetTest, HasTheHostsMeans) {
-    Pipeline pipeline(torus(300));
-    const Recipe recipe = load_recipe(GetParam(), {"atlas.size=64", "atlas.kind=area"});
-    pipeline.set_recipe(recipe);
-    const Affine3 map = texture_from_solid(recipe);
-    const SolidAtlas& solid = pipeline.solid();
-    GlGraphSynthesis gl(*context);
-    Image<RgbF> first, second;
-    gl.synthesize(solid, recipe.graph, map, 1, first, trapezoid);
-    gl.synthesize(solid, recipe.graph, map, 1, second, trapezoid);
-    EXPECT_EQ(differing(first, second), 0u);
-    EXPECT_EQ(differing(first, synthesize_graph_rgbf(solid, recipe.graph, map, trapezoid, 1)), 0u);
+    expect_hosts(load_recipe(GetParam(), {"atlas.size=64", "atlas.kind=area"}));
 }
 
 std::vector<std::string> filtered_presets() {

@@ -1,5 +1,6 @@
 #include "app/gl_render.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,9 +10,11 @@
 #include "app/direct_render.h"
 #include "app/export.h"
 #include "app/image_diff.h"
+#include "app/image_io.h"
 #include "app/normals.h"
 #include "app/pipeline.h"
 #include "tests/app/gl_fixture.h"
+#include "tests/app/run_program.h"
 #include "tests/app/sample_scene.h"
 #include "tests/app/scratch_folder.h"
 
@@ -313,6 +316,26 @@ TEST_F(GlRenderTest, MinifiedLookupsKeepToTheirBlock) {
         mixed_pixels(render_scene(*context, plain, camera, options, TextureFilter::mip));
     EXPECT_GT(crossed, 100);
     EXPECT_LT(kept, crossed / 5);  // blocks under one texel at the level looked up
+}
+
+/// Pixels whose levels differ are drawn together, how many depends on the processor.
+TEST_F(GlRenderTest, PicturesInBlocksAreTheSameOnAnyProcessor) {
+    const test::Scratch scratch;
+    const std::string scene = scratch / "a.glb";
+    ASSERT_EQ(test::run_burl(scratch, "bake sample:icosphere --quiet -s 128 -a quad -r noise -o '" +
+                                          scene + "'")
+                  .exit_code,
+              0);
+    const auto drawn = [&](int bits) {
+        const std::string picture = scratch / fmt::format("{}.png", bits);
+        const test::Outcome outcome = test::run_burl(
+            scratch,
+            fmt::format("render '{}' -o '{}' --size 120x90 --supersample 1", scene, picture),
+            fmt::format("MESA_SHADER_CACHE_DISABLE=true LP_NATIVE_VECTOR_WIDTH={}", bits));
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        return read_png(picture);
+    };
+    EXPECT_EQ(differing(drawn(128), drawn(256)), 0u);
 }
 
 TEST_F(GlRenderTest, LevelsOfTheFileAreLookedUp) {

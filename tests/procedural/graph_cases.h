@@ -88,14 +88,18 @@ inline constexpr std::array graph_cases{
     GraphCase{"map_planar", R"({"node": "map_planar", "vs": [1, 0.5, -2], "vt": [0, 1, 1],
         "offset": [0.25, 4], "input": {"node": "fbm", "octaves": 2}})"}};
 
-/// What every image of a case is.
-inline Image<Rgb8> case_image(const std::string&) {
+inline Image<Rgb8> random_image(std::size_t width, std::size_t height) {
     std::mt19937 random(3);
-    Image<Rgb8> image(12, 16);
+    Image<Rgb8> image(width, height);
     for (std::size_t y = 0; y < image.height(); ++y)
         for (Rgb8& c : image.row(y))
             c = {std::uint8_t(random()), std::uint8_t(random()), std::uint8_t(random())};
     return image;
+}
+
+/// What every image of a case is.
+inline Image<Rgb8> case_image(const std::string&) {
+    return random_image(12, 16);
 }
 
 inline TextureGraph graph_of(std::string_view json) {
