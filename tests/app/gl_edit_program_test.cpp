@@ -234,8 +234,12 @@ TEST_F(GlEditProgramTest, OffersWhatACrashLeft) {
     const Recipe lost = load_recipe("wood", {"atlas.size=64", "atlas.tries=1"});
     EditSession(lost, "").save_recipe(autosave);
     const auto editor = start("marble", autosave);
-    play(*editor, R"({"click": "recover"}, {"wait": 1})");
+    play(*editor, R"({"click": "recover"}, {"wait": 2})");
     EXPECT_EQ(editor->session().recipe(), lost);
+    EXPECT_FALSE(editor->items().find("recover"));
+    EXPECT_EQ(load_recipe(folder / "autosave-1.json"), lost) << "as long as it is not saved";
+    play(*editor, R"({"key": "Ctrl+S"}, {"wait": 2})");
+    EXPECT_TRUE(editor->items().find("file name")) << "it belongs to no file";
 }
 
 TEST_F(GlEditProgramTest, ARecordingReplaysToTheSamePicture) {
