@@ -1,5 +1,6 @@
 // The editor as a person uses it, without a display: scripts of real pointer and key events, and
 // what comes of them in the recipe, on the screen and on disk.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <imgui_internal.h>
 
@@ -202,6 +203,21 @@ TEST_F(GlEditProgramTest, AScriptResizesTheWindow) {
     EXPECT_GT(object.high.x, 200.0);
     EXPECT_NE(screen(120, 200), screen(4, 396));  // the cube before its background
     EXPECT_THROW(play(*editor, R"({"resize": [0, 400]})"), Error);
+}
+
+/// Down to where there is no room for anything.
+TEST_F(GlEditProgramTest, AWindowOfAnyWidthIsDrawn) {
+    const auto editor = start();
+    std::string sizes = R"({"resize": [64, 202]})";
+    for (int width = 65; width < 200; ++width)
+        sizes += fmt::format(R"(, {{"resize": [{}, 202]}})", width);
+    for (const char* tab : {"Presets", "Colours"}) {
+        play(*editor, fmt::format(R"({{"resize": [800, 640]}}, {{"wait": 2}},
+                                     {{"click": "tab:{}"}}, {{"wait": 2}})",
+                                  tab));
+        play(*editor, sizes);
+        EXPECT_EQ(editor->screenshot().width(), 199u);
+    }
 }
 
 TEST_F(GlEditProgramTest, AnEditEndsTheComparison) {
