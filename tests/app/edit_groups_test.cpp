@@ -92,7 +92,7 @@ TEST(ParameterGroups, BeginWithWhatChangesTheTextureMost) {
         EXPECT_NE(std::ranges::find(more, key), more.end()) << key;
 }
 
-std::vector<std::string> preset_names() {
+std::vector<std::string> names_of_presets() {
     std::vector<std::string> names;
     for (const EmbeddedFile& file : embedded_recipes())
         names.emplace_back(file.name.substr(0, file.name.rfind('.')));
@@ -102,10 +102,10 @@ std::vector<std::string> preset_names() {
 /// A path may be another recipe's: what has no number there is named by its path.
 TEST(ParameterGroups, NameNumbersOfEveryOtherPresetByTheirPaths) {
     std::set<std::string> paths;
-    for (const std::string& name : preset_names())
+    for (const std::string& name : names_of_presets())
         for (const RecipeNumber& number : recipe_numbers(slider_json(load_recipe(name))))
             if (number.path.find(".stops.") == std::string::npos) paths.insert(number.path);
-    for (const std::string& name : preset_names()) {
+    for (const std::string& name : names_of_presets()) {
         const auto groups = groups_of(name);
         const auto numbers = recipe_numbers(slider_json(load_recipe(name)));
         for (const std::string& path : paths) {

@@ -183,7 +183,7 @@ TEST_F(GlEditFilesTest, WhatItSavesItselfIsNoNews) {
     EXPECT_TRUE(editor->session().history().changed());
 }
 
-constexpr const char* edit = R"({"click": "tab:Parameters"}, {"wait": 2},
+constexpr const char* drag_amplitude = R"({"click": "tab:Parameters"}, {"wait": 2},
     {"drag": "texture.input.noise.0.amplitude", "by": [30, 0]}, {"settle": true})";
 
 TEST_F(GlEditFilesTest, WhatIsUndoneToIsSavedWhereItBelongs) {
@@ -195,7 +195,7 @@ TEST_F(GlEditFilesTest, WhatIsUndoneToIsSavedWhereItBelongs) {
     EXPECT_EQ(editor->title(), "wood on sample:cube - Burl");
     play(*editor, R"({"key": "Ctrl+Z"}, {"wait": 2})");
     EXPECT_EQ(editor->files().recipe(), folder / "r.json");
-    play(*editor, std::string(edit) + R"(, {"key": "Ctrl+S"}, {"wait": 2})");
+    play(*editor, std::string(drag_amplitude) + R"(, {"key": "Ctrl+S"}, {"wait": 2})");
     EXPECT_EQ(text("theirs.json"), theirs);
     EXPECT_EQ(load_recipe(folder / "r.json"), editor->session().recipe());
 }
@@ -217,7 +217,7 @@ TEST_F(GlEditFilesTest, APresetIsComparedWithAsLongAsItIsOpen) {
 TEST_F(GlEditFilesTest, AClickOnAPresetSavesNothing) {
     save("marble");
     const auto editor = open("sample:cube", folder / "r.json");
-    play(*editor, edit);
+    play(*editor, drag_amplitude);
     const Recipe edited = editor->session().recipe();
     play(*editor, R"({"click": "tab:Presets"}, {"wait": 2}, {"click": "preset:sine-marble"},
         {"wait": 200}, {"key": "Ctrl+Q"}, {"wait": 2})");
@@ -234,7 +234,7 @@ TEST_F(GlEditFilesTest, AClickOnAPresetSavesNothing) {
 TEST_F(GlEditFilesTest, AFileThatWasKeptFromIsNotWhatIsSaved) {
     save("marble");
     const auto editor = open("sample:cube", folder / "r.json");
-    play(*editor, edit);
+    play(*editor, drag_amplitude);
     save("wood");
     play(*editor, settle);
     play(*editor, R"({"click": "Keep this one"}, {"wait": 2}, {"key": "Ctrl+Z"}, {"wait": 2})");
@@ -245,7 +245,7 @@ TEST_F(GlEditFilesTest, SavesUnderAnotherNameFromTheMenu) {
     save("marble");
     const std::string before = text("r.json");
     const auto editor = open("sample:cube", folder / "r.json");
-    play(*editor, edit);
+    play(*editor, drag_amplitude);
     play(*editor, R"({"click": "menu:File"}, {"wait": 2}, {"click": "menu:Save recipe as..."},
         {"wait": 3}, {"type": ")" +
                       (folder / "other") + R"("}, {"wait": 2}, {"key": "Enter"},
