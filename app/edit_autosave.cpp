@@ -1,11 +1,16 @@
 #include "app/edit_autosave.h"
 
+#include <fmt/format.h>
+
+#include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <system_error>
+#include <utility>
 
 #include "app/atomic_file.h"
 #include "app/file_bytes.h"
+#include "app/json_text.h"
 #include "atlas/error.h"
 
 namespace burl {
@@ -13,37 +18,137 @@ namespace burl {
 namespace fs = std::filesystem;
 
 namespace {
+
 constexpr double every_seconds = 3.0;
+constexpr std::size_t most_editors = 100;  // that run, or have left something
+
+std::string lock_of(const std::string& file) {
+    return file + ".lock";
 }
 
-void EditAutosave::keep(const EditHistory& history, double seconds) {
-    if (file_.empty()) return;
-    if (!history.changed()) {
-        if (written_) clear();
-        return;
-    }
-    if (seconds - last_ < every_seconds || written_ == history.recipe()) return;
-    last_ = seconds;
-    written_ = history.recipe();
-    try {
-        fs::create_directories(fs::path(file_).parent_path());
-        write_file(file_, to_json(history.recipe()));
-    } catch (const Error&) {
-        file_.clear();
-    } catch (const fs::filesystem_error&) {
-        file_.clear();
-    }
-}
-
-std::optional<std::string> EditAutosave::left_behind() const {
+bool is_there(const std::string& file) {
     std::error_code unknown;
-    if (file_.empty() || !fs::is_regular_file(file_, unknown)) return {};
+    return fs::is_regular_file(file, unknown);
+}
+
+std::string age_of(const std::string& file) {
+    std::error_code unknown;
+    const auto written = fs::last_write_time(file, unknown);
+    const auto age = fs::file_time_type::clock::now() - written;
+    const auto minutes = std::chrono::duration_cast<std::chrono::minutes>(age).count();
+    if (unknown || minutes < 2) return "just now";
+    if (minutes < 120) return fmt::format("{} minutes ago", minutes);
+    const auto hours = minutes / 60;
+    return hours < 48 ? fmt::format("{} hours ago", hours) : fmt::format("{} days ago", hours / 24);
+}
+
+/// Whatever the file holds.
+std::string name_in(const std::string& json) {
+    const Json recipe = Json::parse(json, nullptr, false);
+    const bool named = recipe.is_object() && recipe.contains("name") && recipe["name"].is_string();
+    return named ? recipe["name"].get<std::string>() : "a recipe";
+}
+
+std::optional<LeftRecipe> read_left(const std::string& file) {
     try {
-        const auto bytes = read_file_bytes(file_);
-        return std::string(bytes.begin(), bytes.end());
+        const auto bytes = read_file_bytes(file);
+        std::string json(bytes.begin(), bytes.end());
+        std::string title = fmt::format("{}, {}", name_in(json), age_of(file));
+        return LeftRecipe{file, std::move(json), std::move(title)};
     } catch (const Error&) {
         return {};
     }
+}
+
+}  // namespace
+
+EditAutosave::EditAutosave(std::string file) : first_(std::move(file)) {
+    find_left();
+}
+
+std::string EditAutosave::file_of(std::size_t editor) const {
+    if (editor == 0) return first_;
+    const fs::path path = first_;
+    return (path.parent_path() /
+            fmt::format("{}-{}{}", path.stem().string(), editor, path.extension().string()))
+        .string();
+}
+
+void EditAutosave::find_left() {
+    for (std::size_t i = 0; i < most_editors && !first_.empty(); ++i) {
+        const std::string file = file_of(i);
+        if (!is_there(file)) continue;
+        std::optional<EditLock> lock = EditLock::take(lock_of(file));
+        if (!lock || !is_there(file)) continue;  // of an editor that runs, or that has just ended
+        std::optional<LeftRecipe> left = read_left(file);
+        if (!left) continue;
+        left_.push_back(std::move(*left));
+        left_locks_.push_back(std::move(*lock));
+    }
+}
+
+/// A file of its own, which nobody has left.
+bool EditAutosave::claim() {
+    if (lock_) return true;
+    for (std::size_t i = 0; i < most_editors; ++i) {
+        const std::string file = file_of(i);
+        if (is_there(file)) continue;
+        std::optional<EditLock> lock = EditLock::take(lock_of(file));
+        if (!lock || is_there(file)) continue;
+        lock_ = std::move(lock);
+        file_ = file;
+        return true;
+    }
+    return false;
+}
+
+void EditAutosave::write(const Recipe& recipe) {
+    written_ = recipe;
+    try {
+        fs::create_directories(fs::path(first_).parent_path());
+        if (!claim()) throw Error(ExitCode::io, "no autosave is to be had");
+        write_file(file_, to_json(recipe));
+    } catch (const Error&) {
+        first_.clear();
+    } catch (const fs::filesystem_error&) {
+        first_.clear();
+    }
+}
+
+void EditAutosave::keep(const EditHistory& history, double seconds) {
+    if (first_.empty()) return;
+    const Recipe* unsaved = history.unsaved();
+    if (!unsaved) {
+        if (written_) clear();
+        return;
+    }
+    if (seconds - last_ < every_seconds || written_ == *unsaved) return;
+    last_ = seconds;
+    write(*unsaved);
+}
+
+void EditAutosave::take(std::size_t left, const EditHistory& history) {
+    if (const Recipe* unsaved = history.unsaved()) write(*unsaved);
+    if (first_.empty())
+        forget(left);  // its file is all that is kept of it
+    else
+        throw_away(left);
+}
+
+void EditAutosave::throw_away(std::size_t left) {
+    std::error_code unknown;
+    fs::remove(left_[left].file, unknown);
+    forget(left);
+}
+
+void EditAutosave::forget(std::size_t left) {
+    left_.erase(left_.begin() + std::ptrdiff_t(left));
+    left_locks_.erase(left_locks_.begin() + std::ptrdiff_t(left));
+}
+
+void EditAutosave::leave_all() {
+    left_.clear();
+    left_locks_.clear();
 }
 
 void EditAutosave::clear() {

@@ -31,6 +31,31 @@ void write_shader(const ExportRequest& request) {
     write_file(request.out, emit_glsl(request.recipe, texture_from_mesh(request.recipe, mesh)));
 }
 
+constexpr int export_depth = 8;
+
+LevelsAsked export_levels(const ExportRequest& request) {
+    return levels_asked(request.levels ? "all" : "", "", request.recipe.atlas.size,
+                        wanted_kind(request.out, export_depth));
+}
+
+/// Of one texture.
+std::vector<std::string> files_of_texture(const ExportRequest& request, const std::string& out,
+                                          std::uint32_t levels) {
+    const NormalSpace normals = normals_asked("", request.recipe, out);
+    return output_paths(out, levels, normals != NormalSpace::none);
+}
+
+std::vector<std::string> files_of_frames(const ExportRequest& request) {
+    std::vector<std::string> files;
+    const int frames = frame_count(request.recipe.animation);
+    for (int i = 0; i < frames; ++i) {
+        const std::string out = frame_path(request.out, std::size_t(i) + 1);
+        for (std::string& file : files_of_texture(request, out, 0))
+            files.push_back(std::move(file));
+    }
+    return files;
+}
+
 }  // namespace
 
 bool is_shader_file(const std::string& path) {
@@ -51,13 +76,21 @@ std::vector<std::string> bake_options(const ExportRequest& request) {
     return options;
 }
 
+std::vector<std::string> export_files(const ExportRequest& request) {
+    if (is_shader_file(request.out)) return {request.out};
+    try {
+        if (!request.recipe.animation.tracks.empty()) return files_of_frames(request);
+        return files_of_texture(request, request.out, export_levels(request).count);
+    } catch (const Error&) {
+        return {request.out};
+    }
+}
+
 void bake_file(const ExportRequest& request) {
     if (is_shader_file(request.out)) return write_shader(request);
-    constexpr int depth = 8;
     const Recipe& recipe = request.recipe;
-    const ImageKind kind = wanted_kind(request.out, depth);
-    const LevelsAsked levels =
-        levels_asked(request.levels ? "all" : "", "", recipe.atlas.size, kind);
+    const ImageKind kind = wanted_kind(request.out, export_depth);
+    const LevelsAsked levels = export_levels(request);
     const NormalSpace normals = normals_asked("", recipe, request.out);
     for (const std::string& input : {request.mesh, request.pose})
         check_output(request.out, input, levels.count, normals != NormalSpace::none);
@@ -67,7 +100,7 @@ void bake_file(const ExportRequest& request) {
     BakedTexture texture = bake_texture(pipeline, kind, levels);
     ExportOptions options;
     options.levels = std::move(texture.levels);
-    options.normals = bake_normals(pipeline, normals, depth, options.crease_degrees);
+    options.normals = bake_normals(pipeline, normals, export_depth, options.crease_degrees);
     options.recipe_json = to_json(recipe);
     if (!request.pose.empty() && holds_mesh(request.out))
         options.pose = ExportPose{atlas_pose(load_pose(request.mesh, request.pose), pipeline.mesh(),
@@ -80,7 +113,6 @@ void bake_frames(const ExportRequest& request) {
     if (holds_mesh(request.out) || is_shader_file(request.out))
         throw Error(ExitCode::usage,
                     fmt::format("{}: frames are textures alone, .png or .exr", request.out));
-    constexpr int depth = 8;
     constexpr std::size_t cache_bytes = std::size_t(512) << 20;
     const KeyedAnimation& animation = request.recipe.animation;
     const int frames = frame_count(animation);
@@ -93,9 +125,9 @@ void bake_frames(const ExportRequest& request) {
         check_output(path, request.mesh, 0, normals != NormalSpace::none);
         check_lattice(still, pipeline.mesh());
         pipeline.set_recipe(still);
-        const BakedTexture texture = bake_texture(pipeline, wanted_kind(path, depth), {});
+        const BakedTexture texture = bake_texture(pipeline, wanted_kind(path, export_depth), {});
         ExportOptions options;
-        options.normals = bake_normals(pipeline, normals, depth, options.crease_degrees);
+        options.normals = bake_normals(pipeline, normals, export_depth, options.crease_degrees);
         options.recipe_json = to_json(still);
         export_scene(path, pipeline.atlas_mesh(), pipeline.atlas(), texture.image, options);
     }

@@ -26,6 +26,10 @@ bool is_shader_file(const std::string& path);
 /// The options of `burl bake` that write the same: -o and what else is needed.
 std::vector<std::string> bake_options(const ExportRequest& request);
 
+/// All files that bake_file, or of a recipe with keys bake_frames, would write; the one named alone
+/// where it cannot be written.
+std::vector<std::string> export_files(const ExportRequest& request);
+
 /// Reads the mesh, textures it and writes everything or nothing, as `burl bake` does with
 /// bake_options(). Throws Error.
 void bake_file(const ExportRequest& request);

@@ -5,11 +5,16 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <filesystem>
 #include <system_error>
 #include <utility>
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include "app/edit_keys.h"
+#include "atlas/error.h"
 #include "atlas/file_extension.h"
 
 namespace burl {
@@ -45,13 +50,38 @@ std::vector<FolderEntry> list_folder(const std::string& folder,
     return entries;
 }
 
+std::string claim_numbered(const std::string& stem, const std::string& extension) {
+    for (int number = 1;; ++number) {
+        const std::string path = fmt::format("{}-{:03}{}", stem, number, extension);
+        const int descriptor = ::open(path.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
+        if (descriptor >= 0) {
+            ::close(descriptor);
+            return path;
+        }
+        if (errno != EEXIST)
+            throw Error(ExitCode::io, fmt::format("{}: cannot be written: {}", path,
+                                                  std::generic_category().message(errno)));
+    }
+}
+
+std::string names_together(const std::vector<std::string>& names) {
+    constexpr std::size_t most = 4;
+    const std::size_t count = std::min(names.size(), most);
+    std::string text = count > 0 ? names[0] : "";
+    for (std::size_t i = 1; i < count; ++i)
+        text += (i + 1 == names.size() ? " and " : ", ") + names[i];
+    if (names.size() > most) text += fmt::format(" and {} more", names.size() - most);
+    return text;
+}
+
 void FileDialog::open(Wish wish) {
     wish_ = std::move(wish);
     name_ = wish_.name;
     std::error_code unknown;
     folder_ = fs::weakly_canonical(fs::absolute(folder_), unknown).string();
     open_ = begins_ = true;
-    accepted_ = chose_ = false;
+    accepted_ = chose_ = agreed_ = false;
+    asked_.clear();
 }
 
 void FileDialog::entries(EditItems& items) {
@@ -98,6 +128,27 @@ std::optional<std::string> FileDialog::chosen() {
     return path;
 }
 
+/// Names of the files that are there already of those to be written.
+std::vector<std::string> FileDialog::replaced(const std::string& path) const {
+    std::vector<std::string> names;
+    std::error_code unknown;
+    for (const std::string& file : wish_.files ? wish_.files(path, chose_) : std::vector{path})
+        if (fs::exists(file, unknown)) names.push_back(fs::path(file).filename().string());
+    return names;
+}
+
+/// The path once there is nothing to ask any more.
+std::optional<std::string> FileDialog::agreed() {
+    const bool yes = std::exchange(agreed_, false);
+    const std::optional<std::string> path = chosen();
+    if (!path || !wish_.saves) return path;
+    std::vector<std::string> names = replaced(*path);
+    if (names.empty() || (yes && asked_ == *path && names == replaced_)) return path;
+    asked_ = *path;
+    replaced_ = std::move(names);
+    return {};
+}
+
 /// What comes of the name.
 std::string FileDialog::remark() const {
     if (name_.empty()) return {};
@@ -109,7 +160,21 @@ std::string FileDialog::remark() const {
     return there ? std::string() : fmt::format("there is no {} here", name);
 }
 
+void FileDialog::question(EditItems& items) {
+    if (ImGui::Button("Replace")) accepted_ = agreed_ = true;
+    items.note("file replace");
+    ImGui::SameLine();
+    const bool back = ImGui::Button("Back") || pressed("Escape");
+    items.note("file back");
+    ImGui::SameLine();
+    ImGui::PushStyleColor(ImGuiCol_Text, remark_color);
+    ImGui::TextWrapped("Replace %s?", names_together(replaced_).c_str());
+    ImGui::PopStyleColor();
+    if (back || path() != asked_) asked_.clear();
+}
+
 void FileDialog::answers(EditItems& items) {
+    if (!asked_.empty()) return question(items);
     accepted_ |= ImGui::Button(wish_.saves ? "Save" : "Open");
     items.note("file ok");
     ImGui::SameLine();
@@ -144,7 +209,7 @@ std::optional<std::string> FileDialog::show(EditItems& items) {
             items.note("file choice");
         }
         answers(items);
-        if (accepted_) path = chosen();
+        if (accepted_) path = agreed();
         accepted_ = false;
     }
     ImGui::End();

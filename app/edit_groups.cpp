@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
+#include <optional>
 #include <span>
+#include <system_error>
 #include <utility>
 
 namespace burl {
@@ -172,11 +175,40 @@ ParameterGroup make_group(std::span<const RecipeLeaf> leaves) {
     return group;
 }
 
-/// " x", " y", " z" for ".0", ".1", ".2", and their number for those after them.
-std::string item_name(std::string_view rest) {
-    if (rest.empty()) return {};
-    const int index = std::stoi(std::string(rest.substr(1)));
-    return index < 3 ? fmt::format(" {}", char('x' + index)) : fmt::format(" {}", index + 1);
+/// Empty where the text is no index.
+std::optional<std::size_t> index_of(std::string_view text) {
+    std::size_t index = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), index);
+    if (error != std::errc() || end != text.data() + text.size()) return {};
+    return index;
+}
+
+/// " x", " y", " z" of several numbers, and their place for those after them.
+std::string item_name(std::size_t index) {
+    return index < 3 ? fmt::format(" {}", char('x' + int(index))) : fmt::format(" {}", index + 1);
+}
+
+/// What follows the parameter's label for the number at `path`; none: it is no number of the leaf.
+std::optional<std::string> item_of(const RecipeLeaf& leaf, std::string_view path) {
+    if (path == leaf.path && leaf.value.is_number()) return std::string();
+    if (!leaf.value.is_array() || !path.starts_with(leaf.path + ".")) return {};
+    const auto index = index_of(path.substr(leaf.path.size() + 1));
+    if (!index || *index >= leaf.value.size()) return {};
+    return item_name(*index);
+}
+
+/// The name of a stop's place, such as "texture.stops.1.0"; none: the path is of something else.
+std::optional<std::string> stop_label(const std::vector<ParameterGroup>& groups,
+                                      const std::string& path) {
+    constexpr std::string_view stops = ".stops.", place = ".0";
+    const std::size_t at = path.find(stops);
+    if (at == std::string::npos || !path.ends_with(place)) return {};
+    const std::size_t from = at + stops.size();
+    if (from + place.size() >= path.size()) return {};
+    const auto index =
+        index_of(std::string_view(path).substr(from, path.size() - place.size() - from));
+    if (!index) return {};
+    return fmt::format("{}: stop {}, place", group_title(groups, path.substr(0, at)), *index + 1);
 }
 
 }  // namespace
@@ -207,19 +239,12 @@ std::string group_title(const std::vector<ParameterGroup>& groups, const std::st
 }
 
 std::string number_label(const std::vector<ParameterGroup>& groups, const std::string& path) {
-    constexpr std::string_view stops = ".stops.";
-    if (const std::size_t at = path.find(stops); at != std::string::npos && path.ends_with(".0"))
-        return fmt::format("{}: stop {}, place", group_title(groups, path.substr(0, at)),
-                           std::stoi(path.substr(at + stops.size())) + 1);
+    if (const auto label = stop_label(groups, path)) return *label;
     for (const ParameterGroup& group : groups)
         for (const std::vector<RecipeLeaf>* leaves : {&group.first, &group.more})
-            for (const RecipeLeaf& leaf : *leaves) {
-                if (!path.starts_with(leaf.path)) continue;
-                const std::string_view rest = std::string_view(path).substr(leaf.path.size());
-                if (!rest.empty() && rest[0] != '.') continue;
-                return fmt::format("{}: {}{}", group.title, parameter_label(leaf.label),
-                                   item_name(rest));
-            }
+            for (const RecipeLeaf& leaf : *leaves)
+                if (const auto item = item_of(leaf, path))
+                    return fmt::format("{}: {}{}", group.title, parameter_label(leaf.label), *item);
     return path;
 }
 

@@ -2,28 +2,100 @@
 
 #include <utility>
 
+#include "app/real_path.h"
+
 namespace burl {
 
-EditHistory::EditHistory(Recipe recipe)
-    : steps_{KeptRecipe(recipe)}, now_(recipe), saved_(recipe), step_(std::move(recipe)) {}
+namespace {
+
+/// A preset's name is no file's.
+std::string spelling_of(const std::string& path) {
+    return path.ends_with(".json") ? real_path(path) : path;
+}
+
+}  // namespace
+
+EditHistory::EditHistory(Recipe recipe, const std::string& path)
+    : now_(recipe), step_(std::move(recipe)) {
+    const KeptRecipe opened(now_);
+    steps_.push_back(
+        {opened,
+         std::make_shared<Document>(Document{++documents_, path, path, spelling_of(path), opened}),
+         {}});
+    saved_[document().file] = now_;
+}
+
+bool EditHistory::is_saved(const Recipe& recipe, const Document& document) const {
+    const auto saved = saved_.find(document.file);
+    return saved != saved_.end() && saved->second == recipe;
+}
+
+/// Steps that were undone are forgotten.
+void EditHistory::add_step(Step step) {
+    steps_.erase(steps_.begin() + std::ptrdiff_t(at_) + 1, steps_.end());
+    steps_.push_back(std::move(step));
+    ++at_;
+    step_ = now_;
+}
 
 void EditHistory::end_gesture() {
     in_gesture_ = false;
     if (now_ == step_) return;
-    steps_.erase(steps_.begin() + std::ptrdiff_t(at_) + 1, steps_.end());
-    steps_.emplace_back(now_, steps_[at_]);
-    step_ = now_;
-    ++at_;
+    const Step& before = steps_[at_];
+    add_step({KeptRecipe(now_, before.recipe), before.document, before.left});
 }
 
 void EditHistory::go_to(std::size_t step) {
     at_ = step;
-    now_ = step_ = steps_[at_].recipe();
+    now_ = step_ = steps_[at_].recipe.recipe();
+    ++revision_;
+    look_back();
+}
+
+void EditHistory::look_back() {
+    left_.reset();
+    const std::optional<std::size_t> left = steps_[at_].left;
+    if (!left) return;
+    Recipe recipe = steps_[*left].recipe.recipe();
+    if (!is_saved(recipe, *steps_[*left].document)) left_ = std::move(recipe);
 }
 
 void EditHistory::change(Recipe recipe) {
     now_ = std::move(recipe);
+    ++revision_;
     if (!in_gesture_) end_gesture();
+}
+
+/// The one with what unsaved() is; no gesture may be open.
+std::optional<std::size_t> EditHistory::changed_step() const {
+    if (changed()) return at_;
+    return left_ ? steps_[at_].left : std::nullopt;
+}
+
+void EditHistory::add_document(Recipe recipe, const std::string& path) {
+    const std::optional<std::size_t> left = changed_step();
+    now_ = std::move(recipe);
+    ++revision_;
+    const KeptRecipe opened(now_, steps_[at_].recipe);
+    add_step(
+        {opened,
+         std::make_shared<Document>(Document{++documents_, path, path, spelling_of(path), opened}),
+         left});
+}
+
+void EditHistory::open(Recipe recipe, const std::string& path) {
+    end_gesture();
+    const std::string file = spelling_of(path);
+    if (recipe != now_ || file != document().file) add_document(std::move(recipe), path);
+    saved_[file] = now_;
+    look_back();
+}
+
+void EditHistory::open_unsaved(Recipe recipe) {
+    end_gesture();
+    add_document(std::move(recipe), "");
+    saved_.erase("");
+    look_back();
 }
 
 void EditHistory::undo() {
@@ -34,6 +106,25 @@ void EditHistory::undo() {
 void EditHistory::redo() {
     end_gesture();
     if (at_ + 1 < steps_.size()) go_to(at_ + 1);
+}
+
+const Recipe* EditHistory::unsaved() const {
+    if (changed()) return &now_;
+    return left_ ? &*left_ : nullptr;
+}
+
+void EditHistory::return_to_unsaved() {
+    end_gesture();
+    if (const auto step = changed_step()) go_to(*step);
+}
+
+void EditHistory::mark_saved(const std::string& path) {
+    end_gesture();
+    document().path = path;
+    document().file = spelling_of(path);
+    saved_[document().file] = now_;
+    steps_[at_].left.reset();
+    look_back();
 }
 
 }  // namespace burl

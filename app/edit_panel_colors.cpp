@@ -14,6 +14,7 @@ namespace burl {
 namespace {
 
 constexpr float bar_height = 28.0f, handle = 7.0f;
+constexpr float least_width = 10.0f;  // of a bar, however narrow the window is
 constexpr std::size_t bar_colors = 256;
 
 const Json& at_path(const Json& recipe, const std::string& path) {
@@ -77,7 +78,7 @@ class MapEditor {
     /// A click beside all stops adds one.
     void bar() {
         low_ = ImGui::GetCursorScreenPos();
-        width_ = ImGui::GetContentRegionAvail().x - 2.0f * handle;
+        width_ = std::max(least_width, ImGui::GetContentRegionAvail().x - 2.0f * handle);
         low_.x += handle;
         ImGui::SetCursorScreenPos(low_);
         const bool clicked = ImGui::InvisibleButton("bar", {width_, bar_height});

@@ -24,7 +24,7 @@ constexpr auto keys = std::to_array<std::pair<const char*, const char*>>({
     {"over the atlas: drag, wheel; F", "move, nearer; fit"},
     {"Ctrl+Z, Ctrl+Y", "undo, redo"},
     {"Ctrl+O", "open a mesh or recipe"},
-    {"Ctrl+S", "save the recipe"},
+    {"Ctrl+S; Ctrl+Shift+S", "save the recipe; under another name"},
     {"Ctrl+E", "export mesh, texture or shader"},
     {"Ctrl+Q", "quit; asks where something is not saved"},
     {"F5", "read mesh and recipe again"},

@@ -42,7 +42,7 @@ class Gallery {
         const float wide = ImGui::GetContentRegionAvail().x;
         const float least = least_side * float(interface_scale());
         columns_ = std::max(2, int(wide / least));
-        side_ = std::floor(wide / float(columns_));
+        side_ = std::max(2.0f * margin + 1.0f, std::floor(wide / float(columns_)));
     }
 
     /// The preset under the pointer or chosen by keys, if any.

@@ -127,7 +127,8 @@ class TimelinePanel {
         if (!find_track(animation_, path)) return;
         ImGui::SameLine();
         if (ImGui::Button("Remove all its keys"))
-            session_.change_recipe(with_track_removed(session_.recipe(), path, session_.time()));
+            session_.change_with(
+                [&] { return with_track_removed(session_.recipe(), path, session_.time()); });
         items_.note("timeline.remove");
     }
 
@@ -264,7 +265,8 @@ class TimelinePanel {
             ImGui::SetTooltip("%.3g at %.2f s\nDrag: move. Right-click: remove.",
                               track.keys[index].value, track.keys[index].seconds);
             if (ImGui::IsMouseClicked(1))
-                session_.change_recipe(with_key_removed(session_.recipe(), track.path, index));
+                session_.change_with(
+                    [&] { return with_key_removed(session_.recipe(), track.path, index); });
         }
     }
 
@@ -281,8 +283,9 @@ class TimelinePanel {
 void remove_chosen(EditTimeline& timeline, EditSession& session) {
     const KeyTrack* track = find_track(session.recipe().animation, timeline.chosen.path);
     if (track && timeline.chosen.key < track->keys.size())
-        session.change_recipe(
-            with_key_removed(session.recipe(), timeline.chosen.path, timeline.chosen.key));
+        session.change_with([&] {
+            return with_key_removed(session.recipe(), timeline.chosen.path, timeline.chosen.key);
+        });
     timeline.chosen = {};
 }
 
@@ -323,7 +326,7 @@ void toggle_key(EditSession& session) {
         return;
     }
     const std::size_t key = key_near(animation, *find_track(animation, path), session.time());
-    session.change_recipe(with_key_removed(session.recipe(), path, key));
+    session.change_with([&] { return with_key_removed(session.recipe(), path, key); });
 }
 
 }  // namespace burl

@@ -5,8 +5,10 @@
 #include <utility>
 
 #include "app/atomic_file.h"
+#include "app/key_check.h"
 #include "app/key_edit.h"
 #include "app/keyed_recipe.h"
+#include "app/recipe_leaves.h"
 #include "atlas/error.h"
 
 namespace burl {
@@ -95,8 +97,8 @@ Recipe with_settings(Recipe recipe, const std::string& origin,
 
 }  // namespace
 
-EditSession::EditSession(Recipe recipe, std::string recipe_path)
-    : history_(std::move(recipe)), recipe_path_(std::move(recipe_path)) {}
+EditSession::EditSession(Recipe recipe, const std::string& recipe_path)
+    : history_(std::move(recipe), recipe_path) {}
 
 void EditSession::add(LogLine line) {
     if (line.problem) problem_ = line.text;
@@ -104,8 +106,7 @@ void EditSession::add(LogLine line) {
     if (log_.size() > log_capacity) log_.pop_front();
 }
 
-template <class Load>
-bool EditSession::step(const Load& load) {
+bool EditSession::step(const std::function<Recipe()>& load) {
     try {
         history_.change(load());
         return true;
@@ -121,7 +122,7 @@ bool EditSession::set(const std::string& path, const Json& value) {
 
 bool EditSession::set(const std::vector<std::string>& settings) {
     return step([&] {
-        return with_still(recipe(), time_, with_settings(still(), recipe_path_, settings));
+        return with_still(recipe(), time_, with_settings(still(), recipe_path(), settings));
     });
 }
 
@@ -132,11 +133,7 @@ bool EditSession::change_still(const Recipe& still) {
 bool EditSession::change_keys(KeyedAnimation animation) {
     Recipe changed = recipe();
     changed.animation = std::move(animation);
-    return change_recipe(std::move(changed));
-}
-
-bool EditSession::change_recipe(Recipe recipe) {
-    return step([&] { return std::move(recipe); });
+    return step([&] { return std::move(changed); });
 }
 
 const Recipe& EditSession::still() {
@@ -154,6 +151,18 @@ const Recipe& EditSession::still() {
     return still_->recipe;
 }
 
+void EditSession::touch(std::string path) {
+    touched_ = std::move(path);
+    touched_revision_.reset();
+}
+
+const std::string& EditSession::touched() {
+    if (touched_.empty() || touched_revision_ == history_.revision()) return touched_;
+    touched_revision_ = history_.revision();
+    if (!find_number(slider_json(still()), touched_)) touched_.clear();
+    return touched_;
+}
+
 bool EditSession::open_recipe(const std::string& path) {
     try {
         take_recipe(load_recipe(path), path);
@@ -165,11 +174,8 @@ bool EditSession::open_recipe(const std::string& path) {
 }
 
 void EditSession::take_recipe(Recipe recipe, const std::string& path) {
-    history_.end_gesture();
-    history_.change(std::move(recipe));
-    recipe_path_ = path;
+    history_.open(std::move(recipe), path);
     time_ = 0.0;
-    history_.mark_saved();
     tell(fmt::format("recipe {}", path));
 }
 
@@ -178,11 +184,19 @@ bool EditSession::paste_recipe(const std::string& json) {
     return step([&] { return parse_recipe(json, "the clipboard"); });
 }
 
+bool EditSession::recover_recipe(const std::string& json, const std::string& origin) {
+    try {
+        history_.open_unsaved(parse_recipe(json, origin));
+        return true;
+    } catch (const Error& error) {
+        complain(error.what());
+        return false;
+    }
+}
+
 void EditSession::save_recipe(const std::string& path) {
     write_file(path, to_json(recipe()));
-    recipe_path_ = path;
-    history_.end_gesture();
-    history_.mark_saved();
+    history_.mark_saved(path);
     tell(fmt::format("saved {}", path));
 }
 

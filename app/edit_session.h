@@ -1,7 +1,9 @@
 #pragma once
 // What an editor holds besides its pictures: the recipe with its history, where it came from, and
 // what there was to tell. It knows neither windows nor OpenGL.
+#include <cstdint>
 #include <deque>
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -21,12 +23,12 @@ struct LogLine {
 class EditSession {
   public:
     /// `recipe_path`: a file or a preset's name, the origin of the images that it names.
-    EditSession(Recipe recipe, std::string recipe_path);
+    EditSession(Recipe recipe, const std::string& recipe_path);
 
     const EditHistory& history() const { return history_; }
     EditHistory& history() { return history_; }
     const Recipe& recipe() const { return history_.recipe(); }
-    const std::string& recipe_path() const { return recipe_path_; }
+    const std::string& recipe_path() const { return history_.path(); }
 
     /// Where the clock of a recipe with keys over time stands, in seconds; moving it is no edit.
     double time() const { return time_; }
@@ -41,18 +43,22 @@ class EditSession {
     bool set(const std::vector<std::string>& settings);
     /// An edit of still() as a whole, the same way.
     bool change_still(const Recipe& still);
-    /// Other keys, and another recipe with its keys, each as one step.
+    /// Other keys, and another recipe with its keys, each as one step; `edit` throws Error where
+    /// there is no such recipe.
     bool change_keys(KeyedAnimation animation);
-    bool change_recipe(Recipe recipe);
-    /// The number last under a hand, of which the next key will be; empty: none.
-    const std::string& touched() const { return touched_; }
-    void touch(std::string path) { touched_ = std::move(path); }
+    bool change_with(const std::function<Recipe()>& edit) { return step(edit); }
+    /// The number last under a hand, of which the next key will be; empty: none, or one that the
+    /// recipe has no more.
+    const std::string& touched();
+    void touch(std::string path);
     /// A file or preset as one step; what cannot be read is logged and gives false.
     bool open_recipe(const std::string& path);
     /// One that was read from there, in the same way.
     void take_recipe(Recipe recipe, const std::string& path);
     /// Recipe JSON (the clipboard's) as one step.
     bool paste_recipe(const std::string& json);
+    /// Recipe JSON that is not to be saved where it was found, as one step; messages name `origin`.
+    bool recover_recipe(const std::string& json, const std::string& origin);
     /// Throws Error(io). The recipe counts as saved.
     void save_recipe(const std::string& path);
 
@@ -65,15 +71,14 @@ class EditSession {
 
   private:
     void add(LogLine line);
-    template <class Load>
-    bool step(const Load& load);
+    bool step(const std::function<Recipe()>& load);
 
     EditHistory history_;
-    std::string recipe_path_;
     std::deque<LogLine> log_;
     std::optional<std::string> problem_;
     double time_ = 0.0;
     std::string touched_;
+    std::optional<std::uint64_t> touched_revision_;  ///< of the recipe that is known to have it
     /// still() of a recipe with keys, and what it is of.
     struct Still {
         Recipe of{};

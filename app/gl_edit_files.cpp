@@ -30,12 +30,19 @@ void EditorProgram::open(const std::string& path) {
     files_.open(path);
 }
 
-void EditorProgram::take_files() {
-    if (files_.recipe() != session_.recipe_path()) {  // a preset was chosen
-        files_.set_recipe(session_.recipe_path());
-        opened_ = session_.recipe();
-        opened_path_ = session_.recipe_path();
+/// A preset was chosen, or undo has led to what was open before: what was chosen in the other one's
+/// recipe is chosen no more.
+void EditorProgram::follow_document() {
+    const std::uint64_t number = session_.history().document_number();
+    if (std::exchange(document_, number) != number) {
+        stop_ = {};
+        timeline_.chosen = {};
     }
+    if (files_.recipe() != session_.recipe_path()) files_.set_recipe(session_.recipe_path());
+}
+
+void EditorProgram::take_files() {
+    follow_document();
     const bool asked = files_.asks();
     for (FileRead& read : files_.take(session_.history().changed())) {
         const bool nothing_open = read.kind == FileKind::mesh && files_.mesh().empty();
@@ -121,12 +128,12 @@ void EditorProgram::pose_menu() {
 
 /// One that is written as it stands here, such as by the editor itself, is no news.
 void EditorProgram::take_recipe(FileRead read) {
-    if (read.again && *read.recipe == session_.recipe()) return;
+    if (read.again && read.path != session_.recipe_path()) return;  // another is open since
+    if (read.again && *read.recipe == session_.recipe())
+        return session_.history().open(std::move(*read.recipe), read.path);
     const double time = session_.time();
     session_.take_recipe(std::move(*read.recipe), read.path);
     if (read.again) session_.set_time(std::min(time, session_.recipe().animation.seconds));
-    opened_ = session_.recipe();
-    opened_path_ = read.path;
 }
 
 void EditorProgram::recent_menu() {
@@ -168,15 +175,53 @@ void EditorProgram::notices() {
     const std::string answer = notices_panel(items_, notices, ImGui::GetIO().DisplaySize.y - strip);
     if (answer == "Dismiss") news_ = {};
     if (answer == "Take the file's") files_.reload();
-    if (answer == "Keep this one") files_.keep();
+    if (answer == "Keep this one") {
+        files_.keep();
+        session_.history().forget_saved();
+    }
 }
 
 void EditorProgram::news(std::string text, bool problem) {
     news_ = {std::move(text), problem, window_->seconds() + news_seconds};
 }
 
+/// One of what editors left; whether it was answered.
+bool EditorProgram::left_row(std::size_t left) {
+    const LeftRecipe& recipe = autosave_.left_behind()[left];
+    const std::string number = left == 0 ? "" : fmt::format(" {}", left + 1);
+    ImGui::PushID(int(left));
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(recipe.title.c_str());
+    ImGui::SameLine();
+    const bool taken = ImGui::Button("Take it");
+    items_.note("recover" + number);
+    ImGui::SameLine();
+    const bool unwanted = ImGui::Button("Throw it away");
+    items_.note("do not recover" + number);
+    ImGui::PopID();
+    if (taken && session_.recover_recipe(recipe.json, recipe.file))
+        autosave_.take(left, session_.history());
+    else if (unwanted)
+        autosave_.throw_away(left);
+    return taken || unwanted;
+}
+
+void EditorProgram::recovery_window() {
+    if (autosave_.left_behind().empty()) return;
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos({0.5f * display.x, 0.5f * display.y}, ImGuiCond_Always, {0.5f, 0.5f});
+    ImGui::Begin("Unsaved work", nullptr,
+                 ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse);
+    ImGui::TextUnformatted("What was not saved by an editor that did not end well:");
+    for (std::size_t i = 0; i < autosave_.left_behind().size(); ++i)
+        if (left_row(i)) break;
+    if (ImGui::Button("Ask again at the next start")) autosave_.leave_all();
+    items_.note("recover later");
+    ImGui::End();
+}
+
 void EditorProgram::ask_to_close() {
-    if (session_.history().changed())
+    if (session_.history().unsaved())
         asks_to_close_ = true;
     else
         closing_ = true;
@@ -188,7 +233,12 @@ void EditorProgram::closing_window() {
     ImGui::SetNextWindowPos({0.5f * display.x, 0.5f * display.y}, ImGuiCond_Always, {0.5f, 0.5f});
     ImGui::Begin("Quit", &asks_to_close_,
                  ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse);
-    ImGui::TextUnformatted("The recipe has changes that are not saved.");
+    EditHistory& history = session_.history();
+    ImGui::TextUnformatted(history.changed()
+                               ? "The recipe has changes that are not saved."
+                               : fmt::format("Changes made before {} was opened are not saved.",
+                                             name_of(session_.recipe_path()))
+                                     .c_str());
     const auto answer = [&](const char* label) {
         const bool chosen = ImGui::Button(label);
         items_.note(label);
@@ -197,8 +247,9 @@ void EditorProgram::closing_window() {
         return chosen;
     };
     if (answer("Save it")) {
+        history.return_to_unsaved();
         save();
-        closing_ = !session_.history().changed();
+        closing_ = !history.unsaved();
     }
     if (answer("Quit without saving")) closing_ = true;
     if (answer("Stay") || pressed("Escape")) asks_to_close_ = false;
@@ -209,8 +260,12 @@ void EditorProgram::save() {
     if (session_.recipe_path().ends_with(".json"))
         save_as(session_.recipe_path());
     else
-        ask_for_file(&EditorProgram::save_as,
-                     {"Save the recipe", {".json"}, true, session_.recipe().name + ".json"});
+        save_dialog();
+}
+
+void EditorProgram::save_dialog() {
+    ask_for_file(&EditorProgram::save_as,
+                 {"Save the recipe", {".json"}, true, session_.recipe().name + ".json"});
 }
 
 void EditorProgram::save_as(const std::string& path) {
@@ -242,7 +297,10 @@ void EditorProgram::export_dialog() {
                   true,
                   session_.recipe().name + ".glb",
                   ".glb .gltf .obj: mesh and texture   .png .exr: texture   .frag .glsl: shader",
-                  "Write all MIP levels, too"});
+                  "Write all MIP levels, too",
+                  [this](const std::string& path, bool levels) {
+                      return export_files({files_.mesh(), session_.still(), path, levels});
+                  }});
 }
 
 void EditorProgram::export_frames_dialog() {
@@ -250,7 +308,12 @@ void EditorProgram::export_frames_dialog() {
                  {"Export every frame as a texture, numbered from NAME.0001 on",
                   {".png", ".exr"},
                   true,
-                  session_.recipe().name + ".png"});
+                  session_.recipe().name + ".png",
+                  "",
+                  "",
+                  [this](const std::string& path, bool) {
+                      return export_files({files_.mesh(), session_.recipe(), path});
+                  }});
 }
 
 double EditorProgram::seen_time() const {
@@ -259,11 +322,12 @@ double EditorProgram::seen_time() const {
 
 /// What the command line would say now.
 std::string EditorProgram::command(std::vector<std::string> output, double time) const {
-    const bool saved = !session_.history().changed();
+    const EditHistory& history = session_.history();
+    const bool saved = !history.changed();
     const std::string line =
-        bake_command(files_.mesh(), saved ? session_.recipe_path() : opened_path_,
-                     saved ? session_.recipe() : opened_, session_.recipe(), std::move(output),
-                     posed_ ? files_.pose() : "");
+        bake_command(files_.mesh(), saved ? session_.recipe_path() : history.opened_path(),
+                     saved ? session_.recipe() : history.opened(), session_.recipe(),
+                     std::move(output), posed_ ? files_.pose() : "");
     return time > 0.0 ? fmt::format("{} --time {}", line, time) : line;
 }
 

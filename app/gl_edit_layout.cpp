@@ -62,6 +62,7 @@ void EditorProgram::shortcuts() {
     if (pressed("Ctrl+Q")) ask_to_close();
     if (pressed("Ctrl+O")) open_dialog();
     if (pressed("Ctrl+S")) save();
+    if (pressed("Ctrl+Shift+S")) save_dialog();
     if (pressed("Ctrl+E")) export_dialog();
     if (pressed("F5")) files_.reload();
     if (pressed("Ctrl+Z")) session_.history().undo();
@@ -102,6 +103,7 @@ void EditorProgram::file_menu() {
     pose_menu();
     if (menu_item("Reload", "F5")) files_.reload();
     if (menu_item("Save recipe", "Ctrl+S")) save();
+    if (menu_item("Save recipe as...", "Ctrl+Shift+S")) save_dialog();
     if (menu_item("Export...", "Ctrl+E", !export_.busy())) export_dialog();
     const bool moves = !session_.recipe().animation.tracks.empty();
     if (menu_item("Export frames...", "", moves && !export_.busy())) export_frames_dialog();
@@ -146,28 +148,9 @@ void EditorProgram::menu() {
     under("Help", [&] {
         if (menu_item("Keys", "F1")) keys_open_ = true;
     });
-    ImGui::Text("  %s%s", session_.recipe().name.c_str(), session_.history().changed() ? " *" : "");
+    ImGui::Text("  %s%s", session_.recipe().name.c_str(), session_.history().unsaved() ? " *" : "");
     if (comparing_) ImGui::TextUnformatted("  as it was opened (A)");
     ImGui::EndMainMenuBar();
-}
-
-void EditorProgram::recovery_window() {
-    if (!left_behind_) return;
-    const ImVec2 display = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowPos({0.5f * display.x, 0.5f * display.y}, ImGuiCond_Always, {0.5f, 0.5f});
-    ImGui::Begin("Unsaved work", nullptr,
-                 ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse);
-    ImGui::TextUnformatted("The last run did not end well and left a recipe that was not saved.");
-    bool answered = false;
-    if (ImGui::Button("Take it")) answered = session_.paste_recipe(*left_behind_) || true;
-    items_.note("recover");
-    ImGui::SameLine();
-    if (ImGui::Button("Throw it away")) answered = true;
-    items_.note("do not recover");
-    ImGui::End();
-    if (!answered) return;
-    left_behind_.reset();
-    autosave_.clear();
 }
 
 void EditorProgram::layout() {

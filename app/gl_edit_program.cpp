@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <system_error>
 #include <utility>
 
 #include "app/edit_event_frames.h"
@@ -48,10 +49,7 @@ EditorProgram::EditorProgram(std::unique_ptr<GlWindow> window, const EditorOptio
     : window_(std::move(window)),
       renderer_(window_->context().gl()),
       session_(load_recipe(options.recipe, options.settings), options.recipe),
-      opened_(session_.recipe()),
-      opened_path_(options.recipe),
       autosave_(options.autosave),
-      left_behind_(autosave_.left_behind()),
       export_([this] { window_->wake(); }),
       files_([this] { window_->wake(); }, options.recent),
       baker_([this] { window_->wake(); }),
@@ -90,7 +88,7 @@ void EditorProgram::take_news() {
     }
     if (const auto problem = session_.take_problem(); problem && !files_.asks())
         news(*problem, true);
-    if (!left_behind_) autosave_.keep(session_.history(), last_seconds_);
+    autosave_.keep(session_.history(), last_seconds_);
 }
 
 void EditorProgram::note(const std::vector<InputEvent>& events) {
@@ -108,18 +106,21 @@ void EditorProgram::note(const std::vector<InputEvent>& events) {
 }
 
 void EditorProgram::take_screenshot() {
-    const std::string path = fmt::format("burl-{:03}.png", ++screenshots_);
+    std::string path;
     try {
+        path = claim_numbered("burl", ".png");
         write_png(path, screenshot());
         session_.tell(fmt::format("screenshot {}", path));
     } catch (const Error& error) {
+        std::error_code unknown;
+        if (!path.empty()) std::filesystem::remove(path, unknown);  // it is empty
         session_.complain(error.what());
     }
 }
 
 /// The recipe on the screen, or while comparing the one that was opened.
 Recipe EditorProgram::shown_recipe() {
-    return comparing_ ? still_of(opened_, session_.time()) : session_.still();
+    return comparing_ ? still_of(session_.history().opened(), session_.time()) : session_.still();
 }
 
 /// How far the mesh has gone to its pose is no affair of the texture's.
@@ -199,7 +200,7 @@ void EditorProgram::follow_opening() {
 std::string EditorProgram::title() const {
     const std::string mesh = std::filesystem::path(files_.mesh()).filename().string();
     return fmt::format("{}{} on {} - Burl", session_.recipe().name,
-                       session_.history().changed() ? " *" : "", mesh);
+                       session_.history().unsaved() ? " *" : "", mesh);
 }
 
 void EditorProgram::draw_screen() {

@@ -81,6 +81,7 @@ class EditorProgram {
     EditCamera& camera() { return camera_; }
     const GlEditAtlas& atlas() const { return atlas_; }
     const EditOpenFiles& files() const { return files_; }
+    FileDialog& dialog() { return dialog_; }
     /// Number of the last texture that was asked for.
     std::uint64_t last_request() const { return request_; }
     /// The texture that the last frame shows; null: none. And whether with many samples a pixel.
@@ -119,6 +120,7 @@ class EditorProgram {
     void ask_to_close();
     void closing_window();
     void save();
+    void save_dialog();
     void ask_for_file(void (EditorProgram::*then)(const std::string&), FileDialog::Wish wish);
     void save_as(const std::string& path);
     void export_as(const std::string& path);
@@ -134,6 +136,8 @@ class EditorProgram {
     void file_menu();
     void view_menu();
     void recovery_window();
+    bool left_row(std::size_t left);
+    void follow_document();
     void shortcuts();
     void menu();
     void layout();
@@ -176,10 +180,9 @@ class EditorProgram {
     EditTimeline timeline_;
     EditPaint paint_;
     EditMove move_;
-    Recipe opened_;  ///< to compare with
-    std::string opened_path_;
-    bool posed_ = false;  ///< the mesh has a pose
-    double share_ = 0.0;  ///< of the way there that is shown
+    std::uint64_t document_ = 0;  ///< EditHistory::document_number() of the last frame
+    bool posed_ = false;          ///< the mesh has a pose
+    double share_ = 0.0;          ///< of the way there that is shown
     std::optional<WorkerRequest> requested_;
     std::uint64_t request_ = 0;
     double last_seconds_ = 0.0;
@@ -190,9 +193,7 @@ class EditorProgram {
     FileDialog dialog_;
     void (EditorProgram::*chosen_)(const std::string&) = nullptr;  ///< takes the dialog's file
     EditAutosave autosave_;
-    std::optional<std::string> left_behind_;  ///< by a run that did not end well
     std::optional<InputScript> recording_;
-    int screenshots_ = 0;
     bool screenshot_due_ = false;
     EditExport export_;
     FrameTimes times_;

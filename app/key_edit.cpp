@@ -65,7 +65,9 @@ KeyedAnimation with_key(KeyedAnimation animation, const std::string& path, doubl
 
 KeyedAnimation with_key_moved(KeyedAnimation animation, std::string_view path, std::size_t key,
                               double seconds) {
-    std::vector<KeyPoint>& keys = track_of(animation, path)->keys;
+    KeyTrack* track = track_of(animation, path);
+    if (!track || key >= track->keys.size()) return animation;
+    std::vector<KeyPoint>& keys = track->keys;
     const double frame = 1.0 / double(animation.rate);
     const double low = key == 0 ? 0.0 : keys[key - 1].seconds + frame;
     const double high = key + 1 == keys.size() ? animation.seconds : keys[key + 1].seconds - frame;
@@ -74,17 +76,21 @@ KeyedAnimation with_key_moved(KeyedAnimation animation, std::string_view path, s
 }
 
 Recipe with_key_removed(Recipe recipe, const std::string& path, std::size_t key) {
-    KeyTrack& track = *track_of(recipe.animation, path);
-    if (track.keys.size() == 1) return with_track_removed(std::move(recipe), path, 0.0);
-    track.keys.erase(track.keys.begin() + std::ptrdiff_t(key));
+    KeyTrack* track = track_of(recipe.animation, path);
+    if (!track || key >= track->keys.size()) return recipe;
+    if (track->keys.size() == 1) return with_track_removed(std::move(recipe), path, 0.0);
+    track->keys.erase(track->keys.begin() + std::ptrdiff_t(key));
     return recipe;
 }
 
 Recipe with_track_removed(Recipe recipe, const std::string& path, double seconds) {
-    const double value = value_at(*find_track(recipe.animation, path), seconds);
+    const KeyTrack* keyed = find_track(recipe.animation, path);
+    if (!keyed) return recipe;
+    const double value = value_at(*keyed, seconds);
     std::erase_if(recipe.animation.tracks,
                   [&](const KeyTrack& track) { return track.path == path; });
     const auto number = find_number(slider_json(recipe), path);
+    if (!number) return recipe;
     const bool whole = number->parameter->type == ParameterType::integer;
     return with_number(recipe, path, whole ? std::round(value) : value);
 }
@@ -99,7 +105,7 @@ Recipe with_still(const Recipe& keyed, double seconds, Recipe still) {
         if (!is)
             std::erase_if(still.animation.tracks,
                           [&](const KeyTrack& gone) { return gone.path == path; });
-        else if (is->value != was->value)
+        else if (!was || is->value != was->value)
             still.animation = with_key(std::move(still.animation), path, seconds, is->value);
     }
     return still;

@@ -23,7 +23,8 @@ std::size_t key_near(const KeyedAnimation& animation, const KeyTrack& track, dou
 KeyedAnimation with_key(KeyedAnimation animation, const std::string& path, double seconds,
                         double value);
 
-/// The key lies as near to that time as the frames and the keys beside it let it.
+/// The key lies as near to that time as the frames and the keys beside it let it; a key that is not
+/// there changes nothing, here and below.
 KeyedAnimation with_key_moved(KeyedAnimation animation, std::string_view path, std::size_t key,
                               double seconds);
 

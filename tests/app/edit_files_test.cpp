@@ -5,7 +5,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <csignal>
 #include <filesystem>
+#include <memory>
+
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include "app/atomic_file.h"
 #include "app/edit_autosave.h"
@@ -14,6 +19,7 @@
 #include "app/file_bytes.h"
 #include "app/image_io.h"
 #include "app/pipeline.h"
+#include "atlas/error.h"
 #include "tests/app/scratch_folder.h"
 
 namespace burl {
@@ -30,24 +36,107 @@ TEST(EditFiles, ListsFoldersThenWantedFiles) {
     EXPECT_TRUE(list_folder(folder / "missing", {}).empty());
 }
 
+EditHistory edited_marble(const std::string& scale) {
+    EditHistory history(load_recipe("marble"), "marble");
+    history.change(load_recipe("marble", {"solid.scale=" + scale}));
+    return history;
+}
+
 TEST(EditAutosave, SurvivesUntilSavedOrEndedWell) {
     const ScratchFolder folder;
     const std::string file = folder / "state/autosave.json";
     EditHistory history(load_recipe("marble"));
+    auto autosave = std::make_unique<EditAutosave>(file);
+    autosave->keep(history, 0.0);
+    EXPECT_FALSE(std::filesystem::exists(file));
+    history.change(load_recipe("marble", {"solid.scale=2"}));
+    autosave->keep(history, 10.0);
+    EXPECT_EQ(load_recipe(file), history.recipe());
+    history.change(load_recipe("marble", {"solid.scale=3"}));
+    autosave->keep(history, 10.5);  // too soon
+    EXPECT_NE(load_recipe(file), history.recipe());
+    autosave.reset();
+    EditAutosave next(file);
+    ASSERT_EQ(next.left_behind().size(), 1u);
+    EXPECT_EQ(parse_recipe(next.left_behind()[0].json, "left").solid.scale, 2.0);
+    next.throw_away(0);
+    EXPECT_TRUE(next.left_behind().empty());
+    next.keep(history, 11.0);
+    EXPECT_EQ(load_recipe(file), history.recipe());
+    history.mark_saved(folder / "r.json");
+    next.keep(history, 12.0);
+    EXPECT_FALSE(std::filesystem::exists(file));
+}
+
+TEST(EditAutosave, APresetThatTakesTheRecipesPlaceLeavesIt) {
+    const ScratchFolder folder;
+    const std::string file = folder / "autosave.json";
+    EditHistory history = edited_marble("2");
+    const Recipe edited = history.recipe();
     EditAutosave autosave(file);
     autosave.keep(history, 0.0);
-    EXPECT_FALSE(autosave.left_behind());
-    history.change(load_recipe("marble", {"solid.scale=2"}));
+    history.open(load_recipe("wood"), "wood");
     autosave.keep(history, 10.0);
-    const auto left = EditAutosave(file).left_behind();
-    ASSERT_TRUE(left);
-    EXPECT_EQ(parse_recipe(*left, "left"), history.recipe());
-    history.change(load_recipe("marble", {"solid.scale=3"}));
-    autosave.keep(history, 10.5);  // too soon
-    EXPECT_EQ(EditAutosave(file).left_behind(), left);
-    history.mark_saved();
-    autosave.keep(history, 11.0);
-    EXPECT_FALSE(EditAutosave(file).left_behind());
+    ASSERT_TRUE(std::filesystem::exists(file));
+    EXPECT_EQ(load_recipe(file), edited);
+}
+
+TEST(EditAutosave, EditorsThatRunHaveOneEach) {
+    const ScratchFolder folder;
+    const std::string file = folder / "autosave.json", second = folder / "autosave-1.json";
+    const EditHistory a = edited_marble("2"), b = edited_marble("3");
+    EditAutosave one(file);
+    one.keep(a, 0.0);
+    EditAutosave two(file);
+    EXPECT_TRUE(two.left_behind().empty()) << "the first one's editor runs";
+    two.keep(b, 0.0);
+    EXPECT_EQ(load_recipe(file), a.recipe());
+    EXPECT_EQ(load_recipe(second), b.recipe());
+    two.clear();
+    EXPECT_EQ(load_recipe(file), a.recipe());
+    EXPECT_FALSE(std::filesystem::exists(second));
+}
+
+TEST(EditAutosave, OffersWhatSeveralEditorsLeftOnce) {
+    const ScratchFolder folder;
+    const std::string file = folder / "autosave.json";
+    const EditHistory a = edited_marble("2"), b = edited_marble("3");
+    {
+        EditAutosave one(file), two(file);
+        one.keep(a, 0.0);
+        two.keep(b, 0.0);
+    }
+    EditAutosave next(file);
+    ASSERT_EQ(next.left_behind().size(), 2u);
+    EXPECT_EQ(parse_recipe(next.left_behind()[1].json, "left"), b.recipe());
+    EXPECT_EQ(next.left_behind()[0].title, "marble, just now");
+    EXPECT_TRUE(EditAutosave(file).left_behind().empty()) << "another editor asks already";
+    next.take(0, a);  // it is kept from now on, and the other one still is
+    EXPECT_EQ(next.left_behind().size(), 1u);
+    EXPECT_FALSE(std::filesystem::exists(file));
+    EXPECT_EQ(load_recipe(folder / "autosave-2.json"), a.recipe());
+    next.leave_all();
+    next.clear();
+    const EditAutosave last(file);
+    ASSERT_EQ(last.left_behind().size(), 1u);
+    EXPECT_EQ(parse_recipe(last.left_behind()[0].json, "left"), b.recipe());
+}
+
+/// The system's lock must end with the program, whatever ends it.
+TEST(EditAutosave, AProgramThatIsKilledLeavesWhatItHad) {
+    const ScratchFolder folder;
+    const std::string file = folder / "autosave.json";
+    const EditHistory history = edited_marble("2");
+    const pid_t child = ::fork();
+    if (child == 0) {
+        EditAutosave autosave(file);
+        autosave.keep(history, 0.0);
+        ::raise(SIGKILL);
+    }
+    int status = 0;
+    ASSERT_EQ(::waitpid(child, &status, 0), child);
+    ASSERT_TRUE(WIFSIGNALED(status));
+    EXPECT_EQ(EditAutosave(file).left_behind().size(), 1u);
 }
 
 TEST(EditAutosave, AFolderThatCannotBeMadeStopsNobody) {
@@ -57,7 +146,25 @@ TEST(EditAutosave, AFolderThatCannotBeMadeStopsNobody) {
     history.change(load_recipe("wood"));
     EditAutosave autosave(folder / "file/autosave.json");
     autosave.keep(history, 10.0);
-    EXPECT_FALSE(autosave.left_behind());
+    EXPECT_TRUE(autosave.left_behind().empty());
+}
+
+TEST(EditFiles, NumberedFilesReplaceNone) {
+    const ScratchFolder folder;
+    const std::string stem = folder / "shot";
+    write_file(stem + "-001.png", "a");
+    write_file(stem + "-003.png", "c");
+    EXPECT_EQ(claim_numbered(stem, ".png"), stem + "-002.png");
+    EXPECT_EQ(claim_numbered(stem, ".png"), stem + "-004.png");
+    EXPECT_EQ(read_file_bytes(stem + "-001.png").size(), 1u);
+    EXPECT_THROW(claim_numbered("/nowhere/shot", ".png"), Error);
+}
+
+TEST(EditFiles, ManyNamesAreCountedAfterTheFirst) {
+    EXPECT_EQ(names_together({"a"}), "a");
+    EXPECT_EQ(names_together({"a", "b"}), "a and b");
+    EXPECT_EQ(names_together({"a", "b", "c", "d"}), "a, b, c and d");
+    EXPECT_EQ(names_together({"a", "b", "c", "d", "e", "f"}), "a, b, c, d and 2 more");
 }
 
 TEST(EditExport, WritesWhatABakeWrites) {
@@ -74,6 +181,34 @@ TEST(EditExport, WritesWhatABakeWrites) {
     const Image<Rgb8> expected = pipeline.synthesize<Rgb8>(), found = read_png(folder / "cube.png");
     ASSERT_EQ(found.width(), expected.width());
     EXPECT_TRUE(std::ranges::equal(found.pixels(), expected.pixels()));
+}
+
+/// Before it is done.
+TEST(EditExport, KnowsTheFilesItWillWrite) {
+    const ScratchFolder folder;
+    for (const char* recipe : {"wood", "forming-marble"})
+        for (const std::string name : {"a.glb", "a.gltf", "a.obj", "a.png", "a.exr", "a.frag"})
+            for (const bool levels : {false, true}) {
+                SCOPED_TRACE(fmt::format("{} {} {}", recipe, name, levels));
+                const std::string place = folder / "out";
+                std::filesystem::create_directory(place);
+                ExportRequest request{"sample:cube",
+                                      load_recipe(recipe, {"atlas.size=32", "atlas.tries=1"}),
+                                      place + "/" + name, levels};
+                const bool moves = !request.recipe.animation.tracks.empty();
+                if (moves && name != "a.png") continue;
+                if (moves) request.recipe.animation.seconds = 0.1;
+                std::vector<std::string> expected = export_files(request), found;
+                (moves ? bake_frames : bake_file)(request);
+                for (const auto& entry : std::filesystem::directory_iterator(place))
+                    found.push_back(entry.path().string());
+                std::ranges::sort(expected);
+                std::ranges::sort(found);
+                EXPECT_EQ(found, expected);
+                std::filesystem::remove_all(place);
+            }
+    EXPECT_EQ(export_files({"sample:cube", load_recipe("wood"), "a.txt"}),
+              std::vector<std::string>{"a.txt"});
 }
 
 TEST(EditExport, TellsWhatIsWrong) {

@@ -92,6 +92,37 @@ TEST(ParameterGroups, BeginWithWhatChangesTheTextureMost) {
         EXPECT_NE(std::ranges::find(more, key), more.end()) << key;
 }
 
+std::vector<std::string> names_of_presets() {
+    std::vector<std::string> names;
+    for (const EmbeddedFile& file : embedded_recipes())
+        names.emplace_back(file.name.substr(0, file.name.rfind('.')));
+    return names;
+}
+
+/// A path may be another recipe's: what has no number there is named by its path.
+TEST(ParameterGroups, NameNumbersOfEveryOtherPresetByTheirPaths) {
+    std::set<std::string> paths;
+    for (const std::string& name : names_of_presets())
+        for (const RecipeNumber& number : recipe_numbers(slider_json(load_recipe(name))))
+            if (number.path.find(".stops.") == std::string::npos) paths.insert(number.path);
+    for (const std::string& name : names_of_presets()) {
+        const auto groups = groups_of(name);
+        const auto numbers = recipe_numbers(slider_json(load_recipe(name)));
+        for (const std::string& path : paths) {
+            const bool there = std::ranges::count(numbers, path, &RecipeNumber::path) > 0;
+            EXPECT_EQ(number_label(groups, path) == path, !there) << name << " " << path;
+        }
+    }
+}
+
+TEST(ParameterGroups, WhatIsNoNumberIsNamedByItsPath) {
+    const auto groups = groups_of("marble");
+    for (const char* path : {"solid.translate.3", "solid.translate.x", "solid.translate.",
+                             "solid.scale.0", "texture.stops.x.0", "texture.stops.0",
+                             "texture.stops..0", "texture.stops.99999999999999999999.0", ""})
+        EXPECT_EQ(number_label(groups, path), path);
+}
+
 TEST(ParameterGroups, ShowWhatTheKindOfNoiseKnows) {
     const auto first = [](const char* kind) {
         return keys(

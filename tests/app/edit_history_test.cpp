@@ -69,11 +69,133 @@ TEST(EditHistory, ChangedIsAgainstWhatWasSaved) {
     EXPECT_FALSE(history.changed());
     history.change(scaled(2));
     EXPECT_TRUE(history.changed());
-    history.mark_saved();
+    history.mark_saved("r.json");
     EXPECT_FALSE(history.changed());
     history.undo();
     EXPECT_TRUE(history.changed());
     history.redo();
+    EXPECT_FALSE(history.changed());
+}
+
+TEST(EditHistory, UndoBringsBackTheFileAndWhatItHolds) {
+    EditHistory history(scaled(1), "marble");
+    history.open(scaled(5), "five.json");
+    EXPECT_EQ(history.path(), "five.json");
+    EXPECT_FALSE(history.changed());
+    history.undo();
+    EXPECT_EQ(history.recipe(), scaled(1));
+    EXPECT_EQ(history.path(), "marble");
+    EXPECT_FALSE(history.changed());
+    EXPECT_EQ(history.opened(), scaled(1));
+    history.redo();
+    EXPECT_EQ(history.path(), "five.json");
+    EXPECT_EQ(history.opened(), scaled(5));
+    history.change(scaled(6));
+    EXPECT_TRUE(history.changed());
+    EXPECT_EQ(history.opened(), scaled(5));
+    EXPECT_EQ(history.opened_path(), "five.json");
+}
+
+TEST(EditHistory, AFileHasItsOwnNumberAndUndoTheOneBefore) {
+    EditHistory history(scaled(1), "marble");
+    const std::uint64_t first = history.document_number();
+    history.open(scaled(2), "two.json");
+    const std::uint64_t second = history.document_number();
+    EXPECT_NE(first, second);
+    history.undo();
+    EXPECT_EQ(history.document_number(), first);
+    history.open(scaled(3), "three.json");
+    EXPECT_NE(history.document_number(), first);
+    EXPECT_NE(history.document_number(), second);
+}
+
+TEST(EditHistory, WhatWasSavedKeepsItsNameInAllSteps) {
+    EditHistory history(scaled(1), "marble");
+    history.change(scaled(2));
+    history.mark_saved("mine.json");
+    EXPECT_EQ(history.path(), "mine.json");
+    history.undo();
+    EXPECT_EQ(history.path(), "mine.json");
+    EXPECT_TRUE(history.changed()) << "the file holds the step after it";
+    EXPECT_EQ(history.opened_path(), "marble");
+}
+
+TEST(EditHistory, AFileThatTwoStepsNameHoldsWhatWasSavedLast) {
+    EditHistory history(scaled(1), "a.json");
+    history.open(scaled(2), "b.json");
+    history.mark_saved("./a.json");  // another spelling
+    EXPECT_FALSE(history.changed());
+    history.undo();
+    EXPECT_TRUE(history.changed());
+    history.mark_saved("a.json");
+    EXPECT_FALSE(history.changed());
+    history.redo();
+    EXPECT_TRUE(history.changed());
+}
+
+TEST(EditHistory, OpeningAnotherRecipeSavesNothing) {
+    EditHistory history(scaled(1), "marble");
+    history.open(scaled(2), "wood");
+    EXPECT_EQ(history.unsaved(), nullptr) << "nothing was changed";
+    history.change(scaled(3));
+    history.open(scaled(4), "checks");
+    history.open(scaled(5), "stone");
+    EXPECT_FALSE(history.changed());
+    ASSERT_NE(history.unsaved(), nullptr);
+    EXPECT_EQ(*history.unsaved(), scaled(3));
+    history.change(scaled(6));
+    EXPECT_EQ(*history.unsaved(), scaled(6)) << "the newest changes";
+    history.undo();
+    history.return_to_unsaved();
+    EXPECT_EQ(history.recipe(), scaled(3));
+    EXPECT_EQ(history.path(), "wood");
+    history.undo();
+    EXPECT_EQ(history.unsaved(), nullptr) << "the changes were taken back";
+}
+
+TEST(EditHistory, SavingIsWhatEndsIt) {
+    EditHistory history(scaled(1), "marble");
+    history.change(scaled(2));
+    history.open(scaled(3), "wood");
+    ASSERT_NE(history.unsaved(), nullptr);
+    history.undo();
+    history.mark_saved("mine.json");
+    history.redo();
+    EXPECT_EQ(history.unsaved(), nullptr) << "what was left is in its file now";
+    history.change(scaled(4));
+    history.open(scaled(5), "checks");
+    ASSERT_NE(history.unsaved(), nullptr);
+    history.mark_saved("five.json");
+    EXPECT_EQ(history.unsaved(), nullptr);
+}
+
+TEST(EditHistory, OpeningWhatIsOpenIsNoStep) {
+    EditHistory history(scaled(1), "a.json");
+    history.change(scaled(2));
+    history.open(scaled(2), "a.json");  // somebody else wrote just that
+    EXPECT_FALSE(history.changed());
+    history.undo();
+    EXPECT_EQ(history.recipe(), scaled(1));
+    EXPECT_TRUE(history.changed());
+}
+
+TEST(EditHistory, WhatIsRecoveredBelongsToNoFile) {
+    EditHistory history(scaled(1), "a.json");
+    history.open_unsaved(scaled(1));
+    EXPECT_EQ(history.path(), "");
+    EXPECT_TRUE(history.changed());
+    history.undo();
+    EXPECT_EQ(history.path(), "a.json");
+    EXPECT_FALSE(history.changed());
+}
+
+TEST(EditHistory, AFileThatSomebodyElseChangedHoldsNoStep) {
+    EditHistory history(scaled(1), "a.json");
+    history.change(scaled(2));
+    history.forget_saved();
+    history.undo();
+    EXPECT_TRUE(history.changed());
+    history.mark_saved("a.json");
     EXPECT_FALSE(history.changed());
 }
 

@@ -9,6 +9,7 @@
 #include "app/atomic_file.h"
 #include "app/embedded.h"
 #include "app/image_io.h"
+#include "atlas/error.h"
 #include "tests/app/scratch_folder.h"
 
 namespace burl {
@@ -59,6 +60,41 @@ TEST(EditSession, ImagesAreReadWhenTheyChangeOnly) {
     EXPECT_EQ(session.recipe(), other);
     EXPECT_FALSE(session.set("texture.a.file", "a.png"));
     EXPECT_FALSE(session.set("texture.b", "no number"));
+}
+
+TEST(EditSession, WhatWasTouchedIsForgottenWithItsRecipe) {
+    EditSession session(load_recipe("windy"), "windy");
+    session.touch("texture.input.b.b.octaves");
+    EXPECT_EQ(session.touched(), "texture.input.b.b.octaves");
+    session.set("texture.input.b.b.octaves", 2);
+    EXPECT_EQ(session.touched(), "texture.input.b.b.octaves");
+    ASSERT_TRUE(session.open_recipe("checks"));
+    EXPECT_EQ(session.touched(), "");
+    session.touch("solid.scale");
+    session.history().undo();
+    EXPECT_EQ(session.touched(), "solid.scale");  // which all have
+    session.touch("texture.input.noise.7.amplitude");
+    EXPECT_EQ(session.touched(), "");
+}
+
+TEST(EditSession, UndoBringsBackTheFileThatIsSavedTo) {
+    const ScratchFolder folder;
+    const std::string file = folder / "theirs.json";
+    const std::string theirs = to_json(load_recipe("wood"));
+    write_file(file, theirs);
+    EditSession session = marble_session();
+    ASSERT_TRUE(session.open_recipe(file));
+    EXPECT_EQ(session.recipe_path(), file);
+    session.history().undo();
+    EXPECT_EQ(session.recipe_path(), "marble");
+    EXPECT_FALSE(session.history().changed());
+}
+
+TEST(EditSession, AnEditThatCannotBeMadeIsTold) {
+    EditSession session = marble_session();
+    EXPECT_FALSE(session.change_with([]() -> Recipe { throw Error(ExitCode::usage, "no"); }));
+    EXPECT_EQ(session.log().back().text, "no");
+    EXPECT_FALSE(session.history().can_undo());
 }
 
 TEST(EditSession, SavesWhatOpensToTheSameRecipe) {

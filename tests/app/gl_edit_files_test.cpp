@@ -30,13 +30,15 @@ class GlEditFilesTest : public GlEditProgramTest {
         options.recipe = recipe;
         options.recent = folder / "recent";
         options.gallery = gallery;
+        options.autosave = folder / "autosave.json";
         auto editor = std::make_unique<EditorProgram>(
             create_unseen_window(create_osmesa_context(), {800, 640}), options);
         play(*editor, settle);
         return editor;
     }
-    void save(const std::string& recipe, const std::string& setting = "solid.scale=1") const {
-        write_file(folder / "r.json",
+    void save(const std::string& recipe, const std::string& setting = "solid.scale=1",
+              const std::string& name = "r.json") const {
+        write_file(folder / name,
                    to_json(load_recipe(recipe, {"atlas.size=64", "atlas.tries=1", setting})));
     }
     /// Names of the files "out...".
@@ -49,6 +51,10 @@ class GlEditFilesTest : public GlEditProgramTest {
     }
     static std::string dropped(const std::string& path) {
         return R"({"drop": [")" + path + R"("]}, {"settle": true}, {"wait": 2})";
+    }
+    std::string text(const std::string& name) const {
+        const auto bytes = read_file_bytes(folder / name);
+        return {bytes.begin(), bytes.end()};
     }
     static std::size_t triangles(const EditorProgram& editor) {
         return editor.baker().surface()->triangles;
@@ -178,6 +184,115 @@ TEST_F(GlEditFilesTest, WhatItSavesItselfIsNoNews) {
     EXPECT_EQ(editor->session().log().size(), lines);
     play(*editor, R"({"key": "Ctrl+Z"}, {"settle": true})");
     EXPECT_TRUE(editor->session().history().changed());
+}
+
+constexpr const char* drag_amplitude = R"({"click": "tab:Parameters"}, {"wait": 2},
+    {"drag": "texture.input.noise.0.amplitude", "by": [30, 0]}, {"settle": true})";
+
+TEST_F(GlEditFilesTest, WhatIsUndoneToIsSavedWhereItBelongs) {
+    save("marble");
+    save("wood", "solid.scale=1", "theirs.json");
+    const std::string theirs = text("theirs.json");
+    const auto editor = open("sample:cube", folder / "r.json");
+    play(*editor, dropped(folder / "theirs.json"));
+    EXPECT_EQ(editor->title(), "wood on sample:cube - Burl");
+    play(*editor, R"({"key": "Ctrl+Z"}, {"wait": 2})");
+    EXPECT_EQ(editor->files().recipe(), folder / "r.json");
+    play(*editor, std::string(drag_amplitude) + R"(, {"key": "Ctrl+S"}, {"wait": 2})");
+    EXPECT_EQ(text("theirs.json"), theirs);
+    EXPECT_EQ(load_recipe(folder / "r.json"), editor->session().recipe());
+}
+
+TEST_F(GlEditFilesTest, APresetIsComparedWithAsLongAsItIsOpen) {
+    save("marble");
+    const auto editor = open("sample:cube", folder / "r.json");
+    const Image<Rgb8> marble = settled(*editor);
+    save("checks", "solid.scale=1", "c.json");
+    play(*editor, dropped(folder / "c.json"));
+    play(*editor, R"({"key": "Ctrl+Z"}, {"settle": true}, {"key": "A"}, {"settle": true})");
+    const Image<Rgb8> compared = settled(*editor);
+    std::size_t other = 0;
+    for (std::size_t y = 60; y < 500; ++y)  // without the menu, which says what is shown
+        for (std::size_t x = 0; x < 500; ++x) other += marble(x, y) == compared(x, y) ? 0 : 1;
+    EXPECT_EQ(other, 0u);
+}
+
+TEST_F(GlEditFilesTest, AClickOnAPresetSavesNothing) {
+    save("marble");
+    const auto editor = open("sample:cube", folder / "r.json");
+    play(*editor, drag_amplitude);
+    const Recipe edited = editor->session().recipe();
+    play(*editor, R"({"click": "tab:Presets"}, {"wait": 2}, {"click": "preset:sine-marble"},
+        {"wait": 200}, {"key": "Ctrl+Q"}, {"wait": 2})");
+    ASSERT_EQ(editor->session().recipe(), load_recipe("sine-marble"));
+    EXPECT_EQ(editor->title(), "sine-marble * on sample:cube - Burl");
+    ASSERT_TRUE(std::filesystem::exists(folder / "autosave.json"));
+    EXPECT_EQ(load_recipe(folder / "autosave.json"), edited);
+    EXPECT_FALSE(editor->wants_to_close());
+    play(*editor, R"({"click": "Save it"}, {"wait": 2})");
+    EXPECT_EQ(load_recipe(folder / "r.json"), edited);
+    EXPECT_TRUE(editor->wants_to_close());
+}
+
+TEST_F(GlEditFilesTest, AFileThatWasKeptFromIsNotWhatIsSaved) {
+    save("marble");
+    const auto editor = open("sample:cube", folder / "r.json");
+    play(*editor, drag_amplitude);
+    save("wood");
+    play(*editor, settle);
+    play(*editor, R"({"click": "Keep this one"}, {"wait": 2}, {"key": "Ctrl+Z"}, {"wait": 2})");
+    EXPECT_EQ(editor->title(), "marble * on sample:cube - Burl");
+}
+
+TEST_F(GlEditFilesTest, SavesUnderAnotherNameFromTheMenu) {
+    save("marble");
+    const std::string before = text("r.json");
+    const auto editor = open("sample:cube", folder / "r.json");
+    play(*editor, drag_amplitude);
+    play(*editor, R"({"click": "menu:File"}, {"wait": 2}, {"click": "menu:Save recipe as..."},
+        {"wait": 3}, {"type": ")" +
+                      (folder / "other") + R"("}, {"wait": 2}, {"key": "Enter"},
+        {"wait": 2})");
+    EXPECT_EQ(text("r.json"), before);
+    EXPECT_EQ(load_recipe(folder / "other.json"), editor->session().recipe());
+    EXPECT_EQ(editor->files().recipe(), folder / "other.json");
+}
+
+/// Whichever of its files is there already.
+TEST_F(GlEditFilesTest, AnExportAsksBeforeItReplacesAFile) {
+    save("marble");
+    write_file(folder / "out.png", "a picture");
+    write_file(folder / "out.mtl", "a material");
+    const auto editor = open("sample:cube", folder / "r.json");
+    play(*editor, R"({"key": "Ctrl+E"}, {"wait": 3}, {"type": ")" + (folder / "out.obj") +
+                      R"("}, {"wait": 2}, {"key": "Enter"}, {"settle": true}, {"wait": 2})");
+    EXPECT_EQ(outputs().size(), 2u);
+    ASSERT_TRUE(editor->items().find("file replace"));
+    play(*editor, R"({"key": "Enter"}, {"settle": true}, {"wait": 2})");
+    EXPECT_EQ(text("out.png"), "a picture") << "a second Enter is no answer";
+    play(*editor, R"({"click": "file back"}, {"wait": 2})");
+    EXPECT_FALSE(editor->items().find("file replace"));
+    play(*editor, R"({"click": "file ok"}, {"wait": 2}, {"click": "file replace"},
+        {"settle": true}, {"wait": 2})");
+    EXPECT_EQ(outputs().size(), 3u);
+    EXPECT_NE(text("out.png"), "a picture");
+    EXPECT_NE(text("out.mtl"), "a material");
+}
+
+TEST_F(GlEditFilesTest, ScreenshotsOfEverySessionAreKept) {
+    save("marble");
+    write_file(folder / "burl-001.png", "of somebody else");
+    const std::filesystem::path before = std::filesystem::current_path();
+    std::filesystem::current_path(folder.path());
+    for (int session = 0; session < 2; ++session) {
+        const auto editor = open("sample:cube", folder / "r.json");
+        play(*editor, R"({"key": "F12"}, {"wait": 2}, {"key": "F12"}, {"wait": 2})");
+    }
+    std::filesystem::current_path(before);
+    EXPECT_EQ(text("burl-001.png"), "of somebody else");
+    for (const char* name : {"burl-002.png", "burl-003.png", "burl-004.png", "burl-005.png"})
+        EXPECT_TRUE(std::filesystem::exists(folder / name)) << name;
+    EXPECT_FALSE(std::filesystem::exists(folder / "burl-006.png"));
 }
 
 TEST_F(GlEditFilesTest, RecentFilesOpenFromTheMenu) {

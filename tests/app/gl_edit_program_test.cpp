@@ -1,5 +1,6 @@
 // The editor as a person uses it, without a display: scripts of real pointer and key events, and
 // what comes of them in the recipe, on the screen and on disk.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <imgui_internal.h>
 
@@ -204,6 +205,21 @@ TEST_F(GlEditProgramTest, AScriptResizesTheWindow) {
     EXPECT_THROW(play(*editor, R"({"resize": [0, 400]})"), Error);
 }
 
+/// Down to where there is no room for anything.
+TEST_F(GlEditProgramTest, AWindowOfAnyWidthIsDrawn) {
+    const auto editor = start();
+    std::string sizes = R"({"resize": [64, 202]})";
+    for (int width = 65; width < 200; ++width)
+        sizes += fmt::format(R"(, {{"resize": [{}, 202]}})", width);
+    for (const char* tab : {"Presets", "Colours"}) {
+        play(*editor, fmt::format(R"({{"resize": [800, 640]}}, {{"wait": 2}},
+                                     {{"click": "tab:{}"}}, {{"wait": 2}})",
+                                  tab));
+        play(*editor, sizes);
+        EXPECT_EQ(editor->screenshot().width(), 199u);
+    }
+}
+
 TEST_F(GlEditProgramTest, AnEditEndsTheComparison) {
     const auto editor = start();
     play(*editor, R"({"click": "tab:Parameters"}, {"wait": 2},
@@ -234,8 +250,12 @@ TEST_F(GlEditProgramTest, OffersWhatACrashLeft) {
     const Recipe lost = load_recipe("wood", {"atlas.size=64", "atlas.tries=1"});
     EditSession(lost, "").save_recipe(autosave);
     const auto editor = start("marble", autosave);
-    play(*editor, R"({"click": "recover"}, {"wait": 1})");
+    play(*editor, R"({"click": "recover"}, {"wait": 2})");
     EXPECT_EQ(editor->session().recipe(), lost);
+    EXPECT_FALSE(editor->items().find("recover"));
+    EXPECT_EQ(load_recipe(folder / "autosave-1.json"), lost) << "as long as it is not saved";
+    play(*editor, R"({"key": "Ctrl+S"}, {"wait": 2})");
+    EXPECT_TRUE(editor->items().find("file name")) << "it belongs to no file";
 }
 
 TEST_F(GlEditProgramTest, ARecordingReplaysToTheSamePicture) {

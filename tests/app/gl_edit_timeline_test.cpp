@@ -9,6 +9,7 @@
 #include "atlas/error.h"
 #include "tests/app/gl_edit_fixture.h"
 #include "tests/app/scratch_folder.h"
+#include "tests/paths.h"
 
 namespace burl {
 namespace {
@@ -81,6 +82,17 @@ TEST_F(GlEditProgramTest, EscapeTakesTheKeysOfAMoveAway) {
     ASSERT_EQ(editor->session().recipe().animation.tracks.at(0).keys.size(), 2u);
     play(*editor, R"({"key": "Escape"}, {"events": [{"button": 0, "down": false}]}, {"wait": 2})");
     EXPECT_EQ(editor->session().recipe(), before);
+}
+
+/// The number under the hand was one of windy, and checks has a colour where its node was.
+TEST_F(GlEditProgramTest, ATimelineOfAnotherRecipeForgetsTheNumberTouched) {
+    const auto bytes = read_file_bytes(test::case_file("editor-stoi.json"));
+    const auto editor = start();
+    play(*editor, R"({"resize": [1280, 800]}, {"wait": 3})");
+    editor->play(parse_script({bytes.begin(), bytes.end()}, "editor-stoi.json"), "");
+    EXPECT_EQ(editor->session().recipe(), load_recipe("checks"));
+    EXPECT_TRUE(editor->items().find("timeline.number"));
+    EXPECT_EQ(editor->session().touched(), "");
 }
 
 TEST_F(GlEditProgramTest, ExportsAreOfWhatIsSeenAndFramesOfAllTimes) {
