@@ -148,6 +148,18 @@ TEST_F(Batch, WhatIsNoManifestIsRefused) {
               int(ExitCode::io));
 }
 
+TEST_F(Batch, AKeyMayBeWrittenWithEscapes) {
+    const Outcome outcome =
+        run_burl(scratch, fmt::format("batch '{}'", case_file("escaped-key-manifest.json")));
+    EXPECT_EQ(outcome.exit_code, int(ExitCode::io)) << outcome.err;  // there is no such mesh
+    EXPECT_NE(outcome.err.find("escaped-key-manifest.json:1: bake 1 (z.png): "), std::string::npos)
+        << outcome.err;
+    const auto list =
+        entries("{\"b\\u0061kes\": [\n{\"mesh\": \"a.obj\", \"output\": \"b.png\"}]}");
+    ASSERT_EQ(list.size(), 1u);
+    EXPECT_TRUE(list[0].where.ends_with("batch.json:2: bake 1 (b.png)")) << list[0].where;
+}
+
 TEST_F(Batch, AnEntryKnowsItsLineWhateverStandsBeforeIt) {
     const auto list = entries(R"({"defaults": {"set": ["a=[{", "b=\"{"],
         "depth": 8},
