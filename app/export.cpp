@@ -2,14 +2,11 @@
 #include "app/export.h"
 
 #include <array>
-#include <cerrno>
 #include <filesystem>
 #include <string_view>
-#include <system_error>
-
-#include <unistd.h>
 
 #include "app/atomic_file.h"
+#include "app/command_files.h"
 #include "app/convert_image.h"
 #include "app/export_gltf.h"
 #include "app/export_obj.h"
@@ -17,7 +14,6 @@
 #include "app/level_names.h"
 #include "app/normals.h"
 #include "app/posed_corners.h"
-#include "app/real_path.h"
 #include "app/tangents.h"
 #include "atlas/error.h"
 #include "atlas/file_extension.h"
@@ -51,50 +47,6 @@ const FormatFiles& format_of(const std::string& path) {
                                  : fmt::format("has the unknown extension '{}'", extension);
     throw Error(ExitCode::usage,
                 fmt::format("{}: the output {}; use .glb, .gltf, .obj, .png or .exr", path, what));
-}
-
-std::string reason(int code) {
-    return std::generic_category().message(code);
-}
-
-void check_folder(const std::string& path) {
-    const fs::path folder = fs::path(path).parent_path();
-    const std::string name = folder.empty() ? "." : folder.string();
-    std::error_code failure;
-    const fs::file_status status = fs::status(name, failure);
-    if (!fs::exists(status)) {
-        throw Error(ExitCode::io, fmt::format("{}: the folder {} does not exist", path, name));
-    }
-    if (!fs::is_directory(status)) {
-        throw Error(ExitCode::io, fmt::format("{}: {} is not a folder", path, name));
-    }
-    if (::access(name.c_str(), W_OK | X_OK) != 0) {
-        throw Error(ExitCode::io, fmt::format("{}: the folder {} cannot be written to: {}", path,
-                                              name, reason(errno)));
-    }
-}
-
-void check_file(const std::string& path, const std::string& input_path) {
-    std::error_code ignored;
-    const fs::file_status status = fs::status(path, ignored);
-    if (!fs::exists(status)) return;
-    if (fs::is_directory(status)) {
-        throw Error(ExitCode::io, fmt::format("{}: is a folder, not a file", path));
-    }
-    if (!fs::is_regular_file(status)) {
-        throw Error(ExitCode::io, fmt::format("{}: is not a regular file", path));
-    }
-    if (!input_path.empty() && fs::equivalent(path, input_path, ignored)) {
-        throw Error(ExitCode::io,
-                    fmt::format("{}: is the input itself; give the output another name", path));
-    }
-}
-
-/// Also true for two spellings of a file that does not exist yet.
-bool same_file(const std::string& a, const std::string& b) {
-    std::error_code ignored;
-    if (fs::equivalent(a, b, ignored)) return true;
-    return real_path(a) == real_path(b);
 }
 
 /// PNG content in the image's own depth; float becomes 8 bits. The image must outlive it.
@@ -228,27 +180,16 @@ std::vector<std::string> output_paths(const std::string& out_path, std::uint32_t
 
 void check_output(const std::string& out_path, const std::string& input_path, std::uint32_t levels,
                   bool normals) {
-    const std::vector<std::string> paths = output_paths(out_path, levels, normals);
-    check_folder(out_path);
-    for (const std::string& path : paths) check_file(path, input_path);
+    CommandFiles files;
+    files.read(files_of_mesh(input_path));
+    for (const std::string& path : output_paths(out_path, levels, normals)) files.write(path);
 }
 
 void check_side_output(const std::string& path, std::string_view extension,
                        std::span<const std::string> taken) {
-    if (!extension.empty() && lower_extension(path) != extension) {
-        throw Error(ExitCode::usage,
-                    fmt::format("{}: the name must end in {}, which is what is written there", path,
-                                extension));
-    }
-    check_folder(path);
-    check_file(path, {});
-    for (const std::string& other : taken) {
-        if (!same_file(path, other)) continue;
-        throw Error(ExitCode::io,
-                    fmt::format("{}: would overwrite {}, which this command needs; give it another "
-                                "name",
-                                path, other));
-    }
+    CommandFiles files;
+    files.read(taken);
+    files.write(path, extension);
 }
 
 bool holds_mesh(const std::string& out_path) {

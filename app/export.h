@@ -48,12 +48,13 @@ struct ExportOptions {
 
 /// Refuses an output before any work starts: the extension is one of .glb, .gltf, .obj, .png, .exr
 /// (any case; else Error(usage) listing them), and the folder exists and is writable, no file to be
-/// written is a folder, and none is the file at `input_path` (else Error(io)).
+/// written is a folder, and none is the mesh's file at `input_path` or one it names (else
+/// Error(io)).
 void check_output(const std::string& out_path, const std::string& input_path = {},
                   std::uint32_t levels = 0, bool normals = false);
 
 /// The same for a picture or report: its name ends in `extension` (in lower case; empty: any), its
-/// folder is writable, and it is none of the `taken` files, which are read or written otherwise.
+/// folder is writable, and it is none of the `taken` files, which are read.
 void check_side_output(const std::string& path, std::string_view extension,
                        std::span<const std::string> taken);
 
