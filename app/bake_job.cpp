@@ -88,6 +88,7 @@ struct BakeJob::Written {
     BakedAtlas baked;
     std::optional<NormalMap> normals{};
     std::size_t levels = 0;
+    std::vector<CommittedFile> files{};
     double seconds = 0.0;
 };
 
@@ -215,8 +216,9 @@ BakeJob::Written BakeJob::write_texture(Pipeline& pipeline, const std::string& p
         options.pose = ExportPose{atlas_pose(*pose, pipeline.mesh(), pipeline.mesh_atlas()),
                                   pipeline.recipe().pose.weight};
     const BakedAtlas& baked = written.baked;
-    export_scene(path, pipeline.atlas_mesh(), baked.packed ? *baked.packed : pipeline.atlas(),
-                 baked.image, options);
+    written.files =
+        export_scene(path, pipeline.atlas_mesh(), baked.packed ? *baked.packed : pipeline.atlas(),
+                     baked.image, options);
     written.levels = options.levels.size();
     written.normals = std::move(options.normals);
     written.seconds = seconds_since(writing);
@@ -227,9 +229,10 @@ BakeJob::Written BakeJob::write_texture(Pipeline& pipeline, const std::string& p
 BakeJob::Written BakeJob::write_bands(Pipeline& pipeline, const std::string& path) const {
     Written written;
     written.normals = bake_normals(pipeline, extras_.normals, command_.depth, command_.crease);
-    const BandsWritten bands = write_exr_in_bands(pipeline, path, extras_.levels,
-                                                  written.normals ? &*written.normals : nullptr);
+    BandsWritten bands = write_exr_in_bands(pipeline, path, extras_.levels,
+                                            written.normals ? &*written.normals : nullptr);
     written.levels = bands.levels;
+    written.files = std::move(bands.files);
     written.seconds = bands.seconds;
     return written;
 }
@@ -250,6 +253,7 @@ Json BakeJob::run(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthe
     const bool needed_later =
         later == LaterBake::atlas || !command_.solid_map.empty() || extras_.has_normals();
     Written written;
+    std::vector<CommittedFile> committed;
     double writing = 0.0;
     for (std::size_t i = 0; i < paths_.size(); ++i) {
         if (i > 0) pipeline.set_recipe(recipes_[i]);
@@ -257,12 +261,15 @@ Json BakeJob::run(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthe
         written = write_texture(pipeline, paths_[i], pose ? &*pose : nullptr,
                                 !needed_later && i + 1 == paths_.size());
         writing += written.seconds;
+        std::ranges::move(written.files, std::back_inserter(committed));
     }
-    if (!command_.emitted_glsl.empty()) write_file(command_.emitted_glsl, shader);
+    if (!command_.emitted_glsl.empty())
+        committed.push_back(write_file(command_.emitted_glsl, shader));
     Json solid_map;
     if (!command_.solid_map.empty()) {
-        const Vec3d base = write_solid_map(command_.solid_map, pipeline, command_.threads);
+        auto [base, file] = write_solid_map(command_.solid_map, pipeline, command_.threads);
         solid_map = {{"file", command_.solid_map}, {"base", {base.x, base.y, base.z}}};
+        committed.push_back(std::move(file));
     }
     Json seconds = {{"read", reading}};
     seconds.update(times_json(pipeline.records()));
@@ -280,7 +287,7 @@ Json BakeJob::run(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthe
     if (!solid_map.empty()) report["solid_map"] = std::move(solid_map);
     if (!normals.empty()) report["normals"] = std::move(normals);
     if (!command_.animation.keys.empty()) report["animation"] = command_.animation.keys;
-    write_record(command_.out, made_from, files, report);
+    write_record(command_.out, made_from, committed, report);
     return report;
 }
 

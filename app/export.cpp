@@ -80,7 +80,8 @@ ByteSource normal_png(const ExportOptions& options) {
 }
 
 /// NAME.png and NAME.1.png, NAME.2.png, ...; all or none.
-void export_png(const std::string& path, const BakedImage& image, const ExportOptions& options) {
+std::vector<CommittedFile> export_png(const std::string& path, const BakedImage& image,
+                                      const ExportOptions& options) {
     std::vector<AtomicFile> files;
     files.reserve(2 + options.levels.size());
     const auto add = [&](const std::string& file, const ByteSource& png) {
@@ -91,7 +92,7 @@ void export_png(const std::string& path, const BakedImage& image, const ExportOp
         add(fs::path(path).replace_extension(level_extension(l)).string(),
             png_of(options.levels[l - 1]));
     add(path, png_of(image));
-    commit_together(files);
+    return commit_together(files);
 }
 
 /// The image where it is float, else `made` of it.
@@ -101,36 +102,37 @@ const Image<RgbF>& float_of(const BakedImage& image, Image<RgbF>& made) {
 }
 
 /// One file, with all levels in it. Nothing is copied: 16384 x 16384 floats are 3 GB.
-void write_exr_file(const std::string& path, const BakedImage& image,
-                    const ExportOptions& options) {
+CommittedFile write_exr_file(const std::string& path, const BakedImage& image,
+                             const ExportOptions& options) {
     std::vector<Image<RgbF>> made(1 + options.levels.size());
     std::vector<const Image<RgbF>*> levels{&float_of(image, made[0])};
     for (std::size_t l = 0; l < options.levels.size(); ++l)
         levels.push_back(&float_of(options.levels[l], made[l + 1]));
     if (levels.size() > 1) return write_exr_levels(path, levels, options.exr_depth);
-    write_exr(path, *levels[0], options.exr_depth);
+    return write_exr(path, *levels[0], options.exr_depth);
 }
 
-void export_exr(const std::string& path, const BakedImage& image, const ExportOptions& options) {
-    if (!options.normals) return write_exr_file(path, image, options);
+std::vector<CommittedFile> export_exr(const std::string& path, const BakedImage& image,
+                                      const ExportOptions& options) {
+    if (!options.normals) return {write_exr_file(path, image, options)};
     AtomicFile normals(normal_map_path(path));
     normal_png(options)(sink_of(normals));
-    write_exr_file(path, image, options);
-    normals.commit();
+    CommittedFile texture = write_exr_file(path, image, options);
+    return {std::move(texture), normals.commit()};
 }
 
-void export_obj(const std::string& path, const Mesh& mesh, const Atlas& atlas,
-                const BakedImage& image, const ExportOptions& options) {
+std::vector<CommittedFile> export_obj(const std::string& path, const Mesh& mesh, const Atlas& atlas,
+                                      const BakedImage& image, const ExportOptions& options) {
     const std::vector<ByteSource> levels = level_pngs(options);
     const std::vector<Vec3f> rest = corner_normals(mesh, options.crease_degrees);
     const auto write = [&](const Mesh& drawn, std::span<const Vec3f> normals) {
-        write_obj(path, {drawn, atlas, normals, png_of(image), levels, normal_png(options),
-                         options.normals && options.normals->tangent_space});
+        return write_obj(path, {drawn, atlas, normals, png_of(image), levels, normal_png(options),
+                                options.normals && options.normals->tangent_space});
     };
     if (!options.pose) return write(mesh, rest);
     const auto& [pose, weight] = *options.pose;
-    write(posed_mesh(mesh, pose, weight),
-          blended_normals(rest, posed_corners(mesh, pose, rest).normals, weight));
+    return write(posed_mesh(mesh, pose, weight),
+                 blended_normals(rest, posed_corners(mesh, pose, rest).normals, weight));
 }
 
 /// The arrays of a glTF; the normals they are made of are gone afterwards.
@@ -146,8 +148,9 @@ std::vector<PartVertices> gltf_vertices(const Mesh& mesh, const Atlas& atlas,
     return export_vertices(mesh, atlas, normals, tangents, &posed);
 }
 
-void export_gltf(const std::string& path, Format format, const Mesh& mesh, const Atlas& atlas,
-                 const BakedImage& image, const ExportOptions& options) {
+std::vector<CommittedFile> export_gltf(const std::string& path, Format format, const Mesh& mesh,
+                                       const Atlas& atlas, const BakedImage& image,
+                                       const ExportOptions& options) {
     const std::vector<ByteSource> levels = level_pngs(options);
     const std::vector<PartVertices> vertices = gltf_vertices(mesh, atlas, options);
     GltfContent content{mesh,
@@ -158,7 +161,8 @@ void export_gltf(const std::string& path, Format format, const Mesh& mesh, const
                         options.recipe_json,
                         normal_png(options)};
     if (options.pose) content.target = {options.pose->corners.name, options.pose->weight};
-    format == Format::glb ? write_glb(path, content) : write_gltf(path, content);
+    if (format == Format::glb) return {write_glb(path, content)};
+    return write_gltf(path, content);
 }
 
 }  // namespace
@@ -207,22 +211,19 @@ ImageKind wanted_kind(const std::string& out_path, int depth) {
     return depth == 16 ? ImageKind::rgb16 : ImageKind::rgb8;
 }
 
-void export_scene(const std::string& out_path, const Mesh& mesh, const Atlas& atlas,
-                  const BakedImage& image, const ExportOptions& options) {
+std::vector<CommittedFile> export_scene(const std::string& out_path, const Mesh& mesh,
+                                        const Atlas& atlas, const BakedImage& image,
+                                        const ExportOptions& options) {
     const Format format = format_of(out_path).format;
     switch (format) {
         case Format::png:
-            export_png(out_path, image, options);
-            break;
+            return export_png(out_path, image, options);
         case Format::exr:
-            export_exr(out_path, image, options);
-            break;
+            return export_exr(out_path, image, options);
         case Format::obj:
-            export_obj(out_path, mesh, atlas, image, options);
-            break;
+            return export_obj(out_path, mesh, atlas, image, options);
         default:
-            export_gltf(out_path, format, mesh, atlas, image, options);
-            break;
+            return export_gltf(out_path, format, mesh, atlas, image, options);
     }
 }
 

@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "app/atomic_file.h"
 #include "app/exr_io.h"
 #include "atlas/atlas.h"
 #include "atlas/image.h"
@@ -79,8 +80,10 @@ ImageKind wanted_kind(const std::string& out_path, int depth);
 /// another kind than the wanted one is converted (float is clamped and sRGB-encoded; 8 and 16 bits
 /// are decoded for .exr). Normals in tangent space become part of the material (glTF's
 /// normalTexture, with tangents; OBJ's norm), any other ones a file beside; a .glb or .gltf must
-/// not be given those. Throws Error: as check_output, and io when a write fails.
-void export_scene(const std::string& out_path, const Mesh& mesh, const Atlas& atlas,
-                  const BakedImage& image, const ExportOptions& options = {});
+/// not be given those. Says what was written. Throws Error: as check_output, and io when a write
+/// fails.
+std::vector<CommittedFile> export_scene(const std::string& out_path, const Mesh& mesh,
+                                        const Atlas& atlas, const BakedImage& image,
+                                        const ExportOptions& options = {});
 
 }  // namespace burl
