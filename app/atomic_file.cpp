@@ -13,6 +13,7 @@
 #include <utility>
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -37,8 +38,33 @@ std::string folder_of(const std::string& path) {
 std::string temporary_name(const std::string& path, int attempt) {
     const std::filesystem::path p = path;
     std::string name = p.filename().string().substr(0, 200);  // names end at 255 bytes
-    return (p.parent_path() / fmt::format(".{}.{}-{}.burl-tmp", name, ::getpid(), attempt))
-        .string();
+    return (p.parent_path() / fmt::format(".{}.{}.burl-tmp", name, attempt)).string();
+}
+
+/// Files are locked as long as they are written, and locks go with the process.
+void lock_for_this_run(int descriptor) {
+    // Where there are no locks nothing is removed either.
+    (void)::flock(descriptor, LOCK_EX | LOCK_NB);
+}
+
+/// Removes a temporary file whose run was killed.
+void remove_left_over(const std::string& name) {
+    const int descriptor = ::open(name.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+    if (descriptor < 0) return;
+    struct stat locked {
+    }, named{};
+    // The name may have gone to another file before this one was locked.
+    if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0 && ::fstat(descriptor, &locked) == 0 &&
+        ::lstat(name.c_str(), &named) == 0 && locked.st_ino == named.st_ino &&
+        S_ISREG(named.st_mode))
+        ::unlink(name.c_str());
+    ::close(descriptor);
+}
+
+/// Whether it was taken for left over before it was locked.
+bool was_removed(int descriptor) {
+    struct stat status {};
+    return ::fstat(descriptor, &status) == 0 && status.st_nlink == 0;
 }
 
 std::string handle_path(int descriptor) {
@@ -99,7 +125,9 @@ AtomicFile::AtomicFile(const std::string& target, Temporary kind)
         throw Error(ExitCode::io, fmt::format("{}: is not a regular file", target_));
     }
     if (kind == Temporary::nameless) descriptor_ = open_nameless(folder_of(real_path_));
-    if (descriptor_ < 0) {
+    if (descriptor_ >= 0) {
+        lock_for_this_run(descriptor_);
+    } else {
         const std::scoped_lock lock(temporary_names().mutex);
         take_name();
     }
@@ -137,14 +165,20 @@ void AtomicFile::take_name() {
     int result = -1;
     for (int attempt = 0; attempt < 1000; ++attempt) {
         const std::string name = temporary_name(real_path_, attempt);
+        remove_left_over(name);
         if (nameless) {
             result = ::linkat(AT_FDCWD, handle.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW);
         } else {
             result = ::open(name.c_str(), O_CREAT | O_EXCL | O_RDWR | O_CLOEXEC, 0666);
             descriptor_ = result;
+            if (result >= 0) lock_for_this_run(descriptor_);
         }
         if (result < 0 && errno == EEXIST) continue;
         if (result < 0) break;
+        if (was_removed(descriptor_)) {
+            ::close(std::exchange(descriptor_, -1));
+            continue;
+        }
         temporary_ = name;
         temporary_names().names.insert(name);
         return;
@@ -208,6 +242,7 @@ void AtomicFile::finish() {
 
 /// A name cannot be moved to a file, only a file of one name to another.
 void AtomicFile::name_beside_old() {
+    remove_left_over(temporary_name(real_path_, 0));
     if (temporary_.empty() && ::access(real_path_.c_str(), F_OK) == 0) take_name();
 }
 

@@ -289,6 +289,25 @@ TEST(AtomicFile, AKilledRunLeavesTheOldFile) {
     EXPECT_LE(folder.entries(), 2u);
 }
 
+TEST(AtomicFile, WhatAKilledRunLeftIsRemovedByTheNext) {
+    const ScratchFolder folder;
+    const std::string path = folder / "out.txt";
+    for (const bool replaces : {false, true}) {
+        if (replaces) std::ofstream(path) << "old";
+        const pid_t child = ::fork();
+        if (child == 0) {
+            AtomicFile file(path, Temporary::named);
+            ::raise(SIGKILL);
+        }
+        ASSERT_EQ(::waitpid(child, nullptr, 0), child);
+        EXPECT_EQ(folder.entries(), replaces ? 2u : 1u) << "nobody could clean up";
+        write_file(path, "new");
+        EXPECT_EQ(folder.entries(), 1u);
+        EXPECT_EQ(content(path), "new");
+        std::filesystem::remove(path);
+    }
+}
+
 TEST(AtomicFile, SignalsRemoveTemporaryNamesAndEndTheProgram) {
     for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
         const ScratchFolder folder;
