@@ -2,15 +2,22 @@
 #include "app/atomic_file.h"
 
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
+#include <mutex>
+#include <set>
 #include <system_error>
+#include <thread>
 #include <utility>
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "app/real_path.h"
 #include "atlas/error.h"
 
 namespace burl {
@@ -23,18 +30,6 @@ Error write_error(const std::string& target, int code) {
                                            std::generic_category().message(code)));
 }
 
-/// The file a chain of symbolic links ends at, existing or not.
-std::string follow_links(const std::string& target) {
-    std::filesystem::path path = target;
-    std::error_code ignored;
-    for (int depth = 0; depth < 40 && std::filesystem::is_symlink(path, ignored); ++depth) {
-        const std::filesystem::path next = std::filesystem::read_symlink(path, ignored);
-        if (ignored) break;
-        path = next.is_absolute() ? next : path.parent_path() / next;
-    }
-    return path.string();
-}
-
 std::string folder_of(const std::string& path) {
     const std::string folder = std::filesystem::path(path).parent_path().string();
     return folder.empty() ? "." : folder;
@@ -43,8 +38,33 @@ std::string folder_of(const std::string& path) {
 std::string temporary_name(const std::string& path, int attempt) {
     const std::filesystem::path p = path;
     std::string name = p.filename().string().substr(0, 200);  // names end at 255 bytes
-    return (p.parent_path() / fmt::format(".{}.{}-{}.burl-tmp", name, ::getpid(), attempt))
-        .string();
+    return (p.parent_path() / fmt::format(".{}.{}.burl-tmp", name, attempt)).string();
+}
+
+/// Files are locked as long as they are written, and locks go with the process.
+void lock_for_this_run(int descriptor) {
+    // Where there are no locks nothing is removed either.
+    (void)::flock(descriptor, LOCK_EX | LOCK_NB);
+}
+
+/// Removes a temporary file whose run was killed.
+void remove_left_over(const std::string& name) {
+    const int descriptor = ::open(name.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+    if (descriptor < 0) return;
+    struct stat locked {
+    }, named{};
+    // The name may have gone to another file before this one was locked.
+    if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0 && ::fstat(descriptor, &locked) == 0 &&
+        ::lstat(name.c_str(), &named) == 0 && locked.st_ino == named.st_ino &&
+        S_ISREG(named.st_mode))
+        ::unlink(name.c_str());
+    ::close(descriptor);
+}
+
+/// Whether it was taken for left over before it was locked.
+bool was_removed(int descriptor) {
+    struct stat status {};
+    return ::fstat(descriptor, &status) == 0 && status.st_nlink == 0;
 }
 
 std::string handle_path(int descriptor) {
@@ -59,19 +79,58 @@ int open_nameless(const std::string& folder) {
     return -1;
 }
 
+/// The temporary names that are there. Whoever gives or takes names holds the mutex.
+struct TemporaryNames {
+    std::mutex mutex;
+    std::set<std::string> names;
+};
+
+/// Of the process, as the file system's names are; never destroyed, since a signal may come last.
+TemporaryNames& temporary_names() {
+    static auto* const all = new TemporaryNames;
+    return *all;
+}
+
+/// Ends the program as the signal would have done, with no temporary file left. Names are not given
+/// any more.
+[[noreturn]] void end_by_signal(int signal, const sigset_t& signals) {
+    temporary_names().mutex.lock();
+    for (const std::string& name : temporary_names().names) ::unlink(name.c_str());
+    std::signal(signal, SIG_DFL);
+    ::pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);
+    std::raise(signal);
+    std::abort();
+}
+
+CommittedFile state_from(const std::string& path, const struct stat& status) {
+    return {path, std::uint64_t(status.st_size), status.st_ino, status.st_mtim.tv_sec,
+            status.st_mtim.tv_nsec};
+}
+
 }  // namespace
+
+std::optional<CommittedFile> file_there(const std::string& path) {
+    struct stat status {};
+    if (::stat(path.c_str(), &status) != 0) return std::nullopt;
+    return state_from(path, status);
+}
 
 AtomicFile::AtomicFile(const std::string& target, Temporary kind)
     : target_(target), real_path_(follow_links(target)) {
     struct stat status {};
     replaces_ = ::stat(real_path_.c_str(), &status) == 0;
+    if (!replaces_ && errno == ELOOP) throw write_error(target_, ELOOP);
     if (replaces_ && S_ISDIR(status.st_mode)) throw write_error(target_, EISDIR);
     if (replaces_ && !S_ISREG(status.st_mode)) {
         throw Error(ExitCode::io, fmt::format("{}: is not a regular file", target_));
     }
     if (kind == Temporary::nameless) descriptor_ = open_nameless(folder_of(real_path_));
-    if (descriptor_ < 0) take_name();
-    if (descriptor_ < 0) throw write_error(target_, errno);
+    if (descriptor_ >= 0) {
+        lock_for_this_run(descriptor_);
+    } else {
+        const std::scoped_lock lock(temporary_names().mutex);
+        take_name();
+    }
     if (replaces_) ::fchmod(descriptor_, status.st_mode & 07777);
     buffer_.reserve(buffer_size);
 }
@@ -86,35 +145,45 @@ AtomicFile::AtomicFile(AtomicFile&& other) noexcept
       temporary_(std::exchange(other.temporary_, {})),
       descriptor_(std::exchange(other.descriptor_, -1)),
       replaces_(other.replaces_),
+      finished_(other.finished_),
       buffer_(std::move(other.buffer_)) {}
 
 void AtomicFile::discard() noexcept {
     if (descriptor_ >= 0) ::close(descriptor_);
     descriptor_ = -1;
-    if (!temporary_.empty()) ::unlink(temporary_.c_str());
+    if (temporary_.empty()) return;
+    const std::scoped_lock lock(temporary_names().mutex);
+    ::unlink(temporary_.c_str());
+    temporary_names().names.erase(temporary_);
     temporary_.clear();
 }
 
-/// Gives the nameless file a temporary name, or opens a new named one when there is none. On
-/// failure leaves errno and an empty name.
+/// Gives the nameless file a temporary name, or opens a new named one when there is none.
 void AtomicFile::take_name() {
     const std::string handle = handle_path(descriptor_);
     const bool nameless = descriptor_ >= 0;
+    int result = -1;
     for (int attempt = 0; attempt < 1000; ++attempt) {
         const std::string name = temporary_name(real_path_, attempt);
-        int result = 0;
+        remove_left_over(name);
         if (nameless) {
             result = ::linkat(AT_FDCWD, handle.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW);
         } else {
             result = ::open(name.c_str(), O_CREAT | O_EXCL | O_RDWR | O_CLOEXEC, 0666);
             descriptor_ = result;
+            if (result >= 0) lock_for_this_run(descriptor_);
         }
-        if (result >= 0) {
-            temporary_ = name;
-            return;
+        if (result < 0 && errno == EEXIST) continue;
+        if (result < 0) break;
+        if (was_removed(descriptor_)) {
+            ::close(std::exchange(descriptor_, -1));
+            continue;
         }
-        if (errno != EEXIST) return;
+        temporary_ = name;
+        temporary_names().names.insert(name);
+        return;
     }
+    throw write_error(target_, errno);
 }
 
 /// Calls write_some(rest) until nothing is left.
@@ -162,34 +231,57 @@ void AtomicFile::write(std::string_view text) {
 }
 
 void AtomicFile::finish() {
-    if (descriptor_ < 0) return;
+    if (finished_) return;
     flush();
     // Some special file systems cannot sync; that is no loss of data.
     if (::fsync(descriptor_) != 0 && errno != EINVAL && errno != EROFS) {
         throw write_error(target_, errno);
     }
-    if (temporary_.empty()) take_name();
-    if (temporary_.empty()) throw write_error(target_, errno);
-    if (::close(std::exchange(descriptor_, -1)) != 0 && errno != EINTR) {
-        throw write_error(target_, errno);
-    }
+    finished_ = true;
 }
 
-void AtomicFile::commit() {
-    finish();
+/// A name cannot be moved to a file, only a file of one name to another.
+void AtomicFile::name_beside_old() {
+    remove_left_over(temporary_name(real_path_, 0));
+    if (temporary_.empty() && ::access(real_path_.c_str(), F_OK) == 0) take_name();
+}
+
+/// The finished file under its own name.
+void AtomicFile::take_place() {
+    if (temporary_.empty()) {
+        if (::linkat(AT_FDCWD, handle_path(descriptor_).c_str(), AT_FDCWD, real_path_.c_str(),
+                     AT_SYMLINK_FOLLOW) == 0)
+            return;
+        if (errno != EEXIST) throw write_error(target_, errno);
+        take_name();  // somebody made one meanwhile
+    }
     if (std::rename(temporary_.c_str(), real_path_.c_str()) != 0) throw write_error(target_, errno);
-    temporary_.clear();
+    temporary_names().names.erase(std::exchange(temporary_, {}));
+}
+
+CommittedFile AtomicFile::committed() const {
+    struct stat status {};
+    if (::fstat(descriptor_, &status) != 0) throw write_error(target_, errno);
+    return state_from(target_, status);
+}
+
+CommittedFile AtomicFile::commit() {
+    return commit_together({this, 1}).front();
 }
 
 ByteSink sink_of(AtomicFile& file) {
     return [&file](std::span<const std::uint8_t> bytes) { file.write(bytes); };
 }
 
-void commit_together(std::span<AtomicFile> files) {
+std::vector<CommittedFile> commit_together(std::span<AtomicFile> files) {
     for (AtomicFile& file : files) file.finish();
+    std::vector<CommittedFile> committed;
+    for (const AtomicFile& file : files) committed.push_back(file.committed());
+    const std::scoped_lock lock(temporary_names().mutex);
+    for (AtomicFile& file : files) file.name_beside_old();
     for (std::size_t i = 0; i < files.size(); ++i) {
         try {
-            files[i].commit();
+            files[i].take_place();
         } catch (...) {
             for (std::size_t j = 0; j < i; ++j) {
                 if (!files[j].replaces_) ::unlink(files[j].real_path_.c_str());
@@ -197,16 +289,34 @@ void commit_together(std::span<AtomicFile> files) {
             throw;
         }
     }
+    return committed;
 }
 
-void write_file(const std::string& path, std::span<const std::uint8_t> bytes) {
+void clean_up_on_signals() {
+    sigset_t signals;
+    ::sigemptyset(&signals);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+        struct sigaction now {};
+        ::sigaction(signal, nullptr, &now);
+        if (now.sa_handler == SIG_DFL) ::sigaddset(&signals, signal);
+    }
+    ::pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+    std::thread([signals] {
+        int signal = 0;
+        while (::sigwait(&signals, &signal) != 0) {
+        }
+        end_by_signal(signal, signals);
+    }).detach();
+}
+
+CommittedFile write_file(const std::string& path, std::span<const std::uint8_t> bytes) {
     AtomicFile file(path);
     file.write(bytes);
-    file.commit();
+    return file.commit();
 }
 
-void write_file(const std::string& path, std::string_view text) {
-    write_file(path, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+CommittedFile write_file(const std::string& path, std::string_view text) {
+    return write_file(path, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
 }
 
 }  // namespace burl

@@ -1,11 +1,14 @@
 #pragma once
 // Output that is either whole or absent. The bytes go into a nameless file of the target's folder
-// (O_TMPFILE), get a temporary name once they are complete and safe on disk, and are renamed over
-// the target: a run that fails, is interrupted or killed leaves the old file or none. Where the
-// file system has no nameless files a hidden temporary name is used from the start; then a killed
-// run (not a failed one) may leave ".NAME.PID-N.burl-tmp" behind.
+// (O_TMPFILE); once all files of a group are complete and safe on disk they get their names at
+// once: a target that is new is linked, an old one replaced by way of a temporary name. A run that
+// fails, is interrupted or killed leaves the old file or none. Only a run that is killed (SIGKILL,
+// power) within the microseconds between two names may leave ".NAME.N.burl-tmp" behind, which the
+// next run that writes NAME removes; where the file system has no nameless files that name is used
+// from the start.
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -19,6 +22,18 @@ enum class Temporary {
     nameless,  ///< O_TMPFILE where the file system has it, else named
     named,     ///< a hidden name from the start
 };
+
+/// A file as it was committed. Another one in its place has another inode, even where size and time
+/// are the same.
+struct CommittedFile {
+    std::string path;  ///< as the user named it
+    std::uint64_t bytes = 0, inode = 0;
+    std::int64_t seconds = 0, nanoseconds = 0;  ///< of its last change
+    bool operator==(const CommittedFile&) const = default;
+};
+
+/// What lies there now; nothing where no file does.
+std::optional<CommittedFile> file_there(const std::string& path);
 
 class AtomicFile {
   public:
@@ -39,22 +54,24 @@ class AtomicFile {
     /// known. Throws Error(io).
     void overwrite(std::uint64_t position, std::span<const std::uint8_t> bytes);
 
-    /// Flushes everything to disk and gives it the temporary name; nothing may be written after.
-    /// Throws Error(io).
+    /// Flushes everything to disk; nothing may be written after. Throws Error(io).
     void finish();
 
-    /// Renames over the target; finishes first if that was not done. Throws Error(io).
-    void commit();
+    /// Takes the target's place; finishes first if that was not done. Throws Error(io).
+    CommittedFile commit();
 
     const std::string& target() const { return target_; }
 
   private:
-    friend void commit_together(std::span<AtomicFile> files);
+    friend std::vector<CommittedFile> commit_together(std::span<AtomicFile> files);
     void flush();
     void write_through(std::span<const std::uint8_t> bytes);
     template <class WriteSome>
     void write_whole(std::span<const std::uint8_t> bytes, const WriteSome& write_some);
     void take_name();
+    void name_beside_old();
+    void take_place();
+    CommittedFile committed() const;
     void discard() noexcept;
 
     std::string target_;     // as the user named it, for messages
@@ -62,6 +79,7 @@ class AtomicFile {
     std::string temporary_;  // empty while nameless
     int descriptor_ = -1;
     bool replaces_ = false;  // the target existed before
+    bool finished_ = false;
     std::vector<std::uint8_t> buffer_;
 };
 
@@ -69,12 +87,18 @@ class AtomicFile {
 ByteSink sink_of(AtomicFile& file);
 
 /// Commits files that only make sense together (.obj, .mtl, .png): all are finished before the
-/// first is renamed, in the order given, so put the one that names the others last. When a rename
+/// first gets its name, in the order given, so put the one that names the others last. When one
 /// fails, files that did not exist before are removed again. Throws Error(io).
-void commit_together(std::span<AtomicFile> files);
+std::vector<CommittedFile> commit_together(std::span<AtomicFile> files);
 
 /// One file written whole or not at all. Throws Error(io).
-void write_file(const std::string& path, std::span<const std::uint8_t> bytes);
-void write_file(const std::string& path, std::string_view text);
+CommittedFile write_file(const std::string& path, std::span<const std::uint8_t> bytes);
+CommittedFile write_file(const std::string& path, std::string_view text);
+
+/// From here on SIGINT, SIGTERM and SIGHUP, where they are not ignored, wait while files get their
+/// names and remove temporary ones before they end the program. To be called once, before other
+/// threads are started: it blocks these signals for the calling thread and takes them in one of its
+/// own.
+void clean_up_on_signals();
 
 }  // namespace burl

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <optional>
+#include <utility>
 
 #include "app/atomic_file.h"
 #include "app/image_io.h"
@@ -29,13 +30,14 @@ TakeRows rows_to(const RowSink& sink) {
     return [&sink](std::size_t, const Image<RgbF>& rows) { sink(rows); };
 }
 
-void write_texture(Pipeline& pipeline, const std::string& path, const LevelsAsked& levels) {
+CommittedFile write_texture(Pipeline& pipeline, const std::string& path,
+                            const LevelsAsked& levels) {
     const std::size_t size = pipeline.recipe().atlas.size;
     if (levels.count == 0)
         return write_exr_rows(path, size, size, [&](const RowSink& sink) {
             pipeline.synthesize_in_bands(rows_to(sink));
         });
-    write_exr_levels(path, size, size, [&](const RowSink& sink) {
+    return write_exr_levels(path, size, size, [&](const RowSink& sink) {
         return pipeline.levels_in_bands(levels.count, levels.rule, rows_to(sink));
     });
 }
@@ -51,10 +53,10 @@ BandsWritten write_exr_in_bands(Pipeline& pipeline, const std::string& path,
     const double before = stage_seconds(pipeline);
     std::optional<AtomicFile> beside;
     if (normals) write_normals(beside.emplace(normal_map_path(path)), *normals);
-    write_texture(pipeline, path, levels);
-    if (beside) beside->commit();
+    std::vector<CommittedFile> files{write_texture(pipeline, path, levels)};
+    if (beside) files.push_back(beside->commit());
     const std::chrono::duration<double> all = Clock::now() - start;
-    return {levels.count, all.count() - (stage_seconds(pipeline) - before)};
+    return {levels.count, std::move(files), all.count() - (stage_seconds(pipeline) - before)};
 }
 
 }  // namespace burl

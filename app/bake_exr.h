@@ -9,6 +9,7 @@ namespace burl {
 
 struct BandsWritten {
     std::size_t levels = 0;
+    std::vector<CommittedFile> files{};
     double seconds = 0.0;  ///< without what stages of the pipeline took
 };
 

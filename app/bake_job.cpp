@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <filesystem>
 #include <iterator>
 #include <utility>
 
@@ -14,6 +13,7 @@
 #include "app/bake_levels.h"
 #include "app/bake_report.h"
 #include "app/bake_texture.h"
+#include "app/command_files.h"
 #include "app/forward_check.h"
 #include "app/gl_emit.h"
 #include "app/gl_multipass_synthesizer.h"
@@ -62,19 +62,19 @@ bool is_forward(const BakeCommand& command) {
     return command.kernel == forward_kernel;
 }
 
-/// The recipe's images, from the folder of its file on.
-std::vector<std::string> image_files(const BakeCommand& command, const Recipe& recipe) {
-    std::vector<std::string> files;
-    const auto folder = std::filesystem::path(command.recipe.recipe).parent_path();
-    for (const GraphImage& image : recipe.graph.images) files.push_back(folder / image.file);
-    return files;
-}
-
 std::vector<Recipe> recipes_of(const BakeCommand& command) {
     std::vector<Recipe> recipes = frame_recipes(command.recipe, command.animation);
     if (command.kernel == reference_kernel)
         std::for_each(recipes.begin(), recipes.end(), apply_reference);
     return recipes;
+}
+
+std::vector<std::string> files_read(const BakeCommand& command, const Recipe& recipe) {
+    std::vector<std::string> files = files_of_mesh(command.mesh);
+    if (is_pose_file(command.pose))
+        std::ranges::move(files_of_mesh(command.pose), std::back_inserter(files));
+    std::ranges::move(files_of_recipe(command.recipe.recipe, recipe), std::back_inserter(files));
+    return files;
 }
 
 /// The texture as a shader, where it is asked for.
@@ -88,6 +88,7 @@ struct BakeJob::Written {
     BakedAtlas baked;
     std::optional<NormalMap> normals{};
     std::size_t levels = 0;
+    std::vector<CommittedFile> files{};
     double seconds = 0.0;
 };
 
@@ -98,7 +99,8 @@ BakeJob::BakeJob(const BakeCommand& command, Json settings)
       paths_(frame_paths(command.out, command.animation)),
       recipes_(recipes_of(command)),
       extras_{levels_asked(command.levels, command.level_rule, recipes_[0].atlas.size, kind_),
-              normals_asked(command.normals, recipes_[0], command.out)} {
+              normals_asked(command.normals, recipes_[0], command.out)},
+      inputs_(files_read(command, recipes_[0])) {
     check();
     if (is_forward(command_)) std::for_each(recipes_.begin(), recipes_.end(), check_forward);
 }
@@ -118,26 +120,15 @@ std::vector<std::string> BakeJob::outputs(std::uint32_t levels) const {
     return outputs;
 }
 
-std::vector<std::string> BakeJob::inputs() const {
-    std::vector<std::string> inputs{command_.mesh, command_.recipe.recipe};
-    if (is_pose_file(command_.pose)) inputs.push_back(command_.pose);
-    std::ranges::move(image_files(command_, recipes_[0]), std::back_inserter(inputs));
-    return inputs;
-}
-
-/// What is written beside the textures must leave them, one another and all that is read alone.
-void BakeJob::check_side_outputs() const {
-    std::vector<std::string> taken = texture_outputs(extras_.levels.count);
-    std::ranges::move(inputs(), std::back_inserter(taken));
-    const auto check = [&](const std::string& path, std::string_view extension) {
-        if (path.empty() || path == "-") return;
-        check_side_output(path, extension, taken);
-        taken.push_back(path);
-    };
-    check(command_.solid_map, ".exr");
-    check(command_.emitted_glsl, "");
-    check(command_.report, "");
-    check(record_path(command_.out), "");
+/// What is written must leave all that is read, and all else that is written, alone.
+void BakeJob::check_files() const {
+    CommandFiles files;
+    files.read(inputs_);
+    for (const std::string& path : texture_outputs(extras_.levels.count)) files.write(path);
+    if (!command_.solid_map.empty()) files.write(command_.solid_map, ".exr");
+    if (!command_.emitted_glsl.empty()) files.write(command_.emitted_glsl);
+    if (!command_.report.empty() && command_.report != "-") files.write(command_.report);
+    files.write(record_path(command_.out));
 }
 
 /// Everything that the command can be wrong about, before any work starts.
@@ -147,10 +138,7 @@ void BakeJob::check() const {
                     fmt::format("{}: --frames writes textures alone, .png or .exr; bake the mesh "
                                 "once without --frames: its texture coordinates fit every frame",
                                 command_.out));
-    for (const std::string& path : paths_)
-        for (const std::string& input : {command_.mesh, command_.pose})
-            check_output(path, input, extras_.levels.count, extras_.has_normals());
-    check_side_outputs();
+    check_files();
     check_compress(command_.compress, recipes_[0].atlas.kind);
     if (command_.compress && extras_.has_normals())
         throw Error(ExitCode::usage,
@@ -183,7 +171,8 @@ Json BakeJob::made_from() const {
     std::vector<std::string> files = mesh_files(command_.mesh);
     if (is_pose_file(command_.pose))
         std::ranges::move(mesh_files(command_.pose), std::back_inserter(files));
-    std::ranges::move(image_files(command_, recipes_[0]), std::back_inserter(files));
+    std::ranges::move(images_of_recipe(command_.recipe.recipe, recipes_[0]),
+                      std::back_inserter(files));
     Json made_from = {{"burl", burl_version()},
                       {"inputs", content_of(files)},
                       {"recipe", Json::parse(to_json(recipes_[0]))},
@@ -227,8 +216,9 @@ BakeJob::Written BakeJob::write_texture(Pipeline& pipeline, const std::string& p
         options.pose = ExportPose{atlas_pose(*pose, pipeline.mesh(), pipeline.mesh_atlas()),
                                   pipeline.recipe().pose.weight};
     const BakedAtlas& baked = written.baked;
-    export_scene(path, pipeline.atlas_mesh(), baked.packed ? *baked.packed : pipeline.atlas(),
-                 baked.image, options);
+    written.files =
+        export_scene(path, pipeline.atlas_mesh(), baked.packed ? *baked.packed : pipeline.atlas(),
+                     baked.image, options);
     written.levels = options.levels.size();
     written.normals = std::move(options.normals);
     written.seconds = seconds_since(writing);
@@ -239,9 +229,10 @@ BakeJob::Written BakeJob::write_texture(Pipeline& pipeline, const std::string& p
 BakeJob::Written BakeJob::write_bands(Pipeline& pipeline, const std::string& path) const {
     Written written;
     written.normals = bake_normals(pipeline, extras_.normals, command_.depth, command_.crease);
-    const BandsWritten bands = write_exr_in_bands(pipeline, path, extras_.levels,
-                                                  written.normals ? &*written.normals : nullptr);
+    BandsWritten bands = write_exr_in_bands(pipeline, path, extras_.levels,
+                                            written.normals ? &*written.normals : nullptr);
     written.levels = bands.levels;
+    written.files = std::move(bands.files);
     written.seconds = bands.seconds;
     return written;
 }
@@ -262,6 +253,7 @@ Json BakeJob::run(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthe
     const bool needed_later =
         later == LaterBake::atlas || !command_.solid_map.empty() || extras_.has_normals();
     Written written;
+    std::vector<CommittedFile> committed;
     double writing = 0.0;
     for (std::size_t i = 0; i < paths_.size(); ++i) {
         if (i > 0) pipeline.set_recipe(recipes_[i]);
@@ -269,12 +261,15 @@ Json BakeJob::run(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthe
         written = write_texture(pipeline, paths_[i], pose ? &*pose : nullptr,
                                 !needed_later && i + 1 == paths_.size());
         writing += written.seconds;
+        std::ranges::move(written.files, std::back_inserter(committed));
     }
-    if (!command_.emitted_glsl.empty()) write_file(command_.emitted_glsl, shader);
+    if (!command_.emitted_glsl.empty())
+        committed.push_back(write_file(command_.emitted_glsl, shader));
     Json solid_map;
     if (!command_.solid_map.empty()) {
-        const Vec3d base = write_solid_map(command_.solid_map, pipeline, command_.threads);
+        auto [base, file] = write_solid_map(command_.solid_map, pipeline, command_.threads);
         solid_map = {{"file", command_.solid_map}, {"base", {base.x, base.y, base.z}}};
+        committed.push_back(std::move(file));
     }
     Json seconds = {{"read", reading}};
     seconds.update(times_json(pipeline.records()));
@@ -292,7 +287,7 @@ Json BakeJob::run(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthe
     if (!solid_map.empty()) report["solid_map"] = std::move(solid_map);
     if (!normals.empty()) report["normals"] = std::move(normals);
     if (!command_.animation.keys.empty()) report["animation"] = command_.animation.keys;
-    write_record(command_.out, made_from, files, report);
+    write_record(command_.out, made_from, committed, report);
     return report;
 }
 

@@ -35,8 +35,8 @@ class BakeJob {
     const BakeCommand& command() const { return command_; }
     /// Of the first frame.
     const Recipe& recipe() const { return recipes_[0]; }
-    /// Every file that is read.
-    std::vector<std::string> inputs() const;
+    /// Every file that is read, or that the mesh's file names.
+    const std::vector<std::string>& inputs() const { return inputs_; }
     /// Every file that will be written, but for reports (strip atlases may have fewer levels).
     std::vector<std::string> outputs() const { return outputs(extras_.levels.count); }
 
@@ -69,7 +69,7 @@ class BakeJob {
     std::vector<std::string> texture_outputs(std::uint32_t levels) const;
     std::vector<std::string> outputs(std::uint32_t levels) const;
     void check() const;
-    void check_side_outputs() const;
+    void check_files() const;
     bool write_reports(const Json& report) const;
     bool wants_report() const { return command_.json || !command_.report.empty(); }
 
@@ -79,6 +79,7 @@ class BakeJob {
     std::vector<std::string> paths_;  ///< of all frames, or the one that was named
     std::vector<Recipe> recipes_;     ///< of the same
     BakeExtras extras_;
+    std::vector<std::string> inputs_;
 };
 
 }  // namespace burl

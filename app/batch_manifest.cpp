@@ -38,11 +38,13 @@ class EntryLines {
     std::size_t skip_string(std::string_view text, std::size_t begin) {
         std::size_t end = begin + 1;
         while (text[end] != '"') end += text[end] == '\\' ? 2 : 1;
-        if (depth_ == 1) last_string_ = text.substr(begin + 1, end - begin - 1);
+        if (depth_ == 1) last_string_ = text.substr(begin, end + 1 - begin);
         return end;
     }
     void step(char c) {
-        if (c == '[' && depth_ == 1) inside_ = last_string_ == entries_key;
+        // Parsed, since a key may be written with escapes.
+        if (c == '[' && depth_ == 1)
+            inside_ = Json::parse(last_string_).get<std::string>() == entries_key;
         if ((c == '{' || c == '[') && ++depth_ == 3 && inside_) lines_.push_back(line_);
         if (c == '}' || c == ']') --depth_;
         if (c == ']' && depth_ == 1) inside_ = false;
@@ -51,7 +53,7 @@ class EntryLines {
     std::size_t line_ = 1;
     int depth_ = 0;
     bool inside_ = false;
-    std::string_view last_string_;
+    std::string_view last_string_;  // with its quotes
     std::vector<std::size_t> lines_;
 };
 

@@ -13,6 +13,7 @@
 
 #include <fmt/format.h>
 
+#include "app/atomic_file.h"
 #include "app/verbs.h"
 #include "app/version.h"
 #include "atlas/error.h"
@@ -91,6 +92,7 @@ int main(int argc, char** argv) {
     // A reader that went away or a file-size limit is an error to report, not a reason to die.
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN);
+    burl::clean_up_on_signals();
     try {
         return run(argc, argv);
     } catch (const burl::Error& error) {

@@ -86,7 +86,7 @@ Recipe RecipeOptions::load_keyed() const {
     if (size) edits.push_back("atlas.size=" + *size);
     if (filter) append_filter(*filter, edits);
     if (precision) append_precision(*precision, edits);
-    return load_recipe(recipe, edits);
+    return load_recipe(recipe, edits, *images);
 }
 
 Recipe RecipeOptions::load() const {

@@ -1,5 +1,6 @@
 #pragma once
 // Options that several verbs share, so that a recipe or an atlas is named the same way everywhere.
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -7,6 +8,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/recipe.h"
+#include "app/recipe_images.h"
 #include "atlas/mesh_io.h"
 #include "procedural/kernel.h"
 
@@ -20,6 +22,8 @@ struct RecipeOptions {
     std::optional<std::string> kind, overscan, weight, tries, partition, gutter, diagonals, filter,
         precision, size;
     double time = 0.0;  ///< of a recipe with keys, in seconds
+    /// Copies of the options, one for every frame, share the images they read.
+    std::shared_ptr<RecipeImages> images = std::make_shared<RecipeImages>();
 
     void add_recipe(CLI::App& verb);
     /// --set and --time alone, for verbs that take the recipe as an argument.

@@ -2,13 +2,16 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <string_view>
 #include <utility>
 
+#include "app/command_files.h"
 #include "app/lattice_check.h"
 #include "app/load_pose.h"
 #include "app/normals.h"
 #include "app/posed_corners.h"
+#include "app/recipe_images.h"
 #include "atlas/error.h"
 
 namespace burl {
@@ -123,10 +126,14 @@ DirectPicture::DirectPicture(const DirectOptions& options)
     if (options.scene.empty() && options.planes.empty())
         throw Error(ExitCode::usage,
                     "there is nothing to draw: name a mesh or at least one --plane");
+    RecipeImages images;
     for (const std::string& text : options.planes) {
         const PlaneArgument argument = parse_plane(text);
         planes_.push_back({argument.plane, {}});
-        if (!argument.recipe.empty()) planes_.back().recipe = load_recipe(argument.recipe);
+        if (argument.recipe.empty()) continue;
+        planes_.back().recipe = load_recipe(argument.recipe, {}, images);
+        std::ranges::move(files_of_recipe(argument.recipe, *planes_.back().recipe),
+                          std::back_inserter(plane_files_));
     }
     const View view = options.parsed_view();
     if (!options.scene.empty()) mesh_ = options.meshes.load(options.scene);

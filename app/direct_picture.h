@@ -42,6 +42,9 @@ class DirectPicture {
     /// check_lattice does.
     Image<Rgb8> operator()(const Recipe& recipe) const;
 
+    /// Files that the planes' recipes were read from.
+    const std::vector<std::string>& plane_files() const { return plane_files_; }
+
   private:
     struct PlacedPlane {
         Plane plane;
@@ -58,6 +61,7 @@ class DirectPicture {
     std::vector<Vec3f> normals_, posed_normals_;
     std::optional<MeshPose> pose_;
     std::vector<PlacedPlane> planes_;
+    std::vector<std::string> plane_files_;
     Camera camera_;
 };
 

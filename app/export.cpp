@@ -2,14 +2,11 @@
 #include "app/export.h"
 
 #include <array>
-#include <cerrno>
 #include <filesystem>
 #include <string_view>
-#include <system_error>
-
-#include <unistd.h>
 
 #include "app/atomic_file.h"
+#include "app/command_files.h"
 #include "app/convert_image.h"
 #include "app/export_gltf.h"
 #include "app/export_obj.h"
@@ -17,7 +14,6 @@
 #include "app/level_names.h"
 #include "app/normals.h"
 #include "app/posed_corners.h"
-#include "app/real_path.h"
 #include "app/tangents.h"
 #include "atlas/error.h"
 #include "atlas/file_extension.h"
@@ -53,50 +49,6 @@ const FormatFiles& format_of(const std::string& path) {
                 fmt::format("{}: the output {}; use .glb, .gltf, .obj, .png or .exr", path, what));
 }
 
-std::string reason(int code) {
-    return std::generic_category().message(code);
-}
-
-void check_folder(const std::string& path) {
-    const fs::path folder = fs::path(path).parent_path();
-    const std::string name = folder.empty() ? "." : folder.string();
-    std::error_code failure;
-    const fs::file_status status = fs::status(name, failure);
-    if (!fs::exists(status)) {
-        throw Error(ExitCode::io, fmt::format("{}: the folder {} does not exist", path, name));
-    }
-    if (!fs::is_directory(status)) {
-        throw Error(ExitCode::io, fmt::format("{}: {} is not a folder", path, name));
-    }
-    if (::access(name.c_str(), W_OK | X_OK) != 0) {
-        throw Error(ExitCode::io, fmt::format("{}: the folder {} cannot be written to: {}", path,
-                                              name, reason(errno)));
-    }
-}
-
-void check_file(const std::string& path, const std::string& input_path) {
-    std::error_code ignored;
-    const fs::file_status status = fs::status(path, ignored);
-    if (!fs::exists(status)) return;
-    if (fs::is_directory(status)) {
-        throw Error(ExitCode::io, fmt::format("{}: is a folder, not a file", path));
-    }
-    if (!fs::is_regular_file(status)) {
-        throw Error(ExitCode::io, fmt::format("{}: is not a regular file", path));
-    }
-    if (!input_path.empty() && fs::equivalent(path, input_path, ignored)) {
-        throw Error(ExitCode::io,
-                    fmt::format("{}: is the input itself; give the output another name", path));
-    }
-}
-
-/// Also true for two spellings of a file that does not exist yet.
-bool same_file(const std::string& a, const std::string& b) {
-    std::error_code ignored;
-    if (fs::equivalent(a, b, ignored)) return true;
-    return real_path(a) == real_path(b);
-}
-
 /// PNG content in the image's own depth; float becomes 8 bits. The image must outlive it.
 ByteSource png_of(const BakedImage& image) {
     return [&image](const ByteSink& sink) {
@@ -128,7 +80,8 @@ ByteSource normal_png(const ExportOptions& options) {
 }
 
 /// NAME.png and NAME.1.png, NAME.2.png, ...; all or none.
-void export_png(const std::string& path, const BakedImage& image, const ExportOptions& options) {
+std::vector<CommittedFile> export_png(const std::string& path, const BakedImage& image,
+                                      const ExportOptions& options) {
     std::vector<AtomicFile> files;
     files.reserve(2 + options.levels.size());
     const auto add = [&](const std::string& file, const ByteSource& png) {
@@ -139,7 +92,7 @@ void export_png(const std::string& path, const BakedImage& image, const ExportOp
         add(fs::path(path).replace_extension(level_extension(l)).string(),
             png_of(options.levels[l - 1]));
     add(path, png_of(image));
-    commit_together(files);
+    return commit_together(files);
 }
 
 /// The image where it is float, else `made` of it.
@@ -149,36 +102,37 @@ const Image<RgbF>& float_of(const BakedImage& image, Image<RgbF>& made) {
 }
 
 /// One file, with all levels in it. Nothing is copied: 16384 x 16384 floats are 3 GB.
-void write_exr_file(const std::string& path, const BakedImage& image,
-                    const ExportOptions& options) {
+CommittedFile write_exr_file(const std::string& path, const BakedImage& image,
+                             const ExportOptions& options) {
     std::vector<Image<RgbF>> made(1 + options.levels.size());
     std::vector<const Image<RgbF>*> levels{&float_of(image, made[0])};
     for (std::size_t l = 0; l < options.levels.size(); ++l)
         levels.push_back(&float_of(options.levels[l], made[l + 1]));
     if (levels.size() > 1) return write_exr_levels(path, levels, options.exr_depth);
-    write_exr(path, *levels[0], options.exr_depth);
+    return write_exr(path, *levels[0], options.exr_depth);
 }
 
-void export_exr(const std::string& path, const BakedImage& image, const ExportOptions& options) {
-    if (!options.normals) return write_exr_file(path, image, options);
+std::vector<CommittedFile> export_exr(const std::string& path, const BakedImage& image,
+                                      const ExportOptions& options) {
+    if (!options.normals) return {write_exr_file(path, image, options)};
     AtomicFile normals(normal_map_path(path));
     normal_png(options)(sink_of(normals));
-    write_exr_file(path, image, options);
-    normals.commit();
+    CommittedFile texture = write_exr_file(path, image, options);
+    return {std::move(texture), normals.commit()};
 }
 
-void export_obj(const std::string& path, const Mesh& mesh, const Atlas& atlas,
-                const BakedImage& image, const ExportOptions& options) {
+std::vector<CommittedFile> export_obj(const std::string& path, const Mesh& mesh, const Atlas& atlas,
+                                      const BakedImage& image, const ExportOptions& options) {
     const std::vector<ByteSource> levels = level_pngs(options);
     const std::vector<Vec3f> rest = corner_normals(mesh, options.crease_degrees);
     const auto write = [&](const Mesh& drawn, std::span<const Vec3f> normals) {
-        write_obj(path, {drawn, atlas, normals, png_of(image), levels, normal_png(options),
-                         options.normals && options.normals->tangent_space});
+        return write_obj(path, {drawn, atlas, normals, png_of(image), levels, normal_png(options),
+                                options.normals && options.normals->tangent_space});
     };
     if (!options.pose) return write(mesh, rest);
     const auto& [pose, weight] = *options.pose;
-    write(posed_mesh(mesh, pose, weight),
-          blended_normals(rest, posed_corners(mesh, pose, rest).normals, weight));
+    return write(posed_mesh(mesh, pose, weight),
+                 blended_normals(rest, posed_corners(mesh, pose, rest).normals, weight));
 }
 
 /// The arrays of a glTF; the normals they are made of are gone afterwards.
@@ -194,8 +148,9 @@ std::vector<PartVertices> gltf_vertices(const Mesh& mesh, const Atlas& atlas,
     return export_vertices(mesh, atlas, normals, tangents, &posed);
 }
 
-void export_gltf(const std::string& path, Format format, const Mesh& mesh, const Atlas& atlas,
-                 const BakedImage& image, const ExportOptions& options) {
+std::vector<CommittedFile> export_gltf(const std::string& path, Format format, const Mesh& mesh,
+                                       const Atlas& atlas, const BakedImage& image,
+                                       const ExportOptions& options) {
     const std::vector<ByteSource> levels = level_pngs(options);
     const std::vector<PartVertices> vertices = gltf_vertices(mesh, atlas, options);
     GltfContent content{mesh,
@@ -206,7 +161,8 @@ void export_gltf(const std::string& path, Format format, const Mesh& mesh, const
                         options.recipe_json,
                         normal_png(options)};
     if (options.pose) content.target = {options.pose->corners.name, options.pose->weight};
-    format == Format::glb ? write_glb(path, content) : write_gltf(path, content);
+    if (format == Format::glb) return {write_glb(path, content)};
+    return write_gltf(path, content);
 }
 
 }  // namespace
@@ -228,27 +184,16 @@ std::vector<std::string> output_paths(const std::string& out_path, std::uint32_t
 
 void check_output(const std::string& out_path, const std::string& input_path, std::uint32_t levels,
                   bool normals) {
-    const std::vector<std::string> paths = output_paths(out_path, levels, normals);
-    check_folder(out_path);
-    for (const std::string& path : paths) check_file(path, input_path);
+    CommandFiles files;
+    files.read(files_of_mesh(input_path));
+    for (const std::string& path : output_paths(out_path, levels, normals)) files.write(path);
 }
 
 void check_side_output(const std::string& path, std::string_view extension,
                        std::span<const std::string> taken) {
-    if (!extension.empty() && lower_extension(path) != extension) {
-        throw Error(ExitCode::usage,
-                    fmt::format("{}: the name must end in {}, which is what is written there", path,
-                                extension));
-    }
-    check_folder(path);
-    check_file(path, {});
-    for (const std::string& other : taken) {
-        if (!same_file(path, other)) continue;
-        throw Error(ExitCode::io,
-                    fmt::format("{}: would overwrite {}, which this command needs; give it another "
-                                "name",
-                                path, other));
-    }
+    CommandFiles files;
+    files.read(taken);
+    files.write(path, extension);
 }
 
 bool holds_mesh(const std::string& out_path) {
@@ -266,22 +211,19 @@ ImageKind wanted_kind(const std::string& out_path, int depth) {
     return depth == 16 ? ImageKind::rgb16 : ImageKind::rgb8;
 }
 
-void export_scene(const std::string& out_path, const Mesh& mesh, const Atlas& atlas,
-                  const BakedImage& image, const ExportOptions& options) {
+std::vector<CommittedFile> export_scene(const std::string& out_path, const Mesh& mesh,
+                                        const Atlas& atlas, const BakedImage& image,
+                                        const ExportOptions& options) {
     const Format format = format_of(out_path).format;
     switch (format) {
         case Format::png:
-            export_png(out_path, image, options);
-            break;
+            return export_png(out_path, image, options);
         case Format::exr:
-            export_exr(out_path, image, options);
-            break;
+            return export_exr(out_path, image, options);
         case Format::obj:
-            export_obj(out_path, mesh, atlas, image, options);
-            break;
+            return export_obj(out_path, mesh, atlas, image, options);
         default:
-            export_gltf(out_path, format, mesh, atlas, image, options);
-            break;
+            return export_gltf(out_path, format, mesh, atlas, image, options);
     }
 }
 

@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "app/atomic_file.h"
 #include "app/exr_io.h"
 #include "atlas/atlas.h"
 #include "atlas/image.h"
@@ -48,12 +49,13 @@ struct ExportOptions {
 
 /// Refuses an output before any work starts: the extension is one of .glb, .gltf, .obj, .png, .exr
 /// (any case; else Error(usage) listing them), and the folder exists and is writable, no file to be
-/// written is a folder, and none is the file at `input_path` (else Error(io)).
+/// written is a folder, and none is the mesh's file at `input_path` or one it names (else
+/// Error(io)).
 void check_output(const std::string& out_path, const std::string& input_path = {},
                   std::uint32_t levels = 0, bool normals = false);
 
 /// The same for a picture or report: its name ends in `extension` (in lower case; empty: any), its
-/// folder is writable, and it is none of the `taken` files, which are read or written otherwise.
+/// folder is writable, and it is none of the `taken` files, which are read.
 void check_side_output(const std::string& path, std::string_view extension,
                        std::span<const std::string> taken);
 
@@ -78,8 +80,10 @@ ImageKind wanted_kind(const std::string& out_path, int depth);
 /// another kind than the wanted one is converted (float is clamped and sRGB-encoded; 8 and 16 bits
 /// are decoded for .exr). Normals in tangent space become part of the material (glTF's
 /// normalTexture, with tangents; OBJ's norm), any other ones a file beside; a .glb or .gltf must
-/// not be given those. Throws Error: as check_output, and io when a write fails.
-void export_scene(const std::string& out_path, const Mesh& mesh, const Atlas& atlas,
-                  const BakedImage& image, const ExportOptions& options = {});
+/// not be given those. Says what was written. Throws Error: as check_output, and io when a write
+/// fails.
+std::vector<CommittedFile> export_scene(const std::string& out_path, const Mesh& mesh,
+                                        const Atlas& atlas, const BakedImage& image,
+                                        const ExportOptions& options = {});
 
 }  // namespace burl

@@ -99,7 +99,7 @@ std::vector<ByteSource> images_of(const GltfContent& content) {
 
 // Images become as long as they do: the head is written a second time over room for numbers of any
 // length.
-void write_glb(const std::string& path, const GltfContent& content) {
+CommittedFile write_glb(const std::string& path, const GltfContent& content) {
     GltfScene scene = build_gltf_scene(content);
     const std::vector<ByteSource> images = images_of(content);
     const std::size_t views = scene.json["bufferViews"].size();
@@ -118,10 +118,10 @@ void write_glb(const std::string& path, const GltfContent& content) {
     const std::string head = glb_head(dump(scene.json, -1), length, scene.binary_size);
     if (head.size() + scene.binary_size > most_bytes) throw too_long(path);
     file.overwrite(0, bytes_of(head));
-    file.commit();
+    return file.commit();
 }
 
-void write_gltf(const std::string& path, const GltfContent& content) {
+std::vector<CommittedFile> write_gltf(const std::string& path, const GltfContent& content) {
     GltfScene scene = build_gltf_scene(content);
     const std::filesystem::path base(path);
     const auto beside = [&](const std::string& extension) {
@@ -145,7 +145,7 @@ void write_gltf(const std::string& path, const GltfContent& content) {
 
     write_meshes(files.emplace_back(beside(".bin").string()), scene);
     files.emplace_back(path).write(dump(scene.json, 2) + "\n");
-    commit_together(files);
+    return commit_together(files);
 }
 
 }  // namespace burl

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/atomic_file.h"
 #include "app/byte_sink.h"
 #include "app/export_vertices.h"
 #include "atlas/atlas.h"
@@ -32,10 +33,10 @@ struct GltfContent {
 };
 
 /// One file with everything in it, images last. Throws Error: io, or unsupported beyond 4 GiB.
-void write_glb(const std::string& path, const GltfContent& content);
+CommittedFile write_glb(const std::string& path, const GltfContent& content);
 
 /// PATH, the buffer beside it in NAME.bin, the texture in NAME.png, MIP level l in NAME.l.png and
 /// the normal map in NAME_normal.png; all or none. Throws Error(io).
-void write_gltf(const std::string& path, const GltfContent& content);
+std::vector<CommittedFile> write_gltf(const std::string& path, const GltfContent& content);
 
 }  // namespace burl

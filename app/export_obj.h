@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/atomic_file.h"
 #include "app/byte_sink.h"
 #include "atlas/atlas.h"
 #include "atlas/mesh.h"
@@ -26,6 +27,6 @@ struct ObjContent {
 /// it; all or none. Faces in the mesh's order, `v` in the shortest form that reads back to the same
 /// double, `vt` with v upwards. Further placements of a part follow as copies of their own, since
 /// OBJ has no instances. Throws Error(io).
-void write_obj(const std::string& path, const ObjContent& content);
+std::vector<CommittedFile> write_obj(const std::string& path, const ObjContent& content);
 
 }  // namespace burl

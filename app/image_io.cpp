@@ -23,6 +23,8 @@ static_assert(sizeof(png_color) == 3, "a palette is an array of pixels");
 
 constexpr png_uint_32 max_side = 1u << 20;
 constexpr std::uint64_t max_pixels = 1ull << 28;
+/// What 2^28 pixels of 16-bit RGBA take, and a little.
+constexpr std::uint64_t most_file_bytes = (max_pixels * 8) + (1u << 24);
 constexpr std::uint64_t max_deflate_ratio = 1032;  // no zlib stream expands further
 
 struct Message {
@@ -219,12 +221,15 @@ bool is_grey(const IndexedImage& image) {
                        [](const Rgb8& c) { return c.r == c.g && c.g == c.b; });
 }
 
+void refuse_other_formats(std::span<const std::uint8_t> bytes, const std::string& origin) {
+    if (bytes.empty() || png_sig_cmp(bytes.data(), 0, std::min<std::size_t>(8, bytes.size())))
+        throw invalid_file(origin, 0, "this is not a PNG image");
+}
+
 }  // namespace
 
 Image<Rgb8> decode_png(std::span<const std::uint8_t> bytes, const std::string& origin) {
-    if (bytes.empty() || png_sig_cmp(bytes.data(), 0, std::min<std::size_t>(8, bytes.size()))) {
-        throw invalid_file(origin, 0, "this is not a PNG image");
-    }
+    refuse_other_formats(bytes, origin);
     Reader reader(bytes);
     const auto fail = [&] {
         return invalid_file(origin, 0, fmt::format("damaged PNG image: {}", reader.message.text));
@@ -238,7 +243,15 @@ Image<Rgb8> decode_png(std::span<const std::uint8_t> bytes, const std::string& o
 }
 
 Image<Rgb8> read_png(const std::string& path) {
-    return decode_png(read_file_bytes(path), path);
+    return decode_png(read_regular_file(path, most_file_bytes), path);
+}
+
+PngSize png_size(const std::string& path) {
+    const std::vector<std::uint8_t> head = read_file_head(path, 24);
+    refuse_other_formats(head, path);
+    if (head.size() < 24 || std::memcmp(&head[12], "IHDR", 4) != 0)
+        throw invalid_file(path, 0, "damaged PNG image: it does not begin with its size");
+    return {png_get_uint_32(&head[16]), png_get_uint_32(&head[20])};
 }
 
 std::vector<std::uint8_t> encode_png(const Image<Rgb8>& image, int level, PngContent content) {

@@ -17,11 +17,18 @@ namespace burl {
 inline constexpr int default_png_level = 1;
 
 /// Any PNG as 8-bit RGB: grey and palette are expanded, 16 bits are rounded to 8, alpha is dropped,
-/// gamma chunks are ignored. Throws Error: io when the file cannot be read, invalid_file when it is
-/// no PNG, damaged, truncated, or larger than 2^28 pixels.
+/// gamma chunks are ignored. Throws Error: io when the file cannot be read or is no regular file,
+/// invalid_file when it is no PNG, damaged, truncated, or larger than 2^28 pixels.
 Image<Rgb8> read_png(const std::string& path);
 
-/// The same from bytes in memory; `origin` names them in messages.
+/// What the head of a PNG file says about its image, which need not be true. Throws Error as
+/// read_png does.
+struct PngSize {
+    std::size_t width = 0, height = 0;
+};
+PngSize png_size(const std::string& path);
+
+/// The same as read_png from bytes in memory; `origin` names them in messages.
 Image<Rgb8> decode_png(std::span<const std::uint8_t> bytes, const std::string& origin);
 
 /// Colours are marked sRGB; data (normals) must not be taken for colours.

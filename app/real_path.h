@@ -5,6 +5,9 @@
 
 namespace burl {
 
+/// The file a chain of symbolic links ends at, existing or not.
+std::string follow_links(const std::string& path);
+
 /// The absolute path without links, "." and ".."; of a file that is not there yet as far as its
 /// folders are. The path itself where it cannot be found out.
 std::string real_path(const std::string& path);

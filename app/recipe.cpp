@@ -5,6 +5,7 @@
 #include "app/embedded.h"
 #include "app/file_bytes.h"
 #include "app/parameters.h"
+#include "app/recipe_images.h"
 #include "atlas/error.h"
 #include "procedural/rotation.h"
 
@@ -47,14 +48,15 @@ double solid_units(const Mesh& mesh, SolidSpace space) {
     return solid_from_mesh(mesh, space).linear[0][0];
 }
 
-Recipe load_recipe(const std::string& path_or_preset, const std::vector<std::string>& settings) {
+Recipe load_recipe(const std::string& path_or_preset, const std::vector<std::string>& settings,
+                   RecipeImages& images) {
     for (const EmbeddedFile& file : embedded_recipes())
         if (preset_name(file) == path_or_preset)
-            return parse_recipe(std::string(file.content), path_or_preset, settings);
+            return parse_recipe(std::string(file.content), path_or_preset, settings, images);
     if (path_or_preset.find_first_of("./") == std::string::npos)
         throw unknown_preset(path_or_preset);
     const std::vector<std::uint8_t> bytes = read_file_bytes(path_or_preset);
-    return parse_recipe(std::string(bytes.begin(), bytes.end()), path_or_preset, settings);
+    return parse_recipe(std::string(bytes.begin(), bytes.end()), path_or_preset, settings, images);
 }
 
 }  // namespace burl

@@ -1,12 +1,17 @@
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <filesystem>
+#include <memory>
+#include <set>
+#include <utility>
 
 #include "app/image_io.h"
 #include "app/key_json.h"
 #include "app/paint_json.h"
-#include "app/recipe.h"
+#include "app/real_path.h"
 #include "app/recipe_check.h"
+#include "app/recipe_images.h"
 #include "app/recipe_leaves.h"
 #include "app/recipe_settings.h"
 #include "atlas/error.h"
@@ -50,21 +55,37 @@ const char* name_of(const Names& names, Enum value) {
     return names[std::size_t(value)];
 }
 
-/// A MIP pyramid of this side takes 1 GB.
-constexpr std::size_t largest_image_side = 8192;
+/// What the files of one recipe's images declare, asked before any is decoded.
+class DeclaredImages {
+  public:
+    bool empty() const { return seen_.empty(); }
 
-/// Reads images relative to the folder of the recipe's file, if it has one.
-ImageReader image_reader(const std::string& origin) {
-    return [folder = std::filesystem::path(origin).parent_path()](const std::string& file) {
-        const std::string path = (folder / file).string();
-        Image<Rgb8> image = read_png(path);
-        if (std::max(image.width(), image.height()) > largest_image_side)
+    /// Throws Error(invalid_file) for what is too large, by itself or with those before it.
+    void add(const std::string& path, ImageWrap wrap) {
+        if (!seen_.insert({real_path(path), wrap}).second) return;
+        const PngSize size = png_size(path);
+        if (std::max(size.width, size.height) > largest_image_side)
             throw invalid_file(path, 0,
                                fmt::format("the image has {} x {} pixels; textures take at most {} "
                                            "a side, so scale it down",
-                                           image.width(), image.height(), largest_image_side));
-        return image;
-    };
+                                           size.width, size.height, largest_image_side));
+        texels_ += std::uint64_t{std::bit_ceil(size.width)} * std::bit_ceil(size.height);
+        if (texels_ > most_image_texels)
+            throw invalid_file(path, 0,
+                               fmt::format("with this image the recipe's images have {} pixels "
+                                           "together, their sides rounded up to powers of two, but "
+                                           "{} is the most; scale some of them down",
+                                           texels_, most_image_texels));
+    }
+
+  private:
+    std::set<std::pair<std::string, ImageWrap>> seen_;
+    std::uint64_t texels_ = 0;
+};
+
+/// In the place of an image that is not looked at.
+std::shared_ptr<const MipImage> blank_image(ImageWrap wrap) {
+    return std::make_shared<const MipImage>(Image<Rgb8>(1, 1), wrap);
 }
 
 Precision precision_from_json(const Json& json) {
@@ -200,11 +221,21 @@ std::vector<std::string> with_arrays(const Json& tree, const std::vector<std::st
 }  // namespace
 
 Recipe parse_recipe(const std::string& json, const std::string& origin,
-                    const std::vector<std::string>& settings) {
+                    const std::vector<std::string>& settings, RecipeImages& images) {
     Json tree = parse_json_text(json, origin);
     if (const auto problem = find_problem(tree)) throw invalid_file(origin, 0, problem->sentence);
     if (!settings.empty()) apply_settings(tree, settings);
-    return recipe_from_json(tree, image_reader(origin));
+    const auto path_of = [folder = std::filesystem::path(origin).parent_path()](
+                             const std::string& file) { return (folder / file).string(); };
+    DeclaredImages declared;
+    Recipe recipe = recipe_from_json(tree, [&](const std::string& file, ImageWrap wrap) {
+        declared.add(path_of(file), wrap);
+        return blank_image(wrap);
+    });
+    if (declared.empty()) return recipe;
+    return recipe_from_json(tree, [&](const std::string& file, ImageWrap wrap) {
+        return images.pyramid(path_of(file), wrap);
+    });
 }
 
 Recipe with_numbers(const Recipe& recipe, const std::vector<std::string>& settings) {
@@ -213,7 +244,8 @@ Recipe with_numbers(const Recipe& recipe, const std::vector<std::string>& settin
     bare.animation = {};
     Json tree = tree_of(bare);
     apply_settings(tree, with_arrays(tree, settings));
-    Recipe result = recipe_from_json(tree, [](const std::string&) { return Image<Rgb8>(1, 1); });
+    Recipe result = recipe_from_json(
+        tree, [](const std::string&, ImageWrap wrap) { return blank_image(wrap); });
     result.graph.images = recipe.graph.images;
     result.bump.input.images = recipe.bump.input.images;
     result.paint = recipe.paint;

@@ -147,7 +147,7 @@ Json versions_json() {
 }
 
 void write_json(const std::string& path, const Json& json) {
-    const std::string text = json.dump(2) + "\n";
+    const std::string text = json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
     if (path == "-") {
         fmt::print("{}", text);
         return;

@@ -61,14 +61,13 @@ std::vector<std::uint8_t> encode_solid_map(const SolidMap& map, const Vec3d& bas
     return bytes;
 }
 
-Vec3d write_solid_map(const std::string& path, Pipeline& pipeline, int threads) {
+WrittenSolidMap write_solid_map(const std::string& path, Pipeline& pipeline, int threads) {
     const SolidAtlas& solid = pipeline.solid();
     const Affine3 map = texture_from_solid(pipeline.recipe());
     const Vec3d base = solid_base(solid, map);
-    write_file(
-        path, encode_solid_map(
-                  fill_solid_map(solid, map, base, {0, 0, solid.size, solid.size}, threads), base));
-    return base;
+    const SolidMap content =
+        fill_solid_map(solid, map, base, {0, 0, solid.size, solid.size}, threads);
+    return {base, write_file(path, encode_solid_map(content, base))};
 }
 
 }  // namespace burl

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/atomic_file.h"
 #include "procedural/synthesize_point_map.h"
 
 namespace burl {
@@ -17,7 +18,11 @@ class Pipeline;
 std::vector<std::uint8_t> encode_solid_map(const SolidMap& map, const Vec3d& base);
 
 /// Writes that of the pipeline's atlas, in its recipe's texture coordinates (after solid.scale),
-/// whole or not at all. Returns the base. Throws Error(io).
-Vec3d write_solid_map(const std::string& path, Pipeline& pipeline, int threads);
+/// whole or not at all. Throws Error(io).
+struct WrittenSolidMap {
+    Vec3d base{0.0};
+    CommittedFile file{};
+};
+WrittenSolidMap write_solid_map(const std::string& path, Pipeline& pipeline, int threads);
 
 }  // namespace burl

@@ -3,15 +3,12 @@
 #include <algorithm>
 #include <filesystem>
 
-#include <sys/stat.h>
-
-#include "app/atomic_file.h"
+#include "app/command_files.h"
 #include "app/file_bytes.h"
 #include "app/sample_meshes.h"
 #include "app/sha256.h"
 #include "atlas/error.h"
 #include "atlas/file_extension.h"
-#include "atlas/gltf_container.h"
 
 namespace burl {
 
@@ -19,34 +16,45 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Files that the document's buffers name.
-void add_buffers(const std::string& path, std::vector<std::string>& files) {
-    const FileBuffer file = read_file(path);
-    const Json document = Json::parse(split_gltf(file).json);
-    for (const Json& buffer : document.at("buffers")) {
-        const std::string uri = buffer.value("uri", "");
-        const std::string name = is_data_uri(uri) ? "" : confined_file_name(uri);
-        if (!name.empty()) files.push_back(fs::path(path).parent_path() / name);
-    }
-}
-
 /// Where a file lies, from the folder of the output on, so that a folder may be moved as a whole.
 std::string place_of(const std::string& file, const std::string& out_path) {
     const fs::path folder = fs::absolute(out_path).parent_path();
     return fs::absolute(file).lexically_normal().lexically_proximate(folder).string();
 }
 
-/// Size and time of a file that was written; null: it is not there.
-Json state_of(const std::string& path) {
-    struct stat status {};
-    if (::stat(path.c_str(), &status) != 0) return nullptr;
-    return {{"bytes", std::uint64_t(status.st_size)},
-            {"modified", {std::int64_t(status.st_mtim.tv_sec), status.st_mtim.tv_nsec}}};
+Json state_json(const CommittedFile& file) {
+    return {{"bytes", file.bytes},
+            {"modified", {file.seconds, file.nanoseconds}},
+            {"inode", file.inode}};
 }
 
 bool as_it_was(const Json& output, const std::string& out_path) {
     const fs::path folder = fs::absolute(out_path).parent_path();
-    return output.at("state") == state_of(folder / output.at("file").get<std::string>());
+    const auto now = file_there(folder / output.at("file").get<std::string>());
+    return now && output.at("state") == state_json(*now);
+}
+
+/// Names that are not UTF-8 are other ones in print.
+Json as_printed(const Json& json) {
+    return Json::parse(print_json_value(json));
+}
+
+/// The record ends with the digest of all before it, so that one that is damaged is known before it
+/// is looked at.
+constexpr std::string_view digest_begin = ",\n  \"sha256\": \"", digest_end = "\"\n}\n";
+
+std::string with_digest(const Json& record) {
+    std::string text = print_json(record);
+    text.resize(text.size() - std::string_view("\n}\n").size());
+    const std::string digest = sha256(text);
+    return fmt::format("{}{}{}{}", text, digest_begin, digest, digest_end);
+}
+
+bool has_its_digest(std::string_view text) {
+    const std::size_t end = text.rfind(digest_begin);
+    return end != std::string_view::npos &&
+           text.substr(end) ==
+               fmt::format("{}{}{}", digest_begin, sha256(text.substr(0, end)), digest_end);
 }
 
 }  // namespace
@@ -60,9 +68,8 @@ std::vector<std::string> mesh_files(const std::string& mesh_path) {
     std::vector<std::string> files{mesh_path};
     if (!has_gltf_extension(mesh_path)) return files;
     try {
-        add_buffers(mesh_path, files);
+        add_named_by_gltf(mesh_path, {"buffers"}, files);
     } catch (const Error&) {
-    } catch (const Json::exception&) {
     }
     return files;
 }
@@ -82,8 +89,11 @@ std::optional<Json> report_if_up_to_date(const std::string& out_path, const Json
     if (!fs::is_regular_file(record_path(out_path), ignored)) return std::nullopt;
     try {
         const auto bytes = read_file_bytes(record_path(out_path));
+        if (!has_its_digest({reinterpret_cast<const char*>(bytes.data()), bytes.size()}))
+            return std::nullopt;
         const Json record = Json::parse(bytes);
-        if (record.at("made_from") != made_from) return std::nullopt;
+        if (record.at("made_from") != as_printed(made_from)) return std::nullopt;
+        if (record.at("outputs").empty() || !record.at("report").is_object()) return std::nullopt;
         for (const Json& output : record.at("outputs"))
             if (!as_it_was(output, out_path)) return std::nullopt;
         return record.at("report");
@@ -94,13 +104,13 @@ std::optional<Json> report_if_up_to_date(const std::string& out_path, const Json
 }
 
 void write_record(const std::string& out_path, const Json& made_from,
-                  std::span<const std::string> outputs, const Json& report) {
+                  std::span<const CommittedFile> outputs, const Json& report) {
     Json files = Json::array();
-    for (const std::string& file : outputs)
-        files.push_back({{"file", place_of(file, out_path)}, {"state", state_of(file)}});
-    write_file(
-        record_path(out_path),
-        print_json({{"made_from", made_from}, {"outputs", std::move(files)}, {"report", report}}));
+    for (const CommittedFile& file : outputs)
+        files.push_back({{"file", place_of(file.path, out_path)}, {"state", state_json(file)}});
+    const Json record = {
+        {"made_from", made_from}, {"outputs", std::move(files)}, {"report", report}};
+    write_file(record_path(out_path), with_digest(record));
 }
 
 }  // namespace burl

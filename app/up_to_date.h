@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "app/atomic_file.h"
 #include "app/json_text.h"
 
 namespace burl {
@@ -24,11 +25,13 @@ std::vector<std::string> mesh_files(const std::string& mesh_path);
 Json content_of(std::span<const std::string> files);
 
 /// The report of the bake that made `out_path`, if that was made from the same and all its files
-/// are as it left them, by size and time; a record that is missing or damaged is none.
+/// are as it left them, by size, time and inode; a record that is missing, damaged or of other
+/// bytes than were written is none.
 std::optional<Json> report_if_up_to_date(const std::string& out_path, const Json& made_from);
 
-/// Leaves the record beside `out_path` after `outputs` were written. Throws Error(io).
+/// Leaves the record beside `out_path` after `outputs` were written: what was committed, since
+/// another bake may have put its own files there meanwhile. Throws Error(io).
 void write_record(const std::string& out_path, const Json& made_from,
-                  std::span<const std::string> outputs, const Json& report);
+                  std::span<const CommittedFile> outputs, const Json& report);
 
 }  // namespace burl

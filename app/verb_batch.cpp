@@ -13,6 +13,7 @@
 
 #include "app/bake_job.h"
 #include "app/batch_manifest.h"
+#include "app/command_files.h"
 #include "app/real_path.h"
 #include "app/up_to_date.h"
 #include "app/verbs.h"
@@ -62,34 +63,46 @@ class Problems {
     ExitCode code_ = ExitCode::ok;
 };
 
-using BakeOfFile = std::map<std::string, const Bake*>;
-
 /// Why the bake may not write its outputs, which are added to those of the bakes before it; empty:
 /// no reason.
-std::string clash(const Bake& bake, const BakeOfFile& readers, BakeOfFile& writers) {
+std::string clash(const Bake& bake, const FileNames& readers, FileNames& writers) {
     std::vector<std::string> files = bake.job.outputs();
     files.push_back(record_path(bake.job.command().out));
     for (const std::string& file : files) {
-        const auto [writer, fresh] = writers.emplace(real_path(file), &bake);
-        if (!fresh)
-            return fmt::format("{} is written by another bake, too: {}", file,
-                               writer->second->where);
-        const auto reader = readers.find(real_path(file));
-        if (reader != readers.end())
-            return fmt::format("{} is what another bake reads: {}", file, reader->second->where);
+        if (const auto* writer = writers.find(file))
+            return fmt::format("{} is written by another bake, too: {}", file, writer->note);
+        if (const auto* reader = readers.find(file))
+            return fmt::format("{} is what {}", file, reader->note);
+        writers.add(file, bake.where);
     }
     return {};
 }
 
-/// No two bakes may write one file, nor one what another reads.
-void check_outputs(const std::vector<Bake>& bakes, Problems& problems) {
-    BakeOfFile readers, writers;
+/// No two bakes may write one file, nor one what another reads, nor any the manifest.
+void check_outputs(const BatchCommand& command, const std::vector<Bake>& bakes,
+                   Problems& problems) {
+    FileNames readers, writers;
+    readers.add(command.manifest, "lists the bakes");
     for (const Bake& bake : bakes)
-        for (const std::string& file : bake.job.inputs()) readers.emplace(real_path(file), &bake);
+        for (const std::string& file : bake.job.inputs())
+            readers.add(file, fmt::format("another bake reads: {}", bake.where));
     for (const Bake& bake : bakes) {
         const std::string problem = clash(bake, readers, writers);
         if (!problem.empty()) problems.add(ExitCode::usage, bake.where, problem);
     }
+}
+
+/// The report must leave all that the batch reads and writes alone.
+void check_report(const BatchCommand& command, const std::vector<Bake>& bakes) {
+    if (command.report.empty() || command.report == "-") return;
+    CommandFiles files;
+    files.read({&command.manifest, 1});
+    for (const Bake& bake : bakes) files.read(bake.job.inputs());
+    for (const Bake& bake : bakes) {
+        for (const std::string& output : bake.job.outputs()) files.write(output);
+        files.write(record_path(bake.job.command().out));
+    }
+    files.write(command.report);
 }
 
 /// All entries, or, after a line for everything that is wrong, an Error.
@@ -97,7 +110,9 @@ std::vector<Bake> check_manifest(const BatchCommand& command) {
     std::vector<BatchEntry> entries = read_manifest(command.manifest);
     std::vector<Bake> bakes;
     Problems problems;
+    const auto images = std::make_shared<RecipeImages>();
     for (BatchEntry& entry : entries) {
+        entry.command.recipe.images = images;
         entry.command.threads = command.run.threads;
         entry.command.economy = command.run.economy;
         entry.command.force = command.run.force;
@@ -108,8 +123,9 @@ std::vector<Bake> check_manifest(const BatchCommand& command) {
             problems.add(error.code(), entry.where, error.what());
         }
     }
-    check_outputs(bakes, problems);
+    check_outputs(command, bakes, problems);
     problems.throw_if_any(command.manifest, entries.size());
+    check_report(command, bakes);
     return bakes;
 }
 

@@ -18,6 +18,7 @@
 #include "app/bench_precision.h"
 #include "app/bench_resynthesis.h"
 #include "app/bench_synthesis.h"
+#include "app/command_files.h"
 #include "app/command_options.h"
 #include "app/export.h"
 #include "app/file_bytes.h"
@@ -286,9 +287,17 @@ void run_open_bench(const BenchCommand& command) {
     if (report_rows(command, rows, open_bench_json)) fmt::print("{}", open_bench_table(rows[0]));
 }
 
+void check_bench_output(const BenchCommand& command) {
+    CommandFiles files;
+    files.read(files_of_mesh(command.file));
+    for (const std::string& recipe : command.recipes)
+        files.read(files_of_recipe(recipe, load_recipe(recipe)));
+    files.write(command.out);
+}
+
 void run_bench(const BenchCommand& command) {
     if (command.suite == "plot") return run_plot(command);
-    if (!command.out.empty()) check_side_output(command.out, "", {});
+    if (!command.out.empty()) check_bench_output(command);
     if (command.suite == "atlas") return run_atlas_bench(command);
     if (command.suite == "editor") return run_editor_bench(command);
     if (command.suite == "open") return run_open_bench(command);

@@ -1,10 +1,13 @@
 // `burl metrics`: how well an atlas uses its texture, in the papers' measures, for our atlases and
 // for the texture coordinates a file brings.
+#include <array>
 #include <bit>
 #include <optional>
+#include <string_view>
 
 #include <fmt/format.h>
 
+#include "app/command_files.h"
 #include "app/command_options.h"
 #include "app/image_io.h"
 #include "app/level_errors.h"
@@ -34,6 +37,13 @@ struct MetricsCommand {
 GapFill gap_fill(const std::string& name) {
     if (name == "black") return GapFill::black;
     return name == "nearest" ? GapFill::nearest : GapFill::extrapolate;
+}
+
+/// Of the pictures of each atlas.
+constexpr std::array picture_topics{"charts", "scale", "levels"};
+
+std::string picture_path(const std::string& prefix, std::string_view atlas, const char* topic) {
+    return fmt::format("{}-{}-{}.png", prefix, atlas, topic);
 }
 
 /// What is measured: the mesh, and one atlas after another.
@@ -126,12 +136,12 @@ class Measuring {
     void draw(const PicturedAtlas& what, const ChartMetrics& charts, const TextureValues& values,
               MeasuredAtlas& measured) const {
         const auto write = [&](const char* topic, const Image<Rgb8>& picture) {
-            measured.images.push_back(fmt::format("{}-{}-{}.png", image_, measured.name, topic));
+            measured.images.push_back(picture_path(image_, measured.name, topic));
             write_png(measured.images.back(), picture);
         };
-        write("charts", charts_picture(what, charts.of_triangle));
-        write("scale", scale_picture(what));
-        write("levels", levels_picture(what, values));
+        write(picture_topics[0], charts_picture(what, charts.of_triangle));
+        write(picture_topics[1], scale_picture(what));
+        write(picture_topics[2], levels_picture(what, values));
     }
 
     Recipe recipe_;
@@ -156,6 +166,20 @@ std::vector<AtlasKind> kinds_asked(const MetricsCommand& command, const Recipe& 
     return kinds;
 }
 
+/// Refuses pictures in the place of files that are read.
+void check_pictures(const MetricsCommand& command, const Recipe& recipe, bool uvs,
+                    const std::vector<AtlasKind>& kinds) {
+    if (command.image.empty()) return;
+    CommandFiles files;
+    files.read(files_of_mesh(command.mesh));
+    files.read(files_of_recipe(command.recipe.recipe, recipe));
+    for (const char* topic : picture_topics) {
+        if (uvs) files.write(picture_path(command.image, "uv", topic));
+        for (const AtlasKind kind : kinds)
+            files.write(picture_path(command.image, to_string(kind), topic));
+    }
+}
+
 std::vector<MeasuredAtlas> measure_asked(const MetricsCommand& command, const Recipe& recipe,
                                          Measuring& measuring) {
     const bool has_uvs = !measuring.mesh().corners.uvs.empty(),
@@ -166,11 +190,12 @@ std::vector<MeasuredAtlas> measure_asked(const MetricsCommand& command, const Re
                                 "of ours",
                                 command.mesh));
     const bool measure_uvs = command.uv || (has_uvs && !asked);
+    std::vector<AtlasKind> kinds;
+    if (asked || !measure_uvs) kinds = kinds_asked(command, recipe);
+    check_pictures(command, recipe, measure_uvs, kinds);
     std::vector<MeasuredAtlas> result;
     if (measure_uvs) result.push_back(measuring.uv_atlas());
-    if (asked || !measure_uvs)
-        for (const AtlasKind kind : kinds_asked(command, recipe))
-            result.push_back(measuring.our_atlas(kind));
+    for (const AtlasKind kind : kinds) result.push_back(measuring.our_atlas(kind));
     return result;
 }
 

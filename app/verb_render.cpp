@@ -5,9 +5,9 @@
 #include <fmt/format.h>
 
 #include "app/animation.h"
+#include "app/command_files.h"
 #include "app/direct_picture.h"
 #include "app/economy_options.h"
-#include "app/export.h"
 #include "app/gl_context.h"
 #include "app/gl_lazy_picture.h"
 #include "app/gl_render.h"
@@ -41,7 +41,7 @@ TextureFilter parse_lookup(const std::string& text) {
                             text));
 }
 
-Image<Rgb8> draw_scene(const RenderCommand& command) {
+Image<Rgb8> draw_scene(const RenderCommand& command, CommandFiles& files) {
     const DirectOptions& options = command.options;
     if (options.scene.empty())
         throw Error(ExitCode::usage, "a scene is missing; --plane alone is for --direct");
@@ -51,7 +51,7 @@ Image<Rgb8> draw_scene(const RenderCommand& command) {
     const PictureOptions picture = options.picture_options();
     const Scene scene = load_scene(options.scene);
     for (const std::string& note : scene.notes) warn(note);
-    check_side_output(command.out, ".png", scene.files);
+    files.read(scene.files);
     const Camera camera = orbit_camera(view, bounding_sphere(scene), picture.size);
     const std::unique_ptr<GlContext> context = create_gl_context(command.platform);
     return render_scene(*context, scene, camera, picture, filter);
@@ -71,7 +71,7 @@ Json work_json(const LazyPicture& drawn) {
 }
 
 /// A recipe on a mesh, of which only what the picture shows is worked out.
-Image<Rgb8> draw_lazily(const RenderCommand& command) {
+Image<Rgb8> draw_lazily(const RenderCommand& command, CommandFiles& files) {
     const DirectOptions& options = command.options;
     if (options.scene.empty()) throw Error(ExitCode::usage, "--lazy: a mesh is missing");
     LazyOptions lazy;
@@ -82,6 +82,7 @@ Image<Rgb8> draw_lazily(const RenderCommand& command) {
     lazy.rule = level_rule_named(command.level_rule);
     const View view = options.parsed_view();
     const Recipe recipe = options.recipe.load();
+    files.read(files_of_recipe(options.recipe.recipe, recipe));
     Pipeline pipeline(options.meshes.load(options.scene));
     check_lattice(recipe, pipeline.mesh());
     pipeline.set_recipe(recipe);
@@ -97,30 +98,24 @@ Image<Rgb8> draw_lazily(const RenderCommand& command) {
 }
 
 /// One picture, or one per frame.
-void draw_truth(const RenderCommand& command, const std::vector<std::string>& paths) {
+void draw_truth(const RenderCommand& command, const std::vector<std::string>& paths,
+                CommandFiles& files) {
     const std::vector<Recipe> recipes = frame_recipes(command.options.recipe, command.animation);
+    files.read(files_of_recipe(command.options.recipe.recipe, recipes[0]));
     const DirectPicture draw(command.options);
+    files.read(draw.plane_files());
     for (std::size_t i = 0; i < paths.size(); ++i) write_png(paths[i], draw(recipes[i]));
-}
-
-/// Files that are read and must not be written over.
-std::vector<std::string> inputs(const DirectOptions& options) {
-    std::vector<std::string> files{options.scene, options.recipe.recipe};
-    if (is_pose_file(options.pose)) files.push_back(options.pose);
-    for (const std::string& plane : options.planes) files.push_back(parse_plane(plane).recipe);
-    return files;
 }
 
 void run_render(const RenderCommand& command) {
     const std::vector<std::string> paths = frame_paths(command.out, command.animation);
-    for (const std::string& path : paths) check_side_output(path, ".png", inputs(command.options));
-    if (command.direct) return draw_truth(command, paths);
-    if (!command.report.empty() && command.report != "-") {
-        std::vector<std::string> taken = inputs(command.options);
-        taken.push_back(command.out);
-        check_side_output(command.report, "", taken);
-    }
-    write_png(command.out, command.lazy ? draw_lazily(command) : draw_scene(command));
+    CommandFiles files;
+    files.read(files_of_mesh(command.options.scene));
+    if (is_pose_file(command.options.pose)) files.read(files_of_mesh(command.options.pose));
+    for (const std::string& path : paths) files.write(path, ".png");
+    if (!command.report.empty() && command.report != "-") files.write(command.report);
+    if (command.direct) return draw_truth(command, paths, files);
+    write_png(command.out, command.lazy ? draw_lazily(command, files) : draw_scene(command, files));
 }
 
 }  // namespace

@@ -111,8 +111,7 @@ class GraphReader {
         const ImageWrap beyond = wrap == "black"   ? ImageWrap::black
                                  : wrap == "clamp" ? ImageWrap::clamp
                                                    : ImageWrap::repeat;
-        graph_.images.push_back(
-            {file, std::make_shared<const MipImage>(read_image_(file), beyond)});
+        graph_.images.push_back({file, read_image_(file, beyond)});
         return std::uint32_t(graph_.images.size() - 1);
     }
 

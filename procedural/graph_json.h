@@ -3,6 +3,8 @@
 // "node", its inputs and its parameters. A number, or a colour "#rrggbb" or "#rrggbbaa", stands for
 // a constant node.
 #include <functional>
+#include <memory>
+#include <string>
 
 #include <nlohmann/json.hpp>
 
@@ -14,8 +16,9 @@ namespace burl {
 /// reads.
 bool is_graph(const nlohmann::ordered_json& texture);
 
-/// Reads an image by the name a recipe gives it.
-using ImageReader = std::function<Image<Rgb8>(const std::string& file)>;
+/// Reads an image by the name a recipe gives it; nodes of one image may share its pyramid.
+using ImageReader =
+    std::function<std::shared_ptr<const MipImage>(const std::string& file, ImageWrap wrap)>;
 
 /// Reads a recipe's "texture", which must have been checked: nodes, keys, types, ranges, depth.
 /// `read_image` must be given where it has images; what it throws goes on.

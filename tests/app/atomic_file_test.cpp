@@ -5,6 +5,7 @@
 #include <fstream>
 #include <sstream>
 
+#include <fcntl.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
@@ -151,8 +152,8 @@ TEST(AtomicFile, AbandonedFilesVanish) {
     {
         AtomicFile file(folder / "out.txt");
         file.write("half of the new con");
-        file.finish();  // complete, and under a temporary name, but never committed
-        EXPECT_EQ(folder.entries(), 2u);
+        file.finish();  // complete, but never committed
+        EXPECT_EQ(folder.entries(), 1u) << "no name before the last moment";
     }
     EXPECT_EQ(content(folder / "out.txt"), "old");
     EXPECT_EQ(folder.entries(), 1u);
@@ -211,6 +212,43 @@ TEST(AtomicFile, AGroupWhoseRenameFailsLeavesNoNewFile) {
     EXPECT_EQ(folder.entries(), 1u);
 }
 
+TEST(AtomicFile, AFileMadeMeanwhileIsReplaced) {
+    const ScratchFolder folder;
+    AtomicFile file(folder / "out.txt");
+    file.write("ours");
+    std::ofstream(folder / "out.txt") << "theirs";
+    file.commit();
+    EXPECT_EQ(content(folder / "out.txt"), "ours");
+    EXPECT_EQ(folder.entries(), 1u);
+}
+
+TEST(AtomicFile, ALinkToItselfIsNoTarget) {
+    const ScratchFolder folder;
+    std::filesystem::create_symlink("out.txt", folder / "out.txt");
+    EXPECT_NE(io_message([&] { write_file(folder / "out.txt", "x"); }).find("out.txt"),
+              std::string::npos);
+    EXPECT_TRUE(std::filesystem::is_symlink(folder / "out.txt"));
+}
+
+TEST(AtomicFile, WhatWasCommittedIsToldFromItsTwin) {
+    const ScratchFolder folder;
+    const std::string path = folder / "out.txt";
+    AtomicFile ours(path), theirs(path);
+    ours.write("ours..");
+    theirs.write("theirs");
+    const CommittedFile committed = ours.commit();
+    EXPECT_EQ(file_there(path), committed);
+    theirs.commit();
+    // Of the same time, as two runs within one tick of the clock are.
+    const timespec time{committed.seconds, committed.nanoseconds}, times[] = {time, time};
+    ASSERT_EQ(::utimensat(AT_FDCWD, path.c_str(), times, 0), 0);
+    const auto now = file_there(path);
+    ASSERT_TRUE(now);
+    EXPECT_EQ(now->bytes, committed.bytes);
+    EXPECT_EQ(now->nanoseconds, committed.nanoseconds);
+    EXPECT_NE(now, committed);
+}
+
 TEST(AtomicFile, BadTargetsAreNamedAtOnce) {
     const ScratchFolder folder;
     for (const std::string& path :
@@ -249,6 +287,60 @@ TEST(AtomicFile, AKilledRunLeavesTheOldFile) {
     EXPECT_EQ(content(folder / "out.txt"), "old");
     // One more entry is allowed only where the file system has no nameless files.
     EXPECT_LE(folder.entries(), 2u);
+}
+
+TEST(AtomicFile, WhatAKilledRunLeftIsRemovedByTheNext) {
+    const ScratchFolder folder;
+    const std::string path = folder / "out.txt";
+    for (const bool replaces : {false, true}) {
+        if (replaces) std::ofstream(path) << "old";
+        const pid_t child = ::fork();
+        if (child == 0) {
+            AtomicFile file(path, Temporary::named);
+            ::raise(SIGKILL);
+        }
+        ASSERT_EQ(::waitpid(child, nullptr, 0), child);
+        EXPECT_EQ(folder.entries(), replaces ? 2u : 1u) << "nobody could clean up";
+        write_file(path, "new");
+        EXPECT_EQ(folder.entries(), 1u);
+        EXPECT_EQ(content(path), "new");
+        std::filesystem::remove(path);
+    }
+}
+
+TEST(AtomicFile, SignalsRemoveTemporaryNamesAndEndTheProgram) {
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+        const ScratchFolder folder;
+        const pid_t child = ::fork();
+        if (child == 0) {
+            clean_up_on_signals();
+            AtomicFile first(folder / "a.txt", Temporary::named),
+                second(folder / "b.txt", Temporary::named);
+            first.write("x");
+            ::kill(::getpid(), signal);
+            for (;;) ::pause();
+        }
+        int status = 0;
+        ASSERT_EQ(::waitpid(child, &status, 0), child);
+        EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == signal) << status;
+        EXPECT_EQ(folder.entries(), 0u) << signal;
+    }
+}
+
+TEST(AtomicFile, IgnoredSignalsStayIgnored) {
+    const ScratchFolder folder;
+    const pid_t child = ::fork();
+    if (child == 0) {
+        std::signal(SIGHUP, SIG_IGN);
+        clean_up_on_signals();
+        ::kill(::getpid(), SIGHUP);
+        write_file(folder / "a.txt", "done");
+        ::_exit(0);
+    }
+    int status = 0;
+    ASSERT_EQ(::waitpid(child, &status, 0), child);
+    EXPECT_TRUE(WIFEXITED(status)) << status;
+    EXPECT_EQ(content(folder / "a.txt"), "done");
 }
 
 }  // namespace

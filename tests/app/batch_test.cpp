@@ -148,6 +148,37 @@ TEST_F(Batch, WhatIsNoManifestIsRefused) {
               int(ExitCode::io));
 }
 
+TEST_F(Batch, AKeyMayBeWrittenWithEscapes) {
+    const Outcome outcome =
+        run_burl(scratch, fmt::format("batch '{}'", case_file("escaped-key-manifest.json")));
+    EXPECT_EQ(outcome.exit_code, int(ExitCode::io)) << outcome.err;  // there is no such mesh
+    EXPECT_NE(outcome.err.find("escaped-key-manifest.json:1: bake 1 (z.png): "), std::string::npos)
+        << outcome.err;
+    const auto list =
+        entries("{\"b\\u0061kes\": [\n{\"mesh\": \"a.obj\", \"output\": \"b.png\"}]}");
+    ASSERT_EQ(list.size(), 1u);
+    EXPECT_TRUE(list[0].where.ends_with("batch.json:2: bake 1 (b.png)")) << list[0].where;
+}
+
+TEST_F(Batch, TheManifestAndWhatItsBakesReadStayAsTheyAre) {
+    const auto refused = [&](const std::string& keys, const std::string& options) {
+        const std::string manifest = fmt::format(
+            R"({{"bakes": [{{"mesh": "square.obj", "output": "a.png", "size": 64{}}}]}})", keys);
+        const Outcome outcome = run(manifest, options);
+        EXPECT_TRUE(outcome.exit_code == 1 || outcome.exit_code == 2) << outcome.exit_code;
+        EXPECT_NE(outcome.err, "");
+        EXPECT_EQ(slurp(scratch / "batch.json"), manifest) << keys << options;
+        EXPECT_EQ(slurp(scratch / "square.obj"), square) << keys << options;
+        EXPECT_EQ(scratch.files(), 3u) << keys << options;
+    };
+    refused(R"(, "emit-glsl": "batch.json")", "");
+    refused(R"(, "emit-glsl": "square.obj")", "");
+    for (const char* taken :
+         {"batch.json", "square.obj", "./square.obj", "a.png", "a.png.burl.json"})
+        refused("", fmt::format("--report '{}'", scratch / taken));
+    refused("", fmt::format("--report '{}'", scratch / "none/report.json"));
+}
+
 TEST_F(Batch, AnEntryKnowsItsLineWhateverStandsBeforeIt) {
     const auto list = entries(R"({"defaults": {"set": ["a=[{", "b=\"{"],
         "depth": 8},

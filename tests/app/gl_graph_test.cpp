@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <set>
 
 #include <fmt/format.h>
@@ -276,11 +277,11 @@ TEST_F(GlGraphTest, ImagesHaveTheHostsBitsWhateverLiesBeyond) {
 }
 
 TEST_F(GlGraphTest, EveryImageIsReadWhereItIsNamed) {
-    const auto image = [](const std::string& file) {
+    const auto image = [](const std::string& file, ImageWrap wrap) {
         Image<Rgb8> pixels = case_image(file);
         if (file == "turned.png")
             for (std::size_t y = 0; y < pixels.height(); ++y) std::ranges::reverse(pixels.row(y));
-        return pixels;
+        return std::make_shared<const MipImage>(pixels, wrap);
     };
     const TextureGraph graph = graph_from_json(nlohmann::ordered_json::parse(R"({"node": "mix",
         "a": {"node": "image", "file": "image.png"}, "b": {"node": "image", "file": "turned.png"},

@@ -59,7 +59,7 @@ TEST(UpToDate, ARecordThatIsDamagedIsNone) {
     const std::string out = scratch.write("a.png", "picture");
     const Json made_from = {{"burl", "1"}}, report = {{"mesh", 7}};
     EXPECT_FALSE(report_if_up_to_date(out, made_from));
-    write_record(out, made_from, std::vector{out}, report);
+    write_record(out, made_from, std::vector{file_there(out).value()}, report);
     EXPECT_EQ(report_if_up_to_date(out, made_from), report);
     EXPECT_FALSE(report_if_up_to_date(out, {{"burl", "2"}}));
     for (const char* content : {"", "{", "[]", R"({"made_from": {"burl": "1"}})",
@@ -67,6 +67,19 @@ TEST(UpToDate, ARecordThatIsDamagedIsNone) {
         scratch.write("a.png.burl.json", content);
         EXPECT_FALSE(report_if_up_to_date(out, made_from)) << content;
     }
+}
+
+TEST(UpToDate, ARecordIsOfTheFilesThatItsBakeCommitted) {
+    const Scratch scratch;
+    const std::string out = scratch / "a.png";
+    const Json made_from = {{"burl", "1"}}, report = {{"mesh", 7}};
+    AtomicFile ours(out), theirs(out);
+    ours.write("ours");
+    theirs.write("of the other bake");
+    const std::vector committed{ours.commit()};
+    theirs.commit();
+    write_record(out, made_from, committed, report);
+    EXPECT_FALSE(report_if_up_to_date(out, made_from));
 }
 
 class UpToDateBake : public testing::Test {
@@ -125,6 +138,60 @@ TEST_F(UpToDateBake, OutputsThatWereTouchedAreMadeAgain) {
     fs::remove(record_path(out));
     EXPECT_TRUE(bakes("--levels 1"));
     EXPECT_FALSE(bakes("--levels 1"));
+}
+
+TEST_F(UpToDateBake, ADamagedRecordMeansThatItIsBaked) {
+    EXPECT_TRUE(bakes("--levels 1"));
+    const auto whole = nlohmann::ordered_json::parse(slurp(record_path(out)));
+    const auto damaged = [&](const char* key, const nlohmann::ordered_json& value) {
+        auto record = whole;
+        record[key] = value;
+        scratch.write("a.png.burl.json", record.dump(2));
+        EXPECT_TRUE(bakes("--levels 1")) << key << value;
+        EXPECT_FALSE(bakes("--levels 1"));
+    };
+    damaged("report", nlohmann::ordered_json::array());
+    damaged("report", nullptr);
+    damaged("outputs", nlohmann::ordered_json::array());
+    damaged("outputs", nlohmann::ordered_json::array({whole["outputs"][1]}));
+    std::string text = slurp(record_path(out));
+    text[text.find("\"coverage\"") + 1] = 'C';
+    scratch.write("a.png.burl.json", text);
+    EXPECT_TRUE(bakes("--levels 1"));
+    scratch.write("a.png.burl.json", std::string(1000000, '['));
+    EXPECT_TRUE(bakes("--levels 1"));
+}
+
+// The first bake has written its texture and is busy with its solid map while the second one puts
+// another texture in its place.
+TEST_F(UpToDateBake, TheFilesOfAnotherBakeAreNotItsOwn) {
+    const std::string burl = binary_folder() + "/bin/burl", map = scratch / "map.exr";
+    const std::string first =
+        fmt::format("'{}' bake '{}' -q --size 1024 -o '{}' --solid-map '{}'", burl, mesh, out, map);
+    const std::string second =
+        fmt::format("'{}' bake '{}' -q --size 64 -o '{}' -r wood", burl, mesh, out);
+    const std::string both = fmt::format(
+        "{} & first=$!; while [ ! -e '{}' ]; do sleep 0.01; done; kill -STOP $first; {}; "
+        "kill -CONT $first; wait $first",
+        first, out, second);
+    ASSERT_EQ(std::system(both.c_str()), 0);
+    const Outcome again = run_burl(
+        scratch, fmt::format("bake '{}' --size 1024 -o '{}' --solid-map '{}'", mesh, out, map));
+    EXPECT_EQ(again.out.find("up to date"), std::string::npos) << again.out;
+    EXPECT_EQ(read_png(out).width(), 1024u);
+}
+
+TEST_F(UpToDateBake, NamesThatAreNotUtf8AreReplacedInJson) {
+    const std::string odd = scratch.write("m\xff.obj", square), picture = scratch / "p\xfe.png";
+    const std::string command = fmt::format("bake '{}' -o '{}' --size 64 --json", odd, picture);
+    const Outcome outcome = run_burl(scratch, command);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_TRUE(fs::exists(picture));
+    const auto report = nlohmann::json::parse(outcome.out);
+    EXPECT_EQ(report["input"], scratch / "m\xef\xbf\xbd.obj");
+    EXPECT_EQ(run_burl(scratch, command + fmt::format(" --report '{}'", scratch / "r\xfd.json"))
+                  .exit_code,
+              0);
 }
 
 TEST_F(UpToDateBake, TheReportIsThatOfTheBake) {

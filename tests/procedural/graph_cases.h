@@ -103,7 +103,10 @@ inline Image<Rgb8> case_image(const std::string&) {
 }
 
 inline TextureGraph graph_of(std::string_view json) {
-    return graph_from_json(nlohmann::ordered_json::parse(json), case_image);
+    return graph_from_json(nlohmann::ordered_json::parse(json),
+                           [](const std::string& file, ImageWrap wrap) {
+                               return std::make_shared<const MipImage>(case_image(file), wrap);
+                           });
 }
 
 /// One channel at one point.
