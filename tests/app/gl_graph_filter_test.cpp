@@ -130,7 +130,9 @@ TEST_F(GlGraphFilterTest, ImagesHaveTheHostsMeans) {
 }
 
 TEST_F(GlGraphFilterTest, ImagesMayBeLong) {
-    const auto image = [](const std::string&) { return random_image(40, 5); };
+    const auto image = [](const std::string&, ImageWrap wrap) {
+        return std::make_shared<const MipImage>(random_image(40, 5), wrap);
+    };
     const auto json =
         nlohmann::ordered_json::parse(R"({"node": "image", "file": "image.png", "lookup": "ewa"})");
     expect_hosts(graph_from_json(json, image), trapezoid, 0.0);
