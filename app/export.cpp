@@ -127,6 +127,14 @@ ByteSource normal_png(const ExportOptions& options) {
     };
 }
 
+/// "teapot marble": what importers store under one name is then one thing.
+std::string texture_name(const Mesh& mesh, const ExportOptions& options) {
+    const std::string& recipe = options.recipe_name;
+    if (mesh.name.empty() || recipe.empty())
+        return mesh.name.empty() && recipe.empty() ? "solid texture" : mesh.name + recipe;
+    return mesh.name + ' ' + recipe;
+}
+
 /// NAME.png and NAME.1.png, NAME.2.png, ...; all or none.
 void export_png(const std::string& path, const BakedImage& image, const ExportOptions& options) {
     std::vector<AtomicFile> files;
@@ -172,8 +180,8 @@ void export_obj(const std::string& path, const Mesh& mesh, const Atlas& atlas,
     const std::vector<ByteSource> levels = level_pngs(options);
     const std::vector<Vec3f> rest = corner_normals(mesh, options.crease_degrees);
     const auto write = [&](const Mesh& drawn, std::span<const Vec3f> normals) {
-        write_obj(path, {drawn, atlas, normals, png_of(image), levels, normal_png(options),
-                         options.normals && options.normals->tangent_space});
+        write_obj(path, {drawn, atlas, normals, texture_name(mesh, options), png_of(image), levels,
+                         normal_png(options), options.normals && options.normals->tangent_space});
     };
     if (!options.pose) return write(mesh, rest);
     const auto& [pose, weight] = *options.pose;
@@ -198,15 +206,17 @@ void export_gltf(const std::string& path, Format format, const Mesh& mesh, const
                  const BakedImage& image, const ExportOptions& options) {
     const std::vector<ByteSource> levels = level_pngs(options);
     const std::vector<PartVertices> vertices = gltf_vertices(mesh, atlas, options);
-    GltfContent content{mesh,
+    GltfContent content{path,
+                        mesh,
                         vertices,
                         atlas.options,
+                        texture_name(mesh, options),
                         png_of(image),
                         levels,
                         options.recipe_json,
                         normal_png(options)};
     if (options.pose) content.target = {options.pose->corners.name, options.pose->weight};
-    format == Format::glb ? write_glb(path, content) : write_gltf(path, content);
+    format == Format::glb ? write_glb(content) : write_gltf(content);
 }
 
 }  // namespace
