@@ -212,6 +212,7 @@ BakeJob::Written BakeJob::write_texture(Pipeline& pipeline, const std::string& p
     const auto writing = Clock::now();
     options.crease_degrees = command_.crease;
     options.recipe_json = to_json(pipeline.recipe());
+    options.recipe_name = pipeline.recipe().name;
     if (pose)
         options.pose = ExportPose{atlas_pose(*pose, pipeline.mesh(), pipeline.mesh_atlas()),
                                   pipeline.recipe().pose.weight};

@@ -102,6 +102,7 @@ void bake_file(const ExportRequest& request) {
     options.levels = std::move(texture.levels);
     options.normals = bake_normals(pipeline, normals, export_depth, options.crease_degrees);
     options.recipe_json = to_json(recipe);
+    options.recipe_name = recipe.name;
     if (!request.pose.empty() && holds_mesh(request.out))
         options.pose = ExportPose{atlas_pose(load_pose(request.mesh, request.pose), pipeline.mesh(),
                                              pipeline.mesh_atlas()),

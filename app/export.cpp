@@ -79,6 +79,14 @@ ByteSource normal_png(const ExportOptions& options) {
     };
 }
 
+/// "teapot marble": what importers store under one name is then one thing.
+std::string texture_name(const Mesh& mesh, const ExportOptions& options) {
+    const std::string& recipe = options.recipe_name;
+    if (mesh.name.empty() || recipe.empty())
+        return mesh.name.empty() && recipe.empty() ? "solid texture" : mesh.name + recipe;
+    return mesh.name + ' ' + recipe;
+}
+
 /// NAME.png and NAME.1.png, NAME.2.png, ...; all or none.
 std::vector<CommittedFile> export_png(const std::string& path, const BakedImage& image,
                                       const ExportOptions& options) {
@@ -126,8 +134,9 @@ std::vector<CommittedFile> export_obj(const std::string& path, const Mesh& mesh,
     const std::vector<ByteSource> levels = level_pngs(options);
     const std::vector<Vec3f> rest = corner_normals(mesh, options.crease_degrees);
     const auto write = [&](const Mesh& drawn, std::span<const Vec3f> normals) {
-        return write_obj(path, {drawn, atlas, normals, png_of(image), levels, normal_png(options),
-                                options.normals && options.normals->tangent_space});
+        return write_obj(path,
+                         {drawn, atlas, normals, texture_name(mesh, options), png_of(image), levels,
+                          normal_png(options), options.normals && options.normals->tangent_space});
     };
     if (!options.pose) return write(mesh, rest);
     const auto& [pose, weight] = *options.pose;
@@ -153,16 +162,18 @@ std::vector<CommittedFile> export_gltf(const std::string& path, Format format, c
                                        const ExportOptions& options) {
     const std::vector<ByteSource> levels = level_pngs(options);
     const std::vector<PartVertices> vertices = gltf_vertices(mesh, atlas, options);
-    GltfContent content{mesh,
+    GltfContent content{path,
+                        mesh,
                         vertices,
                         atlas.options,
+                        texture_name(mesh, options),
                         png_of(image),
                         levels,
                         options.recipe_json,
                         normal_png(options)};
     if (options.pose) content.target = {options.pose->corners.name, options.pose->weight};
-    if (format == Format::glb) return {write_glb(path, content)};
-    return write_gltf(path, content);
+    if (format == Format::glb) return {write_glb(content)};
+    return write_gltf(content);
 }
 
 }  // namespace

@@ -88,10 +88,17 @@ void write_image(AtomicFile& file, GltfScene& scene, const ByteSource& png, std:
     scene.binary_size += size + padding_after(size).size();
 }
 
-std::vector<ByteSource> images_of(const GltfContent& content) {
-    std::vector<ByteSource> images{content.png};
-    images.insert(images.end(), content.levels.begin(), content.levels.end());
-    if (content.normal_png) images.push_back(content.normal_png);
+struct NamedImage {
+    std::string name;
+    ByteSource png;
+};
+
+/// The texture, its MIP levels, the normal map.
+std::vector<NamedImage> images_of(const GltfContent& content) {
+    std::vector<NamedImage> images{{content.name, content.png}};
+    for (const ByteSource& level : content.levels)
+        images.push_back({fmt::format("{} level {}", content.name, images.size()), level});
+    if (content.normal_png) images.push_back({content.name + " normals", content.normal_png});
     return images;
 }
 
@@ -99,29 +106,32 @@ std::vector<ByteSource> images_of(const GltfContent& content) {
 
 // Images become as long as they do: the head is written a second time over room for numbers of any
 // length.
-CommittedFile write_glb(const std::string& path, const GltfContent& content) {
+CommittedFile write_glb(const GltfContent& content) {
     GltfScene scene = build_gltf_scene(content);
-    const std::vector<ByteSource> images = images_of(content);
+    const std::vector<NamedImage> images = images_of(content);
     const std::size_t views = scene.json["bufferViews"].size();
     for (std::size_t i = 0; i < images.size(); ++i) {
-        scene.json["images"].push_back({{"bufferView", views + i}, {"mimeType", "image/png"}});
+        scene.json["images"].push_back(
+            {{"name", images[i].name}, {"bufferView", views + i}, {"mimeType", "image/png"}});
         scene.json["bufferViews"].push_back(
             {{"buffer", 0}, {"byteOffset", most_bytes}, {"byteLength", most_bytes}});
     }
     scene.json["buffers"] = Json::array({{{"byteLength", most_bytes}}});
     const std::size_t length = (dump(scene.json, -1).size() + 3) / 4 * 4;
-    AtomicFile file(path);
+    AtomicFile file(content.path);
     file.write(glb_head("", length, 0));
     write_meshes(file, scene);
-    for (std::size_t i = 0; i < images.size(); ++i) write_image(file, scene, images[i], views + i);
+    for (std::size_t i = 0; i < images.size(); ++i)
+        write_image(file, scene, images[i].png, views + i);
     scene.json["buffers"][0]["byteLength"] = scene.binary_size;
     const std::string head = glb_head(dump(scene.json, -1), length, scene.binary_size);
-    if (head.size() + scene.binary_size > most_bytes) throw too_long(path);
+    if (head.size() + scene.binary_size > most_bytes) throw too_long(content.path);
     file.overwrite(0, bytes_of(head));
     return file.commit();
 }
 
-std::vector<CommittedFile> write_gltf(const std::string& path, const GltfContent& content) {
+std::vector<CommittedFile> write_gltf(const GltfContent& content) {
+    const std::string& path = content.path;
     GltfScene scene = build_gltf_scene(content);
     const std::filesystem::path base(path);
     const auto beside = [&](const std::string& extension) {
@@ -132,14 +142,14 @@ std::vector<CommittedFile> write_gltf(const std::string& path, const GltfContent
     };
     std::vector<AtomicFile> files;
     files.reserve(4 + content.levels.size());
-    const auto add_image = [&](const std::filesystem::path& file, const ByteSource& png) {
-        scene.json["images"].push_back({{"uri", uri(file)}, {"mimeType", "image/png"}});
-        png(sink_of(files.emplace_back(file.string())));
-    };
-    add_image(beside(".png"), content.png);
-    for (std::size_t l = 1; l <= content.levels.size(); ++l)
-        add_image(beside(level_extension(l)), content.levels[l - 1]);
-    if (content.normal_png) add_image(normal_map_path(path), content.normal_png);
+    const std::vector<NamedImage> images = images_of(content);
+    for (std::size_t i = 0; i < images.size(); ++i) {
+        std::filesystem::path file = normal_map_path(path);
+        if (i <= content.levels.size()) file = beside(i == 0 ? ".png" : level_extension(i));
+        scene.json["images"].push_back(
+            {{"name", images[i].name}, {"uri", uri(file)}, {"mimeType", "image/png"}});
+        images[i].png(sink_of(files.emplace_back(file.string())));
+    }
     scene.json["buffers"] =
         Json::array({{{"uri", uri(beside(".bin"))}, {"byteLength", scene.binary_size}}});
 

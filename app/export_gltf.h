@@ -22,9 +22,11 @@ struct GltfTarget {
 
 /// What a glTF file is made of; images are file contents.
 struct GltfContent {
+    std::string path;  ///< of the file, which errors name
     const Mesh& mesh;
     std::span<const PartVertices> vertices;
     const AtlasOptions& atlas;
+    std::string name;  ///< of the material and, with what sets them apart, the images
     ByteSource png;
     std::span<const ByteSource> levels;  ///< PNGs of MIP levels 1, 2, ...
     std::string recipe_json;             ///< for asset.extras; may be empty
@@ -32,11 +34,13 @@ struct GltfContent {
     GltfTarget target{};      ///< of vertices that have one
 };
 
-/// One file with everything in it, images last. Throws Error: io, or unsupported beyond 4 GiB.
-CommittedFile write_glb(const std::string& path, const GltfContent& content);
+/// One file with everything in it, images last. Throws Error: io, or unsupported beyond 4 GiB and
+/// for points that 32-bit floats cannot hold.
+CommittedFile write_glb(const GltfContent& content);
 
-/// PATH, the buffer beside it in NAME.bin, the texture in NAME.png, MIP level l in NAME.l.png and
-/// the normal map in NAME_normal.png; all or none. Throws Error(io).
-std::vector<CommittedFile> write_gltf(const std::string& path, const GltfContent& content);
+/// The file, the buffer beside it in NAME.bin, the texture in NAME.png, MIP level l in NAME.l.png
+/// and the normal map in NAME_normal.png; all or none. Throws Error: io, or unsupported for such
+/// points.
+std::vector<CommittedFile> write_gltf(const GltfContent& content);
 
 }  // namespace burl

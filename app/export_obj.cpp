@@ -42,6 +42,13 @@ std::string one_line(std::string name) {
     return name.empty() ? "mesh" : name;
 }
 
+/// Readers end names at spaces, and lines at "#".
+std::string material_name(std::string name) {
+    for (char& c : name)
+        if (static_cast<unsigned char>(c) <= ' ' || c == '#' || c == '\x7f') c = '_';
+    return name;
+}
+
 /// Numbers of each corner's vt and vn line, from 1, and the lines.
 struct CornerLines {
     std::vector<std::uint32_t> uv, normal;
@@ -141,11 +148,10 @@ void print_copies(Text& text, const Mesh& mesh, const Part& part, const CornerLi
 }
 
 Text obj_text(const Mesh& mesh, const Atlas& atlas, std::span<const Vec3f> normals,
-              const std::string& mtl_name) {
+              const std::string& mtl_name, const std::string& material) {
     const CornerLines lines = corner_lines(atlas, normals);
     Text text;
-    print(text, FMT_COMPILE("# Burl " BURL_VERSION "\nmtllib {}\nusemtl solid_texture\n"),
-          mtl_name);
+    print(text, FMT_COMPILE("# Burl " BURL_VERSION "\nmtllib {}\nusemtl {}\n"), mtl_name, material);
     for (const Vec3d& p : mesh.positions) print_point(text, p);
     text.append(lines.text);
     for (const Vec3f& n : lines.normals) print_normal(text, n);
@@ -167,9 +173,11 @@ std::vector<CommittedFile> write_obj(const std::string& path, const ObjContent& 
         return std::filesystem::path(path).replace_extension(extension);
     };
     const auto name = [](const std::filesystem::path& file) { return file.filename().string(); };
-    const Text text = obj_text(content.mesh, content.atlas, content.normals, name(beside(".mtl")));
+    const std::string called = material_name(content.name);
+    const Text text =
+        obj_text(content.mesh, content.atlas, content.normals, name(beside(".mtl")), called);
     std::string material =
-        fmt::format("newmtl solid_texture\nKa 0 0 0\nKd 1 1 1\nKs 0 0 0\nillum 1\nmap_Kd {}\n",
+        fmt::format("newmtl {}\nKa 0 0 0\nKd 1 1 1\nKs 0 0 0\nillum 1\nmap_Kd {}\n", called,
                     name(beside(".png")));
     std::vector<AtomicFile> files;
     files.reserve(4 + content.levels.size());

@@ -17,6 +17,7 @@ struct ObjContent {
     const Mesh& mesh;
     const Atlas& atlas;
     std::span<const Vec3f> normals;      ///< per corner
+    std::string name;                    ///< of the material; characters no .mtl takes become _
     ByteSource png;                      ///< the texture's file content
     std::span<const ByteSource> levels;  ///< of MIP levels 1, 2, ...
     ByteSource normal_png{};             ///< may be empty

@@ -2,8 +2,10 @@
 #include "app/gltf_scene.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
-#include <set>
+#include <unordered_map>
+#include <unordered_set>
 
 #include "app/placed_vertices.h"
 #include "atlas/error.h"
@@ -48,6 +50,13 @@ std::size_t add_accessor(GltfScene& scene, std::span<const std::uint8_t> bytes, 
                                             {"componentType", int(component)},
                                             {"count", count},
                                             {"type", type}});
+}
+
+/// Whether 32-bit floats could hold them.
+bool all_finite(const std::vector<Vec3f>& values) {
+    return std::ranges::all_of(values, [](const Vec3f& v) {
+        return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+    });
 }
 
 std::size_t add_positions(GltfScene& scene, const std::vector<Vec3f>& positions) {
@@ -102,14 +111,14 @@ class UniqueNames {
   public:
     std::string operator()(const std::string& wanted) {
         std::string name = wanted;
-        for (std::size_t n = 2; !used_.insert(name).second; ++n) {
-            name = fmt::format("{} {}", wanted, n);
-        }
+        std::size_t& last = last_.try_emplace(wanted, 1).first->second;
+        while (!used_.insert(name).second) name = fmt::format("{} {}", wanted, ++last);
         return name;
     }
 
   private:
-    std::set<std::string> used_;
+    std::unordered_set<std::string> used_;
+    std::unordered_map<std::string, std::size_t> last_;  ///< number; none before it is free
 };
 
 void add_node(GltfScene& scene, const std::string& name, std::size_t mesh,
@@ -153,11 +162,27 @@ PrimitiveIds add_primitive(GltfScene& scene, const PartVertices& v) {
     return ids;
 }
 
+/// Refuses what would be read as no number.
+void check_range(const GltfContent& content, const PartVertices& vertices) {
+    const auto refuse = [&](const std::string& what) {
+        throw Error(ExitCode::unsupported,
+                    fmt::format("{}: {} farther than the 32-bit floats of a glTF reach; write an "
+                                ".obj instead",
+                                content.path, what));
+    };
+    if (!all_finite(vertices.positions))
+        refuse(fmt::format("a placement of \"{}\" takes points",
+                           content.mesh.parts[vertices.part].name));
+    if (!all_finite(vertices.target.positions))
+        refuse(fmt::format("the pose \"{}\" moves points", content.target.name));
+}
+
 void add_part(GltfScene& scene, const GltfContent& content, const PartVertices& vertices,
               UniqueNames& names) {
     const Part& part = content.mesh.parts[vertices.part];
     const std::string fallback_name = content.mesh.name.empty() ? "mesh" : content.mesh.name;
     const std::string name = part.name.empty() ? fallback_name : part.name;
+    check_range(content, vertices);
     const PrimitiveIds ids = add_primitive(scene, vertices);
     const std::size_t mesh = add_mesh(scene, name, ids, content.target);
     for (const Mat4d& instance : part.instances) {
@@ -166,6 +191,7 @@ void add_part(GltfScene& scene, const GltfContent& content, const PartVertices& 
             continue;
         }
         const PartVertices& moved = scene.placed.emplace_back(placed(vertices, instance));
+        check_range(content, moved);
         const PrimitiveIds moved_ids = add_primitive(scene, moved);
         add_node(scene, names(name), add_mesh(scene, name, moved_ids, content.target),
                  node_of_placed(moved));
@@ -195,13 +221,13 @@ Json sampler(const AtlasOptions& atlas) {
 
 /// A solid texture shows on whichever side is seen, so open sheets and meshes with faces wound both
 /// ways look whole: the material is double-sided.
-Json material(bool with_normals) {
+Json material(const GltfContent& content) {
     Json json{
-        {"name", "solid texture"},
+        {"name", content.name},
         {"pbrMetallicRoughness",
          {{"baseColorTexture", {{"index", 0}}}, {"metallicFactor", 0.0}, {"roughnessFactor", 0.6}}},
         {"doubleSided", true}};
-    if (with_normals) json["normalTexture"] = {{"index", 1}};
+    if (content.normal_png) json["normalTexture"] = {{"index", 1}};
     return json;
 }
 
@@ -244,7 +270,7 @@ GltfScene build_gltf_scene(const GltfContent& content) {
     }
     UniqueNames names;
     for (const PartVertices& vertices : content.vertices) add_part(scene, content, vertices, names);
-    scene.json["materials"] = Json::array({material(bool(content.normal_png))});
+    scene.json["materials"] = Json::array({material(content)});
     scene.json["textures"] = textures(content);
     scene.json["samplers"] = Json::array({sampler(content.atlas)});
     return scene;

@@ -1,6 +1,7 @@
 #include "app/recipe.h"
 
 #include <algorithm>
+#include <filesystem>
 
 #include "app/embedded.h"
 #include "app/file_bytes.h"
@@ -56,7 +57,10 @@ Recipe load_recipe(const std::string& path_or_preset, const std::vector<std::str
     if (path_or_preset.find_first_of("./") == std::string::npos)
         throw unknown_preset(path_or_preset);
     const std::vector<std::uint8_t> bytes = read_file_bytes(path_or_preset);
-    return parse_recipe(std::string(bytes.begin(), bytes.end()), path_or_preset, settings, images);
+    Recipe recipe =
+        parse_recipe(std::string(bytes.begin(), bytes.end()), path_or_preset, settings, images);
+    if (recipe.name.empty()) recipe.name = std::filesystem::path(path_or_preset).stem().string();
+    return recipe;
 }
 
 }  // namespace burl

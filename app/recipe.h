@@ -61,7 +61,8 @@ double solid_units(const Mesh& mesh, SolidSpace space);
 Recipe parse_recipe(const std::string& json, const std::string& origin,
                     const std::vector<std::string>& settings = {});
 
-/// A file's path, or the name of a preset in assets/recipes ("marble").
+/// A file's path, or the name of a preset in assets/recipes ("marble"). A recipe without a name
+/// gets its file's, without folder and extension.
 Recipe load_recipe(const std::string& path_or_preset,
                    const std::vector<std::string>& settings = {});
 

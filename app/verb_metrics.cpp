@@ -46,12 +46,23 @@ std::string picture_path(const std::string& prefix, std::string_view atlas, cons
     return fmt::format("{}-{}-{}.png", prefix, atlas, topic);
 }
 
+/// Refused before any work where what is asked for is not in it.
+Mesh load_measured(const MetricsCommand& command) {
+    Mesh mesh = command.meshes.load(command.mesh);
+    if (command.uv && mesh.corners.uvs.empty())
+        throw Error(ExitCode::usage,
+                    fmt::format("{} has no texture coordinates: leave out --uv to measure an atlas "
+                                "of ours",
+                                command.mesh));
+    return mesh;
+}
+
 /// What is measured: the mesh, and one atlas after another.
 class Measuring {
   public:
     Measuring(const MetricsCommand& command, Recipe recipe)
         : recipe_(std::move(recipe)),
-          pipeline_(command.meshes.load(command.mesh)),
+          pipeline_(load_measured(command)),
           edges_(mesh_edges(mesh(), pipeline_.connectivity())),
           texture_(command.texture == metric_marble_name ? metric_marble_texture()
                                                          : recipe_texture(recipe_, mesh())),
@@ -184,11 +195,6 @@ std::vector<MeasuredAtlas> measure_asked(const MetricsCommand& command, const Re
                                          Measuring& measuring) {
     const bool has_uvs = !measuring.mesh().corners.uvs.empty(),
                asked = command.recipe.kind.has_value();
-    if (command.uv && !has_uvs)
-        throw Error(ExitCode::usage,
-                    fmt::format("{} has no texture coordinates: leave out --uv to measure an atlas "
-                                "of ours",
-                                command.mesh));
     const bool measure_uvs = command.uv || (has_uvs && !asked);
     std::vector<AtlasKind> kinds;
     if (asked || !measure_uvs) kinds = kinds_asked(command, recipe);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <mutex>
 
 #include <metis.h>
@@ -23,6 +24,48 @@ Vec3d normal(const Mesh& mesh, std::uint32_t t) {
     return length > 0.0 ? n / length : Vec3d(0.0);
 }
 
+/// METIS says on C's standard output when a division leaves a part without nodes, and has no option
+/// against it; the parts it gives are good all the same, but the program's own output is results
+/// alone. While one of these lives, what its thread prints there is dropped, and what other threads
+/// print passes. At most one may live at a time.
+class MutedStdout {
+  public:
+    MutedStdout() {
+        is_muted() = true;
+        real();
+        if (std::FILE* const others_only = filter()) stdout = others_only;
+    }
+    ~MutedStdout() {
+        stdout = real();
+        is_muted() = false;
+    }
+    MutedStdout(const MutedStdout&) = delete;
+    MutedStdout& operator=(const MutedStdout&) = delete;
+
+  private:
+    static bool& is_muted() {
+        thread_local bool muted = false;
+        return muted;
+    }
+    static std::FILE* real() {
+        static std::FILE* const stream = stdout;
+        return stream;
+    }
+    static ssize_t write(void*, const char* text, std::size_t size) {
+        return ssize_t(is_muted() ? size : std::fwrite(text, 1, size, real()));
+    }
+    /// Never closed, as others may be about to print to it; without a buffer, as a writer must be
+    /// known by its thread.
+    static std::FILE* filter() {
+        static std::FILE* const stream = [] {
+            std::FILE* const made = fopencookie(nullptr, "w", {nullptr, write, nullptr, nullptr});
+            if (made) std::setvbuf(made, nullptr, _IONBF, 0);
+            return made;
+        }();
+        return stream;
+    }
+};
+
 /// One of METIS's partitioners, which all take the same arguments.
 std::vector<std::uint32_t> parts_of(const DualGraph& graph, std::uint32_t parts, int seed,
                                     decltype(&METIS_PartGraphKway) partitioner) {
@@ -38,6 +81,7 @@ std::vector<std::uint32_t> parts_of(const DualGraph& graph, std::uint32_t parts,
     std::vector<idx_t> part(graph.nodes(), 0);
     static std::mutex one_at_a_time;
     const std::scoped_lock lock(one_at_a_time);
+    const MutedStdout muted;
     const int status = partitioner(&nodes, &constraints, copy.begin.data(), copy.targets.data(),
                                    copy.node_weights.data(), nullptr, copy.edge_weights.data(),
                                    &count, nullptr, nullptr, options.data(), &cut, part.data());

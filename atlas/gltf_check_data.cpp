@@ -10,10 +10,6 @@ namespace {
 
 using Json = GltfChecker::Json;
 
-/// Accessors without data (all zeros) cost nothing in the file; more elements than this are
-/// refused.
-constexpr std::uint64_t most_elements_without_data = 1u << 24;
-
 struct View {
     std::uint64_t length = 0;
     std::uint64_t stride = 0;
@@ -108,9 +104,6 @@ void check_accessor(const GltfChecker& gltf, const Json& accessor, const std::st
     if (count == 0) gltf.fail(where, "'count' must be at least 1");
     if (accessor.contains("bufferView"))
         check_extent(gltf, view_of(gltf, accessor, where), offset, count, bytes, where);
-    else if (count > most_elements_without_data)
-        gltf.fail(where, fmt::format("{} elements without a bufferView; {} is the most we take",
-                                     count, most_elements_without_data));
     gltf.numbers(accessor, "min", 0, where);
     gltf.numbers(accessor, "max", 0, where);
     if (const Json* sparse = gltf.object_in(accessor, "sparse", where))

@@ -41,9 +41,40 @@ std::uint64_t accessor_count(const GltfChecker& gltf, std::size_t accessor) {
     return gltf.whole(gltf.list("accessors")[accessor], "count", place("accessors", accessor));
 }
 
-void check_index_accessor(const GltfChecker& gltf, const Json& primitive,
-                          const std::string& where) {
-    const std::int64_t i = gltf.index_or_none(primitive, "indices", "accessors", where);
+/// Adds up the elements that are asked for of accessors without data. They are zeros and cost
+/// nothing in the file, but each use of one is read. Morph targets are not counted: they have as
+/// many elements as their mesh, and exporters leave out the data of those that move nothing.
+class ZerosAsked {
+  public:
+    explicit ZerosAsked(const GltfChecker& gltf) : gltf_(gltf) {}
+
+    void add(std::size_t accessor, const std::string& where) {
+        if (gltf_.list("accessors")[accessor].contains("bufferView")) return;
+        elements_ += accessor_count(gltf_, accessor);
+        if (elements_ > most_zeros)
+            gltf_.fail(where, fmt::format("with it {} elements have no bufferView, and {} are the "
+                                          "most we take; export the data, uncompressed",
+                                          elements_, most_zeros));
+    }
+
+  private:
+    static constexpr std::uint64_t most_zeros = 1u << 20;
+
+    const GltfChecker& gltf_;
+    std::uint64_t elements_ = 0;
+};
+
+/// The index of an accessor, or -1 when absent.
+std::int64_t check_accessor_use(const GltfChecker& gltf, const Json& object, const char* key,
+                                const std::string& where, ZerosAsked& zeros) {
+    const std::int64_t i = gltf.index_or_none(object, key, "accessors", where);
+    if (i >= 0) zeros.add(static_cast<std::size_t>(i), where + '.' + key);
+    return i;
+}
+
+void check_index_accessor(const GltfChecker& gltf, const Json& primitive, const std::string& where,
+                          ZerosAsked& zeros) {
+    const std::int64_t i = check_accessor_use(gltf, primitive, "indices", where, zeros);
     if (i < 0) return;
     const Json& accessor = gltf.list("accessors")[static_cast<std::size_t>(i)];
     const std::uint64_t type = gltf.whole(accessor, "componentType", where);
@@ -65,16 +96,19 @@ void check_attributes(const GltfChecker& gltf, const Json& attributes, const std
     }
 }
 
-void check_primitive(const GltfChecker& gltf, const Json& primitive, const std::string& where) {
+void check_primitive(const GltfChecker& gltf, const Json& primitive, const std::string& where,
+                     ZerosAsked& zeros) {
     const Json* attributes = gltf.object_in(primitive, "attributes", where);
     if (attributes == nullptr) gltf.fail(where, "'attributes' is missing");
     std::uint64_t count = 0;
     check_attributes(gltf, *attributes, where + ".attributes", count);
+    for (const auto& [name, value] : attributes->items())
+        check_accessor_use(gltf, *attributes, name.c_str(), where + ".attributes", zeros);
     for_each_in(gltf, primitive, "targets", where,
                 [&](const Json& target, const std::string& name) {
                     check_attributes(gltf, target, name, count);
                 });
-    check_index_accessor(gltf, primitive, where);
+    check_index_accessor(gltf, primitive, where, zeros);
     gltf.index_or_none(primitive, "material", "materials", where);
     if (gltf.whole_or(primitive, "mode", 4, where) > 6) gltf.fail(where, "unknown 'mode'");
 }
@@ -106,6 +140,7 @@ void check_node(const GltfChecker& gltf, const Json& node, const std::string& wh
     gltf.numbers(node, "translation", 3, where);
     gltf.numbers(node, "rotation", 4, where);
     gltf.numbers(node, "scale", 3, where);
+    gltf.numbers(node, "weights", 0, where);
 }
 
 /// Each node has at most one parent, and walking down from the roots reaches every node.
@@ -134,24 +169,31 @@ void check_trees(const GltfChecker& gltf) {
         gltf.fail("nodes", "some nodes are their own ancestors; the nodes must form trees");
 }
 
-void check_animation(const GltfChecker& gltf, const Json& animation, const std::string& where) {
+void check_animation(const GltfChecker& gltf, const Json& animation, const std::string& where,
+                     ZerosAsked& zeros) {
     std::size_t samplers = 0;
     for_each_in(gltf, animation, "samplers", where, [&](const Json& s, const std::string& name) {
-        gltf.index(s, "input", "accessors", name);
-        gltf.index(s, "output", "accessors", name);
+        for (const char* key : {"input", "output"}) {
+            gltf.index(s, key, "accessors", name);
+            check_accessor_use(gltf, s, key, name, zeros);
+        }
+        gltf.string_in(s, "interpolation", name);
         ++samplers;
     });
     for_each_in(gltf, animation, "channels", where, [&](const Json& c, const std::string& name) {
         if (gltf.whole(c, "sampler", name) >= samplers)
             gltf.fail(name, "'sampler' is out of range");
-        if (const Json* target = gltf.object_in(c, "target", name))
-            gltf.index_or_none(*target, "node", "nodes", name);
+        const Json* target = gltf.object_in(c, "target", name);
+        if (target == nullptr) return;
+        gltf.index_or_none(*target, "node", "nodes", name);
+        gltf.string_in(*target, "path", name);
     });
 }
 
 }  // namespace
 
 void check_gltf_scene(const GltfChecker& gltf) {
+    ZerosAsked zeros(gltf);
     for_each(gltf, "textures", [&](const Json& texture, const std::string& where) {
         gltf.index_or_none(texture, "source", "images", where);
         gltf.index_or_none(texture, "sampler", "samplers", where);
@@ -163,13 +205,14 @@ void check_gltf_scene(const GltfChecker& gltf) {
         const Json* primitives = gltf.array_in(mesh, "primitives", where);
         if (primitives == nullptr) gltf.fail(where, "'primitives' is missing");
         for_each_in(gltf, mesh, "primitives", where, [&](const Json& p, const std::string& name) {
-            check_primitive(gltf, p, name);
+            check_primitive(gltf, p, name, zeros);
         });
+        gltf.numbers(mesh, "weights", 0, where);
     });
     for_each(gltf, "skins", [&](const Json& skin, const std::string& where) {
         check_indices(gltf, skin, "joints", "nodes", where);
         gltf.index_or_none(skin, "skeleton", "nodes", where);
-        gltf.index_or_none(skin, "inverseBindMatrices", "accessors", where);
+        check_accessor_use(gltf, skin, "inverseBindMatrices", where, zeros);
     });
     for_each(gltf, "nodes",
              [&](const Json& node, const std::string& where) { check_node(gltf, node, where); });
@@ -177,8 +220,9 @@ void check_gltf_scene(const GltfChecker& gltf) {
     for_each(gltf, "scenes", [&](const Json& scene, const std::string& where) {
         check_indices(gltf, scene, "nodes", "nodes", where);
     });
+    gltf.index_or_none(gltf.root(), "scene", "scenes", "glTF");
     for_each(gltf, "animations", [&](const Json& animation, const std::string& where) {
-        check_animation(gltf, animation, where);
+        check_animation(gltf, animation, where, zeros);
     });
 }
 

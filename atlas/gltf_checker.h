@@ -23,6 +23,9 @@ class GltfChecker {
     /// Throws Error(invalid_file) "file: where: message".
     [[noreturn]] void fail(const std::string& where, const std::string& message) const;
 
+    /// The whole document, for what it says itself ("scene").
+    const Json& root() const { return root_; }
+
     /// The top-level array `name`, which holds objects only; an empty array when there is none.
     const Json& list(const char* name) const;
     std::size_t count(const char* name) const { return list(name).size(); }
@@ -61,8 +64,9 @@ std::string place(const char* name, std::size_t i);
 /// them or a uri. (gltf_check_data.cpp)
 void check_gltf_data(const GltfChecker& gltf);
 
-/// Meshes, materials, textures, nodes, skins, scenes and animations refer to things that exist;
-/// nodes form trees. (gltf_check_scene.cpp)
+/// Meshes, materials, textures, nodes, skins, scenes and animations refer to things that exist, as
+/// does the scene to draw; nodes form trees; accessors without data are named for few elements in
+/// all. (gltf_check_scene.cpp)
 void check_gltf_scene(const GltfChecker& gltf);
 
 }  // namespace burl

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
@@ -121,12 +122,22 @@ std::string animation_name(const tinygltf::Model& model, std::size_t number) {
     return name.empty() ? fmt::format("animation {}", number) : name;
 }
 
-double animation_end(const tinygltf::Model& model, const tinygltf::Animation& animation) {
-    double end = 0.0;
-    for (const tinygltf::AnimationSampler& sampler : animation.samplers)
-        for (const double time : read_accessor(model, sampler.input).values)
-            if (std::isfinite(time)) end = std::max(end, time);
-    return end;
+std::vector<double> animation_ends(const tinygltf::Model& model) {
+    std::map<int, double> last;  // of the accessors read so far
+    const auto last_of = [&](int accessor) {
+        const auto [entry, is_new] = last.try_emplace(accessor, 0.0);
+        if (!is_new) return entry->second;
+        for (const double time : read_accessor(model, accessor).values)
+            if (std::isfinite(time)) entry->second = std::max(entry->second, time);
+        return entry->second;
+    };
+    std::vector<double> ends;
+    for (const tinygltf::Animation& animation : model.animations) {
+        double& end = ends.emplace_back(0.0);
+        for (const tinygltf::AnimationSampler& sampler : animation.samplers)
+            end = std::max(end, last_of(sampler.input));
+    }
+    return ends;
 }
 
 GltfMotion motion_at(const tinygltf::Model& model, std::size_t animation, double seconds,

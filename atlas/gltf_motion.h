@@ -8,7 +8,6 @@
 
 namespace tinygltf {
 class Model;
-struct Animation;
 }  // namespace tinygltf
 
 namespace burl {
@@ -25,8 +24,9 @@ GltfMotion nodes_at_rest(const tinygltf::Model& model);
 /// The file's name of animation `number`, else "animation N".
 std::string animation_name(const tinygltf::Model& model, std::size_t number);
 
-/// The moment of its last key in seconds; 0 where it has none.
-double animation_end(const tinygltf::Model& model, const tinygltf::Animation& animation);
+/// Per animation the moment of its last key in seconds; 0 where it has none. Samplers that share
+/// their keys' times have them read once.
+std::vector<double> animation_ends(const tinygltf::Model& model);
 
 /// Moments before the first key and after the last are those of the keys. Throws
 /// Error(invalid_file) for keys of a wrong type or count; `path` names the file in messages.

@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 #include <optional>
+#include <unordered_set>
 
 #include "atlas/error.h"
 #include "atlas/gltf_targets.h"
@@ -13,7 +14,8 @@
 namespace burl {
 namespace {
 
-constexpr int moments = 5;  ///< of an animation that are named
+constexpr int moments = 5;                ///< of an animation that are named
+constexpr std::size_t most_listed = 100;  ///< poses that a message names
 const char* const nodes_name = "nodes";
 
 struct Moment {
@@ -35,14 +37,20 @@ std::optional<Moment> moment_of(const tinygltf::Model& model, const std::string&
 }
 
 Error no_such_pose(const tinygltf::Model& model, const std::string& name, const std::string& path) {
-    const std::vector<std::string> names = pose_names(model);
-    return Error(ExitCode::usage,
-                 names.empty()
-                     ? fmt::format("{}: there is no pose \"{}\", nor any other one: the file has "
-                                   "no morph targets, skins or animations",
-                                   path, name)
-                     : fmt::format("{}: there is no pose \"{}\"; those of the file are {}", path,
-                                   name, fmt::join(names, ", ")));
+    std::vector<std::string> names = pose_names(model);
+    if (names.empty())
+        return Error(ExitCode::usage,
+                     fmt::format("{}: there is no pose \"{}\", nor any other one: the file has no "
+                                 "morph targets, skins or animations",
+                                 path, name));
+    std::string more;
+    if (names.size() > most_listed) {
+        more = fmt::format(" and {} more", names.size() - most_listed);
+        names.resize(most_listed);
+    }
+    return Error(ExitCode::usage, fmt::format("{}: there is no pose \"{}\"; those of the file are "
+                                              "{}{}",
+                                              path, name, fmt::join(names, ", "), more));
 }
 
 }  // namespace
@@ -60,15 +68,15 @@ std::vector<double> GltfPose::target_weights(const tinygltf::Model& model, int m
 
 std::vector<std::string> pose_names(const tinygltf::Model& model) {
     std::vector<std::string> names = target_names(model);
+    std::unordered_set<std::string> known(names.begin(), names.end());
     const auto add = [&](std::string name) {
-        if (std::ranges::find(names, name) == names.end()) names.push_back(std::move(name));
+        if (known.insert(name).second) names.push_back(std::move(name));
     };
     if (!model.skins.empty()) add(nodes_name);
-    for (std::size_t a = 0; a < model.animations.size(); ++a) {
-        const double end = animation_end(model, model.animations[a]);
+    const std::vector<double> ends = animation_ends(model);
+    for (std::size_t a = 0; a < ends.size(); ++a)
         for (int k = 0; k < moments; ++k)
-            add(fmt::format("{}@{:.6g}", animation_name(model, a), end * k / (moments - 1)));
-    }
+            add(fmt::format("{}@{:.6g}", animation_name(model, a), ends[a] * k / (moments - 1)));
     return names;
 }
 

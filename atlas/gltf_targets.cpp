@@ -3,6 +3,7 @@
 #include <tiny_gltf.h>
 
 #include <algorithm>
+#include <unordered_set>
 
 #include <fmt/format.h>
 
@@ -31,9 +32,10 @@ std::vector<std::string> target_names(const tinygltf::Mesh& mesh) {
 
 std::vector<std::string> target_names(const tinygltf::Model& model) {
     std::vector<std::string> names;
+    std::unordered_set<std::string> known;
     for (const tinygltf::Mesh& mesh : model.meshes)
         for (std::string& name : target_names(mesh))
-            if (std::ranges::find(names, name) == names.end()) names.push_back(std::move(name));
+            if (known.insert(name).second) names.push_back(std::move(name));
     return names;
 }
 

@@ -144,8 +144,8 @@ MeshPose read_own_pose(const FileBuffer& mesh, const std::string& name,
                     fmt::format("{}: there is no pose \"{}\": only .gltf and .glb have any; "
                                 "name a file with the same faces",
                                 mesh.path, name));
+    const PolygonSoup posed = parse_gltf_pose(mesh, name, options);  // first: it may know no such
     PolygonSoup soup = parse_mesh(mesh, options);
-    const PolygonSoup posed = parse_gltf_pose(mesh, name, options);
     MeshPose pose = corners_of(soup, posed);
     pose.name = name;
     return pose;

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <span>
 
 #include "atlas/error.h"
 #include "atlas/gltf_accessor.h"
@@ -25,6 +25,30 @@ bool invertible(const Mat4d& matrix) {
         for (int r = 0; r < 4; ++r)
             if (!std::isfinite(inverse[c][r])) return false;
     return glm::determinant(Mat3d(matrix)) != 0.0;
+}
+
+/// The zero box of a part without faces.
+Box3 box_of_part(const PolygonSoup& soup, const SoupPart& part) {
+    if (part.face_count == 0) return {};
+    const auto corners = std::span(soup.corners).subspan(3 * part.first_face, 3 * part.face_count);
+    Box3 box{soup.points[corners.front()], soup.points[corners.front()]};
+    for (const std::uint32_t corner : corners) {
+        box.low = glm::min(box.low, soup.points[corner]);
+        box.high = glm::max(box.high, soup.points[corner]);
+    }
+    return box;
+}
+
+/// Whether no corner of the moved box lies farther out than points may.
+bool lies_in_range(const Box3& box, const Mat4d& placement) {
+    for (const double x : {box.low.x, box.high.x})
+        for (const double y : {box.low.y, box.high.y})
+            for (const double z : {box.low.z, box.high.z}) {
+                const Vec3d p(placement * Vec4d(x, y, z, 1.0));
+                for (int k = 0; k < 3; ++k)
+                    if (!(std::abs(p[k]) <= largest_coordinate)) return false;
+            }
+    return true;
 }
 
 std::string name_of(const tinygltf::Model& model, int mesh) {
@@ -63,6 +87,19 @@ class SceneReader {
         const Mat4d from_first = glm::inverse(first);
         for (std::size_t i = 1; i < placement.to_scene.size(); ++i)
             soup_.parts.back().instances.push_back(placement.to_scene[i] * from_first);
+        if (placement.to_scene.size() > 1) check_instances(placement);
+    }
+
+    /// Instances lie where points may.
+    void check_instances(const GltfPlacement& placement) const {
+        const SoupPart& part = soup_.parts.back();
+        const Box3 box = box_of_part(soup_, part);
+        for (std::size_t i = 1; i < part.instances.size(); ++i)
+            if (!lies_in_range(box, part.instances[i]))
+                throw invalid_file(path_, 0,
+                                   fmt::format("nodes[{}]: the positions of its mesh are not "
+                                               "finite, or beyond 1e100, in the scene",
+                                               placement.nodes[i]));
     }
 
     MeshPlace place(const GltfPlacement& placement, std::size_t number) const {

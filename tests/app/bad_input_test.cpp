@@ -77,6 +77,58 @@ INSTANTIATE_TEST_SUITE_P(
         BadCase{"NanParameter", "m.obj", bad_input_square, "--set solid.scale=nan", 1, "scale"}),
     [](const auto& bad) { return bad.param.name; });
 
+struct RefusedCase {
+    const char* name;
+    const char* arguments;  ///< FOLDER/ stands for that of the cases, OUT/ for the test's own
+    int exit_code;
+    const char* says;
+};
+
+void PrintTo(const RefusedCase& refused, std::ostream* out) {
+    *out << refused.name;
+}
+
+class RefusedInput : public testing::TestWithParam<RefusedCase> {};
+
+TEST_P(RefusedInput, OneSentenceAndNoOutput) {
+    const RefusedCase& refused = GetParam();
+    const Scratch scratch;
+    std::string arguments = refused.arguments;
+    const auto replace = [&](const std::string& word, const std::string& path) {
+        for (std::size_t at = 0; (at = arguments.find(word, at)) != std::string::npos;)
+            arguments.replace(at, word.size(), path);
+    };
+    replace("FOLDER/", case_file(""));
+    replace("OUT/", scratch / "");
+    const Outcome outcome = run_burl(scratch, arguments);
+    EXPECT_EQ(outcome.exit_code, refused.exit_code) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+    expect_one_sentence(outcome.err);
+    EXPECT_NE(outcome.err.find(refused.says), std::string::npos) << outcome.err;
+    EXPECT_EQ(scratch.files(), 0u);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Program, RefusedInput,
+    testing::Values(
+        RefusedCase{"MetricsOfNoScene", "metrics FOLDER/scene-out-of-range.gltf", 3, "glTF.scene"},
+        RefusedCase{"BakeOfNoScene", "bake FOLDER/scene-out-of-range.gltf -o OUT/a.glb", 3,
+                    "glTF.scene"},
+        RefusedCase{"RenderOfNoScene", "render FOLDER/scene-out-of-range.gltf -o OUT/a.png", 3,
+                    "glTF.scene"},
+        RefusedCase{"PointsWithoutData", "metrics FOLDER/mb1.gltf", 3, "16777216 elements"},
+        RefusedCase{"ManyUsesOfOneAccessor", "metrics FOLDER/mb2.gltf", 3, "elements"},
+        RefusedCase{"UnknownPoseOfKeysWithoutData",
+                    "bake FOLDER/samplers.gltf --pose no -o OUT/a.glb", 3, "elements"},
+        RefusedCase{"InstanceTooFarOut", "bake FOLDER/i2.gltf -o OUT/a.glb", 3, "nodes[1]"},
+        RefusedCase{"PoseTooFarForFloats",
+                    "bake FOLDER/tri.obj --pose FOLDER/huge.obj --size 64 -o OUT/a.glb", 5,
+                    "the pose \"huge\" moves points"},
+        RefusedCase{"PoseTooFarForFloatsInText",
+                    "bake FOLDER/tri.obj --pose FOLDER/huge.obj --size 64 -o OUT/a.gltf", 5,
+                    "write an .obj"}),
+    [](const auto& refused) { return refused.param.name; });
+
 TEST(Program, DirectoriesMissingFilesAndUnknownExtensions) {
     const Scratch scratch;
     const std::string mesh = scratch.write("m.obj", bad_input_square), out = scratch / "o.glb";

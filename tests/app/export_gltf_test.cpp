@@ -1,10 +1,14 @@
 // What was written, read back by tinygltf and compared with the mesh and atlas it came from.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <tiny_gltf.h>
+
+#include <chrono>
 
 #include "app/export.h"
 #include "app/image_io.h"
 #include "app/normals.h"
+#include "atlas/error.h"
 #include "tests/app/sample_scene.h"
 #include "tests/app/scratch_folder.h"
 
@@ -196,6 +200,65 @@ TEST(ExportGltf, TextureMaterialAndSamplerAreAsDocumented) {
         EXPECT_EQ(extras.Get("recipe").Get<std::string>(), R"({"burl":1})");
         EXPECT_EQ(extras.Get("size").GetNumberAsInt(), 64);
     }
+}
+
+TEST(ExportGltf, MaterialAndImagesAreCalledAfterMeshAndRecipe) {
+    const ScratchFolder folder;
+    const Mesh mesh = cube_mesh();
+    ExportOptions options;
+    options.recipe_name = "sea ice";
+    options.levels = {BakedImage(sample_image(32))};
+    options.normals = NormalMap{sample_image(64)};
+    for (const char* file : {"a.glb", "a.gltf"}) {
+        export_scene(folder / file, mesh, pair_atlas(mesh, 64), sample_image(64), options);
+        const tinygltf::Model model = load(folder / file);
+        EXPECT_EQ(model.materials.at(0).name, "cube sea ice");
+        ASSERT_EQ(model.images.size(), 3u);
+        EXPECT_EQ(model.images[0].name, "cube sea ice");
+        EXPECT_EQ(model.images[1].name, "cube sea ice level 1");
+        EXPECT_EQ(model.images[2].name, "cube sea ice normals");
+    }
+}
+
+/// The names of nodes where so many parts are called "Cube" and one "Cube 3".
+std::vector<std::string> node_names(const ScratchFolder& folder, std::size_t count) {
+    Mesh mesh = cube_mesh();
+    mesh.parts = {{"Cube 3", 0, 1, {Mat4d(1.0)}}};
+    for (std::uint32_t i = 1; i < 12; ++i) mesh.parts.push_back({"Cube", i, 1, {Mat4d(1.0)}});
+    mesh.parts.back().instances.resize(count - 11, Mat4d(1.0));
+    export_scene(folder / "a.gltf", mesh, pair_atlas(mesh, 64), sample_image(64), {});
+    std::vector<std::string> names;
+    for (const tinygltf::Node& node : load(folder / "a.gltf").nodes) names.push_back(node.name);
+    return names;
+}
+
+TEST(ExportGltf, ManyPlacementsOfOneNameGetNumbersInALittleTime) {
+    const ScratchFolder folder;
+    const std::vector<std::string> few = node_names(folder, 12);
+    EXPECT_EQ(few, (std::vector<std::string>{"Cube 3", "Cube", "Cube 2", "Cube 4", "Cube 5",
+                                             "Cube 6", "Cube 7", "Cube 8", "Cube 9", "Cube 10",
+                                             "Cube 11", "Cube 12"}));
+    const auto start = std::chrono::steady_clock::now();
+    EXPECT_EQ(node_names(folder, 20000).back(), "Cube 20000");
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
+}
+
+TEST(ExportGltf, PlacementsBeyondFloatsAreRefused) {
+    const ScratchFolder folder;
+    Mesh mesh = cube_mesh();
+    const Mat4d sheared = placement(0, Vec3d(1, 1e60, 1), {}) * placement(45, Vec3d(1), {});
+    mesh.parts[0].instances.push_back(sheared);
+    for (const char* file : {"a.glb", "a.gltf"}) {
+        try {
+            export_scene(folder / file, mesh, pair_atlas(mesh, 64), sample_image(64), {});
+            ADD_FAILURE() << file;
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code(), ExitCode::unsupported);
+            EXPECT_THAT(error.what(), testing::HasSubstr("a placement of \"cube\""));
+        }
+    }
+    EXPECT_EQ(folder.entries(), 0u);
+    export_scene(folder / "a.obj", mesh, pair_atlas(mesh, 64), sample_image(64), {});
 }
 
 TEST(ExportGltf, PartsAndPlacementsBecomeMeshesAndNodes) {

@@ -1,4 +1,6 @@
 // The program as its user meets it: a bake that works and says what it did.
+#include <chrono>
+
 #include <nlohmann/json.hpp>
 
 #include "app/image_io.h"
@@ -93,6 +95,16 @@ TEST(Program, ReportIsJson) {
     EXPECT_GT(report["atlas"]["coverage"].get<double>(), 0.4);
 }
 
+TEST(Program, JsonIsAllThatItPrints) {
+    const Scratch scratch;
+    for (const char* command : {"bake '{}' -o '{}' --size 64 --json", "metrics '{}' --json"}) {
+        const Outcome outcome = run_burl(
+            scratch, fmt::format(fmt::runtime(command), case_file("metis.obj"), scratch / "a.glb"));
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        EXPECT_TRUE(nlohmann::json::accept(outcome.out)) << outcome.out.substr(0, 200);
+    }
+}
+
 TEST(Program, MeasuresTheUvsAFileBrings) {
     const Scratch scratch;
     const auto quoted = [](const std::string& path) { return "'" + path + "'"; };
@@ -113,6 +125,10 @@ TEST(Program, MeasuresTheUvsAFileBrings) {
     EXPECT_EQ(kinds(mesh + " --atlas all"), "uniform area length quad patch ");
     EXPECT_EQ(kinds(mesh + " --atlas area --uv"), "uv area ");
     EXPECT_EQ(run_burl(scratch, "metrics --uv " + plain).exit_code, 1);
+    const std::string large = fmt::format("'{}/teapot.obj'", mesh_folder());
+    const auto start = std::chrono::steady_clock::now();
+    EXPECT_EQ(run_burl(scratch, "metrics --uv --levels " + large).exit_code, 1);
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5));
     const Outcome table = run_burl(scratch, "metrics --size 32 " + mesh);
     EXPECT_NE(table.out.find("0.2500"), std::string::npos) << table.out;
 }

@@ -5,6 +5,7 @@
 #include <tiny_gltf.h>
 
 #include "gltf_files.h"
+#include "tests/counted_memory.h"
 
 namespace burl {
 namespace {
@@ -61,10 +62,50 @@ TEST(GltfDocument, BoundsOfViewsAndAccessors) {
     expect_refused("/buffers", Json::array({{{"byteLength", 42}}}), "buffers[0]: 'uri' is missing");
 }
 
-TEST(GltfDocument, AccessorsWithoutDataStaySmall) {
-    GltfFile file = one_triangle();
-    file.accessor(-1, 5126, "VEC3", 2000000000);
-    expect_refused(file, "2000000000 elements without a bufferView");
+/// A mesh of so many vertices that are all zeros without data.
+GltfFile zeros(std::size_t vertices) {
+    GltfFile file;
+    file.mesh({{"attributes", {{"POSITION", file.accessor(-1, 5126, "VEC3", vertices)}}}});
+    file.node({{"mesh", 0}});
+    return file;
+}
+
+TEST(GltfDocument, AccessorsWithoutDataStaySmallInAll) {
+    constexpr std::size_t most = 1u << 20;
+    EXPECT_EQ(zeros(most).read().triangles.size(), most / 3);
+    expect_refused(zeros(most + 1), "POSITION: with it 1048577 elements have no bufferView");
+    expect_refused(zeros(2000000000), "with it 2000000000 elements");
+    GltfFile twice = zeros(most / 2 + 1);  // a use of the one costs as much as of another
+    twice.mesh(twice.root["meshes"][0]["primitives"][0]);
+    expect_refused(twice, "meshes[1].primitives[0].attributes.POSITION: with it 1048578 elements");
+    GltfFile indexed = one_triangle();
+    indexed.root["meshes"][0]["primitives"][0]["indices"] =
+        indexed.accessor(-1, 5125, "SCALAR", most + 1);
+    expect_refused(indexed, "primitives[0].indices: with it 1048577 elements");
+    GltfFile skinned = one_triangle();
+    skinned.root["skins"] = {
+        {{"joints", {0}}, {"inverseBindMatrices", skinned.accessor(-1, 5126, "MAT4", 2 * most)}}};
+    expect_refused(skinned, "skins[0].inverseBindMatrices: with it 2097152 elements");
+}
+
+TEST(GltfDocument, MorphTargetsThatMoveNothingNeedNoData) {
+    GltfFile file;
+    const std::vector<float> points(3 * 3000, 1.0f);
+    file.mesh({{"attributes", {{"POSITION", file.positions(points)}}}});
+    const int still = file.accessor(-1, 5126, "VEC3", 3000);
+    for (int i = 0; i < 400; ++i)  // 1.2 million elements, as of many expressions of a face
+        file.root["meshes"][0]["primitives"][0]["targets"].push_back({{"POSITION", still}});
+    file.node({{"mesh", 0}});
+    EXPECT_EQ(file.read().triangles.size(), 1000u);
+}
+
+TEST(GltfDocument, MemoryBombsAreRefusedInLittleMemory) {
+    for (const char* name : {"mb1.gltf", "mb2.gltf", "samplers.gltf"}) {
+        begin_peak();
+        expect_error([&] { load_gltf(test::case_file(name)); }, ExitCode::invalid_file,
+                     "elements have no bufferView");
+        if (counts_bytes()) EXPECT_LT(peak_bytes(), 1u << 20) << name;
+    }
 }
 
 TEST(GltfDocument, SparseBounds) {
@@ -104,9 +145,44 @@ TEST(GltfDocument, References) {
                    {{{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 2}}}}}}},
                    "baseColorTexture.index: index 2");
     expect_refused("/skins", {{{"joints", {4}}}}, "skins[0].joints[0]: index 4");
+    expect_refused("/skins", {{{"joints", {0}}, {"skeleton", 4}}}, "skins[0].skeleton: index 4");
+    expect_refused("/skins", {{{"joints", {0}}, {"inverseBindMatrices", 9}}},
+                   "inverseBindMatrices: index 9");
+    expect_refused("/nodes/0/skin", 0, "nodes[0].skin: index 0");
+    expect_refused("/nodes/0/camera", 0, "nodes[0].camera: index 0");
+    expect_refused("/nodes/0/children", {1}, "nodes[0].children[0]: index 1");
+    expect_refused("/nodes/0/weights", {"1"}, "nodes[0].weights: must hold numbers only");
+    expect_refused("/meshes/0/weights", 1, "meshes[0].weights: must be an array");
+    expect_refused("/textures", {{{"sampler", 0}}}, "textures[0].sampler: index 0");
+    for (const char* key : {"normalTexture", "occlusionTexture", "emissiveTexture"})
+        expect_refused("/materials", {{{key, {{"index", 1}}}}}, std::string(key) + ".index");
+    expect_refused("/scene", 1, "glTF.scene: index 1, but there are 1 scenes");
+    expect_refused("/scene", -1, "glTF.scene: must be a whole number");
     GltfFile file = one_triangle();
     file.root["meshes"][0]["primitives"][0]["attributes"]["NORMAL"] = file.positions({0, 0, 1});
     expect_refused(file, "has 3 elements, other attributes 1");
+}
+
+TEST(GltfDocument, ReferencesOfAnimations) {
+    const Json sampler{{"input", 0}, {"output", 0}};
+    const auto expect_wrong = [&](const Json& s, const Json& channel, const std::string& message) {
+        expect_refused("/animations", {{{"samplers", {s}}, {"channels", {channel}}}}, message);
+    };
+    const Json target{{"node", 0}, {"path", "scale"}};
+    expect_wrong({{"input", 8}, {"output", 0}}, {{"sampler", 0}, {"target", target}},
+                 "samplers[0].input: index 8");
+    expect_wrong({{"input", 0}, {"output", 8}}, {{"sampler", 0}, {"target", target}},
+                 "samplers[0].output: index 8");
+    expect_wrong({{"input", 0}}, {{"sampler", 0}, {"target", target}}, "'output' is missing");
+    expect_wrong(sampler, {{"sampler", 1}, {"target", target}}, "'sampler' is out of range");
+    expect_wrong(sampler, {{"sampler", 0}, {"target", {{"node", 1}}}}, "target.node: index 1");
+    expect_wrong(sampler, {{"sampler", 0}, {"target", {{"node", 0}, {"path", 3}}}},
+                 "path: must be a string");
+}
+
+TEST(GltfDocument, TheSceneThatIsDrawnMustExist) {
+    expect_error([] { read_mesh(test::case_file("scene-out-of-range.gltf")); },
+                 ExitCode::invalid_file, "glTF.scene: index 5000, but there are 1 scenes");
 }
 
 TEST(GltfDocument, VertexIndicesInRange) {

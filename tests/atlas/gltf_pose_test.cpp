@@ -1,6 +1,7 @@
 // Poses of a glTF's own skeletons and animations, against closed forms.
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
 
 #include "atlas/mesh_pose.h"
@@ -151,6 +152,31 @@ TEST(GltfPose, WhatIsWrongIsSaid) {
     GltfFile flat = arm();
     flat.root["skins"][0]["inverseBindMatrices"] = 0;
     expect_error([&] { pose_of(flat, "nodes"); }, ExitCode::invalid_file, "MAT4");
+}
+
+TEST(GltfPose, ManyTargetsAreNamedInOnePassAndAFewOfThemInMessages) {
+    GltfFile file = moved();
+    auto& mesh = file.root["meshes"][0];
+    constexpr int count = 50000;
+    mesh["primitives"][0]["targets"] = GltfFile::Json(count, mesh["primitives"][0]["targets"][0]);
+    const auto start = std::chrono::steady_clock::now();
+    EXPECT_EQ(names_of(file).size(), std::size_t(count));
+    expect_error([&] { pose_of(file, "no"); }, ExitCode::usage, "those of the file are 0, 1, 2, ");
+    expect_error([&] { pose_of(file, "no"); }, ExitCode::usage, ", 98, 99 and 49900 more");
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5));
+}
+
+TEST(GltfPose, KeysThatSamplersShareAreReadOnce) {
+    GltfFile file = animated(moved(), 0, "translation", "LINEAR", {4, 0, 0, 8, 0, 0}, "VEC3", 3);
+    auto& animation = file.root["animations"][0];
+    std::vector<float> seconds(200000);
+    for (std::size_t i = 0; i < seconds.size(); ++i) seconds[i] = float(i);
+    const int times = file.floats(seconds, "SCALAR", 1);
+    const GltfFile::Json sampler{{"input", times}, {"output", times}};
+    for (int i = 0; i < 5000; ++i) animation["samplers"].push_back(sampler);
+    const auto start = std::chrono::steady_clock::now();
+    EXPECT_EQ(names_of(file).back(), "wave@199999");
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(3));
 }
 
 }  // namespace

@@ -4,10 +4,16 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <cstdio>
+#include <thread>
+
 #include <tbb/global_control.h>
 
 #include "atlas/dual_graph.h"
+#include "atlas/mesh_io.h"
 #include "made_patches.h"
+#include "tests/paths.h"
 
 namespace burl {
 namespace {
@@ -75,6 +81,27 @@ TEST(Partition, BisectingAlwaysDivides) {
         EXPECT_EQ(together, faces);
         EXPECT_EQ(local, std::vector<std::int32_t>(local.size(), -1));
     }
+}
+
+TEST(Partition, PrintsNothingAndLetsOthersPrint) {
+    const Mesh mesh = read_mesh(test::case_file("metis.obj"));
+    const Connectivity connectivity = build_connectivity(mesh);
+    testing::internal::CaptureStdout();
+    std::atomic<bool> done = false;
+    std::string said;
+    std::thread other([&] {
+        do {
+            std::fputs("other\n", stdout);
+            said += "other\n";
+        } while (!done);
+    });
+    for (int i = 0; i < 100; ++i)
+        for (const std::uint32_t patches : {2u, 3u, 6u, 9u})
+            partition_mesh(mesh, connectivity, {.patches = patches});
+    done = true;
+    other.join();
+    std::fflush(stdout);
+    EXPECT_TRUE(testing::internal::GetCapturedStdout() == said);
 }
 
 TEST(PatchMaps, NothingLostNothingFlipped) {
