@@ -20,6 +20,7 @@
 #include "app/gl_synthesizer.h"
 #include "app/lattice_check.h"
 #include "app/load_pose.h"
+#include "app/messages.h"
 #include "app/sha256.h"
 #include "app/solid_map_file.h"
 #include "app/up_to_date.h"
@@ -313,7 +314,7 @@ bool BakeJob::write_reports(const Json& report) const {
 
 void BakeJob::print_up_to_date(Json report) const {
     report["up_to_date"] = true;
-    if (write_reports(report)) fmt::print("{}: up to date\n", paths_.front());
+    if (write_reports(report)) print_line(fmt::format("{}: up to date", paths_.front()));
 }
 
 void BakeJob::print(const Json& report) const {

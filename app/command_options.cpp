@@ -10,6 +10,8 @@
 
 #include "app/keyed_recipe.h"
 #include "app/mesh_notes.h"
+#include "app/messages.h"
+#include "app/parameters.h"
 #include "app/sample_meshes.h"
 #include "atlas/error.h"
 
@@ -181,7 +183,7 @@ Kernel kernel_named(const std::string& name) {
 }
 
 void warn(const std::string& sentence) {
-    const std::string line = sentence + "\n";
+    const std::string line = printable(sentence) + "\n";
     std::fwrite(line.data(), 1, line.size(), stderr);
 }
 

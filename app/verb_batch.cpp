@@ -13,6 +13,7 @@
 
 #include "app/bake_job.h"
 #include "app/batch_manifest.h"
+#include "app/messages.h"
 #include "app/real_path.h"
 #include "app/up_to_date.h"
 #include "app/verbs.h"
@@ -260,7 +261,7 @@ void run_batch(const BatchCommand& command) {
         SharedMesh mesh;
         for (std::size_t i = 0; i < group.size(); ++i) {
             run_alone(*group[i], mesh, later_of(group, i));
-            if (speaks) fmt::print("{}\n", line_of(*group[i]));
+            if (speaks) print_line(line_of(*group[i]));
         }
     }
     const Json report = batch_json(bakes);

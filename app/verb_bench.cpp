@@ -25,6 +25,7 @@
 #include "app/gl_context.h"
 #include "app/gl_edit_bench.h"
 #include "app/gl_edit_bench_open.h"
+#include "app/messages.h"
 #include "app/report.h"
 #include "app/simd_limit.h"
 #include "app/verbs.h"
@@ -161,8 +162,8 @@ void run_levels_bench(const BenchCommand& command) {
                "RMSE", "of avg", "truth +-", "ms", "of avg");
     for (const LevelBench& row : rows)
         fmt::print("{:<26} {:<10} {:>8.4f} {:>9.5f} {:>8.3f} {:>9.5f} {:>9.2f} {:>8.3f}\n",
-                   row.time.group, row.rule, row.samples, row.rmse, row.of_average, row.truth_noise,
-                   row.time.median * 1e3, row.time.times_first);
+                   printable(row.time.group), row.rule, row.samples, row.rmse, row.of_average,
+                   row.truth_noise, row.time.median * 1e3, row.time.times_first);
 }
 
 void run_plot(const BenchCommand& command) {

@@ -150,7 +150,7 @@ std::vector<AtlasKind> kinds_asked(const MetricsCommand& command, const Recipe& 
     if (std::has_single_bit(recipe.atlas.size)) {
         kinds.push_back(AtlasKind::quad);
     } else {
-        fmt::print(stderr, "quad is left out: its size must be a power of two\n");
+        warn("quad is left out: its size must be a power of two");
     }
     kinds.push_back(AtlasKind::patch);
     return kinds;
