@@ -126,6 +126,16 @@ TEST(Parameters, AllowTheAtlasSizesTheLayoutDoes) {
     }
 }
 
+/// Whoever copies it should see no lines between triangles, whatever viewer opens the file.
+TEST(DocumentedRecipes, BeginWithAnAtlasForAnyViewer) {
+    const std::string all = documentation(), fence = "```";
+    const std::size_t begin = all.find('\n', all.find(fence + "json")) + 1;
+    const std::string first = all.substr(begin, all.find(fence, begin) - begin);
+    const Recipe recipe = parse_recipe(first, "docs/recipes.md");
+    EXPECT_EQ(recipe.name, "my marble");
+    EXPECT_EQ(recipe.atlas, AtlasOptions{});
+}
+
 TEST(Presets, AreAllDocumented) {
     const std::string all = documentation();
     const std::string text = all.substr(all.find("## Presets"));
