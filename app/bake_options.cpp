@@ -43,7 +43,7 @@ void add_bake_options(CLI::App& verb, BakeCommand& command) {
     verb.add_option("--normals", command.normals,
                     "Normal map of the recipe's bumps: tangent (the default; in the material of "
                     ".glb, .gltf and .obj, else beside as NAME_normal.png), object or none")
-        ->check(CLI::IsMember({"tangent", "object", "none"}));
+        ->check(one_of({"tangent", "object", "none"}));
     verb.add_option("--depth", command.depth, "Bits per channel of .png textures")
         ->check(CLI::IsMember({8, 16}))
         ->capture_default_str();
@@ -56,13 +56,12 @@ void add_bake_options(CLI::App& verb, BakeCommand& command) {
                     "Who makes the texture: host, gl (OpenGL, the same texture), gl-multipass (the "
                     "papers' passes), or auto, which is gl where a graphics processor is behind "
                     "--gl and faster, by a measurement")
-        ->check(CLI::IsMember({"host", "gl", multipass_synth, "auto"}))
+        ->check(one_of({"host", "gl", multipass_synth, "auto"}))
         ->capture_default_str();
     verb.add_option("--gl", command.platform,
                     "OpenGL of --synth: osmesa (software, the default) or egl (a graphics "
                     "processor)")
-        ->check(
-            CLI::IsMember(std::vector<std::string>(gl_platforms().begin(), gl_platforms().end())));
+        ->check(one_of(std::vector<std::string>(gl_platforms().begin(), gl_platforms().end())));
     command.multipass.add(verb);
 }
 

@@ -12,6 +12,14 @@
 
 namespace burl {
 
+/// An edit of a recipe on the command line.
+struct RecipeEdit {
+    std::string said;  ///< as it was given: "--size 64"
+    std::string path, value;
+
+    std::string setting() const { return path + "=" + value; }
+};
+
 /// --recipe, --set, --time and the atlas options; the latter are edits of the recipe like any
 /// --set.
 struct RecipeOptions {
@@ -27,7 +35,10 @@ struct RecipeOptions {
     void add_atlas(CLI::App& verb);
     /// --precision, with what is computed if it is left out.
     void add_precision(CLI::App& verb, const std::string& otherwise);
-    /// The recipe with all edits applied; throws Error as load_recipe does.
+    /// Every edit, those of --set first.
+    std::vector<RecipeEdit> edits() const;
+    /// The recipe with all edits applied; throws Error as load_recipe does, and usage for what is
+    /// said twice.
     Recipe load_keyed() const;
     /// What it is at `time` (recipe_at), without keys.
     Recipe load() const;
@@ -52,6 +63,8 @@ void add_pose(CLI::App& verb, std::string& pose);
 /// A number within bounds; CLI::Range would let NaN pass.
 CLI::Validator in_range(double low, double high);
 
+/// One of the words; of a misspelt one it says which was probably meant.
+CLI::Validator one_of(const std::vector<std::string>& words);
 /// --threads, 0 for all.
 void add_threads(CLI::App& verb, int& threads);
 /// The --kernel that sums differences (app/forward_check.h), whose result is another one.

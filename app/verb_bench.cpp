@@ -332,7 +332,7 @@ void add_bench(CLI::App& program) {
             "burl bench plot "
             "F.json -o F.svg")
         ->required()
-        ->check(CLI::IsMember(bench_suite_names()));
+        ->check(one_of(bench_suite_names()));
     verb->add_option(
         "file", command->file,
         "plot: the report, as -o wrote it; synthesis, resynthesis and levels: a mesh to texture");

@@ -213,11 +213,11 @@ void add_metrics(CLI::App& program) {
         verb->add_option("--texture", command->texture,
                          "What is looked up: metric-marble, or the recipe's texture (default: the "
                          "recipe's if --recipe is given)");
-    texture->check(CLI::IsMember({metric_marble_name, "recipe"}));
+    texture->check(one_of({metric_marble_name, "recipe"}));
     verb->add_option("--fill", command->fill,
                      "Texels that show no triangle: extrapolate (the surface goes on for two "
                      "texels), nearest (copied) or black")
-        ->check(CLI::IsMember({"extrapolate", "nearest", "black"}))
+        ->check(one_of({"extrapolate", "nearest", "black"}))
         ->capture_default_str();
     verb->add_option("--image", command->image,
                      "Draw PREFIX-ATLAS-charts.png, -scale.png and -levels.png");

@@ -153,6 +153,7 @@ TEST(NearestWord, CountsEdits) {
     EXPECT_EQ(nearest_word("gian", words), "gain");
     EXPECT_EQ(nearest_word("Phase", words), "phase");
     EXPECT_EQ(nearest_word("zzzzzz", words), "");
+    EXPECT_EQ(nearest_word("brightness", words), "");  // shares letters with all of them
     EXPECT_EQ(nearest_word("x", {}), "");
 }
 
