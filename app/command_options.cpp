@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "app/export.h"
 #include "app/keyed_recipe.h"
 #include "app/mesh_notes.h"
 #include "app/messages.h"
@@ -136,7 +137,12 @@ Recipe RecipeOptions::load_keyed() const {
 }
 
 Recipe RecipeOptions::load() const {
-    return recipe_at(load_keyed(), time);
+    const Recipe keyed = load_keyed();
+    if (time && keyed.animation.tracks.empty())
+        throw Error(
+            ExitCode::usage,
+            fmt::format("--time: the recipe {} has no keys over time; leave it out", recipe));
+    return recipe_at(keyed, time.value_or(0.0));
 }
 
 Precision parse_precision(const std::string& text) {
@@ -168,6 +174,11 @@ void MeshOptions::add(CLI::App& verb) {
 }
 
 Mesh MeshOptions::load(const std::string& path) const {
+    if (read.unshare_instances && (is_sample_mesh(path) || !is_gltf(path)))
+        throw Error(ExitCode::usage,
+                    fmt::format("--unshare-instances: {} is no glTF and has no instances; leave it "
+                                "out",
+                                path));
     Mesh mesh = is_sample_mesh(path) ? sample_mesh(path, read) : read_mesh(path, read);
     print_notes(path, mesh.notes);
     return mesh;

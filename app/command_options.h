@@ -27,7 +27,7 @@ struct RecipeOptions {
     std::vector<std::string> settings;
     std::optional<std::string> kind, overscan, weight, tries, partition, gutter, diagonals, filter,
         precision, size;
-    double time = 0.0;  ///< of a recipe with keys, in seconds
+    std::optional<double> time;  ///< of a recipe with keys, in seconds; left out: 0
 
     void add_recipe(CLI::App& verb);
     /// --set and --time alone, for verbs that take the recipe as an argument.
@@ -40,7 +40,8 @@ struct RecipeOptions {
     /// The recipe with all edits applied; throws Error as load_recipe does, and usage for what is
     /// said twice.
     Recipe load_keyed() const;
-    /// What it is at `time` (recipe_at), without keys.
+    /// What it is at `time` (recipe_at), without keys. Throws Error(usage) for a `time` where there
+    /// are no keys.
     Recipe load() const;
 };
 
@@ -62,9 +63,9 @@ void add_pose(CLI::App& verb, std::string& pose);
 
 /// A number within bounds; CLI::Range would let NaN pass.
 CLI::Validator in_range(double low, double high);
-
 /// One of the words; of a misspelt one it says which was probably meant.
 CLI::Validator one_of(const std::vector<std::string>& words);
+
 /// --threads, 0 for all.
 void add_threads(CLI::App& verb, int& threads);
 /// The --kernel that sums differences (app/forward_check.h), whose result is another one.

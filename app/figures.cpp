@@ -213,7 +213,7 @@ Image<Rgb8> draw_part(const std::string& arguments) {
     CLI::App line;
     options.add(line);
     line.parse(arguments);
-    return DirectPicture(options)(options.recipe.load());
+    return DirectPicture(options)(picture_recipes(options, {}).front());
 }
 
 Image<Rgb8> draw_figure(const Figure& figure) {

@@ -98,7 +98,7 @@ Image<Rgb8> draw_lazily(const RenderCommand& command) {
 
 /// One picture, or one per frame.
 void draw_truth(const RenderCommand& command, const std::vector<std::string>& paths) {
-    const std::vector<Recipe> recipes = frame_recipes(command.options.recipe, command.animation);
+    const std::vector<PictureRecipes> frames = picture_recipes(command.options, command.animation);
     const DirectPicture draw(command.options);
     for (std::size_t i = 0; i < paths.size(); ++i) write_png(paths[i], draw(recipes[i]));
 }
