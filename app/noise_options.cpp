@@ -77,6 +77,21 @@ void NoiseOptions::add(CLI::App& verb) {
         ->capture_default_str();
 }
 
+void NoiseOptions::check_given(const CLI::App& verb) const {
+    const auto refuse = [&](const char* option, bool idle, const char* of) {
+        if (idle && verb.count(option) > 0)
+            throw wrong_usage(fmt::format("{} is of {}; leave it out", option, of));
+    };
+    for (const char* option : {"--fade", "--feature", "--radius2", "--seed", "--period", "--sum",
+                               "--octaves", "--lacunarity", "--gain", "--normalized", "--warp"})
+        refuse(option, !given(), "--noise, and recipes have numbers of their own (--set)");
+    refuse("--fade", kind_ != "value", "value noise");
+    refuse("--feature", kind_ != "worley", "worley noise");
+    refuse("--radius2", kind_ != "simplex", "simplex noise");
+    for (const char* option : {"--lacunarity", "--gain", "--normalized"})
+        refuse(option, fractal.octaves == 1, "several octaves (--octaves)");
+}
+
 void NoiseOptions::resolve(std::size_t dimensions) {
     noise.kind = value_named(noise_kinds, kind_);
     noise.fade = value_named(fade_names, fade_);

@@ -25,9 +25,8 @@ namespace burl {
 namespace {
 
 struct BatchCommand {
-    std::string manifest, report;
-    BakeCommand run;  ///< add_run_options' only
-    bool json = false, quiet = false;
+    std::string manifest;
+    BakeCommand run;  ///< add_run_options' and add_report_options' only
 };
 
 /// An entry on its way.
@@ -255,8 +254,10 @@ LaterBake later_of(const Group& group, std::size_t i) {
 }
 
 void run_batch(const BatchCommand& command) {
+    const BakeCommand& run = command.run;
+    check_report_options(run.json, run.report, run.quiet);
     std::vector<Bake> bakes = check_manifest(command);
-    const bool speaks = !command.json && !command.quiet && command.report != "-";
+    const bool speaks = !run.json && !run.quiet && run.report != "-";
     for (Group& group : groups_of(bakes)) {
         SharedMesh mesh;
         for (std::size_t i = 0; i < group.size(); ++i) {
@@ -265,8 +266,8 @@ void run_batch(const BatchCommand& command) {
         }
     }
     const Json report = batch_json(bakes);
-    if (!command.report.empty()) write_json(command.report, report);
-    if (command.json) write_json("-", report);
+    if (!run.report.empty()) write_json(run.report, report);
+    if (run.json) write_json("-", report);
     const auto failed = std::ranges::count(bakes, "failed", &Bake::status);
     const auto first = std::ranges::find(bakes, "failed", &Bake::status);
     if (failed > 0)
@@ -284,10 +285,7 @@ void add_batch(CLI::App& program) {
                      "JSON file with the bakes: objects of `burl bake`'s options")
         ->required();
     add_run_options(*verb, command->run);
-    verb->add_flag("--json", command->json, "Print the report as JSON on stdout");
-    verb->add_option("--report", command->report,
-                     "Write the report as JSON to this file (- for stdout)");
-    verb->add_flag("-q,--quiet", command->quiet, "Print nothing on stdout");
+    add_report_options(*verb, command->run);
     verb->callback([command] { run_batch(*command); });
 }
 

@@ -364,8 +364,8 @@ void add_bench(CLI::App& program) {
                      "Also write the JSON to this file; plot: the .svg");
     verb->callback([command, verb] {
         std::vector<std::string> given;
-        for (const char* option :
-             {"-o", "--size", "--repeats", "--large", "--recipe", "--simd", "--gl", "--json"})
+        for (const char* option : {"-o", "--size", "--repeats", "--large", "--recipe", "--simd",
+                                   "--gl", "--json", "--thorough", "--case"})
             if (verb->count(option) > 0) given.emplace_back(option);
         check_bench(*command, given);
         if (!command->simd.empty()) limit_simd(command->simd);
