@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 #include <string_view>
+#include <utility>
 
 #include "app/keyed_recipe.h"
 #include "app/schema_tree.h"
@@ -63,10 +64,10 @@ void check_path(Key& key, const std::string& text) {
                                              text, key.path, to_string(parameter->type)));
 }
 
-/// load() names --set in what it throws about an edit.
-Recipe load_frame(const RecipeOptions& options, int frame) {
+/// load_keyed() names --set in what it throws about an edit.
+Recipe load_frame(const RecipeOptions& options, double seconds, int frame) {
     try {
-        return options.load();
+        return recipe_at(options.load_keyed(), seconds);
     } catch (const Error& error) {
         std::string sentence = error.what();
         constexpr std::string_view set = "--set";
@@ -77,9 +78,9 @@ Recipe load_frame(const RecipeOptions& options, int frame) {
 }
 
 /// Every number once, by one way.
-std::vector<Key> parse_keys(const AnimationOptions& animation, const KeyedAnimation& own) {
+std::vector<Key> parse_keys(const std::vector<std::string>& texts, const KeyedAnimation& own) {
     std::vector<Key> keys;
-    for (const std::string& text : animation.keys) {
+    for (const std::string& text : texts) {
         const Key key = parse_key(text);
         for (const Key& other : keys)
             if (other.path == key.path)
@@ -93,6 +94,36 @@ std::vector<Key> parse_keys(const AnimationOptions& animation, const KeyedAnimat
         keys.push_back(key);
     }
     return keys;
+}
+
+/// A recipe on its way through the frames.
+struct Track {
+    const RecipeOptions& options;
+    std::vector<Key> keys;
+};
+
+/// Its recipe at a frame of n, which comes `seconds` after the first one.
+Recipe recipe_in_frame(const Track& track, double seconds, int frame, int n, bool loop) {
+    RecipeOptions options = track.options;
+    for (const Key& key : track.keys)
+        options.settings.push_back(fmt::format("{}={}", key.path, value_at(key, frame, n, loop)));
+    return load_frame(options, seconds, frame);
+}
+
+/// The recipes of the one picture that there is.
+std::vector<Recipe> still_recipes(std::span<const MovedRecipe> recipes) {
+    std::vector<Recipe> result;
+    bool keyed = false, timed = false;
+    for (const MovedRecipe& moved : recipes) {
+        const Recipe recipe = moved.options.load_keyed();
+        keyed |= !recipe.animation.tracks.empty();
+        timed |= moved.options.time.has_value();
+        result.push_back(recipe_at(recipe, moved.options.time.value_or(0.0)));
+    }
+    if (timed && !keyed)
+        throw Error(ExitCode::usage,
+                    "--time: no recipe of the picture has keys over time; leave it out");
+    return result;
 }
 
 }  // namespace
@@ -136,24 +167,41 @@ double value_at(const Key& key, int i, int n, bool loop) {
     return key.whole ? std::round(value) : value;
 }
 
-std::vector<Recipe> frame_recipes(const RecipeOptions& options, const AnimationOptions& animation) {
-    if (!animation.asked()) return {options.load()};
-    KeyedAnimation own = options.load_keyed().animation;
-    if (own.tracks.empty() && animation.keys.empty())
+std::vector<std::vector<Recipe>> frame_recipes(std::span<const MovedRecipe> recipes,
+                                               const AnimationOptions& animation) {
+    if (!animation.asked()) return {still_recipes(recipes)};
+    std::vector<Track> tracks;
+    KeyedAnimation clock;
+    bool moves = false;
+    for (const MovedRecipe& moved : recipes) {
+        const KeyedAnimation own = moved.options.load_keyed().animation;
+        tracks.push_back({moved.options, parse_keys(moved.keys, own)});
+        const bool longest = clock.tracks.empty() || own.seconds > clock.seconds;
+        if (tracks.size() == 1 || (!own.tracks.empty() && longest)) clock = own;
+        moves |= !own.tracks.empty() || !moved.keys.empty();
+    }
+    if (!moves)
         throw Error(ExitCode::usage,
                     "--frames: the recipe has no keys over time; say what changes with --animate "
                     "PATH=FROM:TO");
-    own.loop |= animation.loop;
-    const std::vector<Key> keys = parse_keys(animation, own);
-    std::vector<Recipe> recipes;
+    clock.loop |= animation.loop;
+    std::vector<std::vector<Recipe>> frames;
     for (int i = 0; i < animation.frames; ++i) {
-        RecipeOptions frame = options;
-        frame.time = frame_seconds(own, i, animation.frames);
-        for (const Key& key : keys)
-            frame.settings.push_back(
-                fmt::format("{}={}", key.path, value_at(key, i, animation.frames, own.loop)));
-        recipes.push_back(load_frame(frame, i));
+        const double seconds = frame_seconds(clock, i, animation.frames);
+        frames.emplace_back();
+        for (const Track& track : tracks)
+            frames.back().push_back(
+                recipe_in_frame(track, seconds, i, animation.frames, clock.loop));
     }
+    return frames;
+}
+
+std::vector<Recipe> frame_recipes(const RecipeOptions& options, const AnimationOptions& animation) {
+    if (!animation.asked()) return {options.load()};
+    const MovedRecipe only{options, animation.keys};
+    std::vector<Recipe> recipes;
+    for (std::vector<Recipe>& frame : frame_recipes({&only, 1}, animation))
+        recipes.push_back(std::move(frame.front()));
     return recipes;
 }
 

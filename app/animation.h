@@ -2,6 +2,7 @@
 // Frames of an animation: --frames N of a recipe that has keys (app/keyed_recipe.h), or of numbers
 // that --animate PATH=FROM:TO moves; the recipe and the file name of every frame. The mesh, its
 // atlas and its solid points are those of all frames.
+#include <span>
 #include <string>
 #include <vector>
 
@@ -34,9 +35,22 @@ Key parse_key(const std::string& text);
 /// loop TO is where frame n would be.
 double value_at(const Key& key, int i, int n, bool loop);
 
-/// The recipe of every frame, with the options' own edits made first. Throws Error as load_recipe
-/// does, naming --animate, before any frame is made; usage where nothing changes over time.
+/// The recipe of every frame, with the options' own edits made first; without --frames the one that
+/// there is. Throws Error as load_recipe does, naming --animate, before any frame is made; usage
+/// where nothing changes over time.
 std::vector<Recipe> frame_recipes(const RecipeOptions& options, const AnimationOptions& animation);
+
+/// One of several recipes that a picture shows together.
+struct MovedRecipe {
+    RecipeOptions options;
+    std::vector<std::string> keys;  ///< those of --animate that are its own
+};
+
+/// For every frame what the recipes are in it, in their order. Recipes with keys share one clock:
+/// the frames are spread over the time of the one that takes longest. `animation`: --frames and
+/// --loop. Throws Error as the other one does.
+std::vector<std::vector<Recipe>> frame_recipes(std::span<const MovedRecipe> recipes,
+                                               const AnimationOptions& animation);
 
 /// "out.png" is numbered from 1 on: "out.0001.png".
 std::string frame_path(const std::string& out_path, std::size_t number);

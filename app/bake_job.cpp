@@ -18,8 +18,10 @@
 #include "app/gl_emit.h"
 #include "app/gl_multipass_synthesizer.h"
 #include "app/gl_synthesizer.h"
+#include "app/idle_options.h"
 #include "app/lattice_check.h"
 #include "app/load_pose.h"
+#include "app/messages.h"
 #include "app/sha256.h"
 #include "app/solid_map_file.h"
 #include "app/up_to_date.h"
@@ -95,7 +97,7 @@ struct BakeJob::Written {
 BakeJob::BakeJob(const BakeCommand& command, Json settings)
     : command_(command),
       settings_(std::move(settings)),
-      kind_(wanted_kind(command.out, command.depth)),
+      kind_(wanted_kind(command.out, command.bits())),
       paths_(frame_paths(command.out, command.animation)),
       recipes_(recipes_of(command)),
       extras_{levels_asked(command.levels, command.level_rule, recipes_[0].atlas.size, kind_),
@@ -144,6 +146,21 @@ void BakeJob::check() const {
         throw Error(ExitCode::usage,
                     "--compress: blocks alike in colour may differ in their normals; add --normals "
                     "none to leave the bumps out");
+    check_idle();
+}
+
+/// Whatever would change nothing is refused.
+void BakeJob::check_idle() const {
+    const auto refuse = [&](const char* option, const char* why) {
+        throw Error(ExitCode::usage, fmt::format("{}: {} does nothing: {}; leave it out",
+                                                 command_.out, option, why));
+    };
+    const bool mesh = holds_mesh(command_.out), normals = extras_.has_normals();
+    if (command_.depth && kind_ == ImageKind::rgb_float && !normals)
+        refuse("--depth", "an .exr always has floats");
+    if (command_.crease && !mesh && !normals) refuse("--crease", "a texture alone has no normals");
+    if (command_.pose.empty()) refuse_edits(command_.recipe, {&idle_pose, 1});
+    check_edits(command_.recipe, recipes_[0]);
 }
 
 // OpenGL has the bits of the kernels that share theirs.
@@ -207,10 +224,11 @@ BakeJob::Written BakeJob::write_texture(Pipeline& pipeline, const std::string& p
     ExportOptions options;
     options.levels = std::move(texture.levels);
     Written written{compressed_bake(pipeline.atlas(), std::move(texture.image), command_.compress)};
-    options.normals = bake_normals(pipeline, extras_.normals, command_.depth, command_.crease);
+    options.normals =
+        bake_normals(pipeline, extras_.normals, command_.bits(), command_.crease_degrees());
     if (releases) pipeline.release_texels();
     const auto writing = Clock::now();
-    options.crease_degrees = command_.crease;
+    options.crease_degrees = command_.crease_degrees();
     options.recipe_json = to_json(pipeline.recipe());
     options.recipe_name = pipeline.recipe().name;
     if (pose)
@@ -229,7 +247,8 @@ BakeJob::Written BakeJob::write_texture(Pipeline& pipeline, const std::string& p
 /// The same of an .exr whose texture is never there as a whole.
 BakeJob::Written BakeJob::write_bands(Pipeline& pipeline, const std::string& path) const {
     Written written;
-    written.normals = bake_normals(pipeline, extras_.normals, command_.depth, command_.crease);
+    written.normals =
+        bake_normals(pipeline, extras_.normals, command_.bits(), command_.crease_degrees());
     BandsWritten bands = write_exr_in_bands(pipeline, path, extras_.levels,
                                             written.normals ? &*written.normals : nullptr);
     written.levels = bands.levels;
@@ -278,7 +297,7 @@ Json BakeJob::run(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthe
     seconds["total"] = reading + seconds_since(start);
     Json normals;
     if (written.normals && wants_report())
-        normals = normals_json(pipeline, *written.normals, command_.crease);
+        normals = normals_json(pipeline, *written.normals, command_.crease_degrees());
     const LevelsAsked levels{std::uint32_t(written.levels), extras_.levels.rule};
     const std::vector<std::string> files = outputs(levels.count);
     Json report =
@@ -309,7 +328,7 @@ bool BakeJob::write_reports(const Json& report) const {
 
 void BakeJob::print_up_to_date(Json report) const {
     report["up_to_date"] = true;
-    if (write_reports(report)) fmt::print("{}: up to date\n", paths_.front());
+    if (write_reports(report)) print_line(fmt::format("{}: up to date", paths_.front()));
 }
 
 void BakeJob::print(const Json& report) const {

@@ -70,6 +70,7 @@ class BakeJob {
     std::vector<std::string> outputs(std::uint32_t levels) const;
     void check() const;
     void check_files() const;
+    void check_idle() const;
     bool write_reports(const Json& report) const;
     bool wants_report() const { return command_.json || !command_.report.empty(); }
 

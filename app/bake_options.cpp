@@ -5,6 +5,10 @@
 #include <string_view>
 #include <vector>
 
+#include <fmt/format.h>
+
+#include "atlas/error.h"
+
 namespace burl {
 
 void add_bake_options(CLI::App& verb, BakeCommand& command) {
@@ -43,26 +47,25 @@ void add_bake_options(CLI::App& verb, BakeCommand& command) {
     verb.add_option("--normals", command.normals,
                     "Normal map of the recipe's bumps: tangent (the default; in the material of "
                     ".glb, .gltf and .obj, else beside as NAME_normal.png), object or none")
-        ->check(CLI::IsMember({"tangent", "object", "none"}));
+        ->check(one_of({"tangent", "object", "none"}));
     verb.add_option("--depth", command.depth, "Bits per channel of .png textures")
         ->check(CLI::IsMember({8, 16}))
-        ->capture_default_str();
+        ->default_str("8");
     verb.add_option("--crease", command.crease,
                     "Angle in degrees above which computed normals split")
         ->check(in_range(0.0, 180.0))
-        ->capture_default_str();
+        ->default_str("40");
     add_kernel(verb, command.kernel);
     verb.add_option("--synth", command.synth,
                     "Who makes the texture: host, gl (OpenGL, the same texture), gl-multipass (the "
                     "papers' passes), or auto, which is gl where a graphics processor is behind "
                     "--gl and faster, by a measurement")
-        ->check(CLI::IsMember({"host", "gl", multipass_synth, "auto"}))
+        ->check(one_of({"host", "gl", multipass_synth, "auto"}))
         ->capture_default_str();
     verb.add_option("--gl", command.platform,
                     "OpenGL of --synth: osmesa (software, the default) or egl (a graphics "
                     "processor)")
-        ->check(
-            CLI::IsMember(std::vector<std::string>(gl_platforms().begin(), gl_platforms().end())));
+        ->check(one_of(std::vector<std::string>(gl_platforms().begin(), gl_platforms().end())));
     command.multipass.add(verb);
 }
 
@@ -71,6 +74,24 @@ void add_run_options(CLI::App& verb, BakeCommand& command) {
     command.economy.add_skips(verb);
     command.economy.add_cache(verb);
     verb.add_flag("--force", command.force, "Make outputs again that are up to date");
+}
+
+void add_report_options(CLI::App& verb, BakeCommand& command) {
+    verb.add_flag("--json", command.json, "Print the report as JSON on stdout");
+    verb.add_option("--report", command.report,
+                    "Write the report as JSON to this file (- for stdout)");
+    verb.add_flag("-q,--quiet", command.quiet, "Print nothing on stdout");
+}
+
+void check_report_options(bool json, const std::string& report, bool quiet) {
+    const char* const printing = json ? "--json" : report == "-" ? "--report -" : nullptr;
+    if (printing && quiet)
+        throw Error(ExitCode::usage,
+                    fmt::format("{} prints the report and --quiet nothing; leave one of them out",
+                                printing));
+    if (json && report == "-")
+        throw Error(ExitCode::usage,
+                    "--json and --report - both print the report; leave one of them out");
 }
 
 Json bake_settings(const CLI::App& verb) {

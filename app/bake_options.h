@@ -21,18 +21,28 @@ struct BakeCommand {
     AnimationOptions animation;
     MeshOptions meshes;
     EconomyOptions economy;
-    int threads = 0, depth = 8;
-    double crease = 40.0;
+    int threads = 0;
+    std::optional<int> depth;      ///< left out: 8
+    std::optional<double> crease;  ///< left out: 40
     std::string levels, level_rule, normals, solid_map, emitted_glsl, kernel = "auto";
     std::string synth = "host", platform{};  ///< of OpenGL; empty: the first
     MultipassCommand multipass;
     std::optional<double> compress;
     bool json = false, quiet = false;  ///< what is said on stdout
     bool force = false;                ///< made again where it is up to date
+
+    int bits() const { return depth.value_or(8); }
+    double crease_degrees() const { return crease.value_or(40.0); }
 };
 
 /// The mesh, the output, and all that says how the one becomes the other.
 void add_bake_options(CLI::App& verb, BakeCommand& command);
+
+/// --json, --report and --quiet.
+void add_report_options(CLI::App& verb, BakeCommand& command);
+
+/// Throws Error(usage) where two of these contradict each other.
+void check_report_options(bool json, const std::string& report, bool quiet);
 
 /// How a run goes, whatever it makes: --threads, --no-skip, --force and --cache.
 void add_run_options(CLI::App& verb, BakeCommand& command);

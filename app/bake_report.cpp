@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "app/messages.h"
 #include "app/normal_error.h"
 
 namespace burl {
@@ -40,11 +41,11 @@ void print_summary(const Json& report, const std::vector<std::string>& paths) {
     const Json& atlas = report["atlas"];
     std::string name = paths.front();
     if (paths.size() > 1) name += " to " + paths.back();
-    fmt::print(
-        "{}: {} triangles, {} atlas {} x {}, coverage {:.1f} %, relative scale {:.2f}, {:.2f} s\n",
+    print_line(fmt::format(
+        "{}: {} triangles, {} atlas {} x {}, coverage {:.1f} %, relative scale {:.2f}, {:.2f} s",
         name, report["mesh"]["triangles"].get<std::uint64_t>(), atlas["kind"].get<std::string>(),
         atlas["size"].get<int>(), atlas["size"].get<int>(), 100.0 * atlas["coverage"].get<double>(),
-        atlas["relative_scale"].get<double>(), report["seconds"]["total"].get<double>());
+        atlas["relative_scale"].get<double>(), report["seconds"]["total"].get<double>()));
 }
 
 }  // namespace burl

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/atomic_file.h"
+#include "app/command_options.h"
 #include "app/file_bytes.h"
 #include "app/gl_edit_program.h"
 #include "app/version.h"
@@ -66,10 +67,10 @@ int main(int argc, char** argv) {
     try {
         run(command);
     } catch (const burl::Error& error) {
-        fmt::print(stderr, "burl-edit: {}\n", error.what());
+        burl::warn(fmt::format("burl-edit: {}", error.what()));
         return int(error.code());
     } catch (const std::exception& error) {
-        fmt::print(stderr, "burl-edit: {}\n", error.what());
+        burl::warn(fmt::format("burl-edit: {}", error.what()));
         return int(burl::ExitCode::runtime);
     }
     return 0;

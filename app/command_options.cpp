@@ -8,8 +8,11 @@
 
 #include <fmt/format.h>
 
+#include "app/export.h"
 #include "app/keyed_recipe.h"
 #include "app/mesh_notes.h"
+#include "app/messages.h"
+#include "app/parameters.h"
 #include "app/sample_meshes.h"
 #include "atlas/error.h"
 
@@ -18,22 +21,46 @@ namespace burl {
 namespace {
 
 /// KIND, or supersample:N.
-void append_filter(const std::string& text, std::vector<std::string>& edits) {
+void append_filter(const std::string& text, std::vector<RecipeEdit>& edits) {
     const std::size_t colon = text.find(':');
-    edits.push_back("filter.kind=" + text.substr(0, colon));
+    const std::string option = "--filter " + text;
+    edits.push_back({option, "filter.kind", text.substr(0, colon)});
     if (colon == std::string::npos) return;
     if (!text.starts_with("supersample:"))
         throw Error(ExitCode::usage,
-                    fmt::format("--filter {}: only supersample takes a number of samples", text));
-    edits.push_back("filter.samples=" + text.substr(colon + 1));
+                    fmt::format("{}: only supersample takes a number of samples", option));
+    edits.push_back({option, "filter.samples", text.substr(colon + 1)});
 }
 
-void append_precision(const std::string& text, std::vector<std::string>& edits) {
+void append_precision(const std::string& text, std::vector<RecipeEdit>& edits) {
     const FixedFormat format = parse_precision(text).format;
-    edits.push_back("precision.kind=" + text.substr(0, text.find(':')));
+    const std::string option = "--precision " + text;
+    edits.push_back({option, "precision.kind", text.substr(0, text.find(':'))});
     if (!text.starts_with("fixed")) return;
-    edits.push_back(fmt::format("precision.integer_bits={}", format.integer_bits));
-    edits.push_back(fmt::format("precision.fraction_bits={}", format.fraction_bits));
+    edits.push_back({option, "precision.integer_bits", std::to_string(format.integer_bits)});
+    edits.push_back({option, "precision.fraction_bits", std::to_string(format.fraction_bits)});
+}
+
+/// A number that an option says and --set, too, would be dropped once.
+void check_said_once(const std::vector<RecipeEdit>& edits, std::size_t settings) {
+    for (std::size_t i = settings; i < edits.size(); ++i)
+        for (std::size_t k = 0; k < settings; ++k)
+            if (edits[i].path == edits[k].path)
+                throw Error(ExitCode::usage,
+                            fmt::format("{} and {} say the same thing; give one of them",
+                                        edits[i].said, edits[k].said));
+}
+
+/// load_recipe() names --set in what it throws about an edit.
+Error with_option(const Error& error, const std::vector<RecipeEdit>& edits) {
+    const std::string sentence = error.what();
+    for (const RecipeEdit& edit : edits) {
+        const std::string front = fmt::format("--set {}: ", edit.setting());
+        if (sentence.starts_with(front))
+            return Error(error.code(),
+                         fmt::format("{}: {}", edit.said, sentence.substr(front.size())));
+    }
+    return error;
 }
 
 }  // namespace
@@ -74,23 +101,48 @@ void RecipeOptions::add_precision(CLI::App& verb, const std::string& otherwise) 
                                 otherwise));
 }
 
-Recipe RecipeOptions::load_keyed() const {
-    std::vector<std::string> edits = settings;
-    if (kind) edits.push_back("atlas.kind=" + *kind);
-    if (overscan) edits.push_back("atlas.overscan=" + *overscan);
-    if (weight) edits.push_back("atlas.weight=" + *weight);
-    if (partition) edits.push_back("atlas.partition=" + *partition);
-    if (gutter) edits.push_back("atlas.gutter=" + *gutter);
-    if (diagonals) edits.push_back("atlas.diagonals=" + *diagonals);
-    if (tries) edits.push_back("atlas.tries=" + *tries);
-    if (size) edits.push_back("atlas.size=" + *size);
+std::vector<RecipeEdit> RecipeOptions::edits() const {
+    std::vector<RecipeEdit> edits;
+    for (const std::string& setting : settings) {
+        const std::size_t equals = std::min(setting.find('='), setting.size());
+        edits.push_back({"--set " + setting, setting.substr(0, equals),
+                         setting.substr(std::min(equals + 1, setting.size()))});
+    }
+    const auto append = [&](const std::string& key, const std::optional<std::string>& value) {
+        if (value) edits.push_back({fmt::format("--{} {}", key, *value), "atlas." + key, *value});
+    };
+    if (kind) edits.push_back({"--atlas " + *kind, "atlas.kind", *kind});
+    append("overscan", overscan);
+    append("weight", weight);
+    append("partition", partition);
+    append("gutter", gutter);
+    append("diagonals", diagonals);
+    append("tries", tries);
+    append("size", size);
     if (filter) append_filter(*filter, edits);
     if (precision) append_precision(*precision, edits);
-    return load_recipe(recipe, edits, *images);
+    return edits;
+}
+
+Recipe RecipeOptions::load_keyed() const {
+    const std::vector<RecipeEdit> all = edits();
+    check_said_once(all, settings.size());
+    std::vector<std::string> texts = settings;
+    for (std::size_t i = settings.size(); i < all.size(); ++i) texts.push_back(all[i].setting());
+    try {
+        return load_recipe(recipe, texts, *images);
+    } catch (const Error& error) {
+        throw with_option(error, all);
+    }
 }
 
 Recipe RecipeOptions::load() const {
-    return recipe_at(load_keyed(), time);
+    const Recipe keyed = load_keyed();
+    if (time && keyed.animation.tracks.empty())
+        throw Error(
+            ExitCode::usage,
+            fmt::format("--time: the recipe {} has no keys over time; leave it out", recipe));
+    return recipe_at(keyed, time.value_or(0.0));
 }
 
 Precision parse_precision(const std::string& text) {
@@ -122,6 +174,11 @@ void MeshOptions::add(CLI::App& verb) {
 }
 
 Mesh MeshOptions::load(const std::string& path) const {
+    if (read.unshare_instances && (is_sample_mesh(path) || !is_gltf(path)))
+        throw Error(ExitCode::usage,
+                    fmt::format("--unshare-instances: {} is no glTF and has no instances; leave it "
+                                "out",
+                                path));
     Mesh mesh = is_sample_mesh(path) ? sample_mesh(path, read) : read_mesh(path, read);
     print_notes(path, mesh.notes);
     return mesh;
@@ -145,6 +202,19 @@ CLI::Validator in_range(double low, double high) {
             bounds};
 }
 
+CLI::Validator one_of(const std::vector<std::string>& words) {
+    const CLI::Validator member = CLI::IsMember(words);
+    return {[=](std::string& text) {
+                std::string problem = member(text);
+                if (problem.empty()) return problem;
+                const std::vector<std::string_view> views(words.begin(), words.end());
+                const std::string_view nearest = nearest_word(text, views);
+                if (!nearest.empty()) problem += fmt::format("; did you mean {}?", nearest);
+                return problem;
+            },
+            member.get_description()};
+}
+
 void add_threads(CLI::App& verb, int& threads) {
     verb.add_option("-j,--threads", threads,
                     "Threads to use, 0 for all; the result never depends on it")
@@ -163,7 +233,7 @@ void add_kernel(CLI::App& verb, std::string& kernel) {
             "differences along scan lines "
             "in float64 (or --precision float32): value noise, no filter; or reference, texel by "
             "texel in float64, the same as --precision float64")
-        ->check(CLI::IsMember(names))
+        ->check(one_of(names))
         ->capture_default_str();
 }
 
@@ -181,7 +251,7 @@ Kernel kernel_named(const std::string& name) {
 }
 
 void warn(const std::string& sentence) {
-    const std::string line = sentence + "\n";
+    const std::string line = printable(sentence) + "\n";
     std::fwrite(line.data(), 1, line.size(), stderr);
 }
 

@@ -14,6 +14,14 @@
 
 namespace burl {
 
+/// An edit of a recipe on the command line.
+struct RecipeEdit {
+    std::string said;  ///< as it was given: "--size 64"
+    std::string path, value;
+
+    std::string setting() const { return path + "=" + value; }
+};
+
 /// --recipe, --set, --time and the atlas options; the latter are edits of the recipe like any
 /// --set.
 struct RecipeOptions {
@@ -21,7 +29,7 @@ struct RecipeOptions {
     std::vector<std::string> settings;
     std::optional<std::string> kind, overscan, weight, tries, partition, gutter, diagonals, filter,
         precision, size;
-    double time = 0.0;  ///< of a recipe with keys, in seconds
+    std::optional<double> time;  ///< of a recipe with keys, in seconds; left out: 0
     /// Copies of the options, one for every frame, share the images they read.
     std::shared_ptr<RecipeImages> images = std::make_shared<RecipeImages>();
 
@@ -31,9 +39,13 @@ struct RecipeOptions {
     void add_atlas(CLI::App& verb);
     /// --precision, with what is computed if it is left out.
     void add_precision(CLI::App& verb, const std::string& otherwise);
-    /// The recipe with all edits applied; throws Error as load_recipe does.
+    /// Every edit, those of --set first.
+    std::vector<RecipeEdit> edits() const;
+    /// The recipe with all edits applied; throws Error as load_recipe does, and usage for what is
+    /// said twice.
     Recipe load_keyed() const;
-    /// What it is at `time` (recipe_at), without keys.
+    /// What it is at `time` (recipe_at), without keys. Throws Error(usage) for a `time` where there
+    /// are no keys.
     Recipe load() const;
 };
 
@@ -55,6 +67,8 @@ void add_pose(CLI::App& verb, std::string& pose);
 
 /// A number within bounds; CLI::Range would let NaN pass.
 CLI::Validator in_range(double low, double high);
+/// One of the words; of a misspelt one it says which was probably meant.
+CLI::Validator one_of(const std::vector<std::string>& words);
 
 /// --threads, 0 for all.
 void add_threads(CLI::App& verb, int& threads);

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <utility>
 
-#include "app/command_files.h"
+#include "app/idle_options.h"
 #include "app/lattice_check.h"
 #include "app/load_pose.h"
 #include "app/normals.h"
@@ -74,7 +74,108 @@ Vec3d step_at_rest(const Mesh& posed, const Mesh& rest, std::uint32_t triangle, 
            (ee * b - ef * a) / area * (rest.positions[r[2]] - rest.positions[r[0]]);
 }
 
+/// Of recipes that are drawn without being baked.
+constexpr std::array idle_keys{
+    IdleKey{"atlas", "--direct draws without an atlas"},
+    IdleKey{"paint", "--direct draws the texture below the paint"},
+    IdleKey{"filter.kind", "--direct takes its filter from --filter"},
+    IdleKey{"filter.samples", "--direct takes its filter from --filter"}};
+
+/// The recipes that a picture shows, by their names, with the edits and moves of each.
+class ShownRecipes {
+  public:
+    explicit ShownRecipes(const DirectOptions& options) : options_(options) {
+        for (const std::string& text : options.planes) names_.push_back(parse_plane(text).recipe);
+        const bool bare = std::ranges::find(names_, "") != names_.end();
+        if (!options.scene.empty() || bare || names_.empty()) add("");
+        for (const std::string& name : names_) add(name);
+    }
+
+    /// Gives every edit and every move to the recipe it names.
+    std::vector<MovedRecipe> with_edits(const AnimationOptions& animation) const {
+        std::vector<MovedRecipe> result = recipes_;
+        for (const std::string& text : options_.recipe.settings)
+            give("--set", text, [&](std::size_t i, const std::string& edit) {
+                result[i].options.settings.push_back(edit);
+            });
+        for (const std::string& text : animation.keys)
+            give("--animate", text,
+                 [&](std::size_t i, const std::string& key) { result[i].keys.push_back(key); });
+        return result;
+    }
+
+    /// Out of the recipes of with_edits(), in their order.
+    PictureRecipes picture(const std::vector<Recipe>& recipes) const {
+        PictureRecipes result;
+        const std::size_t main = place_of("");
+        if (main < recipes.size()) result.main = recipes[main];
+        for (const std::string& name : names_) {
+            result.planes.emplace_back();
+            if (!name.empty()) result.planes.back() = recipes[place_of(name)];
+        }
+        return result;
+    }
+
+  private:
+    /// A name's first time; the empty one is that of --recipe.
+    void add(const std::string& name) {
+        if (place_of(name) < shown_.size()) return;
+        shown_.push_back(name);
+        recipes_.push_back({options_.recipe, {}});
+        recipes_.back().options.settings.clear();
+        if (!name.empty()) recipes_.back().options.recipe = name;
+    }
+    std::size_t place_of(const std::string& name) const {
+        return std::size_t(std::ranges::find(shown_, name) - shown_.begin());
+    }
+
+    template <class Give>
+    void give(const char* option, const std::string& text, const Give& give_to) const {
+        const std::size_t colon = text.substr(0, text.find('=')).rfind(':');
+        const bool named = colon != std::string::npos;
+        const std::string name = named ? text.substr(0, colon) : "";
+        bool given = false;
+        for (std::size_t i = 0; i < shown_.size(); ++i) {
+            const bool by_name = named && recipes_[i].options.recipe == name;
+            if (!by_name && (named || !shown_[i].empty())) continue;
+            give_to(i, named ? text.substr(colon + 1) : text);
+            given = true;
+        }
+        if (!given) throw nothing_shows(option, text, name);
+    }
+    Error nothing_shows(const char* option, const std::string& text,
+                        const std::string& name) const {
+        std::vector<std::string> names;
+        for (const MovedRecipe& one : recipes_) names.push_back(one.options.recipe);
+        return Error(
+            ExitCode::usage,
+            fmt::format("{} {}: the picture does not show {}; name the recipe that "
+                        "changes, as in {} {}:PATH=... (there are {})",
+                        option, text, name.empty() ? "the recipe of --recipe" : "a recipe " + name,
+                        option, names.front(), fmt::join(names, ", ")));
+    }
+
+    const DirectOptions& options_;
+    std::vector<std::string> names_;  ///< of the planes' recipes; empty: that of --recipe
+    std::vector<std::string> shown_;  ///< each once
+    std::vector<MovedRecipe> recipes_;
+};
+
 }  // namespace
+
+std::vector<PictureRecipes> picture_recipes(const DirectOptions& options,
+                                            const AnimationOptions& animation) {
+    const ShownRecipes shown(options);
+    const std::vector<MovedRecipe> recipes = shown.with_edits(animation);
+    for (const MovedRecipe& recipe : recipes) {
+        refuse_edits(recipe.options, idle_keys);
+        if (options.pose.empty()) refuse_edits(recipe.options, {&idle_pose, 1});
+    }
+    std::vector<PictureRecipes> pictures;
+    for (const std::vector<Recipe>& frame : frame_recipes(recipes, animation))
+        pictures.push_back(shown.picture(frame));
+    return pictures;
+}
 
 void DirectOptions::add(CLI::App& verb) {
     verb.add_option(
@@ -126,15 +227,7 @@ DirectPicture::DirectPicture(const DirectOptions& options)
     if (options.scene.empty() && options.planes.empty())
         throw Error(ExitCode::usage,
                     "there is nothing to draw: name a mesh or at least one --plane");
-    RecipeImages images;
-    for (const std::string& text : options.planes) {
-        const PlaneArgument argument = parse_plane(text);
-        planes_.push_back({argument.plane, {}});
-        if (argument.recipe.empty()) continue;
-        planes_.back().recipe = load_recipe(argument.recipe, {}, images);
-        std::ranges::move(files_of_recipe(argument.recipe, *planes_.back().recipe),
-                          std::back_inserter(plane_files_));
-    }
+    for (const std::string& text : options.planes) planes_.push_back(parse_plane(text).plane);
     const View view = options.parsed_view();
     if (!options.scene.empty()) mesh_ = options.meshes.load(options.scene);
     normals_ = corner_normals(mesh_, options.crease);
@@ -154,12 +247,13 @@ FilteredColor DirectPicture::color_of(const Recipe& recipe, FilterKind otherwise
                    : filtered_color(recipe, filter_.value_or(otherwise));
 }
 
-std::vector<PlaneLayer> DirectPicture::layers(const Recipe& recipe) const {
+std::vector<PlaneLayer> DirectPicture::layers(const PictureRecipes& recipes) const {
     std::vector<PlaneLayer> result;
-    for (const PlacedPlane& placed : planes_) {
-        const Recipe& shown = placed.recipe.value_or(recipe);
-        result.push_back({placed.plane, mapped(color_of(shown, FilterKind::trapezoid),
-                                               texture_from_solid(shown))});
+    for (std::size_t i = 0; i < planes_.size(); ++i) {
+        const bool named = i < recipes.planes.size() && recipes.planes[i];
+        const Recipe& shown = named ? *recipes.planes[i] : recipes.main;
+        result.push_back({planes_[i], mapped(color_of(shown, FilterKind::trapezoid),
+                                             texture_from_solid(shown))});
     }
     return result;
 }
@@ -186,8 +280,9 @@ Image<Rgb8> DirectPicture::draw_posed(const Recipe& recipe,
     return render_samples({posed, normals, at, {}, planes}, camera_, picture_);
 }
 
-Image<Rgb8> DirectPicture::operator()(const Recipe& recipe) const {
-    const std::vector<PlaneLayer> planes = layers(recipe);
+Image<Rgb8> DirectPicture::operator()(const PictureRecipes& recipes) const {
+    const Recipe& recipe = recipes.main;
+    const std::vector<PlaneLayer> planes = layers(recipes);
     if (pose_) return draw_posed(recipe, planes);
     FilteredColor color;
     SurfaceNormal bumped;

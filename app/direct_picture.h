@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/animation.h"
 #include "app/command_options.h"
 #include "app/direct_render.h"
 #include "atlas/mesh_pose.h"
@@ -32,26 +33,31 @@ struct DirectOptions {
     PictureOptions picture_options() const;
 };
 
+/// What one picture shows.
+struct PictureRecipes {
+    Recipe main;  ///< that of --recipe: of the mesh, and of planes that name none
+    std::vector<std::optional<Recipe>> planes;  ///< of those that name one, in the planes' order
+};
+
+/// The recipes of every frame, or of the one picture without --frames. An edit (--set, --animate)
+/// is of --recipe, or as NAME:PATH... of the recipe that the picture shows by that name; --time is
+/// of all. Throws Error, usage for what would change nothing in the picture.
+std::vector<PictureRecipes> picture_recipes(const DirectOptions& options,
+                                            const AnimationOptions& animation);
+
 /// A mesh and planes that were read once, for any number of pictures (frames).
 class DirectPicture {
   public:
     /// Throws Error: usage for options that do not fit together, else as reading does.
     explicit DirectPicture(const DirectOptions& options);
 
-    /// `recipe`: what the mesh shows, and the planes that name none. Throws Error(unsupported) as
-    /// check_lattice does.
-    Image<Rgb8> operator()(const Recipe& recipe) const;
-
-    /// Files that the planes' recipes were read from.
-    const std::vector<std::string>& plane_files() const { return plane_files_; }
+    /// Of picture_recipes(), or the main one alone where no plane names any. Throws
+    /// Error(unsupported) as check_lattice does.
+    Image<Rgb8> operator()(const PictureRecipes& recipes) const;
 
   private:
-    struct PlacedPlane {
-        Plane plane;
-        std::optional<Recipe> recipe;
-    };
     FilteredColor color_of(const Recipe& recipe, FilterKind otherwise) const;
-    std::vector<PlaneLayer> layers(const Recipe& recipe) const;
+    std::vector<PlaneLayer> layers(const PictureRecipes& recipes) const;
     Image<Rgb8> draw_posed(const Recipe& recipe, const std::vector<PlaneLayer>& planes) const;
 
     PictureOptions picture_;
@@ -60,8 +66,7 @@ class DirectPicture {
     Mesh mesh_;
     std::vector<Vec3f> normals_, posed_normals_;
     std::optional<MeshPose> pose_;
-    std::vector<PlacedPlane> planes_;
-    std::vector<std::string> plane_files_;
+    std::vector<Plane> planes_;
     Camera camera_;
 };
 

@@ -24,7 +24,7 @@ void EconomyOptions::add_skips(CLI::App& verb) {
                     "The result is the same")
         ->allow_extra_args(false)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
-        ->check(CLI::IsMember(skip_words()));
+        ->check(one_of(skip_words()));
 }
 
 void EconomyOptions::add_cache(CLI::App& verb) {

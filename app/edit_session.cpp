@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/atomic_file.h"
+#include "app/idle_options.h"
 #include "app/key_check.h"
 #include "app/key_edit.h"
 #include "app/keyed_recipe.h"
@@ -58,6 +59,11 @@ std::size_t length_of(const std::vector<std::string>& settings) {
     std::size_t length = 0;
     for (const std::string& setting : settings) length += setting.size();
     return length;
+}
+
+/// `burl bake` refuses what changes nothing.
+bool is_idle(const std::string& path, const Recipe& recipe, const std::string& pose) {
+    return !idle_reason(recipe, path).empty() || (pose.empty() && path.starts_with(idle_pose.key));
 }
 
 /// In single quotes where a shell would touch it.
@@ -217,6 +223,9 @@ std::string bake_command(const std::string& mesh, const std::string& base_path, 
     if (!pose.empty()) words.insert(words.end(), {"--pose", pose});
     words.emplace_back("--recipe");
     RecipeSettings between = settings_between(base, recipe);
+    std::erase_if(between.settings, [&](const std::string& setting) {
+        return is_idle(setting.substr(0, setting.find('=')), recipe, pose);
+    });
     if (length_of(between.settings) > long_settings) between = {false, {}};
     words.push_back(between.possible ? base_path : name + ".json");
     for (const std::string& setting : between.settings) {

@@ -51,7 +51,7 @@ Image<Rgb8> ball_picture(const Recipe& recipe, int side) {
     options.view = fmt::format("50,25,{}", filling_distance());
     options.size = fmt::format("{}x{}", side, side);
     if (recipe.precision.kind != PrecisionKind::fixed) options.filter = "trapezoid";
-    return DirectPicture(options)(recipe);
+    return DirectPicture(options)({recipe, {}});
 }
 
 EditThumbnails::EditThumbnails(std::function<void()> wake) : wake_(std::move(wake)) {}

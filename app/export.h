@@ -39,7 +39,7 @@ struct ExportPose {
 struct ExportOptions {
     double crease_degrees = 40.0;         ///< for computed normals (app/normals.h)
     ExrDepth exr_depth = ExrDepth::half;  ///< .exr only
-    std::string recipe_json;              ///< kept in the glTF's asset.extras; may be empty
+    std::string recipe_json{};            ///< kept in the glTF's asset.extras; may be empty
     std::string recipe_name{};            ///< the material is called after the mesh and it
     std::vector<BakedImage> levels{};     ///< MIP levels 1, 2, ... (atlas/block_levels.h)
     std::optional<NormalMap> normals{};

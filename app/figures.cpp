@@ -10,6 +10,7 @@
 
 #include "app/direct_picture.h"
 #include "app/forward_cube.h"
+#include "app/parameters.h"
 #include "atlas/error.h"
 
 namespace burl {
@@ -199,8 +200,11 @@ Figure find_figure(const std::string& name) {
         if (figure.name == name) return figure;
         names.push_back(figure.name);
     }
-    throw Error(ExitCode::usage, fmt::format("there is no figure \"{}\"; the figures are {}", name,
-                                             fmt::join(names, ", ")));
+    const std::vector<std::string_view> words(names.begin(), names.end());
+    const std::string_view nearest = nearest_word(name, words);
+    const std::string hint = nearest.empty() ? "" : fmt::format("did you mean \"{}\"? ", nearest);
+    throw Error(ExitCode::usage, fmt::format("there is no figure \"{}\"; {}the figures are {}",
+                                             name, hint, fmt::join(names, ", ")));
 }
 
 Image<Rgb8> draw_part(const std::string& arguments) {
@@ -209,7 +213,7 @@ Image<Rgb8> draw_part(const std::string& arguments) {
     CLI::App line;
     options.add(line);
     line.parse(arguments);
-    return DirectPicture(options)(options.recipe.load());
+    return DirectPicture(options)(picture_recipes(options, {}).front());
 }
 
 Image<Rgb8> draw_figure(const Figure& figure) {

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "app/messages.h"
+
 namespace burl {
 
 namespace {
@@ -52,7 +54,7 @@ void print_lookups(const MeasuredAtlas& m) {
     fmt::print(
         "\n{}: {}, {:.2f} dB ({:.2f} dB in 8 bits), seam over interior error {:.2f} "
         "({:.1f} % of points near a seam)\n",
-        m.name, m.texture, errors.psnr, errors.psnr_8bit, seam_ratio(errors),
+        m.name, printable(m.texture), errors.psnr, errors.psnr_8bit, seam_ratio(errors),
         100.0 * errors.seam_points);
     fmt::print("{:<6} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>11}\n", "level", "rmse",
                "direct", "8 bits", "truth +-", "8:1", "8:1 8bit", "mismatch", "foreign",

@@ -1,5 +1,6 @@
 #include "app/multipass_options.h"
 
+#include "app/command_options.h"
 #include "atlas/error.h"
 
 namespace burl {
@@ -7,11 +8,11 @@ namespace burl {
 void MultipassCommand::add(CLI::App& verb) {
     verb.add_option("--gl-precision", precision_,
                     "Images of --synth gl-multipass: 32f (the default), 16f or 8 bits a channel")
-        ->check(CLI::IsMember({"32f", "16f", "8"}));
+        ->check(one_of({"32f", "16f", "8"}));
     verb.add_option("--gl-randomizer", randomizer_,
                     "Random numbers of --synth gl-multipass: hash (the default, as on the host), "
                     "table, or bits (8 bits only)")
-        ->check(CLI::IsMember({"hash", "table", "bits"}));
+        ->check(one_of({"hash", "table", "bits"}));
     verb.add_flag("--gl-equalize", equalize_,
                   "Make the Gaussian numbers of --gl-randomizer bits white");
 }

@@ -43,12 +43,12 @@ std::string dimensions_of(NoiseKind kind) {
 
 void NoiseOptions::add(CLI::App& verb) {
     verb.add_option("--noise", kind_, "One noise instead of a recipe (`burl list noises`)")
-        ->check(CLI::IsMember(words(noise_kinds)));
+        ->check(one_of(words(noise_kinds)));
     verb.add_option("--fade", fade_, "value: linear, smooth or quintic")
-        ->check(CLI::IsMember(words(fade_names)))
+        ->check(one_of(words(fade_names)))
         ->capture_default_str();
     verb.add_option("--feature", feature_, "worley: f1, f2 or f2-f1")
-        ->check(CLI::IsMember(words(feature_names)))
+        ->check(one_of(words(feature_names)))
         ->capture_default_str();
     verb.add_option("--radius2", noise.radius2, "simplex in 3-D: squared radius of the kernels")
         ->check(in_range(0.1, 0.6))
@@ -60,7 +60,7 @@ void NoiseOptions::add(CLI::App& verb) {
         ->expected(1, 4)
         ->check(CLI::Range(std::uint32_t(0), largest_period));
     verb.add_option("--sum", sum_, "What octaves add: fbm, turbulence or ridged")
-        ->check(CLI::IsMember(words(sum_names)))
+        ->check(one_of(words(sum_names)))
         ->capture_default_str();
     verb.add_option("--octaves", fractal.octaves, "Octaves that are summed")
         ->check(CLI::Range(1, 24))
@@ -75,6 +75,21 @@ void NoiseOptions::add(CLI::App& verb) {
     verb.add_option("--warp", warp, "Cells by which noises of the same kind move the point")
         ->check(in_range(-1e3, 1e3))
         ->capture_default_str();
+}
+
+void NoiseOptions::check_given(const CLI::App& verb) const {
+    const auto refuse = [&](const char* option, bool idle, const char* of) {
+        if (idle && verb.count(option) > 0)
+            throw wrong_usage(fmt::format("{} is of {}; leave it out", option, of));
+    };
+    for (const char* option : {"--fade", "--feature", "--radius2", "--seed", "--period", "--sum",
+                               "--octaves", "--lacunarity", "--gain", "--normalized", "--warp"})
+        refuse(option, !given(), "--noise, and recipes have numbers of their own (--set)");
+    refuse("--fade", kind_ != "value", "value noise");
+    refuse("--feature", kind_ != "worley", "worley noise");
+    refuse("--radius2", kind_ != "simplex", "simplex noise");
+    for (const char* option : {"--lacunarity", "--gain", "--normalized"})
+        refuse(option, fractal.octaves == 1, "several octaves (--octaves)");
 }
 
 void NoiseOptions::resolve(std::size_t dimensions) {

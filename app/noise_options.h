@@ -19,6 +19,8 @@ struct NoiseOptions {
     /// --noise and what goes with it.
     void add(CLI::App& verb);
     bool given() const { return !kind_.empty(); }
+    /// Throws Error(usage) for an option on the verb's line that has no say in the noise.
+    void check_given(const CLI::App& verb) const;
     /// Fills `noise` and `fractal`; throws Error(usage) for what the kind cannot do.
     void resolve(std::size_t dimensions);
 

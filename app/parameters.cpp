@@ -191,7 +191,7 @@ std::string_view nearest_word(std::string_view word, std::span<const std::string
     std::size_t best = std::string_view::npos;
     for (const std::string_view candidate : candidates) {
         const std::size_t distance = edit_distance(word.substr(0, 200), candidate);
-        if (distance < best && distance < std::max(word.size(), candidate.size()))
+        if (distance < best && 2 * distance <= std::max(word.size(), candidate.size()))
             best = distance, nearest = candidate;
     }
     return nearest;

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "app/embedded.h"
+#include "app/parameters.h"
 #include "atlas/error.h"
 #include "atlas/mesh_builder.h"
 #include "atlas/mesh_readers.h"
@@ -27,8 +28,13 @@ FileBuffer sample_file(const std::string& argument) {
     for (const EmbeddedFile& file : embedded_meshes()) {
         if (file.name == file_name) return buffer_from(file.content, file_name);
     }
-    throw Error(ExitCode::usage, fmt::format("there is no mesh \"{}\"; the samples are {}",
-                                             argument, fmt::join(sample_mesh_names(), ", ")));
+    const std::vector<std::string> names = sample_mesh_names();
+    const std::vector<std::string_view> words(names.begin(), names.end());
+    const std::string_view nearest = nearest_word(argument.substr(prefix.size()), words);
+    const std::string hint =
+        nearest.empty() ? "" : fmt::format("did you mean \"{}{}\"? ", prefix, nearest);
+    throw Error(ExitCode::usage, fmt::format("there is no mesh \"{}\"; {}the samples are {}",
+                                             argument, hint, fmt::join(names, ", ")));
 }
 
 Mesh sample_mesh(const std::string& argument, const ReadOptions& options) {

@@ -6,6 +6,7 @@
 
 #include "app/bake_job.h"
 #include "app/verbs.h"
+#include "atlas/error.h"
 #include "atlas/freed_memory.h"
 
 namespace burl {
@@ -36,11 +37,15 @@ void add_bake(CLI::App& program) {
     auto command = std::make_shared<BakeCommand>();
     add_bake_options(*verb, *command);
     add_run_options(*verb, *command);
-    verb->add_flag("--json", command->json, "Print the report as JSON on stdout");
-    verb->add_option("--report", command->report,
-                     "Write the report as JSON to this file (- for stdout)");
-    verb->add_flag("-q,--quiet", command->quiet, "Print nothing on stdout");
-    verb->callback([command, verb] { run_bake(*command, bake_settings(*verb)); });
+    add_report_options(*verb, *command);
+    verb->callback([command, verb] {
+        check_report_options(command->json, command->report, command->quiet);
+        if (command->economy.cache_megabytes && !command->animation.asked())
+            throw Error(ExitCode::usage,
+                        "--cache keeps what one frame leaves to the next; add --frames, or leave "
+                        "it out");
+        run_bake(*command, bake_settings(*verb));
+    });
 }
 
 }  // namespace burl

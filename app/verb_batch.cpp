@@ -14,6 +14,7 @@
 #include "app/bake_job.h"
 #include "app/batch_manifest.h"
 #include "app/command_files.h"
+#include "app/messages.h"
 #include "app/real_path.h"
 #include "app/up_to_date.h"
 #include "app/verbs.h"
@@ -25,9 +26,8 @@ namespace burl {
 namespace {
 
 struct BatchCommand {
-    std::string manifest, report;
-    BakeCommand run;  ///< add_run_options' only
-    bool json = false, quiet = false;
+    std::string manifest;
+    BakeCommand run;  ///< add_run_options' and add_report_options' only
 };
 
 /// An entry on its way.
@@ -94,7 +94,7 @@ void check_outputs(const BatchCommand& command, const std::vector<Bake>& bakes,
 
 /// The report must leave all that the batch reads and writes alone.
 void check_report(const BatchCommand& command, const std::vector<Bake>& bakes) {
-    if (command.report.empty() || command.report == "-") return;
+    if (command.run.report.empty() || command.run.report == "-") return;
     CommandFiles files;
     files.read({&command.manifest, 1});
     for (const Bake& bake : bakes) files.read(bake.job.inputs());
@@ -102,7 +102,7 @@ void check_report(const BatchCommand& command, const std::vector<Bake>& bakes) {
         for (const std::string& output : bake.job.outputs()) files.write(output);
         files.write(record_path(bake.job.command().out));
     }
-    files.write(command.report);
+    files.write(command.run.report);
 }
 
 /// All entries, or, after a line for everything that is wrong, an Error.
@@ -270,18 +270,20 @@ LaterBake later_of(const Group& group, std::size_t i) {
 }
 
 void run_batch(const BatchCommand& command) {
+    const BakeCommand& run = command.run;
+    check_report_options(run.json, run.report, run.quiet);
     std::vector<Bake> bakes = check_manifest(command);
-    const bool speaks = !command.json && !command.quiet && command.report != "-";
+    const bool speaks = !run.json && !run.quiet && run.report != "-";
     for (Group& group : groups_of(bakes)) {
         SharedMesh mesh;
         for (std::size_t i = 0; i < group.size(); ++i) {
             run_alone(*group[i], mesh, later_of(group, i));
-            if (speaks) fmt::print("{}\n", line_of(*group[i]));
+            if (speaks) print_line(line_of(*group[i]));
         }
     }
     const Json report = batch_json(bakes);
-    if (!command.report.empty()) write_json(command.report, report);
-    if (command.json) write_json("-", report);
+    if (!run.report.empty()) write_json(run.report, report);
+    if (run.json) write_json("-", report);
     const auto failed = std::ranges::count(bakes, "failed", &Bake::status);
     const auto first = std::ranges::find(bakes, "failed", &Bake::status);
     if (failed > 0)
@@ -299,10 +301,7 @@ void add_batch(CLI::App& program) {
                      "JSON file with the bakes: objects of `burl bake`'s options")
         ->required();
     add_run_options(*verb, command->run);
-    verb->add_flag("--json", command->json, "Print the report as JSON on stdout");
-    verb->add_option("--report", command->report,
-                     "Write the report as JSON to this file (- for stdout)");
-    verb->add_flag("-q,--quiet", command->quiet, "Print nothing on stdout");
+    add_report_options(*verb, command->run);
     verb->callback([command] { run_batch(*command); });
 }
 

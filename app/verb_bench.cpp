@@ -26,6 +26,7 @@
 #include "app/gl_context.h"
 #include "app/gl_edit_bench.h"
 #include "app/gl_edit_bench_open.h"
+#include "app/messages.h"
 #include "app/report.h"
 #include "app/simd_limit.h"
 #include "app/verbs.h"
@@ -162,8 +163,8 @@ void run_levels_bench(const BenchCommand& command) {
                "RMSE", "of avg", "truth +-", "ms", "of avg");
     for (const LevelBench& row : rows)
         fmt::print("{:<26} {:<10} {:>8.4f} {:>9.5f} {:>8.3f} {:>9.5f} {:>9.2f} {:>8.3f}\n",
-                   row.time.group, row.rule, row.samples, row.rmse, row.of_average, row.truth_noise,
-                   row.time.median * 1e3, row.time.times_first);
+                   printable(row.time.group), row.rule, row.samples, row.rmse, row.of_average,
+                   row.truth_noise, row.time.median * 1e3, row.time.times_first);
 }
 
 void run_plot(const BenchCommand& command) {
@@ -340,7 +341,7 @@ void add_bench(CLI::App& program) {
             "burl bench plot "
             "F.json -o F.svg")
         ->required()
-        ->check(CLI::IsMember(bench_suite_names()));
+        ->check(one_of(bench_suite_names()));
     verb->add_option(
         "file", command->file,
         "plot: the report, as -o wrote it; synthesis, resynthesis and levels: a mesh to texture");
@@ -372,8 +373,8 @@ void add_bench(CLI::App& program) {
                      "Also write the JSON to this file; plot: the .svg");
     verb->callback([command, verb] {
         std::vector<std::string> given;
-        for (const char* option :
-             {"-o", "--size", "--repeats", "--large", "--recipe", "--simd", "--gl", "--json"})
+        for (const char* option : {"-o", "--size", "--repeats", "--large", "--recipe", "--simd",
+                                   "--gl", "--json", "--thorough", "--case"})
             if (verb->count(option) > 0) given.emplace_back(option);
         check_bench(*command, given);
         if (!command->simd.empty()) limit_simd(command->simd);

@@ -68,7 +68,8 @@ void add_diff(CLI::App& program) {
     verb->add_option("-o,--output", command->out, "Write the difference in false colour (.png)");
     verb->add_option("--scale", command->options.scale, "Difference at which the false colours end")
         ->check(in_range(1.0 / 255.0, 1.0))
-        ->capture_default_str();
+        ->capture_default_str()
+        ->needs("--output");
     verb->add_flag("--surface", command->surface,
                    "Leave out pixels that show the renderer's background in either picture");
     verb->add_flag("--json", command->json, "Print JSON");

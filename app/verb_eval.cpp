@@ -1,6 +1,7 @@
 // `burl eval`: value, gradient and colour of a recipe, or of one noise, at given points, in float64
 // and another precision side by side: the way anyone checks the textures from outside.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <string_view>
@@ -9,6 +10,7 @@
 
 #include "app/command_options.h"
 #include "app/evaluate_points.h"
+#include "app/idle_options.h"
 #include "app/report.h"
 #include "app/verbs.h"
 #include "atlas/error.h"
@@ -25,6 +27,14 @@ struct EvalCommand {
     std::string points;
     bool json = false;
 };
+
+/// Of recipes whose texture is evaluated at points.
+constexpr std::array idle_in_eval{IdleKey{"atlas", "eval works without an atlas"},
+                                  IdleKey{"solid.space", "eval's points are in solid space"},
+                                  IdleKey{"bump", "eval is of the texture alone"},
+                                  IdleKey{"filter", "eval is of points, which no filter averages"},
+                                  IdleKey{"paint", "eval is of the texture below the paint"},
+                                  IdleKey{"pose", "eval has no mesh"}};
 
 std::string srgb_text(const Vec3d& linear) {
     const auto code = [](double x) {
@@ -111,11 +121,16 @@ void print_table(const PointFile& file, const std::vector<PointResult>& results,
 void run_eval(const EvalCommand& command, bool recipe_given) {
     if (recipe_given == command.noise.given())
         throw Error(ExitCode::usage, "name either a recipe or, with --noise, one noise");
-    if (!recipe_given && !command.recipe.settings.empty())
-        throw Error(ExitCode::usage, "--set edits recipes; a noise has options of its own");
+    if (!recipe_given && (!command.recipe.settings.empty() || command.recipe.time))
+        throw Error(ExitCode::usage,
+                    "--set and --time are of recipes; a noise has options of its own");
     // The points last: a wrong recipe should not need them.
     std::optional<Recipe> recipe;
-    if (recipe_given) recipe = command.recipe.load();
+    if (recipe_given) {
+        recipe = command.recipe.load();
+        refuse_edits(command.recipe, idle_in_eval);
+        check_edits(command.recipe, *recipe);
+    }
     const std::optional<std::string>& asked = command.recipe.precision;
     const Precision precision = recipe  ? recipe->precision
                                 : asked ? parse_precision(*asked)
@@ -143,7 +158,10 @@ void add_eval(CLI::App& program) {
     command->noise.add(*verb);
     command->recipe.add_precision(*verb, "float32, beside float64");
     verb->add_flag("--json", command->json, "Print JSON");
-    verb->callback([command, recipe] { run_eval(*command, recipe->count() > 0); });
+    verb->callback([command, recipe, verb] {
+        command->noise.check_given(*verb);
+        run_eval(*command, recipe->count() > 0);
+    });
 }
 
 }  // namespace burl

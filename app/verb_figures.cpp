@@ -80,7 +80,8 @@ void add_figures(CLI::App& program) {
         ->allow_extra_args(false)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     verb->add_flag("--commands", command->commands,
-                   "Print the commands that draw the figures' parts instead");
+                   "Print the commands that draw the figures' parts instead")
+        ->excludes("--output");
     verb->callback([command] { run_figures(*command); });
 }
 

@@ -1,10 +1,15 @@
 // `burl list`: what can be asked for, so that nobody has to guess a name.
+#include <algorithm>
+#include <span>
+
 #include <fmt/format.h>
 
+#include "app/command_options.h"
 #include "app/embedded.h"
 #include "app/figures.h"
 #include "app/gl_facts.h"
 #include "app/parameters.h"
+#include "app/preset_notes.h"
 #include "app/report.h"
 #include "app/sample_meshes.h"
 #include "app/verbs.h"
@@ -23,9 +28,10 @@ struct Entry {
 std::vector<Entry> recipe_entries() {
     std::vector<Entry> entries;
     for (const EmbeddedFile& file : embedded_recipes()) {
-        const Json recipe = Json::parse(file.content);
-        entries.push_back({std::string(file.name.substr(0, file.name.rfind('.'))),
-                           recipe.value("description", "")});
+        const std::string_view name = file.name.substr(0, file.name.rfind('.'));
+        const std::span<const PresetNote> notes = preset_notes();
+        const auto note = std::ranges::find(notes, name, &PresetNote::name);
+        entries.push_back({std::string(name), note == notes.end() ? "" : std::string(note->about)});
     }
     return entries;
 }
@@ -124,7 +130,7 @@ void add_list(CLI::App& program) {
     verb->add_option("what", *what,
                      "recipes, meshes, atlases, noises, nodes, parameters, figures or gl")
         ->required()
-        ->check(CLI::IsMember(
+        ->check(one_of(
             {"recipes", "meshes", "atlases", "noises", "nodes", "parameters", "figures", "gl"}));
     auto* gl = verb->add_option("--gl", *platform,
                                 "gl: osmesa (software) or egl (a graphics "

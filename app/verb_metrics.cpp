@@ -9,6 +9,7 @@
 
 #include "app/command_files.h"
 #include "app/command_options.h"
+#include "app/idle_options.h"
 #include "app/image_io.h"
 #include "app/level_errors.h"
 #include "app/metric_texture.h"
@@ -171,7 +172,7 @@ std::vector<AtlasKind> kinds_asked(const MetricsCommand& command, const Recipe& 
     if (std::has_single_bit(recipe.atlas.size)) {
         kinds.push_back(AtlasKind::quad);
     } else {
-        fmt::print(stderr, "quad is left out: its size must be a power of two\n");
+        warn("quad is left out: its size must be a power of two");
     }
     kinds.push_back(AtlasKind::patch);
     return kinds;
@@ -191,11 +192,39 @@ void check_pictures(const MetricsCommand& command, const Recipe& recipe, bool uv
     }
 }
 
+/// Edits of the texture have a say where it is looked up.
+void check_recipe(const MetricsCommand& command, const RecipeOptions& options,
+                  const Recipe& recipe) {
+    const bool looked_up =
+        (command.levels || !command.image.empty()) && command.texture == "recipe";
+    const char* const why = looked_up ? "metrics looks up the texture alone"
+                                      : "metrics looks up no texture of the recipe; add --levels "
+                                        "and --texture recipe";
+    std::vector<IdleKey> keys{{"bump", why}, {"filter", why}, {"paint", why}, {"pose", why}};
+    if (!looked_up)
+        for (const char* key : {"solid", "texture", "precision"}) keys.push_back({key, why});
+    refuse_edits(options, keys);
+    if (command.recipe.kind != "all") check_edits(options, recipe);
+}
+
+/// Where nothing but the file's own texture coordinates is measured.
+void check_uv_options(const MetricsCommand& command) {
+    RecipeOptions of_ours = command.recipe;
+    of_ours.size.reset();
+    for (const RecipeEdit& edit : of_ours.edits())
+        if (edit.path.starts_with("atlas.") && edit.path != "atlas.size")
+            throw Error(ExitCode::usage,
+                        fmt::format("{} is of our atlases, and {}'s own texture coordinates are "
+                                    "measured; add --atlas, or leave it out",
+                                    edit.said, command.mesh));
+}
+
 std::vector<MeasuredAtlas> measure_asked(const MetricsCommand& command, const Recipe& recipe,
                                          Measuring& measuring) {
     const bool has_uvs = !measuring.mesh().corners.uvs.empty(),
                asked = command.recipe.kind.has_value();
     const bool measure_uvs = command.uv || (has_uvs && !asked);
+    if (measure_uvs && !asked) check_uv_options(command);
     std::vector<AtlasKind> kinds;
     if (asked || !measure_uvs) kinds = kinds_asked(command, recipe);
     check_pictures(command, recipe, measure_uvs, kinds);
@@ -209,6 +238,7 @@ void run_metrics(const MetricsCommand& command) {
     RecipeOptions options = command.recipe;
     if (options.kind == "all") options.kind.reset();
     const Recipe recipe = options.load();
+    check_recipe(command, options, recipe);
     Measuring measuring(command, recipe);
     const std::vector<MeasuredAtlas> atlases = measure_asked(command, recipe, measuring);
     if (command.json) {
@@ -244,18 +274,25 @@ void add_metrics(CLI::App& program) {
         verb->add_option("--texture", command->texture,
                          "What is looked up: metric-marble, or the recipe's texture (default: the "
                          "recipe's if --recipe is given)");
-    texture->check(CLI::IsMember({metric_marble_name, "recipe"}));
+    texture->check(one_of({metric_marble_name, "recipe"}));
     verb->add_option("--fill", command->fill,
                      "Texels that show no triangle: extrapolate (the surface goes on for two "
                      "texels), nearest (copied) or black")
-        ->check(CLI::IsMember({"extrapolate", "nearest", "black"}))
+        ->check(one_of({"extrapolate", "nearest", "black"}))
         ->capture_default_str();
     verb->add_option("--image", command->image,
                      "Draw PREFIX-ATLAS-charts.png, -scale.png and -levels.png");
     verb->add_option("--view", command->view,
                      "Where --image looks from: AZ,EL,DIST as in burl render (default 30,20,3.5)");
     verb->add_flag("--json", command->json, "Print JSON");
+    verb->get_option("--view")->needs("--image");
     verb->callback([command, verb, texture] {
+        for (const char* option : {"--texture", "--fill"})
+            if (verb->count(option) > 0 && !command->levels && command->image.empty())
+                throw Error(ExitCode::usage,
+                            fmt::format("{} is about lookups; add --levels or --image, or leave it "
+                                        "out",
+                                        option));
         if (texture->count() == 0)
             command->texture =
                 verb->get_option("--recipe")->count() > 0 ? "recipe" : metric_marble_name;

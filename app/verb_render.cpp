@@ -1,6 +1,9 @@
 // `burl render`: a picture of a textured scene through OpenGL, of a recipe on a mesh as if it had
 // been baked (--lazy), or of the texture itself in float64 (--direct).
+#include <algorithm>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -11,6 +14,7 @@
 #include "app/gl_context.h"
 #include "app/gl_lazy_picture.h"
 #include "app/gl_render.h"
+#include "app/idle_options.h"
 #include "app/image_io.h"
 #include "app/lattice_check.h"
 #include "app/load_pose.h"
@@ -83,6 +87,8 @@ Image<Rgb8> draw_lazily(const RenderCommand& command, CommandFiles& files) {
     const View view = options.parsed_view();
     const Recipe recipe = options.recipe.load();
     files.read(files_of_recipe(options.recipe.recipe, recipe));
+    check_edits(options.recipe, recipe);
+    if (options.pose.empty()) refuse_edits(options.recipe, {&idle_pose, 1});
     Pipeline pipeline(options.meshes.load(options.scene));
     check_lattice(recipe, pipeline.mesh());
     pipeline.set_recipe(recipe);
@@ -100,11 +106,45 @@ Image<Rgb8> draw_lazily(const RenderCommand& command, CommandFiles& files) {
 /// One picture, or one per frame.
 void draw_truth(const RenderCommand& command, const std::vector<std::string>& paths,
                 CommandFiles& files) {
-    const std::vector<Recipe> recipes = frame_recipes(command.options.recipe, command.animation);
-    files.read(files_of_recipe(command.options.recipe.recipe, recipes[0]));
-    const DirectPicture draw(command.options);
-    files.read(draw.plane_files());
-    for (std::size_t i = 0; i < paths.size(); ++i) write_png(paths[i], draw(recipes[i]));
+    const DirectOptions& options = command.options;
+    const std::vector<PictureRecipes> frames = picture_recipes(options, command.animation);
+    files.read(files_of_recipe(options.recipe.recipe, frames[0].main));
+    for (std::size_t k = 0; k < options.planes.size(); ++k)
+        if (const std::optional<Recipe>& recipe = frames[0].planes[k])
+            files.read(files_of_recipe(parse_plane(options.planes[k]).recipe, *recipe));
+    const DirectPicture draw(options);
+    for (std::size_t i = 0; i < paths.size(); ++i) write_png(paths[i], draw(frames[i]));
+}
+
+/// Whether the options have a say, `given` those on the command line; what needs a verb's other
+/// options is said with these.
+void check_given(const RenderCommand& command, const std::vector<std::string>& given) {
+    const DirectOptions& options = command.options;
+    const auto refuse = [&](const std::vector<std::string>& idle, const char* why) {
+        for (const std::string& option : idle)
+            if (std::ranges::find(given, option) != given.end())
+                throw Error(ExitCode::usage, fmt::format("{} {}", option, why));
+    };
+    if (!command.direct && !command.lazy) {
+        refuse({"--recipe", "--set", "--time", "--precision", "--pose"},
+               "goes with --direct or --lazy: a scene that is drawn has its texture already");
+        refuse({"--crease", "--weld", "--unshare-instances"},
+               "goes with --direct or --lazy: a scene is drawn as it is");
+    }
+    if (options.unlit)
+        refuse({"--crease"}, "is about light, and --unlit draws without; leave one of them out");
+    if (options.widths)
+        refuse({"--filter"}, "averages the colour, and --widths shows none; leave one of them out");
+    if (command.lazy && options.filter && *options.filter != "mip")
+        refuse({"--level-rule"}, "makes MIP levels, which only --filter mip looks up");
+    const bool bare = std::ranges::any_of(
+        options.planes, [](const std::string& text) { return parse_plane(text).recipe.empty(); });
+    if (!options.scene.empty() || options.planes.empty()) return;
+    refuse({"--crease", "--weld", "--unshare-instances"},
+           "is about a mesh, and there are planes alone; leave it out");
+    if (!bare)
+        refuse({"--recipe"},
+               "is shown nowhere: every plane names a recipe of its own; leave it out");
 }
 
 void run_render(const RenderCommand& command) {
@@ -150,12 +190,10 @@ void add_render(CLI::App& program) {
     for (const char* option : {"--frames", "--plane", "--widths"})
         verb->get_option(option)->needs(direct);
     verb->callback([command, verb] {
-        for (const char* option : {"--recipe", "--set", "--time", "--precision", "--pose"})
-            if (verb->count(option) > 0 && !command->direct && !command->lazy)
-                throw Error(ExitCode::usage,
-                            fmt::format("{} goes with --direct or --lazy: a scene that is drawn "
-                                        "has its texture already",
-                                        option));
+        std::vector<std::string> given;
+        for (const CLI::Option* option : verb->get_options())
+            if (option->count() > 0) given.push_back("--" + option->get_single_name());
+        check_given(*command, given);
         run_render(*command);
     });
 }

@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
+#include "app/image_io.h"
 #include "app/pipeline.h"
 #include "atlas/error.h"
 #include "procedural/octaves.h"
@@ -267,6 +268,112 @@ TEST(AnimatedPicture, EndsWithThePicturesOfSingleRecipes) {
         EXPECT_EQ(slurp(scratch / fmt::format("a.000{}.png", frame)),
                   render("b.png", fmt::format("--set {}={}", amplitude, value)));
     EXPECT_NE(slurp(scratch / "a.0001.png"), slurp(scratch / "a.0003.png"));
+}
+
+/// Pictures of a sea under a sky, each with a recipe of its own.
+class AnimatedPlanes : public testing::Test {
+  protected:
+    Outcome render(const std::string& out, const std::string& options,
+                   const std::string& planes = "--plane sea:0,1,0,-0.6 --plane clouds:0,1,0,1") {
+        return run_burl(scratch,
+                        fmt::format("render --direct {} --view 0,-3,3.5 --unlit --size 40x30 "
+                                    "--supersample 1 -o '{}' {}",
+                                    planes, scratch / out, options));
+    }
+    /// The file of a picture that must be made.
+    std::string picture(const std::string& options) {
+        const Outcome outcome = render("one.png", options);
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        return slurp(scratch / "one.png");
+    }
+    std::string frame(int number) { return slurp(scratch / fmt::format("f.000{}.png", number)); }
+
+    const Scratch scratch;
+};
+
+TEST_F(AnimatedPlanes, MoveByTheNamesOfTheirRecipes) {
+    const Outcome outcome = render("f.png",
+                                   "--animate sea:solid.translate.2=0:-4 --animate "
+                                   "clouds:solid.translate.2=0:-2 --frames 3");
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_NE(frame(1), frame(2));
+    EXPECT_NE(frame(2), frame(3));
+    EXPECT_EQ(frame(1), picture(""));
+    EXPECT_EQ(frame(2),
+              picture("--set sea:solid.translate.2=-2 --set clouds:solid.translate.2=-1"));
+    EXPECT_EQ(frame(3),
+              picture("--set clouds:solid.translate.2=-2 --set sea:solid.translate.2=-4"));
+    EXPECT_NE(frame(3), picture("--set sea:solid.translate.2=-4"));
+    EXPECT_NE(frame(3), picture("--set clouds:solid.translate.2=-2"));
+}
+
+TEST_F(AnimatedPlanes, EditOneRecipeAndLeaveTheOther) {
+    const Image<Rgb8> plain = [&] {
+        picture("");
+        return read_png(scratch / "one.png");
+    }();
+    picture("--set 'sea:texture.stops=[[0,\"#ff0000\"]]'");
+    const Image<Rgb8> red = read_png(scratch / "one.png");
+    // The horizon lies above the middle; the picture looks up by three degrees.
+    EXPECT_EQ(red(20, 29), (Rgb8{255, 0, 0}));
+    EXPECT_NE(plain(20, 29), red(20, 29));
+    for (std::size_t x = 0; x < 40; ++x) EXPECT_EQ(plain(x, 0), red(x, 0));
+}
+
+TEST_F(AnimatedPlanes, ShareOneClockOfTheirKeys) {
+    const auto keyed = [&](const char* name, double seconds) {
+        return scratch.write(
+            name, fmt::format(R"({{"texture": {{"node": "scale", "a": "#ff8040", "b": 0}},
+                "animation": {{"seconds": {0}, "tracks":
+                [{{"path": "texture.b", "keys": [[0, 0], [{0}, 1]]}}]}}}})",
+                              seconds));
+    };
+    const std::string planes = fmt::format("--plane '{}:0,1,0,-0.6' --plane '{}:0,1,0,1'",
+                                           keyed("a.json", 2), keyed("b.json", 4));
+    ASSERT_EQ(render("f.png", "--frames 3", planes).exit_code, 0);
+    for (const auto& [number, seconds] : {std::pair(1, 0), std::pair(2, 2), std::pair(3, 4)}) {
+        ASSERT_EQ(render("one.png", fmt::format("--time {}", seconds), planes).exit_code, 0);
+        EXPECT_EQ(frame(number), slurp(scratch / "one.png")) << number;
+    }
+    EXPECT_NE(frame(1), frame(2));
+    EXPECT_NE(frame(2), frame(3));
+}
+
+TEST_F(AnimatedPlanes, ComputeInThePrecisionThatIsAsked) {
+    EXPECT_NE(picture("--precision fixed:8.4 --filter none"), picture("--filter none"));
+}
+
+TEST_F(AnimatedPlanes, RefuseEditsOfWhatIsNotShown) {
+    const std::pair<const char*, const char*> cases[] = {
+        {"--set solid.scale=2", "--set sea:PATH="},
+        {"--set see:solid.scale=2", "does not show a recipe see"},
+        {"--set sea:solid.scal=2", "did you mean \"solid.scale\"?"},
+        {"--set sea:texture.input.noise.5.gain=1", "next index"},
+        {"--animate solid.scale=1:2 --frames 2", "--animate sea:PATH="},
+        {"--animate sea:solid.scal=1:2 --frames 2", "--animate: there is no parameter"},
+        {"--frames 2", "no keys over time"},
+        {"--time 1", "keys over time"},
+        {"--set sea:atlas.size=4", "without an atlas"}};
+    for (const auto& [options, hint] : cases) {
+        const Outcome outcome = render("f.png", options);
+        EXPECT_EQ(outcome.exit_code, 1) << options;
+        expect_one_sentence(outcome.err);
+        EXPECT_THAT(outcome.err, testing::HasSubstr(hint)) << options;
+        EXPECT_EQ(scratch.files(), 0u) << options;
+    }
+}
+
+TEST_F(AnimatedPlanes, WithoutANameShowWhatTheMeshShows) {
+    const auto with_mesh = [&](const std::string& options) {
+        EXPECT_EQ(render("m.png", options,
+                         "sample:cube -r wood --plane 0,1,0,-1 --plane "
+                         "sea:0,1,0,-2")
+                      .exit_code,
+                  0);
+        return slurp(scratch / "m.png");
+    };
+    EXPECT_EQ(with_mesh("--set solid.scale=3"), with_mesh("--set wood:solid.scale=3"));
+    EXPECT_NE(with_mesh("--set solid.scale=3"), with_mesh(""));
 }
 
 }  // namespace

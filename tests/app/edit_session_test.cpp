@@ -136,6 +136,21 @@ TEST(EditSession, TheCommandLineIsQuotedForAShell) {
               "'name=\"it'\\''s\"' --set solid.scale=3.0");
 }
 
+TEST(EditSession, TheCommandLineLeavesOutWhatTheBakeHasNoUseFor) {
+    const Recipe base = load_recipe("marble");
+    const auto command = [&](const std::vector<std::string>& edits, const std::string& pose) {
+        return bake_command("m.obj", "marble", base, load_recipe("marble", edits), {"-o", "a.glb"},
+                            pose);
+    };
+    // What was touched while the atlas was quad, and the pose of another mesh.
+    const std::vector<std::string> touched{"atlas.gutter=2", "pose.weight=0.5", "solid.scale=3"};
+    EXPECT_EQ(command(touched, ""),
+              "burl bake m.obj -o a.glb --recipe marble --set solid.scale=3.0");
+    EXPECT_NE(command(touched, "nodes").find("0.5"), std::string::npos);
+    EXPECT_NE(command({"atlas.gutter=2", "atlas.kind=quad"}, "").find("--set atlas.gutter=2"),
+              std::string::npos);
+}
+
 TEST(EditSession, SettingsLeavePaintAlone) {
     EditSession session(load_recipe("marble", {"paint.0.points=[[1,2,3]]"}), "marble");
     const std::vector<PaintStroke> paint = session.recipe().paint;

@@ -104,7 +104,7 @@ TEST(ExportObj, MaterialIsCalledAfterMeshAndRecipeInOneWord) {
     export_scene(folder / "a.obj", mesh, pair_atlas(mesh, 64), sample_image(64),
                  {.recipe_name = "sea ice"});
     EXPECT_EQ(parse(folder / "a.obj").usemtl, "my__2_cube_sea_ice");
-    EXPECT_TRUE(content(folder / "a.mtl").starts_with("newmtl my__2_cube_sea_ice\n"));
+    EXPECT_TRUE(export_obj_content(folder / "a.mtl").starts_with("newmtl my__2_cube_sea_ice\n"));
 }
 
 TEST(ExportObj, SharedCornersShareLines) {

@@ -104,7 +104,7 @@ DirectOptions unlit(const std::string& view, const std::string& size) {
 }
 
 Image<Rgb8> drawn(const DirectOptions& options) {
-    return DirectPicture(options)(options.recipe.load());
+    return DirectPicture(options)(picture_recipes(options, {}).front());
 }
 
 /// A file with a recipe of one colour.

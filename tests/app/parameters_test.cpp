@@ -126,6 +126,16 @@ TEST(Parameters, AllowTheAtlasSizesTheLayoutDoes) {
     }
 }
 
+/// Whoever copies it should see no lines between triangles, whatever viewer opens the file.
+TEST(DocumentedRecipes, BeginWithAnAtlasForAnyViewer) {
+    const std::string all = documentation(), fence = "```";
+    const std::size_t begin = all.find('\n', all.find(fence + "json")) + 1;
+    const std::string first = all.substr(begin, all.find(fence, begin) - begin);
+    const Recipe recipe = parse_recipe(first, "docs/recipes.md");
+    EXPECT_EQ(recipe.name, "my marble");
+    EXPECT_EQ(recipe.atlas, AtlasOptions{});
+}
+
 TEST(Presets, AreAllDocumented) {
     const std::string all = documentation();
     const std::string text = all.substr(all.find("## Presets"));
@@ -143,6 +153,7 @@ TEST(NearestWord, CountsEdits) {
     EXPECT_EQ(nearest_word("gian", words), "gain");
     EXPECT_EQ(nearest_word("Phase", words), "phase");
     EXPECT_EQ(nearest_word("zzzzzz", words), "");
+    EXPECT_EQ(nearest_word("brightness", words), "");  // shares letters with all of them
     EXPECT_EQ(nearest_word("x", {}), "");
 }
 

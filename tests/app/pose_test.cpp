@@ -59,9 +59,10 @@ struct PoseBake : testing::Test {
         scratch.write("box.obj", box_obj(false));
         scratch.write("bent.obj", box_obj(true));
     }
-    Outcome bake(const std::string& out, const std::string& more) const {
-        return run_burl(scratch, fmt::format("bake '{}' -o '{}' -s 128 --tries 1 -q {}",
-                                             scratch / "box.obj", scratch / out, more));
+    Outcome bake(const std::string& out, const std::string& more,
+                 const char* atlas = "--tries 1") const {
+        return run_burl(scratch, fmt::format("bake '{}' -o '{}' -s 128 -q {} {}",
+                                             scratch / "box.obj", scratch / out, atlas, more));
     }
     std::string pose() const { return fmt::format("--pose '{}'", scratch / "bent.obj"); }
     Scratch scratch;
@@ -101,7 +102,7 @@ TEST_F(PoseBake, AGlbHasTheMeshAtRestAndTheWayToThePose) {
 }
 
 TEST_F(PoseBake, AnObjIsWrittenInThePose) {
-    ASSERT_EQ(bake("posed.obj", pose() + " --set pose.weight=0.5 --atlas quad").exit_code, 0);
+    ASSERT_EQ(bake("posed.obj", pose() + " --set pose.weight=0.5", "--atlas quad").exit_code, 0);
     const Mesh rest = read_mesh(scratch / "box.obj"), posed = read_mesh(scratch / "posed.obj");
     ASSERT_EQ(posed.triangles.size(), rest.triangles.size());
     for (std::size_t t = 0; t < rest.triangles.size(); ++t)

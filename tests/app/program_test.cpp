@@ -217,6 +217,67 @@ TEST(Program, HelpVersionAndLists) {
     EXPECT_EQ(run_burl(scratch, "").exit_code, 1);
 }
 
+TEST(Program, TellsWhatEveryPresetIs) {
+    const Scratch scratch;
+    const std::string table = run_burl(scratch, "list recipes").out;
+    const auto json = nlohmann::json::parse(run_burl(scratch, "list recipes --json").out);
+    EXPECT_GT(json.size(), 20u);
+    for (const auto& entry : json) {
+        const auto text = entry["text"].get<std::string>();
+        EXPECT_GT(text.size(), 20u) << entry;
+        EXPECT_NE(table.find(text), std::string::npos) << text;
+    }
+    EXPECT_NE(table.find("Rings of early and late wood"), std::string::npos);
+}
+
+TEST(Program, SaysWhatAMisspeltWordMayHaveMeant) {
+    const Scratch scratch;
+    const std::pair<const char*, const char*> cases[] = {
+        {"bke m.obj -o a.glb", "no verb or option 'bke'; did you mean bake?"},
+        {"mertics m.obj", "did you mean metrics?"},
+        {"--versoin", "did you mean --version?"},
+        {"bake m.obj -o a.glb --recpie wood", "no option --recpie; did you mean --recipe?"},
+        {"bake m.obj --ouput=a.glb", "no option --ouput; did you mean --output?"},
+        {"render m.obj -o a.png --supersampel 3", "did you mean --supersample?"},
+        {"bake sample:cube -o a.glb --recipe wod", "did you mean \"wood\"?"},
+        {"bake sample:teapto -o a.glb", "did you mean \"sample:teapot\"?"},
+        {"bake sample:cube -o a.glb --atlas qaud", "did you mean \"quad\"?"},
+        {"bake sample:cube -o a.glb --synth hots", "did you mean host?"},
+        {"bake sample:cube -o a.glb --set solid.scal=2", "did you mean \"solid.scale\"?"},
+        {"render --direct --plane cluods:0,1,0,1 -o a.png", "did you mean \"clouds\"?"},
+        {"list recpies", "did you mean recipes?"},
+        {"bench synthsis", "did you mean synthesis?"},
+        {"eval --noise perln --points p.csv", "did you mean perlin?"},
+        {"figures -o f --only seascpae", "did you mean \"seascape\"?"}};
+    for (const auto& [arguments, hint] : cases) {
+        const Outcome outcome = run_burl(scratch, arguments);
+        EXPECT_EQ(outcome.exit_code, 1) << arguments;
+        expect_one_sentence(outcome.err);
+        EXPECT_NE(outcome.err.find(hint), std::string::npos) << outcome.err;
+    }
+    // Nothing is near to this.
+    for (const char* arguments : {"xyzzy", "bake m.obj -o a.glb --xyzzy"})
+        EXPECT_EQ(run_burl(scratch, arguments).err.find("did you mean"), std::string::npos);
+}
+
+TEST(Program, NamesTheOptionWhoseValueIsWrong) {
+    const Scratch scratch;
+    const std::pair<const char*, const char*> cases[] = {
+        {"--size abc", "burl: --size abc: atlas.size is \"abc\", must be"},
+        {"--atlas cube", "burl: --atlas cube: "},
+        {"--tries 9", "burl: --tries 9: "},
+        {"--filter boxy", "burl: --filter boxy: "},
+        {"--filter supersample:abc", "burl: --filter supersample:abc: "},
+        {"--set solid.scale=abc", "burl: --set solid.scale=abc: "}};
+    for (const auto& [option, begin] : cases) {
+        const Outcome outcome =
+            run_burl(scratch, fmt::format("bake sample:cube -o a.png {}", option));
+        EXPECT_EQ(outcome.exit_code, 1) << option;
+        EXPECT_TRUE(outcome.err.starts_with(begin)) << outcome.err;
+        expect_one_sentence(outcome.err);
+    }
+}
+
 TEST(Program, TellsItsOpenGl) {
     const Scratch scratch;
     for (const char* platform : {"osmesa", "egl"}) {

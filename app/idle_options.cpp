@@ -1,0 +1,64 @@
+#include "app/idle_options.h"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+#include "atlas/error.h"
+
+namespace burl {
+
+namespace {
+
+constexpr std::array<std::string_view, 4> quad_keys{"atlas.weight", "atlas.partition",
+                                                    "atlas.gutter", "atlas.diagonals"};
+
+bool lies_in(std::string_view path, std::string_view key) {
+    return path.starts_with(key) && (path.size() == key.size() || path[key.size()] == '.');
+}
+
+std::string other_kind(std::string_view wanted, AtlasKind kind) {
+    return fmt::format(
+        "only {0} atlases have it, and this one is {1}; add --atlas {0}, or leave it "
+        "out",
+        wanted, to_string(kind));
+}
+
+}  // namespace
+
+std::string idle_reason(const Recipe& recipe, std::string_view path) {
+    const AtlasOptions& atlas = recipe.atlas;
+    if (std::ranges::find(quad_keys, path) != quad_keys.end()) {
+        if (atlas.kind != AtlasKind::quad) return other_kind("quad", atlas.kind);
+        const bool bilinear_only = path == "atlas.gutter" || path == "atlas.diagonals";
+        if (bilinear_only && atlas.overscan == Overscan::nearest)
+            return "with overscan nearest there is none of it; add --overscan bilinear, or leave "
+                   "it "
+                   "out";
+    }
+    if (path == "atlas.tries" && atlas.kind != AtlasKind::patch)
+        return other_kind("patch", atlas.kind);
+    if (path == "filter.samples" && recipe.filter.kind != FilterKind::supersample)
+        return "only --filter supersample takes samples; add that, or leave it out";
+    const bool bits = path == "precision.integer_bits" || path == "precision.fraction_bits";
+    if (bits && recipe.precision.kind != PrecisionKind::fixed)
+        return "only fixed point has these bits; use --precision fixed:I.F, or leave it out";
+    return "";
+}
+
+void check_edits(const RecipeOptions& options, const Recipe& recipe) {
+    for (const RecipeEdit& edit : options.edits())
+        if (const std::string why = idle_reason(recipe, edit.path); !why.empty())
+            throw Error(ExitCode::usage, fmt::format("{} does nothing: {}", edit.said, why));
+}
+
+void refuse_edits(const RecipeOptions& options, std::span<const IdleKey> keys) {
+    for (const RecipeEdit& edit : options.edits())
+        for (const auto& [key, why] : keys)
+            if (edit.said.starts_with("--set") && lies_in(edit.path, key))
+                throw Error(ExitCode::usage,
+                            fmt::format("{} does nothing: {}; leave it out", edit.said, why));
+}
+
+}  // namespace burl

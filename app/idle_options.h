@@ -1,0 +1,31 @@
+#pragma once
+// Options and edits on the command line that would change nothing are refused: whoever typed them
+// believes that they do. What a recipe's file says beside the point is left alone.
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "app/command_options.h"
+
+namespace burl {
+
+/// Why a number of the recipe has no say in its textures, with what to do about it; empty if it
+/// has.
+std::string idle_reason(const Recipe& recipe, std::string_view path);
+
+/// Throws Error(usage) for an edit of a number that has no say (idle_reason). `recipe`: what the
+/// options make.
+void check_edits(const RecipeOptions& options, const Recipe& recipe);
+
+/// A key of recipes and what makes it idle in a verb.
+struct IdleKey {
+    std::string_view key, why;
+};
+
+/// Throws Error(usage) for a --set of one of the keys or of what lies below it.
+void refuse_edits(const RecipeOptions& options, std::span<const IdleKey> keys);
+
+/// The same for meshes that have no pose.
+inline constexpr IdleKey idle_pose{"pose", "there is no --pose"};
+
+}  // namespace burl
