@@ -1,5 +1,7 @@
 #include "app/edit_keys.h"
 
+#include <imgui_internal.h>
+
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -85,6 +87,13 @@ void feed(ImGuiIO& io, const InputEvent& event) {
         case InputKind::close:
             break;
     }
+}
+
+void forget_unseen_popups() {
+    ImGuiContext& context = *ImGui::GetCurrentContext();
+    if (!context.IO.KeysDown[number_of("Escape")]) return;
+    while (!context.OpenPopupStack.empty() && !context.OpenPopupStack.back().Window)
+        context.OpenPopupStack.pop_back();
 }
 
 bool pressed(std::string_view shortcut) {

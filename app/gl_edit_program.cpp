@@ -177,6 +177,7 @@ void EditorProgram::panels(const std::vector<InputEvent>& events) {
     if (std::exchange(shown_title_, new_title) != new_title) window_->set_title(new_title);
     share_ = pose_share();
     posed_pick_.follow(object_.surface(), share_, is_moving());
+    forget_unseen_popups();
     ImGui::NewFrame();
     shortcuts();
     layout();

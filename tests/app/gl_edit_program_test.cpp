@@ -220,6 +220,23 @@ TEST_F(GlEditProgramTest, AWindowOfAnyWidthIsDrawn) {
     }
 }
 
+/// In the one frame in which the one menu is closed and the other not shown.
+TEST_F(GlEditProgramTest, EscapeBetweenTwoMenusClosesThem) {
+    const auto editor = start();
+    play(*editor, R"({"click": "menu:File"}, {"wait": 3})");
+    ASSERT_TRUE(editor->items().find("menu:Quit"));
+    const glm::dvec2 at = editor->items().find("menu:Edit").value().middle();
+    editor->frame({{InputKind::move, at}});
+    InputEvent escape{InputKind::key};
+    escape.text = "Escape";
+    escape.down = true;
+    editor->frame({escape});
+    escape.down = false;
+    editor->frame({escape});
+    play(*editor, R"({"wait": 3})");
+    EXPECT_FALSE(editor->items().find("menu:Quit"));
+}
+
 TEST_F(GlEditProgramTest, AnEditEndsTheComparison) {
     const auto editor = start();
     play(*editor, R"({"click": "tab:Parameters"}, {"wait": 2},
