@@ -46,7 +46,7 @@ struct MovedRecipe {
     std::vector<std::string> keys;  ///< those of --animate that are its own
 };
 
-/// For every frame what the recipes are in it, in their order. Recipes with keys share one clock:
+/// The recipes of every frame, each in their order. Recipes with keys share one clock:
 /// the frames are spread over the time of the one that takes longest. `animation`: --frames and
 /// --loop. Throws Error as the other one does.
 std::vector<std::vector<Recipe>> frame_recipes(std::span<const MovedRecipe> recipes,

@@ -149,7 +149,7 @@ void BakeJob::check() const {
     check_idle();
 }
 
-/// Whatever would change nothing is refused.
+/// Refuses what would change nothing.
 void BakeJob::check_idle() const {
     const auto refuse = [&](const char* option, const char* why) {
         throw Error(ExitCode::usage, fmt::format("{}: {} does nothing: {}; leave it out",

@@ -74,7 +74,7 @@ Vec3d step_at_rest(const Mesh& posed, const Mesh& rest, std::uint32_t triangle, 
            (ee * b - ef * a) / area * (rest.positions[r[2]] - rest.positions[r[0]]);
 }
 
-/// Of recipes that are drawn without being baked.
+/// The keys that have no say in a picture of what has not been baked.
 constexpr std::array idle_keys{
     IdleKey{"atlas", "--direct draws without an atlas"},
     IdleKey{"paint", "--direct draws the texture below the paint"},
@@ -104,7 +104,7 @@ class ShownRecipes {
         return result;
     }
 
-    /// Out of the recipes of with_edits(), in their order.
+    /// The picture of recipes in the order of with_edits().
     PictureRecipes picture(const std::vector<Recipe>& recipes) const {
         PictureRecipes result;
         const std::size_t main = place_of("");

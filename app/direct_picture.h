@@ -33,7 +33,7 @@ struct DirectOptions {
     PictureOptions picture_options() const;
 };
 
-/// What one picture shows.
+/// The recipes that one picture shows.
 struct PictureRecipes {
     Recipe main;  ///< that of --recipe: of the mesh, and of planes that name none
     std::vector<std::optional<Recipe>> planes;  ///< of those that name one, in the planes' order
@@ -51,7 +51,7 @@ class DirectPicture {
     /// Throws Error: usage for options that do not fit together, else as reading does.
     explicit DirectPicture(const DirectOptions& options);
 
-    /// Of picture_recipes(), or the main one alone where no plane names any. Throws
+    /// `recipes`: of picture_recipes(), or the main one alone where no plane names any. Throws
     /// Error(unsupported) as check_lattice does.
     Image<Rgb8> operator()(const PictureRecipes& recipes) const;
 

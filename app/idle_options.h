@@ -9,8 +9,8 @@
 
 namespace burl {
 
-/// Why a number of the recipe has no say in its textures, with what to do about it; empty if it
-/// has.
+/// The reason for which a number of the recipe has no say in its textures, and what to do about it;
+/// empty if it has one.
 std::string idle_reason(const Recipe& recipe, std::string_view path);
 
 /// Throws Error(usage) for an edit of a number that has no say (idle_reason). `recipe`: what the
@@ -25,7 +25,7 @@ struct IdleKey {
 /// Throws Error(usage) for a --set of one of the keys or of what lies below it.
 void refuse_edits(const RecipeOptions& options, std::span<const IdleKey> keys);
 
-/// The same for meshes that have no pose.
+/// The key that has no say in meshes without a pose.
 inline constexpr IdleKey idle_pose{"pose", "there is no --pose"};
 
 }  // namespace burl

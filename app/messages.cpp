@@ -32,7 +32,7 @@ std::size_t utf8_length(std::string_view text) {
     return wrong ? 0 : length;
 }
 
-/// Of one whole character.
+/// Whether a terminal obeys the character.
 bool commands_terminals(std::string_view character) {
     const auto first = static_cast<unsigned char>(character[0]);
     if (character.size() == 1) return first < 0x20 || first == 0x7f;

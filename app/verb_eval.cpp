@@ -28,7 +28,7 @@ struct EvalCommand {
     bool json = false;
 };
 
-/// Of recipes whose texture is evaluated at points.
+/// The keys that have no say in the texture at a point.
 constexpr std::array idle_in_eval{IdleKey{"atlas", "eval works without an atlas"},
                                   IdleKey{"solid.space", "eval's points are in solid space"},
                                   IdleKey{"bump", "eval is of the texture alone"},

@@ -6,6 +6,7 @@
 #include "app/atomic_file.h"
 #include "app/export.h"
 #include "app/figures.h"
+#include "app/messages.h"
 #include "app/palette.h"
 #include "app/verbs.h"
 #include "atlas/error.h"
@@ -65,8 +66,8 @@ void run_figures(const FiguresCommand& command) {
         const Image<Rgb8> picture = draw_figure(chosen[i]);
         const std::vector<std::uint8_t> bytes = encode_small_png(picture, figure_limit);
         write_file(paths[i], bytes);
-        fmt::print("{}: {} x {} pixels, {} bytes\n", paths[i], picture.width(), picture.height(),
-                   bytes.size());
+        print_line(fmt::format("{}: {} x {} pixels, {} bytes", paths[i], picture.width(),
+                               picture.height(), bytes.size()));
     }
 }
 

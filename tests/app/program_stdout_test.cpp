@@ -32,7 +32,7 @@ class RunningBurl {
         posix_spawn_file_actions_destroy(&actions);
     }
     void kill() const { ::kill(process_, SIGKILL); }
-    /// As waitpid gives it.
+    /// Waits for its end.
     int status() const {
         int status = 0;
         EXPECT_EQ(waitpid(process_, &status, 0), process_);
