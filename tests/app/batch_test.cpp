@@ -168,7 +168,7 @@ TEST_F(Batch, TheManifestAndWhatItsBakesReadStayAsTheyAre) {
         EXPECT_TRUE(outcome.exit_code == 1 || outcome.exit_code == 2) << outcome.exit_code;
         EXPECT_NE(outcome.err, "");
         EXPECT_EQ(slurp(scratch / "batch.json"), manifest) << keys << options;
-        EXPECT_EQ(slurp(scratch / "square.obj"), square) << keys << options;
+        EXPECT_EQ(slurp(scratch / "square.obj"), batch_square) << keys << options;
         EXPECT_EQ(scratch.files(), 3u) << keys << options;
     };
     refused(R"(, "emit-glsl": "batch.json")", "");

@@ -182,7 +182,8 @@ TEST_F(UpToDateBake, TheFilesOfAnotherBakeAreNotItsOwn) {
 }
 
 TEST_F(UpToDateBake, NamesThatAreNotUtf8AreReplacedInJson) {
-    const std::string odd = scratch.write("m\xff.obj", square), picture = scratch / "p\xfe.png";
+    const std::string odd = scratch.write("m\xff.obj", up_to_date_square),
+                      picture = scratch / "p\xfe.png";
     const std::string command = fmt::format("bake '{}' -o '{}' --size 64 --json", odd, picture);
     const Outcome outcome = run_burl(scratch, command);
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;

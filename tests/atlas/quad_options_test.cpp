@@ -102,10 +102,11 @@ double pieces_per_square(const Mesh& mesh, const Atlas& atlas, std::uint32_t dep
 
 TEST(QuadGraph, ClustersAreMostlyInOnePiece) {
     const Mesh sheets = two_sheets(), ball = made::ball(4);
-    EXPECT_GE(pieces_per_square(sheets, layout(sheets, quad(128)), 3), 2.0);
+    EXPECT_GE(pieces_per_square(sheets, quad_options_layout(sheets, quad(128)), 3), 2.0);
     for (const Mesh& mesh : {sheets, ball})
         for (const std::uint32_t depth : {1u, 2u, 3u})
-            EXPECT_LE(pieces_per_square(mesh, layout(mesh, by_graph(128)), depth), 1.1) << depth;
+            EXPECT_LE(pieces_per_square(mesh, quad_options_layout(mesh, by_graph(128)), depth), 1.1)
+                << depth;
 }
 
 TEST(QuadGraph, TilesTheSquareAndRepeatsBitForBitAtEveryScale) {
