@@ -46,7 +46,8 @@ void EditorProgram::take_files() {
     const bool asked = files_.asks();
     for (FileRead& read : files_.take(session_.history().changed())) {
         const bool nothing_open = read.kind == FileKind::mesh && files_.mesh().empty();
-        if (read.problem && nothing_open) throw Error(*read.problem);
+        if (read.problem && nothing_open && read.path == first_mesh_) throw Error(*read.problem);
+        if (read.problem && nothing_open) files_.open(first_mesh_);  // whose place it was to take
         if (read.problem)
             session_.complain(read.problem->what());
         else if (read.kind == FileKind::mesh)

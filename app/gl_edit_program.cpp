@@ -51,6 +51,7 @@ EditorProgram::EditorProgram(std::unique_ptr<GlWindow> window, const EditorOptio
       session_(load_recipe(options.recipe, options.settings), options.recipe),
       autosave_(options.autosave),
       export_([this] { window_->wake(); }),
+      first_mesh_(options.mesh),
       files_([this] { window_->wake(); }, options.recent),
       baker_([this] { window_->wake(); }),
       posed_pick_([this] { window_->wake(); }),

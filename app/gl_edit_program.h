@@ -197,6 +197,7 @@ class EditorProgram {
     bool screenshot_due_ = false;
     EditExport export_;
     FrameTimes times_;
+    std::string first_mesh_;  ///< what the editor was started with
     EditOpenFiles files_;
     GlImGui::OpaqueImage object_image_{};
 

@@ -360,6 +360,23 @@ TEST_F(GlEditFilesTest, ExportsWhatTheCommandInTheLogWrites) {
     }
 }
 
+TEST_F(GlEditFilesTest, ABadFileDroppedBeforeTheFirstMeshIsThereEndsNothing) {
+    write_file(folder / "bad.obj", "v 0 0 0\nf 1 2 3\n");
+    save("marble");
+    EditorOptions options;
+    options.mesh = "sample:cube";
+    options.recipe = folder / "r.json";
+    options.gallery = false;
+    EditorProgram editor(create_unseen_window(create_osmesa_context(), {400, 320}), options);
+    InputEvent drop{InputKind::drop};
+    drop.files = {folder / "bad.obj"};
+    editor.frame({drop});
+    play(editor, settle);
+    EXPECT_EQ(editor.files().mesh(), "sample:cube");
+    EXPECT_GT(triangles(editor), 0u);
+    EXPECT_NE(editor.session().log().front().text.find("bad.obj:2"), std::string::npos);
+}
+
 TEST_F(GlEditFilesTest, AFirstMeshThatCannotBeReadEndsIt) {
     EXPECT_THROW(open(folder / "missing.obj", "marble"), Error);
 }
