@@ -1,7 +1,7 @@
 #pragma once
 // Clusters of the quad atlas by the paper's own means: the graph of neighbouring pairs is bisected
 // by a multilevel partitioner (Karypis & Kumar; Carr & Hart 2001, section 4.3), so that clusters
-// are connected on the surface and have short borders.
+// have short borders and are mostly, though not always, connected on the surface.
 #include <cstdint>
 #include <span>
 #include <vector>
