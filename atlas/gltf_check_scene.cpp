@@ -185,8 +185,8 @@ void check_animation(const GltfChecker& gltf, const Json& animation, const std::
             gltf.fail(name, "'sampler' is out of range");
         const Json* target = gltf.object_in(c, "target", name);
         if (target == nullptr) return;
-        gltf.index_or_none(*target, "node", "nodes", name);
-        gltf.string_in(*target, "path", name);
+        gltf.index_or_none(*target, "node", "nodes", name + ".target");
+        gltf.string_in(*target, "path", name + ".target");
     });
 }
 

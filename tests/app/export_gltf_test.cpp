@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <tiny_gltf.h>
 
-#include <chrono>
+#include <ctime>
 
 #include "app/export.h"
 #include "app/image_io.h"
@@ -238,9 +238,9 @@ TEST(ExportGltf, ManyPlacementsOfOneNameGetNumbersInALittleTime) {
     EXPECT_EQ(few, (std::vector<std::string>{"Cube 3", "Cube", "Cube 2", "Cube 4", "Cube 5",
                                              "Cube 6", "Cube 7", "Cube 8", "Cube 9", "Cube 10",
                                              "Cube 11", "Cube 12"}));
-    const auto start = std::chrono::steady_clock::now();
+    const std::clock_t start = std::clock();
     EXPECT_EQ(node_names(folder, 20000).back(), "Cube 20000");
-    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
+    EXPECT_LT(std::clock() - start, 10 * CLOCKS_PER_SEC);
 }
 
 TEST(ExportGltf, PlacementsBeyondFloatsAreRefused) {

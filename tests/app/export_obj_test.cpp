@@ -101,8 +101,9 @@ TEST(ExportObj, MaterialIsCalledAfterMeshAndRecipeInOneWord) {
     const ScratchFolder folder;
     Mesh mesh = cube_mesh();
     mesh.name = "my #2\tcube";
-    export_scene(folder / "a.obj", mesh, pair_atlas(mesh, 64), sample_image(64),
-                 {.recipe_name = "sea ice"});
+    ExportOptions options;
+    options.recipe_name = "sea ice";
+    export_scene(folder / "a.obj", mesh, pair_atlas(mesh, 64), sample_image(64), options);
     EXPECT_EQ(parse(folder / "a.obj").usemtl, "my__2_cube_sea_ice");
     EXPECT_TRUE(content(folder / "a.mtl").starts_with("newmtl my__2_cube_sea_ice\n"));
 }

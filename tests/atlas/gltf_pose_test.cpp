@@ -1,8 +1,8 @@
 // Poses of a glTF's own skeletons and animations, against closed forms.
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <cmath>
+#include <ctime>
 
 #include "atlas/mesh_pose.h"
 #include "gltf_files.h"
@@ -159,11 +159,11 @@ TEST(GltfPose, ManyTargetsAreNamedInOnePassAndAFewOfThemInMessages) {
     auto& mesh = file.root["meshes"][0];
     constexpr int count = 50000;
     mesh["primitives"][0]["targets"] = GltfFile::Json(count, mesh["primitives"][0]["targets"][0]);
-    const auto start = std::chrono::steady_clock::now();
+    const std::clock_t start = std::clock();
     EXPECT_EQ(names_of(file).size(), std::size_t(count));
     expect_error([&] { pose_of(file, "no"); }, ExitCode::usage, "those of the file are 0, 1, 2, ");
     expect_error([&] { pose_of(file, "no"); }, ExitCode::usage, ", 98, 99 and 49900 more");
-    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5));
+    EXPECT_LT(std::clock() - start, 5 * CLOCKS_PER_SEC);
 }
 
 TEST(GltfPose, KeysThatSamplersShareAreReadOnce) {
@@ -174,9 +174,9 @@ TEST(GltfPose, KeysThatSamplersShareAreReadOnce) {
     const int times = file.floats(seconds, "SCALAR", 1);
     const GltfFile::Json sampler{{"input", times}, {"output", times}};
     for (int i = 0; i < 5000; ++i) animation["samplers"].push_back(sampler);
-    const auto start = std::chrono::steady_clock::now();
+    const std::clock_t start = std::clock();
     EXPECT_EQ(names_of(file).back(), "wave@199999");
-    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(3));
+    EXPECT_LT(std::clock() - start, 3 * CLOCKS_PER_SEC);
 }
 
 }  // namespace

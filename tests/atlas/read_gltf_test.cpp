@@ -262,15 +262,15 @@ TEST(ReadGltf, WeldsSeamsAndKeepsAttributes) {
 }
 
 TEST(ReadGltf, InstancesLieWherePointsMay) {
-    expect_error([] { read_mesh(test::case_file("i2.gltf")); }, ExitCode::invalid_file,
-                 "nodes[1]: the positions of its mesh are not finite, or beyond 1e100");
+    test::expect_error([] { read_mesh(test::case_file("i2.gltf")); }, ExitCode::invalid_file,
+                       "nodes[1]: the positions of its mesh are not finite, or beyond 1e100");
     GltfFile file;
     file.triangle();
     file.node({{"mesh", 0}});
     file.node({{"mesh", 0}, {"scale", {1e99, 1, 1}}});
     EXPECT_EQ(file.read().parts.at(0).instances.size(), 2u);
     file.root["nodes"][1]["scale"] = {1e101, 1, 1};
-    expect_error([&] { file.read(); }, ExitCode::invalid_file, "nodes[1]: the positions");
+    test::expect_error([&] { file.read(); }, ExitCode::invalid_file, "nodes[1]: the positions");
 }
 
 }  // namespace
