@@ -104,9 +104,8 @@ TEST(GltfDocument, MemoryBombsAreRefusedInLittleMemory) {
         begin_peak();
         expect_error([&] { load_gltf(test::case_file(name)); }, ExitCode::invalid_file,
                      "elements have no bufferView");
-        if (counts_bytes()) {
-            EXPECT_LT(peak_bytes(), 1u << 20) << name;
-        }
+        if (!counts_bytes()) continue;
+        EXPECT_LT(peak_bytes(), 1u << 20) << name;
     }
 }
 
