@@ -109,42 +109,6 @@ TEST(QuadGraph, ClustersAreMostlyInOnePiece) {
                 << depth;
 }
 
-/// How many connected pieces the triangles have whose blocks lie in one of the 4^depth squares of
-/// the texture, in the mean of the squares.
-double pieces_per_square(const Mesh& mesh, const Atlas& atlas, std::uint32_t depth) {
-    const Connectivity connectivity = made::neighbours_by_brute_force(mesh);
-    const std::uint32_t side = atlas.options.size >> depth;
-    std::vector<std::uint32_t> square(mesh.triangles.size());
-    for (const Block& block : atlas.blocks) {
-        const auto x = std::uint32_t(block.x + block.width / 2) / side,
-                   y = std::uint32_t(block.y + block.height / 2) / side;
-        for (const std::int32_t t : {block.lower, block.upper})
-            if (t >= 0) square[std::size_t(t)] = (y << depth) + x;
-    }
-    std::vector<bool> reached(square.size(), false);
-    std::size_t pieces = 0;
-    for (std::size_t first = 0; first < square.size(); ++first) {
-        if (reached[first]) continue;
-        ++pieces;
-        for (std::vector<std::size_t> open{first}; !open.empty();) {
-            const std::size_t t = open.back();
-            open.pop_back();
-            if (reached[t]) continue;
-            reached[t] = true;
-            for (const std::int32_t n : connectivity.neighbours[t])
-                if (n >= 0 && square[std::size_t(n)] == square[t]) open.push_back(std::size_t(n));
-        }
-    }
-    return double(pieces) / double(std::set(square.begin(), square.end()).size());
-}
-
-TEST(QuadGraph, ClustersAreMostlyInOnePiece) {
-    const Mesh sheets = two_sheets(), ball = made::ball(4);
-    EXPECT_GE(pieces_per_square(sheets, layout(sheets, quad(128)), 3), 2.0);
-    for (const Mesh& mesh : {sheets, ball})
-        for (const std::uint32_t depth : {1u, 2u, 3u})
-            EXPECT_LE(pieces_per_square(mesh, layout(mesh, by_graph(128)), depth), 1.1) << depth;
-}
 
 TEST(QuadGraph, TilesTheSquareAndRepeatsBitForBitAtEveryScale) {
     for (const auto& [name, mesh] : made::all()) {
