@@ -109,7 +109,6 @@ TEST(QuadGraph, ClustersAreMostlyInOnePiece) {
                 << depth;
 }
 
-
 TEST(QuadGraph, TilesTheSquareAndRepeatsBitForBitAtEveryScale) {
     for (const auto& [name, mesh] : made::all()) {
         const Atlas atlas = quad_options_layout(mesh, by_graph(64));
