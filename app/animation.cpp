@@ -6,6 +6,8 @@
 #include <string_view>
 #include <utility>
 
+#include <CLI/CLI.hpp>
+
 #include "app/keyed_recipe.h"
 #include "app/schema_tree.h"
 #include "atlas/error.h"

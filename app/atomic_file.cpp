@@ -43,8 +43,10 @@ std::string temporary_name(const std::string& path, int attempt) {
 
 /// Files are locked as long as they are written, and locks go with the process.
 void lock_for_this_run(int descriptor) {
-    // Where there are no locks nothing is removed either.
-    (void)::flock(descriptor, LOCK_EX | LOCK_NB);
+    // Waits for a run that takes the file for a left-over one: was_removed tells afterwards whether
+    // it did away with it. Where there are no locks nothing is removed either.
+    while (::flock(descriptor, LOCK_EX) != 0 && errno == EINTR) {
+    }
 }
 
 /// Removes a temporary file whose run was killed.
@@ -301,12 +303,16 @@ void clean_up_on_signals() {
         if (now.sa_handler == SIG_DFL) ::sigaddset(&signals, signal);
     }
     ::pthread_sigmask(SIG_BLOCK, &signals, nullptr);
-    std::thread([signals] {
-        int signal = 0;
-        while (::sigwait(&signals, &signal) != 0) {
-        }
-        end_by_signal(signal, signals);
-    }).detach();
+    try {
+        std::thread([signals] {
+            int signal = 0;
+            while (::sigwait(&signals, &signal) != 0) {
+            }
+            end_by_signal(signal, signals);
+        }).detach();
+    } catch (const std::system_error&) {  // no thread to be had: signals end the program at once
+        ::pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);
+    }
 }
 
 CommittedFile write_file(const std::string& path, std::span<const std::uint8_t> bytes) {

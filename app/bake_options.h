@@ -3,14 +3,16 @@
 #include <optional>
 #include <string>
 
-#include <CLI/CLI.hpp>
-
 #include "app/animation.h"
 #include "app/command_options.h"
 #include "app/economy_options.h"
 #include "app/gl_context.h"
 #include "app/json_text.h"
 #include "app/multipass_options.h"
+
+namespace CLI {
+class App;
+}
 
 namespace burl {
 

@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <string_view>
 
+#include <CLI/CLI.hpp>
+
 #include "app/file_bytes.h"
 #include "app/load_pose.h"
 #include "app/parameters.h"
@@ -125,7 +127,7 @@ void parse_entry(const Json& entry, const fs::path& folder, BatchEntry& result) 
 }
 
 /// The defaults with the entry's own values; edits of the recipe (`set`) follow those of the
-/// defaults.
+/// defaults, and null takes a default away.
 Json with_defaults(const Json& defaults, const Json& entry) {
     const auto list = [](const Json& value) { return value.is_array() ? value : Json{value}; };
     Json merged = defaults;
@@ -134,6 +136,8 @@ Json with_defaults(const Json& defaults, const Json& entry) {
             Json edits = list(merged["set"]);
             for (const Json& edit : list(item.value())) edits.push_back(edit);
             merged["set"] = std::move(edits);
+        } else if (item.value().is_null()) {
+            merged.erase(item.key());
         } else {
             merged[item.key()] = item.value();
         }

@@ -90,6 +90,7 @@ void add_named_by_obj(const std::string& path, std::vector<std::string>& files) 
     const std::string_view text = file.text(), keyword = "mtllib ";
     for (std::size_t at = text.find(keyword); at != std::string_view::npos;
          at = text.find(keyword, at + 1)) {
+        if (at > 0 && text[at - 1] != '\n' && text[at - 1] != '\r') continue;
         const std::size_t begin = at + keyword.size();
         std::string_view name = text.substr(begin, text.find_first_of("\r\n", begin) - begin);
         while (name.ends_with(' ') || name.ends_with('\t')) name.remove_suffix(1);
@@ -113,9 +114,13 @@ void FileNames::add(const std::string& path, std::string note) {
     if (const auto inode = inode_of(path)) by_inode_.emplace(*inode, index);
 }
 
+const FileNames::Known* FileNames::find_path(const std::string& path) const {
+    const auto found = by_path_.find(real_path(path));
+    return found == by_path_.end() ? nullptr : &known_[found->second];
+}
+
 const FileNames::Known* FileNames::find(const std::string& path) const {
-    if (const auto found = by_path_.find(real_path(path)); found != by_path_.end())
-        return &known_[found->second];
+    if (const Known* known = find_path(path)) return known;
     if (const auto inode = inode_of(path))
         if (const auto found = by_inode_.find(*inode); found != by_inode_.end())
             return &known_[found->second];
@@ -138,7 +143,7 @@ void CommandFiles::write(const std::string& path, std::string_view extension) {
     check_output_folder(path);
     check_output_file(path);
     if (const auto* other = read_.find(path)) refuse_overwriting(path, other->name, "reads");
-    if (const auto* other = written_.find(path))
+    if (const auto* other = written_.find_path(path))
         refuse_overwriting(path, other->name, "also writes");
     written_.add(path);
 }

@@ -26,6 +26,8 @@ class FileNames {
     };
     /// Null for a file that was not added.
     const Known* find(const std::string& path) const;
+    /// By real path alone, for files that are replaced: their other hard links stay as they are.
+    const Known* find_path(const std::string& path) const;
 
   private:
     std::vector<Known> known_;
@@ -53,15 +55,15 @@ class CommandFiles {
 void add_named_by_gltf(const std::string& path, std::initializer_list<const char*> lists,
                        std::vector<std::string>& files);
 
-/// What must stay as it is where the mesh is read: its file and those it names, which are buffers
-/// and images of a glTF and material libraries of an OBJ. None for a sample mesh or an empty path.
-/// What cannot be read is left for the reader to say.
+/// Files that must stay as they are while the mesh is read: its own and those it names, which are
+/// buffers and images of a glTF and material libraries of an OBJ. None for a sample mesh or an
+/// empty path. Unreadable ones are left for the reader to report.
 std::vector<std::string> files_of_mesh(const std::string& mesh_path);
 
 /// The images a recipe reads, its bumps' included, from the folder of its file on.
 std::vector<std::string> images_of_recipe(const std::string& path_or_preset, const Recipe& recipe);
 
-/// The same and the recipe's own file, if it is no preset.
+/// Those images and the recipe's own file, if it is no preset.
 std::vector<std::string> files_of_recipe(const std::string& path_or_preset, const Recipe& recipe);
 
 }  // namespace burl

@@ -5,12 +5,15 @@
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
-
 #include "app/recipe.h"
 #include "app/recipe_images.h"
 #include "atlas/mesh_io.h"
 #include "procedural/kernel.h"
+
+namespace CLI {
+class App;
+class Validator;
+}  // namespace CLI
 
 namespace burl {
 

@@ -6,6 +6,8 @@
 #include <string_view>
 #include <utility>
 
+#include <CLI/CLI.hpp>
+
 #include "app/idle_options.h"
 #include "app/lattice_check.h"
 #include "app/load_pose.h"
@@ -169,7 +171,10 @@ std::vector<PictureRecipes> picture_recipes(const DirectOptions& options,
     const std::vector<MovedRecipe> recipes = shown.with_edits(animation);
     for (const MovedRecipe& recipe : recipes) {
         refuse_edits(recipe.options, idle_keys);
-        if (options.pose.empty()) refuse_edits(recipe.options, {&idle_pose, 1});
+        refuse_moves(recipe.keys, idle_keys);
+        if (!options.pose.empty()) continue;
+        refuse_edits(recipe.options, {&idle_pose, 1});
+        refuse_moves(recipe.keys, {&idle_pose, 1});
     }
     std::vector<PictureRecipes> pictures;
     for (const std::vector<Recipe>& frame : frame_recipes(recipes, animation))

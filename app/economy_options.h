@@ -5,9 +5,11 @@
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
-
 #include "procedural/economy.h"
+
+namespace CLI {
+class App;
+}
 
 namespace burl {
 

@@ -123,7 +123,9 @@ void EditHistory::mark_saved(const std::string& path) {
     document().path = path;
     document().file = spelling_of(path);
     saved_[document().file] = now_;
-    steps_[at_].left.reset();
+    // What another document left unsaved is still to be lost.
+    if (const auto left = steps_[at_].left; left && steps_[*left].document == steps_[at_].document)
+        steps_[at_].left.reset();
     look_back();
 }
 

@@ -1,6 +1,5 @@
 // Vertices are numbered by first use, so the arrays follow the triangles and are deterministic.
-// ExportCorners can agree only where they meet at a point of the mesh, so points are worked at
-// apart.
+// Corners can agree only where they meet at a point of the mesh, so points are worked at apart.
 #include "app/export_vertices.h"
 
 #include <algorithm>
@@ -237,7 +236,7 @@ void fill_vertex(PartVertices& out, std::size_t i, std::size_t corner, const Exp
     out.positions[i] = Vec3f((point - out.centre) / out.scale) + 0.0f;
     out.normals[i] = of.frames.normals[corner] + 0.0f;
     out.uvs[i] = {u + 0.0f, v + 0.0f};
-    // ExportCorners that share a vertex share their tangent.
+    // Corners that share a vertex share their tangent.
     if (!out.tangents.empty()) out.tangents[i] = of.frames.tangents[corner];
     // Blocks do not touch at corners, so a vertex has one.
     if (!out.blocks.empty()) out.blocks[i] = rectangle_of(of.atlas, of.atlas.blocks[of.blocks[t]]);

@@ -37,6 +37,14 @@ std::string info_log(GLuint object, Get get, GetLog get_log) {
 }
 
 /// A compiled shader, deleted at the end of the scope that links it.
+/// A compiler's log as one line of a message, its lines apart by semicolons.
+std::string in_one_line(const std::string& log) {
+    std::string line;
+    for (const char c : log.substr(0, log.find_last_not_of(" \n\r\t") + 1))
+        line += c == '\n' ? std::string("; ") : std::string(1, c);
+    return line;
+}
+
 class Shader {
   public:
     Shader(const GladGLContext& gl, GLenum kind, const std::string& name, std::string_view source,
@@ -52,9 +60,9 @@ class Shader {
         std::string log = info_log(shader_, gl_.GetShaderiv, gl_.GetShaderInfoLog);
         gl_.DeleteShader(shader_);
         if (reword) log = reword(kind, log);
-        throw Error(ExitCode::runtime,
-                    fmt::format("the {} shader of {} does not compile: {}",
-                                kind == GL_VERTEX_SHADER ? "vertex" : "fragment", name, log));
+        throw Error(ExitCode::runtime, fmt::format("the {} shader of {} does not compile: {}",
+                                                   kind == GL_VERTEX_SHADER ? "vertex" : "fragment",
+                                                   name, in_one_line(log)));
     }
     Shader(const Shader&) = delete;
     Shader& operator=(const Shader&) = delete;
@@ -129,9 +137,10 @@ void GlProgram::link(const std::string& name, std::string_view vertex_source,
     GLint linked = GL_FALSE;
     gl_->GetProgramiv(program_, GL_LINK_STATUS, &linked);
     if (linked == GL_TRUE) return;
-    throw Error(ExitCode::runtime,
-                fmt::format("the shaders of {} do not link: {}", name,
-                            info_log(program_, gl_->GetProgramiv, gl_->GetProgramInfoLog)));
+    throw Error(
+        ExitCode::runtime,
+        fmt::format("the shaders of {} do not link: {}", name,
+                    in_one_line(info_log(program_, gl_->GetProgramiv, gl_->GetProgramInfoLog))));
 }
 
 GLint GlProgram::uniform(const char* name) const {

@@ -61,4 +61,12 @@ void refuse_edits(const RecipeOptions& options, std::span<const IdleKey> keys) {
                             fmt::format("{} does nothing: {}; leave it out", edit.said, why));
 }
 
+void refuse_moves(std::span<const std::string> moves, std::span<const IdleKey> keys) {
+    for (const std::string& move : moves)
+        for (const auto& [key, why] : keys)
+            if (lies_in(std::string_view(move).substr(0, move.find('=')), key))
+                throw Error(ExitCode::usage,
+                            fmt::format("--animate {} does nothing: {}; leave it out", move, why));
+}
+
 }  // namespace burl

@@ -25,6 +25,10 @@ struct IdleKey {
 /// Throws Error(usage) for a --set of one of the keys or of what lies below it.
 void refuse_edits(const RecipeOptions& options, std::span<const IdleKey> keys);
 
+/// Throws Error(usage) for a key over time (--animate PATH=...) of one of the keys or of what lies
+/// below it.
+void refuse_moves(std::span<const std::string> moves, std::span<const IdleKey> keys);
+
 /// The key that has no say in meshes without a pose.
 inline constexpr IdleKey idle_pose{"pose", "there is no --pose"};
 

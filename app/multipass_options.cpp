@@ -1,5 +1,7 @@
 #include "app/multipass_options.h"
 
+#include <CLI/CLI.hpp>
+
 #include "app/command_options.h"
 #include "atlas/error.h"
 

@@ -2,9 +2,11 @@
 // The papers' passes as the command line describes them: what `--synth gl-multipass` takes.
 #include <string>
 
-#include <CLI/CLI.hpp>
-
 #include "procedural/multipass_plan.h"
+
+namespace CLI {
+class App;
+}
 
 namespace burl {
 

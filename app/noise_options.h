@@ -4,10 +4,12 @@
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
-
 #include "procedural/fractal_sum.h"
 #include "procedural/noise.h"
+
+namespace CLI {
+class App;
+}
 
 namespace burl {
 

@@ -10,6 +10,7 @@
 #include <set>
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include "app/bake_job.h"
 #include "app/batch_manifest.h"
@@ -69,7 +70,7 @@ std::string clash(const Bake& bake, const FileNames& readers, FileNames& writers
     std::vector<std::string> files = bake.job.outputs();
     files.push_back(record_path(bake.job.command().out));
     for (const std::string& file : files) {
-        if (const auto* writer = writers.find(file))
+        if (const auto* writer = writers.find_path(file))
             return fmt::format("{} is written by another bake, too: {}", file, writer->note);
         if (const auto* reader = readers.find(file))
             return fmt::format("{} is what {}", file, reader->note);

@@ -2,6 +2,7 @@
 #include <array>
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include "app/command_options.h"
 #include "app/export.h"

@@ -3,6 +3,7 @@
 #include <span>
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include "app/command_options.h"
 #include "app/embedded.h"

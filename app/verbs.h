@@ -1,7 +1,9 @@
 #pragma once
 // The verbs of the program `burl`, one file each (verb_*.cpp). Each adds its options to the command
 // line and a callback that does the work; errors leave as burl::Error and are printed by main.
-#include <CLI/CLI.hpp>
+namespace CLI {
+class App;
+}
 
 namespace burl {
 
