@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double longest_frame = 30.0;  // seconds; more is a hang
+constexpr double longest_frame = 120.0;  // seconds; more is a hang, however busy the machine is
 
 /// The working folder, until the end.
 class WorkingFolder {
