@@ -87,7 +87,7 @@ struct TemporaryNames {
     std::set<std::string> names;
 };
 
-/// Of the process, as the file system's names are; never destroyed, since a signal may come last.
+/// One for the whole process; never destroyed, since a signal may come last.
 TemporaryNames& temporary_names() {
     static auto* const all = new TemporaryNames;
     return *all;

@@ -3,9 +3,9 @@
 // (O_TMPFILE); once all files of a group are complete and safe on disk they get their names at
 // once: a target that is new is linked, an old one replaced by way of a temporary name. A run that
 // fails, is interrupted or killed leaves the old file or none. Only a run that is killed (SIGKILL,
-// power) within the microseconds between two names may leave ".NAME.N.burl-tmp" behind, which the
-// next run that writes NAME removes; where the file system has no nameless files that name is used
-// from the start.
+// SIGQUIT, a crash, power) within the microseconds between two names may leave ".NAME.N.burl-tmp"
+// behind, which the next run that writes NAME removes; where the file system has no nameless files
+// that name is used from the start.
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -32,7 +32,7 @@ struct CommittedFile {
     bool operator==(const CommittedFile&) const = default;
 };
 
-/// What lies there now; nothing where no file does.
+/// The state of the file at the path; nothing where there is none.
 std::optional<CommittedFile> file_there(const std::string& path);
 
 class AtomicFile {

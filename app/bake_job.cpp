@@ -122,7 +122,7 @@ std::vector<std::string> BakeJob::outputs(std::uint32_t levels) const {
     return outputs;
 }
 
-/// What is written must leave all that is read, and all else that is written, alone.
+/// Refuses outputs that would replace a file that is read or another output.
 void BakeJob::check_files() const {
     CommandFiles files;
     files.read(inputs_);

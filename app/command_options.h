@@ -47,7 +47,7 @@ struct RecipeOptions {
     /// The recipe with all edits applied; throws Error as load_recipe does, and usage for what is
     /// said twice.
     Recipe load_keyed() const;
-    /// What it is at `time` (recipe_at), without keys. Throws Error(usage) for a `time` where there
+    /// The recipe at `time` (recipe_at), without keys. Throws Error(usage) for a `time` where there
     /// are no keys.
     Recipe load() const;
 };

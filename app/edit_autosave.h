@@ -1,5 +1,5 @@
 #pragma once
-// What was not saved survives a crash: the recipe is written beside the user's other state while it
+// Unsaved work survives a crash: the recipe is written beside the user's other state while it
 // differs from its file, and offered at the next start. Every editor that runs has a file of its
 // own, which it holds by a lock, so that only what no running editor has is offered.
 #include <optional>
@@ -28,7 +28,7 @@ class EditAutosave {
     /// unsaved. A folder that cannot be written to ends it in silence: losing the autosave is no
     /// reason to stop somebody's work.
     void keep(const EditHistory& history, double seconds);
-    /// What editors have left that did not end well; no other editor offers it meanwhile.
+    /// Recipes left by editors that did not end well; no other editor offers them meanwhile.
     const std::vector<LeftRecipe>& left_behind() const { return left_; }
     /// The history has one of them now, which is kept for it at once, or it is not wanted.
     void take(std::size_t left, const EditHistory& history);

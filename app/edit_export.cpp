@@ -38,7 +38,7 @@ LevelsAsked export_levels(const ExportRequest& request) {
                         wanted_kind(request.out, export_depth));
 }
 
-/// Of one texture.
+/// All files of one texture.
 std::vector<std::string> files_of_texture(const ExportRequest& request, const std::string& out,
                                           std::uint32_t levels) {
     const NormalSpace normals = normals_asked("", request.recipe, out);

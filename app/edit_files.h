@@ -45,7 +45,7 @@ class FileDialog {
     void open(Wish wish);
     bool is_open() const { return open_; }
     void cancel() { open_ = false; }
-    /// What is shown.
+    /// The folder that is shown.
     const std::string& folder() const { return folder_; }
     /// Whether Wish::choice is ticked.
     bool chose() const { return chose_; }

@@ -188,7 +188,8 @@ std::string item_name(std::size_t index) {
     return index < 3 ? fmt::format(" {}", char('x' + int(index))) : fmt::format(" {}", index + 1);
 }
 
-/// What follows the parameter's label for the number at `path`; none: it is no number of the leaf.
+/// The text after the parameter's label for the number at `path`; none where the leaf has no such
+/// number.
 std::optional<std::string> item_of(const RecipeLeaf& leaf, std::string_view path) {
     if (path == leaf.path && leaf.value.is_number()) return std::string();
     if (!leaf.value.is_array() || !path.starts_with(leaf.path + ".")) return {};

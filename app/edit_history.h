@@ -39,7 +39,7 @@ class EditHistory {
     /// undone are forgotten.
     void change(Recipe recipe);
     bool in_gesture() const { return in_gesture_; }
-    /// What the file or preset holds, as one step; no step where just that is open.
+    /// Opens a file's or preset's recipe as one step; no step where just that is open.
     void open(Recipe recipe, const std::string& path);
     /// A recipe that no file holds, as one step.
     void open_unsaved(Recipe recipe);
@@ -52,8 +52,8 @@ class EditHistory {
 
     /// Whether the recipe is not what its file or preset holds.
     bool changed() const { return !is_saved(now_, document()); }
-    /// What would be lost: the recipe where it has changed(), else one with changes in whose place
-    /// another was opened, until something is saved; null: nothing.
+    /// The recipe that would be lost: this one where it has changed(), else one with changes in
+    /// whose place another was opened, until something is saved; null: nothing.
     const Recipe* unsaved() const;
     /// Goes back to that.
     void return_to_unsaved();
@@ -63,7 +63,7 @@ class EditHistory {
     void forget_saved() { saved_.erase(document().file); }
 
   private:
-    /// What was opened; steps share it, so that saving names all of them.
+    /// An opened file or preset; steps share it, so that saving names all of them.
     struct Document {
         std::uint64_t number = 0;
         std::string path, opened_path;

@@ -22,7 +22,7 @@ class EditItems {
         note(name, {{low.x, low.y}, {high.x, high.y}});
     }
     void note(const std::string& name, const ItemRect& rect) { rects_[name] = rect; }
-    /// Of the last frame, by name.
+    /// All rectangles of the last frame, by name.
     const std::map<std::string, ItemRect>& all() const { return rects_; }
     /// Of the last frame; empty where there was none of that name.
     std::optional<ItemRect> find(const std::string& name) const {

@@ -23,7 +23,7 @@ static_assert(sizeof(png_color) == 3, "a palette is an array of pixels");
 
 constexpr png_uint_32 max_side = 1u << 20;
 constexpr std::uint64_t max_pixels = 1ull << 28;
-/// What 2^28 pixels of 16-bit RGBA take, and a little.
+/// Room for 2^28 pixels of 16-bit RGBA, and a little.
 constexpr std::uint64_t most_file_bytes = (max_pixels * 8) + (1u << 24);
 constexpr std::uint64_t max_deflate_ratio = 1032;  // no zlib stream expands further
 

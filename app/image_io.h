@@ -21,14 +21,14 @@ inline constexpr int default_png_level = 1;
 /// invalid_file when it is no PNG, damaged, truncated, or larger than 2^28 pixels.
 Image<Rgb8> read_png(const std::string& path);
 
-/// What the head of a PNG file says about its image, which need not be true. Throws Error as
+/// The size that a PNG file's head declares, which need not be true. Throws Error as
 /// read_png does.
 struct PngSize {
     std::size_t width = 0, height = 0;
 };
 PngSize png_size(const std::string& path);
 
-/// The same as read_png from bytes in memory; `origin` names them in messages.
+/// Reads bytes in memory as read_png reads a file; `origin` names them in messages.
 Image<Rgb8> decode_png(std::span<const std::uint8_t> bytes, const std::string& origin);
 
 /// Colours are marked sRGB; data (normals) must not be taken for colours.

@@ -15,7 +15,8 @@ namespace burl {
 
 /// A pyramid of this side takes 1 GB.
 inline constexpr std::size_t largest_image_side = 8192;
-/// Of all images of a recipe, their sides rounded up to powers of two as pyramids have them.
+/// The bound on all images of a recipe together, their sides rounded up to powers of two as
+/// pyramids have them.
 inline constexpr std::uint64_t most_image_texels = 2 * largest_image_side * largest_image_side;
 
 class RecipeImages {

@@ -55,7 +55,7 @@ const char* name_of(const Names& names, Enum value) {
     return names[std::size_t(value)];
 }
 
-/// What the files of one recipe's images declare, asked before any is decoded.
+/// Adds up the sizes that one recipe's images declare, before any is decoded.
 class DeclaredImages {
   public:
     bool empty() const { return seen_.empty(); }

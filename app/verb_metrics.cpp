@@ -41,7 +41,7 @@ GapFill gap_fill(const std::string& name) {
     return name == "nearest" ? GapFill::nearest : GapFill::extrapolate;
 }
 
-/// Of the pictures of each atlas.
+/// The pictures that are drawn of each atlas.
 constexpr std::array picture_topics{"charts", "scale", "levels"};
 
 std::string picture_path(const std::string& prefix, std::string_view atlas, const char* topic) {

@@ -86,7 +86,7 @@ class RandomHand {
 
     glm::dvec2 anywhere() { return {below(unsigned(size_.x)), below(unsigned(size_.y))}; }
 
-    /// Of an item, most of the time.
+    /// A place on an item, most of the time.
     glm::dvec2 place(const EditItems& items) {
         if (items.all().empty() || chance(15)) return anywhere();
         const auto& [name, rect] = one_of(items.all());
@@ -265,8 +265,8 @@ class GlEditRandomTest : public GlTest {
         confine();
     }
 
-    /// What would make textures, exports or the folder large is undone at once, and a dialog that
-    /// leaves the folder closed: both are allowed, and no subject here.
+    /// Undoes at once what would make textures, exports or the folder large, and closes a dialog
+    /// that leaves the folder: both are allowed, and no subject here.
     void confine() {
         EditSession& session = editor->session();
         if (session.recipe().atlas.size > 64) session.set({small});

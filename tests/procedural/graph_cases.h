@@ -97,7 +97,7 @@ inline Image<Rgb8> random_image(std::size_t width, std::size_t height) {
     return image;
 }
 
-/// What every image of a case is.
+/// The image that every case reads.
 inline Image<Rgb8> case_image(const std::string&) {
     return random_image(12, 16);
 }
