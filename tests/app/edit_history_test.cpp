@@ -166,10 +166,10 @@ TEST(EditHistory, SavingIsWhatEndsIt) {
     history.open(scaled(5), "checks");
     ASSERT_NE(history.unsaved(), nullptr);
     history.mark_saved("five.json");
-    ASSERT_NE(history.unsaved(), nullptr) << "mine.json has changes that are in no file";
+    ASSERT_NE(history.unsaved(), nullptr) << "wood has changes that are in no file";
     EXPECT_EQ(*history.unsaved(), scaled(4));
     history.return_to_unsaved();
-    history.mark_saved("mine.json");
+    history.mark_saved("four.json");
     EXPECT_EQ(history.unsaved(), nullptr);
 }
 

@@ -168,7 +168,7 @@ TEST_F(EditMoveTest, EscapeTakesItBackAndTheRestOfTheDragIsNothing) {
     release(*editor, "");
     EXPECT_EQ(editor->session().recipe(), recipe);
     EXPECT_EQ(editor->camera(), camera);
-    EXPECT_TRUE(editor->settled());
+    settled(*editor);  // ends: nothing goes on
     play(*editor, R"({"key": "Ctrl+Z"})");
     EXPECT_NE(editor->session().recipe(), recipe);  // the step before: none was added
 }
