@@ -1,7 +1,9 @@
 // The editor's files as a person handles them: dropped, changed by other programs, opened again
 // from the menu, and exported.
 #include <gtest/gtest.h>
+#include <algorithm>
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <map>
@@ -377,7 +379,9 @@ TEST_F(GlEditFilesTest, ABadFileDroppedBeforeTheFirstMeshIsThereEndsNothing) {
     play(editor, settle);
     EXPECT_EQ(editor.files().mesh(), "sample:cube");
     EXPECT_GT(triangles(editor), 0u);
-    EXPECT_NE(editor.session().log().front().text.find("bad.obj:2"), std::string::npos);
+    EXPECT_TRUE(std::ranges::any_of(editor.session().log(), [](const auto& entry) {
+        return entry.text.find("bad.obj:2") != std::string::npos;
+    })) << "whichever file was read first";
 }
 
 TEST_F(GlEditFilesTest, AFirstMeshThatCannotBeReadEndsIt) {
