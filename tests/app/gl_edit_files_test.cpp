@@ -1,7 +1,6 @@
 // The editor's files as a person handles them: dropped, changed by other programs, opened again
 // from the menu, and exported.
 #include <gtest/gtest.h>
-#include <algorithm>
 
 #include <algorithm>
 #include <array>
