@@ -41,7 +41,7 @@ class EditOpenFiles {
     /// What poses the mesh's file has.
     const std::vector<std::string>& own_poses() const { return own_poses_; }
     const RecentFiles& recent() const { return recent_; }
-    /// What is being read, by kind; empty: nothing.
+    /// What is being read or waits for take(), by kind; empty: nothing.
     std::string reading(FileKind kind) const { return reader_.reading(kind); }
     bool idle() const { return reader_.idle(); }
 

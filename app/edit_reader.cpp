@@ -107,7 +107,8 @@ void EditReader::run(std::uint64_t number, const FileWish& wish) {
 
 std::string EditReader::reading(FileKind kind) const {
     const std::scoped_lock lock(mutex_);
-    return wanted_[std::size_t(kind)] == 0 ? "" : paths_[std::size_t(kind)];
+    const bool waits = std::ranges::count(done_, kind, &FileRead::kind) > 0;
+    return wanted_[std::size_t(kind)] == 0 && !waits ? "" : paths_[std::size_t(kind)];
 }
 
 bool EditReader::idle() const {

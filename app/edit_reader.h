@@ -68,7 +68,7 @@ class EditReader {
     void read(FileWish wish);
     /// One of that kind that is being read is not wanted any more.
     void forget(FileKind kind);
-    /// What is being read, by kind; empty: nothing.
+    /// What is being read or waits for take(), by kind; empty: nothing.
     std::string reading(FileKind kind) const;
     /// Nothing is being read, and take() has had all.
     bool idle() const;

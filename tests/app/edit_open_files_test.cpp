@@ -70,6 +70,17 @@ TEST(EditReader, OnlyTheLastOfAKindIsHeardOf) {
     EXPECT_EQ(reader.reading(FileKind::mesh), "");
 }
 
+/// An editor that asks between the end of reading and take() would otherwise take its mesh for open.
+TEST(EditReader, StillReadsWhatNobodyHasTaken) {
+    EditReader reader([] {});
+    reader.read({FileKind::mesh, "sample:cube"});
+    reader.wait();
+    EXPECT_EQ(reader.reading(FileKind::mesh), "sample:cube");
+    EXPECT_EQ(reader.reading(FileKind::recipe), "");
+    EXPECT_EQ(reader.take().size(), 1U);
+    EXPECT_EQ(reader.reading(FileKind::mesh), "");
+}
+
 class EditOpenFilesTest : public testing::Test {
   protected:
     std::vector<FileRead> settled(bool is_edited = false) {
