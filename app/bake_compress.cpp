@@ -1,5 +1,7 @@
 #include "app/bake_compress.h"
 
+#include <nlohmann/json.hpp>
+
 #include "atlas/error.h"
 
 namespace burl {

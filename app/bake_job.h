@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include <nlohmann/json.hpp>
+
 #include "app/bake_levels.h"
 #include "app/bake_normals.h"
 #include "app/bake_options.h"

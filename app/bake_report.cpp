@@ -1,6 +1,7 @@
 #include "app/bake_report.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "app/messages.h"
 #include "app/normal_error.h"

@@ -1,5 +1,7 @@
 #include "app/bench_command.h"
 
+#include <nlohmann/json.hpp>
+
 #include "app/bench_result.h"
 
 namespace burl {

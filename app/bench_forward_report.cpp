@@ -1,5 +1,6 @@
 // The tables of `burl bench forward`: forward differences beside direct evaluation.
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "app/bench_command.h"
 #include "app/bench_forward.h"

@@ -6,6 +6,7 @@
 #include <thread>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "procedural/simd_level.h"
 #include "procedural/texel_batch.h"

@@ -1,5 +1,6 @@
 // The table of `burl bench stability`, and one of its cases with all that it takes to repeat it.
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "app/bench_command.h"
 #include "app/bench_stability.h"

@@ -9,6 +9,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <nlohmann/json.hpp>
+
 #include "app/embedded.h"
 #include "app/json_text.h"
 #include "app/real_path.h"

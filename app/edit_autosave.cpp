@@ -1,6 +1,7 @@
 #include "app/edit_autosave.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <chrono>
 #include <cstdlib>

@@ -3,6 +3,9 @@
 #include <array>
 #include <string_view>
 
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
 #include "atlas/error.h"
 
 namespace burl {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <nlohmann/json.hpp>
+
 #include "app/edit_groups.h"
 #include "app/edit_panels.h"
 #include "app/edit_stops.h"

@@ -4,6 +4,9 @@
 #include <string_view>
 #include <utility>
 
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
 #include "app/atomic_file.h"
 #include "app/idle_options.h"
 #include "app/key_check.h"

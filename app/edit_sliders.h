@@ -3,6 +3,8 @@
 // default, Shift to drag at a tenth of the speed.
 #include <optional>
 
+#include <nlohmann/json.hpp>
+
 #include "app/edit_items.h"
 #include "app/recipe_leaves.h"
 

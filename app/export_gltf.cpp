@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <limits>
 
+#include <nlohmann/json.hpp>
+
 #include "app/atomic_file.h"
 #include "app/gltf_scene.h"
 #include "app/level_names.h"

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <fmt/compile.h>
+#include <fmt/format.h>
 
 #include "app/atomic_file.h"
 #include "app/level_names.h"

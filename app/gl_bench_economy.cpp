@@ -1,5 +1,6 @@
 // `burl bench economy`: its tables and its JSON.
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "app/bench_command.h"
 #include "app/bench_economy.h"

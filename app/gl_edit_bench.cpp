@@ -1,6 +1,7 @@
 #include "app/gl_edit_bench.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>

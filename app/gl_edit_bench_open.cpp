@@ -1,6 +1,7 @@
 #include "app/gl_edit_bench_open.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <cmath>
 #include <ctime>

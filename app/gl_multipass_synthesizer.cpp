@@ -1,6 +1,7 @@
 #include "app/gl_multipass_synthesizer.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "app/gl_multipass_synthesize.h"
 

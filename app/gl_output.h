@@ -5,7 +5,7 @@
 #include <type_traits>
 #include <vector>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "app/gl_color_tables.h"
 #include "app/gl_target.h"

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <nlohmann/json.hpp>
+
 #include "app/model_check.h"
 #include "atlas/error.h"
 #include "procedural/graph_table.h"

@@ -3,7 +3,7 @@
 // print keeps short arrays on one line.
 #include <string>
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 namespace burl {
 

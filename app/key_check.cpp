@@ -1,6 +1,7 @@
 #include "app/key_check.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 

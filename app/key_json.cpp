@@ -1,5 +1,7 @@
 #include "app/key_json.h"
 
+#include <nlohmann/json.hpp>
+
 namespace burl {
 
 namespace {

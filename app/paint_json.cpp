@@ -1,5 +1,7 @@
 #include "app/paint_json.h"
 
+#include <nlohmann/json.hpp>
+
 #include "procedural/texture_json.h"
 
 namespace burl {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <filesystem>
 
+#include <fmt/format.h>
+
 #include "app/embedded.h"
 #include "app/file_bytes.h"
 #include "app/parameters.h"

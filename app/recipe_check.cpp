@@ -1,5 +1,7 @@
 #include "app/recipe_check.h"
 
+#include <nlohmann/json.hpp>
+
 #include "app/graph_check.h"
 #include "app/key_check.h"
 #include "app/model_check.h"

@@ -6,6 +6,8 @@
 #include <set>
 #include <utility>
 
+#include <nlohmann/json.hpp>
+
 #include "app/image_io.h"
 #include "app/key_json.h"
 #include "app/paint_json.h"

@@ -1,6 +1,7 @@
 #include "app/recipe_leaves.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "app/schema_tree.h"
 #include "procedural/graph_json.h"

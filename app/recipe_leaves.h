@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include <nlohmann/json.hpp>
+
 #include "app/json_text.h"
 #include "app/recipe.h"
 #include "procedural/parameter.h"

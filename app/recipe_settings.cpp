@@ -4,6 +4,9 @@
 #include <charconv>
 #include <span>
 
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
 #include "app/schema_tree.h"
 #include "atlas/error.h"
 #include "procedural/graph_json.h"

@@ -3,7 +3,7 @@
 // same values.
 #include <string>
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include "app/pipeline.h"
 #include "atlas/capacity.h"

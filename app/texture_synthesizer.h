@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include "app/recipe.h"
 #include "atlas/block_levels.h"

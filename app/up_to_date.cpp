@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <filesystem>
 
+#include <nlohmann/json.hpp>
+
 #include "app/command_files.h"
 #include "app/file_bytes.h"
 #include "app/sample_meshes.h"

@@ -1,5 +1,6 @@
 // References between a glTF's objects: each names something that exists, and nodes form trees.
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "atlas/gltf_checker.h"
 

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include <nlohmann/json.hpp>
+
 #include "atlas/error.h"
 #include "atlas/text_scanner.h"
 
@@ -32,6 +34,10 @@ const GltfChecker::Json& GltfChecker::list(const char* name) const {
     static const Json none = Json::array();
     const auto found = root_.find(name);
     return found == root_.end() ? none : *found;
+}
+
+std::size_t GltfChecker::count(const char* name) const {
+    return list(name).size();
 }
 
 const GltfChecker::Json* GltfChecker::object_in(const Json& object, const char* key,

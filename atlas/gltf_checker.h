@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 namespace burl {
 
@@ -28,7 +28,7 @@ class GltfChecker {
 
     /// The top-level array `name`, which holds objects only; an empty array when there is none.
     const Json& list(const char* name) const;
-    std::size_t count(const char* name) const { return list(name).size(); }
+    std::size_t count(const char* name) const;
 
     /// `key` of `object`, or null when absent. Throws unless it is of the kind asked for.
     const Json* object_in(const Json& object, const char* key, const std::string& where) const;

@@ -8,6 +8,8 @@
 #include <optional>
 #include <unordered_set>
 
+#include <fmt/format.h>
+
 #include "atlas/error.h"
 #include "atlas/gltf_targets.h"
 

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "procedural/graph_table.h"
 #include "procedural/texture_json.h"

@@ -1,6 +1,7 @@
 #include "procedural/texture_json.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "procedural/noise_names.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 // The texture as JSON: a tree of nodes, for now a color_map over a field (f = quadric + noise).
 // docs/recipes.md lists the keys.
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include "procedural/texture.h"
 

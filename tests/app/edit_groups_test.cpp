@@ -3,6 +3,7 @@
 #include "app/edit_groups.h"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <set>

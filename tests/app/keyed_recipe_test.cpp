@@ -2,6 +2,7 @@
 #include "app/keyed_recipe.h"
 
 #include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
 
 #include <cmath>
 

@@ -4,6 +4,8 @@
 
 #include <tiny_gltf.h>
 
+#include <nlohmann/json.hpp>
+
 #include "gltf_files.h"
 #include "tests/counted_memory.h"
 

@@ -1,5 +1,6 @@
 // Poses of a glTF's own skeletons and animations, against closed forms.
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <cmath>
 #include <ctime>

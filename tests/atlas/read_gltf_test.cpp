@@ -1,5 +1,7 @@
 // glTF: scenes, transforms, instances, primitive modes and accessors against values worked out by
 // hand.
+#include <nlohmann/json.hpp>
+
 #include "gltf_files.h"
 
 namespace burl {

@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "graph_cases.h"
 #include "procedural/box_means.h"

@@ -1,5 +1,6 @@
 // Counts of what syntheses do: whole numbers, known beforehand from the atlas and the texture.
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <numeric>
 
