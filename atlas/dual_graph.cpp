@@ -2,6 +2,9 @@
 // keeps concurrent calls from drawing each other's.
 #include "atlas/dual_graph.h"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -26,44 +29,33 @@ Vec3d normal(const Mesh& mesh, std::uint32_t t) {
 
 /// METIS says on C's standard output when a division leaves a part without nodes, and has no option
 /// against it; the parts it gives are good all the same, but the program's own output is results
-/// alone. While one of these lives, what its thread prints there is dropped, and what other threads
-/// print passes. At most one may live at a time.
+/// alone. While one of these lives, what its thread prints there is dropped: the descriptor leads
+/// nowhere, and stdio's own lock lets other threads print before and after. At most one may live at
+/// a time.
 class MutedStdout {
   public:
     MutedStdout() {
-        is_muted() = true;
-        real();
-        if (std::FILE* const others_only = filter()) stdout = others_only;
+        ::flockfile(stdout);
+        if (real_ >= 0) lead_to(::open("/dev/null", O_WRONLY | O_CLOEXEC));
     }
     ~MutedStdout() {
-        stdout = real();
-        is_muted() = false;
+        lead_to(real_);
+        ::funlockfile(stdout);
     }
     MutedStdout(const MutedStdout&) = delete;
     MutedStdout& operator=(const MutedStdout&) = delete;
 
   private:
-    static bool& is_muted() {
-        thread_local bool muted = false;
-        return muted;
+    /// After what was printed before; closes the descriptor. Nothing changes without one.
+    static void lead_to(int descriptor) {
+        if (descriptor < 0) return;
+        std::fflush(stdout);
+        ::dup2(descriptor, STDOUT_FILENO);
+        ::close(descriptor);
     }
-    static std::FILE* real() {
-        static std::FILE* const stream = stdout;
-        return stream;
-    }
-    static ssize_t write(void*, const char* text, std::size_t size) {
-        return ssize_t(is_muted() ? size : std::fwrite(text, 1, size, real()));
-    }
-    /// Never closed, as others may be about to print to it; without a buffer, as a writer must be
-    /// known by its thread.
-    static std::FILE* filter() {
-        static std::FILE* const stream = [] {
-            std::FILE* const made = fopencookie(nullptr, "w", {nullptr, write, nullptr, nullptr});
-            if (made) std::setvbuf(made, nullptr, _IONBF, 0);
-            return made;
-        }();
-        return stream;
-    }
+
+    /// Negative where standard output is closed, or no descriptor is left: nothing is dropped then.
+    const int real_ = ::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
 };
 
 /// One of METIS's partitioners, which all take the same arguments.
