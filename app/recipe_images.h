@@ -1,6 +1,6 @@
 #pragma once
-// The images that recipes name: each is read once however many nodes, frames of an animation or
-// bakes of a batch look it up, and those of one recipe are bounded together.
+// The images that recipes name: each is read once for every wrap, however many nodes, frames of an
+// animation or bakes of a batch look it up, and those of one recipe are bounded together.
 #include <cstdint>
 #include <map>
 #include <memory>

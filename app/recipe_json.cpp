@@ -60,8 +60,6 @@ const char* name_of(const Names& names, Enum value) {
 /// Adds up the sizes that one recipe's images declare, before any is decoded.
 class DeclaredImages {
   public:
-    bool empty() const { return seen_.empty(); }
-
     /// Throws Error(invalid_file) for what is too large, by itself or with those before it.
     void add(const std::string& path, ImageWrap wrap) {
         if (!seen_.insert({real_path(path), wrap}).second) return;
@@ -234,10 +232,10 @@ Recipe parse_recipe(const std::string& json, const std::string& origin,
         declared.add(path_of(file), wrap);
         return blank_image(wrap);
     });
-    if (declared.empty()) return recipe;
-    return recipe_from_json(tree, [&](const std::string& file, ImageWrap wrap) {
-        return images.pyramid(path_of(file), wrap);
-    });
+    for (TextureGraph* graph : {&recipe.graph, &recipe.bump.input})
+        for (GraphImage& image : graph->images)
+            image.pixels = images.pyramid(path_of(image.file), image.pixels->wrap());
+    return recipe;
 }
 
 Recipe with_numbers(const Recipe& recipe, const std::vector<std::string>& settings) {

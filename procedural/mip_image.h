@@ -22,6 +22,7 @@ class MipImage {
     /// never below 0); every further level is the mean of 2 x 2 texels. Not empty.
     MipImage(const Image<Rgb8>& image, ImageWrap wrap);
 
+    ImageWrap wrap() const { return wrap_; }
     const std::vector<Image<RgbF>>& levels() const { return levels_; }
 
     /// Bilinear within a level.
