@@ -36,7 +36,6 @@ std::string info_log(GLuint object, Get get, GetLog get_log) {
     return log;
 }
 
-/// A compiled shader, deleted at the end of the scope that links it.
 /// A compiler's log as one line of a message, its lines apart by semicolons.
 std::string in_one_line(const std::string& log) {
     std::string line;
@@ -45,6 +44,7 @@ std::string in_one_line(const std::string& log) {
     return line;
 }
 
+/// A compiled shader, deleted at the end of the scope that links it.
 class Shader {
   public:
     Shader(const GladGLContext& gl, GLenum kind, const std::string& name, std::string_view source,
