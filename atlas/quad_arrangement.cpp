@@ -13,7 +13,6 @@ namespace burl {
 namespace {
 
 constexpr int swap_sweeps = 2;  // per level; later ones see what the neighbours have decided
-constexpr std::array<QuadSide, 4> all_sides{quad_left, quad_right, quad_below, quad_above};
 
 /// A node at its place on the current level of the tree, with what its neighbours want to know.
 struct Spot {
@@ -121,7 +120,7 @@ void Level::decide(Spot& s) const {
     const Vec3d middle = 0.5 * (a + b);
     const QuadPlace& at = s.spot.at;
     Vec3d pull{0.0};
-    for (const QuadSide side : all_sides) {
+    for (const QuadSide side : quad_sides) {
         if (s.spot.beside[side] == no_spot) continue;
         const bool ends_here = (side == quad_below || side == quad_above) == up;  // one half does
         if (ends_here) {
@@ -146,7 +145,7 @@ QuadSpot Level::half_of(const Spot& s, bool high, std::span<const std::uint32_t>
         half.node += high == s.exchanged ? 1 : 2 * nodes_[s.spot.node].half;
         half.at = half_place(s.spot.at, s.upright, high);
     }
-    for (const QuadSide side : all_sides) {
+    for (const QuadSide side : quad_sides) {
         const std::uint32_t number = s.spot.beside[side];
         if (number == no_spot) continue;
         const Spot& other = spots_[number];

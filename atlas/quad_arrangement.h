@@ -28,6 +28,7 @@ struct QuadPlace {
 };
 
 enum QuadSide : std::size_t { quad_left, quad_right, quad_below, quad_above };
+inline constexpr std::array<QuadSide, 4> quad_sides{quad_left, quad_right, quad_below, quad_above};
 inline constexpr std::uint32_t no_spot = UINT32_MAX;
 
 struct QuadSpot {

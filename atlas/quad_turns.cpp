@@ -10,7 +10,6 @@ namespace burl {
 namespace {
 
 constexpr int turn_sweeps = 3;  // later ones see how the neighbours have turned
-constexpr std::array<QuadSide, 4> turn_sides{quad_left, quad_right, quad_below, quad_above};
 
 /// What a block's four sides show in the middle when nothing is turned, in the order of quarter
 /// turns: below, right, above, left.
@@ -53,7 +52,7 @@ struct Beside {
 Beside beside(std::span<const QuadLeaf> leaves, std::size_t i, std::span<const TurnSides> sides) {
     const QuadLeaf& leaf = leaves[i];
     Beside result;
-    for (const QuadSide side : turn_sides) {
+    for (const QuadSide side : quad_sides) {
         const std::uint32_t other = leaf.beside[side];
         if (other == no_spot) continue;
         result.places[side] = shown(sides[other], facing(side), quarters_of(leaves[other]));
@@ -65,7 +64,7 @@ Beside beside(std::span<const QuadLeaf> leaves, std::size_t i, std::span<const T
 
 double unlikeness(const TurnSides& sides, std::size_t quarters, const Beside& beside) {
     double sum = 0.0;
-    for (const QuadSide side : turn_sides) {
+    for (const QuadSide side : quad_sides) {
         if (beside.weights[side] == 0.0) continue;
         const Vec3d off = shown(sides, side, quarters) - beside.places[side];
         sum += beside.weights[side] * glm::dot(off, off);
