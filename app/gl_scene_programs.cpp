@@ -25,7 +25,10 @@ const GlProgram& GlScenePrograms::use(const Look& look) {
         source.define("ENCODED", word(look.encoded)).define("LIT", word(look.lit));
         source.define("BUMPED", word(look.bumped)).define("LEVELS", word(look.levels));
         source.define("IN_BLOCKS", word(look.in_blocks)).define("PLACES", word(look.places));
-        source.add("footprint.glsl").add("srgb_encode.glsl").add("mesh.frag");
+        source.add("footprint.glsl")
+            .add("level_size.glsl")
+            .add("srgb_encode.glsl")
+            .add("mesh.frag");
         found = looks_.emplace(look, scene_program(gl_, source)).first;
     }
     const GlProgram& program = found->second;

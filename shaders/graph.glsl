@@ -1,5 +1,6 @@
 // The operations of texture graphs that GLSL has no operator for, as procedural/value_kernels.cpp,
-// value_program.cpp and mip_image.cpp have them. After noise_lattice.glsl.
+// value_program.cpp and mip_image.cpp have them. After noise_lattice.glsl and
+// level_size.glsl.
 
 real odd_cell(real x) {
     exact real pairs = floor(x) * real(0.5);
@@ -96,11 +97,6 @@ int image_index(real x, int size, int wrap) {
 
 // From here on a coordinate holds no useful fraction of a texel.
 const real farthest_image = real(1099511627776.0);  // 2^40
-
-// From level 0: software OpenGL gives neighbouring pixels that ask for different levels one's size.
-ivec2 level_size(sampler2D image, int level) {
-    return max(textureSize(image, 0) >> level, 1);
-}
 
 real3 image_texel(sampler2D image, int level, real x, real y, int wrap) {
     ivec2 size = level_size(image, level);

@@ -1,4 +1,4 @@
-// Needs footprint.glsl and srgb_encode.glsl.
+// Needs footprint.glsl, level_size.glsl and srgb_encode.glsl.
 // Base colour in linear light, under a headlight: ambient + (1 - ambient) |n.v| as in
 // app/shading.h, with n bumped by a normal map as in procedural/tangent_frame.h. The target is
 // linear float; sRGB encoding happens after averaging, on the host, but where ENCODED says that a
@@ -24,10 +24,9 @@ uniform float ambient;
 out vec4 fragment;
 
 // Bilinear in one level, half of its texels off the block's border; of a block under one texel the
-// middle. Its size is worked out from level 0: software OpenGL gives neighbouring pixels that ask for
-// different levels one's size.
+// middle.
 vec4 block_level(sampler2D map, float level) {
-    vec2 half_texel = 0.5 / vec2(max(textureSize(map, 0) >> int(level), 1));
+    vec2 half_texel = 0.5 / vec2(level_size(map, int(level)));
     vec2 middle = 0.5 * (texture_block.xy + texture_block.zw);
     vec2 low = min(texture_block.xy + half_texel, middle);
     vec2 high = max(texture_block.zw - half_texel, middle);
