@@ -94,7 +94,7 @@ class GltfSceneLoader {
         }
         set_blocks(surface, primitive);
         set_tangents(surface, primitive);
-        set_target(surface, primitive, weights_of(placement.mesh), where);
+        set_target(surface, primitive, weights_of(placement), where);
         if (primitive.material >= 0) set_material(surface, primitive, where);
         if (surface.normals.empty()) make_flat(surface);
         if (surface.material.normals >= 0 && surface.tangents.empty()) add_tangents(surface);
@@ -113,11 +113,12 @@ class GltfSceneLoader {
         }
     }
 
-    /// Of the mesh's morph targets: its first node's own, else the mesh's, else none.
-    std::vector<double> weights_of(int mesh) const {
-        for (const tinygltf::Node& node : model_.nodes)
-            if (node.mesh == mesh && !node.weights.empty()) return node.weights;
-        return model_.meshes[std::size_t(mesh)].weights;
+    /// The weights of the mesh's morph targets are those of the first node placing it that has
+    /// some, else the mesh's own; there may be none.
+    const std::vector<double>& weights_of(const GltfPlacement& placement) const {
+        for (const int node : placement.nodes)
+            if (const auto& own = model_.nodes[std::size_t(node)].weights; !own.empty()) return own;
+        return model_.meshes[std::size_t(placement.mesh)].weights;
     }
 
     /// One target goes as far as its weight says; several are added up to one.

@@ -85,6 +85,15 @@ TEST(GltfScene, PlacementsComposeDownTheTree) {
     EXPECT_NEAR(sphere.radius, std::sqrt(10.0), 1e-12);
 }
 
+TEST(GltfScene, WeightsAreThoseOfTheFirstNodeDrawnThatHasSome) {
+    const SceneFolder folder;
+    std::string gltf = triangle_gltf(
+        R"([{"children":[2,3]},{"mesh":0,"weights":[0.75]},{"mesh":0},{"mesh":0,"weights":[0.25]}])",
+        "", "");
+    gltf.insert(gltf.find(R"("material":0)"), R"("targets":[{"POSITION":0}],)");
+    EXPECT_EQ(folder.load(gltf).surfaces.at(0).target_share, 0.25);
+}
+
 TEST(GltfScene, MissingNormalsAreFlat) {
     const SceneFolder folder;
     const Scene scene = folder.load(triangle_gltf(R"([{"mesh":0}])", "", ""));
