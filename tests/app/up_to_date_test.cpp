@@ -171,10 +171,11 @@ TEST_F(UpToDateBake, TheFilesOfAnotherBakeAreNotItsOwn) {
     const std::string second =
         fmt::format("'{}' bake '{}' -q --size 64 -o '{}' -r wood", burl, mesh, out);
     const std::string both = fmt::format(
-        "{} & first=$!; while [ ! -e '{}' ]; do sleep 0.01; done; kill -STOP $first; {}; "
-        "kill -CONT $first; wait $first",
-        first, out, second);
-    ASSERT_EQ(std::system(both.c_str()), 0);
+        "{} & first=$!; while [ ! -e '{}' ]; do kill -0 $first || exit 8; sleep 0.01; done; "
+        "kill -STOP $first && [ ! -e '{}' ] || {{ kill -KILL $first; exit 9; }}; "
+        "{}; code=$?; kill -CONT $first; wait $first && exit $code",
+        first, out, map, second);
+    ASSERT_EQ(std::system(both.c_str()), 0) << "8 << 8: no texture; 9 << 8: the map was there";
     const Outcome again = run_burl(
         scratch, fmt::format("bake '{}' --size 1024 -o '{}' --solid-map '{}'", mesh, out, map));
     EXPECT_EQ(again.out.find("up to date"), std::string::npos) << again.out;
