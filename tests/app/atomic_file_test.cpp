@@ -335,11 +335,14 @@ TEST(AtomicFile, IgnoredSignalsStayIgnored) {
         clean_up_on_signals();
         ::kill(::getpid(), SIGHUP);
         write_file(folder / "a.txt", "done");
-        ::_exit(0);
+        sigset_t waiting;
+        ::pthread_sigmask(SIG_BLOCK, nullptr, &waiting);
+        const auto waits = [&](int signal) { return ::sigismember(&waiting, signal) == 1; };
+        ::_exit(waits(SIGINT) && waits(SIGTERM) && !waits(SIGHUP) ? 0 : 1);
     }
     int status = 0;
     ASSERT_EQ(::waitpid(child, &status, 0), child);
-    EXPECT_TRUE(WIFEXITED(status)) << status;
+    EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << status;
     EXPECT_EQ(content(folder / "a.txt"), "done");
 }
 
