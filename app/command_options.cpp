@@ -52,6 +52,17 @@ void check_said_once(const std::vector<RecipeEdit>& edits, std::size_t settings)
                                         edits[i].said, edits[k].said));
 }
 
+/// An edit of a number that the recipe's keys move would be dropped at every time.
+void check_not_keyed(const std::vector<RecipeEdit>& edits, const KeyedAnimation& animation) {
+    for (const KeyTrack& track : animation.tracks)
+        for (const RecipeEdit& edit : edits)
+            if (edit.path == track.path)
+                throw Error(ExitCode::usage,
+                            fmt::format("{} does nothing: the recipe has keys for that number; "
+                                        "leave it out, or change its \"animation\"",
+                                        edit.said));
+}
+
 /// load_recipe() names --set in what it throws about an edit.
 Error with_option(const Error& error, const std::vector<RecipeEdit>& edits) {
     const std::string sentence = error.what();
@@ -131,7 +142,9 @@ Recipe RecipeOptions::load_keyed() const {
     std::vector<std::string> texts = settings;
     for (std::size_t i = settings.size(); i < all.size(); ++i) texts.push_back(all[i].setting());
     try {
-        return load_recipe(recipe, texts, *images);
+        Recipe keyed = load_recipe(recipe, texts, *images);
+        check_not_keyed(all, keyed.animation);
+        return keyed;
     } catch (const Error& error) {
         throw with_option(error, all);
     }
