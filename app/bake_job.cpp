@@ -163,7 +163,7 @@ void BakeJob::check_idle() const {
     if (command_.pose.empty()) refuse_edits(command_.recipe, {&idle_pose, 1});
     constexpr IdleKey still_pose{"pose", "frames are textures alone, which no pose changes"};
     refuse_moves(command_.animation.keys, {&still_pose, 1});
-    check_edits(command_.recipe, recipes_[0]);
+    check_edits(command_.recipe, recipes_[0], command_.animation.keys);
 }
 
 // OpenGL has the bits of the kernels that share theirs.

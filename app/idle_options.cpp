@@ -18,6 +18,10 @@ bool lies_in(std::string_view path, std::string_view key) {
     return path.starts_with(key) && (path.size() == key.size() || path[key.size()] == '.');
 }
 
+std::string_view path_of_move(std::string_view move) {
+    return move.substr(0, move.find('='));
+}
+
 std::string other_kind(std::string_view wanted, AtlasKind kind) {
     return fmt::format(
         "only {0} atlases have it, and this one is {1}; add --atlas {0}, or leave it "
@@ -47,10 +51,14 @@ std::string idle_reason(const Recipe& recipe, std::string_view path) {
     return "";
 }
 
-void check_edits(const RecipeOptions& options, const Recipe& recipe) {
-    for (const RecipeEdit& edit : options.edits())
-        if (const std::string why = idle_reason(recipe, edit.path); !why.empty())
-            throw Error(ExitCode::usage, fmt::format("{} does nothing: {}", edit.said, why));
+void check_edits(const RecipeOptions& options, const Recipe& recipe,
+                 std::span<const std::string> moves) {
+    const auto check = [&](std::string_view path, const std::string& said) {
+        if (const std::string why = idle_reason(recipe, path); !why.empty())
+            throw Error(ExitCode::usage, fmt::format("{} does nothing: {}", said, why));
+    };
+    for (const RecipeEdit& edit : options.edits()) check(edit.path, edit.said);
+    for (const std::string& move : moves) check(path_of_move(move), "--animate " + move);
 }
 
 void refuse_edits(const RecipeOptions& options, std::span<const IdleKey> keys) {
@@ -64,7 +72,7 @@ void refuse_edits(const RecipeOptions& options, std::span<const IdleKey> keys) {
 void refuse_moves(std::span<const std::string> moves, std::span<const IdleKey> keys) {
     for (const std::string& move : moves)
         for (const auto& [key, why] : keys)
-            if (lies_in(std::string_view(move).substr(0, move.find('=')), key))
+            if (lies_in(path_of_move(move), key))
                 throw Error(ExitCode::usage,
                             fmt::format("--animate {} does nothing: {}; leave it out", move, why));
 }

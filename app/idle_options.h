@@ -13,9 +13,10 @@ namespace burl {
 /// empty if it has one.
 std::string idle_reason(const Recipe& recipe, std::string_view path);
 
-/// Throws Error(usage) for an edit of a number that has no say (idle_reason). `recipe`: what the
-/// options make.
-void check_edits(const RecipeOptions& options, const Recipe& recipe);
+/// Throws Error(usage) for an edit of a number that has no say (idle_reason), or one of `moves`
+/// (--animate PATH=FROM:TO). `recipe`: what the options make.
+void check_edits(const RecipeOptions& options, const Recipe& recipe,
+                 std::span<const std::string> moves = {});
 
 /// A key of recipes and what makes it idle in a verb.
 struct IdleKey {

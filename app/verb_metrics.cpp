@@ -206,6 +206,8 @@ void check_recipe(const MetricsCommand& command, const RecipeOptions& options,
     if (!looked_up)
         for (const char* key : {"solid", "texture", "precision"}) keys.push_back({key, why});
     refuse_edits(options, keys);
+    if (options.time && !looked_up)
+        throw Error(ExitCode::usage, fmt::format("--time does nothing: {}; leave it out", why));
     if (command.recipe.kind != "all") check_edits(options, recipe);
 }
 
