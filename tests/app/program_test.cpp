@@ -129,6 +129,12 @@ TEST(Program, MeasuresTheUvsAFileBrings) {
     const auto start = std::chrono::steady_clock::now();
     EXPECT_EQ(run_burl(scratch, "metrics --uv --levels " + large).exit_code, 1);
     EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5));
+    // The truth of such a texture would take more than three seconds.
+    const Outcome nowhere = run_burl(
+        scratch, fmt::format("metrics --levels -s 2048 {} --image '{}'", large, scratch / "no/x"),
+        "ulimit -t 3;");
+    EXPECT_EQ(nowhere.exit_code, 2) << nowhere.err;
+    expect_one_sentence(nowhere.err);
     const Outcome table = run_burl(scratch, "metrics --size 32 " + mesh);
     EXPECT_NE(table.out.find("0.2500"), std::string::npos) << table.out;
 }
