@@ -197,5 +197,16 @@ TEST_F(Batch, AnEntryKnowsItsLineWhateverStandsBeforeIt) {
     EXPECT_NE(list[1].wrong.find("there is no option 'threads'"), std::string::npos);
 }
 
+TEST_F(Batch, NullTakesAwayTheEditsOfTheDefaults) {
+    const auto list = entries(R"({"defaults": {"set": ["solid.scale=2", "atlas.size=64"]},
+      "bakes": [{"mesh": "square.obj", "output": "a.png", "set": null},
+                {"mesh": "square.obj", "output": "b.png", "set": "solid.scale=3"}]})");
+    ASSERT_EQ(list.size(), 2u);
+    EXPECT_EQ(list[0].wrong, "");
+    EXPECT_EQ(list[0].command.recipe.settings, std::vector<std::string>());
+    EXPECT_EQ(list[1].command.recipe.settings,
+              (std::vector<std::string>{"atlas.size=64", "solid.scale=3"}));
+}
+
 }  // namespace
 }  // namespace burl::test
