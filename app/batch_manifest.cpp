@@ -11,6 +11,7 @@
 #include "app/file_bytes.h"
 #include "app/load_pose.h"
 #include "app/parameters.h"
+#include "app/recipe.h"
 #include "app/sample_meshes.h"
 #include "atlas/error.h"
 
@@ -67,7 +68,7 @@ constexpr std::array<std::string_view, 5> file_keys = {"mesh", "output", "recipe
 bool names_file(const std::string& key, const std::string& value) {
     if (key == "mesh") return !is_sample_mesh(value);
     if (key == "pose") return is_pose_file(value) && !is_sample_mesh(value);
-    if (key == "recipe") return fs::path(value).has_extension();
+    if (key == "recipe") return !names_preset(value);
     return std::ranges::find(file_keys, key) != file_keys.end();
 }
 

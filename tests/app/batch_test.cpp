@@ -197,6 +197,18 @@ TEST_F(Batch, AnEntryKnowsItsLineWhateverStandsBeforeIt) {
     EXPECT_NE(list[1].wrong.find("there is no option 'threads'"), std::string::npos);
 }
 
+TEST_F(Batch, LooksForRecipesFromTheManifestsFolderOnUnlessTheyArePresets) {
+    const auto list = entries(R"({"bakes": [
+      {"mesh": "square.obj", "output": "a.png", "recipe": "sub/mine"},
+      {"mesh": "square.obj", "output": "b.png", "recipe": "mine.json"},
+      {"mesh": "square.obj", "output": "c.png", "recipe": "wood"},
+      {"mesh": "square.obj", "output": "d.png", "recipe": "wod"}]})");
+    ASSERT_EQ(list.size(), 4u);
+    const std::string expected[] = {scratch / "sub/mine", scratch / "mine.json", "wood", "wod"};
+    for (std::size_t i = 0; i < list.size(); ++i)
+        EXPECT_EQ(list[i].command.recipe.recipe, expected[i]);
+}
+
 TEST_F(Batch, NullTakesAwayTheEditsOfTheDefaults) {
     const auto list = entries(R"({"defaults": {"set": ["solid.scale=2", "atlas.size=64"]},
       "bakes": [{"mesh": "square.obj", "output": "a.png", "set": null},
