@@ -42,10 +42,10 @@ void append_precision(const std::string& text, std::vector<RecipeEdit>& edits) {
     edits.push_back({option, "precision.fraction_bits", std::to_string(format.fraction_bits)});
 }
 
-/// A number that an option says and --set, too, would be dropped once.
-void check_said_once(const std::vector<RecipeEdit>& edits, std::size_t settings) {
-    for (std::size_t i = settings; i < edits.size(); ++i)
-        for (std::size_t k = 0; k < settings; ++k)
+/// A number that is said twice would be dropped once.
+void check_said_once(const std::vector<RecipeEdit>& edits) {
+    for (std::size_t i = 0; i < edits.size(); ++i)
+        for (std::size_t k = 0; k < i; ++k)
             if (edits[i].path == edits[k].path)
                 throw Error(ExitCode::usage,
                             fmt::format("{} and {} say the same thing; give one of them",
@@ -138,7 +138,7 @@ std::vector<RecipeEdit> RecipeOptions::edits() const {
 
 Recipe RecipeOptions::load_keyed() const {
     const std::vector<RecipeEdit> all = edits();
-    check_said_once(all, settings.size());
+    check_said_once(all);
     std::vector<std::string> texts = settings;
     for (std::size_t i = settings.size(); i < all.size(); ++i) texts.push_back(all[i].setting());
     try {

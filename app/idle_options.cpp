@@ -5,7 +5,10 @@
 
 #include <fmt/format.h>
 
+#include "app/fill_texture.h"
 #include "atlas/error.h"
+#include "procedural/octave_groups.h"
+#include "procedural/octaves.h"
 
 namespace burl {
 
@@ -20,6 +23,11 @@ bool lies_in(std::string_view path, std::string_view key) {
 
 std::string_view path_of_move(std::string_view move) {
     return move.substr(0, move.find('='));
+}
+
+/// Whether its cells' corners can be shared and scanned.
+bool on_lattice(const Octave& octave) {
+    return has_kernel(octave) && octave.noise.kind != NoiseKind::simplex;
 }
 
 std::string other_kind(std::string_view wanted, AtlasKind kind) {
@@ -48,6 +56,19 @@ std::string idle_reason(const Recipe& recipe, std::string_view path) {
     const bool bits = path == "precision.integer_bits" || path == "precision.fraction_bits";
     if (bits && recipe.precision.kind != PrecisionKind::fixed)
         return "only fixed point has these bits; use --precision fixed:I.F, or leave it out";
+    return "";
+}
+
+std::string idle_kernel(const Recipe& recipe, Kernel kernel) {
+    if (kernel == Kernel::automatic) return "";
+    if (!recipe.graph.empty())
+        return "the texture has other nodes than a color_map over a field, whose noise has one way";
+    if (!has_fast_way(recipe, {})) return "only --precision float32 has it";
+    if (std::ranges::none_of(expand_octaves(recipe.texture), on_lattice))
+        return "only value and perlin noise without a period, time or turbulence has it";
+    const FilterKind filter = recipe.filter.kind;
+    const bool slopes = filter != FilterKind::none && filter != FilterKind::supersample;
+    if (kernel == Kernel::scanline && slopes) return "filters take slopes, which it does not have";
     return "";
 }
 

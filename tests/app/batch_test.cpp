@@ -209,6 +209,27 @@ TEST_F(Batch, LooksForRecipesFromTheManifestsFolderOnUnlessTheyArePresets) {
         EXPECT_EQ(list[i].command.recipe.recipe, expected[i]);
 }
 
+TEST_F(Batch, TakesACacheOnlyWhereATextureLeavesSomethingToTheNext) {
+    const auto with_cache = [&](const std::string& second) {
+        return run(R"({"defaults": {"size": 64},
+          "bakes": [{"mesh": "square.obj", "output": "a.png"}, )" +
+                       second + "]}",
+                   "--cache 5");
+    };
+    for (const char* idle : {R"({"mesh": "roof.obj", "output": "b.png"})",
+                             R"({"mesh": "square.obj", "output": "b.png", "size": 32})"}) {
+        const Outcome outcome = with_cache(idle);
+        EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
+        expect_one_sentence(outcome.err);
+        EXPECT_NE(outcome.err.find("--cache does nothing"), std::string::npos) << outcome.err;
+        EXPECT_FALSE(fs::exists(scratch / "a.png"));
+    }
+    for (const char* used : {R"({"mesh": "square.obj", "output": "b.png", "recipe": "wood"})",
+                             R"({"mesh": "roof.obj", "output": "b.png", "frames": 2,
+                                 "animate": "solid.scale=1:2"})"})
+        EXPECT_EQ(with_cache(used).exit_code, 0) << used;
+}
+
 TEST_F(Batch, NullTakesAwayTheEditsOfTheDefaults) {
     const auto list = entries(R"({"defaults": {"set": ["solid.scale=2", "atlas.size=64"]},
       "bakes": [{"mesh": "square.obj", "output": "a.png", "set": null},
