@@ -80,10 +80,17 @@ Recipe load_frame(const RecipeOptions& options, double seconds, int frame) {
 }
 
 /// Every number once, by one way.
-std::vector<Key> parse_keys(const std::vector<std::string>& texts, const KeyedAnimation& own) {
+std::vector<Key> parse_keys(const MovedRecipe& moved, const KeyedAnimation& own) {
+    const std::vector<RecipeEdit> edits = moved.options.edits();
     std::vector<Key> keys;
-    for (const std::string& text : texts) {
+    for (const std::string& text : moved.keys) {
         const Key key = parse_key(text);
+        for (const RecipeEdit& edit : edits)
+            if (edit.path == key.path)
+                throw Error(ExitCode::usage,
+                            fmt::format("{} does nothing: --animate {} says {} in every frame; "
+                                        "leave one of them out",
+                                        edit.said, text, key.path));
         for (const Key& other : keys)
             if (other.path == key.path)
                 throw Error(ExitCode::usage, fmt::format("--animate: {} is given twice", key.path));
@@ -177,7 +184,7 @@ std::vector<std::vector<Recipe>> frame_recipes(std::span<const MovedRecipe> reci
     bool moves = false;
     for (const MovedRecipe& moved : recipes) {
         const KeyedAnimation own = moved.options.load_keyed().animation;
-        tracks.push_back({moved.options, parse_keys(moved.keys, own)});
+        tracks.push_back({moved.options, parse_keys(moved, own)});
         const bool longest = clock.tracks.empty() || own.seconds > clock.seconds;
         if (tracks.size() == 1 || (!own.tracks.empty() && longest)) clock = own;
         moves |= !own.tracks.empty() || !moved.keys.empty();

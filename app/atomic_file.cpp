@@ -294,6 +294,14 @@ std::vector<CommittedFile> commit_together(std::span<AtomicFile> files) {
     return committed;
 }
 
+void make_folder(const std::string& folder) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (!error && std::filesystem::is_directory(folder)) return;
+    throw Error(ExitCode::io, fmt::format("{}: cannot make this folder: {}", folder,
+                                          error ? error.message() : "it is a file"));
+}
+
 void clean_up_on_signals() {
     sigset_t signals;
     ::sigemptyset(&signals);

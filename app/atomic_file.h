@@ -95,6 +95,9 @@ std::vector<CommittedFile> commit_together(std::span<AtomicFile> files);
 CommittedFile write_file(const std::string& path, std::span<const std::uint8_t> bytes);
 CommittedFile write_file(const std::string& path, std::string_view text);
 
+/// Makes a folder to write into, with those above it, unless it is there. Throws Error(io).
+void make_folder(const std::string& folder);
+
 /// From here on SIGINT, SIGTERM and SIGHUP, where they are not ignored, wait while files get their
 /// names and remove temporary ones before they end the program. To be called once, before other
 /// threads are started: it blocks these signals for the calling thread and takes them in one of its

@@ -152,7 +152,7 @@ void BakeJob::check() const {
 
 /// Refuses what would change nothing.
 void BakeJob::check_idle() const {
-    const auto refuse = [&](const char* option, const char* why) {
+    const auto refuse = [&](std::string_view option, std::string_view why) {
         throw Error(ExitCode::usage, fmt::format("{}: {} does nothing: {}; leave it out",
                                                  command_.out, option, why));
     };
@@ -160,10 +160,15 @@ void BakeJob::check_idle() const {
     if (command_.depth && kind_ == ImageKind::rgb_float && !normals)
         refuse("--depth", "an .exr always has floats");
     if (command_.crease && !mesh && !normals) refuse("--crease", "a texture alone has no normals");
+    const auto why_no_kernel = [kernel = kernel_named(command_.kernel)](const Recipe& recipe) {
+        return idle_kernel(recipe, kernel);
+    };
+    if (std::ranges::find(recipes_, "", why_no_kernel) == recipes_.end())
+        refuse("--kernel " + command_.kernel, why_no_kernel(recipes_[0]));
     if (command_.pose.empty()) refuse_edits(command_.recipe, {&idle_pose, 1});
     constexpr IdleKey still_pose{"pose", "frames are textures alone, which no pose changes"};
     refuse_moves(command_.animation.keys, {&still_pose, 1});
-    check_edits(command_.recipe, recipes_[0]);
+    check_edits(command_.recipe, recipes_[0], command_.animation.keys);
 }
 
 // OpenGL has the bits of the kernels that share theirs.

@@ -11,6 +11,7 @@
 #include "app/file_bytes.h"
 #include "app/load_pose.h"
 #include "app/parameters.h"
+#include "app/recipe.h"
 #include "app/sample_meshes.h"
 #include "atlas/error.h"
 
@@ -67,7 +68,7 @@ constexpr std::array<std::string_view, 5> file_keys = {"mesh", "output", "recipe
 bool names_file(const std::string& key, const std::string& value) {
     if (key == "mesh") return !is_sample_mesh(value);
     if (key == "pose") return is_pose_file(value) && !is_sample_mesh(value);
-    if (key == "recipe") return fs::path(value).has_extension();
+    if (key == "recipe") return !names_preset(value);
     return std::ranges::find(file_keys, key) != file_keys.end();
 }
 
@@ -127,21 +128,32 @@ void parse_entry(const Json& entry, const fs::path& folder, BatchEntry& result) 
     result.settings = bake_settings(options);
 }
 
+/// The edits of the defaults that the entry does not make otherwise, and then the entry's.
+Json joined_edits(const Json& defaults, const Json& entry) {
+    const auto list = [](const Json& value) { return value.is_array() ? value : Json{value}; };
+    const Json own = list(entry);
+    const auto path = [](const Json& edit) {
+        const std::string text = edit.is_string() ? edit.get<std::string>() : "";
+        return text.substr(0, text.find('='));
+    };
+    Json edits = Json::array();
+    for (const Json& edit : list(defaults))
+        if (std::ranges::find(own, path(edit), path) == own.end()) edits.push_back(edit);
+    edits.insert(edits.end(), own.begin(), own.end());
+    return edits;
+}
+
 /// The defaults with the entry's own values; edits of the recipe (`set`) follow those of the
 /// defaults, and null takes a default away.
 Json with_defaults(const Json& defaults, const Json& entry) {
-    const auto list = [](const Json& value) { return value.is_array() ? value : Json{value}; };
     Json merged = defaults;
     for (const auto& item : entry.items()) {
-        if (item.key() == "set" && merged.contains("set")) {
-            Json edits = list(merged["set"]);
-            for (const Json& edit : list(item.value())) edits.push_back(edit);
-            merged["set"] = std::move(edits);
-        } else if (item.value().is_null()) {
+        if (item.value().is_null())
             merged.erase(item.key());
-        } else {
+        else if (item.key() == "set" && merged.contains("set"))
+            merged["set"] = joined_edits(merged["set"], item.value());
+        else
             merged[item.key()] = item.value();
-        }
     }
     return merged;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -19,12 +20,16 @@ struct Suite {
     std::string_view size_of{};  ///< what --size counts; empty: no --size
     std::size_t least = 0, most = 0;
     std::string_view otherwise{};  ///< without --size
+    bool halved = false;           ///< --size must be a power of two, for quad atlases
+
+    std::string bounds() const;
 };
 
-/// Sides are bounded by memory: a filter or an error takes some 100 bytes a texel.
+/// Sides are bounded by memory: a filter or an error takes some 100 bytes a texel; from below by
+/// the meshes' triangles.
 constexpr std::array suites{
     Suite{"atlas", "--repeats --large --json", "faces", 12, 10'000'000, "1,000 to 100,000"},
-    Suite{"economy", "--repeats --json --simd --gl", "texels a side", 64, 4096, "1,024"},
+    Suite{"economy", "--repeats --json --simd --gl", "texels a side", 128, 4096, "1,024", true},
     Suite{"editor", "--json --simd", "texels a side", 64, 4096, "1,024"},
     Suite{"filter", "--repeats --json --simd", "texels a side", 8, 4096, "256"},
     Suite{"forward", "--repeats --json --simd", "texels a side of the cubes' faces", 2,
@@ -53,6 +58,12 @@ std::string grouped(std::size_t number) {
     return fmt::format("{},{:03}", grouped(number / 1000), number % 1000);
 }
 
+/// "a power of two from 128 to 4,096".
+std::string Suite::bounds() const {
+    const std::string range = fmt::format("{} to {}", grouped(least), grouped(most));
+    return halved ? "a power of two from " + range : range;
+}
+
 void check_option(const Suite& suite, const std::string& option) {
     if (option == "-o" || has_word(suite.options, option)) return;
     if (option == "--size" && !suite.size_of.empty()) return;
@@ -61,10 +72,10 @@ void check_option(const Suite& suite, const std::string& option) {
 }
 
 void check_size(const Suite& suite, std::size_t size) {
-    if (size >= suite.least && size <= suite.most) return;
-    throw Error(ExitCode::usage,
-                fmt::format("bench {}: --size {} must be {} to {} {}", suite.name, size,
-                            grouped(suite.least), grouped(suite.most), suite.size_of));
+    const bool bounded = size >= suite.least && size <= suite.most;
+    if (bounded && (!suite.halved || std::has_single_bit(size))) return;
+    throw Error(ExitCode::usage, fmt::format("bench {}: --size {} must be {} {}", suite.name, size,
+                                             suite.bounds(), suite.size_of));
 }
 
 void check_files(const BenchCommand& command) {
@@ -100,8 +111,8 @@ std::string bench_size_help() {
     for (const Suite& suite : suites) {
         if (suite.size_of.empty()) continue;
         if (!text.empty()) text += "; ";
-        text += fmt::format("{}: {}, {} to {}, {} unless given", suite.name, suite.size_of,
-                            grouped(suite.least), grouped(suite.most), suite.otherwise);
+        text += fmt::format("{}: {}, {}, {} unless given", suite.name, suite.size_of,
+                            suite.bounds(), suite.otherwise);
     }
     return text;
 }

@@ -31,6 +31,7 @@ void run(Command command) {
         const auto bytes = read_file_bytes(command.script);
         script = parse_script(std::string(bytes.begin(), bytes.end()), command.script);
     }
+    if (!command.screenshots.empty()) make_folder(command.screenshots);
     auto window = command.unseen ? create_unseen_window(create_osmesa_context(), script.size)
                                  : create_desktop_window(script.size, "Burl");
     EditorProgram editor(std::move(window), command.editor);

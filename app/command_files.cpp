@@ -11,7 +11,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/embedded.h"
 #include "app/json_text.h"
 #include "app/real_path.h"
 #include "app/sample_meshes.h"
@@ -98,12 +97,6 @@ void add_named_by_obj(const std::string& path, std::vector<std::string>& files) 
         while (name.ends_with(' ') || name.ends_with('\t')) name.remove_suffix(1);
         if (!name.empty()) files.push_back((fs::path(path).parent_path() / name).string());
     }
-}
-
-bool names_preset(const std::string& path_or_preset) {
-    return std::ranges::any_of(embedded_recipes(), [&](const EmbeddedFile& file) {
-        return file.name == path_or_preset + ".json";
-    });
 }
 
 }  // namespace

@@ -42,14 +42,25 @@ void append_precision(const std::string& text, std::vector<RecipeEdit>& edits) {
     edits.push_back({option, "precision.fraction_bits", std::to_string(format.fraction_bits)});
 }
 
-/// A number that an option says and --set, too, would be dropped once.
-void check_said_once(const std::vector<RecipeEdit>& edits, std::size_t settings) {
-    for (std::size_t i = settings; i < edits.size(); ++i)
-        for (std::size_t k = 0; k < settings; ++k)
+/// A number that is said twice would be dropped once.
+void check_said_once(const std::vector<RecipeEdit>& edits) {
+    for (std::size_t i = 0; i < edits.size(); ++i)
+        for (std::size_t k = 0; k < i; ++k)
             if (edits[i].path == edits[k].path)
                 throw Error(ExitCode::usage,
                             fmt::format("{} and {} say the same thing; give one of them",
                                         edits[i].said, edits[k].said));
+}
+
+/// An edit of a number that the recipe's keys move would be dropped at every time.
+void check_not_keyed(const std::vector<RecipeEdit>& edits, const KeyedAnimation& animation) {
+    for (const KeyTrack& track : animation.tracks)
+        for (const RecipeEdit& edit : edits)
+            if (edit.path == track.path)
+                throw Error(ExitCode::usage,
+                            fmt::format("{} does nothing: the recipe has keys for that number; "
+                                        "leave it out, or change its \"animation\"",
+                                        edit.said));
 }
 
 /// load_recipe() names --set in what it throws about an edit.
@@ -127,11 +138,13 @@ std::vector<RecipeEdit> RecipeOptions::edits() const {
 
 Recipe RecipeOptions::load_keyed() const {
     const std::vector<RecipeEdit> all = edits();
-    check_said_once(all, settings.size());
+    check_said_once(all);
     std::vector<std::string> texts = settings;
     for (std::size_t i = settings.size(); i < all.size(); ++i) texts.push_back(all[i].setting());
     try {
-        return load_recipe(recipe, texts, *images);
+        Recipe keyed = load_recipe(recipe, texts, *images);
+        check_not_keyed(all, keyed.animation);
+        return keyed;
     } catch (const Error& error) {
         throw with_option(error, all);
     }

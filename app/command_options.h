@@ -45,7 +45,7 @@ struct RecipeOptions {
     /// Every edit, those of --set first.
     std::vector<RecipeEdit> edits() const;
     /// The recipe with all edits applied; throws Error as load_recipe does, and usage for what is
-    /// said twice.
+    /// said twice or moved by the recipe's own keys.
     Recipe load_keyed() const;
     /// The recipe at `time` (recipe_at), without keys. Throws Error(usage) for a `time` where there
     /// are no keys.

@@ -177,9 +177,11 @@ std::vector<PictureRecipes> picture_recipes(const DirectOptions& options,
         refuse_edits(recipe.options, {&idle_pose, 1});
         refuse_moves(recipe.keys, {&idle_pose, 1});
     }
+    const std::vector<std::vector<Recipe>> frames = frame_recipes(recipes, animation);
+    for (std::size_t i = 0; i < recipes.size(); ++i)
+        check_edits(recipes[i].options, frames[0][i], recipes[i].keys);
     std::vector<PictureRecipes> pictures;
-    for (const std::vector<Recipe>& frame : frame_recipes(recipes, animation))
-        pictures.push_back(shown.picture(frame));
+    for (const std::vector<Recipe>& frame : frames) pictures.push_back(shown.picture(frame));
     return pictures;
 }
 

@@ -13,9 +13,14 @@ namespace burl {
 /// empty if it has one.
 std::string idle_reason(const Recipe& recipe, std::string_view path);
 
-/// Throws Error(usage) for an edit of a number that has no say (idle_reason). `recipe`: what the
-/// options make.
-void check_edits(const RecipeOptions& options, const Recipe& recipe);
+/// Throws Error(usage) for an edit of a number that has no say (idle_reason), or one of `moves`
+/// (--animate PATH=FROM:TO). `recipe`: what the options make.
+void check_edits(const RecipeOptions& options, const Recipe& recipe,
+                 std::span<const std::string> moves = {});
+
+/// The reason for which a kernel (app/command_options.h: --kernel) has no say in the recipe's
+/// texture, and what to do about it; empty if it has one.
+std::string idle_kernel(const Recipe& recipe, Kernel kernel);
 
 /// A key of recipes and what makes it idle in a verb.
 struct IdleKey {

@@ -23,8 +23,7 @@ std::string_view preset_name(const EmbeddedFile& file) {
 }
 
 Error unknown_preset(const std::string& name) {
-    std::vector<std::string_view> names;
-    for (const EmbeddedFile& file : embedded_recipes()) names.push_back(preset_name(file));
+    const std::vector<std::string_view> names = preset_names();
     const std::string_view nearest = nearest_word(name, names);
     const std::string hint = nearest.empty() ? "" : fmt::format("did you mean \"{}\"? ", nearest);
     return Error(ExitCode::usage,
@@ -51,13 +50,24 @@ double solid_units(const Mesh& mesh, SolidSpace space) {
     return solid_from_mesh(mesh, space).linear[0][0];
 }
 
+std::vector<std::string_view> preset_names() {
+    std::vector<std::string_view> names;
+    for (const EmbeddedFile& file : embedded_recipes()) names.push_back(preset_name(file));
+    return names;
+}
+
+bool names_preset(std::string_view path_or_preset) {
+    return path_or_preset.find_first_of("./") == std::string_view::npos;
+}
+
 Recipe load_recipe(const std::string& path_or_preset, const std::vector<std::string>& settings,
                    RecipeImages& images) {
-    for (const EmbeddedFile& file : embedded_recipes())
-        if (preset_name(file) == path_or_preset)
-            return parse_recipe(std::string(file.content), path_or_preset, settings, images);
-    if (path_or_preset.find_first_of("./") == std::string::npos)
-        throw unknown_preset(path_or_preset);
+    if (names_preset(path_or_preset)) {
+        const auto presets = embedded_recipes();
+        const auto found = std::ranges::find(presets, path_or_preset, preset_name);
+        if (found == presets.end()) throw unknown_preset(path_or_preset);
+        return parse_recipe(std::string(found->content), path_or_preset, settings, images);
+    }
     const std::vector<std::uint8_t> bytes = read_file_bytes(path_or_preset);
     Recipe recipe =
         parse_recipe(std::string(bytes.begin(), bytes.end()), path_or_preset, settings, images);

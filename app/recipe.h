@@ -3,6 +3,7 @@
 // presets hold, tests and benchmarks name and (later) undo steps through. Its JSON is documented
 // key by key in docs/recipes.md.
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/key_track.h"
@@ -61,7 +62,14 @@ double solid_units(const Mesh& mesh, SolidSpace space);
 Recipe parse_recipe(const std::string& json, const std::string& origin,
                     const std::vector<std::string>& settings = {});
 
-/// A file's path, or the name of a preset in assets/recipes ("marble"). A recipe without a name
+/// The presets in assets/recipes, in the order of the alphabet.
+std::vector<std::string_view> preset_names();
+
+/// Whether a recipe is asked for by a preset's name, known or not: anything with a dot or a slash
+/// is a file's path.
+bool names_preset(std::string_view path_or_preset);
+
+/// A file's path, or the name of a preset ("marble"; names_preset). A recipe without a name
 /// gets its file's, without folder and extension.
 Recipe load_recipe(const std::string& path_or_preset,
                    const std::vector<std::string>& settings = {});

@@ -271,12 +271,29 @@ LaterBake later_of(const Group& group, std::size_t i) {
     return same ? LaterBake::atlas : LaterBake::mesh;
 }
 
+/// Whether a texture of the group leaves something to the next one.
+bool has_several_textures(const Group& group) {
+    for (std::size_t i = 0; i < group.size(); ++i)
+        if (group[i]->job.command().animation.asked() || later_of(group, i) == LaterBake::atlas)
+            return true;
+    return false;
+}
+
+void check_cache(const BakeCommand& run, const std::vector<Group>& groups) {
+    if (run.economy.cache_megabytes && std::ranges::none_of(groups, has_several_textures))
+        throw Error(ExitCode::usage,
+                    "--cache does nothing: no bake has frames, and no two have one mesh and atlas; "
+                    "leave it out");
+}
+
 void run_batch(const BatchCommand& command) {
     const BakeCommand& run = command.run;
     check_report_options(run.json, run.report, run.quiet);
     std::vector<Bake> bakes = check_manifest(command);
+    const std::vector<Group> groups = groups_of(bakes);
+    check_cache(run, groups);
     const bool speaks = !run.json && !run.quiet && run.report != "-";
-    for (Group& group : groups_of(bakes)) {
+    for (const Group& group : groups) {
         SharedMesh mesh;
         for (std::size_t i = 0; i < group.size(); ++i) {
             run_alone(*group[i], mesh, later_of(group, i));

@@ -44,14 +44,6 @@ void print_commands(const std::vector<Figure>& chosen) {
     }
 }
 
-void make_folder(const std::string& folder) {
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    if (!error && std::filesystem::is_directory(folder)) return;
-    throw Error(ExitCode::io, fmt::format("{}: cannot make this folder: {}", folder,
-                                          error ? error.message() : "it is a file"));
-}
-
 void run_figures(const FiguresCommand& command) {
     const std::vector<Figure> chosen = chosen_figures(command);
     if (command.commands) return print_commands(chosen);

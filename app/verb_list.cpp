@@ -7,11 +7,11 @@
 #include <nlohmann/json.hpp>
 
 #include "app/command_options.h"
-#include "app/embedded.h"
 #include "app/figures.h"
 #include "app/gl_facts.h"
 #include "app/parameters.h"
 #include "app/preset_notes.h"
+#include "app/recipe.h"
 #include "app/report.h"
 #include "app/sample_meshes.h"
 #include "app/verbs.h"
@@ -29,8 +29,7 @@ struct Entry {
 
 std::vector<Entry> recipe_entries() {
     std::vector<Entry> entries;
-    for (const EmbeddedFile& file : embedded_recipes()) {
-        const std::string_view name = file.name.substr(0, file.name.rfind('.'));
+    for (const std::string_view name : preset_names()) {
         const std::span<const PresetNote> notes = preset_notes();
         const auto note = std::ranges::find(notes, name, &PresetNote::name);
         entries.push_back({std::string(name), note == notes.end() ? "" : std::string(note->about)});

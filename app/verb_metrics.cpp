@@ -63,9 +63,9 @@ Mesh load_measured(const MetricsCommand& command) {
 /// What is measured: the mesh, and one atlas after another.
 class Measuring {
   public:
-    Measuring(const MetricsCommand& command, Recipe recipe)
+    Measuring(const MetricsCommand& command, Recipe recipe, Mesh measured_mesh)
         : recipe_(std::move(recipe)),
-          pipeline_(load_measured(command)),
+          pipeline_(std::move(measured_mesh)),
           edges_(mesh_edges(mesh(), pipeline_.connectivity())),
           texture_(command.texture == metric_marble_name ? metric_marble_texture()
                                                          : recipe_texture(recipe_, mesh())),
@@ -206,14 +206,14 @@ void check_recipe(const MetricsCommand& command, const RecipeOptions& options,
     if (!looked_up)
         for (const char* key : {"solid", "texture", "precision"}) keys.push_back({key, why});
     refuse_edits(options, keys);
+    if (options.time && !looked_up)
+        throw Error(ExitCode::usage, fmt::format("--time does nothing: {}; leave it out", why));
     if (command.recipe.kind != "all") check_edits(options, recipe);
 }
 
 /// Where nothing but the file's own texture coordinates is measured.
 void check_uv_options(const MetricsCommand& command) {
-    RecipeOptions of_ours = command.recipe;
-    of_ours.size.reset();
-    for (const RecipeEdit& edit : of_ours.edits())
+    for (const RecipeEdit& edit : command.recipe.edits())
         if (edit.path.starts_with("atlas.") && edit.path != "atlas.size")
             throw Error(ExitCode::usage,
                         fmt::format("{} is of our atlases, and {}'s own texture coordinates are "
@@ -221,18 +221,19 @@ void check_uv_options(const MetricsCommand& command) {
                                     edit.said, command.mesh));
 }
 
-std::vector<MeasuredAtlas> measure_asked(const MetricsCommand& command, const Recipe& recipe,
-                                         Measuring& measuring) {
-    const bool has_uvs = !measuring.mesh().corners.uvs.empty(),
-               asked = command.recipe.kind.has_value();
-    const bool measure_uvs = command.uv || (has_uvs && !asked);
-    if (measure_uvs && !asked) check_uv_options(command);
+/// The atlases that are measured.
+struct AtlasesAsked {
+    bool uvs = false;  ///< the file's own texture coordinates
     std::vector<AtlasKind> kinds;
-    if (asked || !measure_uvs) kinds = kinds_asked(command, recipe);
-    check_pictures(command, recipe, measure_uvs, kinds);
-    std::vector<MeasuredAtlas> result;
-    if (measure_uvs) result.push_back(measuring.uv_atlas());
-    for (const AtlasKind kind : kinds) result.push_back(measuring.our_atlas(kind));
+};
+
+/// Throws Error for all that is wrong with them and the pictures of them.
+AtlasesAsked atlases_asked(const MetricsCommand& command, const Recipe& recipe, const Mesh& mesh) {
+    const bool has_uvs = !mesh.corners.uvs.empty(), asked = command.recipe.kind.has_value();
+    AtlasesAsked result{command.uv || (has_uvs && !asked), {}};
+    if (result.uvs && !asked) check_uv_options(command);
+    if (asked || !result.uvs) result.kinds = kinds_asked(command, recipe);
+    check_pictures(command, recipe, result.uvs, result.kinds);
     return result;
 }
 
@@ -241,8 +242,12 @@ void run_metrics(const MetricsCommand& command) {
     if (options.kind == "all") options.kind.reset();
     const Recipe recipe = options.load();
     check_recipe(command, options, recipe);
-    Measuring measuring(command, recipe);
-    const std::vector<MeasuredAtlas> atlases = measure_asked(command, recipe, measuring);
+    Mesh mesh = load_measured(command);
+    const AtlasesAsked asked = atlases_asked(command, recipe, mesh);
+    Measuring measuring(command, recipe, std::move(mesh));
+    std::vector<MeasuredAtlas> atlases;
+    if (asked.uvs) atlases.push_back(measuring.uv_atlas());
+    for (const AtlasKind kind : asked.kinds) atlases.push_back(measuring.our_atlas(kind));
     if (command.json) {
         Json rows = Json::array();
         for (const MeasuredAtlas& atlas : atlases) rows.push_back(measured_json(atlas));

@@ -21,6 +21,7 @@
 #include "app/lattice_check.h"
 #include "app/load_pose.h"
 #include "app/report.h"
+#include "app/sample_meshes.h"
 #include "app/scene.h"
 #include "app/verbs.h"
 #include "atlas/error.h"
@@ -51,6 +52,11 @@ Image<Rgb8> draw_scene(const RenderCommand& command, CommandFiles& files) {
     const DirectOptions& options = command.options;
     if (options.scene.empty())
         throw Error(ExitCode::usage, "a scene is missing; --plane alone is for --direct");
+    if (is_sample_mesh(options.scene))
+        throw Error(ExitCode::usage,
+                    fmt::format("{} is a mesh, not a baked scene; add --lazy or --direct, or bake "
+                                "it first",
+                                options.scene));
     std::optional<TextureFilter> filter;
     if (options.filter) filter = parse_lookup(*options.filter);
     const View view = options.parsed_view();

@@ -116,6 +116,8 @@ INSTANTIATE_TEST_SUITE_P(
                     "glTF.scene"},
         RefusedCase{"RenderOfNoScene", "render FOLDER/scene-out-of-range.gltf -o OUT/a.png", 3,
                     "glTF.scene"},
+        RefusedCase{"RenderOfASample", "render sample:teapot -o OUT/a.png", 1,
+                    "sample:teapot is a mesh, not a baked scene; add --lazy or --direct"},
         RefusedCase{"PointsWithoutData", "metrics FOLDER/mb1.gltf", 3, "16777216 elements"},
         RefusedCase{"ManyUsesOfOneAccessor", "metrics FOLDER/mb2.gltf", 3, "elements"},
         RefusedCase{"UnknownPoseOfKeysWithoutData",

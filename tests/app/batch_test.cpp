@@ -197,5 +197,49 @@ TEST_F(Batch, AnEntryKnowsItsLineWhateverStandsBeforeIt) {
     EXPECT_NE(list[1].wrong.find("there is no option 'threads'"), std::string::npos);
 }
 
+TEST_F(Batch, LooksForRecipesFromTheManifestsFolderOnUnlessTheyArePresets) {
+    const auto list = entries(R"({"bakes": [
+      {"mesh": "square.obj", "output": "a.png", "recipe": "sub/mine"},
+      {"mesh": "square.obj", "output": "b.png", "recipe": "mine.json"},
+      {"mesh": "square.obj", "output": "c.png", "recipe": "wood"},
+      {"mesh": "square.obj", "output": "d.png", "recipe": "wod"}]})");
+    ASSERT_EQ(list.size(), 4u);
+    const std::string expected[] = {scratch / "sub/mine", scratch / "mine.json", "wood", "wod"};
+    for (std::size_t i = 0; i < list.size(); ++i)
+        EXPECT_EQ(list[i].command.recipe.recipe, expected[i]);
+}
+
+TEST_F(Batch, TakesACacheOnlyWhereATextureLeavesSomethingToTheNext) {
+    const auto with_cache = [&](const std::string& second) {
+        return run(R"({"defaults": {"size": 64},
+          "bakes": [{"mesh": "square.obj", "output": "a.png"}, )" +
+                       second + "]}",
+                   "--cache 5");
+    };
+    for (const char* idle : {R"({"mesh": "roof.obj", "output": "b.png"})",
+                             R"({"mesh": "square.obj", "output": "b.png", "size": 32})"}) {
+        const Outcome outcome = with_cache(idle);
+        EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
+        expect_one_sentence(outcome.err);
+        EXPECT_NE(outcome.err.find("--cache does nothing"), std::string::npos) << outcome.err;
+        EXPECT_FALSE(fs::exists(scratch / "a.png"));
+    }
+    for (const char* used : {R"({"mesh": "square.obj", "output": "b.png", "recipe": "wood"})",
+                             R"({"mesh": "roof.obj", "output": "b.png", "frames": 2,
+                                 "animate": "solid.scale=1:2"})"})
+        EXPECT_EQ(with_cache(used).exit_code, 0) << used;
+}
+
+TEST_F(Batch, NullTakesAwayTheEditsOfTheDefaults) {
+    const auto list = entries(R"({"defaults": {"set": ["solid.scale=2", "atlas.size=64"]},
+      "bakes": [{"mesh": "square.obj", "output": "a.png", "set": null},
+                {"mesh": "square.obj", "output": "b.png", "set": "solid.scale=3"}]})");
+    ASSERT_EQ(list.size(), 2u);
+    EXPECT_EQ(list[0].wrong, "");
+    EXPECT_EQ(list[0].command.recipe.settings, std::vector<std::string>());
+    EXPECT_EQ(list[1].command.recipe.settings,
+              (std::vector<std::string>{"atlas.size=64", "solid.scale=3"}));
+}
+
 }  // namespace
 }  // namespace burl::test

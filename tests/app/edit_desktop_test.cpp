@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <filesystem>
 
 #include "app/image_io.h"
 #include "tests/app/run_program.h"
@@ -17,10 +16,9 @@ constexpr const char* script = R"({"burl_input": 1, "size": [640, 400], "steps":
     {"drag": "solid.scale", "by": [30, 0]}, {"events": [{"move": [1, 1]}]},
     {"settle": true}, {"wait": 3}, {"screenshot": "end"}]})";
 
-/// Plays the script; its pictures go into a folder of this name.
+/// Plays the script; its pictures go into a folder of this name, which it makes.
 test::Outcome play(const test::Scratch& scratch, const std::string& shots,
                    const std::string& more = "", const std::string& prefix = "") {
-    std::filesystem::create_directories(scratch / shots);
     return test::run_program(
         scratch, "burl-edit",
         fmt::format("sample:cube --set atlas.size=64 --set atlas.tries=1 --script '{}' "
@@ -67,7 +65,6 @@ TEST(EditDesktop, ARecipeAloneIsShownOnTheTeapot) {
     scratch.write("r.json", R"({"burl": 1, "texture": {"node": "constant", "value": "#804020"},
         "atlas": {"size": 64, "tries": 1}})");
     const auto shown = [&](const std::string& what, const std::string& name) {
-        std::filesystem::create_directories(scratch / name);
         const test::Outcome run =
             test::run_program(scratch, "burl-edit",
                               fmt::format("{} --script '{}' --screenshot-dir '{}' --exit --unseen",
