@@ -127,9 +127,9 @@ TEST(Program, MeasuresTheUvsAFileBrings) {
     const Outcome without = run_burl(scratch, "metrics --uv --levels --size 16384 sample:teapot");
     EXPECT_EQ(without.exit_code, 1);
     EXPECT_NE(without.err.find("has no texture coordinates"), std::string::npos) << without.err;
-    const Outcome nowhere =
-        run_burl(scratch, fmt::format("metrics --levels -s 16384 sample:teapot --image '{}'",
-                                      scratch / "no/x"));
+    const Outcome nowhere = run_burl(
+        scratch,
+        fmt::format("metrics --levels -s 16384 sample:teapot --image '{}'", scratch / "no/x"));
     EXPECT_EQ(nowhere.exit_code, 2) << nowhere.err;
     expect_one_sentence(nowhere.err);
     const Outcome table = run_burl(scratch, "metrics --size 32 " + mesh);
