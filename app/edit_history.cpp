@@ -53,11 +53,11 @@ void EditHistory::go_to(std::size_t step) {
 }
 
 void EditHistory::look_back() {
-    left_.reset();
-    const std::optional<std::size_t> left = steps_[at_].left;
-    if (!left) return;
-    Recipe recipe = steps_[*left].recipe.recipe();
-    if (!is_saved(recipe, *steps_[*left].document)) left_ = std::move(recipe);
+    left_.clear();
+    for (auto left = steps_[at_].left; left; left = steps_[*left].left) {
+        Recipe recipe = steps_[*left].recipe.recipe();
+        if (!is_saved(recipe, *steps_[*left].document)) left_.push_back({*left, std::move(recipe)});
+    }
 }
 
 void EditHistory::change(Recipe recipe) {
@@ -69,7 +69,7 @@ void EditHistory::change(Recipe recipe) {
 /// The one with what unsaved() is; no gesture may be open.
 std::optional<std::size_t> EditHistory::changed_step() const {
     if (changed()) return at_;
-    return left_ ? steps_[at_].left : std::nullopt;
+    return left_.empty() ? std::nullopt : std::optional(left_[0].step);
 }
 
 void EditHistory::add_document(Recipe recipe, const std::string& path) {
@@ -110,7 +110,7 @@ void EditHistory::redo() {
 
 const Recipe* EditHistory::unsaved() const {
     if (changed()) return &now_;
-    return left_ ? &*left_ : nullptr;
+    return left_.empty() ? nullptr : &left_[0].recipe;
 }
 
 void EditHistory::return_to_unsaved() {

@@ -53,7 +53,7 @@ class EditHistory {
     /// Whether the recipe is not what its file or preset holds.
     bool changed() const { return !is_saved(now_, document()); }
     /// The recipe that would be lost: this one where it has changed(), else one with changes in
-    /// whose place another was opened, until something is saved; null: nothing.
+    /// whose place another was opened, until that is saved; null: nothing.
     const Recipe* unsaved() const;
     /// Goes back to that.
     void return_to_unsaved();
@@ -75,6 +75,11 @@ class EditHistory {
         std::shared_ptr<Document> document;
         std::optional<std::size_t> left;  ///< the step that was left with changes
     };
+    /// A step that was left, and its changes are not saved.
+    struct Left {
+        std::size_t step;
+        Recipe recipe;
+    };
 
     Document& document() const { return *steps_[at_].document; }
     bool is_saved(const Recipe& recipe, const Document& document) const;
@@ -89,8 +94,8 @@ class EditHistory {
     std::uint64_t documents_ = 0, revision_ = 0;
     std::size_t at_ = 0;  ///< of `now_`, but for changes of an open gesture
     Recipe now_;
-    Recipe step_;                 ///< steps_[at_]
-    std::optional<Recipe> left_;  ///< with changes, of the step that was left; kept for unsaved()
+    Recipe step_;             ///< steps_[at_]
+    std::vector<Left> left_;  ///< before steps_[at_], the newest first; kept for unsaved()
     bool in_gesture_ = false;
 };
 

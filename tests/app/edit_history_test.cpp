@@ -173,6 +173,23 @@ TEST(EditHistory, SavingIsWhatEndsIt) {
     EXPECT_EQ(history.unsaved(), nullptr);
 }
 
+TEST(EditHistory, WhatWasLeftBehindWhatIsSavedIsStillUnsaved) {
+    EditHistory history(scaled(1), "a.json");
+    history.change(scaled(2));
+    history.open(scaled(3), "b.json");
+    history.change(scaled(4));
+    history.open(scaled(5), "c.json");
+    history.undo();
+    history.mark_saved("b.json");
+    history.redo();
+    EXPECT_FALSE(history.changed());
+    ASSERT_NE(history.unsaved(), nullptr) << "a.json has changes that are in no file";
+    EXPECT_EQ(*history.unsaved(), scaled(2));
+    history.return_to_unsaved();
+    EXPECT_EQ(history.path(), "a.json");
+    EXPECT_EQ(history.recipe(), scaled(2));
+}
+
 TEST(EditHistory, OpeningWhatIsOpenIsNoStep) {
     EditHistory history(scaled(1), "a.json");
     history.change(scaled(2));
