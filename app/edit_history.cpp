@@ -123,10 +123,18 @@ void EditHistory::mark_saved(const std::string& path) {
     document().path = path;
     document().file = spelling_of(path);
     saved_[document().file] = now_;
-    // What another document left unsaved is still to be lost.
-    if (const auto left = steps_[at_].left; left && steps_[*left].document == steps_[at_].document)
-        steps_[at_].left.reset();
+    give_up_left();
     look_back();
+}
+
+/// Older changes of the file that was just saved: to save them would undo this. What other
+/// documents left unsaved is still to be lost.
+void EditHistory::give_up_left() {
+    const auto is_older = [&](std::size_t left) {
+        return left < at_ && steps_[left].document->file == document().file;
+    };
+    for (Step& step : steps_)
+        while (step.left && is_older(*step.left)) step.left = steps_[*step.left].left;
 }
 
 }  // namespace burl

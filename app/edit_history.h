@@ -57,7 +57,8 @@ class EditHistory {
     const Recipe* unsaved() const;
     /// Goes back to that.
     void return_to_unsaved();
-    /// The file holds the recipe now, and the recipe belongs to the file.
+    /// The file holds the recipe now, and the recipe belongs to the file. Changes of the file that
+    /// were left before are given up, but for undo.
     void mark_saved(const std::string& path);
     /// Somebody else has changed the file: no recipe counts as saved there.
     void forget_saved() { saved_.erase(document().file); }
@@ -88,6 +89,7 @@ class EditHistory {
     void add_document(Recipe recipe, const std::string& path);
     void go_to(std::size_t step);
     void look_back();
+    void give_up_left();
 
     std::vector<Step> steps_;
     std::map<std::string, Recipe> saved_;  ///< what files and presets hold
