@@ -235,6 +235,43 @@ TEST_F(GlEditFilesTest, AClickOnAPresetSavesNothing) {
     EXPECT_TRUE(editor->wants_to_close());
 }
 
+TEST_F(GlEditFilesTest, QuittingAsksForEverythingThatIsNotSaved) {
+    save("marble");
+    save("marble", "solid.scale=2", "s.json");
+    const auto editor = open("sample:cube", folder / "r.json");
+    play(*editor, drag_amplitude);
+    const Recipe first = editor->session().recipe();
+    play(*editor, dropped(folder / "s.json"));
+    play(*editor, drag_amplitude);
+    const Recipe second = editor->session().recipe();
+    play(*editor, R"({"key": "Ctrl+Q"}, {"wait": 2}, {"click": "Save it"}, {"wait": 2})");
+    EXPECT_EQ(load_recipe(folder / "s.json"), second);
+    EXPECT_FALSE(editor->wants_to_close());
+    ASSERT_TRUE(editor->items().find("Save it")) << "r.json is not saved";
+    play(*editor, R"({"click": "Save it"}, {"wait": 2})");
+    EXPECT_EQ(load_recipe(folder / "r.json"), first);
+    EXPECT_TRUE(editor->wants_to_close());
+}
+
+TEST_F(GlEditFilesTest, QuittingWaitsForTheNameToSaveBy) {
+    const auto editor = open("sample:cube", "marble");
+    play(*editor, drag_amplitude);
+    play(*editor, R"({"key": "Ctrl+Q"}, {"wait": 2}, {"click": "Save it"}, {"wait": 3})");
+    ASSERT_TRUE(editor->items().find("file name"));
+    EXPECT_FALSE(editor->items().find("Save it"));
+    play(*editor, R"({"click": "file cancel"}, {"wait": 3})");
+    EXPECT_FALSE(editor->wants_to_close());
+    ASSERT_TRUE(editor->items().find("Save it")) << "it was not saved";
+    play(*editor, R"({"click": "Save it"}, {"wait": 3}, {"type": ")" + (folder / "missing/r") +
+                      R"("}, {"wait": 2}, {"key": "Enter"}, {"wait": 3})");
+    EXPECT_FALSE(editor->wants_to_close());
+    ASSERT_TRUE(editor->items().find("Save it")) << "it could not be saved";
+    play(*editor, R"({"click": "Save it"}, {"wait": 3}, {"type": ")" + (folder / "r") +
+                      R"("}, {"wait": 2}, {"key": "Enter"}, {"wait": 3})");
+    EXPECT_TRUE(editor->wants_to_close());
+    EXPECT_EQ(load_recipe(folder / "r.json"), editor->session().recipe());
+}
+
 TEST_F(GlEditFilesTest, AFileThatWasKeptFromIsNotWhatIsSaved) {
     save("marble");
     const auto editor = open("sample:cube", folder / "r.json");
