@@ -4,6 +4,8 @@
 #include <cmath>
 #include <memory>
 
+#include <nlohmann/json.hpp>
+
 #include "app/graph_sampler.h"
 #include "app/texture_color.h"
 #include "atlas/error.h"

@@ -3,6 +3,7 @@
 #include "app/edit_session.h"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <filesystem>
 

@@ -3,6 +3,7 @@
 // back, and undo leads to where it began.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <array>
 #include <chrono>
