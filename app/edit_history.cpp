@@ -108,9 +108,17 @@ void EditHistory::redo() {
     if (at_ + 1 < steps_.size()) go_to(at_ + 1);
 }
 
+std::vector<EditHistory::Unsaved> EditHistory::all_unsaved() const {
+    std::vector<Unsaved> all;
+    if (changed()) all.push_back({document().number, &now_});
+    for (const Left& left : left_)
+        all.push_back({steps_[left.step].document->number, &left.recipe});
+    return all;
+}
+
 const Recipe* EditHistory::unsaved() const {
-    if (changed()) return &now_;
-    return left_.empty() ? nullptr : &left_[0].recipe;
+    const std::vector<Unsaved> all = all_unsaved();
+    return all.empty() ? nullptr : all[0].recipe;
 }
 
 void EditHistory::return_to_unsaved() {

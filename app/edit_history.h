@@ -52,8 +52,15 @@ class EditHistory {
 
     /// Whether the recipe is not what its file or preset holds.
     bool changed() const { return !is_saved(now_, document()); }
-    /// The recipe that would be lost: this one where it has changed(), else one with changes in
-    /// whose place another was opened, until that is saved; null: nothing.
+    /// A document's changes that would be lost.
+    struct Unsaved {
+        std::uint64_t document = 0;  ///< its document_number()
+        const Recipe* recipe = nullptr;
+    };
+    /// This recipe's where it has changed(), and those in whose place others were opened, each
+    /// until it is saved; the newest first.
+    std::vector<Unsaved> all_unsaved() const;
+    /// The first of those; null: nothing.
     const Recipe* unsaved() const;
     /// Goes back to that.
     void return_to_unsaved();
@@ -97,7 +104,7 @@ class EditHistory {
     std::size_t at_ = 0;  ///< of `now_`, but for changes of an open gesture
     Recipe now_;
     Recipe step_;             ///< steps_[at_]
-    std::vector<Left> left_;  ///< before steps_[at_], the newest first; kept for unsaved()
+    std::vector<Left> left_;  ///< before steps_[at_], the newest first; kept for all_unsaved()
     bool in_gesture_ = false;
 };
 

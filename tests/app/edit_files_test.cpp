@@ -81,6 +81,46 @@ TEST(EditAutosave, APresetThatTakesTheRecipesPlaceLeavesIt) {
     EXPECT_EQ(load_recipe(file), edited);
 }
 
+TEST(EditAutosave, EveryRecipeThatIsNotSavedHasAFile) {
+    const ScratchFolder folder;
+    const std::string file = folder / "autosave.json", second = folder / "autosave-1.json";
+    EditHistory history = edited_marble("2");
+    const Recipe first = history.recipe();
+    {
+        EditAutosave autosave(file);
+        autosave.keep(history, 0.0);
+        history.open(load_recipe("wood"), "wood");
+        history.change(load_recipe("wood", {"solid.scale=3"}));
+        autosave.keep(history, 10.0);
+        EXPECT_EQ(load_recipe(file), first);
+        EXPECT_EQ(load_recipe(second), history.recipe());
+        history.mark_saved(folder / "w.json");
+        autosave.keep(history, 20.0);
+        EXPECT_EQ(load_recipe(file), first);
+        EXPECT_FALSE(std::filesystem::exists(second));
+        history.change(load_recipe("wood", {"solid.scale=4"}));
+        autosave.keep(history, 30.0);
+    }
+    EXPECT_EQ(EditAutosave(file).left_behind().size(), 2u);
+}
+
+TEST(EditAutosave, WhatIsTakenLeavesWhatIsNotSaved) {
+    const ScratchFolder folder;
+    const std::string file = folder / "autosave.json";
+    EditHistory history = edited_marble("2");
+    const Recipe edited = history.recipe(), left = load_recipe("wood");
+    write_file(file, to_json(left));
+    EditAutosave autosave(file);
+    autosave.keep(history, 0.0);
+    history.open_unsaved(left);
+    autosave.take(0, history);
+    EXPECT_EQ(load_recipe(folder / "autosave-1.json"), edited);
+    EXPECT_EQ(load_recipe(folder / "autosave-2.json"), left);
+    EXPECT_FALSE(std::filesystem::exists(file));
+    autosave.clear();
+    EXPECT_TRUE(EditAutosave(file).left_behind().empty());
+}
+
 TEST(EditAutosave, EditorsThatRunHaveOneEach) {
     const ScratchFolder folder;
     const std::string file = folder / "autosave.json", second = folder / "autosave-1.json";
