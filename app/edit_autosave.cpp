@@ -13,6 +13,7 @@
 #include "app/atomic_file.h"
 #include "app/file_bytes.h"
 #include "app/json_text.h"
+#include "app/recipe_images.h"
 #include "atlas/error.h"
 
 namespace burl {
@@ -109,7 +110,7 @@ EditAutosave::Kept& EditAutosave::kept(std::uint64_t document) {
 void EditAutosave::write(const EditHistory::Unsaved& unsaved) {
     Kept& place = kept(unsaved.document);
     if (place.written == *unsaved.recipe) return;
-    write_file(place.file, to_json(*unsaved.recipe));
+    write_file(place.file, to_json(with_absolute_images(*unsaved.recipe, unsaved.path)));
     place.written = *unsaved.recipe;
 }
 

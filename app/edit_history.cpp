@@ -110,9 +110,11 @@ void EditHistory::redo() {
 
 std::vector<EditHistory::Unsaved> EditHistory::all_unsaved() const {
     std::vector<Unsaved> all;
-    if (changed()) all.push_back({document().number, &now_});
-    for (const Left& left : left_)
-        all.push_back({steps_[left.step].document->number, &left.recipe});
+    const auto add = [&](const Document& document, const Recipe& recipe) {
+        all.push_back({document.number, document.path, &recipe});
+    };
+    if (changed()) add(document(), now_);
+    for (const Left& left : left_) add(*steps_[left.step].document, left.recipe);
     return all;
 }
 
@@ -128,11 +130,21 @@ void EditHistory::return_to_unsaved() {
 
 void EditHistory::mark_saved(const std::string& path) {
     end_gesture();
+    name_images(path);
     document().path = path;
     document().file = spelling_of(path);
     saved_[document().file] = now_;
     give_up_left();
     look_back();
+}
+
+/// All steps of the document get names that lead from the file on.
+void EditHistory::name_images(const std::string& path) {
+    for (Step& step : steps_)
+        if (step.document == steps_[at_].document) step.recipe.name_images(document().path, path);
+    document().opened.name_images(document().path, path);
+    now_ = step_ = steps_[at_].recipe.recipe();
+    ++revision_;
 }
 
 /// Older changes of the file that was just saved: to save them would undo this. What other

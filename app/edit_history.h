@@ -55,6 +55,7 @@ class EditHistory {
     /// A document's changes that would be lost.
     struct Unsaved {
         std::uint64_t document = 0;  ///< its document_number()
+        std::string path{};
         const Recipe* recipe = nullptr;
     };
     /// This recipe's where it has changed(), and those in whose place others were opened, each
@@ -64,7 +65,8 @@ class EditHistory {
     const Recipe* unsaved() const;
     /// Goes back to that.
     void return_to_unsaved();
-    /// The file holds the recipe now, and the recipe belongs to the file. Changes of the file that
+    /// The file holds the recipe now, as with_images_for (app/recipe_images.h) names its images
+    /// there, and the recipe belongs to the file. Changes of the file that
     /// were left before are given up, but for undo.
     void mark_saved(const std::string& path);
     /// Somebody else has changed the file: no recipe counts as saved there.
@@ -97,6 +99,7 @@ class EditHistory {
     void go_to(std::size_t step);
     void look_back();
     void give_up_left();
+    void name_images(const std::string& path);
 
     std::vector<Step> steps_;
     std::map<std::string, Recipe> saved_;  ///< what files and presets hold
