@@ -334,8 +334,9 @@ std::string EditorProgram::command(std::vector<std::string> output, double time)
 
 /// Of the recipe's own atlas, whatever is shown.
 void EditorProgram::export_as(const std::string& path) {
-    ExportRequest request{files_.mesh(), session_.still(), path, dialog_.chose(),
-                          posed_ ? files_.pose() : ""};
+    ExportRequest request{files_.mesh(), session_.still(), path, dialog_.chose()};
+    if (posed_) request.pose = files_.pose();
+    request.recipe_path = session_.recipe_path();
     session_.tell(
         fmt::format("exporting {}, as {}", path, command(bake_options(request), seen_time())));
     export_.start(std::move(request));
@@ -343,6 +344,7 @@ void EditorProgram::export_as(const std::string& path) {
 
 void EditorProgram::export_frames_as(const std::string& path) {
     ExportRequest request{files_.mesh(), session_.recipe(), path};
+    request.recipe_path = session_.recipe_path();
     session_.tell(fmt::format("exporting the frames of {}, as {}", path,
                               command(bake_options(request), 0.0)));
     export_.start(std::move(request));

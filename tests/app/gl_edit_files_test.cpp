@@ -11,6 +11,7 @@
 #include "app/atomic_file.h"
 #include "app/edit_export.h"
 #include "app/file_bytes.h"
+#include "app/image_io.h"
 #include "tests/app/gl_edit_fixture.h"
 #include "tests/app/run_program.h"
 #include "tests/app/scratch_folder.h"
@@ -315,6 +316,19 @@ TEST_F(GlEditFilesTest, AnExportAsksBeforeItReplacesAFile) {
     EXPECT_EQ(outputs().size(), 3u);
     EXPECT_NE(text("out.png"), "a picture");
     EXPECT_NE(text("out.mtl"), "a material");
+}
+
+TEST_F(GlEditFilesTest, AnExportDoesNotReplaceTheRecipesImage) {
+    write_png(folder / "image.png", Image<Rgb8>(2, 2));
+    const std::string before = text("image.png");
+    write_file(folder / "r.json", R"({"texture": {"node": "image", "file": "image.png"},
+        "atlas": {"size": 64, "tries": 1}})");
+    const auto editor = open("sample:cube", folder / "r.json");
+    play(*editor, R"({"key": "Ctrl+E"}, {"wait": 3}, {"type": ")" + (folder / "image.png") +
+                      R"("}, {"wait": 2}, {"key": "Enter"}, {"wait": 2}, {"click": "file replace"},
+                      {"settle": true}, {"wait": 2})");
+    EXPECT_EQ(text("image.png"), before);
+    EXPECT_TRUE(editor->session().log().back().problem);
 }
 
 TEST_F(GlEditFilesTest, ScreenshotsOfEverySessionAreKept) {
