@@ -176,7 +176,7 @@ std::vector<std::string> images_of_recipe(const std::string& path_or_preset, con
 
 std::vector<std::string> files_of_recipe(const std::string& path_or_preset, const Recipe& recipe) {
     std::vector<std::string> files = images_of_recipe(path_or_preset, recipe);
-    if (!names_preset(path_or_preset)) files.push_back(path_or_preset);
+    if (!path_or_preset.empty() && !names_preset(path_or_preset)) files.push_back(path_or_preset);
     return files;
 }
 

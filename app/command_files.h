@@ -63,7 +63,7 @@ std::vector<std::string> files_of_mesh(const std::string& mesh_path);
 /// The images a recipe reads, its bumps' included, from the folder of its file on.
 std::vector<std::string> images_of_recipe(const std::string& path_or_preset, const Recipe& recipe);
 
-/// Those images and the recipe's own file, if it is no preset.
+/// Those images and the recipe's own file, if it has one and is no preset.
 std::vector<std::string> files_of_recipe(const std::string& path_or_preset, const Recipe& recipe);
 
 }  // namespace burl

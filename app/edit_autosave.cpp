@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
@@ -12,6 +13,7 @@
 #include "app/atomic_file.h"
 #include "app/file_bytes.h"
 #include "app/json_text.h"
+#include "app/recipe_images.h"
 #include "atlas/error.h"
 
 namespace burl {
@@ -21,7 +23,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr double every_seconds = 3.0;
-constexpr std::size_t most_editors = 100;  // that run, or have left something
+constexpr std::size_t most_files = 1000;  // of all editors
 
 std::string lock_of(const std::string& file) {
     return file + ".lock";
@@ -67,16 +69,16 @@ EditAutosave::EditAutosave(std::string file) : first_(std::move(file)) {
     find_left();
 }
 
-std::string EditAutosave::file_of(std::size_t editor) const {
-    if (editor == 0) return first_;
+std::string EditAutosave::file_of(std::size_t number) const {
+    if (number == 0) return first_;
     const fs::path path = first_;
     return (path.parent_path() /
-            fmt::format("{}-{}{}", path.stem().string(), editor, path.extension().string()))
+            fmt::format("{}-{}{}", path.stem().string(), number, path.extension().string()))
         .string();
 }
 
 void EditAutosave::find_left() {
-    for (std::size_t i = 0; i < most_editors && !first_.empty(); ++i) {
+    for (std::size_t i = 0; i < most_files && !first_.empty(); ++i) {
         const std::string file = file_of(i);
         if (!is_there(file)) continue;
         std::optional<EditLock> lock = EditLock::take(lock_of(file));
@@ -89,26 +91,33 @@ void EditAutosave::find_left() {
 }
 
 /// A file of its own, which nobody has left.
-bool EditAutosave::claim() {
-    if (lock_) return true;
-    for (std::size_t i = 0; i < most_editors; ++i) {
-        const std::string file = file_of(i);
+EditAutosave::Kept& EditAutosave::claim(std::uint64_t document) {
+    for (std::size_t i = 0; i < most_files; ++i) {
+        std::string file = file_of(i);
         if (is_there(file)) continue;
         std::optional<EditLock> lock = EditLock::take(lock_of(file));
         if (!lock || is_there(file)) continue;
-        lock_ = std::move(lock);
-        file_ = file;
-        return true;
+        return kept_.emplace_back(Kept{document, std::move(file), std::move(*lock), {}});
     }
-    return false;
+    throw Error(ExitCode::io, "no autosave is to be had");
 }
 
-void EditAutosave::write(const Recipe& recipe) {
-    written_ = recipe;
+EditAutosave::Kept& EditAutosave::kept(std::uint64_t document) {
+    const auto found = std::ranges::find(kept_, document, &Kept::document);
+    return found == kept_.end() ? claim(document) : *found;
+}
+
+void EditAutosave::write(const EditHistory::Unsaved& unsaved) {
+    Kept& place = kept(unsaved.document);
+    if (place.written == *unsaved.recipe) return;
+    write_file(place.file, to_json(with_absolute_images(*unsaved.recipe, unsaved.path)));
+    place.written = *unsaved.recipe;
+}
+
+void EditAutosave::write_all(const AllUnsaved& all) {
     try {
         fs::create_directories(fs::path(first_).parent_path());
-        if (!claim()) throw Error(ExitCode::io, "no autosave is to be had");
-        write_file(file_, to_json(recipe));
+        for (const EditHistory::Unsaved& unsaved : all) write(unsaved);
     } catch (const Error&) {
         first_.clear();
     } catch (const fs::filesystem_error&) {
@@ -116,20 +125,28 @@ void EditAutosave::write(const Recipe& recipe) {
     }
 }
 
+/// The files of what is not unsaved any more.
+void EditAutosave::remove_others(const AllUnsaved& all) {
+    std::erase_if(kept_, [&](const Kept& one) {
+        const auto is_this = [&](const auto& unsaved) { return unsaved.document == one.document; };
+        if (std::ranges::any_of(all, is_this)) return false;
+        std::error_code unknown;
+        fs::remove(one.file, unknown);
+        return true;
+    });
+}
+
 void EditAutosave::keep(const EditHistory& history, double seconds) {
     if (first_.empty()) return;
-    const Recipe* unsaved = history.unsaved();
-    if (!unsaved) {
-        if (written_) clear();
-        return;
-    }
-    if (seconds - last_ < every_seconds || written_ == *unsaved) return;
+    const AllUnsaved all = history.all_unsaved();
+    remove_others(all);
+    if (all.empty() || seconds - last_ < every_seconds) return;
     last_ = seconds;
-    write(*unsaved);
+    write_all(all);
 }
 
 void EditAutosave::take(std::size_t left, const EditHistory& history) {
-    if (const Recipe* unsaved = history.unsaved()) write(*unsaved);
+    if (!first_.empty()) write_all(history.all_unsaved());
     if (first_.empty())
         forget(left);  // its file is all that is kept of it
     else
@@ -153,9 +170,7 @@ void EditAutosave::leave_all() {
 }
 
 void EditAutosave::clear() {
-    std::error_code unknown;
-    if (!file_.empty()) fs::remove(file_, unknown);
-    written_.reset();
+    remove_others({});
 }
 
 std::string state_file(const std::string& name) {

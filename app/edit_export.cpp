@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <exception>
 #include <filesystem>
 #include <utility>
@@ -11,6 +10,7 @@
 #include "app/atomic_file.h"
 #include "app/bake_normals.h"
 #include "app/bake_texture.h"
+#include "app/command_files.h"
 #include "app/edit_reader.h"
 #include "app/export.h"
 #include "app/gl_emit.h"
@@ -25,7 +25,6 @@ namespace {
 
 /// What a bake checks before it writes a shader.
 void write_shader(const ExportRequest& request) {
-    check_side_output(request.out, "", std::array{request.mesh});
     const Mesh mesh = load_mesh(request.mesh);
     check_lattice(request.recipe, mesh);
     write_file(request.out, emit_glsl(request.recipe, texture_from_mesh(request.recipe, mesh)));
@@ -56,6 +55,21 @@ std::vector<std::string> files_of_frames(const ExportRequest& request) {
     return files;
 }
 
+std::vector<std::string> written_files(const ExportRequest& request) {
+    if (is_shader_file(request.out)) return {request.out};
+    if (!request.recipe.animation.tracks.empty()) return files_of_frames(request);
+    return files_of_texture(request, request.out, export_levels(request).count);
+}
+
+/// Refuses outputs that would replace a file that is read.
+void check_outputs(const ExportRequest& request) {
+    CommandFiles files;
+    files.read(files_of_mesh(request.mesh));
+    if (is_pose_file(request.pose)) files.read(files_of_mesh(request.pose));
+    files.read(files_of_recipe(request.recipe_path, request.recipe));
+    for (const std::string& file : written_files(request)) files.write(file);
+}
+
 }  // namespace
 
 bool is_shader_file(const std::string& path) {
@@ -77,23 +91,20 @@ std::vector<std::string> bake_options(const ExportRequest& request) {
 }
 
 std::vector<std::string> export_files(const ExportRequest& request) {
-    if (is_shader_file(request.out)) return {request.out};
     try {
-        if (!request.recipe.animation.tracks.empty()) return files_of_frames(request);
-        return files_of_texture(request, request.out, export_levels(request).count);
+        return written_files(request);
     } catch (const Error&) {
         return {request.out};
     }
 }
 
 void bake_file(const ExportRequest& request) {
+    check_outputs(request);
     if (is_shader_file(request.out)) return write_shader(request);
     const Recipe& recipe = request.recipe;
     const ImageKind kind = wanted_kind(request.out, export_depth);
     const LevelsAsked levels = export_levels(request);
     const NormalSpace normals = normals_asked("", recipe, request.out);
-    for (const std::string& input : {request.mesh, request.pose})
-        check_output(request.out, input, levels.count, normals != NormalSpace::none);
     Pipeline pipeline(load_mesh(request.mesh));
     check_lattice(recipe, pipeline.mesh());
     pipeline.set_recipe(recipe);
@@ -114,6 +125,7 @@ void bake_frames(const ExportRequest& request) {
     if (holds_mesh(request.out) || is_shader_file(request.out))
         throw Error(ExitCode::usage,
                     fmt::format("{}: frames are textures alone, .png or .exr", request.out));
+    check_outputs(request);
     constexpr std::size_t cache_bytes = std::size_t(512) << 20;
     const KeyedAnimation& animation = request.recipe.animation;
     const int frames = frame_count(animation);
@@ -123,7 +135,6 @@ void bake_frames(const ExportRequest& request) {
         const Recipe still = recipe_at(request.recipe, frame_seconds(animation, i, frames));
         const std::string path = frame_path(request.out, std::size_t(i) + 1);
         const NormalSpace normals = normals_asked("", still, path);
-        check_output(path, request.mesh, 0, normals != NormalSpace::none);
         check_lattice(still, pipeline.mesh());
         pipeline.set_recipe(still);
         const BakedTexture texture = bake_texture(pipeline, wanted_kind(path, export_depth), {});

@@ -18,6 +18,8 @@ struct ExportRequest {
     std::string out{};    ///< its extension says what is written
     bool levels = false;  ///< all MIP levels besides the texture
     std::string pose{};   ///< of the mesh (app/load_pose.h); empty: none
+    /// A file or preset, whose folder the images' names lead from; empty: none.
+    std::string recipe_path{};
 };
 
 /// Whether it is the texture as a shader: .frag or .glsl.
@@ -31,11 +33,12 @@ std::vector<std::string> bake_options(const ExportRequest& request);
 std::vector<std::string> export_files(const ExportRequest& request);
 
 /// Reads the mesh, textures it and writes everything or nothing, as `burl bake` does with
-/// bake_options(). Throws Error.
+/// bake_options(). Throws Error; before any work where a file that is read would be replaced.
 void bake_file(const ExportRequest& request);
 
 /// The textures of the frames of a recipe with keys (app/keyed_recipe.h), at its own rate: the
-/// files of `burl bake --frames`. Throws Error; before any is written where `out` is no texture.
+/// files of `burl bake --frames`. Throws Error; before any work where `out` is no texture or a file
+/// that is read would be replaced.
 void bake_frames(const ExportRequest& request);
 
 class EditExport {

@@ -53,11 +53,11 @@ void EditHistory::go_to(std::size_t step) {
 }
 
 void EditHistory::look_back() {
-    left_.reset();
-    const std::optional<std::size_t> left = steps_[at_].left;
-    if (!left) return;
-    Recipe recipe = steps_[*left].recipe.recipe();
-    if (!is_saved(recipe, *steps_[*left].document)) left_ = std::move(recipe);
+    left_.clear();
+    for (auto left = steps_[at_].left; left; left = steps_[*left].left) {
+        Recipe recipe = steps_[*left].recipe.recipe();
+        if (!is_saved(recipe, *steps_[*left].document)) left_.push_back({*left, std::move(recipe)});
+    }
 }
 
 void EditHistory::change(Recipe recipe) {
@@ -69,7 +69,7 @@ void EditHistory::change(Recipe recipe) {
 /// The one with what unsaved() is; no gesture may be open.
 std::optional<std::size_t> EditHistory::changed_step() const {
     if (changed()) return at_;
-    return left_ ? steps_[at_].left : std::nullopt;
+    return left_.empty() ? std::nullopt : std::optional(left_[0].step);
 }
 
 void EditHistory::add_document(Recipe recipe, const std::string& path) {
@@ -108,9 +108,19 @@ void EditHistory::redo() {
     if (at_ + 1 < steps_.size()) go_to(at_ + 1);
 }
 
+std::vector<EditHistory::Unsaved> EditHistory::all_unsaved() const {
+    std::vector<Unsaved> all;
+    const auto add = [&](const Document& document, const Recipe& recipe) {
+        all.push_back({document.number, document.path, &recipe});
+    };
+    if (changed()) add(document(), now_);
+    for (const Left& left : left_) add(*steps_[left.step].document, left.recipe);
+    return all;
+}
+
 const Recipe* EditHistory::unsaved() const {
-    if (changed()) return &now_;
-    return left_ ? &*left_ : nullptr;
+    const std::vector<Unsaved> all = all_unsaved();
+    return all.empty() ? nullptr : all[0].recipe;
 }
 
 void EditHistory::return_to_unsaved() {
@@ -120,13 +130,31 @@ void EditHistory::return_to_unsaved() {
 
 void EditHistory::mark_saved(const std::string& path) {
     end_gesture();
+    name_images(path);
     document().path = path;
     document().file = spelling_of(path);
     saved_[document().file] = now_;
-    // What another document left unsaved is still to be lost.
-    if (const auto left = steps_[at_].left; left && steps_[*left].document == steps_[at_].document)
-        steps_[at_].left.reset();
+    give_up_left();
     look_back();
+}
+
+/// All steps of the document get names that lead from the file on.
+void EditHistory::name_images(const std::string& path) {
+    for (Step& step : steps_)
+        if (step.document == steps_[at_].document) step.recipe.name_images(document().path, path);
+    document().opened.name_images(document().path, path);
+    now_ = step_ = steps_[at_].recipe.recipe();
+    ++revision_;
+}
+
+/// Older changes of the file that was just saved: to save them would undo this. What other
+/// documents left unsaved is still to be lost.
+void EditHistory::give_up_left() {
+    const auto is_older = [&](std::size_t left) {
+        return left < at_ && steps_[left].document->file == document().file;
+    };
+    for (Step& step : steps_)
+        while (step.left && is_older(*step.left)) step.left = steps_[*step.left].left;
 }
 
 }  // namespace burl

@@ -52,12 +52,22 @@ class EditHistory {
 
     /// Whether the recipe is not what its file or preset holds.
     bool changed() const { return !is_saved(now_, document()); }
-    /// The recipe that would be lost: this one where it has changed(), else one with changes in
-    /// whose place another was opened, until something is saved; null: nothing.
+    /// A document's changes that would be lost.
+    struct Unsaved {
+        std::uint64_t document = 0;  ///< its document_number()
+        std::string path{};
+        const Recipe* recipe = nullptr;
+    };
+    /// This recipe's where it has changed(), and those in whose place others were opened, each
+    /// until it is saved; the newest first.
+    std::vector<Unsaved> all_unsaved() const;
+    /// The first of those; null: nothing.
     const Recipe* unsaved() const;
     /// Goes back to that.
     void return_to_unsaved();
-    /// The file holds the recipe now, and the recipe belongs to the file.
+    /// The file holds the recipe now, as with_images_for (app/recipe_images.h) names its images
+    /// there, and the recipe belongs to the file. Changes of the file that
+    /// were left before are given up, but for undo.
     void mark_saved(const std::string& path);
     /// Somebody else has changed the file: no recipe counts as saved there.
     void forget_saved() { saved_.erase(document().file); }
@@ -75,6 +85,11 @@ class EditHistory {
         std::shared_ptr<Document> document;
         std::optional<std::size_t> left;  ///< the step that was left with changes
     };
+    /// A step that was left, and its changes are not saved.
+    struct Left {
+        std::size_t step;
+        Recipe recipe;
+    };
 
     Document& document() const { return *steps_[at_].document; }
     bool is_saved(const Recipe& recipe, const Document& document) const;
@@ -83,14 +98,16 @@ class EditHistory {
     void add_document(Recipe recipe, const std::string& path);
     void go_to(std::size_t step);
     void look_back();
+    void give_up_left();
+    void name_images(const std::string& path);
 
     std::vector<Step> steps_;
     std::map<std::string, Recipe> saved_;  ///< what files and presets hold
     std::uint64_t documents_ = 0, revision_ = 0;
     std::size_t at_ = 0;  ///< of `now_`, but for changes of an open gesture
     Recipe now_;
-    Recipe step_;                 ///< steps_[at_]
-    std::optional<Recipe> left_;  ///< with changes, of the step that was left; kept for unsaved()
+    Recipe step_;             ///< steps_[at_]
+    std::vector<Left> left_;  ///< before steps_[at_], the newest first; kept for all_unsaved()
     bool in_gesture_ = false;
 };
 

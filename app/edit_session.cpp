@@ -12,6 +12,7 @@
 #include "app/key_check.h"
 #include "app/key_edit.h"
 #include "app/keyed_recipe.h"
+#include "app/recipe_images.h"
 #include "app/recipe_leaves.h"
 #include "atlas/error.h"
 
@@ -204,7 +205,7 @@ bool EditSession::recover_recipe(const std::string& json, const std::string& ori
 }
 
 void EditSession::save_recipe(const std::string& path) {
-    write_file(path, to_json(recipe()));
+    write_file(path, to_json(with_images_for(recipe(), recipe_path(), path)));
     history_.mark_saved(path);
     tell(fmt::format("saved {}", path));
 }

@@ -59,7 +59,8 @@ class EditSession {
     bool paste_recipe(const std::string& json);
     /// Recipe JSON that is not to be saved where it was found, as one step; messages name `origin`.
     bool recover_recipe(const std::string& json, const std::string& origin);
-    /// Throws Error(io). The recipe counts as saved.
+    /// Names the recipe's images from the file's folder on. Throws Error(io). The recipe counts as
+    /// saved.
     void save_recipe(const std::string& path);
 
     void tell(std::string text) { add({false, std::move(text)}); }

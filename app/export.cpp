@@ -193,13 +193,6 @@ std::vector<std::string> output_paths(const std::string& out_path, std::uint32_t
     return paths;
 }
 
-void check_output(const std::string& out_path, const std::string& input_path, std::uint32_t levels,
-                  bool normals) {
-    CommandFiles files;
-    files.read(files_of_mesh(input_path));
-    for (const std::string& path : output_paths(out_path, levels, normals)) files.write(path);
-}
-
 void check_side_output(const std::string& path, std::string_view extension,
                        std::span<const std::string> taken) {
     CommandFiles files;

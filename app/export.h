@@ -48,21 +48,16 @@ struct ExportOptions {
     std::optional<ExportPose> pose{};
 };
 
-/// Refuses an output before any work starts: the extension is one of .glb, .gltf, .obj, .png, .exr
-/// (any case; else Error(usage) listing them), and the folder exists and is writable, no file to be
-/// written is a folder, and none is the mesh's file at `input_path` or one it names (else
-/// Error(io)).
-void check_output(const std::string& out_path, const std::string& input_path = {},
-                  std::uint32_t levels = 0, bool normals = false);
-
-/// The same for a picture or report: its name ends in `extension` (in lower case; empty: any), its
-/// folder is writable, and it is none of the `taken` files, which are read.
+/// Refuses a picture or report before any work starts: its name ends in `extension` (in lower case;
+/// empty: any; else Error(usage)), its folder is writable, and it is none of the `taken` files,
+/// which are read (else Error(io)).
 void check_side_output(const std::string& path, std::string_view extension,
                        std::span<const std::string> taken);
 
 /// Every file export_scene writes, the one named first: "a.obj" gives a.obj, a.mtl and a.png, and
 /// with MIP levels a.1.png, a.2.png, ...; .glb and .exr hold their levels themselves. With normals
-/// a_normal.png besides, but for .glb.
+/// a_normal.png besides, but for .glb. Throws Error(usage) unless the extension is one of .glb,
+/// .gltf, .obj, .png, .exr (any case), listing them.
 std::vector<std::string> output_paths(const std::string& out_path, std::uint32_t levels = 0,
                                       bool normals = false);
 
@@ -81,7 +76,7 @@ ImageKind wanted_kind(const std::string& out_path, int depth);
 /// another kind than the wanted one is converted (float is clamped and sRGB-encoded; 8 and 16 bits
 /// are decoded for .exr). Normals in tangent space become part of the material (glTF's
 /// normalTexture, with tangents; OBJ's norm), any other ones a file beside; a .glb or .gltf must
-/// not be given those. Says what was written. Throws Error: as check_output, and io when a write
+/// not be given those. Says what was written. Throws Error: as output_paths, and io when a write
 /// fails.
 std::vector<CommittedFile> export_scene(const std::string& out_path, const Mesh& mesh,
                                         const Atlas& atlas, const BakedImage& image,

@@ -228,8 +228,9 @@ void EditorProgram::ask_to_close() {
         closing_ = true;
 }
 
+/// Until there is nothing more to save, or somebody stays.
 void EditorProgram::closing_window() {
-    if (!asks_to_close_) return;
+    if (!asks_to_close_ || dialog_.is_open()) return;
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({0.5f * display.x, 0.5f * display.y}, ImGuiCond_Always, {0.5f, 0.5f});
     ImGui::Begin("Quit", &asks_to_close_,
@@ -244,13 +245,11 @@ void EditorProgram::closing_window() {
         const bool chosen = ImGui::Button(label);
         items_.note(label);
         ImGui::SameLine();
-        if (chosen) asks_to_close_ = false;
         return chosen;
     };
     if (answer("Save it")) {
         history.return_to_unsaved();
         save();
-        closing_ = !history.unsaved();
     }
     if (answer("Quit without saving")) closing_ = true;
     if (answer("Stay") || pressed("Escape")) asks_to_close_ = false;
@@ -274,6 +273,7 @@ void EditorProgram::save_as(const std::string& path) {
         session_.save_recipe(path);
         files_.set_recipe(path);
         news(fmt::format("saved {}", path), false);
+        closing_ = asks_to_close_ && !session_.history().unsaved();
     } catch (const Error& error) {
         session_.complain(error.what());
     }
@@ -334,8 +334,9 @@ std::string EditorProgram::command(std::vector<std::string> output, double time)
 
 /// Of the recipe's own atlas, whatever is shown.
 void EditorProgram::export_as(const std::string& path) {
-    ExportRequest request{files_.mesh(), session_.still(), path, dialog_.chose(),
-                          posed_ ? files_.pose() : ""};
+    ExportRequest request{files_.mesh(), session_.still(), path, dialog_.chose()};
+    if (posed_) request.pose = files_.pose();
+    request.recipe_path = session_.recipe_path();
     session_.tell(
         fmt::format("exporting {}, as {}", path, command(bake_options(request), seen_time())));
     export_.start(std::move(request));
@@ -343,6 +344,7 @@ void EditorProgram::export_as(const std::string& path) {
 
 void EditorProgram::export_frames_as(const std::string& path) {
     ExportRequest request{files_.mesh(), session_.recipe(), path};
+    request.recipe_path = session_.recipe_path();
     session_.tell(fmt::format("exporting the frames of {}, as {}", path,
                               command(bake_options(request), 0.0)));
     export_.start(std::move(request));

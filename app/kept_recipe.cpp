@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/recipe_images.h"
+
 namespace burl {
 
 KeptRecipe::KeptRecipe(Recipe recipe, const Strokes& before) {
@@ -18,6 +20,10 @@ Recipe KeptRecipe::recipe() const {
     Recipe recipe = rest_;
     for (const auto& stroke : paint_) recipe.paint.push_back(*stroke);
     return recipe;
+}
+
+void KeptRecipe::name_images(const std::string& from, const std::string& to) {
+    rest_ = with_images_for(std::move(rest_), from, to);
 }
 
 std::size_t KeptRecipe::shared_strokes() const {

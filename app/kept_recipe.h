@@ -3,6 +3,7 @@
 // may have megabytes, are those of the step before wherever they are equal.
 #include <cstddef>
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -18,6 +19,8 @@ class KeptRecipe {
         : KeptRecipe(std::move(recipe), before.paint_) {}
 
     Recipe recipe() const;
+    /// Does what with_images_for does (app/recipe_images.h).
+    void name_images(const std::string& from, const std::string& to);
     /// How many strokes take no memory besides that of another step.
     std::size_t shared_strokes() const;
 

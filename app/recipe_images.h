@@ -34,4 +34,12 @@ Recipe parse_recipe(const std::string& json, const std::string& origin,
 Recipe load_recipe(const std::string& path_or_preset, const std::vector<std::string>& settings,
                    RecipeImages& images);
 
+/// The recipe that has its images' names from the folder of `from`, a file or preset, with the
+/// names that lead from the folder of `to` to the same images. Absolute names stay so for images
+/// that are not below that folder.
+Recipe with_images_for(Recipe recipe, const std::string& from, const std::string& to);
+
+/// Gives all images absolute names, for a file anywhere.
+Recipe with_absolute_images(Recipe recipe, const std::string& from);
+
 }  // namespace burl

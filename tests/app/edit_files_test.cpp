@@ -81,6 +81,46 @@ TEST(EditAutosave, APresetThatTakesTheRecipesPlaceLeavesIt) {
     EXPECT_EQ(load_recipe(file), edited);
 }
 
+TEST(EditAutosave, EveryRecipeThatIsNotSavedHasAFile) {
+    const ScratchFolder folder;
+    const std::string file = folder / "autosave.json", second = folder / "autosave-1.json";
+    EditHistory history = edited_marble("2");
+    const Recipe first = history.recipe();
+    {
+        EditAutosave autosave(file);
+        autosave.keep(history, 0.0);
+        history.open(load_recipe("wood"), "wood");
+        history.change(load_recipe("wood", {"solid.scale=3"}));
+        autosave.keep(history, 10.0);
+        EXPECT_EQ(load_recipe(file), first);
+        EXPECT_EQ(load_recipe(second), history.recipe());
+        history.mark_saved(folder / "w.json");
+        autosave.keep(history, 20.0);
+        EXPECT_EQ(load_recipe(file), first);
+        EXPECT_FALSE(std::filesystem::exists(second));
+        history.change(load_recipe("wood", {"solid.scale=4"}));
+        autosave.keep(history, 30.0);
+    }
+    EXPECT_EQ(EditAutosave(file).left_behind().size(), 2u);
+}
+
+TEST(EditAutosave, WhatIsTakenLeavesWhatIsNotSaved) {
+    const ScratchFolder folder;
+    const std::string file = folder / "autosave.json";
+    EditHistory history = edited_marble("2");
+    const Recipe edited = history.recipe(), left = load_recipe("wood");
+    write_file(file, to_json(left));
+    EditAutosave autosave(file);
+    autosave.keep(history, 0.0);
+    history.open_unsaved(left);
+    autosave.take(0, history);
+    EXPECT_EQ(load_recipe(folder / "autosave-1.json"), edited);
+    EXPECT_EQ(load_recipe(folder / "autosave-2.json"), left);
+    EXPECT_FALSE(std::filesystem::exists(file));
+    autosave.clear();
+    EXPECT_TRUE(EditAutosave(file).left_behind().empty());
+}
+
 TEST(EditAutosave, EditorsThatRunHaveOneEach) {
     const ScratchFolder folder;
     const std::string file = folder / "autosave.json", second = folder / "autosave-1.json";
@@ -209,6 +249,44 @@ TEST(EditExport, KnowsTheFilesItWillWrite) {
             }
     EXPECT_EQ(export_files({"sample:cube", load_recipe("wood"), "a.txt"}),
               std::vector<std::string>{"a.txt"});
+}
+
+/// The message, and no file is written.
+std::string refusal_of(const ScratchFolder& folder, const ExportRequest& request) {
+    const std::size_t before = folder.entries();
+    std::string message;
+    try {
+        (request.recipe.animation.tracks.empty() ? bake_file : bake_frames)(request);
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ExitCode::io) << error.what();
+        message = error.what();
+    }
+    EXPECT_EQ(folder.entries(), before);
+    return message;
+}
+
+TEST(EditExport, LeavesWhatItReadsAlone) {
+    const ScratchFolder folder;
+    for (const char* name : {"image.png", "out.0002.png"})
+        write_png(folder / name, Image<Rgb8>(2, 2));
+    write_file(folder / "m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    const std::string mesh = folder / "m.obj", path = folder / "r.json";
+    const auto recipe = [&](const std::string& image, const std::string& more = "") {
+        return parse_recipe(R"({"texture": {"node": "image", "file": ")" + image +
+                                R"("}, "atlas": {"size": 32})" + more + "}",
+                            path);
+    };
+    ExportRequest request{mesh, recipe("image.png"), folder / "image.png"};
+    request.recipe_path = path;
+    EXPECT_NE(refusal_of(folder, request).find("image.png"), std::string::npos);
+    request.out = folder / "image.obj";  // whose texture is the image
+    EXPECT_NE(refusal_of(folder, request).find("image.png"), std::string::npos);
+    request.out = mesh;
+    EXPECT_NE(refusal_of(folder, request).find("m.obj"), std::string::npos);
+    request.recipe = recipe("out.0002.png", R"(, "animation": {"seconds": 1, "rate": 4, "tracks": [
+        {"path": "solid.scale", "keys": [[0, 1], [1, 2]]}]})");
+    request.out = folder / "out.png";
+    EXPECT_NE(refusal_of(folder, request).find("out.0002.png"), std::string::npos);
 }
 
 TEST(EditExport, TellsWhatIsWrong) {

@@ -173,6 +173,57 @@ TEST(EditHistory, SavingIsWhatEndsIt) {
     EXPECT_EQ(history.unsaved(), nullptr);
 }
 
+TEST(EditHistory, WhatWasLeftBehindWhatIsSavedIsStillUnsaved) {
+    EditHistory history(scaled(1), "a.json");
+    history.change(scaled(2));
+    history.open(scaled(3), "b.json");
+    history.change(scaled(4));
+    history.open(scaled(5), "c.json");
+    history.undo();
+    history.mark_saved("b.json");
+    history.redo();
+    EXPECT_FALSE(history.changed());
+    ASSERT_NE(history.unsaved(), nullptr) << "a.json has changes that are in no file";
+    EXPECT_EQ(*history.unsaved(), scaled(2));
+    history.return_to_unsaved();
+    EXPECT_EQ(history.path(), "a.json");
+    EXPECT_EQ(history.recipe(), scaled(2));
+}
+
+TEST(EditHistory, SavingAFileGivesUpWhatWasLeftOfIt) {
+    EditHistory history(scaled(1), "wood");
+    history.change(scaled(2));
+    history.open(scaled(3), "r.json");
+    history.change(scaled(4));
+    history.open(scaled(5), "./r.json");  // as it is on disk
+    ASSERT_NE(history.unsaved(), nullptr);
+    EXPECT_EQ(*history.unsaved(), scaled(4)) << "until the file has something newer";
+    history.change(scaled(6));
+    history.mark_saved("r.json");
+    ASSERT_NE(history.unsaved(), nullptr);
+    EXPECT_EQ(*history.unsaved(), scaled(2)) << "the preset's changes are in no file";
+    history.undo();
+    history.undo();
+    EXPECT_EQ(history.recipe(), scaled(4));
+    EXPECT_TRUE(history.changed()) << "the file holds what came later";
+    history.open(scaled(7), "s.json");
+    EXPECT_EQ(*history.unsaved(), scaled(4)) << "undo has made it what is wanted";
+}
+
+TEST(EditHistory, SavingAFileGivesUpWhatWasLeftOfItBehindAnother) {
+    EditHistory history(scaled(1), "r.json");
+    history.change(scaled(2));
+    history.open(scaled(3), "wood");
+    history.change(scaled(4));
+    history.open(scaled(5), "r.json");
+    history.mark_saved("r.json");
+    ASSERT_NE(history.unsaved(), nullptr);
+    EXPECT_EQ(*history.unsaved(), scaled(4));
+    history.return_to_unsaved();
+    history.mark_saved("w.json");
+    EXPECT_EQ(history.unsaved(), nullptr);
+}
+
 TEST(EditHistory, OpeningWhatIsOpenIsNoStep) {
     EditHistory history(scaled(1), "a.json");
     history.change(scaled(2));

@@ -8,8 +8,11 @@
 #include <filesystem>
 
 #include "app/atomic_file.h"
+#include "app/edit_autosave.h"
 #include "app/embedded.h"
 #include "app/image_io.h"
+#include "app/real_path.h"
+#include "app/recipe_images.h"
 #include "atlas/error.h"
 #include "tests/app/scratch_folder.h"
 
@@ -112,6 +115,64 @@ TEST(EditSession, SavesWhatOpensToTheSameRecipe) {
     EXPECT_FALSE(other.history().changed());
     other.history().undo();
     EXPECT_EQ(other.recipe(), load_recipe("marble"));
+}
+
+constexpr const char* pictured_json = R"({"burl": 1, "texture": {"node": "scale", "b": 0.5,
+    "a": {"node": "image", "file": "images/a.png"}}})";
+
+/// A folder "old" that has the recipe r.json and its image, and a folder "new".
+class EditSessionImages : public testing::Test {
+  protected:
+    EditSessionImages() {
+        std::filesystem::create_directories(folder / "old/images");
+        std::filesystem::create_directory(folder / "new");
+        write_png(folder / "old/images/a.png", Image<Rgb8>(2, 2, Rgb8{10, 20, 30}));
+        write_file(file, pictured_json);
+    }
+    static std::string name_in(const Recipe& recipe) { return recipe.graph.images.at(0).file; }
+
+    ScratchFolder folder;
+    std::string file = folder / "old/r.json", moved = folder / "new/r.json";
+};
+
+TEST_F(EditSessionImages, AreFoundFromAnotherFolder) {
+    EditSession session(load_recipe(file), file);
+    ASSERT_TRUE(session.set("texture.b", 0.25));
+    session.save_recipe(moved);
+    EXPECT_EQ(name_in(session.recipe()), "../old/images/a.png");
+    EXPECT_EQ(load_recipe(moved), session.recipe());
+    EXPECT_FALSE(session.history().changed());
+    EXPECT_EQ(session.history().opened().graph, load_recipe(moved, {"texture.b=0.5"}).graph);
+    ASSERT_TRUE(session.set("texture.a.wrap", "clamp")) << "it is read again";
+    session.history().undo();
+    session.history().undo();
+    session.save_recipe(moved);
+    EXPECT_EQ(load_recipe(moved), session.recipe()) << "steps before have the names, too";
+    session.save_recipe(file);
+    EXPECT_EQ(name_in(load_recipe(file)), "images/a.png");
+}
+
+TEST_F(EditSessionImages, KeepTheirNamesWhereTheyLeadOn) {
+    const Recipe recipe = load_recipe(file), absolute = with_absolute_images(recipe, file);
+    EXPECT_EQ(name_in(with_images_for(recipe, file, folder / "old/s.json")), "images/a.png");
+    EXPECT_EQ(name_in(absolute), real_path(folder / "old/images/a.png"));
+    EXPECT_EQ(with_images_for(absolute, file, moved), absolute) << "it is not below that folder";
+    EXPECT_EQ(with_images_for(absolute, "", file), recipe);
+    std::filesystem::create_directory_symlink(folder / "old/images", folder / "new/link");
+    EXPECT_EQ(name_in(with_images_for(recipe, file, folder / "new/link/r.json")), "a.png");
+}
+
+TEST_F(EditSessionImages, SurviveInTheAutosave) {
+    const std::string autosave = folder / "state/autosave.json";
+    EditSession session(load_recipe(file), file);
+    ASSERT_TRUE(session.set("texture.b", 0.25));
+    EditAutosave(autosave).keep(session.history(), 0.0);
+    EditAutosave next(autosave);
+    ASSERT_EQ(next.left_behind().size(), 1u);
+    EditSession later = marble_session();
+    ASSERT_TRUE(later.recover_recipe(next.left_behind()[0].json, autosave));
+    later.save_recipe(file);
+    EXPECT_EQ(load_recipe(file), session.recipe());
 }
 
 TEST(EditSession, SettingsBetweenRecipesMakeOneOfTheOther) {

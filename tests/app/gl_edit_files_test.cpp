@@ -11,6 +11,7 @@
 #include "app/atomic_file.h"
 #include "app/edit_export.h"
 #include "app/file_bytes.h"
+#include "app/image_io.h"
 #include "tests/app/gl_edit_fixture.h"
 #include "tests/app/run_program.h"
 #include "tests/app/scratch_folder.h"
@@ -235,6 +236,43 @@ TEST_F(GlEditFilesTest, AClickOnAPresetSavesNothing) {
     EXPECT_TRUE(editor->wants_to_close());
 }
 
+TEST_F(GlEditFilesTest, QuittingAsksForEverythingThatIsNotSaved) {
+    save("marble");
+    save("marble", "solid.scale=2", "s.json");
+    const auto editor = open("sample:cube", folder / "r.json");
+    play(*editor, drag_amplitude);
+    const Recipe first = editor->session().recipe();
+    play(*editor, dropped(folder / "s.json"));
+    play(*editor, drag_amplitude);
+    const Recipe second = editor->session().recipe();
+    play(*editor, R"({"key": "Ctrl+Q"}, {"wait": 2}, {"click": "Save it"}, {"wait": 2})");
+    EXPECT_EQ(load_recipe(folder / "s.json"), second);
+    EXPECT_FALSE(editor->wants_to_close());
+    ASSERT_TRUE(editor->items().find("Save it")) << "r.json is not saved";
+    play(*editor, R"({"click": "Save it"}, {"wait": 2})");
+    EXPECT_EQ(load_recipe(folder / "r.json"), first);
+    EXPECT_TRUE(editor->wants_to_close());
+}
+
+TEST_F(GlEditFilesTest, QuittingWaitsForTheNameToSaveBy) {
+    const auto editor = open("sample:cube", "marble");
+    play(*editor, drag_amplitude);
+    play(*editor, R"({"key": "Ctrl+Q"}, {"wait": 2}, {"click": "Save it"}, {"wait": 3})");
+    ASSERT_TRUE(editor->items().find("file name"));
+    EXPECT_FALSE(editor->items().find("Save it"));
+    play(*editor, R"({"click": "file cancel"}, {"wait": 3})");
+    EXPECT_FALSE(editor->wants_to_close());
+    ASSERT_TRUE(editor->items().find("Save it")) << "it was not saved";
+    play(*editor, R"({"click": "Save it"}, {"wait": 3}, {"type": ")" + (folder / "missing/r") +
+                      R"("}, {"wait": 2}, {"key": "Enter"}, {"wait": 3})");
+    EXPECT_FALSE(editor->wants_to_close());
+    ASSERT_TRUE(editor->items().find("Save it")) << "it could not be saved";
+    play(*editor, R"({"click": "Save it"}, {"wait": 3}, {"type": ")" + (folder / "r") +
+                      R"("}, {"wait": 2}, {"key": "Enter"}, {"wait": 3})");
+    EXPECT_TRUE(editor->wants_to_close());
+    EXPECT_EQ(load_recipe(folder / "r.json"), editor->session().recipe());
+}
+
 TEST_F(GlEditFilesTest, AFileThatWasKeptFromIsNotWhatIsSaved) {
     save("marble");
     const auto editor = open("sample:cube", folder / "r.json");
@@ -278,6 +316,19 @@ TEST_F(GlEditFilesTest, AnExportAsksBeforeItReplacesAFile) {
     EXPECT_EQ(outputs().size(), 3u);
     EXPECT_NE(text("out.png"), "a picture");
     EXPECT_NE(text("out.mtl"), "a material");
+}
+
+TEST_F(GlEditFilesTest, AnExportDoesNotReplaceTheRecipesImage) {
+    write_png(folder / "image.png", Image<Rgb8>(2, 2));
+    const std::string before = text("image.png");
+    write_file(folder / "r.json", R"({"texture": {"node": "image", "file": "image.png"},
+        "atlas": {"size": 64, "tries": 1}})");
+    const auto editor = open("sample:cube", folder / "r.json");
+    play(*editor, R"({"key": "Ctrl+E"}, {"wait": 3}, {"type": ")" + (folder / "image.png") +
+                      R"("}, {"wait": 2}, {"key": "Enter"}, {"wait": 2}, {"click": "file replace"},
+                      {"settle": true}, {"wait": 2})");
+    EXPECT_EQ(text("image.png"), before);
+    EXPECT_TRUE(editor->session().log().back().problem);
 }
 
 TEST_F(GlEditFilesTest, ScreenshotsOfEverySessionAreKept) {
