@@ -95,9 +95,8 @@ struct BakeJob::Written {
     double seconds = 0.0;
 };
 
-BakeJob::BakeJob(const BakeCommand& command, Json settings)
+BakeJob::BakeJob(const BakeCommand& command, const Json& settings)
     : command_(command),
-      settings_(std::move(settings)),
       kind_(wanted_kind(command.out, command.bits())),
       paths_(frame_paths(command.out, command.animation)),
       recipes_(recipes_of(command)),
@@ -106,6 +105,7 @@ BakeJob::BakeJob(const BakeCommand& command, Json settings)
       inputs_(files_read(command, recipes_[0])) {
     check();
     if (is_forward(command_)) std::for_each(recipes_.begin(), recipes_.end(), check_forward);
+    made_from_ = what_it_is_made_from(settings);
 }
 
 std::vector<std::string> BakeJob::texture_outputs(std::uint32_t levels) const {
@@ -187,16 +187,16 @@ std::shared_ptr<TextureSynthesizer> BakeJob::synthesizer() const {
     return choose_synthesizer(choice, platform, recipes_);
 }
 
-Json BakeJob::made_from() const {
+Json BakeJob::what_it_is_made_from(const Json& settings) const {
     std::vector<std::string> files = mesh_files(command_.mesh);
     if (is_pose_file(command_.pose))
         std::ranges::move(mesh_files(command_.pose), std::back_inserter(files));
     std::ranges::move(images_of_recipe(command_.recipe.recipe, recipes_[0]),
                       std::back_inserter(files));
     Json made_from = {{"burl", burl_version()},
-                      {"inputs", content_of(files)},
+                      {"inputs", content_of(files, command_.recipe.images->digests())},
                       {"recipe", Json::parse(to_json(recipes_[0]))},
-                      {"options", settings_}};
+                      {"options", settings}};
     if (files.empty() || files[0] != command_.mesh) made_from["sample"] = command_.mesh;
     if (recipes_.size() > 1) {
         Sha256 hash;
@@ -261,7 +261,7 @@ BakeJob::Written BakeJob::write_bands(Pipeline& pipeline, const std::string& pat
 }
 
 Json BakeJob::run(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthesizer,
-                  double reading, const Json& made_from, LaterBake later) const {
+                  double reading, LaterBake later) const {
     const auto start = Clock::now();
     for (const Recipe& recipe : recipes_) check_lattice(recipe, pipeline.mesh());
     const std::string shader = emitted_shader(command_, recipes_[0], pipeline.mesh());
@@ -310,13 +310,13 @@ Json BakeJob::run(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthe
     if (!solid_map.empty()) report["solid_map"] = std::move(solid_map);
     if (!normals.empty()) report["normals"] = std::move(normals);
     if (!command_.animation.keys.empty()) report["animation"] = command_.animation.keys;
-    write_record(command_.out, made_from, committed, report);
+    write_record(command_.out, made_from_, committed, report);
     return report;
 }
 
-std::optional<Json> BakeJob::known_report(const Json& made_from) const {
+std::optional<Json> BakeJob::known_report() const {
     if (command_.force || !command_.economy.skips().allows(Skip::up_to_date)) return std::nullopt;
-    std::optional<Json> report = report_if_up_to_date(command_.out, made_from);
+    std::optional<Json> report = report_if_up_to_date(command_.out, made_from_);
     // Normals are measured for reports only.
     const bool lacks = report && extras_.has_normals() && !report->contains("normals");
     return lacks && wants_report() ? std::nullopt : report;
