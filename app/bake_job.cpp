@@ -91,7 +91,7 @@ struct BakeJob::Written {
     BakedAtlas baked;
     std::optional<NormalMap> normals{};
     std::size_t levels = 0;
-    std::vector<CommittedFile> files{};
+    std::vector<AtomicFile> files{};
     double seconds = 0.0;
 };
 
@@ -239,8 +239,8 @@ BakeJob::Written BakeJob::write_texture(Pipeline& pipeline, const std::string& p
                                   pipeline.recipe().pose.weight};
     const BakedAtlas& baked = written.baked;
     written.files =
-        export_scene(path, pipeline.atlas_mesh(), baked.packed ? *baked.packed : pipeline.atlas(),
-                     baked.image, options);
+        scene_files(path, pipeline.atlas_mesh(), baked.packed ? *baked.packed : pipeline.atlas(),
+                    baked.image, options);
     written.levels = options.levels.size();
     written.normals = std::move(options.normals);
     written.seconds = seconds_since(writing);
@@ -260,6 +260,17 @@ BakeJob::Written BakeJob::write_bands(Pipeline& pipeline, const std::string& pat
     return written;
 }
 
+/// Adds the shader and the solid map where they are asked for; says what there is to know of the
+/// map.
+Json BakeJob::add_beside(std::vector<AtomicFile>& files, Pipeline& pipeline,
+                         const std::string& shader) const {
+    if (!command_.emitted_glsl.empty()) files.emplace_back(command_.emitted_glsl).write(shader);
+    if (command_.solid_map.empty()) return {};
+    auto [base, file] = write_solid_map(command_.solid_map, pipeline, command_.threads);
+    files.push_back(std::move(file));
+    return {{"file", command_.solid_map}, {"base", {base.x, base.y, base.z}}};
+}
+
 Json BakeJob::run(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthesizer,
                   double reading, LaterBake later) const {
     const auto start = Clock::now();
@@ -277,22 +288,17 @@ Json BakeJob::run(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthe
         later == LaterBake::atlas || !command_.solid_map.empty() || extras_.has_normals();
     Written written;
     std::vector<CommittedFile> committed;
+    Json solid_map;
     double writing = 0.0;
     for (std::size_t i = 0; i < paths_.size(); ++i) {
         if (i > 0) pipeline.set_recipe(recipes_[i]);
         written = {};  // two textures need not be held at a time
         written = write_texture(pipeline, paths_[i], pose ? &*pose : nullptr,
                                 !needed_later && i + 1 == paths_.size());
-        writing += written.seconds;
-        std::ranges::move(written.files, std::back_inserter(committed));
-    }
-    if (!command_.emitted_glsl.empty())
-        committed.push_back(write_file(command_.emitted_glsl, shader));
-    Json solid_map;
-    if (!command_.solid_map.empty()) {
-        auto [base, file] = write_solid_map(command_.solid_map, pipeline, command_.threads);
-        solid_map = {{"file", command_.solid_map}, {"base", {base.x, base.y, base.z}}};
-        committed.push_back(std::move(file));
+        if (i + 1 == paths_.size()) solid_map = add_beside(written.files, pipeline, shader);
+        const auto naming = Clock::now();
+        std::ranges::move(commit_together(written.files), std::back_inserter(committed));
+        writing += written.seconds + seconds_since(naming);
     }
     Json seconds = {{"read", reading}};
     seconds.update(times_json(pipeline.records()));

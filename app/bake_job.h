@@ -69,6 +69,8 @@ class BakeJob {
     Written write_texture(Pipeline& pipeline, const std::string& path, const MeshPose* pose,
                           bool releases) const;
     Written write_bands(Pipeline& pipeline, const std::string& path) const;
+    Json add_beside(std::vector<AtomicFile>& files, Pipeline& pipeline,
+                    const std::string& shader) const;
     std::vector<std::string> texture_outputs(std::uint32_t levels) const;
     std::vector<std::string> outputs(std::uint32_t levels) const;
     void check() const;

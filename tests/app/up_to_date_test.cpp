@@ -211,8 +211,8 @@ TEST_F(UpToDateBake, ABatchBakesAgainWhatChangedMeanwhile) {
     EXPECT_FALSE(bakes());
 }
 
-// The first bake has written its texture and is busy with its solid map while the second one puts
-// another texture in its place.
+// The first bake has just given its files their names, or is about to leave its record, while the
+// second one puts another texture in its place.
 TEST_F(UpToDateBake, TheFilesOfAnotherBakeAreNotItsOwn) {
     const std::string burl = binary_folder() + "/bin/burl", map = scratch / "map.exr";
     const std::string first =
