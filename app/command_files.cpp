@@ -109,10 +109,9 @@ bool names_preset(const std::string& path_or_preset) {
 }  // namespace
 
 void FileNames::add(const std::string& path, std::string note) {
-    if (find(path)) return;
     const std::size_t index = known_.size();
+    if (!by_path_.emplace(real_path(path), index).second) return;
     known_.push_back({path, std::move(note)});
-    by_path_.emplace(real_path(path), index);
     if (const auto inode = inode_of(path)) by_inode_.emplace(*inode, index);
 }
 
