@@ -1,7 +1,6 @@
 #include "app/bake_exr.h"
 
 #include <chrono>
-#include <optional>
 #include <utility>
 
 #include "app/atomic_file.h"
@@ -30,8 +29,7 @@ TakeRows rows_to(const RowSink& sink) {
     return [&sink](std::size_t, const Image<RgbF>& rows) { sink(rows); };
 }
 
-CommittedFile write_texture(Pipeline& pipeline, const std::string& path,
-                            const LevelsAsked& levels) {
+AtomicFile write_texture(Pipeline& pipeline, const std::string& path, const LevelsAsked& levels) {
     const std::size_t size = pipeline.recipe().atlas.size;
     if (levels.count == 0)
         return write_exr_rows(path, size, size, [&](const RowSink& sink) {
@@ -51,10 +49,9 @@ BandsWritten write_exr_in_bands(Pipeline& pipeline, const std::string& path,
     pipeline.solid();
     const auto start = Clock::now();
     const double before = stage_seconds(pipeline);
-    std::optional<AtomicFile> beside;
-    if (normals) write_normals(beside.emplace(normal_map_path(path)), *normals);
-    std::vector<CommittedFile> files{write_texture(pipeline, path, levels)};
-    if (beside) files.push_back(beside->commit());
+    std::vector<AtomicFile> files;
+    if (normals) write_normals(files.emplace_back(normal_map_path(path)), *normals);
+    files.push_back(write_texture(pipeline, path, levels));
     const std::chrono::duration<double> all = Clock::now() - start;
     return {levels.count, std::move(files), all.count() - (stage_seconds(pipeline) - before)};
 }

@@ -9,12 +9,12 @@ namespace burl {
 
 struct BandsWritten {
     std::size_t levels = 0;
-    std::vector<CommittedFile> files{};
-    double seconds = 0.0;  ///< without what stages of the pipeline took
+    std::vector<AtomicFile> files{};  ///< to be committed
+    double seconds = 0.0;             ///< without what stages of the pipeline took
 };
 
 /// Where comes_in_bands (app/bake_texture.h): the texture of the pipeline's recipe with its levels,
-/// and beside it the normal map if there is one; both or none.
+/// and beside it the normal map if there is one.
 BandsWritten write_exr_in_bands(Pipeline& pipeline, const std::string& path,
                                 const LevelsAsked& levels, const NormalMap* normals);
 

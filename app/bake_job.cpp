@@ -91,13 +91,12 @@ struct BakeJob::Written {
     BakedAtlas baked;
     std::optional<NormalMap> normals{};
     std::size_t levels = 0;
-    std::vector<CommittedFile> files{};
+    std::vector<AtomicFile> files{};
     double seconds = 0.0;
 };
 
-BakeJob::BakeJob(const BakeCommand& command, Json settings)
+BakeJob::BakeJob(const BakeCommand& command, const Json& settings)
     : command_(command),
-      settings_(std::move(settings)),
       kind_(wanted_kind(command.out, command.bits())),
       paths_(frame_paths(command.out, command.animation)),
       recipes_(recipes_of(command)),
@@ -106,6 +105,7 @@ BakeJob::BakeJob(const BakeCommand& command, Json settings)
       inputs_(files_read(command, recipes_[0])) {
     check();
     if (is_forward(command_)) std::for_each(recipes_.begin(), recipes_.end(), check_forward);
+    made_from_ = what_it_is_made_from(settings);
 }
 
 std::vector<std::string> BakeJob::texture_outputs(std::uint32_t levels) const {
@@ -192,16 +192,16 @@ std::shared_ptr<TextureSynthesizer> BakeJob::synthesizer() const {
     return choose_synthesizer(choice, platform, recipes_);
 }
 
-Json BakeJob::made_from() const {
+Json BakeJob::what_it_is_made_from(const Json& settings) const {
     std::vector<std::string> files = mesh_files(command_.mesh);
     if (is_pose_file(command_.pose))
         std::ranges::move(mesh_files(command_.pose), std::back_inserter(files));
     std::ranges::move(images_of_recipe(command_.recipe.recipe, recipes_[0]),
                       std::back_inserter(files));
     Json made_from = {{"burl", burl_version()},
-                      {"inputs", content_of(files)},
+                      {"inputs", content_of(files, command_.recipe.images->digests())},
                       {"recipe", Json::parse(to_json(recipes_[0]))},
-                      {"options", settings_}};
+                      {"options", settings}};
     if (files.empty() || files[0] != command_.mesh) made_from["sample"] = command_.mesh;
     if (recipes_.size() > 1) {
         Sha256 hash;
@@ -244,8 +244,8 @@ BakeJob::Written BakeJob::write_texture(Pipeline& pipeline, const std::string& p
                                   pipeline.recipe().pose.weight};
     const BakedAtlas& baked = written.baked;
     written.files =
-        export_scene(path, pipeline.atlas_mesh(), baked.packed ? *baked.packed : pipeline.atlas(),
-                     baked.image, options);
+        scene_files(path, pipeline.atlas_mesh(), baked.packed ? *baked.packed : pipeline.atlas(),
+                    baked.image, options);
     written.levels = options.levels.size();
     written.normals = std::move(options.normals);
     written.seconds = seconds_since(writing);
@@ -265,8 +265,19 @@ BakeJob::Written BakeJob::write_bands(Pipeline& pipeline, const std::string& pat
     return written;
 }
 
+/// Adds the shader and the solid map where they are asked for; says what there is to know of the
+/// map.
+Json BakeJob::add_beside(std::vector<AtomicFile>& files, Pipeline& pipeline,
+                         const std::string& shader) const {
+    if (!command_.emitted_glsl.empty()) files.emplace_back(command_.emitted_glsl).write(shader);
+    if (command_.solid_map.empty()) return {};
+    auto [base, file] = write_solid_map(command_.solid_map, pipeline, command_.threads);
+    files.push_back(std::move(file));
+    return {{"file", command_.solid_map}, {"base", {base.x, base.y, base.z}}};
+}
+
 Json BakeJob::run(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthesizer,
-                  double reading, const Json& made_from, LaterBake later) const {
+                  double reading, LaterBake later) const {
     const auto start = Clock::now();
     for (const Recipe& recipe : recipes_) check_lattice(recipe, pipeline.mesh());
     const std::string shader = emitted_shader(command_, recipes_[0], pipeline.mesh());
@@ -282,22 +293,17 @@ Json BakeJob::run(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthe
         later == LaterBake::atlas || !command_.solid_map.empty() || extras_.has_normals();
     Written written;
     std::vector<CommittedFile> committed;
+    Json solid_map;
     double writing = 0.0;
     for (std::size_t i = 0; i < paths_.size(); ++i) {
         if (i > 0) pipeline.set_recipe(recipes_[i]);
         written = {};  // two textures need not be held at a time
         written = write_texture(pipeline, paths_[i], pose ? &*pose : nullptr,
                                 !needed_later && i + 1 == paths_.size());
-        writing += written.seconds;
-        std::ranges::move(written.files, std::back_inserter(committed));
-    }
-    if (!command_.emitted_glsl.empty())
-        committed.push_back(write_file(command_.emitted_glsl, shader));
-    Json solid_map;
-    if (!command_.solid_map.empty()) {
-        auto [base, file] = write_solid_map(command_.solid_map, pipeline, command_.threads);
-        solid_map = {{"file", command_.solid_map}, {"base", {base.x, base.y, base.z}}};
-        committed.push_back(std::move(file));
+        if (i + 1 == paths_.size()) solid_map = add_beside(written.files, pipeline, shader);
+        const auto naming = Clock::now();
+        std::ranges::move(commit_together(written.files), std::back_inserter(committed));
+        writing += written.seconds + seconds_since(naming);
     }
     Json seconds = {{"read", reading}};
     seconds.update(times_json(pipeline.records()));
@@ -315,13 +321,13 @@ Json BakeJob::run(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthe
     if (!solid_map.empty()) report["solid_map"] = std::move(solid_map);
     if (!normals.empty()) report["normals"] = std::move(normals);
     if (!command_.animation.keys.empty()) report["animation"] = command_.animation.keys;
-    write_record(command_.out, made_from, committed, report);
+    write_record(command_.out, made_from_, committed, report);
     return report;
 }
 
-std::optional<Json> BakeJob::known_report(const Json& made_from) const {
+std::optional<Json> BakeJob::known_report() const {
     if (command_.force || !command_.economy.skips().allows(Skip::up_to_date)) return std::nullopt;
-    std::optional<Json> report = report_if_up_to_date(command_.out, made_from);
+    std::optional<Json> report = report_if_up_to_date(command_.out, made_from_);
     // Normals are measured for reports only.
     const bool lacks = report && extras_.has_normals() && !report->contains("normals");
     return lacks && wants_report() ? std::nullopt : report;

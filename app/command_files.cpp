@@ -102,10 +102,9 @@ void add_named_by_obj(const std::string& path, std::vector<std::string>& files) 
 }  // namespace
 
 void FileNames::add(const std::string& path, std::string note) {
-    if (find(path)) return;
     const std::size_t index = known_.size();
+    if (!by_path_.emplace(real_path(path), index).second) return;
     known_.push_back({path, std::move(note)});
-    by_path_.emplace(real_path(path), index);
     if (const auto inode = inode_of(path)) by_inode_.emplace(*inode, index);
 }
 

@@ -17,7 +17,8 @@ namespace burl {
 /// Files by their real path and, where they are there, by device and inode.
 class FileNames {
   public:
-    /// `note` is the caller's, for messages. A file that is known keeps its first name and note.
+    /// `note` is the caller's, for messages. A path that is known keeps its first name and note;
+    /// another hard link of a known file has its own.
     void add(const std::string& path, std::string note = {});
 
     struct Known {

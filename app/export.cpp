@@ -87,9 +87,9 @@ std::string texture_name(const Mesh& mesh, const ExportOptions& options) {
     return mesh.name + ' ' + recipe;
 }
 
-/// NAME.png and NAME.1.png, NAME.2.png, ...; all or none.
-std::vector<CommittedFile> export_png(const std::string& path, const BakedImage& image,
-                                      const ExportOptions& options) {
+/// NAME.png and NAME.1.png, NAME.2.png, ...
+std::vector<AtomicFile> export_png(const std::string& path, const BakedImage& image,
+                                   const ExportOptions& options) {
     std::vector<AtomicFile> files;
     files.reserve(2 + options.levels.size());
     const auto add = [&](const std::string& file, const ByteSource& png) {
@@ -100,7 +100,7 @@ std::vector<CommittedFile> export_png(const std::string& path, const BakedImage&
         add(fs::path(path).replace_extension(level_extension(l)).string(),
             png_of(options.levels[l - 1]));
     add(path, png_of(image));
-    return commit_together(files);
+    return files;
 }
 
 /// The image where it is float, else `made` of it.
@@ -110,8 +110,8 @@ const Image<RgbF>& float_of(const BakedImage& image, Image<RgbF>& made) {
 }
 
 /// One file, with all levels in it. Nothing is copied: 16384 x 16384 floats are 3 GB.
-CommittedFile write_exr_file(const std::string& path, const BakedImage& image,
-                             const ExportOptions& options) {
+AtomicFile write_exr_file(const std::string& path, const BakedImage& image,
+                          const ExportOptions& options) {
     std::vector<Image<RgbF>> made(1 + options.levels.size());
     std::vector<const Image<RgbF>*> levels{&float_of(image, made[0])};
     for (std::size_t l = 0; l < options.levels.size(); ++l)
@@ -120,17 +120,16 @@ CommittedFile write_exr_file(const std::string& path, const BakedImage& image,
     return write_exr(path, *levels[0], options.exr_depth);
 }
 
-std::vector<CommittedFile> export_exr(const std::string& path, const BakedImage& image,
-                                      const ExportOptions& options) {
-    if (!options.normals) return {write_exr_file(path, image, options)};
-    AtomicFile normals(normal_map_path(path));
-    normal_png(options)(sink_of(normals));
-    CommittedFile texture = write_exr_file(path, image, options);
-    return {std::move(texture), normals.commit()};
+std::vector<AtomicFile> export_exr(const std::string& path, const BakedImage& image,
+                                   const ExportOptions& options) {
+    std::vector<AtomicFile> files;
+    if (options.normals) normal_png(options)(sink_of(files.emplace_back(normal_map_path(path))));
+    files.push_back(write_exr_file(path, image, options));
+    return files;
 }
 
-std::vector<CommittedFile> export_obj(const std::string& path, const Mesh& mesh, const Atlas& atlas,
-                                      const BakedImage& image, const ExportOptions& options) {
+std::vector<AtomicFile> export_obj(const std::string& path, const Mesh& mesh, const Atlas& atlas,
+                                   const BakedImage& image, const ExportOptions& options) {
     const std::vector<ByteSource> levels = level_pngs(options);
     const std::vector<Vec3f> rest = corner_normals(mesh, options.crease_degrees);
     const auto write = [&](const Mesh& drawn, std::span<const Vec3f> normals) {
@@ -157,9 +156,9 @@ std::vector<PartVertices> gltf_vertices(const Mesh& mesh, const Atlas& atlas,
     return export_vertices(mesh, atlas, normals, tangents, &posed);
 }
 
-std::vector<CommittedFile> export_gltf(const std::string& path, Format format, const Mesh& mesh,
-                                       const Atlas& atlas, const BakedImage& image,
-                                       const ExportOptions& options) {
+std::vector<AtomicFile> export_gltf(const std::string& path, Format format, const Mesh& mesh,
+                                    const Atlas& atlas, const BakedImage& image,
+                                    const ExportOptions& options) {
     const std::vector<ByteSource> levels = level_pngs(options);
     const std::vector<PartVertices> vertices = gltf_vertices(mesh, atlas, options);
     GltfContent content{path,
@@ -172,8 +171,10 @@ std::vector<CommittedFile> export_gltf(const std::string& path, Format format, c
                         options.recipe_json,
                         normal_png(options)};
     if (options.pose) content.target = {options.pose->corners.name, options.pose->weight};
-    if (format == Format::glb) return {write_glb(content)};
-    return write_gltf(content);
+    if (format == Format::gltf) return write_gltf(content);
+    std::vector<AtomicFile> files;
+    files.push_back(write_glb(content));
+    return files;
 }
 
 }  // namespace
@@ -215,9 +216,9 @@ ImageKind wanted_kind(const std::string& out_path, int depth) {
     return depth == 16 ? ImageKind::rgb16 : ImageKind::rgb8;
 }
 
-std::vector<CommittedFile> export_scene(const std::string& out_path, const Mesh& mesh,
-                                        const Atlas& atlas, const BakedImage& image,
-                                        const ExportOptions& options) {
+std::vector<AtomicFile> scene_files(const std::string& out_path, const Mesh& mesh,
+                                    const Atlas& atlas, const BakedImage& image,
+                                    const ExportOptions& options) {
     const Format format = format_of(out_path).format;
     switch (format) {
         case Format::png:
@@ -229,6 +230,13 @@ std::vector<CommittedFile> export_scene(const std::string& out_path, const Mesh&
         default:
             return export_gltf(out_path, format, mesh, atlas, image, options);
     }
+}
+
+std::vector<CommittedFile> export_scene(const std::string& out_path, const Mesh& mesh,
+                                        const Atlas& atlas, const BakedImage& image,
+                                        const ExportOptions& options) {
+    std::vector<AtomicFile> files = scene_files(out_path, mesh, atlas, image, options);
+    return commit_together(files);
 }
 
 }  // namespace burl

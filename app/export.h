@@ -72,12 +72,17 @@ bool holds_mesh(const std::string& out_path);
 /// 8. Depth is 8 or 16 (for .exr it is not looked at).
 ImageKind wanted_kind(const std::string& out_path, int depth);
 
-/// Writes everything or nothing (app/atomic_file.h). `image` is as large as atlas.extent();
-/// another kind than the wanted one is converted (float is clamped and sRGB-encoded; 8 and 16 bits
-/// are decoded for .exr). Normals in tangent space become part of the material (glTF's
-/// normalTexture, with tangents; OBJ's norm), any other ones a file beside; a .glb or .gltf must
-/// not be given those. Says what was written. Throws Error: as output_paths, and io when a write
-/// fails.
+/// Makes all files of an output, which have yet to be committed together. `image` is as large as
+/// atlas.extent(); another kind than the wanted one is converted (float is clamped and
+/// sRGB-encoded; 8 and 16 bits are decoded for .exr). Normals in tangent space become part of the
+/// material (glTF's normalTexture, with tangents; OBJ's norm), any other ones a file beside; a .glb
+/// or .gltf must not be given those. Throws Error: as output_paths, and io when a write fails.
+std::vector<AtomicFile> scene_files(const std::string& out_path, const Mesh& mesh,
+                                    const Atlas& atlas, const BakedImage& image,
+                                    const ExportOptions& options = {});
+
+/// Writes all of them or nothing (app/atomic_file.h), and says what was written. Throws Error as
+/// scene_files does.
 std::vector<CommittedFile> export_scene(const std::string& out_path, const Mesh& mesh,
                                         const Atlas& atlas, const BakedImage& image,
                                         const ExportOptions& options = {});

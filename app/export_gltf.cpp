@@ -108,7 +108,7 @@ std::vector<NamedImage> images_of(const GltfContent& content) {
 
 // Images become as long as they do: the head is written a second time over room for numbers of any
 // length.
-CommittedFile write_glb(const GltfContent& content) {
+AtomicFile write_glb(const GltfContent& content) {
     GltfScene scene = build_gltf_scene(content);
     const std::vector<NamedImage> images = images_of(content);
     const std::size_t views = scene.json["bufferViews"].size();
@@ -129,10 +129,10 @@ CommittedFile write_glb(const GltfContent& content) {
     const std::string head = glb_head(dump(scene.json, -1), length, scene.binary_size);
     if (head.size() + scene.binary_size > most_bytes) throw too_long(content.path);
     file.overwrite(0, bytes_of(head));
-    return file.commit();
+    return file;
 }
 
-std::vector<CommittedFile> write_gltf(const GltfContent& content) {
+std::vector<AtomicFile> write_gltf(const GltfContent& content) {
     const std::string& path = content.path;
     GltfScene scene = build_gltf_scene(content);
     const std::filesystem::path base(path);
@@ -157,7 +157,7 @@ std::vector<CommittedFile> write_gltf(const GltfContent& content) {
 
     write_meshes(files.emplace_back(beside(".bin").string()), scene);
     files.emplace_back(path).write(dump(scene.json, 2) + "\n");
-    return commit_together(files);
+    return files;
 }
 
 }  // namespace burl

@@ -34,13 +34,13 @@ struct GltfContent {
     GltfTarget target{};      ///< of vertices that have one
 };
 
-/// One file with everything in it, images last. Throws Error: io, or unsupported beyond 4 GiB and
-/// for points that 32-bit floats cannot hold.
-CommittedFile write_glb(const GltfContent& content);
+/// One file with everything in it, images last; it has yet to be committed. Throws Error: io, or
+/// unsupported beyond 4 GiB and for points that 32-bit floats cannot hold.
+AtomicFile write_glb(const GltfContent& content);
 
 /// The file, the buffer beside it in NAME.bin, the texture in NAME.png, MIP level l in NAME.l.png
-/// and the normal map in NAME_normal.png; all or none. Throws Error: io, or unsupported for such
-/// points.
-std::vector<CommittedFile> write_gltf(const GltfContent& content);
+/// and the normal map in NAME_normal.png; they have yet to be committed together. Throws Error: io,
+/// or unsupported for such points.
+std::vector<AtomicFile> write_gltf(const GltfContent& content);
 
 }  // namespace burl

@@ -169,7 +169,7 @@ Text obj_text(const Mesh& mesh, const Atlas& atlas, std::span<const Vec3f> norma
 
 }  // namespace
 
-std::vector<CommittedFile> write_obj(const std::string& path, const ObjContent& content) {
+std::vector<AtomicFile> write_obj(const std::string& path, const ObjContent& content) {
     const auto beside = [&](const std::string& extension) {
         return std::filesystem::path(path).replace_extension(extension);
     };
@@ -192,7 +192,7 @@ std::vector<CommittedFile> write_obj(const std::string& path, const ObjContent& 
     content.png(sink_of(files.emplace_back(beside(".png").string())));
     files.emplace_back(beside(".mtl").string()).write(material);
     files.emplace_back(path).write(std::string_view(text.data(), text.size()));
-    return commit_together(files);
+    return files;
 }
 
 }  // namespace burl

@@ -25,9 +25,9 @@ struct ObjContent {
 };
 
 /// PATH, NAME.mtl, NAME.png, MIP level l in NAME.l.png and the normal map in NAME_normal.png beside
-/// it; all or none. Faces in the mesh's order, `v` in the shortest form that reads back to the same
-/// double, `vt` with v upwards. Further placements of a part follow as copies of their own, since
-/// OBJ has no instances. Throws Error(io).
-std::vector<CommittedFile> write_obj(const std::string& path, const ObjContent& content);
+/// it; all are complete and have yet to be committed together. Faces in the mesh's order, `v` in
+/// the shortest form that reads back to the same double, `vt` with v upwards. Further placements of
+/// a part follow as copies of their own, since OBJ has no instances. Throws Error(io).
+std::vector<AtomicFile> write_obj(const std::string& path, const ObjContent& content);
 
 }  // namespace burl

@@ -130,8 +130,8 @@ void write_rows(Imf::OutputFile& file, const Image<RgbF>& image, ExrDepth depth)
 
 /// encode(stream), and what it or the file says where it fails.
 template <class Encode>
-CommittedFile write_whole(const std::string& path, std::size_t width, std::size_t height,
-                          const Encode& encode) {
+AtomicFile write_whole(const std::string& path, std::size_t width, std::size_t height,
+                       const Encode& encode) {
     AtomicFile file(path);
     ExrFileStream stream(file);
     try {
@@ -145,32 +145,32 @@ CommittedFile write_whole(const std::string& path, std::size_t width, std::size_
                                 height, e.what()));
     }
     stream.check();
-    return file.commit();
+    return file;
 }
 
 }  // namespace
 
-CommittedFile write_exr_rows(const std::string& path, std::size_t width, std::size_t height,
-                             const RowSource& source, ExrDepth depth) {
+AtomicFile write_exr_rows(const std::string& path, std::size_t width, std::size_t height,
+                          const RowSource& source, ExrDepth depth) {
     return write_whole(path, width, height, [&](Imf::OStream& stream) {
         Imf::OutputFile file(stream, header_of(width, height, depth));
         source([&](const Image<RgbF>& rows) { write_rows(file, rows, depth); });
     });
 }
 
-CommittedFile write_exr(const std::string& path, const Image<RgbF>& image, ExrDepth depth) {
+AtomicFile write_exr(const std::string& path, const Image<RgbF>& image, ExrDepth depth) {
     const auto whole = [&](const RowSink& sink) { sink(image); };
     return write_exr_rows(path, image.width(), image.height(), whole, depth);
 }
 
-CommittedFile write_exr_levels(const std::string& path, std::span<const Image<RgbF>* const> levels,
-                               ExrDepth depth) {
+AtomicFile write_exr_levels(const std::string& path, std::span<const Image<RgbF>* const> levels,
+                            ExrDepth depth) {
     return write_whole(path, levels[0]->width(), levels[0]->height(),
                        [&](Imf::OStream& stream) { encode_levels(stream, levels, depth); });
 }
 
-CommittedFile write_exr_levels(const std::string& path, std::size_t width, std::size_t height,
-                               const LevelSource& source, ExrDepth depth) {
+AtomicFile write_exr_levels(const std::string& path, std::size_t width, std::size_t height,
+                            const LevelSource& source, ExrDepth depth) {
     return write_whole(path, width, height, [&](Imf::OStream& stream) {
         Imf::TiledOutputFile file(stream, tiled_header(width, height, depth));
         TileRows tiles(file, width, height, depth);

@@ -77,10 +77,10 @@ std::vector<std::uint8_t> read_to_end(const std::string& path, const Opened& ope
                                     path, most >> 20));
     };
     refuse(opened.size);
-    std::vector<std::uint8_t> bytes(opened.size);
+    std::vector<std::uint8_t> bytes(opened.size + 1);  // room to see the end, which is a read of 0
     std::size_t filled = 0;
     for (;;) {
-        if (filled == bytes.size()) bytes.resize(filled + (filled == 0 ? 4096 : filled / 8 + 4096));
+        if (filled == bytes.size()) bytes.resize(filled + filled / 8 + 4096);
         const std::size_t got = read_some(path, opened, std::span(bytes).subspan(filled));
         if (got == 0) break;
         refuse(filled += got);

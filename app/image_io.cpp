@@ -243,7 +243,12 @@ Image<Rgb8> decode_png(std::span<const std::uint8_t> bytes, const std::string& o
 }
 
 Image<Rgb8> read_png(const std::string& path) {
-    return decode_png(read_regular_file(path, most_file_bytes), path);
+    return decode_png(read_png_bytes(path), path);
+}
+
+std::vector<std::uint8_t> read_png_bytes(const std::string& path) {
+    refuse_other_formats(read_file_head(path, 8), path);
+    return read_regular_file(path, most_file_bytes);
 }
 
 PngSize png_size(const std::string& path) {

@@ -21,6 +21,10 @@ inline constexpr int default_png_level = 1;
 /// invalid_file when it is no PNG, damaged, truncated, or larger than 2^28 pixels.
 Image<Rgb8> read_png(const std::string& path);
 
+/// The file's bytes, for decode_png. Throws Error: io as read_png does, invalid_file when it does
+/// not begin as a PNG does.
+std::vector<std::uint8_t> read_png_bytes(const std::string& path);
+
 /// The size that a PNG file's head declares, which need not be true. Throws Error as
 /// read_png does.
 struct PngSize {

@@ -37,8 +37,10 @@ Recipe with_names(Recipe recipe, const std::string& from, const Spell& spell) {
 
 std::shared_ptr<const MipImage> RecipeImages::pyramid(const std::string& path, ImageWrap wrap) {
     std::shared_ptr<const MipImage>& known = known_[{real_path(path), wrap}];
-    if (!known) known = std::make_shared<const MipImage>(read_png(path), wrap);
-    return known;
+    if (known) return known;
+    const std::vector<std::uint8_t> bytes = read_png_bytes(path);
+    digests_.add(path, bytes);
+    return known = std::make_shared<const MipImage>(decode_png(bytes, path), wrap);
 }
 
 Recipe parse_recipe(const std::string& json, const std::string& origin,

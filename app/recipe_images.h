@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/recipe.h"
+#include "app/sha256.h"
 #include "procedural/mip_image.h"
 
 namespace burl {
@@ -24,7 +25,11 @@ class RecipeImages {
     /// The pyramid of a PNG file. Throws Error as read_png does.
     std::shared_ptr<const MipImage> pyramid(const std::string& path, ImageWrap wrap);
 
+    /// Digests of the images, taken of the bytes that were decoded, and of what else is asked for.
+    FileDigests& digests() { return digests_; }
+
   private:
+    FileDigests digests_;
     std::map<std::pair<std::string, ImageWrap>, std::shared_ptr<const MipImage>> known_;
 };
 

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "app/file_bytes.h"
+#include "app/real_path.h"
 
 namespace burl {
 
@@ -92,6 +93,21 @@ std::string sha256_of_file(const std::string& path) {
     Sha256 hash;
     read_file_pieces(path, [&](std::span<const std::uint8_t> piece) { hash.add(piece); });
     return hash.digest();
+}
+
+const std::string& FileDigests::of(const std::string& path) {
+    const std::string real = real_path(path);
+    const auto known = known_.find(real);
+    return known != known_.end() ? known->second
+                                 : known_.emplace(real, sha256_of_file(path)).first->second;
+}
+
+void FileDigests::add(const std::string& path, std::span<const std::uint8_t> content) {
+    const auto [place, fresh] = known_.try_emplace(real_path(path));
+    if (!fresh) return;
+    Sha256 hash;
+    hash.add(content);
+    place->second = hash.digest();
 }
 
 }  // namespace burl

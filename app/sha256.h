@@ -3,6 +3,7 @@
 // `sha256sum`, say.
 #include <array>
 #include <cstdint>
+#include <map>
 #include <span>
 #include <string>
 #include <string_view>
@@ -30,5 +31,18 @@ std::string sha256(std::string_view text);
 
 /// Of a file's content, which is not held in memory. Throws Error(io) naming the path.
 std::string sha256_of_file(const std::string& path);
+
+/// Digests of files by their real paths, each of the content that was met first: what was read
+/// later may be newer than its digest, never older.
+class FileDigests {
+  public:
+    /// Hashes the file where that was not done before. Throws Error(io) naming the path.
+    const std::string& of(const std::string& path);
+    /// For who has read the whole file anyway.
+    void add(const std::string& path, std::span<const std::uint8_t> content);
+
+  private:
+    std::map<std::string, std::string> known_;
+};
 
 }  // namespace burl

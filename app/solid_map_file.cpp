@@ -67,7 +67,9 @@ WrittenSolidMap write_solid_map(const std::string& path, Pipeline& pipeline, int
     const Vec3d base = solid_base(solid, map);
     const SolidMap content =
         fill_solid_map(solid, map, base, {0, 0, solid.size, solid.size}, threads);
-    return {base, write_file(path, encode_solid_map(content, base))};
+    WrittenSolidMap written{base, AtomicFile(path)};
+    written.file.write(encode_solid_map(content, base));
+    return written;
 }
 
 }  // namespace burl

@@ -17,11 +17,11 @@ class Pipeline;
 /// float64. Row 0 on top. Throws Error(runtime) when OpenEXR cannot encode it.
 std::vector<std::uint8_t> encode_solid_map(const SolidMap& map, const Vec3d& base);
 
-/// Writes that of the pipeline's atlas, in its recipe's texture coordinates (after solid.scale),
-/// whole or not at all. Throws Error(io).
+/// That of the pipeline's atlas in a file, in its recipe's texture coordinates (after solid.scale).
+/// Throws Error(io).
 struct WrittenSolidMap {
     Vec3d base{0.0};
-    CommittedFile file{};
+    AtomicFile file;  ///< to be committed
 };
 WrittenSolidMap write_solid_map(const std::string& path, Pipeline& pipeline, int threads);
 

@@ -8,7 +8,6 @@
 #include "app/command_files.h"
 #include "app/file_bytes.h"
 #include "app/sample_meshes.h"
-#include "app/sha256.h"
 #include "atlas/error.h"
 #include "atlas/file_extension.h"
 
@@ -76,13 +75,15 @@ std::vector<std::string> mesh_files(const std::string& mesh_path) {
     return files;
 }
 
-Json content_of(std::span<const std::string> files) {
+Json content_of(std::span<const std::string> files, FileDigests& digests) {
     Json content = Json::array();
-    std::error_code ignored;
-    for (const std::string& file : files)
-        if (fs::is_regular_file(file, ignored))
-            content.push_back(
-                {{"file", fs::path(file).filename().string()}, {"sha256", sha256_of_file(file)}});
+    for (const std::string& file : files) {
+        try {
+            const std::string& digest = digests.of(file);
+            content.push_back({{"file", fs::path(file).filename().string()}, {"sha256", digest}});
+        } catch (const Error&) {
+        }
+    }
     return content;
 }
 

@@ -11,6 +11,7 @@
 
 #include "app/atomic_file.h"
 #include "app/json_text.h"
+#include "app/sha256.h"
 
 namespace burl {
 
@@ -21,8 +22,8 @@ std::string record_path(const std::string& out_path);
 /// ("sample:teapot"). What cannot be read is left for the reader to say.
 std::vector<std::string> mesh_files(const std::string& mesh_path);
 
-/// Name (without its folder) and SHA-256 of every file that is one. Throws Error(io).
-Json content_of(std::span<const std::string> files);
+/// Name (without its folder) and SHA-256 of every file; those that cannot be read are left out.
+Json content_of(std::span<const std::string> files, FileDigests& digests);
 
 /// The report of the bake that made `out_path`, if that was made from the same and all its files
 /// are as it left them, by size, time and inode; a record that is missing, damaged or of other

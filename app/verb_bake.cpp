@@ -15,20 +15,19 @@ namespace burl {
 
 namespace {
 
-Json bake(const BakeJob& job, const Json& made_from) {
+Json bake(const BakeJob& job) {
     const std::shared_ptr<TextureSynthesizer> synthesizer = job.synthesizer();
     const auto start = std::chrono::steady_clock::now();
     Pipeline pipeline(job.command().meshes.load(job.command().mesh));
     return_large_blocks(pipeline.mesh().triangles.size());
     const std::chrono::duration<double> reading = std::chrono::steady_clock::now() - start;
-    return job.run(pipeline, synthesizer, reading.count(), made_from, LaterBake::none);
+    return job.run(pipeline, synthesizer, reading.count(), LaterBake::none);
 }
 
 void run_bake(const BakeCommand& command, const Json& settings) {
     const BakeJob job(command, settings);
-    const Json made_from = job.made_from();
-    if (const auto known = job.known_report(made_from)) return job.print_up_to_date(*known);
-    job.print(bake(job, made_from));
+    if (const auto known = job.known_report()) return job.print_up_to_date(*known);
+    job.print(bake(job));
 }
 
 }  // namespace

@@ -209,15 +209,14 @@ std::vector<std::string> kept_stages(const StageRecords& before, const StageReco
 }
 
 void run(Bake& bake, SharedMesh& mesh, LaterBake later) {
-    const Json made_from = bake.job.made_from();
-    if (bake.job.known_report(made_from)) {
+    if (bake.job.known_report()) {
         bake.status = "up to date";
         return;
     }
     const auto synthesizer = bake.job.synthesizer();
     const bool had_mesh = mesh.read(bake.job);
     const StageRecords before = mesh.pipeline().records();
-    bake.job.run(mesh.pipeline(), synthesizer, had_mesh ? 0.0 : mesh.seconds(), made_from, later);
+    bake.job.run(mesh.pipeline(), synthesizer, had_mesh ? 0.0 : mesh.seconds(), later);
     if (had_mesh) {
         bake.shared = kept_stages(before, mesh.pipeline().records());
         bake.shared.insert(bake.shared.begin(), "mesh");

@@ -82,8 +82,9 @@ Json work_json(const LazyPicture& drawn) {
               {"drawing", drawn.seconds_drawing}}}};
 }
 
-/// A recipe on a mesh, of which only what the picture shows is worked out.
-Image<Rgb8> draw_lazily(const RenderCommand& command, CommandFiles& files) {
+/// A recipe on a mesh, of which only what the picture shows is worked out. The report follows the
+/// picture: it must not stand alone.
+void write_lazily(const RenderCommand& command, CommandFiles& files) {
     const DirectOptions& options = command.options;
     if (options.scene.empty()) throw Error(ExitCode::usage, "--lazy: a mesh is missing");
     LazyOptions lazy;
@@ -106,9 +107,9 @@ Image<Rgb8> draw_lazily(const RenderCommand& command, CommandFiles& files) {
         lazy.pose = &*pose;
     }
     const std::unique_ptr<GlContext> context = create_gl_context(command.platform);
-    LazyPicture drawn = render_lazily(*context, pipeline, view, lazy);
+    const LazyPicture drawn = render_lazily(*context, pipeline, view, lazy);
+    write_png(command.out, drawn.picture);
     if (!command.report.empty()) write_json(command.report, work_json(drawn));
-    return std::move(drawn.picture);
 }
 
 /// One picture, or one per frame.
@@ -163,7 +164,8 @@ void run_render(const RenderCommand& command) {
     for (const std::string& path : paths) files.write(path, ".png");
     if (!command.report.empty() && command.report != "-") files.write(command.report);
     if (command.direct) return draw_truth(command, paths, files);
-    write_png(command.out, command.lazy ? draw_lazily(command, files) : draw_scene(command, files));
+    if (command.lazy) return write_lazily(command, files);
+    write_png(command.out, draw_scene(command, files));
 }
 
 }  // namespace

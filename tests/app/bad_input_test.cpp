@@ -259,6 +259,24 @@ TEST(Program, FileSizeLimitLeavesNothingBehind) {
     EXPECT_EQ(scratch.files(), 1u);
 }
 
+// What fits would be left alone without what does not: the texture without its normal map or its
+// solid map.
+TEST(Program, FileSizeLimitLeavesNothingOfAGroupBehind) {
+    const Scratch scratch;
+    const std::string recipe = scratch.write("flat.json", R"({
+        "texture": {"node": "constant", "value": "#804020"},
+        "bump": {"height": 0.05, "input": {"node": "wrinkled", "octaves": 6}}})");
+    for (const char* const options : {"-o b.exr", "-o b.png --normals none --solid-map m.exr"}) {
+        const std::string in_folder = fmt::format("cd '{}'; ulimit -f 8;", scratch.path().string());
+        const Outcome outcome =
+            run_burl(scratch, fmt::format("bake sample:teapot -r '{}' -s 128 {}", recipe, options),
+                     in_folder);
+        EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
+        expect_one_sentence(outcome.err);
+        EXPECT_EQ(scratch.files(), 1u) << options;
+    }
+}
+
 TEST(Program, FullDiskLeavesNothingBehind) {
     const Scratch scratch;
     const std::string mesh = scratch.write("m.obj", bad_input_square), disk = scratch / "disk";

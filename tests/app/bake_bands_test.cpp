@@ -166,8 +166,8 @@ TEST(BakeBands, FilesAreThoseOfTheWholeTexture) {
     for (const std::string levels : {"", "all", "direct"}) {
         const LevelsAsked asked = levels_asked(levels, "", 512, ImageKind::rgb_float);
         ASSERT_TRUE(comes_in_bands(pipeline, asked));
-        const BandsWritten written =
-            write_exr_in_bands(pipeline, folder / "bands.exr", asked, &normals);
+        BandsWritten written = write_exr_in_bands(pipeline, folder / "bands.exr", asked, &normals);
+        commit_together(written.files);
         EXPECT_EQ(written.levels, asked.count);
         ExportOptions options;
         options.normals = normals;

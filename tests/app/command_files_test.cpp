@@ -239,6 +239,11 @@ TEST(FileNames, KnowsAFileByItsNamesAndItsInode) {
     EXPECT_EQ(names.find(scratch / "b.txt")->name, file);
     EXPECT_EQ(names.find(scratch / "b.txt")->note, "first");
     ASSERT_NE(names.find(scratch / "none/../new.txt"), nullptr);
+    EXPECT_EQ(names.find_path(scratch / "b.txt"), nullptr);
+    names.add(scratch / "b.txt", "fourth");
+    ASSERT_NE(names.find_path(scratch / "b.txt"), nullptr);
+    EXPECT_EQ(names.find_path(scratch / "b.txt")->note, "fourth");
+    EXPECT_EQ(names.find(file)->note, "first");
     EXPECT_EQ(names.find(scratch / "c.txt"), nullptr);
 }
 

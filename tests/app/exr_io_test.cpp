@@ -48,7 +48,7 @@ Image<RgbF> read_back(const std::string& path, Imf::PixelType stored) {
 TEST(Exr, FloatComesBackBitForBit) {
     const ScratchFolder folder;
     const Image<RgbF> image = ramp(37, 21);
-    write_exr(folder / "a.exr", image, ExrDepth::float_full);
+    write_exr(folder / "a.exr", image, ExrDepth::float_full).commit();
     EXPECT_EQ(read_back(folder / "a.exr", Imf::FLOAT), image);
     EXPECT_EQ(folder.entries(), 1u);
 }
@@ -56,7 +56,7 @@ TEST(Exr, FloatComesBackBitForBit) {
 TEST(Exr, HalfIsWithinItsPrecision) {
     const ScratchFolder folder;
     const Image<RgbF> image = ramp(37, 21);
-    write_exr(folder / "a.exr", image);
+    write_exr(folder / "a.exr", image).commit();
     const Image<RgbF> back = read_back(folder / "a.exr", Imf::HALF);
     ASSERT_EQ(back.width(), image.width());
     ASSERT_EQ(back.height(), image.height());
@@ -76,7 +76,7 @@ TEST(Exr, LevelsComeBackBitForBit) {
                                           ramp(6, 4),    ramp(3, 2),   ramp(1, 1)};
     std::vector<const Image<RgbF>*> addresses;
     for (const Image<RgbF>& level : levels) addresses.push_back(&level);
-    write_exr_levels(folder / "a.exr", addresses, ExrDepth::float_full);
+    write_exr_levels(folder / "a.exr", addresses, ExrDepth::float_full).commit();
     Imf::TiledInputFile file((folder / "a.exr").c_str());
     ASSERT_EQ(file.numLevels(), 7);
     EXPECT_EQ(file.levelMode(), Imf::MIPMAP_LEVELS);
@@ -106,7 +106,7 @@ TEST(Exr, LevelsWhoseRowsComeInAnyNumbersAreTheSameFile) {
         std::vector<const Image<RgbF>*> addresses;
         for (const Image<RgbF>& level : levels) addresses.push_back(&level);
         for (const ExrDepth depth : {ExrDepth::half, ExrDepth::float_full}) {
-            write_exr_levels(folder / "whole.exr", addresses, depth);
+            write_exr_levels(folder / "whole.exr", addresses, depth).commit();
             const auto in_bands = [&](const RowSink& sink) {
                 for (std::size_t y = 0, rows = 1; y < height; y += rows, ++rows) {
                     rows = std::min(rows, height - y);
@@ -117,7 +117,7 @@ TEST(Exr, LevelsWhoseRowsComeInAnyNumbersAreTheSameFile) {
                 }
                 return std::vector<Image<RgbF>>(levels.begin() + 1, levels.end());
             };
-            write_exr_levels(folder / "bands.exr", 100, height, in_bands, depth);
+            write_exr_levels(folder / "bands.exr", 100, height, in_bands, depth).commit();
             EXPECT_EQ(read_file_bytes(folder / "bands.exr"), read_file_bytes(folder / "whole.exr"));
         }
     }

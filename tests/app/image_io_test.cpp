@@ -5,6 +5,8 @@
 
 #include <png.h>
 
+#include "app/atomic_file.h"
+#include "app/file_bytes.h"
 #include "atlas/error.h"
 #include "tests/app/scratch_folder.h"
 
@@ -218,6 +220,28 @@ TEST(Png, MissingFilesAndFoldersAreIoErrors) {
             EXPECT_NE(std::string(e.what()).find(path), std::string::npos);
         }
     }
+}
+
+TEST(Png, WhatDoesNotBeginAsOneIsNotRead) {
+    const ScratchFolder folder;
+    const std::string path = folder / "huge.png";
+    write_file(path, "GIF89a");
+    std::filesystem::resize_file(path, std::uintmax_t(1) << 33);
+    try {
+        read_png(path);
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ExitCode::invalid_file) << error.what();
+    }
+}
+
+TEST(FileBytes, AreAsManyAsTheFileHas) {
+    const ScratchFolder folder;
+    const std::string path = folder / "a.bin", content(100000, 'x');
+    write_file(path, content);
+    const std::vector<std::uint8_t> bytes = read_file_bytes(path);
+    EXPECT_TRUE(std::ranges::equal(bytes, content));
+    EXPECT_LE(bytes.capacity(), content.size() + 1);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/bake_job.h"
 #include "app/image_io.h"
 #include "app/sha256.h"
 #include "atlas/error.h"
@@ -40,6 +41,28 @@ TEST(Sha256, OfAFileIsOfItsContent) {
     const std::string content(700000, 'y');
     EXPECT_EQ(sha256_of_file(scratch.write("a.bin", content)), sha256(content));
     EXPECT_THROW(sha256_of_file(scratch / "none"), Error);
+}
+
+TEST(FileDigests, StayThoseOfTheFirstContent) {
+    const Scratch scratch;
+    const std::string file = scratch.write("a.bin", "first"), link = scratch / "link.bin";
+    fs::create_symlink(file, link);
+    FileDigests digests;
+    EXPECT_EQ(digests.of(file), sha256("first"));
+    scratch.write("a.bin", "second");
+    EXPECT_EQ(digests.of(link), sha256("first"));
+    EXPECT_THROW(digests.of(scratch / "none"), Error);
+}
+
+TEST(FileDigests, ThatOfAnImageIsOfTheBytesThatWereDecoded) {
+    const Scratch scratch;
+    const std::string file = scratch / "a.png";
+    write_png(file, Image<Rgb8>(4, 4));
+    const std::string bytes = slurp(file);
+    RecipeImages images;
+    images.pyramid(file, ImageWrap::repeat);
+    write_png(file, Image<Rgb8>(8, 8));
+    EXPECT_EQ(images.digests().of(file), sha256(bytes));
 }
 
 TEST(UpToDate, AMeshIsReadFromItsFileAndAGltfsBuffers) {
@@ -162,8 +185,34 @@ TEST_F(UpToDateBake, ADamagedRecordMeansThatItIsBaked) {
     EXPECT_TRUE(bakes("--levels 1"));
 }
 
-// The first bake has written its texture and is busy with its solid map while the second one puts
-// another texture in its place.
+// What reads the mesh later, or has read it for another bake of a batch, may see either file.
+TEST_F(UpToDateBake, InputsAreThoseOfItsBeginning) {
+    BakeCommand command;
+    command.mesh = mesh, command.out = out;
+    const BakeJob job(command, {});
+    scratch.write("square.obj", std::string(up_to_date_square) + "v 2 0 0\nf 2 5 3\n");
+    EXPECT_EQ(job.made_from()["inputs"][0]["sha256"], sha256(up_to_date_square));
+}
+
+// The first bake writes frames when the mesh changes that the second one takes from it.
+TEST_F(UpToDateBake, ABatchBakesAgainWhatChangedMeanwhile) {
+    const std::string manifest = scratch.write("batch.json", R"({"bakes": [
+        {"mesh": "square.obj", "output": "f.png", "size": 512, "frames": 9,
+         "animate": "texture.input.noise.0.phase.2=0:1"},
+        {"mesh": "square.obj", "output": "a.png", "size": 64}]})");
+    const std::string batch = fmt::format("'{}/bin/burl' batch '{}'", binary_folder(), manifest);
+    const std::string edited = fmt::format(
+        "{} -q & while [ ! -e '{}' ]; do sleep 0.01; done; kill -STOP $!; "
+        "printf 'v 2 0 0\\nf 2 5 3\\n' >> '{}'; kill -CONT $!; wait $!",
+        batch, scratch / "f.0001.png", mesh);
+    ASSERT_EQ(std::system(edited.c_str()), 0);
+    EXPECT_TRUE(fs::exists(out));
+    EXPECT_TRUE(bakes());
+    EXPECT_FALSE(bakes());
+}
+
+// The first bake has just given its files their names, or is about to leave its record, while the
+// second one puts another texture in its place.
 TEST_F(UpToDateBake, TheFilesOfAnotherBakeAreNotItsOwn) {
     const std::string burl = binary_folder() + "/bin/burl", map = scratch / "map.exr";
     const std::string first =
