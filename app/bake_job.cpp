@@ -323,8 +323,12 @@ Json BakeJob::run(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthe
 std::optional<Json> BakeJob::known_report() const {
     if (command_.force || !command_.economy.skips().allows(Skip::up_to_date)) return std::nullopt;
     std::optional<Json> report = report_if_up_to_date(command_.out, made_from_);
+    if (!report) return report;
+    // The folder may have been moved, or it is named from elsewhere.
+    (*report)["input"] = command_.mesh;
+    (*report)["outputs"] = outputs(report->at("mip_levels").get<std::uint32_t>());
     // Normals are measured for reports only.
-    const bool lacks = report && extras_.has_normals() && !report->contains("normals");
+    const bool lacks = extras_.has_normals() && !report->contains("normals");
     return lacks && wants_report() ? std::nullopt : report;
 }
 

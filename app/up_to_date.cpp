@@ -17,10 +17,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
+fs::path plain_path(const std::string& file) {
+    return fs::absolute(file).lexically_normal();
+}
+
 /// Where a file lies, from the folder of the output on, so that a folder may be moved as a whole.
 std::string place_of(const std::string& file, const std::string& out_path) {
-    const fs::path folder = fs::absolute(out_path).parent_path();
-    return fs::absolute(file).lexically_normal().lexically_proximate(folder).string();
+    return plain_path(file).lexically_proximate(plain_path(out_path).parent_path()).string();
 }
 
 Json state_json(const CommittedFile& file) {
@@ -30,7 +33,7 @@ Json state_json(const CommittedFile& file) {
 }
 
 bool as_it_was(const Json& output, const std::string& out_path) {
-    const fs::path folder = fs::absolute(out_path).parent_path();
+    const fs::path folder = plain_path(out_path).parent_path();
     const auto now = file_there(folder / output.at("file").get<std::string>());
     return now && output.at("state") == state_json(*now);
 }

@@ -254,6 +254,24 @@ TEST_F(UpToDateBake, TheReportIsThatOfTheBake) {
     EXPECT_EQ(second, first);
 }
 
+TEST_F(UpToDateBake, AFolderMayBeMovedAsAWhole) {
+    fs::create_directory(scratch / "x");
+    fs::create_directory(scratch / "y");
+    const auto bake_from = [&](const char* folder, const char* arguments) {
+        const Outcome outcome =
+            run_burl(scratch, fmt::format("bake {} --size 64 --levels 1 --json", arguments),
+                     fmt::format("cd '{}/{}';", scratch.path().string(), folder));
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        return nlohmann::json::parse(outcome.out);
+    };
+    EXPECT_FALSE(bake_from("y", "../square.obj -o ../x/p.png").contains("up_to_date"));
+    fs::rename(scratch / "x", scratch / "z");
+    const auto report = bake_from(".", "./square.obj -o z/p.png");
+    EXPECT_TRUE(report.contains("up_to_date"));
+    EXPECT_EQ(report["input"], "./square.obj");
+    EXPECT_EQ(report["outputs"], nlohmann::json({"z/p.png", "z/p.1.png"}));
+}
+
 TEST_F(UpToDateBake, TheRecordSaysWhatWentIn) {
     EXPECT_TRUE(bakes("--recipe wood"));
     const auto record = nlohmann::json::parse(slurp(record_path(out)));
