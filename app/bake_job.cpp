@@ -188,9 +188,9 @@ std::shared_ptr<TextureSynthesizer> BakeJob::synthesizer() const {
 }
 
 Json BakeJob::what_it_is_made_from(const Json& settings) const {
-    std::vector<std::string> files = mesh_files(command_.mesh);
+    std::vector<std::string> files = files_of_mesh(command_.mesh, MeshFiles::read);
     if (is_pose_file(command_.pose))
-        std::ranges::move(mesh_files(command_.pose), std::back_inserter(files));
+        std::ranges::move(files_of_mesh(command_.pose, MeshFiles::read), std::back_inserter(files));
     std::ranges::move(images_of_recipe(command_.recipe.recipe, recipes_[0]),
                       std::back_inserter(files));
     Json made_from = {{"burl", burl_version()},

@@ -5,11 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/command_files.h"
 #include "app/file_bytes.h"
-#include "app/sample_meshes.h"
 #include "atlas/error.h"
-#include "atlas/file_extension.h"
 
 namespace burl {
 
@@ -65,17 +62,6 @@ bool has_its_digest(std::string_view text) {
 
 std::string record_path(const std::string& out_path) {
     return out_path + ".burl.json";
-}
-
-std::vector<std::string> mesh_files(const std::string& mesh_path) {
-    if (is_sample_mesh(mesh_path)) return {};
-    std::vector<std::string> files{mesh_path};
-    if (!has_gltf_extension(mesh_path)) return files;
-    try {
-        add_named_by_gltf(mesh_path, {"buffers"}, files);
-    } catch (const Error&) {
-    }
-    return files;
 }
 
 Json content_of(std::span<const std::string> files, FileDigests& digests) {

@@ -65,18 +65,6 @@ TEST(FileDigests, ThatOfAnImageIsOfTheBytesThatWereDecoded) {
     EXPECT_EQ(images.digests().of(file), sha256(bytes));
 }
 
-TEST(UpToDate, AMeshIsReadFromItsFileAndAGltfsBuffers) {
-    const Scratch scratch;
-    EXPECT_TRUE(mesh_files("sample:teapot").empty());
-    EXPECT_EQ(mesh_files("a.obj"), std::vector<std::string>{"a.obj"});
-    const std::string gltf = scratch.write(
-        "a.gltf",
-        R"({"buffers": [{"uri": "two%20words.bin"}, {"uri": "data:,x"}, {"uri": "../no.bin"}]})");
-    EXPECT_EQ(mesh_files(gltf), (std::vector<std::string>{gltf, scratch / "two words.bin"}));
-    const std::string damaged = scratch.write("b.gltf", "{");
-    EXPECT_EQ(mesh_files(damaged), std::vector<std::string>{damaged});
-}
-
 TEST(UpToDate, ARecordThatIsDamagedIsNone) {
     const Scratch scratch;
     const std::string out = scratch.write("a.png", "picture");
