@@ -37,6 +37,11 @@ class FileNames {
 
 class CommandFiles {
   public:
+    CommandFiles() = default;
+    /// Of files that were checked already.
+    CommandFiles(FileNames read, FileNames written)
+        : read_(std::move(read)), written_(std::move(written)) {}
+
     /// Files that are read, those already known included. Throws Error(io) for one that is written.
     void read(std::span<const std::string> paths);
 
