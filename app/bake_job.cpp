@@ -193,9 +193,9 @@ std::shared_ptr<TextureSynthesizer> BakeJob::synthesizer() const {
 }
 
 Json BakeJob::what_it_is_made_from(const Json& settings) const {
-    std::vector<std::string> files = mesh_files(command_.mesh);
+    std::vector<std::string> files = files_of_mesh(command_.mesh, MeshFiles::read);
     if (is_pose_file(command_.pose))
-        std::ranges::move(mesh_files(command_.pose), std::back_inserter(files));
+        std::ranges::move(files_of_mesh(command_.pose, MeshFiles::read), std::back_inserter(files));
     std::ranges::move(images_of_recipe(command_.recipe.recipe, recipes_[0]),
                       std::back_inserter(files));
     Json made_from = {{"burl", burl_version()},
@@ -328,8 +328,12 @@ Json BakeJob::run(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthe
 std::optional<Json> BakeJob::known_report() const {
     if (command_.force || !command_.economy.skips().allows(Skip::up_to_date)) return std::nullopt;
     std::optional<Json> report = report_if_up_to_date(command_.out, made_from_);
+    if (!report) return report;
+    // The folder may have been moved, or it is named from elsewhere.
+    (*report)["input"] = command_.mesh;
+    (*report)["outputs"] = outputs(report->at("mip_levels").get<std::uint32_t>());
     // Normals are measured for reports only.
-    const bool lacks = report && extras_.has_normals() && !report->contains("normals");
+    const bool lacks = extras_.has_normals() && !report->contains("normals");
     return lacks && wants_report() ? std::nullopt : report;
 }
 

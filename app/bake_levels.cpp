@@ -4,8 +4,8 @@
 #include <bit>
 #include <charconv>
 
-#include "app/command_options.h"
 #include "app/convert_image.h"
+#include "app/messages.h"
 #include "atlas/block_levels.h"
 #include "atlas/error.h"
 

@@ -19,7 +19,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/atomic_file.h"
-#include "app/command_options.h"
+#include "app/messages.h"
 #include "app/parameters.h"
 #include "app/verbs.h"
 #include "app/version.h"

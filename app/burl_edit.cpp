@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "app/atomic_file.h"
-#include "app/command_options.h"
 #include "app/file_bytes.h"
 #include "app/gl_edit_program.h"
+#include "app/messages.h"
 #include "app/version.h"
 #include "atlas/error.h"
 

@@ -85,6 +85,15 @@ void add_named_by_uri(const Json& document, const char* list, const fs::path& fo
     }
 }
 
+/// The buffers beside a glTF, and its images where `all` is set.
+void add_named_by_gltf(const std::string& path, bool all, std::vector<std::string>& files) {
+    const FileBuffer file = read_file(path);
+    const Json document = Json::parse(split_gltf(file).json, nullptr, false);
+    const fs::path folder = fs::path(path).parent_path();
+    add_named_by_uri(document, "buffers", folder, files);
+    if (all) add_named_by_uri(document, "images", folder, files);
+}
+
 /// The rest of every line "mtllib NAME".
 void add_named_by_obj(const std::string& path, std::vector<std::string>& files) {
     const FileBuffer file = read_file(path);
@@ -142,21 +151,13 @@ void CommandFiles::write(const std::string& path, std::string_view extension) {
     written_.add(path);
 }
 
-void add_named_by_gltf(const std::string& path, std::initializer_list<const char*> lists,
-                       std::vector<std::string>& files) {
-    const FileBuffer file = read_file(path);
-    const Json document = Json::parse(split_gltf(file).json, nullptr, false);
-    for (const char* list : lists)
-        add_named_by_uri(document, list, fs::path(path).parent_path(), files);
-}
-
-std::vector<std::string> files_of_mesh(const std::string& mesh_path) {
+std::vector<std::string> files_of_mesh(const std::string& mesh_path, MeshFiles which) {
     if (mesh_path.empty() || is_sample_mesh(mesh_path)) return {};
     std::vector<std::string> files{mesh_path};
+    const bool all = which == MeshFiles::named;
     try {
-        if (has_gltf_extension(mesh_path))
-            add_named_by_gltf(mesh_path, {"buffers", "images"}, files);
-        if (lower_extension(mesh_path) == ".obj") add_named_by_obj(mesh_path, files);
+        if (has_gltf_extension(mesh_path)) add_named_by_gltf(mesh_path, all, files);
+        if (all && lower_extension(mesh_path) == ".obj") add_named_by_obj(mesh_path, files);
     } catch (const Error&) {
     }
     return files;

@@ -2,7 +2,6 @@
 // The files of one command: no output may replace a file that is read, nor another output. Links
 // and other spellings of a file are that file.
 #include <cstdint>
-#include <initializer_list>
 #include <map>
 #include <span>
 #include <string>
@@ -38,6 +37,11 @@ class FileNames {
 
 class CommandFiles {
   public:
+    CommandFiles() = default;
+    /// Of files that were checked already.
+    CommandFiles(FileNames read, FileNames written)
+        : read_(std::move(read)), written_(std::move(written)) {}
+
     /// Files that are read, those already known included. Throws Error(io) for one that is written.
     void read(std::span<const std::string> paths);
 
@@ -51,15 +55,14 @@ class CommandFiles {
     FileNames read_, written_;
 };
 
-/// Appends the files beside a glTF that its lists ("buffers", "images") name. Throws Error: io, or
-/// invalid_file for a broken .glb.
-void add_named_by_gltf(const std::string& path, std::initializer_list<const char*> lists,
-                       std::vector<std::string>& files);
+enum class MeshFiles {
+    read,   ///< the mesh is made of these: its own file and a glTF's buffers
+    named,  ///< these must stay besides: images of a glTF and material libraries of an OBJ
+};
 
-/// Files that must stay as they are while the mesh is read: its own and those it names, which are
-/// buffers and images of a glTF and material libraries of an OBJ. None for a sample mesh or an
-/// empty path. Unreadable ones are left for the reader to report.
-std::vector<std::string> files_of_mesh(const std::string& mesh_path);
+/// None for a sample mesh or an empty path. What cannot be read is left for the reader to report.
+std::vector<std::string> files_of_mesh(const std::string& mesh_path,
+                                       MeshFiles which = MeshFiles::named);
 
 /// The images a recipe reads, its bumps' included, from the folder of its file on.
 std::vector<std::string> images_of_recipe(const std::string& path_or_preset, const Recipe& recipe);

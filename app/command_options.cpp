@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <utility>
 
 #include <fmt/format.h>
@@ -262,11 +261,6 @@ void apply_reference(Recipe& recipe) {
 Kernel kernel_named(const std::string& name) {
     const auto* found = std::ranges::find(kernel_names, name, &NamedKernel::name);
     return found == kernel_names.end() ? Kernel::automatic : found->kernel;
-}
-
-void warn(const std::string& sentence) {
-    const std::string line = printable(sentence) + "\n";
-    std::fwrite(line.data(), 1, line.size(), stderr);
 }
 
 void print_notes(const std::string& path, const MeshNotes& notes) {

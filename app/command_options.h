@@ -87,9 +87,6 @@ void apply_reference(Recipe& recipe);
 /// `automatic` for any other name.
 Kernel kernel_named(const std::string& name);
 
-/// A line on stderr; a stderr that cannot be written to is no reason to stop.
-void warn(const std::string& sentence);
-
 /// One line per thing reading noticed, with the file's name in front.
 void print_notes(const std::string& path, const MeshNotes& notes);
 

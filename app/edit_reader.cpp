@@ -6,9 +6,9 @@
 #include <filesystem>
 #include <utility>
 
+#include "app/command_files.h"
 #include "app/load_pose.h"
 #include "app/sample_meshes.h"
-#include "app/up_to_date.h"
 #include "atlas/mesh_io.h"
 
 namespace burl {
@@ -25,13 +25,14 @@ std::vector<std::string> recipe_files(const std::string& path, const Recipe& rec
 
 void read_into(FileRead& result, const std::string& mesh) {
     if (result.kind == FileKind::mesh) {
-        result.files = look_at(mesh_files(result.path));
+        result.files = look_at(files_of_mesh(result.path, MeshFiles::read));
         result.mesh = load_mesh(result.path);
         result.own_poses = poses_of(result.path);
         return;
     }
     if (result.kind == FileKind::pose) {
-        if (is_pose_file(result.path)) result.files = look_at(mesh_files(result.path));
+        if (is_pose_file(result.path))
+            result.files = look_at(files_of_mesh(result.path, MeshFiles::read));
         result.pose = std::make_shared<const MeshPose>(load_pose(mesh, result.path));
         return;
     }

@@ -39,6 +39,11 @@ bool commands_terminals(std::string_view character) {
     return first == 0xc2 && static_cast<unsigned char>(character[1]) < 0xa0;
 }
 
+bool write_line(std::string_view line, std::FILE* stream) {
+    const std::string bytes = printable(line) + "\n";
+    return std::fwrite(bytes.data(), 1, bytes.size(), stream) == bytes.size();
+}
+
 }  // namespace
 
 std::string printable(std::string_view text) {
@@ -59,12 +64,13 @@ std::string printable(std::string_view text) {
 }
 
 void print_line(std::string_view line) {
-    const std::string bytes = printable(line) + "\n";
-    const bool written = std::fwrite(bytes.data(), 1, bytes.size(), stdout) == bytes.size() &&
-                         std::fflush(stdout) == 0;
-    if (!written)
+    if (!write_line(line, stdout) || std::fflush(stdout) != 0)
         throw std::system_error(errno, std::generic_category(),
                                 "a line cannot be written to stdout");
+}
+
+void warn(std::string_view sentence) {
+    write_line(sentence, stderr);
 }
 
 }  // namespace burl

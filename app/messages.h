@@ -15,4 +15,7 @@ std::string printable(std::string_view text);
 /// when it is true. Throws std::system_error where it cannot be written.
 void print_line(std::string_view line);
 
+/// A printable line on stderr; a stderr that cannot be written to is no reason to stop.
+void warn(std::string_view sentence);
+
 }  // namespace burl

@@ -5,11 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/command_files.h"
 #include "app/file_bytes.h"
-#include "app/sample_meshes.h"
 #include "atlas/error.h"
-#include "atlas/file_extension.h"
 
 namespace burl {
 
@@ -17,10 +14,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
+fs::path plain_path(const std::string& file) {
+    return fs::absolute(file).lexically_normal();
+}
+
 /// Where a file lies, from the folder of the output on, so that a folder may be moved as a whole.
 std::string place_of(const std::string& file, const std::string& out_path) {
-    const fs::path folder = fs::absolute(out_path).parent_path();
-    return fs::absolute(file).lexically_normal().lexically_proximate(folder).string();
+    return plain_path(file).lexically_proximate(plain_path(out_path).parent_path()).string();
 }
 
 Json state_json(const CommittedFile& file) {
@@ -30,7 +30,7 @@ Json state_json(const CommittedFile& file) {
 }
 
 bool as_it_was(const Json& output, const std::string& out_path) {
-    const fs::path folder = fs::absolute(out_path).parent_path();
+    const fs::path folder = plain_path(out_path).parent_path();
     const auto now = file_there(folder / output.at("file").get<std::string>());
     return now && output.at("state") == state_json(*now);
 }
@@ -62,17 +62,6 @@ bool has_its_digest(std::string_view text) {
 
 std::string record_path(const std::string& out_path) {
     return out_path + ".burl.json";
-}
-
-std::vector<std::string> mesh_files(const std::string& mesh_path) {
-    if (is_sample_mesh(mesh_path)) return {};
-    std::vector<std::string> files{mesh_path};
-    if (!has_gltf_extension(mesh_path)) return files;
-    try {
-        add_named_by_gltf(mesh_path, {"buffers"}, files);
-    } catch (const Error&) {
-    }
-    return files;
 }
 
 Json content_of(std::span<const std::string> files, FileDigests& digests) {

@@ -18,10 +18,6 @@ namespace burl {
 /// "a.png.burl.json".
 std::string record_path(const std::string& out_path);
 
-/// All files that reading the mesh reads: a glTF's buffers besides the file. None for a sample mesh
-/// ("sample:teapot"). What cannot be read is left for the reader to say.
-std::vector<std::string> mesh_files(const std::string& mesh_path);
-
 /// Name (without its folder) and SHA-256 of every file; those that cannot be read are left out.
 Json content_of(std::span<const std::string> files, FileDigests& digests);
 

@@ -42,6 +42,12 @@ struct Bake {
     double seconds = 0.0;
     std::vector<std::string> shared{};  ///< what an entry before had made
 
+    /// Its outputs, and what says how they were made.
+    std::vector<std::string> files() const {
+        std::vector<std::string> files = job.outputs();
+        files.push_back(record_path(job.command().out));
+        return files;
+    }
     void fail(ExitCode why, const std::string& sentence) {
         status = "failed", code = why, problem = sentence;
         warn(fmt::format("{}: {}", where, sentence));
@@ -68,9 +74,7 @@ class Problems {
 /// Why the bake may not write its outputs, which are added to those of the bakes before it; empty:
 /// no reason.
 std::string clash(const Bake& bake, const FileNames& readers, FileNames& writers) {
-    std::vector<std::string> files = bake.job.outputs();
-    files.push_back(record_path(bake.job.command().out));
-    for (const std::string& file : files) {
+    for (const std::string& file : bake.files()) {
         if (const auto* writer = writers.find_path(file))
             return fmt::format("{} is written by another bake, too: {}", file, writer->note);
         if (const auto* reader = readers.find(file))
@@ -80,9 +84,10 @@ std::string clash(const Bake& bake, const FileNames& readers, FileNames& writers
     return {};
 }
 
-/// No two bakes may write one file, nor one what another reads, nor any the manifest.
-void check_outputs(const BatchCommand& command, const std::vector<Bake>& bakes,
-                   Problems& problems) {
+/// No two bakes may write one file, nor one what another reads, nor any the manifest. Gives all
+/// that is read and written.
+CommandFiles check_outputs(const BatchCommand& command, const std::vector<Bake>& bakes,
+                           Problems& problems) {
     FileNames readers, writers;
     readers.add(command.manifest, "lists the bakes");
     for (const Bake& bake : bakes)
@@ -92,19 +97,7 @@ void check_outputs(const BatchCommand& command, const std::vector<Bake>& bakes,
         const std::string problem = clash(bake, readers, writers);
         if (!problem.empty()) problems.add(ExitCode::usage, bake.where, problem);
     }
-}
-
-/// The report must leave all that the batch reads and writes alone.
-void check_report(const BatchCommand& command, const std::vector<Bake>& bakes) {
-    if (command.run.report.empty() || command.run.report == "-") return;
-    CommandFiles files;
-    files.read({&command.manifest, 1});
-    for (const Bake& bake : bakes) files.read(bake.job.inputs());
-    for (const Bake& bake : bakes) {
-        for (const std::string& output : bake.job.outputs()) files.write(output);
-        files.write(record_path(bake.job.command().out));
-    }
-    files.write(command.run.report);
+    return {std::move(readers), std::move(writers)};
 }
 
 /// All entries, or, after a line for everything that is wrong, an Error.
@@ -125,9 +118,10 @@ std::vector<Bake> check_manifest(const BatchCommand& command) {
             problems.add(error.code(), entry.where, error.what());
         }
     }
-    check_outputs(command, bakes, problems);
+    CommandFiles files = check_outputs(command, bakes, problems);
     problems.throw_if_any(command.manifest, entries.size());
-    check_report(command, bakes);
+    const std::string& report = command.run.report;
+    if (!report.empty() && report != "-") files.write(report);
     return bakes;
 }
 

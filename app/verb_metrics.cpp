@@ -14,6 +14,7 @@
 #include "app/idle_options.h"
 #include "app/image_io.h"
 #include "app/level_errors.h"
+#include "app/messages.h"
 #include "app/metric_texture.h"
 #include "app/metrics_pictures.h"
 #include "app/metrics_report.h"

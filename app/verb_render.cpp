@@ -20,6 +20,7 @@
 #include "app/image_io.h"
 #include "app/lattice_check.h"
 #include "app/load_pose.h"
+#include "app/messages.h"
 #include "app/report.h"
 #include "app/sample_meshes.h"
 #include "app/scene.h"

@@ -247,6 +247,24 @@ TEST(FileNames, KnowsAFileByItsNamesAndItsInode) {
     EXPECT_EQ(names.find(scratch / "c.txt"), nullptr);
 }
 
+TEST(FilesOfMesh, AreThoseThatAreReadAndThoseNamedBesides) {
+    const Scratch scratch;
+    const auto read = [](const std::string& path) { return files_of_mesh(path, MeshFiles::read); };
+    EXPECT_TRUE(files_of_mesh("sample:teapot").empty());
+    EXPECT_TRUE(files_of_mesh("").empty());
+    const std::string gltf = scratch.write("a.gltf", R"({"images": [{"uri": "a.png"}],
+        "buffers": [{"uri": "two%20words.bin"}, {"uri": "data:,x"}, {"uri": "../no.bin"}]})");
+    std::vector<std::string> files{gltf, scratch / "two words.bin"};
+    EXPECT_EQ(read(gltf), files);
+    files.push_back(scratch / "a.png");
+    EXPECT_EQ(files_of_mesh(gltf), files);
+    const std::string obj = scratch.write("a.obj", "mtllib a.mtl\n");
+    EXPECT_EQ(read(obj), std::vector{obj});
+    EXPECT_EQ(files_of_mesh(obj), (std::vector{obj, scratch / "a.mtl"}));
+    const std::string damaged = scratch.write("b.gltf", "{");
+    EXPECT_EQ(read(damaged), std::vector{damaged});
+}
+
 TEST(CommandFiles, RefusesInEitherOrder) {
     const Scratch scratch;
     const std::vector<std::string> input{scratch.write("a.png", "x")};

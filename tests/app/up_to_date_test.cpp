@@ -65,18 +65,6 @@ TEST(FileDigests, ThatOfAnImageIsOfTheBytesThatWereDecoded) {
     EXPECT_EQ(images.digests().of(file), sha256(bytes));
 }
 
-TEST(UpToDate, AMeshIsReadFromItsFileAndAGltfsBuffers) {
-    const Scratch scratch;
-    EXPECT_TRUE(mesh_files("sample:teapot").empty());
-    EXPECT_EQ(mesh_files("a.obj"), std::vector<std::string>{"a.obj"});
-    const std::string gltf = scratch.write(
-        "a.gltf",
-        R"({"buffers": [{"uri": "two%20words.bin"}, {"uri": "data:,x"}, {"uri": "../no.bin"}]})");
-    EXPECT_EQ(mesh_files(gltf), (std::vector<std::string>{gltf, scratch / "two words.bin"}));
-    const std::string damaged = scratch.write("b.gltf", "{");
-    EXPECT_EQ(mesh_files(damaged), std::vector<std::string>{damaged});
-}
-
 TEST(UpToDate, ARecordThatIsDamagedIsNone) {
     const Scratch scratch;
     const std::string out = scratch.write("a.png", "picture");
@@ -253,6 +241,24 @@ TEST_F(UpToDateBake, TheReportIsThatOfTheBake) {
     EXPECT_EQ(second["up_to_date"], true);
     second.erase("up_to_date");
     EXPECT_EQ(second, first);
+}
+
+TEST_F(UpToDateBake, AFolderMayBeMovedAsAWhole) {
+    fs::create_directory(scratch / "x");
+    fs::create_directory(scratch / "y");
+    const auto bake_from = [&](const char* folder, const char* arguments) {
+        const Outcome outcome =
+            run_burl(scratch, fmt::format("bake {} --size 64 --levels 1 --json", arguments),
+                     fmt::format("cd '{}/{}';", scratch.path().string(), folder));
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        return nlohmann::json::parse(outcome.out);
+    };
+    EXPECT_FALSE(bake_from("y", "../square.obj -o ../x/p.png").contains("up_to_date"));
+    fs::rename(scratch / "x", scratch / "z");
+    const auto report = bake_from(".", "./square.obj -o z/p.png");
+    EXPECT_TRUE(report.contains("up_to_date"));
+    EXPECT_EQ(report["input"], "./square.obj");
+    EXPECT_EQ(report["outputs"], nlohmann::json({"z/p.png", "z/p.1.png"}));
 }
 
 TEST_F(UpToDateBake, TheRecordSaysWhatWentIn) {
