@@ -3,11 +3,12 @@
 // them; those whose outputs are up to date cost no more than the hashes of their inputs.
 #include <algorithm>
 #include <chrono>
+#include <exception>
 #include <map>
 #include <memory>
 #include <new>
 #include <optional>
-#include <set>
+#include <system_error>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -264,18 +265,31 @@ LaterBake later_of(const Group& group, std::size_t i) {
     return same ? LaterBake::atlas : LaterBake::mesh;
 }
 
-void run_batch(const BatchCommand& command) {
-    const BakeCommand& run = command.run;
-    check_report_options(run.json, run.report, run.quiet);
-    std::vector<Bake> bakes = check_manifest(command);
-    const bool speaks = !run.json && !run.quiet && run.report != "-";
+/// Bakes, and says so where it `speaks`. A line that cannot be written keeps no bake from being
+/// made: it is the last one, and what was thrown is given back.
+std::exception_ptr run_all(std::vector<Bake>& bakes, bool speaks) {
+    std::exception_ptr silenced;
     for (Group& group : groups_of(bakes)) {
         SharedMesh mesh;
         for (std::size_t i = 0; i < group.size(); ++i) {
             run_alone(*group[i], mesh, later_of(group, i));
-            if (speaks) print_line(line_of(*group[i]));
+            if (!speaks || silenced) continue;
+            try {
+                print_line(line_of(*group[i]));
+            } catch (const std::system_error&) {
+                silenced = std::current_exception();
+            }
         }
     }
+    return silenced;
+}
+
+void run_batch(const BatchCommand& command) {
+    const BakeCommand& run = command.run;
+    check_report_options(run.json, run.report, run.quiet);
+    std::vector<Bake> bakes = check_manifest(command);
+    const std::exception_ptr silenced =
+        run_all(bakes, !run.json && !run.quiet && run.report != "-");
     const Json report = batch_json(bakes);
     if (!run.report.empty()) write_json(run.report, report);
     if (run.json) write_json("-", report);
@@ -284,6 +298,7 @@ void run_batch(const BatchCommand& command) {
     if (failed > 0)
         throw Error(first->code, fmt::format("{}: {} of {} bakes failed; the others are written",
                                              command.manifest, failed, bakes.size()));
+    if (silenced) std::rethrow_exception(silenced);
 }
 
 }  // namespace
