@@ -160,6 +160,8 @@ void BakeJob::check_idle() const {
     if (command_.depth && kind_ == ImageKind::rgb_float && !normals)
         refuse("--depth", "an .exr always has floats");
     if (command_.crease && !mesh && !normals) refuse("--crease", "a texture alone has no normals");
+    if (!command_.pose.empty() && !mesh)
+        refuse("--pose", "a texture alone is the same in all of them");
     if (command_.pose.empty()) refuse_edits(command_.recipe, {&idle_pose, 1});
     constexpr IdleKey still_pose{"pose", "frames are textures alone, which no pose changes"};
     refuse_moves(command_.animation.keys, {&still_pose, 1});

@@ -41,6 +41,7 @@ INSTANTIATE_TEST_SUITE_P(
         IdleLine{"bake sample:cube -o a.png --set filter.samples=4", "--filter supersample"},
         IdleLine{"bake sample:cube -o a.png --set precision.fraction_bits=4", "fixed:I.F"},
         IdleLine{"bake sample:cube -o a.glb --set pose.weight=0.5", "there is no --pose"},
+        IdleLine{"bake sample:cube -o a.png --pose sample:cube", "--pose does nothing"},
         IdleLine{"bake sample:cube -o a.png --size 64 --set atlas.size=128",
                  "--size 64 and --set atlas.size=128 say the same thing"},
         IdleLine{"bake sample:cube -o a.png --time 1", "--time: the recipe marble has no keys"},
