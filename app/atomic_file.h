@@ -4,7 +4,8 @@
 // once: a target that is new is linked, an old one replaced by way of a temporary name. A run that
 // fails, is interrupted or killed leaves the old file or none. Only a run that is killed (SIGKILL,
 // SIGQUIT, a crash, power) within the microseconds between two names may leave ".NAME.N.burl-tmp"
-// behind, which the next run that writes NAME removes; where the file system has no nameless files
+// behind; N is 0 but for runs that write NAME at a time. The next run that writes NAME removes that
+// of 0, and any other once it needs such a name itself. Where the file system has no nameless files
 // that name is used from the start.
 #include <cstddef>
 #include <cstdint>

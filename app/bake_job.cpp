@@ -165,6 +165,8 @@ void BakeJob::check_idle() const {
     };
     if (std::ranges::find(recipes_, "", why_no_kernel) == recipes_.end())
         refuse("--kernel " + command_.kernel, why_no_kernel(recipes_[0]));
+    if (!command_.pose.empty() && !mesh)
+        refuse("--pose", "a texture alone is the same in all of them");
     if (command_.pose.empty()) refuse_edits(command_.recipe, {&idle_pose, 1});
     constexpr IdleKey still_pose{"pose", "frames are textures alone, which no pose changes"};
     refuse_moves(command_.animation.keys, {&still_pose, 1});

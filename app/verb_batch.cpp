@@ -3,11 +3,12 @@
 // them; those whose outputs are up to date cost no more than the hashes of their inputs.
 #include <algorithm>
 #include <chrono>
+#include <exception>
 #include <map>
 #include <memory>
 #include <new>
 #include <optional>
-#include <set>
+#include <system_error>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -279,20 +280,33 @@ void check_cache(const BakeCommand& run, const std::vector<Group>& groups) {
                     "leave it out");
 }
 
+/// Bakes, and says so where it `speaks`. A line that cannot be written keeps no bake from being
+/// made: it is the last one, and what was thrown is given back.
+std::exception_ptr run_all(const std::vector<Group>& groups, bool speaks) {
+    std::exception_ptr silenced;
+    for (const Group& group : groups) {
+        SharedMesh mesh;
+        for (std::size_t i = 0; i < group.size(); ++i) {
+            run_alone(*group[i], mesh, later_of(group, i));
+            if (!speaks || silenced) continue;
+            try {
+                print_line(line_of(*group[i]));
+            } catch (const std::system_error&) {
+                silenced = std::current_exception();
+            }
+        }
+    }
+    return silenced;
+}
+
 void run_batch(const BatchCommand& command) {
     const BakeCommand& run = command.run;
     check_report_options(run.json, run.report, run.quiet);
     std::vector<Bake> bakes = check_manifest(command);
     const std::vector<Group> groups = groups_of(bakes);
     check_cache(run, groups);
-    const bool speaks = !run.json && !run.quiet && run.report != "-";
-    for (const Group& group : groups) {
-        SharedMesh mesh;
-        for (std::size_t i = 0; i < group.size(); ++i) {
-            run_alone(*group[i], mesh, later_of(group, i));
-            if (speaks) print_line(line_of(*group[i]));
-        }
-    }
+    const std::exception_ptr silenced =
+        run_all(groups, !run.json && !run.quiet && run.report != "-");
     const Json report = batch_json(bakes);
     if (!run.report.empty()) write_json(run.report, report);
     if (run.json) write_json("-", report);
@@ -301,6 +315,7 @@ void run_batch(const BatchCommand& command) {
     if (failed > 0)
         throw Error(first->code, fmt::format("{}: {} of {} bakes failed; the others are written",
                                              command.manifest, failed, bakes.size()));
+    if (silenced) std::rethrow_exception(silenced);
 }
 
 }  // namespace

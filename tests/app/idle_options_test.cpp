@@ -45,6 +45,7 @@ INSTANTIATE_TEST_SUITE_P(
         IdleLine{"bake sample:cube -o a.png --frames 2 --animate precision.integer_bits=4:6",
                  "--animate precision.integer_bits=4:6 does nothing: only fixed point"},
         IdleLine{"bake sample:cube -o a.glb --set pose.weight=0.5", "there is no --pose"},
+        IdleLine{"bake sample:cube -o a.png --pose sample:cube", "--pose does nothing"},
         IdleLine{"bake sample:cube -o a.png --size 64 --set atlas.size=128",
                  "--size 64 and --set atlas.size=128 say the same thing"},
         IdleLine{"bake sample:cube -o a.png --set atlas.kind=quad --set atlas.kind=area",

@@ -45,6 +45,27 @@ class RunningBurl {
 
 const char* const two_points = "0,0,0\n0.1,0.2,0.3\n";
 
+/// How the program ends whose stdout nobody reads.
+int status_without_reader(const std::vector<std::string>& words, const std::string& err_path) {
+    std::array<int, 2> ends{};
+    EXPECT_EQ(pipe(ends.data()), 0);
+    close(ends[0]);
+    const int status = RunningBurl(words, ends[1], err_path).status();
+    close(ends[1]);
+    return status;
+}
+
+TEST(ProgramStdout, ABatchGoesOnToItsReportWhereItsReaderHasGone) {
+    const Scratch scratch;
+    const std::string manifest = scratch.write("m.json", R"({"defaults": {"size": 16}, "bakes": [
+        {"mesh": "sample:cube", "output": "a.png"}, {"mesh": "sample:cube", "output": "b.png"}]})");
+    const int status = status_without_reader(
+        {"batch", manifest, "--report", scratch / "report.json"}, scratch / "err.txt");
+    EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGPIPE) << status;
+    EXPECT_TRUE(fs::exists(scratch / "b.png"));
+    EXPECT_NE(slurp(scratch / "report.json").find("\"written\": 2"), std::string::npos);
+}
+
 TEST(ProgramStdout, EndsQuietlyWhereItsReaderHasGone) {
     const Scratch scratch;
     const std::string points = scratch.write("p.csv", two_points);
@@ -59,11 +80,7 @@ TEST(ProgramStdout, EndsQuietlyWhereItsReaderHasGone) {
         {"figures", "--commands"},
         {"bake", "sample:cube", "-o", scratch / "a.png", "--size", "64"}};
     for (const auto& words : lines) {
-        std::array<int, 2> ends{};
-        ASSERT_EQ(pipe(ends.data()), 0);
-        close(ends[0]);
-        const int status = RunningBurl(words, ends[1], scratch / "err.txt").status();
-        close(ends[1]);
+        const int status = status_without_reader(words, scratch / "err.txt");
         EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGPIPE) << words[0] << status;
         EXPECT_EQ(slurp(scratch / "err.txt"), "") << words[0];
     }

@@ -73,8 +73,9 @@ TEST(UpToDate, ARecordThatIsDamagedIsNone) {
     write_record(out, made_from, std::vector{file_there(out).value()}, report);
     EXPECT_EQ(report_if_up_to_date(out, made_from), report);
     EXPECT_FALSE(report_if_up_to_date(out, {{"burl", "2"}}));
-    for (const char* content : {"", "{", "[]", R"({"made_from": {"burl": "1"}})",
-                                R"({"made_from": {"burl": "1"}, "outputs": [3], "report": {}})"}) {
+    std::string text = slurp(record_path(out));
+    text[text.find("mesh")] = 'M';
+    for (const std::string& content : {std::string(), text}) {
         scratch.write("a.png.burl.json", content);
         EXPECT_FALSE(report_if_up_to_date(out, made_from)) << content;
     }
@@ -153,18 +154,6 @@ TEST_F(UpToDateBake, OutputsThatWereTouchedAreMadeAgain) {
 
 TEST_F(UpToDateBake, ADamagedRecordMeansThatItIsBaked) {
     EXPECT_TRUE(bakes("--levels 1"));
-    const auto whole = nlohmann::ordered_json::parse(slurp(record_path(out)));
-    const auto damaged = [&](const char* key, const nlohmann::ordered_json& value) {
-        auto record = whole;
-        record[key] = value;
-        scratch.write("a.png.burl.json", record.dump(2));
-        EXPECT_TRUE(bakes("--levels 1")) << key << value;
-        EXPECT_FALSE(bakes("--levels 1"));
-    };
-    damaged("report", nlohmann::ordered_json::array());
-    damaged("report", nullptr);
-    damaged("outputs", nlohmann::ordered_json::array());
-    damaged("outputs", nlohmann::ordered_json::array({whole["outputs"][1]}));
     std::string text = slurp(record_path(out));
     text[text.find("\"coverage\"") + 1] = 'C';
     scratch.write("a.png.burl.json", text);
