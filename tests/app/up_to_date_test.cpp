@@ -179,7 +179,7 @@ TEST_F(UpToDateBake, ABatchBakesAgainWhatChangedMeanwhile) {
         {"mesh": "square.obj", "output": "a.png", "size": 64}]})");
     const std::string batch = fmt::format("'{}/bin/burl' batch '{}'", binary_folder(), manifest);
     const std::string edited = fmt::format(
-        "{} -q & while [ ! -e '{}' ]; do sleep 0.01; done; kill -STOP $!; "
+        "{} -q & while [ ! -e '{}' ]; do kill -0 $! || exit 8; sleep 0.01; done; kill -STOP $!; "
         "printf 'v 2 0 0\\nf 2 5 3\\n' >> '{}'; kill -CONT $!; wait $!",
         batch, scratch / "f.0001.png", mesh);
     ASSERT_EQ(std::system(edited.c_str()), 0);
@@ -188,24 +188,14 @@ TEST_F(UpToDateBake, ABatchBakesAgainWhatChangedMeanwhile) {
     EXPECT_FALSE(bakes());
 }
 
-// The first bake has just given its files their names, or is about to leave its record, while the
-// second one puts another texture in its place.
 TEST_F(UpToDateBake, TheFilesOfAnotherBakeAreNotItsOwn) {
-    const std::string burl = binary_folder() + "/bin/burl", map = scratch / "map.exr";
-    const std::string first =
-        fmt::format("'{}' bake '{}' -q --size 1024 -o '{}' --solid-map '{}'", burl, mesh, out, map);
-    const std::string second =
-        fmt::format("'{}' bake '{}' -q --size 64 -o '{}' -r wood", burl, mesh, out);
-    const std::string both = fmt::format(
-        "{} & first=$!; while [ ! -e '{}' ]; do kill -0 $first || exit 8; sleep 0.01; done; "
-        "kill -STOP $first && [ ! -e '{}' ] || {{ kill -KILL $first; exit 9; }}; "
-        "{}; code=$?; kill -CONT $first; wait $first && exit $code",
-        first, out, map, second);
-    ASSERT_EQ(std::system(both.c_str()), 0) << "8 << 8: no texture; 9 << 8: the map was there";
-    const Outcome again = run_burl(
-        scratch, fmt::format("bake '{}' --size 1024 -o '{}' --solid-map '{}'", mesh, out, map));
-    EXPECT_EQ(again.out.find("up to date"), std::string::npos) << again.out;
-    EXPECT_EQ(read_png(out).width(), 1024u);
+    const Json made_from = {{"recipe", "marble"}}, report = {{"output", out}};
+    const CommittedFile mine = write_file(out, "a picture");
+    write_record(out, made_from, {&mine, 1}, report);
+    EXPECT_EQ(report_if_up_to_date(out, made_from), report);
+    write_file(out, "another");  // of a bake that ran meanwhile, before this one's record
+    write_record(out, made_from, {&mine, 1}, report);
+    EXPECT_EQ(report_if_up_to_date(out, made_from), std::nullopt);
 }
 
 TEST_F(UpToDateBake, NamesThatAreNotUtf8AreReplacedInJson) {
