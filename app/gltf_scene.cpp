@@ -123,6 +123,8 @@ class UniqueNames {
     std::unordered_map<std::string, std::size_t> last_;  ///< number; none before it is free
 };
 
+/// JSON holds doubles: translations and scales beyond 32-bit floats are written as they are, for
+/// readers that keep doubles, as Burl's own does; others cannot show a mesh of that size at all.
 void add_node(GltfScene& scene, const std::string& name, std::size_t mesh,
               const NodeTransform& place) {
     Json node{{"name", name}, {"mesh", mesh}};
@@ -164,23 +166,19 @@ PrimitiveIds add_primitive(GltfScene& scene, const PartVertices& v) {
     return ids;
 }
 
-[[noreturn]] void refuse_range(const GltfContent& content, const std::string& what) {
-    throw Error(ExitCode::unsupported,
-                fmt::format("{}: {} farther than the 32-bit floats of a glTF reach; write an .obj "
-                            "instead",
-                            content.path, what));
-}
-
-[[noreturn]] void refuse_placement(const GltfContent& content, const Part& part) {
-    refuse_range(content, fmt::format("a placement of \"{}\" takes points", part.name));
-}
-
 /// Refuses what would be read as no number.
 void check_range(const GltfContent& content, const PartVertices& vertices) {
+    const auto refuse = [&](const std::string& what) {
+        throw Error(ExitCode::unsupported,
+                    fmt::format("{}: {} farther than the 32-bit floats of a glTF reach; write an "
+                                ".obj instead",
+                                content.path, what));
+    };
     if (!all_finite(vertices.positions))
-        refuse_placement(content, content.mesh.parts[vertices.part]);
+        refuse(fmt::format("a placement of \"{}\" takes points",
+                           content.mesh.parts[vertices.part].name));
     if (!all_finite(vertices.target.positions))
-        refuse_range(content, fmt::format("the pose \"{}\" moves points", content.target.name));
+        refuse(fmt::format("the pose \"{}\" moves points", content.target.name));
 }
 
 void add_part(GltfScene& scene, const GltfContent& content, const PartVertices& vertices,
@@ -188,24 +186,19 @@ void add_part(GltfScene& scene, const GltfContent& content, const PartVertices& 
     const Part& part = content.mesh.parts[vertices.part];
     const std::string fallback_name = content.mesh.name.empty() ? "mesh" : content.mesh.name;
     const std::string name = part.name.empty() ? fallback_name : part.name;
-    const auto add_placed = [&](std::size_t mesh, const NodeTransform& place) {
-        // JSON holds any number, but readers keep floats.
-        if (!all_finite({Vec3f(place.translation), Vec3f(place.scale)}))
-            refuse_placement(content, part);
-        add_node(scene, names(name), mesh, place);
-    };
     check_range(content, vertices);
     const PrimitiveIds ids = add_primitive(scene, vertices);
     const std::size_t mesh = add_mesh(scene, name, ids, content.target);
     for (const Mat4d& instance : part.instances) {
         if (const auto place = decompose(centred(instance, vertices))) {
-            add_placed(mesh, *place);
+            add_node(scene, names(name), mesh, *place);
             continue;
         }
         const PartVertices& moved = scene.placed.emplace_back(placed(vertices, instance));
         check_range(content, moved);
         const PrimitiveIds moved_ids = add_primitive(scene, moved);
-        add_placed(add_mesh(scene, name, moved_ids, content.target), node_of_placed(moved));
+        add_node(scene, names(name), add_mesh(scene, name, moved_ids, content.target),
+                 node_of_placed(moved));
     }
 }
 

@@ -123,8 +123,6 @@ INSTANTIATE_TEST_SUITE_P(
         RefusedCase{"UnknownPoseOfKeysWithoutData",
                     "bake FOLDER/samplers.gltf --pose no -o OUT/a.glb", 3, "elements"},
         RefusedCase{"InstanceTooFarOut", "bake FOLDER/i2.gltf -o OUT/a.glb", 3, "nodes[1]"},
-        RefusedCase{"PlaceTooFarForFloats", "bake FOLDER/huge.obj --size 64 -o OUT/a.glb", 5,
-                    "a placement of \"huge\" takes points"},
         RefusedCase{"PoseTooFarForFloats",
                     "bake FOLDER/tri.obj --pose FOLDER/huge.obj --size 64 -o OUT/a.glb", 5,
                     "the pose \"huge\" moves points"},
