@@ -49,9 +49,9 @@ void check_report_options(bool json, const std::string& report, bool quiet);
 /// How a run goes, whatever it makes: --threads, --no-skip, --force and --cache.
 void add_run_options(CLI::App& verb, BakeCommand& command);
 
-/// The options of add_bake_options that are not in the recipe, but for the mesh and the output, each
-/// as it was given or else its default. Two commands that agree in these, in their recipes and in
-/// their files' content make the same outputs; two that spell the file of --pose, --solid-map or
+/// The options of add_bake_options that are not in the recipe, but for the mesh and the output,
+/// each as it was given or else its default. Two commands that agree in these, in their recipes and
+/// in their files' content make the same outputs; two that spell the file of --pose, --solid-map or
 /// --emit-glsl in different ways do not agree.
 Json bake_settings(const CLI::App& verb);
 

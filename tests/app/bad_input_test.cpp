@@ -266,9 +266,8 @@ TEST(Program, FileSizeLimitLeavesNothingOfAGroupBehind) {
         "bump": {"height": 0.05, "input": {"node": "wrinkled", "octaves": 6}}})");
     for (const char* const options : {"-o b.exr", "-o b.png --normals none --solid-map m.exr"}) {
         const std::string in_folder = fmt::format("cd '{}'; ulimit -f 8;", scratch.path().string());
-        const Outcome outcome =
-            run_burl(scratch, fmt::format("bake sample:teapot -r '{}' -s 128 {}", recipe, options),
-                     in_folder);
+        const Outcome outcome = run_burl(
+            scratch, fmt::format("bake sample:cube -r '{}' -s 128 {}", recipe, options), in_folder);
         EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
         expect_one_sentence(outcome.err);
         EXPECT_EQ(scratch.files(), 1u) << options;

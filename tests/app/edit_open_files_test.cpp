@@ -70,7 +70,8 @@ TEST(EditReader, OnlyTheLastOfAKindIsHeardOf) {
     EXPECT_EQ(reader.reading(FileKind::mesh), "");
 }
 
-/// An editor that asks between the end of reading and take() would otherwise take its mesh for open.
+/// An editor that asks between the end of reading and take() would otherwise take its mesh for
+/// open.
 TEST(EditReader, StillReadsWhatNobodyHasTaken) {
     EditReader reader([] {});
     reader.read({FileKind::mesh, "sample:cube"});

@@ -126,7 +126,8 @@ class EditSessionImages : public testing::Test {
     EditSessionImages() {
         std::filesystem::create_directories(folder / "old/images");
         std::filesystem::create_directory(folder / "new");
-        write_png(folder / "old/images/a.png", Image<Rgb8>(2, 2, Rgb8{10, 20, 30}));
+        for (const char* name : {"old/images/a.png", "old/images/b.png"})
+            write_png(folder / name, Image<Rgb8>(2, 2, Rgb8{10, 20, 30}));
         write_file(file, pictured_json);
     }
     static std::string name_in(const Recipe& recipe) { return recipe.graph.images.at(0).file; }
@@ -143,7 +144,7 @@ TEST_F(EditSessionImages, AreFoundFromAnotherFolder) {
     EXPECT_EQ(load_recipe(moved), session.recipe());
     EXPECT_FALSE(session.history().changed());
     EXPECT_EQ(session.history().opened().graph, load_recipe(moved, {"texture.b=0.5"}).graph);
-    ASSERT_TRUE(session.set("texture.a.wrap", "clamp")) << "it is read again";
+    ASSERT_TRUE(session.set("texture.a.file", "../old/images/b.png")) << session.log().back().text;
     session.history().undo();
     session.history().undo();
     session.save_recipe(moved);

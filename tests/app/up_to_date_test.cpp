@@ -237,7 +237,7 @@ TEST_F(UpToDateBake, AFolderMayBeMovedAsAWhole) {
     const auto report = bake_from(".", "./square.obj -o z/p.png");
     EXPECT_TRUE(report.contains("up_to_date"));
     EXPECT_EQ(report["input"], "./square.obj");
-    EXPECT_EQ(report["outputs"], nlohmann::json({"z/p.png", "z/p.1.png"}));
+    EXPECT_EQ(report["outputs"], nlohmann::json::array({"z/p.png", "z/p.1.png"}));
 }
 
 TEST_F(UpToDateBake, TheRecordSaysWhatWentIn) {

@@ -1,7 +1,8 @@
 // What the numbers rely on and a compiler may take away. g++ 12.2 at -O2 turns the pair of
 // conversions double -> float -> double into none when its block vectorizer packs two of them:
 // differences between a double and its rounding, which carry a coordinate's low bits, become zero.
-// Nothing may be known of the arguments (noipa): with constants the compiler works the answer out itself.
+// Nothing may be known of the arguments (noipa): with constants the compiler works the answer out
+// itself.
 #include <gtest/gtest.h>
 
 #include "atlas/vec.h"
