@@ -84,7 +84,8 @@ std::string quoted(const std::string& word) {
 bool keeps_images(const Recipe& recipe, const std::vector<std::string>& settings) {
     const auto other = [](const std::string& setting) {
         const std::size_t end = setting.find('=');
-        return setting.substr(0, end).ends_with(".file") ||
+        const std::string path = setting.substr(0, end);
+        return path.ends_with(".file") || path.ends_with(".wrap") ||
                setting.substr(end + 1).starts_with('{');
     };
     const bool any = !recipe.graph.images.empty() || !recipe.bump.input.images.empty();

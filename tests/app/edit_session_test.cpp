@@ -163,6 +163,12 @@ TEST_F(EditSessionImages, KeepTheirNamesWhereTheyLeadOn) {
     EXPECT_EQ(name_in(with_images_for(recipe, file, folder / "new/link/r.json")), "a.png");
 }
 
+TEST_F(EditSessionImages, AreWrappedAnewWhereThatIsEdited) {
+    EditSession session(load_recipe(file), file);
+    ASSERT_TRUE(session.set("texture.a.wrap", "black"));
+    EXPECT_EQ(session.recipe().graph.images.at(0).pixels->wrap(), ImageWrap::black);
+}
+
 TEST_F(EditSessionImages, SurviveInTheAutosave) {
     const std::string autosave = folder / "state/autosave.json";
     EditSession session(load_recipe(file), file);
