@@ -4,6 +4,7 @@
 #include <chrono>
 #include <exception>
 #include <filesystem>
+#include <iterator>
 #include <utility>
 
 #include "app/command_files.h"
@@ -18,8 +19,7 @@ namespace {
 /// The file itself, and what it names.
 std::vector<std::string> recipe_files(const std::string& path, const Recipe& recipe) {
     std::vector<std::string> files{path};
-    const auto folder = std::filesystem::path(path).parent_path();
-    for (const GraphImage& image : recipe.graph.images) files.push_back(folder / image.file);
+    std::ranges::move(images_of_recipe(path, recipe), std::back_inserter(files));
     return files;
 }
 
