@@ -1,6 +1,7 @@
 // docs/usage.md tells every option that a verb's --help tells, and its tables tell no other.
-#include <regex>
+#include <algorithm>
 #include <set>
+#include <sstream>
 
 #include <gmock/gmock.h>
 
@@ -12,12 +13,19 @@ namespace {
 
 using OptionNames = std::set<std::string>;
 
-/// What begins with a dash.
+/// What begins with one or two dashes and a small letter, at the text's begin or after one of "
+/// `,;(".
 OptionNames options_in(const std::string& text) {
-    static const std::regex option("(^|[ `,;(])(--?[a-z][a-z0-9-]*)");
+    const std::string letters = "abcdefghijklmnopqrstuvwxyz", rest = letters + "0123456789-";
     OptionNames names;
-    for (std::sregex_iterator i(text.begin(), text.end(), option), end; i != end; ++i)
-        names.insert((*i)[2]);
+    for (std::size_t at = text.find('-'); at < text.size(); at = text.find('-', at)) {
+        const std::size_t name = text.find_first_not_of('-', at),
+                          end = std::min(text.find_first_not_of(rest, at), text.size());
+        const bool begins = at == 0 || std::string(" `,;(").find(text[at - 1]) < 5;
+        if (begins && name <= at + 2 && name < end && letters.find(text[name]) < letters.size())
+            names.insert(text.substr(at, end - at));
+        at = end;
+    }
     return names;
 }
 
