@@ -1,7 +1,8 @@
 #pragma once
 // From a file's polygons to the Mesh every stage works on: triangulate, weld, renumber, count.
-#include "atlas/mesh_io.h"
+#include "atlas/mesh.h"
 #include "atlas/polygon_soup.h"
+#include "atlas/read_options.h"
 
 namespace burl {
 

@@ -4,17 +4,9 @@
 #include <string>
 
 #include "atlas/mesh.h"
+#include "atlas/read_options.h"
 
 namespace burl {
-
-struct ReadOptions {
-    /// Points closer than this times the box's longest side are welded; 0 welds bitwise-equal
-    /// points (after -0 -> 0).
-    double weld = 0.0;
-    /// Give each glTF instance triangles of its own, in scene space, instead of baking the first
-    /// one for all.
-    bool unshare_instances = false;
-};
 
 /// Reads .obj, .ply, .stl, .off, .gltf or .glb by extension (any case).
 /// Throws Error: io when the file cannot be read, unsupported for another extension or a required
