@@ -27,6 +27,7 @@
 #include "app/solid_map_file.h"
 #include "app/up_to_date.h"
 #include "app/version.h"
+#include "atlas/atlas_pose.h"
 #include "atlas/error.h"
 #include "atlas/freed_memory.h"
 

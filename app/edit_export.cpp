@@ -17,6 +17,7 @@
 #include "app/keyed_recipe.h"
 #include "app/lattice_check.h"
 #include "app/load_pose.h"
+#include "atlas/atlas_pose.h"
 #include "atlas/error.h"
 
 namespace burl {

@@ -10,6 +10,7 @@
 #include "app/normals.h"
 #include "app/placed_vertices.h"
 #include "app/tangents.h"
+#include "atlas/atlas_pose.h"
 #include "atlas/each_index.h"
 
 namespace burl {

@@ -6,7 +6,6 @@
 #include "atlas/file_extension.h"
 #include "atlas/gltf_document.h"
 #include "atlas/gltf_pose.h"
-#include "atlas/mesh_atlas.h"
 #include "atlas/mesh_builder.h"
 #include "atlas/mesh_readers.h"
 
@@ -83,44 +82,6 @@ MeshPose corners_of(PolygonSoup& mesh, const PolygonSoup& posed) {
     return pose;
 }
 
-/// Builds the pose of a refined mesh corner by corner.
-class RefinedPose {
-  public:
-    RefinedPose(const MeshPose& pose, std::size_t triangles) : pose_(pose) {
-        result_.name = pose.name;
-        result_.positions.reserve(3 * triangles);
-    }
-    /// Half-way between two corners of the mesh, or one of them.
-    void add(std::size_t a, std::size_t b) {
-        const Vec3d &p = pose_.positions[a], &q = pose_.positions[b];
-        result_.positions.push_back(a == b ? p : 0.5 * p + 0.5 * q);
-        if (pose_.normals.empty()) return;
-        const Vec3f n = pose_.normals[a];
-        result_.normals.push_back(a == b ? n : n + pose_.normals[b]);
-    }
-    MeshPose take() { return std::move(result_); }
-
-  private:
-    const MeshPose& pose_;
-    MeshPose result_;
-};
-
-/// Which corner of the face is this point; of a face that has it twice the k-th if that is one.
-std::size_t corner_at(const Mesh& mesh, std::uint32_t face, std::uint32_t point, std::size_t k) {
-    const Triangle& triangle = mesh.triangles[face];
-    const std::size_t first = 3 * std::size_t{face};
-    if (triangle[k] == point) return first + k;
-    return triangle[0] == point ? first : triangle[1] == point ? first + 1 : first + 2;
-}
-
-void check_size(const MeshPose& pose, const Mesh& mesh) {
-    if (pose.positions.size() != 3 * mesh.triangles.size())
-        throw Error(ExitCode::runtime,
-                    fmt::format("the pose {} has {} triangles, its mesh {}: a file has changed "
-                                "since it was read; read both again",
-                                pose.name, pose.positions.size() / 3, mesh.triangles.size()));
-}
-
 }  // namespace
 
 std::vector<std::string> pose_names(const FileBuffer& mesh) {
@@ -151,35 +112,16 @@ MeshPose read_own_pose(const FileBuffer& mesh, const std::string& name,
     return pose;
 }
 
-MeshPose atlas_pose(const MeshPose& pose, const Mesh& input, const MeshAtlas& atlas) {
-    check_size(pose, input);
-    const PatchAtlas* patches = atlas.patches();
-    if (!patches) return pose;
-    const RefinedMesh& refined = patches->refined;
-    const std::size_t count = refined.mesh.triangles.size();
-    RefinedPose result(pose, count);
-    auto cut = refined.cut_faces.begin();
-    std::uint32_t face = 0;
-    for (std::size_t t = 0; t < count; ++face) {
-        const bool is_cut = cut != refined.cut_faces.end() && cut->face == face;
-        const std::size_t end = t + (is_cut ? cut->pieces : 1);
-        if (is_cut) ++cut;
-        for (; t < end; ++t)
-            for (std::size_t k = 0; k < 3; ++k) {
-                const std::uint32_t point = refined.mesh.triangles[t][k];
-                const VertexOrigin origin =
-                    point < input.positions.size()
-                        ? VertexOrigin{point, point}
-                        : refined.extra_points[point - input.positions.size()];
-                result.add(corner_at(input, face, origin.a, k),
-                           corner_at(input, face, origin.b, k));
-            }
-    }
-    return result.take();
+void check_pose(const MeshPose& pose, const Mesh& mesh) {
+    if (pose.positions.size() != 3 * mesh.triangles.size())
+        throw Error(ExitCode::runtime,
+                    fmt::format("the pose {} has {} triangles, its mesh {}: a file has changed "
+                                "since it was read; read both again",
+                                pose.name, pose.positions.size() / 3, mesh.triangles.size()));
 }
 
 PosedPoints posed_points(const Mesh& mesh, const MeshPose& pose) {
-    check_size(pose, mesh);
+    check_pose(pose, mesh);
     PosedPoints points;
     const std::size_t count = mesh.positions.size();
     points.triangles = mesh.triangles;

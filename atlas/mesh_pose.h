@@ -12,11 +12,9 @@
 
 #include "atlas/file_buffer.h"
 #include "atlas/mesh.h"
-#include "atlas/mesh_io.h"
+#include "atlas/read_options.h"
 
 namespace burl {
-
-class MeshAtlas;
 
 struct MeshPose {
     std::string name;              ///< the file's without folder and extension, or the pose's own
@@ -41,10 +39,9 @@ MeshPose read_pose(const FileBuffer& mesh, const FileBuffer& posed,
 MeshPose read_own_pose(const FileBuffer& mesh, const std::string& name,
                        const ReadOptions& options = {});
 
-/// The pose of the mesh whose triangles the atlas places, from that of the one it was built for:
-/// the middles that a patch atlas puts on edges are the middles of the posed edges. Throws
-/// Error(runtime) where it is of a mesh with more or fewer triangles: a file has changed between.
-MeshPose atlas_pose(const MeshPose& pose, const Mesh& input, const MeshAtlas& atlas);
+/// Throws Error(runtime) where the pose is of a mesh with more or fewer triangles: a file has
+/// changed between.
+void check_pose(const MeshPose& pose, const Mesh& mesh);
 
 /// The mesh's points as far as the pose leaves them together.
 struct PosedPoints {
@@ -54,7 +51,7 @@ struct PosedPoints {
     std::vector<std::uint32_t> rest;
     std::vector<Vec3d> positions;  ///< per point, in the pose
 };
-/// Throws Error as atlas_pose.
+/// Throws Error as check_pose does.
 PosedPoints posed_points(const Mesh& mesh, const MeshPose& pose);
 
 /// The mesh on its way to the pose: a share `weight` (0: at rest, 1: posed) of the straight line of

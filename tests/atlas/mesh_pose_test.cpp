@@ -8,6 +8,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "atlas/atlas_pose.h"
 #include "atlas/mesh_atlas.h"
 #include "atlas/mesh_io.h"
 #include "gltf_files.h"
