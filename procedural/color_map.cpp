@@ -2,7 +2,6 @@
 
 #include "procedural/color_table.h"
 #include "procedural/srgb.h"
-#include "procedural/texture.h"
 
 namespace burl {
 

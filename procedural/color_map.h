@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "atlas/image.h"
+#include "atlas/vec.h"
 
 namespace burl {
 
@@ -30,5 +31,8 @@ struct ColorMap {
     std::vector<ColorStop> stops;
     bool operator==(const ColorMap&) const = default;
 };
+
+/// c(f) in linear light, float64 reference.
+Vec3d evaluate_color(const ColorMap& map, double f);
 
 }  // namespace burl

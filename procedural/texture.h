@@ -61,7 +61,4 @@ struct Texture {
 /// coordinate (after space and scale).
 double evaluate_field(const Texture& texture, const Vec3d& s);
 
-/// c(f) in linear light, float64 reference.
-Vec3d evaluate_color(const ColorMap& map, double f);
-
 }  // namespace burl
