@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "atlas/image.h"
+#include "procedural/map_texel.h"
 #include "procedural/octave_groups.h"
 
 namespace burl {
@@ -22,16 +23,9 @@ inline LatticeStreamKey stream_key(const OctaveGroup& group) {
     return {group.lattice_from_solid, group.finest(), group.period()};
 }
 
-/// Texels of an atlas: columns x to x + width - 1 of rows y to y + height - 1.
-struct TexelArea {
-    std::uint32_t x = 0, y = 0, width = 0, height = 0;
-};
-
 /// Upper and lower half of the quadric's value where no span shows anything: not a number, which
 /// stays so whatever is added, and whose colour is that of field 0.
 inline constexpr std::uint64_t no_quadric = 0x7ff80000'00000000;
-
-using MapTexel = glm::uvec4;
 
 /// Without a stream, cells and places are 0; without a quadric, its value is 0 in spans.
 struct LatticeMap {

@@ -3,7 +3,7 @@
 // and as float32 offsets from one base with each texel's owner, the solid map of an atlas (Carr &
 // Hart 2001, section 5.1) that a shader textures from elsewhere.
 #include "atlas/image.h"
-#include "procedural/lattice_map.h"
+#include "procedural/map_texel.h"
 
 namespace burl {
 
