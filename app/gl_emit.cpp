@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "app/gl_source.h"
+#include "app/shader_source.h"
 #include "app/version.h"
 #include "procedural/glsl_graph.h"
 #include "procedural/glsl_plain.h"
