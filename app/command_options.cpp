@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
-#include "app/export.h"
 #include "app/keyed_recipe.h"
 #include "app/mesh_notes.h"
 #include "app/messages.h"
