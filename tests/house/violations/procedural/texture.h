@@ -1,0 +1,1 @@
+// Right: what others include wrongly.
