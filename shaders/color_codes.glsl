@@ -1,5 +1,5 @@
-// 8-bit sRGB codes of field values, those of ColorTable8 in procedural/color_table.h, from the
-// tables of procedural/glsl_colors.h. After real_bits.glsl and color_index.glsl. COLOR_ENTRIES is
+// 8-bit sRGB codes of field values, those of ColorTable8 in procedural/color/table.h, from the
+// tables of procedural/glsl/colors.h. After real_bits.glsl and color_index.glsl. COLOR_ENTRIES is
 // their number as a float, COLOR_STEPS how many steps one of them may hold.
 uniform usamplerBuffer color_entries;
 #if COLOR_STEPS > 1

@@ -1,4 +1,4 @@
-// The colour map's mean from tables of halved resolutions (Hart et al. 1999, section 3.3.1): procedural/color_mip.h in
+// The colour map's mean from tables of halved resolutions (Hart et al. 1999, section 3.3.1): procedural/color/mip.h in
 // its sequence of operations. After color_index.glsl, color_table.glsl and elementary.glsl. COLOR_MIP_FINEST: the first
 // table has 2 to this power entries; half of them each follow, down to one.
 real3 at_level(int level, real index) {

@@ -1,5 +1,5 @@
-// Linear light of field values, that of PreparedColorMap in procedural/color_table.h, from the
-// table of procedural/glsl_colors.h. After real_bits.glsl and color_index.glsl.
+// Linear light of field values, that of PreparedColorMap in procedural/color/table.h, from the
+// table of procedural/glsl/colors.h. After real_bits.glsl and color_index.glsl.
 uniform usamplerBuffer color_segments;
 uniform int color_segment_count;
 

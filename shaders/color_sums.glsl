@@ -1,4 +1,4 @@
-// The colour map's mean from a summed-area table (Hart et al. 1999, section 3.3.2): procedural/color_sums.h in its
+// The colour map's mean from a summed-area table (Hart et al. 1999, section 3.3.2): procedural/color/sums.h in its
 // sequence of operations. After color_index.glsl and color_table.glsl.
 uniform real sums_first;       // the table's first sum is up to here, in entries
 uniform int sums_count;

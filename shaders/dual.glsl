@@ -1,4 +1,4 @@
-// Numbers with their gradients with respect to the solid point, as procedural/dual.h and
+// Numbers with their gradients with respect to the solid point, as procedural/numbers/dual.h and
 // box_means.h have them: a real4 of the value and its derivatives along s, t and r. After
 // graph.glsl.
 

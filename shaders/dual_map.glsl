@@ -1,5 +1,5 @@
-// Colour maps averaged over a footprint, as procedural/map_pieces.h and map_filter.cpp have it.
-// After dual.glsl and the arrays of pieces and breaks, which procedural/glsl_map_tables.cpp writes.
+// Colour maps averaged over a footprint, as procedural/color/map_pieces.h and map_filter.cpp have it.
+// After dual.glsl and the arrays of pieces and breaks, which procedural/glsl/map_tables.cpp writes.
 
 // Which pieces and breaks of the arrays are a map's; its mean over a period.
 struct PieceMap {
@@ -254,7 +254,7 @@ DualColor dual_spline(real4 t, real3 points[9], bool b_spline) {
 
 // ---- Octaves that a footprint cannot show ----
 
-// Share of an octave in whose lattice the footprint's sides are these (procedural/band_limit.h).
+// Share of an octave in whose lattice the footprint's sides are these (procedural/model/band_limit.h).
 real band_weight(real3 u, real3 v) {
     real squared = max(dot_of(u, u), dot_of(v, v));
     if (squared < real(9.0) / real(100.0)) return real(1.0);

@@ -1,5 +1,5 @@
 // Sine, angle, logarithm and power from additions, multiplications, one division or square root, as
-// procedural/elementary-inl.h has them: in double with the same bits, in float by shorter series
+// procedural/numbers/elementary-inl.h has them: in double with the same bits, in float by shorter series
 // with the errors stated here. After real.glsl.
 
 #if REAL_IS_DOUBLE

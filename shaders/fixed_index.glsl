@@ -1,5 +1,5 @@
-// A colour map's index in fixed point (procedural/fixed_index.h) and its 8-bit colours (procedural/fixed_colors.h), from
-// maps in the order of procedural/synthesize_site_map.h. After stream_noise.glsl. ENTRY_MARGIN is
+// A colour map's index in fixed point (procedural/fixed/index.h) and its 8-bit colours (procedural/fixed/colors.h), from
+// maps in the order of procedural/maps/site_map.h. After stream_noise.glsl. ENTRY_MARGIN is
 // FixedColors::margin, COLOR_REPEATS 1 or 0.
 uniform usamplerBuffer color_entries;
 flat in uvec4 octave_pairs[OCTAVE_PAIRS], term_words[TERMS], index_words, entry_words;

@@ -1,4 +1,4 @@
-// The operations of texture graphs that GLSL has no operator for, as procedural/value_kernels.cpp,
+// The operations of texture graphs that GLSL has no operator for, as procedural/graph/value_kernels.cpp,
 // value_program.cpp and mip_image.cpp have them. After noise_lattice.glsl and
 // level_size.glsl.
 

@@ -1,4 +1,4 @@
-// A texture graph's colour over the texel's footprint, as procedural/synthesize_graph_texels.h has
+// A texture graph's colour over the texel's footprint, as procedural/fill/graph_texels.h has
 // it. After texture_color and texel_line.glsl.
 uniform real3 texture_from_atlas[4];  // columns and offset
 

@@ -1,5 +1,5 @@
 // A texture graph's colour as the weighted mean of several places in the texel, as
-// procedural/synthesize_graph_points.h has it. After texture_color, texel_line.glsl and supersample.glsl.
+// procedural/fill/graph_points.h has it. After texture_color, texel_line.glsl and supersample.glsl.
 uniform real3 texture_from_atlas[4];  // columns and offset
 
 real3 mean_color(ivec2 texel) {

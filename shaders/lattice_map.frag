@@ -1,4 +1,4 @@
-// A texel of a lattice map (procedural/lattice_map.h), with the host's bits. After line.glsl.
+// A texel of a lattice map (procedural/field/lattice_map.h), with the host's bits. After line.glsl.
 uniform double period;
 
 flat in uvec4 cells;

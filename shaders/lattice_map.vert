@@ -1,4 +1,4 @@
-// Lines of a lattice map (procedural/lattice_map.h): what stays the same along a span of the coordinates that
+// Lines of a lattice map (procedural/field/lattice_map.h): what stays the same along a span of the coordinates that
 // fill_stream and of the parabola that make_parabolas works out. After span.glsl.
 uniform dmat3 lattice_linear;
 uniform dvec3 lattice_offset;

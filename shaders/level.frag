@@ -1,5 +1,5 @@
 // One texel of a MIP level from the two or three texels each way of the level before it that it
-// covers, with the host's weights in the host's order (atlas/mip_chain.cpp): sums in float64, results
+// covers, with the host's weights in the host's order (atlas/base/mip_chain.cpp): sums in float64, results
 // rounded once. With gutters (GUTTERS) two chains run side by side, means of all texels and sums of those
 // that show surface (colour times share, share); a level whose gutters count shows the one, later ones the
 // other.

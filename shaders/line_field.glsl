@@ -1,6 +1,6 @@
 // Quadric and lattice coordinates at points of a texel's line (texel_line.glsl), as the host's kernels work them out.
 // After stream_noise.glsl.
-uniform real quadric[10];  // a to j of procedural/texture.h
+uniform real quadric[10];  // a to j of procedural/model/texture.h
 
 // evaluate_quadric.
 real quadric_at(real3 p) {
@@ -20,7 +20,7 @@ real3 lattice_side(real3 side) {
                  abs(side.z) < real(0.5) * lattice_limit ? side.z : real(0.0));
 }
 
-// Of an octave without a stream (procedural/field_sampler.cpp): where the line of all the span's texels reaches the
+// Of an octave without a stream (procedural/field/sampler.cpp): where the line of all the span's texels reaches the
 // limit it stays at 0, and so does a step to the next row.
 TexelLine in_lattice(TexelLine line) {
     exact real3 reach = abs(line.start) + line.count * abs(line.step);
@@ -71,7 +71,7 @@ real3 curved(real3 v) {
     return product;
 }
 
-// The quadric at start + x step as procedural/quadric_kernel.cpp has it: a parabola.
+// The quadric at start + x step as procedural/kernels/quadric_kernel.cpp has it: a parabola.
 real parabola_at(real3 start, real3 step, real x) {
     real3 half_gradient = curved(start), linear = real3(quadric[3], quadric[6], quadric[8]);
     exact real3 twice = half_gradient + real(2.0) * linear, once = half_gradient + linear;
@@ -83,7 +83,7 @@ real parabola_at(real3 start, real3 step, real x) {
 }
 
 #if REAL_IS_DOUBLE
-// Cell and place of a coordinate out of reach of fixed point, as FillHardLine of procedural/stream_kernels.cpp.
+// Cell and place of a coordinate out of reach of fixed point, as FillHardLine of procedural/kernels/stream_kernels.cpp.
 uvec2 split(double x, double period) {
     double cell = floor(x);
     exact double wrapped = cell;
@@ -127,7 +127,7 @@ StreamSite stream_site(TexelLine line, real x, real2 limits) {
 }
 
 // The row of a texel's corners `side` rows below its centre: one longer than the span, from half a step before it on
-// (procedural/corner_samples.cpp).
+// (procedural/field/corner_samples.cpp).
 TexelLine corner_line(TexelLine line, real side) {
     exact real3 start = line.start - real(0.5) * line.step + side * line.down;
     return TexelLine(start, line.step, line.down, line.column, line.count + real(1.0), line.owner);

@@ -1,5 +1,5 @@
 // The colour map's mean over a footprint, in linear light, from what the map's breaks do: the
-// closed forms of procedural/map_filter_kernels.cpp in their sequence of operations. A break's
+// closed forms of procedural/color/map_filter_kernels.cpp in their sequence of operations. A break's
 // shares are (jump, kink): its jump and its kink times these are added up. After box_width.glsl;
 // COLOR_REPEATS (color_index.glsl) chooses the basis.
 
@@ -123,7 +123,7 @@ real narrow_scale(Footprint at) {
     return real(1.0);
 }
 
-// ---- Which form suits a footprint (procedural/stream_filter.cpp) ----
+// ---- Which form suits a footprint (procedural/field/stream_filter.cpp) ----
 
 // `both_axes` false: the box of the same variance. Nothing where anything is not finite.
 Footprint footprint_of(real f, vec2 slopes, bool both_axes) {

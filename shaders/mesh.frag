@@ -1,6 +1,6 @@
 // Needs footprint.glsl, level_size.glsl and srgb_encode.glsl.
 // Base colour in linear light, under a headlight: ambient + (1 - ambient) |n.v| as in
-// app/shading.h, with n bumped by a normal map as in procedural/tangent_frame.h. The target is
+// app/scene/shading.h, with n bumped by a normal map as in procedural/fill/tangent_frame.h. The target is
 // linear float; sRGB encoding happens after averaging, on the host, but where ENCODED says that a
 // sample is a pixel of the screen.
 in vec3 eye_position;
@@ -43,7 +43,7 @@ vec4 block_lookup(sampler2D map, float level) {
 }
 
 // The level is chosen here, as the specification has it, and not by the sampler, which may be half
-// a level off: which texels are read is known beforehand (app/view_texels.h).
+// a level off: which texels are read is known beforehand (app/gl/draw/view_texels.h).
 float level_of(sampler2D map) {
     float footprint = footprint_squared(texture_uv, vec2(textureSize(map, 0)));
     return 0.5 * log2(max(footprint, 1.0));

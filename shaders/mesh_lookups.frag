@@ -1,4 +1,4 @@
-// What a sample looks up of a texture, for the host to mark texels by (app/view_texels.h): where,
+// What a sample looks up of a texture, for the host to mark texels by (app/gl/draw/view_texels.h): where,
 // how wide, and in which triangle, counted from 1 on; 0 where nothing of the texture is seen.
 // Needs footprint.glsl.
 in vec2 texture_uv;

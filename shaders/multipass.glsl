@@ -1,4 +1,4 @@
-// What the passes of multipass noise share (procedural/multipass_plan.h): texels of their images as
+// What the passes of multipass noise share (procedural/passes/plan.h): texels of their images as
 // the numbers they reckon with, and back. FIXED8 is 1 where images are RGBA8: then numbers are
 // whole, 0 to 255, and what is stored is rounded to the nearest; else 0.
 uniform sampler2D first, second;

@@ -1,5 +1,5 @@
 // What all noises with gradients share: a noise is a vec4 of its value and its derivatives along
-// the lattice's x, y and z, blended and added up as procedural/point_noise-inl.h,
+// the lattice's x, y and z, blended and added up as procedural/kernels/point_noise-inl.h,
 // interpolated_noise.h and noise_sum.cpp do it. After noise_lattice.glsl.
 
 // What the fades v change by per cell, of t = twice the place.

@@ -1,5 +1,5 @@
 // What every noise on the lattice shares: the hash, sites, periods and fades of
-// procedural/lattice_hash.h, lattice_site.h, point_sites-inl.h and noise_corners-inl.h, in their
+// procedural/numbers/lattice_hash.h, lattice_site.h, point_sites-inl.h and noise_corners-inl.h, in their
 // sequence of operations. After real.glsl.
 //
 // A point reaches a noise in one of two forms, as on the host:

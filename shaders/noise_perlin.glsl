@@ -1,4 +1,4 @@
-// Perlin's improved noise with gradient numbers from our hash (procedural/perlin_noise.h,
+// Perlin's improved noise with gradient numbers from our hash (procedural/noise/perlin_noise.h,
 // point_noise-inl.h); quintic weights v. `low` and `high` are the coordinates of the cell's lower
 // and upper lattice planes. After noise_lattice.glsl.
 

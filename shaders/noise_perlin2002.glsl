@@ -1,6 +1,6 @@
-// Perlin's improved noise with the permutation that he published (procedural/perlin_noise.h,
+// Perlin's improved noise with the permutation that he published (procedural/noise/perlin_noise.h,
 // point_noise-inl.h). After noise_perlin.glsl and the table, `uint published_number(uint)`, which
-// procedural/glsl_noise.cpp writes.
+// procedural/glsl/noise.cpp writes.
 
 // Numbers of the four corners of a square, to which the next coordinate is added.
 uvec4 published_square(uvec2 x, uvec2 y) {

@@ -1,5 +1,5 @@
 // Simplex noise at points, in three dimensions (Perlin 2001, appendix B) and four
-// (procedural/simplex_noise.h). The simplex is found in `real`, the kernels are added in float32.
+// (procedural/noise/simplex_noise.h). The simplex is found in `real`, the kernels are added in float32.
 // After noise_lattice.glsl.
 
 // The appendix's shuffle: the sum of eight patterns, each chosen by a bit of each coordinate; its

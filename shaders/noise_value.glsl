@@ -1,4 +1,4 @@
-// Value noise (procedural/value_noise.h, point_noise-inl.h): numbers at lattice points,
+// Value noise (procedural/noise/value_noise.h, point_noise-inl.h): numbers at lattice points,
 // interpolated with weights v from a fade. `low` and `high` are the coordinates of the cell's lower
 // and upper lattice planes. After noise_lattice.glsl.
 

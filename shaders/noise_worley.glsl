@@ -1,5 +1,5 @@
 // Worley's cellular noise: distance to the nearest of random points, one in each cell, exact, in
-// three and four dimensions (procedural/worley_noise.h). Loops begin beyond their end where nothing
+// three and four dimensions (procedural/noise/worley_noise.h). Loops begin beyond their end where nothing
 // nearer can be: graphics processors and llvmpipe skip a loop where a branch would run for all.
 // After noise_lattice.glsl.
 

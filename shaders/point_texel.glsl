@@ -1,4 +1,4 @@
-// A texel's point from a point map (procedural/point_map.h). After real_bits.glsl.
+// A texel's point from a point map (procedural/batch/point_map.h). After real_bits.glsl.
 uniform usampler2D point_xy, point_z_owner;
 
 // Outside every span the origin, whose colour such texels get.

@@ -1,4 +1,4 @@
-// A span of an atlas (atlas/solid_atlas.h) as a quad one texel high, and the line of solid points that its texels
+// A span of an atlas (atlas/solid/solid_atlas.h) as a quad one texel high, and the line of solid points that its texels
 // show: what every map of an atlas is drawn from, one instance a span. In float64 with the host's operations in the
 // host's order (`precise` keeps compilers from others), so that maps have the host's bits.
 layout(location = 0) in uvec3 span;  // first column, texels, number of the triangle's map

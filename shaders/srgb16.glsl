@@ -1,4 +1,4 @@
-// 16-bit sRGB codes of linear light, those of SrgbEncoder in procedural/srgb.h, from the thresholds
+// 16-bit sRGB codes of linear light, those of SrgbEncoder in procedural/color/srgb.h, from the thresholds
 // between codes. After real_bits.glsl. SRGB_BUCKETS is the number of buckets as a float.
 uniform usamplerBuffer srgb_first, srgb_thresholds;
 

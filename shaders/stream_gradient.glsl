@@ -1,5 +1,5 @@
 // The noises of stream_noise.glsl with their gradients in the octave's own lattice, as
-// procedural/noise_gradient-inl.h and simplex_kernel.cpp have them, to the bit: the noise, over
+// procedural/kernels/noise_gradient-inl.h and simplex_kernel.cpp have them, to the bit: the noise, over
 // stream_unit, then its derivatives along x, y and z. After stream_noise.glsl.
 
 // What the fades change by per cell, of centred_places.

@@ -1,4 +1,4 @@
-// The octaves that have a stream kernel on the host (procedural/stream_noise-inl.h,
+// The octaves that have a stream kernel on the host (procedural/kernels/stream_noise-inl.h,
 // simplex_kernel.cpp), from the same fixed-point coordinates in the same sequence of operations:
 // with IEEE arithmetic the same bits. Noise is over stream_unit(kind). After real.glsl and
 // noise_lattice.glsl.

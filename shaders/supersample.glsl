@@ -1,4 +1,4 @@
-// Stratified places in a texel and their weights, those of procedural/sample_pattern.h, to the bit. After
+// Stratified places in a texel and their weights, those of procedural/batch/sample_pattern.h, to the bit. After
 // noise_lattice.glsl.
 uniform int sample_count;
 uniform ivec2 sample_cells;  // columns and rows that the texel is cut into

@@ -1,10 +1,10 @@
-// The span of an atlas that a texel lies in (atlas/solid_atlas.h), and the line of solid points that the span shows:
+// The span of an atlas that a texel lies in (atlas/solid/solid_atlas.h), and the line of solid points that the span shows:
 // for shaders that look beside the texels' centres. After real_bits.glsl.
-uniform usampler2D span_map;        // procedural/synthesize_span_map.h
+uniform usampler2D span_map;        // procedural/maps/span_map.h
 uniform usamplerBuffer texel_maps;  // TexelMap as it lies in memory, five texels each
 uniform ivec2 tile_origin;          // of the target in the atlas
 
-// A triangle's TexelMap (atlas/solid_atlas.h).
+// A triangle's TexelMap (atlas/solid/solid_atlas.h).
 struct TexelMapping {
     real3 origin, step, down;
     ivec2 corner;

@@ -1,16 +1,16 @@
 // Frames of an animation against bakes and pictures of single recipes, and what is refused before
 // anything is written.
-#include "app/animation.h"
+#include "app/options/animation.h"
 
 #include <algorithm>
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
-#include "app/image_io.h"
-#include "app/pipeline.h"
-#include "atlas/error.h"
-#include "procedural/octaves.h"
+#include "app/image/image_io.h"
+#include "app/pipeline/pipeline.h"
+#include "atlas/base/error.h"
+#include "procedural/model/octaves.h"
 #include "tests/app/run_program.h"
 #include "tests/app/sample_scene.h"
 

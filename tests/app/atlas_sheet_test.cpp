@@ -1,6 +1,6 @@
 // Pictures of an atlas against what single texels show, found triangle by triangle, and the way
 // from a texel to the object and back.
-#include "app/atlas_sheet.h"
+#include "app/measure/atlas_sheet.h"
 
 #include <gtest/gtest.h>
 
@@ -9,11 +9,11 @@
 #include <cmath>
 #include <map>
 
-#include "app/metrics_pictures.h"
-#include "app/sheet_frame.h"
-#include "app/surface_pick.h"
-#include "app/view_scene.h"
-#include "procedural/srgb.h"
+#include "app/gl/draw/view_scene.h"
+#include "app/measure/metrics_pictures.h"
+#include "app/scene/sheet_frame.h"
+#include "app/scene/surface_pick.h"
+#include "procedural/color/srgb.h"
 #include "tests/atlas/made_meshes.h"
 
 namespace burl {

@@ -1,5 +1,5 @@
 // Outputs are whole or absent: every way of failing leaves the folder as it was.
-#include "app/atomic_file.h"
+#include "app/base/atomic_file.h"
 
 #include <csignal>
 #include <fstream>
@@ -10,7 +10,7 @@
 #include <sys/stat.h>
 #include <sys/wait.h>
 
-#include "atlas/error.h"
+#include "atlas/base/error.h"
 #include "tests/app/scratch_folder.h"
 
 namespace burl {

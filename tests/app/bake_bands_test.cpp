@@ -1,15 +1,15 @@
 // Textures that come a band of rows at a time are those that come whole.
 #include <gtest/gtest.h>
 
-#include "app/bake_exr.h"
-#include "app/bake_texture.h"
-#include "app/convert_image.h"
-#include "app/file_bytes.h"
-#include "app/level_names.h"
-#include "app/paint_texture.h"
-#include "app/parameters.h"
-#include "app/sample_meshes.h"
-#include "atlas/block_levels.h"
+#include "app/bake/exr.h"
+#include "app/bake/texture.h"
+#include "app/base/file_bytes.h"
+#include "app/image/convert_image.h"
+#include "app/image/level_names.h"
+#include "app/paint/texture.h"
+#include "app/recipe/parameters.h"
+#include "app/surface/sample_meshes.h"
+#include "atlas/build/block_levels.h"
 #include "tests/app/scratch_folder.h"
 
 namespace burl {

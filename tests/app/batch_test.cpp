@@ -1,10 +1,10 @@
 // A batch makes the files that single bakes make, shares what they have in common, and lets one bad
 // bake fail alone.
-#include "app/batch_manifest.h"
+#include "app/bake/batch_manifest.h"
 
 #include <nlohmann/json.hpp>
 
-#include "atlas/error.h"
+#include "atlas/base/error.h"
 #include "tests/app/run_program.h"
 
 namespace burl::test {

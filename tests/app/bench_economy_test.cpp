@@ -1,9 +1,9 @@
 // The suite's counts, which no machine changes.
-#include "app/bench_economy.h"
+#include "app/bench/economy.h"
 
 #include <gtest/gtest.h>
 
-#include "app/gl_bench_view.h"
+#include "app/bench/gl_bench_view.h"
 #include "tests/app/gl_fixture.h"
 
 namespace burl {

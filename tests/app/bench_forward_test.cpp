@@ -1,4 +1,4 @@
-#include "app/bench_forward.h"
+#include "app/bench/forward.h"
 
 #include <gtest/gtest.h>
 

@@ -1,13 +1,13 @@
 // Options of `burl bench` that a suite has no use for are refused in a sentence that names the
 // suite and the option, and so are sizes beyond a suite's bounds.
-#include "app/bench_options.h"
+#include "app/bench/options.h"
 
 #include <hwy/highway.h>
 
-#include "app/simd_limit.h"
-#include "atlas/error.h"
-#include "procedural/simd_level.h"
-#include "procedural/texel_batch.h"
+#include "app/base/simd_limit.h"
+#include "atlas/base/error.h"
+#include "procedural/batch/texel_batch.h"
+#include "procedural/numbers/simd_level.h"
 #include "tests/app/run_program.h"
 
 namespace burl {

@@ -1,5 +1,5 @@
 // The plot of a report: what is marked, what cannot be drawn, and that labels keep apart.
-#include "app/bench_plot.h"
+#include "app/bench/plot.h"
 
 #include <cstdio>
 #include <random>
@@ -8,8 +8,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "app/svg_text.h"
-#include "atlas/error.h"
+#include "app/bench/svg_text.h"
+#include "atlas/base/error.h"
 
 namespace burl {
 namespace {

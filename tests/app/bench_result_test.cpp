@@ -1,5 +1,5 @@
 // What suites report: errors against values worked out by hand, and what all rows have.
-#include "app/bench_result.h"
+#include "app/bench/result.h"
 
 #include <cmath>
 #include <set>
@@ -7,10 +7,10 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "app/bench_meshes.h"
-#include "app/bench_noise.h"
-#include "app/bench_synthesis.h"
-#include "atlas/error.h"
+#include "app/bench/meshes.h"
+#include "app/bench/noise.h"
+#include "app/bench/synthesis.h"
+#include "atlas/base/error.h"
 
 namespace burl {
 namespace {

@@ -1,14 +1,14 @@
 // The benchmark's meshes are what they say, and the atlas suite measures what other code measures.
-#include "app/bench_atlas.h"
+#include "app/bench/atlas.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "app/bench_levels.h"
-#include "app/bench_meshes.h"
-#include "app/bench_precision.h"
-#include "atlas/metrics.h"
+#include "app/bench/levels.h"
+#include "app/bench/meshes.h"
+#include "app/bench/precision.h"
+#include "atlas/measure/metrics.h"
 
 namespace burl {
 namespace {

@@ -4,11 +4,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/direct_render.h"
-#include "app/normals.h"
-#include "app/recipe.h"
-#include "atlas/error.h"
-#include "procedural/srgb.h"
+#include "app/direct/render.h"
+#include "app/recipe/recipe.h"
+#include "app/surface/normals.h"
+#include "atlas/base/error.h"
+#include "procedural/color/srgb.h"
 #include "tests/app/sample_scene.h"
 #include "tests/procedural/graph_cases.h"
 

@@ -1,11 +1,11 @@
-#include "app/camera.h"
+#include "app/scene/camera.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "atlas/error.h"
+#include "atlas/base/error.h"
 #include "tests/app/sample_scene.h"
 
 namespace burl {

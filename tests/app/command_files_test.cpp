@@ -1,12 +1,12 @@
 // No command writes over what it reads: every output of every verb against every input, by whatever
 // name; and what is no file is not waited for.
-#include "app/command_files.h"
+#include "app/export/command_files.h"
 
 #include <map>
 
-#include "app/image_io.h"
-#include "app/recipe_images.h"
-#include "atlas/error.h"
+#include "app/image/image_io.h"
+#include "app/recipe/images.h"
+#include "atlas/base/error.h"
 #include "tests/app/run_program.h"
 
 namespace burl::test {

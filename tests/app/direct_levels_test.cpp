@@ -1,5 +1,5 @@
 // Direct levels against means over grids of samples made texel by texel, and against the surface.
-#include "app/direct_levels.h"
+#include "app/pipeline/direct_levels.h"
 
 #include <cmath>
 #include <numeric>
@@ -7,13 +7,13 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "app/bake_levels.h"
-#include "app/embedded.h"
-#include "app/level_errors.h"
-#include "app/pipeline.h"
-#include "app/sample_meshes.h"
-#include "atlas/block_levels.h"
-#include "atlas/error.h"
+#include "app/bake/levels.h"
+#include "app/base/embedded.h"
+#include "app/measure/level_errors.h"
+#include "app/pipeline/pipeline.h"
+#include "app/surface/sample_meshes.h"
+#include "atlas/base/error.h"
+#include "atlas/build/block_levels.h"
 #include "tests/atlas/made_meshes.h"
 #include "tests/atlas/made_patches.h"
 

@@ -1,4 +1,4 @@
-#include "app/direct_render.h"
+#include "app/direct/render.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
@@ -6,8 +6,8 @@
 #include <cmath>
 #include <vector>
 
-#include "app/normals.h"
-#include "app/visibility.h"
+#include "app/scene/visibility.h"
+#include "app/surface/normals.h"
 #include "tests/app/sample_scene.h"
 
 namespace burl {

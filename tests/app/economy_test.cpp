@@ -1,16 +1,16 @@
 // Whatever is left out, nobody sees it: textures with every skip, without one of them and without
 // any have the same bytes, for all presets and a thousand recipes at random.
-#include "procedural/economy.h"
+#include "procedural/batch/economy.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "app/economy_options.h"
-#include "app/pipeline.h"
-#include "app/stability_cases.h"
-#include "app/stability_chance.h"
-#include "procedural/synthesize.h"
-#include "procedural/synthesize_kept.h"
+#include "app/bench/stability_cases.h"
+#include "app/bench/stability_chance.h"
+#include "app/options/economy_options.h"
+#include "app/pipeline/pipeline.h"
+#include "procedural/fill/synthesize.h"
+#include "procedural/kept/kept.h"
 #include "tests/app/sample_scene.h"
 #include "tests/paths.h"
 #include "tests/procedural/synthetic_atlas.h"

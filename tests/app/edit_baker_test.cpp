@@ -1,6 +1,6 @@
 // The editor's baker with large meshes: pairs at once, then the recipe's own atlas, and neither
 // closing nor another mesh waits for that.
-#include "app/edit_baker.h"
+#include "app/editor/work/baker.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -8,9 +8,9 @@
 #include <atomic>
 #include <utility>
 
-#include "app/bench_meshes.h"
-#include "app/edit_atlas.h"
-#include "app/sample_meshes.h"
+#include "app/bench/meshes.h"
+#include "app/editor/work/atlas.h"
+#include "app/surface/sample_meshes.h"
 
 namespace burl {
 namespace {

@@ -1,5 +1,5 @@
 // The editor's camera does what hands expect, measured in the picture.
-#include "app/edit_camera.h"
+#include "app/editor/tools/camera.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "app/image_io.h"
+#include "app/image/image_io.h"
 #include "tests/app/run_program.h"
 
 namespace burl {

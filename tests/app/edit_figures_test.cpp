@@ -1,6 +1,6 @@
-// The editor's figures of an atlas against those of atlas/metrics.h, which have other sources: the
-// atlas's own corners in place of the scene's coordinates.
-#include "app/edit_figures.h"
+// The editor's figures of an atlas against those of atlas/measure/metrics.h, which have other
+// sources: the atlas's own corners in place of the scene's coordinates.
+#include "app/editor/work/figures.h"
 
 #include <gtest/gtest.h>
 
@@ -8,9 +8,9 @@
 #include <cmath>
 #include <numeric>
 
-#include "app/sample_meshes.h"
-#include "app/view_scene.h"
-#include "atlas/metrics.h"
+#include "app/gl/draw/view_scene.h"
+#include "app/surface/sample_meshes.h"
+#include "atlas/measure/metrics.h"
 
 namespace burl {
 namespace {

@@ -1,6 +1,6 @@
 // The editor's files: what its browser lists, what survives a crash, and that an export is the
 // bytes of a bake.
-#include "app/edit_files.h"
+#include "app/editor/panels/files.h"
 
 #include <gtest/gtest.h>
 
@@ -12,14 +12,14 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "app/atomic_file.h"
-#include "app/edit_autosave.h"
-#include "app/edit_export.h"
-#include "app/edit_reader.h"
-#include "app/file_bytes.h"
-#include "app/image_io.h"
-#include "app/pipeline.h"
-#include "atlas/error.h"
+#include "app/base/atomic_file.h"
+#include "app/base/file_bytes.h"
+#include "app/editor/session/autosave.h"
+#include "app/editor/work/export.h"
+#include "app/editor/work/reader.h"
+#include "app/image/image_io.h"
+#include "app/pipeline/pipeline.h"
+#include "atlas/base/error.h"
 #include "tests/app/scratch_folder.h"
 
 namespace burl {

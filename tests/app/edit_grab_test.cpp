@@ -1,6 +1,6 @@
 // Taking hold of the texture on scenes with instances and in the object's own coordinates, against
 // where the pointer is and what the texture's map says.
-#include "app/edit_grab.h"
+#include "app/editor/tools/grab.h"
 
 #include <gtest/gtest.h>
 

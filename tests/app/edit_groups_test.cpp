@@ -1,6 +1,6 @@
 // The order and names of parameters: nothing is lost, what matters comes first, and everything has
 // a name in words.
-#include "app/edit_groups.h"
+#include "app/editor/session/groups.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -8,9 +8,9 @@
 #include <algorithm>
 #include <set>
 
-#include "app/edit_seed.h"
-#include "app/embedded.h"
-#include "app/key_check.h"
+#include "app/base/embedded.h"
+#include "app/editor/session/seed.h"
+#include "app/recipe/key_check.h"
 
 namespace burl {
 namespace {

@@ -1,6 +1,6 @@
 // Undo and redo as a person meets them: one step for every gesture, nothing lost, nothing for
 // gestures that change nothing.
-#include "app/edit_history.h"
+#include "app/editor/session/history.h"
 
 #include <gtest/gtest.h>
 

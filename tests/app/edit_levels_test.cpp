@@ -5,8 +5,8 @@
 #include <cmath>
 #include <random>
 
-#include "app/edit_levels.h"
-#include "procedural/srgb.h"
+#include "app/editor/work/levels.h"
+#include "procedural/color/srgb.h"
 
 namespace burl {
 namespace {

@@ -1,6 +1,6 @@
 // The texture moved on the object by pointer and keys, without a display: what was under the
 // pointer must be under it again, elsewhere.
-#include "app/edit_move.h"
+#include "app/editor/panels/move.h"
 
 #include <gtest/gtest.h>
 

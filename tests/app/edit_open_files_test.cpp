@@ -1,6 +1,6 @@
 // The files that an editor has open: read beside everything else, again when they change, and
 // remembered.
-#include "app/edit_open_files.h"
+#include "app/editor/work/open_files.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <atomic>
 #include <filesystem>
 
-#include "app/atomic_file.h"
-#include "app/sample_meshes.h"
+#include "app/base/atomic_file.h"
+#include "app/surface/sample_meshes.h"
 #include "tests/app/scratch_folder.h"
 
 namespace burl {

@@ -1,5 +1,5 @@
 // How often frames are drawn while a mesh is opened.
-#include "app/edit_pace.h"
+#include "app/editor/session/pace.h"
 
 #include <gtest/gtest.h>
 

@@ -1,19 +1,19 @@
 // What the editor does to recipes: good values become steps, bad ones a sentence and nothing else,
 // and the command line that it offers makes the same recipe.
-#include "app/edit_session.h"
+#include "app/editor/session/session.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
 
-#include "app/atomic_file.h"
-#include "app/edit_autosave.h"
-#include "app/embedded.h"
-#include "app/image_io.h"
-#include "app/real_path.h"
-#include "app/recipe_images.h"
-#include "atlas/error.h"
+#include "app/base/atomic_file.h"
+#include "app/base/embedded.h"
+#include "app/base/real_path.h"
+#include "app/editor/session/autosave.h"
+#include "app/image/image_io.h"
+#include "app/recipe/images.h"
+#include "atlas/base/error.h"
 #include "tests/app/scratch_folder.h"
 
 namespace burl {

@@ -1,12 +1,12 @@
 // Edits of stops leave maps that recipes accept, and a stop added changes no colour.
-#include "app/edit_stops.h"
+#include "app/editor/session/stops.h"
 
 #include <gtest/gtest.h>
 
 #include <cstdlib>
 
-#include "procedural/srgb.h"
-#include "procedural/texture.h"
+#include "procedural/color/srgb.h"
+#include "procedural/model/texture.h"
 
 namespace burl {
 namespace {

@@ -1,12 +1,12 @@
 // The gallery's balls: round, lit, of the recipe's colours, and made once beside the program.
-#include "app/edit_thumbnails.h"
+#include "app/editor/work/thumbnails.h"
 
 #include <gtest/gtest.h>
 
 #include <atomic>
 
-#include "app/shading.h"
-#include "procedural/srgb.h"
+#include "app/scene/shading.h"
+#include "procedural/color/srgb.h"
 
 namespace burl {
 namespace {

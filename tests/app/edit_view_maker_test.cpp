@@ -1,11 +1,11 @@
 // What the editor's views wish for is made, once, and given back when nobody looks.
-#include "app/edit_view_maker.h"
+#include "app/editor/work/view_maker.h"
 
 #include <gtest/gtest.h>
 
 #include <atomic>
 
-#include "app/view_scene.h"
+#include "app/gl/draw/view_scene.h"
 #include "tests/atlas/made_meshes.h"
 
 namespace burl {

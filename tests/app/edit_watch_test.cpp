@@ -1,12 +1,12 @@
 // Files that change on disk: a change is told once, when it rests, and what is known already never.
-#include "app/edit_watch.h"
+#include "app/editor/work/watch.h"
 
 #include <gtest/gtest.h>
 
 #include <atomic>
 #include <filesystem>
 
-#include "app/atomic_file.h"
+#include "app/base/atomic_file.h"
 #include "tests/app/scratch_folder.h"
 
 namespace burl {

@@ -1,10 +1,10 @@
 // `burl eval` from outside: what it prints against the library, closed forms and published values.
 #include <nlohmann/json.hpp>
 
-#include "app/recipe.h"
-#include "procedural/fixed_noise.h"
-#include "procedural/noise.h"
-#include "procedural/octaves.h"
+#include "app/recipe/recipe.h"
+#include "procedural/fixed/noise.h"
+#include "procedural/model/octaves.h"
+#include "procedural/noise/noise.h"
 #include "tests/app/run_program.h"
 #include "tests/procedural/noise_reference_values.h"
 

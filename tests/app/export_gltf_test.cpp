@@ -3,10 +3,10 @@
 #include <gtest/gtest.h>
 #include <tiny_gltf.h>
 
-#include "app/export.h"
-#include "app/image_io.h"
-#include "app/normals.h"
-#include "atlas/error.h"
+#include "app/export/export.h"
+#include "app/image/image_io.h"
+#include "app/surface/normals.h"
+#include "atlas/base/error.h"
 #include "tests/app/sample_scene.h"
 #include "tests/app/scratch_folder.h"
 #include "tests/cpu_time.h"

@@ -4,9 +4,9 @@
 #include <fstream>
 #include <sstream>
 
-#include "app/export.h"
-#include "app/image_io.h"
-#include "app/normals.h"
+#include "app/export/export.h"
+#include "app/image/image_io.h"
+#include "app/surface/normals.h"
 #include "tests/app/sample_scene.h"
 #include "tests/app/scratch_folder.h"
 

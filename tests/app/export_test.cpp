@@ -1,6 +1,6 @@
 // The door itself: which file name means what, what is refused before the work, and that a failed
 // export leaves nothing.
-#include "app/export.h"
+#include "app/export/export.h"
 
 #include <csignal>
 #include <fstream>
@@ -8,10 +8,10 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
-#include "app/command_files.h"
-#include "app/image_io.h"
-#include "atlas/error.h"
-#include "procedural/srgb.h"
+#include "app/export/command_files.h"
+#include "app/image/image_io.h"
+#include "atlas/base/error.h"
+#include "procedural/color/srgb.h"
 #include "tests/app/sample_scene.h"
 #include "tests/app/scratch_folder.h"
 

@@ -1,5 +1,5 @@
 // Shared vertices against a map of all corners in order.
-#include "app/export_vertices.h"
+#include "app/export/vertices.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <random>
 #include <tuple>
 
-#include "atlas/connectivity.h"
+#include "atlas/mesh/connectivity.h"
 #include "tests/app/sample_scene.h"
 
 namespace burl {

@@ -1,5 +1,5 @@
 // EXR files read back by the OpenEXR library itself.
-#include "app/exr_io.h"
+#include "app/image/exr_io.h"
 
 #include <cmath>
 
@@ -9,7 +9,7 @@
 #include <ImfInputFile.h>
 #include <ImfTiledInputFile.h>
 
-#include "app/file_bytes.h"
+#include "app/base/file_bytes.h"
 #include "tests/app/scratch_folder.h"
 
 namespace burl {

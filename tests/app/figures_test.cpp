@@ -1,5 +1,5 @@
 // The papers' figures: what must hold whatever they look like, and that the page tells their truth.
-#include "app/figures.h"
+#include "app/direct/figures.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
@@ -8,10 +8,10 @@
 #include <numbers>
 #include <set>
 
-#include "app/image_io.h"
-#include "app/palette.h"
-#include "app/shading.h"
-#include "atlas/error.h"
+#include "app/image/image_io.h"
+#include "app/image/palette.h"
+#include "app/scene/shading.h"
+#include "atlas/base/error.h"
 #include "tests/app/run_program.h"
 #include "tests/paths.h"
 

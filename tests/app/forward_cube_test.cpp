@@ -1,12 +1,12 @@
 // The cubes of "Bresenham Noise".
-#include "app/forward_cube.h"
+#include "app/direct/forward_cube.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "app/recipe.h"
-#include "app/shading.h"
+#include "app/recipe/recipe.h"
+#include "app/scene/shading.h"
 
 namespace burl {
 namespace {

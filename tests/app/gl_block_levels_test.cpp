@@ -1,5 +1,5 @@
 // Levels drawn against the host's, bit for bit; those have tests of their own.
-#include "app/gl_block_levels.h"
+#include "app/gl/fill/block_levels.h"
 
 #include <cmath>
 #include <random>
@@ -8,9 +8,9 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "app/bench_meshes.h"
-#include "app/gl_synthesizer.h"
-#include "app/pipeline.h"
+#include "app/bench/meshes.h"
+#include "app/gl/fill/synthesizer.h"
+#include "app/pipeline/pipeline.h"
 #include "tests/app/gl_fixture.h"
 
 namespace burl {

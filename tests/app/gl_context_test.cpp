@@ -1,4 +1,4 @@
-#include "app/gl_context.h"
+#include "app/gl/device/context.h"
 
 #include <glad/gl.h>
 #include <gmock/gmock.h>
@@ -8,9 +8,9 @@
 #include <map>
 #include <string_view>
 
-#include "app/gl_facts.h"
-#include "app/gl_source.h"
-#include "app/gl_target.h"
+#include "app/gl/device/facts.h"
+#include "app/gl/device/source.h"
+#include "app/gl/device/target.h"
 #include "tests/app/gl_fixture.h"
 
 namespace burl {

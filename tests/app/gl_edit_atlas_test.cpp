@@ -1,9 +1,9 @@
 // The view of the atlas and the lines over the object as a person uses them, without a display.
-#include "app/gl_edit_atlas.h"
+#include "app/editor/window/atlas.h"
 
 #include <gtest/gtest.h>
 
-#include "app/edit_export.h"
+#include "app/editor/work/export.h"
 #include "tests/app/gl_edit_fixture.h"
 
 namespace burl {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "app/atomic_file.h"
-#include "app/file_bytes.h"
+#include "app/base/atomic_file.h"
+#include "app/base/file_bytes.h"
 #include "tests/app/gl_edit_fixture.h"
 #include "tests/app/scratch_folder.h"
 

@@ -8,9 +8,9 @@
 #include <map>
 #include <set>
 
-#include "app/atomic_file.h"
-#include "app/file_bytes.h"
-#include "app/image_io.h"
+#include "app/base/atomic_file.h"
+#include "app/base/file_bytes.h"
+#include "app/image/image_io.h"
 #include "tests/app/gl_edit_files_fixture.h"
 #include "tests/app/run_program.h"
 

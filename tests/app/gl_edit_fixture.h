@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "app/gl_edit_program.h"
+#include "app/editor/window/program.h"
 #include "tests/app/gl_fixture.h"
 
 namespace burl {

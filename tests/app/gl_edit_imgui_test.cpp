@@ -1,13 +1,13 @@
 // The user interface's triangles, drawn by our own renderer on OSMesa: colours, blending, clipping
 // and textures land on the pixels that ImGui means.
-#include "app/gl_edit_imgui.h"
+#include "app/editor/window/imgui.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "app/gl_edit_window.h"
-#include "app/gl_target.h"
+#include "app/editor/window/window.h"
+#include "app/gl/device/target.h"
 #include "tests/app/gl_fixture.h"
 
 namespace burl {

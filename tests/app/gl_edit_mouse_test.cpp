@@ -9,9 +9,9 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "app/edit_sliders.h"
-#include "app/gl_edit_program.h"
-#include "app/sample_meshes.h"
+#include "app/editor/panels/sliders.h"
+#include "app/editor/window/program.h"
+#include "app/surface/sample_meshes.h"
 #include "tests/app/run_program.h"
 #include "tests/app/x_display.h"
 

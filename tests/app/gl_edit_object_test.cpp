@@ -1,13 +1,13 @@
 // The editor's view of the object: whatever was drawn before, a frame is what a view of its own
 // shows.
-#include "app/gl_edit_object.h"
+#include "app/editor/window/object.h"
 
 #include <gtest/gtest.h>
 
 #include <functional>
 
-#include "app/recipe.h"
-#include "app/sample_meshes.h"
+#include "app/recipe/recipe.h"
+#include "app/surface/sample_meshes.h"
 #include "tests/app/gl_fixture.h"
 
 namespace burl {

@@ -2,8 +2,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "app/atomic_file.h"
-#include "app/file_bytes.h"
+#include "app/base/atomic_file.h"
+#include "app/base/file_bytes.h"
 #include "tests/app/gl_edit_fixture.h"
 #include "tests/app/run_program.h"
 #include "tests/app/scratch_folder.h"

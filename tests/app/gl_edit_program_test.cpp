@@ -6,10 +6,10 @@
 
 #include <filesystem>
 
-#include "app/edit_export.h"
-#include "app/file_bytes.h"
-#include "app/shading.h"
-#include "atlas/error.h"
+#include "app/base/file_bytes.h"
+#include "app/editor/work/export.h"
+#include "app/scene/shading.h"
+#include "atlas/base/error.h"
 #include "tests/app/gl_edit_fixture.h"
 #include "tests/app/scratch_folder.h"
 

@@ -11,9 +11,9 @@
 #include <fstream>
 #include <random>
 
-#include "app/atomic_file.h"
-#include "app/embedded.h"
-#include "app/stopwatch.h"
+#include "app/base/atomic_file.h"
+#include "app/base/embedded.h"
+#include "app/base/stopwatch.h"
 #include "tests/app/gl_edit_fixture.h"
 #include "tests/app/scratch_folder.h"
 

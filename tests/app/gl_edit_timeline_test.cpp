@@ -2,11 +2,11 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "app/edit_export.h"
-#include "app/file_bytes.h"
-#include "app/key_edit.h"
-#include "app/keyed_recipe.h"
-#include "atlas/error.h"
+#include "app/base/file_bytes.h"
+#include "app/editor/work/export.h"
+#include "app/recipe/key_edit.h"
+#include "app/recipe/keyed_recipe.h"
+#include "atlas/base/error.h"
 #include "tests/app/gl_edit_fixture.h"
 #include "tests/app/scratch_folder.h"
 #include "tests/paths.h"

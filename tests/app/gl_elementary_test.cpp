@@ -6,9 +6,9 @@
 
 #include <gtest/gtest.h>
 
-#include "app/gl_source.h"
-#include "app/gl_target.h"
-#include "procedural/value_kernels.h"
+#include "app/gl/device/source.h"
+#include "app/gl/device/target.h"
+#include "procedural/graph/value_kernels.h"
 #include "tests/app/gl_fixture.h"
 
 namespace burl {

@@ -1,6 +1,6 @@
 // Shaders written for use elsewhere: every preset's compiles by itself and gives the host's
 // colours.
-#include "app/gl_emit.h"
+#include "app/export/emit.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,12 +9,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/bench_meshes.h"
-#include "app/embedded.h"
-#include "app/gl_source.h"
-#include "app/gl_target.h"
-#include "app/pipeline.h"
-#include "procedural/synthesize_point_map.h"
+#include "app/base/embedded.h"
+#include "app/bench/meshes.h"
+#include "app/gl/device/source.h"
+#include "app/gl/device/target.h"
+#include "app/pipeline/pipeline.h"
+#include "procedural/maps/point_map.h"
 #include "tests/app/gl_fixture.h"
 #include "tests/app/run_program.h"
 #include "tests/procedural/graph_cases.h"

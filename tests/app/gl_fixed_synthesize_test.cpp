@@ -1,15 +1,15 @@
 // The single pass in fixed point: it draws what it should, the host's bytes, and leaves alone what
 // it cannot draw.
-#include "app/gl_fixed_synthesize.h"
+#include "app/gl/fill/fixed_synthesize.h"
 
 #include <random>
 
 #include <gtest/gtest.h>
 
-#include "app/embedded.h"
-#include "app/gl_synthesize.h"
-#include "app/recipe.h"
-#include "procedural/synthesize.h"
+#include "app/base/embedded.h"
+#include "app/gl/fill/synthesize.h"
+#include "app/recipe/recipe.h"
+#include "procedural/fill/synthesize.h"
 #include "tests/app/gl_fixture.h"
 #include "tests/procedural/synthetic_atlas.h"
 

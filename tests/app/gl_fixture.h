@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <memory>
 
-#include "app/gl_context.h"
-#include "atlas/error.h"
-#include "atlas/image.h"
+#include "app/gl/device/context.h"
+#include "atlas/base/error.h"
+#include "atlas/base/image.h"
 
 namespace burl {
 

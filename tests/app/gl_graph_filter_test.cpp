@@ -8,11 +8,11 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "app/bench_meshes.h"
-#include "app/embedded.h"
-#include "app/gl_graph.h"
-#include "app/pipeline.h"
-#include "procedural/synthesize_graph.h"
+#include "app/base/embedded.h"
+#include "app/bench/meshes.h"
+#include "app/gl/fill/graph.h"
+#include "app/pipeline/pipeline.h"
+#include "procedural/fill/graph.h"
 #include "tests/app/gl_fixture.h"
 #include "tests/paths.h"
 #include "tests/procedural/graph_cases.h"

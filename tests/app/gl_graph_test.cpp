@@ -1,6 +1,6 @@
 // Texture graphs through OpenGL against the host's synthesis: the same bytes in float64, nearly the
 // same colours in float32.
-#include "app/gl_graph.h"
+#include "app/gl/fill/graph.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,14 +12,14 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "app/bench_meshes.h"
-#include "app/embedded.h"
-#include "app/gl_synthesizer.h"
-#include "app/pipeline.h"
-#include "procedural/glsl_color_pieces.h"
-#include "procedural/graph_table.h"
-#include "procedural/noise_names.h"
-#include "procedural/synthesize_graph.h"
+#include "app/base/embedded.h"
+#include "app/bench/meshes.h"
+#include "app/gl/fill/synthesizer.h"
+#include "app/pipeline/pipeline.h"
+#include "procedural/fill/graph.h"
+#include "procedural/glsl/color_pieces.h"
+#include "procedural/graph/table.h"
+#include "procedural/noise/names.h"
 #include "tests/app/gl_fixture.h"
 #include "tests/procedural/graph_cases.h"
 #include "tests/procedural/synthetic_atlas.h"

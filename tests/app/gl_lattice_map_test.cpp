@@ -1,5 +1,5 @@
 // Lattice maps as textures: whoever fills them, they hold the bits that the host works with.
-#include "app/gl_lattice_map.h"
+#include "app/gl/fill/lattice_map.h"
 
 #include <cmath>
 #include <string>
@@ -7,13 +7,13 @@
 
 #include <gtest/gtest.h>
 
-#include "app/gl_map_upload.h"
-#include "app/sample_meshes.h"
-#include "atlas/mesh_atlas.h"
-#include "procedural/simplex_kernel.h"
-#include "procedural/synthesize_lattice_map.h"
-#include "procedural/synthesize_pieces.h"
-#include "procedural/synthesize_point_map.h"
+#include "app/gl/fill/map_upload.h"
+#include "app/surface/sample_meshes.h"
+#include "atlas/build/mesh_atlas.h"
+#include "procedural/fill/pieces.h"
+#include "procedural/kernels/simplex_kernel.h"
+#include "procedural/maps/lattice_map.h"
+#include "procedural/maps/point_map.h"
 #include "tests/app/gl_fixture.h"
 #include "tests/procedural/synthetic_atlas.h"
 

@@ -1,12 +1,12 @@
 // Pictures of textures that hold nothing but what the pictures look up, against pictures of baked
 // files and of whole textures.
-#include "app/gl_lazy_picture.h"
+#include "app/gl/draw/lazy_picture.h"
 
 #include <gtest/gtest.h>
 
-#include "app/bake_levels.h"
-#include "app/bake_normals.h"
-#include "app/export.h"
+#include "app/bake/levels.h"
+#include "app/bake/normals.h"
+#include "app/export/export.h"
 #include "tests/app/gl_fixture.h"
 #include "tests/app/sample_scene.h"
 #include "tests/app/scratch_folder.h"

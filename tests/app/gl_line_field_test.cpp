@@ -2,10 +2,10 @@
 // against the host's, byte by byte.
 #include <gtest/gtest.h>
 
-#include "app/gl_graph.h"
-#include "app/gl_synthesizer.h"
-#include "procedural/synthesize.h"
-#include "procedural/synthesize_graph.h"
+#include "app/gl/fill/graph.h"
+#include "app/gl/fill/synthesizer.h"
+#include "procedural/fill/graph.h"
+#include "procedural/fill/synthesize.h"
 #include "tests/app/gl_fixture.h"
 #include "tests/procedural/graph_cases.h"
 #include "tests/procedural/synthetic_atlas.h"

@@ -5,10 +5,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/gl_synthesize.h"
-#include "app/pipeline.h"
-#include "app/sample_meshes.h"
-#include "procedural/synthesize.h"
+#include "app/gl/fill/synthesize.h"
+#include "app/pipeline/pipeline.h"
+#include "app/surface/sample_meshes.h"
+#include "procedural/fill/synthesize.h"
 #include "tests/app/gl_fixture.h"
 
 namespace burl {

@@ -1,15 +1,15 @@
 // Textures by the papers' passes against the host's.
-#include "app/gl_multipass_synthesize.h"
+#include "app/gl/fill/multipass_synthesize.h"
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 
-#include "app/embedded.h"
-#include "app/pipeline.h"
-#include "app/sample_meshes.h"
-#include "procedural/color_table.h"
-#include "procedural/synthesize.h"
+#include "app/base/embedded.h"
+#include "app/pipeline/pipeline.h"
+#include "app/surface/sample_meshes.h"
+#include "procedural/color/table.h"
+#include "procedural/fill/synthesize.h"
 #include "tests/app/gl_fixture.h"
 
 namespace burl {

@@ -1,11 +1,11 @@
 // Multipass noise on OpenGL against the host's model, pass by pass.
-#include "app/gl_multipass.h"
+#include "app/gl/fill/multipass.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "procedural/multipass_model.h"
-#include "procedural/value_noise.h"
+#include "procedural/noise/value_noise.h"
+#include "procedural/passes/model.h"
 #include "tests/app/gl_fixture.h"
 
 namespace burl {

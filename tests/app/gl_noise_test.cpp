@@ -7,11 +7,11 @@
 #include <fmt/format.h>
 #include <glad/gl.h>
 
-#include "app/gl_source.h"
-#include "app/gl_target.h"
-#include "procedural/glsl_noise.h"
-#include "procedural/noise.h"
-#include "procedural/noise_sum.h"
+#include "app/gl/device/source.h"
+#include "app/gl/device/target.h"
+#include "procedural/glsl/noise.h"
+#include "procedural/kernels/noise_sum.h"
+#include "procedural/noise/noise.h"
 #include "tests/app/gl_fixture.h"
 
 namespace burl {

@@ -3,11 +3,11 @@
 
 #include <gtest/gtest.h>
 
-#include "app/bake_normals.h"
-#include "app/direct_render.h"
-#include "app/gl_render.h"
-#include "app/image_diff.h"
-#include "app/scene.h"
+#include "app/bake/normals.h"
+#include "app/direct/render.h"
+#include "app/gl/draw/render.h"
+#include "app/image/image_diff.h"
+#include "app/scene/scene.h"
 #include "tests/app/gl_fixture.h"
 #include "tests/app/sample_scene.h"
 #include "tests/app/scratch_folder.h"

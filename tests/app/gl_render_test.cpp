@@ -1,4 +1,4 @@
-#include "app/gl_render.h"
+#include "app/gl/draw/render.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -7,12 +7,12 @@
 #include <cstdlib>
 #include <functional>
 
-#include "app/direct_render.h"
-#include "app/export.h"
-#include "app/image_diff.h"
-#include "app/image_io.h"
-#include "app/normals.h"
-#include "app/pipeline.h"
+#include "app/direct/render.h"
+#include "app/export/export.h"
+#include "app/image/image_diff.h"
+#include "app/image/image_io.h"
+#include "app/pipeline/pipeline.h"
+#include "app/surface/normals.h"
 #include "tests/app/gl_fixture.h"
 #include "tests/app/run_program.h"
 #include "tests/app/sample_scene.h"

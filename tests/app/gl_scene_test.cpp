@@ -1,13 +1,13 @@
 // A scene that is uploaded piece by piece against one that was uploaded at once, whose pictures
 // gl_render_test checks against pictures without OpenGL.
-#include "app/gl_scene.h"
+#include "app/gl/draw/scene.h"
 
 #include <gtest/gtest.h>
 
-#include "app/gl_render.h"
-#include "app/pipeline.h"
-#include "app/unit_frame.h"
-#include "app/view_scene.h"
+#include "app/gl/draw/render.h"
+#include "app/gl/draw/view_scene.h"
+#include "app/pipeline/pipeline.h"
+#include "app/scene/unit_frame.h"
 #include "tests/app/gl_fixture.h"
 #include "tests/app/sample_scene.h"
 

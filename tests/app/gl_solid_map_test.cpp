@@ -1,6 +1,6 @@
 // The solid map on the graphics processor: every texel's owner is the host's and its point is that
 // texel's, however far from the origin the mesh lies.
-#include "app/gl_solid_map.h"
+#include "app/gl/fill/solid_map.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "atlas/mesh_atlas.h"
+#include "atlas/build/mesh_atlas.h"
 #include "tests/app/gl_fixture.h"
 #include "tests/app/sample_scene.h"
 

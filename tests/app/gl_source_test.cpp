@@ -1,5 +1,5 @@
 // Shaders put together from parts: order, names of parts in compilers' messages, `real`.
-#include "app/gl_source.h"
+#include "app/gl/device/source.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 #include <bit>
 #include <cstdint>
 
-#include "app/gl_target.h"
+#include "app/gl/device/target.h"
 #include "tests/app/gl_fixture.h"
 
 namespace burl {

@@ -9,10 +9,10 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "app/bench_meshes.h"
-#include "app/embedded.h"
-#include "app/gl_synthesizer.h"
-#include "app/pipeline.h"
+#include "app/base/embedded.h"
+#include "app/bench/meshes.h"
+#include "app/gl/fill/synthesizer.h"
+#include "app/pipeline/pipeline.h"
 #include "tests/app/gl_fixture.h"
 
 namespace burl {

@@ -4,10 +4,10 @@
 
 #include <gtest/gtest.h>
 
-#include "app/gl_source.h"
-#include "app/gl_target.h"
-#include "procedural/glsl_field.h"
-#include "procedural/simplex_kernel.h"
+#include "app/gl/device/source.h"
+#include "app/gl/device/target.h"
+#include "procedural/glsl/field.h"
+#include "procedural/kernels/simplex_kernel.h"
 #include "tests/app/gl_fixture.h"
 
 namespace burl {

@@ -1,14 +1,14 @@
 // Textures of the 1999 model through OpenGL against the host's, byte by byte.
-#include "app/gl_synthesize.h"
+#include "app/gl/fill/synthesize.h"
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 
-#include "app/embedded.h"
-#include "app/pipeline.h"
-#include "app/sample_meshes.h"
-#include "procedural/synthesize.h"
+#include "app/base/embedded.h"
+#include "app/pipeline/pipeline.h"
+#include "app/surface/sample_meshes.h"
+#include "procedural/fill/synthesize.h"
 #include "tests/app/gl_fixture.h"
 
 namespace burl {

@@ -1,5 +1,5 @@
 // Textures that are drawn to and read back, tiles of them, timers, and what does not fit.
-#include "app/gl_target.h"
+#include "app/gl/device/target.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,8 +8,8 @@
 #include <functional>
 #include <numeric>
 
-#include "app/gl_source.h"
-#include "app/gl_timer.h"
+#include "app/gl/device/source.h"
+#include "app/gl/device/timer.h"
 #include "tests/app/gl_fixture.h"
 
 namespace burl {

@@ -3,8 +3,8 @@
 #include <cstdio>
 #include <string>
 
-#include "app/convert_image.h"
-#include "app/export.h"
+#include "app/export/export.h"
+#include "app/image/convert_image.h"
 #include "tests/app/sample_scene.h"
 
 namespace {

@@ -5,9 +5,9 @@
 
 #include <gtest/gtest.h>
 
-#include "app/bench_meshes.h"
-#include "app/embedded.h"
-#include "app/pipeline.h"
+#include "app/base/embedded.h"
+#include "app/bench/meshes.h"
+#include "app/pipeline/pipeline.h"
 
 namespace burl {
 namespace {

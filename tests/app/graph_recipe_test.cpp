@@ -7,13 +7,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/embedded.h"
-#include "app/image_io.h"
-#include "app/parameters.h"
-#include "app/recipe.h"
-#include "atlas/error.h"
-#include "procedural/graph_json.h"
-#include "procedural/graph_table.h"
+#include "app/base/embedded.h"
+#include "app/image/image_io.h"
+#include "app/recipe/parameters.h"
+#include "app/recipe/recipe.h"
+#include "atlas/base/error.h"
+#include "procedural/graph/json.h"
+#include "procedural/graph/table.h"
 #include "tests/app/scratch_folder.h"
 #include "tests/paths.h"
 #include "tests/procedural/graph_cases.h"

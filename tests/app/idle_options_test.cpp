@@ -1,6 +1,6 @@
 // Options and edits that would change nothing are refused in a sentence that names them, before
 // anything is read or written; a recipe's file may say what it likes.
-#include "app/idle_options.h"
+#include "app/options/idle_options.h"
 
 #include <gmock/gmock.h>
 

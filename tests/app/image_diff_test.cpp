@@ -1,11 +1,11 @@
-#include "app/image_diff.h"
+#include "app/image/image_diff.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
-#include "atlas/error.h"
+#include "atlas/base/error.h"
 
 namespace burl {
 namespace {

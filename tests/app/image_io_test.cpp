@@ -1,13 +1,13 @@
 // PNG out and in: every pixel survives, foreign kinds of PNG come in as RGB, damage is refused.
-#include "app/image_io.h"
+#include "app/image/image_io.h"
 
 #include <algorithm>
 
 #include <png.h>
 
-#include "app/atomic_file.h"
-#include "app/file_bytes.h"
-#include "atlas/error.h"
+#include "app/base/atomic_file.h"
+#include "app/base/file_bytes.h"
+#include "atlas/base/error.h"
 #include "tests/app/scratch_folder.h"
 
 namespace burl {

@@ -1,13 +1,13 @@
 // Planes to the horizon against ray-plane intersection by linear equations, and in pictures.
-#include "app/infinite_plane.h"
+#include "app/direct/infinite_plane.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "app/direct_picture.h"
-#include "atlas/error.h"
+#include "app/direct/picture.h"
+#include "atlas/base/error.h"
 #include "tests/app/run_program.h"
 
 namespace burl {

@@ -1,16 +1,16 @@
 // Edits of keys, and edits of what is seen at a time: what comes of them at that time and at
 // others.
-#include "app/key_edit.h"
+#include "app/recipe/key_edit.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "app/edit_timeline.h"
-#include "app/key_check.h"
-#include "app/keyed_recipe.h"
-#include "app/recipe_leaves.h"
+#include "app/editor/session/timeline.h"
+#include "app/recipe/key_check.h"
+#include "app/recipe/keyed_recipe.h"
+#include "app/recipe/leaves.h"
 
 namespace burl {
 namespace {

@@ -1,14 +1,14 @@
 // Recipes at a time against closed forms, their JSON, and what is refused about keys.
-#include "app/keyed_recipe.h"
+#include "app/recipe/keyed_recipe.h"
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
 #include <cmath>
 
-#include "app/key_check.h"
-#include "app/recipe_leaves.h"
-#include "atlas/error.h"
+#include "app/recipe/key_check.h"
+#include "app/recipe/leaves.h"
+#include "atlas/base/error.h"
 #include "tests/app/run_program.h"
 
 namespace burl::test {

@@ -1,5 +1,5 @@
 // The measurement that `--synth auto` goes by: who takes long is found to, and nothing of it stays.
-#include "app/measure_synthesis.h"
+#include "app/pipeline/measure_synthesis.h"
 
 #include <chrono>
 #include <thread>
@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "atlas/error.h"
+#include "atlas/base/error.h"
 
 namespace burl {
 namespace {

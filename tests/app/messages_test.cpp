@@ -1,5 +1,5 @@
 // What reaches a terminal: nothing that it would obey, whoever wrote the file it comes from.
-#include "app/messages.h"
+#include "app/base/messages.h"
 
 #include "tests/app/run_program.h"
 

@@ -1,10 +1,10 @@
 // The textures atlases are judged with, against the recipe's own evaluation and sRGB's formula.
-#include "app/metric_texture.h"
+#include "app/measure/metric_texture.h"
 
 #include <gtest/gtest.h>
 
-#include "procedural/metric_marble.h"
-#include "procedural/srgb.h"
+#include "procedural/color/srgb.h"
+#include "procedural/model/metric_marble.h"
 #include "tests/atlas/made_meshes.h"
 
 namespace burl {

@@ -1,5 +1,5 @@
 // Pictures of a square whose charts, scales and levels are known.
-#include "app/metrics_pictures.h"
+#include "app/measure/metrics_pictures.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <set>
 #include <tuple>
 
-#include "app/shading.h"
-#include "atlas/uv_atlas.h"
+#include "app/scene/shading.h"
+#include "atlas/measure/uv_atlas.h"
 #include "tests/atlas/made_meshes.h"
 
 namespace burl {

@@ -1,5 +1,5 @@
 // Decomposed placements put together again, by the definition of a unit quaternion.
-#include "app/node_transform.h"
+#include "app/surface/node_transform.h"
 
 #include <gtest/gtest.h>
 

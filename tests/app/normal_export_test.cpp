@@ -6,12 +6,12 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "app/export.h"
-#include "app/file_bytes.h"
-#include "app/image_io.h"
-#include "app/normals.h"
-#include "app/scene.h"
-#include "app/tangents.h"
+#include "app/base/file_bytes.h"
+#include "app/export/export.h"
+#include "app/image/image_io.h"
+#include "app/scene/scene.h"
+#include "app/surface/normals.h"
+#include "app/surface/tangents.h"
 #include "tests/app/sample_scene.h"
 #include "tests/app/scratch_folder.h"
 

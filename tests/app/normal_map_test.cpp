@@ -5,13 +5,13 @@
 #include <gtest/gtest.h>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "app/bake_normals.h"
-#include "app/export_vertices.h"
-#include "app/normal_error.h"
-#include "app/tangents.h"
-#include "app/texture_color.h"
-#include "atlas/error.h"
-#include "procedural/synthesize_normals.h"
+#include "app/bake/normals.h"
+#include "app/export/vertices.h"
+#include "app/measure/normal_error.h"
+#include "app/pipeline/texture_color.h"
+#include "app/surface/tangents.h"
+#include "atlas/base/error.h"
+#include "procedural/fill/normals.h"
 #include "tests/app/sample_scene.h"
 
 namespace burl {

@@ -1,5 +1,5 @@
 // Normals against closed forms: the cube's, the sphere's, and a corner's whatever its tessellation.
-#include "app/normals.h"
+#include "app/surface/normals.h"
 
 #include <gtest/gtest.h>
 

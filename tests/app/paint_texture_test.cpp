@@ -1,15 +1,15 @@
 // Paint against a search over every texel and every segment, with distances by another formula; and
 // paint that is kept against paint made anew.
-#include "app/paint_texture.h"
+#include "app/paint/texture.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <random>
 
-#include "app/pipeline.h"
-#include "atlas/block_levels.h"
-#include "procedural/srgb.h"
+#include "app/pipeline/pipeline.h"
+#include "atlas/build/block_levels.h"
+#include "procedural/color/srgb.h"
 #include "tests/app/sample_scene.h"
 #include "tests/procedural/synthetic_atlas.h"
 

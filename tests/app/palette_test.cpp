@@ -1,5 +1,5 @@
 // Palettes and small files.
-#include "app/palette.h"
+#include "app/image/palette.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <random>
 #include <set>
 
-#include "app/image_io.h"
-#include "atlas/error.h"
+#include "app/image/image_io.h"
+#include "atlas/base/error.h"
 
 namespace burl {
 namespace {

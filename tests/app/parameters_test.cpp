@@ -1,4 +1,4 @@
-#include "app/parameters.h"
+#include "app/recipe/parameters.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -10,9 +10,9 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "app/embedded.h"
-#include "app/recipe.h"
-#include "atlas/atlas.h"
+#include "app/base/embedded.h"
+#include "app/recipe/recipe.h"
+#include "atlas/solid/atlas.h"
 #include "tests/paths.h"
 
 namespace burl {

@@ -1,13 +1,13 @@
 // A pipeline repeats what a recipe changes and nothing else, and has the bytes of one that starts
 // anew.
-#include "app/pipeline.h"
+#include "app/pipeline/pipeline.h"
 
 #include <thread>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "atlas/solid_level.h"
+#include "atlas/solid/level.h"
 #include "tests/app/sample_scene.h"
 
 namespace burl {

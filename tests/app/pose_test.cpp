@@ -4,17 +4,17 @@
 
 #include <cmath>
 
-#include "app/image_io.h"
-#include "app/json_text.h"
-#include "app/load_pose.h"
-#include "app/normals.h"
-#include "app/pipeline.h"
-#include "app/posed_corners.h"
-#include "app/sample_meshes.h"
-#include "app/scene.h"
-#include "app/surface_pick.h"
-#include "app/view_scene.h"
-#include "atlas/error.h"
+#include "app/base/json_text.h"
+#include "app/gl/draw/view_scene.h"
+#include "app/image/image_io.h"
+#include "app/pipeline/pipeline.h"
+#include "app/scene/scene.h"
+#include "app/scene/surface_pick.h"
+#include "app/surface/load_pose.h"
+#include "app/surface/normals.h"
+#include "app/surface/posed_corners.h"
+#include "app/surface/sample_meshes.h"
+#include "atlas/base/error.h"
 #include "tests/app/run_program.h"
 
 namespace burl {

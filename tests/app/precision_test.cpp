@@ -1,8 +1,8 @@
 // `--precision` and the recipe's key: what it changes, and what it refuses.
 #include <gtest/gtest.h>
 
-#include "app/recipe.h"
-#include "atlas/error.h"
+#include "app/recipe/recipe.h"
+#include "atlas/base/error.h"
 #include "tests/app/run_program.h"
 
 namespace burl::test {

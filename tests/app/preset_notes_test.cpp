@@ -1,5 +1,5 @@
 // The gallery's list of presets: complete, in words, and found by them.
-#include "app/preset_notes.h"
+#include "app/recipe/preset_notes.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <set>
 #include <string>
 
-#include "app/embedded.h"
+#include "app/base/embedded.h"
 
 namespace burl {
 namespace {

@@ -1,5 +1,5 @@
 // Names of files that are there, that are not, and of links.
-#include "app/real_path.h"
+#include "app/base/real_path.h"
 
 #include <gtest/gtest.h>
 

@@ -3,9 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/embedded.h"
-#include "app/recipe.h"
-#include "atlas/error.h"
+#include "app/base/embedded.h"
+#include "app/recipe/recipe.h"
+#include "atlas/base/error.h"
 #include "tests/paths.h"
 
 namespace burl {

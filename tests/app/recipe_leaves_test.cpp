@@ -1,6 +1,6 @@
 // Every preset's sliders: each leaf stands for a value that the recipe has, and setting it to what
 // it is changes nothing.
-#include "app/recipe_leaves.h"
+#include "app/recipe/leaves.h"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@
 #include <algorithm>
 #include <set>
 
-#include "app/embedded.h"
-#include "app/recipe_settings.h"
+#include "app/base/embedded.h"
+#include "app/recipe/settings.h"
 
 namespace burl {
 namespace {

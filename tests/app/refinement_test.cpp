@@ -1,5 +1,5 @@
 // A dragged slider is answered by a level that fits the time there is, and refined at rest.
-#include "app/refinement.h"
+#include "app/pipeline/refinement.h"
 
 #include <gtest/gtest.h>
 

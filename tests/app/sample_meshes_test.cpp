@@ -1,9 +1,9 @@
 // The meshes in the program are those the build makes.
-#include "app/sample_meshes.h"
+#include "app/surface/sample_meshes.h"
 
 #include <gtest/gtest.h>
 
-#include "atlas/error.h"
+#include "atlas/base/error.h"
 #include "tests/paths.h"
 
 namespace burl {

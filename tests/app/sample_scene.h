@@ -4,9 +4,9 @@
 #include <map>
 #include <numbers>
 
-#include "atlas/atlas.h"
-#include "atlas/image.h"
-#include "atlas/mesh.h"
+#include "atlas/base/image.h"
+#include "atlas/mesh/mesh.h"
+#include "atlas/solid/atlas.h"
 
 namespace burl {
 

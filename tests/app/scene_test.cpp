@@ -1,6 +1,6 @@
 // What a file says and what the scene to draw then holds: placements, materials, samplers, and one
 // sentence for everything that cannot be drawn.
-#include "app/scene.h"
+#include "app/scene/scene.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,9 +8,9 @@
 #include <array>
 #include <fstream>
 
-#include "app/export.h"
-#include "app/image_io.h"
-#include "atlas/error.h"
+#include "app/export/export.h"
+#include "app/image/image_io.h"
+#include "atlas/base/error.h"
 #include "tests/app/sample_scene.h"
 #include "tests/app/scratch_folder.h"
 

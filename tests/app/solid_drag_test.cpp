@@ -1,6 +1,6 @@
 // A texture dragged on its object: against its own map, by which what was at one point must be at
 // another, and rotations against GLM's.
-#include "app/solid_drag.h"
+#include "app/editor/tools/solid_drag.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <glm/gtc/quaternion.hpp>
 #include <random>
 
-#include "app/rotation_angles.h"
-#include "procedural/rotation.h"
+#include "app/base/rotation_angles.h"
+#include "procedural/numbers/rotation.h"
 #include "tests/app/solid_map.h"
 
 namespace burl {

@@ -1,11 +1,11 @@
 // The handles on a texture's frame, against what the texture's own map says.
-#include "app/solid_gizmo.h"
+#include "app/editor/tools/solid_gizmo.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "app/ray.h"
+#include "app/scene/ray.h"
 #include "tests/app/solid_map.h"
 
 namespace burl {

@@ -1,6 +1,6 @@
 #pragma once
 // What a recipe's solid transform does to points, for tests of the tools that change it.
-#include "app/recipe.h"
+#include "app/recipe/recipe.h"
 
 namespace burl {
 

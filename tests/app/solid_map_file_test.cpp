@@ -1,5 +1,5 @@
 // Solid maps as files, read back by the OpenEXR library itself.
-#include "app/solid_map_file.h"
+#include "app/export/solid_map_file.h"
 
 #include <cmath>
 
@@ -11,9 +11,9 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
-#include "app/pipeline.h"
-#include "app/sample_meshes.h"
-#include "atlas/error.h"
+#include "app/pipeline/pipeline.h"
+#include "app/surface/sample_meshes.h"
+#include "atlas/base/error.h"
 #include "tests/app/run_program.h"
 
 namespace burl {

@@ -5,9 +5,9 @@
 
 #include <cmath>
 
-#include "app/gl_synthesizer.h"
-#include "app/lattice_check.h"
-#include "app/pipeline.h"
+#include "app/gl/fill/synthesizer.h"
+#include "app/pipeline/pipeline.h"
+#include "app/recipe/lattice_check.h"
 #include "tests/app/gl_fixture.h"
 #include "tests/app/sample_scene.h"
 

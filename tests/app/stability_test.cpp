@@ -5,11 +5,11 @@
 
 #include <gtest/gtest.h>
 
-#include "app/bench_stability.h"
-#include "app/lattice_check.h"
-#include "app/stability_filters.h"
-#include "atlas/error.h"
-#include "procedural/map_filter.h"
+#include "app/bench/stability.h"
+#include "app/bench/stability_filters.h"
+#include "app/recipe/lattice_check.h"
+#include "atlas/base/error.h"
+#include "procedural/color/map_filter.h"
 #include "tests/app/run_program.h"
 
 namespace burl::test {

@@ -1,5 +1,5 @@
 // Edges and borders against every pair of triangles of the mesh and its atlas in turn.
-#include "app/surface_lines.h"
+#include "app/scene/surface_lines.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <set>
 #include <utility>
 
-#include "app/sample_meshes.h"
-#include "app/view_scene.h"
+#include "app/gl/draw/view_scene.h"
+#include "app/surface/sample_meshes.h"
 #include "tests/atlas/made_meshes.h"
 
 namespace burl {

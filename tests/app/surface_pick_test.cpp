@@ -1,13 +1,13 @@
 // Picks against every triangle in turn, in the plainest arithmetic.
-#include "app/surface_pick.h"
+#include "app/scene/surface_pick.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
-#include "app/pipeline.h"
-#include "app/view_scene.h"
+#include "app/gl/draw/view_scene.h"
+#include "app/pipeline/pipeline.h"
 #include "tests/app/sample_scene.h"
 
 namespace burl {

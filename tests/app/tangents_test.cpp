@@ -1,14 +1,14 @@
 // Tangents against maps whose derivatives are known.
-#include "app/tangents.h"
+#include "app/surface/tangents.h"
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "app/export_vertices.h"
-#include "app/normals.h"
-#include "app/pipeline.h"
+#include "app/export/vertices.h"
+#include "app/pipeline/pipeline.h"
+#include "app/surface/normals.h"
 #include "tests/app/sample_scene.h"
 
 namespace burl {

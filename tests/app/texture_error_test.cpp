@@ -1,15 +1,15 @@
 // Errors of textures against differences worked out texel by texel from the texture's definition.
-#include "app/texture_error.h"
+#include "app/measure/texture_error.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "app/image_diff.h"
-#include "app/pipeline.h"
-#include "app/texture_color.h"
-#include "procedural/srgb.h"
+#include "app/image/image_diff.h"
+#include "app/pipeline/pipeline.h"
+#include "app/pipeline/texture_color.h"
+#include "procedural/color/srgb.h"
 #include "tests/atlas/made_meshes.h"
 
 namespace burl {

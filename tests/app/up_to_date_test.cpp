@@ -1,14 +1,14 @@
 // Outputs are made again exactly when something that decides them has changed.
-#include "app/up_to_date.h"
+#include "app/bake/up_to_date.h"
 
 #include <chrono>
 
 #include <nlohmann/json.hpp>
 
-#include "app/bake_job.h"
-#include "app/image_io.h"
-#include "app/sha256.h"
-#include "atlas/error.h"
+#include "app/bake/job.h"
+#include "app/base/sha256.h"
+#include "app/image/image_io.h"
+#include "atlas/base/error.h"
 #include "tests/app/run_program.h"
 
 namespace burl::test {

@@ -4,7 +4,7 @@
 
 #include <gmock/gmock.h>
 
-#include "app/bench_options.h"
+#include "app/bench/options.h"
 #include "tests/app/run_program.h"
 
 namespace burl::test {

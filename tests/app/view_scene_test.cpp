@@ -1,10 +1,10 @@
 // The scene of a view against what the reader of glTF finds in the file that an export writes.
-#include "app/view_scene.h"
+#include "app/gl/draw/view_scene.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "app/export.h"
+#include "app/export/export.h"
 #include "tests/app/sample_scene.h"
 #include "tests/app/scratch_folder.h"
 

@@ -1,5 +1,5 @@
 // What lookups mark against lookups themselves: a texel that changes a lookup must be marked.
-#include "app/view_texels.h"
+#include "app/gl/draw/view_texels.h"
 
 #include <gtest/gtest.h>
 

@@ -16,7 +16,7 @@
 
 #include <fmt/core.h>
 
-#include "atlas/vec.h"
+#include "atlas/base/vec.h"
 
 namespace burl::test {
 

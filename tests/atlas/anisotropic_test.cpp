@@ -1,13 +1,13 @@
 // Anisotropic lookups against closed forms: linear functions, waves, ellipses by brute force.
-#include "atlas/anisotropic.h"
+#include "atlas/measure/anisotropic.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "atlas/lookup_errors.h"
-#include "atlas/uv_atlas.h"
+#include "atlas/measure/lookup_errors.h"
+#include "atlas/measure/uv_atlas.h"
 #include "tests/atlas/kept_wave.h"
 #include "tests/atlas/made_meshes.h"
 

@@ -1,5 +1,5 @@
 // Levels against sums over the texels of level 0 that each of their texels covers.
-#include "atlas/block_levels.h"
+#include "atlas/build/block_levels.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include "atlas/mesh_io.h"
-#include "atlas/mip_chain.h"
+#include "atlas/base/mip_chain.h"
+#include "atlas/read/read_mesh.h"
 #include "made_patches.h"
 #include "tests/paths.h"
 

@@ -1,10 +1,10 @@
 // Texels per triangle and the sizes proposed, against the definition; loose pieces; what takes the
 // place of patches.
-#include "atlas/capacity.h"
+#include "atlas/build/capacity.h"
 
 #include <gtest/gtest.h>
 
-#include "atlas/mesh_atlas.h"
+#include "atlas/build/mesh_atlas.h"
 #include "made_meshes.h"
 
 namespace burl {

@@ -1,10 +1,10 @@
 // Maps carried over from coarser patches: one to one, with the same border, nearly as good as the
 // map of the fine patch, and smoothing never makes one worse.
-#include "atlas/coarse_map.h"
+#include "atlas/patch/coarse_map.h"
 
 #include <gtest/gtest.h>
 
-#include "atlas/stretch_sweeps.h"
+#include "atlas/patch/stretch_sweeps.h"
 #include "made_patches.h"
 
 namespace burl {

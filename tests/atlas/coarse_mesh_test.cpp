@@ -1,11 +1,11 @@
 // Coarse meshes lie on the fine ones, keep their topology, and every fine triangle finds one near
 // it.
-#include "atlas/coarse_mesh.h"
+#include "atlas/patch/coarse_mesh.h"
 
 #include <gtest/gtest.h>
 
-#include "atlas/edge_collapse.h"
-#include "atlas/partition.h"
+#include "atlas/patch/edge_collapse.h"
+#include "atlas/patch/partition.h"
 #include "made_patches.h"
 
 namespace burl {

@@ -1,5 +1,5 @@
 // Blocks share a place exactly when they may, and lookups stay within the error allowed.
-#include "atlas/compress_blocks.h"
+#include "atlas/blocks/compress_blocks.h"
 
 #include <gtest/gtest.h>
 
@@ -7,10 +7,10 @@
 #include <cmath>
 #include <set>
 
-#include "atlas/bilinear.h"
-#include "atlas/error.h"
-#include "atlas/pack_blocks.h"
-#include "atlas/solid_atlas.h"
+#include "atlas/base/error.h"
+#include "atlas/blocks/pack_blocks.h"
+#include "atlas/measure/bilinear.h"
+#include "atlas/solid/solid_atlas.h"
 #include "tests/atlas/made_meshes.h"
 
 namespace burl {

@@ -1,5 +1,5 @@
 // Connectivity against counts that follow from Euler's formula, and its promises on broken meshes.
-#include "atlas/connectivity.h"
+#include "atlas/mesh/connectivity.h"
 
 #include <gtest/gtest.h>
 

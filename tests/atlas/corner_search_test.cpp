@@ -1,11 +1,11 @@
 // Corner search against exhaustive search on small patches, and Laplacians against their
 // definition.
-#include "atlas/corner_search.h"
+#include "atlas/patch/corner_search.h"
 
 #include <gtest/gtest.h>
 
-#include "atlas/laplacian.h"
-#include "atlas/rectangle_map.h"
+#include "atlas/patch/laplacian.h"
+#include "atlas/patch/rectangle_map.h"
 #include "made_patches.h"
 
 namespace burl {

@@ -1,6 +1,6 @@
 // load_gltf() against files that would make tinygltf read outside its buffers, loop, or open files
 // elsewhere; and what it keeps of images.
-#include "atlas/gltf_document.h"
+#include "atlas/gltf/document.h"
 
 #include <tiny_gltf.h>
 

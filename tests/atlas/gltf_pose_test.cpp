@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "atlas/mesh_pose.h"
+#include "atlas/read/pose.h"
 #include "gltf_files.h"
 #include "tests/cpu_time.h"
 

@@ -5,11 +5,11 @@
 
 #include <gtest/gtest.h>
 
-#include "atlas/mesh_atlas.h"
-#include "atlas/mesh_io.h"
-#include "atlas/metric_shape.h"
-#include "atlas/metric_texels.h"
-#include "atlas/patch_frame.h"
+#include "atlas/build/mesh_atlas.h"
+#include "atlas/measure/shape.h"
+#include "atlas/measure/texels.h"
+#include "atlas/patch/frame.h"
+#include "atlas/read/read_mesh.h"
 #include "made_patches.h"
 #include "tests/paths.h"
 

@@ -2,9 +2,9 @@
 // must return or throw Error; anything else (a crash, another exception, a sanitizer report) fails.
 #include <random>
 
-#include "atlas/connectivity.h"
-#include "atlas/mesh_builder.h"
-#include "atlas/mesh_readers.h"
+#include "atlas/mesh/connectivity.h"
+#include "atlas/mesh/mesh_builder.h"
+#include "atlas/read/readers.h"
 #include "gltf_files.h"
 
 namespace burl {

@@ -6,8 +6,8 @@
 #include <cstring>
 #include <tuple>
 
-#include "atlas/error.h"
-#include "atlas/metrics.h"
+#include "atlas/base/error.h"
+#include "atlas/measure/metrics.h"
 #include "tests/atlas/made_meshes.h"
 
 namespace burl {

@@ -1,5 +1,5 @@
 // Lookup errors against textures whose errors are known.
-#include "atlas/lookup_errors.h"
+#include "atlas/measure/lookup_errors.h"
 
 #include <gtest/gtest.h>
 
@@ -7,11 +7,11 @@
 
 #include <tbb/global_control.h>
 
-#include "atlas/bilinear.h"
-#include "atlas/chart_borders.h"
-#include "atlas/metric_foreign.h"
-#include "atlas/metric_mismatch.h"
-#include "atlas/uv_atlas.h"
+#include "atlas/measure/bilinear.h"
+#include "atlas/measure/chart_borders.h"
+#include "atlas/measure/foreign.h"
+#include "atlas/measure/mismatch.h"
+#include "atlas/measure/uv_atlas.h"
 #include "tests/atlas/made_meshes.h"
 
 namespace burl {

@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include "atlas/atlas.h"
-#include "atlas/connectivity.h"
-#include "atlas/mesh.h"
+#include "atlas/mesh/connectivity.h"
+#include "atlas/mesh/mesh.h"
+#include "atlas/solid/atlas.h"
 
 namespace burl::made {
 

@@ -9,7 +9,7 @@
 #include <numeric>
 #include <random>
 
-#include "atlas/patch.h"
+#include "atlas/patch/patch.h"
 #include "made_meshes.h"
 
 namespace burl::made {

@@ -1,9 +1,9 @@
 // Welding, numbering, counting and the carrying of attributes, on soups made by hand.
-#include "atlas/mesh_builder.h"
+#include "atlas/mesh/mesh_builder.h"
 
 #include <random>
 
-#include "atlas/mesh_readers.h"
+#include "atlas/read/readers.h"
 #include "mesh_files.h"
 
 namespace burl {

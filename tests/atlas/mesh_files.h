@@ -10,9 +10,9 @@
 #include <functional>
 #include <string>
 
-#include "atlas/error.h"
-#include "atlas/mesh_builder.h"
-#include "atlas/mesh_readers.h"
+#include "atlas/base/error.h"
+#include "atlas/mesh/mesh_builder.h"
+#include "atlas/read/readers.h"
 #include "tests/paths.h"
 
 namespace burl::test {

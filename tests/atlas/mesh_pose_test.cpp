@@ -1,5 +1,5 @@
 // Poses of meshes against places that formulas give.
-#include "atlas/mesh_pose.h"
+#include "atlas/read/pose.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -8,9 +8,9 @@
 #include <fstream>
 #include <sstream>
 
-#include "atlas/atlas_pose.h"
-#include "atlas/mesh_atlas.h"
-#include "atlas/mesh_io.h"
+#include "atlas/build/atlas_pose.h"
+#include "atlas/build/mesh_atlas.h"
+#include "atlas/read/read_mesh.h"
 #include "gltf_files.h"
 
 namespace burl {

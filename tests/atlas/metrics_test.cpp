@@ -1,5 +1,5 @@
 // Coverage, relative scale and density against values worked out by hand.
-#include "atlas/metrics.h"
+#include "atlas/measure/metrics.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Levels against closed forms: means, steps, ramps and the exact overlap of odd sizes.
-#include "atlas/mip_chain.h"
+#include "atlas/base/mip_chain.h"
 
 #include <gtest/gtest.h>
 

@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include "atlas/mesh.h"
-#include "atlas/mesh_io.h"
+#include "atlas/mesh/mesh.h"
+#include "atlas/read/read_mesh.h"
 #include "tests/paths.h"
 
 namespace burl {

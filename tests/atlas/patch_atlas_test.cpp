@@ -1,13 +1,13 @@
 // The patch atlas from mesh to texels: every texel has one owner, inner texels show what lies at
 // their centre, gutters reflect it, and the refined mesh is the same surface.
-#include "atlas/refined_points.h"
+#include "atlas/measure/refined_points.h"
 
 #include <gtest/gtest.h>
 
 #include <chrono>
 #include <thread>
 
-#include "atlas/error.h"
+#include "atlas/base/error.h"
 #include "made_patches.h"
 
 namespace burl {

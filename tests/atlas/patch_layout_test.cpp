@@ -1,12 +1,12 @@
 // Blocks tile the square, follow the demand, and lie on the grid their gutters need.
-#include "atlas/patch_layout.h"
+#include "atlas/patch/layout.h"
 
 #include <gtest/gtest.h>
 
 #include <numeric>
 #include <random>
 
-#include "atlas/patch_tree.h"
+#include "atlas/patch/tree.h"
 
 namespace burl {
 namespace {

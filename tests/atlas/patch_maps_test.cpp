@@ -1,6 +1,6 @@
 // Partition and mapping of whole meshes: nothing lost, nothing twice, nothing flipped, and the same
 // for every number of threads.
-#include "atlas/patch_maps.h"
+#include "atlas/patch/maps.h"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@
 
 #include <tbb/global_control.h>
 
-#include "atlas/dual_graph.h"
-#include "atlas/mesh_io.h"
+#include "atlas/mesh/dual_graph.h"
+#include "atlas/read/read_mesh.h"
 #include "made_patches.h"
 #include "tests/paths.h"
 

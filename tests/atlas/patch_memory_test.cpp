@@ -4,8 +4,8 @@
 
 #include <tbb/global_control.h>
 
-#include "atlas/coarse_map.h"
-#include "atlas/mesh_atlas.h"
+#include "atlas/build/mesh_atlas.h"
+#include "atlas/patch/coarse_map.h"
 #include "made_patches.h"
 #include "tests/counted_memory.h"
 

@@ -1,9 +1,9 @@
 // Patches of shapes whose topology is known, and what cutting must and must not change.
-#include "atlas/patch.h"
+#include "atlas/patch/patch.h"
 
 #include <gtest/gtest.h>
 
-#include "atlas/patch_cut.h"
+#include "atlas/patch/cut.h"
 #include "made_patches.h"
 
 namespace burl {

@@ -1,5 +1,5 @@
 // Memory of images: aligned, as large as asked for, set only where a value is given.
-#include "atlas/pixel_memory.h"
+#include "atlas/base/pixel_memory.h"
 
 #include <cstdint>
 #include <cstring>
@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "atlas/image.h"
+#include "atlas/base/image.h"
 
 namespace burl {
 namespace {

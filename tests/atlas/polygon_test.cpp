@@ -1,6 +1,6 @@
 // Triangulation against areas: for a simple polygon the triangles are all wound as the polygon and
 // sum to the shoelace area, which together means a partition.
-#include "atlas/polygon.h"
+#include "atlas/mesh/polygon.h"
 
 #include <gtest/gtest.h>
 

@@ -9,9 +9,9 @@
 
 #include <tbb/global_control.h>
 
-#include "atlas/lookup_errors.h"
-#include "atlas/quad_arrangement.h"
-#include "procedural/metric_marble.h"
+#include "atlas/blocks/quad_arrangement.h"
+#include "atlas/measure/lookup_errors.h"
+#include "procedural/model/metric_marble.h"
 #include "tests/atlas/made_meshes.h"
 
 namespace burl {

@@ -6,7 +6,7 @@
 #include <map>
 #include <set>
 
-#include "atlas/metrics.h"
+#include "atlas/measure/metrics.h"
 #include "tests/atlas/made_meshes.h"
 
 namespace burl {

@@ -7,8 +7,8 @@
 #include <numeric>
 #include <random>
 
-#include "atlas/error.h"
-#include "atlas/metrics.h"
+#include "atlas/base/error.h"
+#include "atlas/measure/metrics.h"
 #include "tests/atlas/made_meshes.h"
 
 namespace burl {

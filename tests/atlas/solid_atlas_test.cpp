@@ -1,5 +1,5 @@
 // Spans and maps: what a lookup anywhere on the surface reads is the surface's own point.
-#include "atlas/solid_atlas.h"
+#include "atlas/solid/solid_atlas.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

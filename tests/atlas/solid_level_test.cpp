@@ -1,5 +1,5 @@
 // Levels of points against the map of the texel under each centre, texel by texel.
-#include "atlas/solid_level.h"
+#include "atlas/solid/level.h"
 
 #include <algorithm>
 #include <limits>
@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "atlas/image.h"
-#include "atlas/mesh_atlas.h"
+#include "atlas/base/image.h"
+#include "atlas/build/mesh_atlas.h"
 #include "tests/atlas/made_meshes.h"
 #include "tests/atlas/made_patches.h"
 

@@ -1,13 +1,13 @@
 // Means over surfaces against closed forms, and against a plain sum over a regular grid.
-#include "atlas/surface_mean.h"
+#include "atlas/measure/surface_mean.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "atlas/surface_samples.h"
-#include "atlas/surface_truth.h"
+#include "atlas/measure/surface_samples.h"
+#include "atlas/measure/surface_truth.h"
 #include "tests/atlas/kept_wave.h"
 #include "tests/atlas/made_meshes.h"
 

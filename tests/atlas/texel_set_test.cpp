@@ -1,5 +1,5 @@
 // Sets of texels against one flag a texel.
-#include "atlas/texel_set.h"
+#include "atlas/solid/texel_set.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <set>
 #include <utility>
 
-#include "atlas/image.h"
-#include "atlas/mip_chain.h"
+#include "atlas/base/image.h"
+#include "atlas/base/mip_chain.h"
 
 namespace burl {
 namespace {

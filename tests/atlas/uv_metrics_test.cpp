@@ -1,11 +1,11 @@
 // Measures of texture coordinates against maps whose values are known.
-#include "atlas/uv_atlas.h"
+#include "atlas/measure/uv_atlas.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "atlas/atlas_measures.h"
+#include "atlas/measure/atlas_measures.h"
 #include "tests/atlas/made_meshes.h"
 
 namespace burl {

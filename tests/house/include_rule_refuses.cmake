@@ -5,8 +5,8 @@ include(${CMAKE_CURRENT_LIST_DIR}/files.cmake)
 expect_violations(include_rule
     "app/render.cpp:3: must not include glad/gl.h"
     "app/render.cpp:4: must not include GL/osmesa.h"
-    "atlas/upward.cpp:2: must not include app/recipe.h"
-    "atlas/upward.cpp:3: must not include ../procedural/texture.h"
-    "atlas/upward.cpp:4: must not include procedural/texture.h"
-    "procedural/noise.cpp:3: must not include atlas/mesh.h"
-    "procedural/synthesize.cpp:3: must not include app/recipe.h")
+    "atlas/upward.cpp:2: must not include app/recipe/recipe.h"
+    "atlas/upward.cpp:3: must not include ../procedural/model/texture.h"
+    "atlas/upward.cpp:4: must not include procedural/model/texture.h"
+    "procedural/noise/noise.cpp:3: must not include atlas/mesh/mesh.h"
+    "procedural/fill/synthesize.cpp:3: must not include app/recipe/recipe.h")

@@ -6,6 +6,6 @@ expect_violations(rooms
     "rooms.txt: procedural/noise is in two rooms"
     "rooms.txt: \"app/one: a purpose that is no sentence\" is neither"
     "rooms.txt: there is no atlas/vanished.h or .cpp"
-    "app/gl_context.cpp: is in no room"
-    "app/render.cpp: must not include procedural/texture.h: app/two does not include procedural/all"
-    "atlas/upward.cpp: must not include procedural/texture.h: atlas/base does not include procedural/all")
+    "app/gl/device/context.cpp: is in no room"
+    "app/render.cpp: must not include procedural/model/texture.h: app/two does not include procedural/all"
+    "atlas/upward.cpp: must not include procedural/model/texture.h: atlas/base does not include procedural/all")

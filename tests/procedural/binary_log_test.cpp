@@ -1,5 +1,5 @@
 // The logarithm against the mathematical library's.
-#include "procedural/binary_log.h"
+#include "procedural/numbers/binary_log.h"
 
 #include <cmath>
 #include <limits>

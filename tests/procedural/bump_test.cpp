@@ -1,5 +1,5 @@
 // Bumped normals against the exact normals of raised surfaces.
-#include "procedural/bump.h"
+#include "procedural/graph/bump.h"
 
 #include <cmath>
 #include <numbers>
@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "procedural/graph_evaluator.h"
+#include "procedural/graph/evaluator.h"
 #include "tests/procedural/graph_cases.h"
 
 namespace burl {

@@ -1,4 +1,4 @@
-#include "procedural/cell_walk.h"
+#include "procedural/bresenham/cell_walk.h"
 
 #include <random>
 

@@ -1,12 +1,12 @@
-#include "procedural/color_map.h"
+#include "procedural/color/map.h"
 
 #include <random>
 
 #include <gtest/gtest.h>
 
-#include "procedural/color_table.h"
-#include "procedural/srgb.h"
-#include "procedural/texture.h"
+#include "procedural/color/srgb.h"
+#include "procedural/color/table.h"
+#include "procedural/model/texture.h"
 
 namespace burl {
 namespace {

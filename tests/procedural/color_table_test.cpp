@@ -1,6 +1,6 @@
 // Codes looked up by f's place against the list of steps gone through one by one, on every
 // instruction set.
-#include "procedural/color_table.h"
+#include "procedural/color/table.h"
 
 #include <algorithm>
 #include <limits>
@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "procedural/texel_batch.h"
+#include "procedural/batch/texel_batch.h"
 #include "tests/procedural/only_target.h"
 
 namespace burl {

@@ -1,6 +1,6 @@
 // Means and slopes from corners against the closed forms of a quadratic field, and against noise
 // averaged in float64.
-#include "procedural/corner_samples.h"
+#include "procedural/field/corner_samples.h"
 
 #include <cmath>
 #include <memory>

@@ -1,6 +1,6 @@
 // Early exits: that no colour shows them, that they happen where they can, and that they are left
 // alone where they cannot.
-#include "procedural/early_exit.h"
+#include "procedural/field/early_exit.h"
 
 #include <gtest/gtest.h>
 
@@ -8,12 +8,12 @@
 #include <limits>
 #include <random>
 
-#include "procedural/exit_estimate.h"
-#include "procedural/exit_kernel.h"
-#include "procedural/noise_bounds.h"
-#include "procedural/point_colors.h"
-#include "procedural/synthesize.h"
-#include "procedural/synthesize_pieces.h"
+#include "procedural/color/point_colors.h"
+#include "procedural/field/exit_estimate.h"
+#include "procedural/field/exit_kernel.h"
+#include "procedural/fill/pieces.h"
+#include "procedural/fill/synthesize.h"
+#include "procedural/noise/bounds.h"
 #include "tests/procedural/noise_cases.h"
 #include "tests/procedural/only_target.h"
 #include "tests/procedural/synthetic_atlas.h"

@@ -1,5 +1,5 @@
 // Sine, angle and power of single numbers: the vectors' bits, and the C library's to 1e-13.
-#include "procedural/elementary.h"
+#include "procedural/numbers/elementary.h"
 
 #include <cmath>
 #include <numbers>
@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "procedural/value_kernels.h"
+#include "procedural/graph/value_kernels.h"
 
 namespace burl {
 namespace {

@@ -1,12 +1,12 @@
 // The field of a batch against the float64 definition: its slopes, its values beside the texels'
 // centres, and what is left of it where texels cannot show all octaves.
-#include "procedural/field_sampler.h"
+#include "procedural/field/sampler.h"
 
 #include <memory>
 
 #include <gtest/gtest.h>
 
-#include "procedural/band_limit.h"
+#include "procedural/model/band_limit.h"
 #include "tests/procedural/random_batch.h"
 
 namespace burl {

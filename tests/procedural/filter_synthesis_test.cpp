@@ -6,12 +6,12 @@
 
 #include <gtest/gtest.h>
 
-#include "procedural/band_limit.h"
-#include "procedural/break_distance.h"
-#include "procedural/break_kernel.h"
-#include "procedural/color_table.h"
-#include "procedural/octaves.h"
-#include "procedural/synthesize.h"
+#include "procedural/color/break_distance.h"
+#include "procedural/color/table.h"
+#include "procedural/field/break_kernel.h"
+#include "procedural/fill/synthesize.h"
+#include "procedural/model/band_limit.h"
+#include "procedural/model/octaves.h"
 #include "tests/procedural/synthetic_atlas.h"
 
 namespace burl {

@@ -1,5 +1,5 @@
 // f in fixed point: small cases by hand, and the error against float64 in units of the last bit.
-#include "procedural/fixed_field.h"
+#include "procedural/fixed/field.h"
 
 #include <random>
 

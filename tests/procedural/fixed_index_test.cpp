@@ -1,13 +1,13 @@
 // A colour map's index in fixed point against float64: how far it is off, and that a colour read
 // with such an index is the map's wherever it is not left undecided.
-#include "procedural/fixed_index.h"
+#include "procedural/fixed/index.h"
 
 #include <cmath>
 #include <random>
 
 #include <gtest/gtest.h>
 
-#include "procedural/fixed_colors.h"
+#include "procedural/fixed/colors.h"
 
 namespace burl {
 namespace {

@@ -1,4 +1,4 @@
-#include "procedural/fixed_noise.h"
+#include "procedural/fixed/noise.h"
 
 #include <gtest/gtest.h>
 

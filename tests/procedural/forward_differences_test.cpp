@@ -1,9 +1,9 @@
-#include "procedural/forward_differences.h"
+#include "procedural/bresenham/differences.h"
 
 #include <gtest/gtest.h>
 
-#include "procedural/cell_polynomial.h"
-#include "procedural/noise.h"
+#include "procedural/bresenham/cell_polynomial.h"
+#include "procedural/noise/noise.h"
 
 namespace burl {
 namespace {

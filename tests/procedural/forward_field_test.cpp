@@ -1,4 +1,4 @@
-#include "procedural/forward_field.h"
+#include "procedural/bresenham/field.h"
 
 #include <random>
 

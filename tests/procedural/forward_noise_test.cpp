@@ -1,10 +1,10 @@
-#include "procedural/forward_noise.h"
+#include "procedural/bresenham/noise.h"
 
 #include <random>
 
 #include <gtest/gtest.h>
 
-#include "procedural/noise.h"
+#include "procedural/noise/noise.h"
 
 namespace burl {
 namespace {

@@ -1,8 +1,8 @@
-#include "procedural/fractal_sum.h"
+#include "procedural/noise/fractal_sum.h"
 
 #include <gtest/gtest.h>
 
-#include "procedural/octaves.h"
+#include "procedural/model/octaves.h"
 #include "tests/procedural/noise_cases.h"
 
 namespace burl {

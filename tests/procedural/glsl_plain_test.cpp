@@ -1,9 +1,9 @@
 // GLSL made plain: reals as floats, only what a function needs, numbers that read back the same.
-#include "procedural/glsl_plain.h"
+#include "procedural/glsl/plain.h"
 
 #include <gtest/gtest.h>
 
-#include "procedural/glsl_text.h"
+#include "procedural/glsl/text.h"
 
 namespace burl {
 namespace {

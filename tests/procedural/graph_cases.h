@@ -9,8 +9,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "procedural/graph_evaluator.h"
-#include "procedural/graph_json.h"
+#include "procedural/graph/evaluator.h"
+#include "procedural/graph/json.h"
 
 namespace burl {
 

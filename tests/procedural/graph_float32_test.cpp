@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "graph_cases.h"
-#include "procedural/graph_values.h"
-#include "procedural/simd_level.h"
-#include "procedural/synthesize_graph.h"
+#include "procedural/fill/graph.h"
+#include "procedural/graph/values.h"
+#include "procedural/numbers/simd_level.h"
 #include "tests/procedural/only_target.h"
 #include "tests/procedural/synthetic_atlas.h"
 

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "graph_cases.h"
-#include "procedural/graph_table.h"
+#include "procedural/graph/table.h"
 
 namespace burl {
 namespace {

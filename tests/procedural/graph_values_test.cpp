@@ -6,10 +6,10 @@
 #include <nlohmann/json.hpp>
 
 #include "graph_cases.h"
-#include "procedural/box_means.h"
-#include "procedural/mean_noise.h"
-#include "procedural/srgb.h"
-#include "procedural/texture_json.h"
+#include "procedural/color/srgb.h"
+#include "procedural/graph/box_means.h"
+#include "procedural/model/texture_json.h"
+#include "procedural/noise/mean_noise.h"
 
 namespace burl {
 namespace {

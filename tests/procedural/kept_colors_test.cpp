@@ -1,5 +1,5 @@
 // What is kept of one map is not taken for another, nor for other pixels.
-#include "procedural/kept_colors.h"
+#include "procedural/color/kept_colors.h"
 
 #include <array>
 

@@ -1,5 +1,5 @@
 // Sums in one pass have the bits of sums octave by octave.
-#include "procedural/kept_sums.h"
+#include "procedural/field/kept_sums.h"
 
 #include <array>
 #include <cstring>
@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "procedural/stream_kernels.h"
+#include "procedural/kernels/stream_kernels.h"
 #include "tests/procedural/only_target.h"
 
 namespace burl {

@@ -1,7 +1,7 @@
 // Whether the numbers at lattice points pass for random: no repeated patterns, no correlation at
 // any small lag, a flat spectrum, balanced bits. Limits are 5 standard deviations, or what chance
 // exceeds once in two million trials; a hash without its mixer shows that the measures can fail.
-#include "procedural/lattice_hash.h"
+#include "procedural/numbers/lattice_hash.h"
 
 #include <algorithm>
 #include <array>
@@ -13,7 +13,7 @@
 
 #include <gtest/gtest.h>
 
-#include "procedural/value_noise.h"
+#include "procedural/noise/value_noise.h"
 
 namespace burl {
 namespace {

@@ -1,5 +1,5 @@
 // A lone octave has the bits of the same octave by streams.
-#include "procedural/lone_octave.h"
+#include "procedural/field/lone_octave.h"
 
 #include <array>
 #include <cmath>

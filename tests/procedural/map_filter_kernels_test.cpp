@@ -1,5 +1,5 @@
 // The vectorised filters against the ones that go piece by piece, which have tests of their own.
-#include "procedural/stream_filter.h"
+#include "procedural/field/stream_filter.h"
 
 #include <cmath>
 #include <limits>

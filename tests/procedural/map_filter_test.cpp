@@ -1,15 +1,15 @@
 // The exact filters against brute-force integration in long double, and the tables against them.
-#include "procedural/map_filter.h"
+#include "procedural/color/map_filter.h"
 
 #include <cmath>
 #include <random>
 
 #include <gtest/gtest.h>
 
-#include "procedural/color_mip.h"
-#include "procedural/color_sums.h"
-#include "procedural/color_table.h"
-#include "procedural/texture.h"
+#include "procedural/color/mip.h"
+#include "procedural/color/sums.h"
+#include "procedural/color/table.h"
+#include "procedural/model/texture.h"
 
 namespace burl {
 namespace {

@@ -1,6 +1,6 @@
 // The measuring texture against values of a second implementation (Python, from the 2002 paper's
 // reference program and the formula in metric_marble.h).
-#include "procedural/metric_marble.h"
+#include "procedural/model/metric_marble.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
-#include "procedural/mip_image.h"
+#include "procedural/graph/mip_image.h"
 
 #include <cmath>
 #include <random>
 
 #include <gtest/gtest.h>
 
-#include "procedural/srgb.h"
+#include "procedural/color/srgb.h"
 
 namespace burl {
 namespace {

@@ -1,14 +1,14 @@
 // Multipass noise on the host: against noise in float64, and the histograms that the papers tell
 // of.
-#include "procedural/multipass_model.h"
+#include "procedural/passes/model.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
 
-#include "procedural/noise.h"
-#include "procedural/value_noise.h"
+#include "procedural/noise/noise.h"
+#include "procedural/noise/value_noise.h"
 
 namespace burl {
 namespace {

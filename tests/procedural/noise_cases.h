@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "procedural/noise.h"
+#include "procedural/noise/noise.h"
 
 namespace burl::test {
 

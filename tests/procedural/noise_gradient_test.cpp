@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "procedural/domain_warp.h"
-#include "procedural/fractal_sum.h"
+#include "procedural/noise/domain_warp.h"
+#include "procedural/noise/fractal_sum.h"
 #include "tests/procedural/noise_cases.h"
 
 namespace burl {

@@ -1,8 +1,8 @@
 // Perlin's published functions against values of other implementations.
 #include <gtest/gtest.h>
 
-#include "procedural/noise.h"
-#include "procedural/perlin1985.h"
+#include "procedural/noise/noise.h"
+#include "procedural/noise/perlin1985.h"
 #include "tests/procedural/noise_reference_values.h"
 
 namespace burl {

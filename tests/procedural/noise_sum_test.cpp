@@ -1,13 +1,13 @@
-#include "procedural/noise_sum.h"
+#include "procedural/kernels/noise_sum.h"
 
 #include <cmath>
 #include <random>
 
 #include <gtest/gtest.h>
 
-#include "procedural/noise.h"
-#include "procedural/simd_level.h"
-#include "procedural/value_program.h"
+#include "procedural/graph/value_program.h"
+#include "procedural/noise/noise.h"
+#include "procedural/numbers/simd_level.h"
 #include "tests/procedural/only_target.h"
 
 namespace burl {

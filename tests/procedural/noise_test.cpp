@@ -1,4 +1,4 @@
-#include "procedural/noise.h"
+#include "procedural/noise/noise.h"
 
 #include <array>
 #include <numeric>
@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include "procedural/perlin_noise.h"
-#include "procedural/value_noise.h"
+#include "procedural/noise/perlin_noise.h"
+#include "procedural/noise/value_noise.h"
 
 namespace burl {
 namespace {

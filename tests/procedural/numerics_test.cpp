@@ -5,11 +5,11 @@
 
 #include <gtest/gtest.h>
 
-#include "procedural/lattice_hash.h"
-#include "procedural/noise.h"
-#include "procedural/noise_names.h"
-#include "procedural/perlin_noise.h"
-#include "procedural/value_noise.h"
+#include "procedural/noise/names.h"
+#include "procedural/noise/noise.h"
+#include "procedural/noise/perlin_noise.h"
+#include "procedural/noise/value_noise.h"
+#include "procedural/numbers/lattice_hash.h"
 #include "tests/paths.h"
 
 namespace burl {

@@ -1,6 +1,6 @@
 #pragma once
 // Kernels on one of the machine's instruction sets at a time.
-#include "procedural/simd_target.h"
+#include "procedural/numbers/simd_target.h"
 
 namespace burl {
 

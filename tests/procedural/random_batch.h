@@ -3,8 +3,8 @@
 #include <random>
 #include <vector>
 
-#include "procedural/noise_spec.h"
-#include "procedural/texel_piece.h"
+#include "procedural/batch/texel_piece.h"
+#include "procedural/noise/spec.h"
 
 namespace burl::test {
 

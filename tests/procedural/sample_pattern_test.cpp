@@ -1,5 +1,5 @@
 // Places and weights of samples against their definition.
-#include "procedural/sample_pattern.h"
+#include "procedural/batch/sample_pattern.h"
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
 // Scan-line polynomials against the definition in float64: any step, start and length, planes,
 // edges and corners hit exactly, spans cut anywhere, every instruction set.
-#include "procedural/scanline_kernel.h"
+#include "procedural/kernels/scanline_kernel.h"
 
 #include <memory>
 #include <random>
@@ -8,9 +8,9 @@
 #include <gtest/gtest.h>
 #include <hwy/highway.h>
 
-#include "procedural/noise.h"
-#include "procedural/octave_streams.h"
-#include "procedural/simd_level.h"
+#include "procedural/field/octave_streams.h"
+#include "procedural/noise/noise.h"
+#include "procedural/numbers/simd_level.h"
 #include "tests/procedural/random_batch.h"
 
 namespace burl {

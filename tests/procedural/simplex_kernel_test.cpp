@@ -1,14 +1,14 @@
 // The simplex kernel against float64: anywhere, on the borders of simplices, with both radii.
-#include "procedural/simplex_kernel.h"
+#include "procedural/kernels/simplex_kernel.h"
 
 #include <memory>
 #include <random>
 
 #include <gtest/gtest.h>
 
-#include "procedural/noise.h"
-#include "procedural/octave_streams.h"
-#include "procedural/simplex_hash.h"
+#include "procedural/field/octave_streams.h"
+#include "procedural/noise/noise.h"
+#include "procedural/noise/simplex_hash.h"
 
 namespace burl {
 namespace {

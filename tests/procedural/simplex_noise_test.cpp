@@ -1,4 +1,4 @@
-#include "procedural/simplex_noise.h"
+#include "procedural/noise/simplex_noise.h"
 
 #include <random>
 #include <set>

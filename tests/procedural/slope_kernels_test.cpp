@@ -1,13 +1,13 @@
 // Gradients on streams against those of the float64 noise, values against the kernels of values, to
 // the bit, and slopes along texels' sides against float64.
-#include "procedural/slope_kernels.h"
+#include "procedural/kernels/slope_kernels.h"
 
 #include <memory>
 
 #include <gtest/gtest.h>
 
-#include "procedural/noise.h"
-#include "procedural/share_kernels.h"
+#include "procedural/kernels/share_kernels.h"
+#include "procedural/noise/noise.h"
 #include "tests/procedural/random_batch.h"
 
 namespace burl {

@@ -1,11 +1,11 @@
-#include "procedural/srgb.h"
+#include "procedural/color/srgb.h"
 
 #include <algorithm>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "procedural/srgb_kernels.h"
+#include "procedural/color/srgb_kernels.h"
 
 namespace burl {
 namespace {

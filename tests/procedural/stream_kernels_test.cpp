@@ -1,6 +1,6 @@
 // Streams of coordinates against float64, kernels on them against the same additions one by one to
 // the bit and against float64, sums of octaves against the float64 field.
-#include "procedural/stream_kernels.h"
+#include "procedural/kernels/stream_kernels.h"
 
 #include <array>
 #include <memory>
@@ -8,11 +8,11 @@
 
 #include <gtest/gtest.h>
 
-#include "procedural/noise.h"
-#include "procedural/octave_streams.h"
-#include "procedural/perlin_noise.h"
-#include "procedural/quadric_kernel.h"
-#include "procedural/share_kernels.h"
+#include "procedural/field/octave_streams.h"
+#include "procedural/kernels/quadric_kernel.h"
+#include "procedural/kernels/share_kernels.h"
+#include "procedural/noise/noise.h"
+#include "procedural/noise/perlin_noise.h"
 #include "tests/procedural/random_batch.h"
 
 namespace burl {

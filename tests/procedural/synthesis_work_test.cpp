@@ -4,9 +4,9 @@
 
 #include <numeric>
 
-#include "procedural/graph_json.h"
-#include "procedural/synthesize.h"
-#include "procedural/synthesize_graph.h"
+#include "procedural/fill/graph.h"
+#include "procedural/fill/synthesize.h"
+#include "procedural/graph/json.h"
 #include "tests/procedural/synthetic_atlas.h"
 
 namespace burl {

@@ -1,11 +1,11 @@
 // Textures filled by forward differences against the scalar reference and the other paths.
-#include "procedural/synthesize_forward.h"
+#include "procedural/fill/forward.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
-#include "procedural/octaves.h"
-#include "procedural/synthesize_texels.h"
+#include "procedural/fill/texels.h"
+#include "procedural/model/octaves.h"
 #include "tests/procedural/synthetic_atlas.h"
 
 namespace burl {

@@ -1,12 +1,12 @@
-#include "procedural/synthesize_graph.h"
+#include "procedural/fill/graph.h"
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 
 #include "graph_cases.h"
-#include "procedural/srgb.h"
-#include "procedural/synthesize.h"
+#include "procedural/color/srgb.h"
+#include "procedural/fill/synthesize.h"
 #include "synthetic_atlas.h"
 
 namespace burl {

@@ -1,11 +1,11 @@
 // A graph's new colours need nothing below its colour map, and have the bytes of a bake from
 // scratch.
-#include "procedural/synthesize_kept_graph.h"
+#include "procedural/kept/graph.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "procedural/synthesize_graph.h"
+#include "procedural/fill/graph.h"
 #include "tests/procedural/graph_cases.h"
 #include "tests/procedural/synthetic_atlas.h"
 

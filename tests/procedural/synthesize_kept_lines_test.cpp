@@ -1,14 +1,14 @@
 // Lines of spans are those of the pieces that a synthesis from scratch makes, and coordinates along
 // them have the same bits; what is kept of them stays within the budget.
-#include "procedural/synthesize_kept_lines.h"
+#include "procedural/kept/lines.h"
 
 #include <memory>
 
 #include <gtest/gtest.h>
 
-#include "procedural/synthesize.h"
-#include "procedural/synthesize_kept.h"
-#include "procedural/synthesize_pieces.h"
+#include "procedural/fill/pieces.h"
+#include "procedural/fill/synthesize.h"
+#include "procedural/kept/kept.h"
 #include "tests/procedural/synthetic_atlas.h"
 
 namespace burl {

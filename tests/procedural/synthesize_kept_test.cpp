@@ -1,10 +1,10 @@
 // Whatever is kept, the bytes are those of a synthesis from scratch, and what can be kept is.
-#include "procedural/synthesize_kept.h"
+#include "procedural/kept/kept.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
-#include "procedural/synthesize.h"
+#include "procedural/fill/synthesize.h"
 #include "tests/procedural/synthetic_atlas.h"
 
 namespace burl {

@@ -1,6 +1,6 @@
 // Lattice maps hold the numbers host synthesis works with: noise evaluated from them is the host's
 // field, bit for bit, and their coordinates are those of the points that texels show.
-#include "procedural/synthesize_lattice_map.h"
+#include "procedural/maps/lattice_map.h"
 
 #include <bit>
 #include <cmath>
@@ -9,9 +9,9 @@
 
 #include <gtest/gtest.h>
 
-#include "procedural/simplex_kernel.h"
-#include "procedural/synthesize.h"
-#include "procedural/synthesize_pieces.h"
+#include "procedural/fill/pieces.h"
+#include "procedural/fill/synthesize.h"
+#include "procedural/kernels/simplex_kernel.h"
 #include "tests/procedural/synthetic_atlas.h"
 
 namespace burl {

@@ -1,14 +1,14 @@
 // Point maps hold the places at which octaves without a stream are evaluated; solid maps every
 // texel's point and owner.
-#include "procedural/synthesize_point_map.h"
+#include "procedural/maps/point_map.h"
 
 #include <bit>
 #include <cmath>
 
 #include <gtest/gtest.h>
 
-#include "procedural/synthesize.h"
-#include "procedural/synthesize_pieces.h"
+#include "procedural/fill/pieces.h"
+#include "procedural/fill/synthesize.h"
 #include "tests/procedural/synthetic_atlas.h"
 
 namespace burl {

@@ -1,16 +1,16 @@
 // Site maps against the lattice maps that they rearrange, and single texels against whole pictures.
-#include "procedural/synthesize_site_map.h"
+#include "procedural/maps/site_map.h"
 
 #include <bit>
 #include <set>
 
 #include <gtest/gtest.h>
 
-#include "procedural/lattice_hash.h"
-#include "procedural/synthesize.h"
-#include "procedural/synthesize_lattice_map.h"
-#include "procedural/synthesize_pieces.h"
-#include "procedural/synthesize_sparse.h"
+#include "procedural/fill/pieces.h"
+#include "procedural/fill/sparse.h"
+#include "procedural/fill/synthesize.h"
+#include "procedural/maps/lattice_map.h"
+#include "procedural/numbers/lattice_hash.h"
 #include "tests/procedural/synthetic_atlas.h"
 
 namespace burl {

@@ -1,12 +1,12 @@
 // Slope maps hold the quadric's slopes and owners; sides and shares of octaves beside them.
-#include "procedural/synthesize_slope_map.h"
+#include "procedural/maps/slope_map.h"
 
 #include <bit>
 #include <cmath>
 
 #include <gtest/gtest.h>
 
-#include "procedural/octaves.h"
+#include "procedural/model/octaves.h"
 #include "tests/procedural/synthetic_atlas.h"
 
 namespace burl {

@@ -1,9 +1,9 @@
 // Span maps against the spans they show.
-#include "procedural/synthesize_span_map.h"
+#include "procedural/maps/span_map.h"
 
 #include <gtest/gtest.h>
 
-#include "procedural/point_map.h"
+#include "procedural/batch/point_map.h"
 #include "tests/procedural/synthetic_atlas.h"
 
 namespace burl {

@@ -1,12 +1,12 @@
-#include "procedural/synthesize.h"
+#include "procedural/fill/synthesize.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
-#include "procedural/noise.h"
-#include "procedural/simd_level.h"
-#include "procedural/srgb.h"
-#include "procedural/texel_batch.h"
+#include "procedural/batch/texel_batch.h"
+#include "procedural/color/srgb.h"
+#include "procedural/noise/noise.h"
+#include "procedural/numbers/simd_level.h"
 #include "tests/procedural/noise_cases.h"
 #include "tests/procedural/only_target.h"
 #include "tests/procedural/synthetic_atlas.h"

@@ -1,15 +1,15 @@
 // Textures filled texel by texel: in_float64 against the scalar reference and the fast path, fixed
 // point against the field of one point.
-#include "procedural/synthesize_texels.h"
+#include "procedural/fill/texels.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
-#include "procedural/color_table.h"
-#include "procedural/fixed_field.h"
-#include "procedural/octaves.h"
-#include "procedural/srgb.h"
-#include "procedural/synthesize.h"
+#include "procedural/color/srgb.h"
+#include "procedural/color/table.h"
+#include "procedural/fill/synthesize.h"
+#include "procedural/fixed/field.h"
+#include "procedural/model/octaves.h"
 #include "tests/procedural/synthetic_atlas.h"
 
 namespace burl {

@@ -1,13 +1,13 @@
 // Textures of a part of an atlas against those of the whole: bytes must agree wherever the part
 // reaches, whatever kernel, filter or precision makes them.
-#include "atlas/solid_tiles.h"
+#include "atlas/solid/tiles.h"
 
 #include <gtest/gtest.h>
 
-#include "procedural/synthesize.h"
-#include "procedural/synthesize_forward.h"
-#include "procedural/synthesize_graph.h"
-#include "procedural/synthesize_texels.h"
+#include "procedural/fill/forward.h"
+#include "procedural/fill/graph.h"
+#include "procedural/fill/synthesize.h"
+#include "procedural/fill/texels.h"
 #include "tests/procedural/graph_cases.h"
 #include "tests/procedural/synthetic_atlas.h"
 

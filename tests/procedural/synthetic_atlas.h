@@ -2,7 +2,7 @@
 // A SolidAtlas made without mesh or layout: rectangles of texels with random affine maps.
 #include <random>
 
-#include "atlas/solid_atlas.h"
+#include "atlas/solid/solid_atlas.h"
 
 namespace burl {
 

@@ -1,5 +1,5 @@
 // Tangent space: there and back, and as codes.
-#include "procedural/tangent_frame.h"
+#include "procedural/fill/tangent_frame.h"
 
 #include <cmath>
 #include <random>

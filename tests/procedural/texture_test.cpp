@@ -1,10 +1,10 @@
-#include "procedural/texture.h"
+#include "procedural/model/texture.h"
 
 #include <gtest/gtest.h>
 
-#include "procedural/octaves.h"
+#include "procedural/model/octaves.h"
 
-#include "procedural/noise.h"
+#include "procedural/noise/noise.h"
 
 namespace burl {
 namespace {

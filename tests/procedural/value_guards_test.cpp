@@ -1,5 +1,5 @@
 // What graphs leave out of a batch, and interval arithmetic, against the same graphs in full.
-#include "procedural/value_guards.h"
+#include "procedural/graph/value_guards.h"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,9 @@
 #include <limits>
 #include <random>
 
-#include "procedural/graph_values.h"
-#include "procedural/synthesize_graph.h"
-#include "procedural/value_ranges.h"
+#include "procedural/fill/graph.h"
+#include "procedural/graph/value_ranges.h"
+#include "procedural/graph/values.h"
 #include "tests/procedural/graph_cases.h"
 #include "tests/procedural/synthetic_atlas.h"
 

@@ -1,4 +1,4 @@
-#include "procedural/value_kernels.h"
+#include "procedural/graph/value_kernels.h"
 
 #include <cmath>
 #include <functional>
@@ -8,8 +8,8 @@
 
 #include <gtest/gtest.h>
 
-#include "procedural/simd_level.h"
-#include "procedural/value_program.h"
+#include "procedural/graph/value_program.h"
+#include "procedural/numbers/simd_level.h"
 #include "tests/procedural/only_target.h"
 
 namespace burl {

@@ -1,8 +1,8 @@
-#include "procedural/worley_noise.h"
+#include "procedural/noise/worley_noise.h"
 
 #include <gtest/gtest.h>
 
-#include "procedural/random_cells.h"
+#include "procedural/noise/random_cells.h"
 #include "tests/procedural/noise_cases.h"
 
 namespace burl {

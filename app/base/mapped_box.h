@@ -1,0 +1,25 @@
+#pragma once
+// Boxes under affine maps: how far solid coordinates reach where those of a mesh are known to lie
+// in a box.
+#include <cmath>
+
+#include "atlas/base/vec.h"
+#include "atlas/mesh/mesh.h"
+
+namespace burl {
+
+/// The least box with axes along the coordinates that holds the images of all eight corners, and so
+/// of the whole box.
+inline Box3 mapped(const Affine3& map, const Box3& box) {
+    Box3 seen{Vec3d(HUGE_VAL), Vec3d(-HUGE_VAL)};
+    for (int corner = 0; corner < 8; ++corner) {
+        const Vec3d s =
+            map({(corner & 1 ? box.high : box.low).x, (corner & 2 ? box.high : box.low).y,
+                 (corner & 4 ? box.high : box.low).z});
+        seen.low = glm::min(seen.low, s);
+        seen.high = glm::max(seen.high, s);
+    }
+    return seen;
+}
+
+}  // namespace burl

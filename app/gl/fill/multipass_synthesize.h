@@ -1,0 +1,67 @@
+#pragma once
+// Fills an atlas with a texture of the 1999 model by the papers' passes on OpenGL (Carr & Hart
+// 2001, section 5.2): lattice maps, then the passes of procedural/passes/plan.h octave by
+// octave, then the colour map. At 32f the colour map's index agrees with the host's to 2e-6 (of a
+// sum of amplitudes up to 1); 16f and 8 are what images of fewer bits leave of it.
+#include "app/gl/fill/multipass.h"
+#include "app/gl/fill/synthesize.h"
+
+namespace burl {
+
+/// Keeps programs, tables, images and maps between calls. The context it works in must outlive it.
+class GlMultipassSynthesis {
+  public:
+    GlMultipassSynthesis(GlContext& context, const MultipassOptions& options,
+                         const GlSynthesisLimits& limits = {});
+
+    /// Why a texture cannot be made, as a clause; empty where it can.
+    std::string problem(const Texture& texture) const;
+
+    /// As GlSynthesis; for Pixel float the colour map's index, of the field, in [0,1].
+    template <class Pixel>
+    void synthesize(const SolidAtlas& solid, const Texture& texture,
+                    const Affine3& texture_from_atlas, int threads, Image<Pixel>& image);
+    /// The atlas of the calls before is about to change or go away.
+    void forget_atlas() { maps_.forget_atlas(); }
+
+    /// Passes are those of noise, index and colour; fills are not counted.
+    const GlWork& work() const { return work_; }
+    /// Those of the last synthesis, with what their coordinates' bits were.
+    const std::vector<MultipassOctave>& octaves() const { return octaves_; }
+    const MultipassOptions& options() const { return options_; }
+    const GlContext& context() const { return *context_; }
+
+  private:
+    using Maps = std::vector<std::shared_ptr<const GlLatticeMap>>;
+
+    void make_plan(const SolidAtlas& solid, const Texture& texture,
+                   const Affine3& texture_from_atlas);
+    Maps maps_of(const Quadric& quadric, const GlTile& tile);
+    template <class Pixel>
+    void compile();
+    template <class Pixel>
+    void draw(const Quadric& quadric, const GlTile& tile);
+    template <class Pixel>
+    void draw_colors(const GlTile& tile);
+
+    GlContext* context_;
+    const GladGLContext* gl_;
+    MultipassOptions options_;
+    GlSynthesisLimits limits_;
+    bool float64_;
+    GlFullScreen full_screen_;
+    GlTimer timer_;
+    GlMapCache maps_;
+    GlColorTables colors_;
+    GlMultipass passes_;
+    std::vector<OctaveGroup> groups_;
+    std::vector<MultipassOctave> octaves_;
+    MultipassPlan plan_;
+    std::map<std::string, GlProgram> programs_;  ///< of colours, by their text
+    const GlProgram* color_program_ = nullptr;
+    std::optional<GlTarget> target_;
+    GlReadBack read_back_;
+    GlWork work_;
+};
+
+}  // namespace burl

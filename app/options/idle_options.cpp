@@ -1,0 +1,101 @@
+#include "app/options/idle_options.h"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+#include "app/pipeline/fill_texture.h"
+#include "atlas/base/error.h"
+#include "procedural/field/octave_groups.h"
+#include "procedural/model/octaves.h"
+
+namespace burl {
+
+namespace {
+
+constexpr std::array<std::string_view, 4> quad_keys{"atlas.weight", "atlas.partition",
+                                                    "atlas.gutter", "atlas.diagonals"};
+
+bool lies_in(std::string_view path, std::string_view key) {
+    return path.starts_with(key) && (path.size() == key.size() || path[key.size()] == '.');
+}
+
+std::string_view path_of_move(std::string_view move) {
+    return move.substr(0, move.find('='));
+}
+
+/// Whether its cells' corners can be shared and scanned.
+bool on_lattice(const Octave& octave) {
+    return has_kernel(octave) && octave.noise.kind != NoiseKind::simplex;
+}
+
+std::string other_kind(std::string_view wanted, AtlasKind kind) {
+    return fmt::format(
+        "only {0} atlases have it, and this one is {1}; add --atlas {0}, or leave it "
+        "out",
+        wanted, to_string(kind));
+}
+
+}  // namespace
+
+std::string idle_reason(const Recipe& recipe, std::string_view path) {
+    const AtlasOptions& atlas = recipe.atlas;
+    if (std::ranges::find(quad_keys, path) != quad_keys.end()) {
+        if (atlas.kind != AtlasKind::quad) return other_kind("quad", atlas.kind);
+        const bool bilinear_only = path == "atlas.gutter" || path == "atlas.diagonals";
+        if (bilinear_only && atlas.overscan == Overscan::nearest)
+            return "with overscan nearest there is none of it; add --overscan bilinear, or leave "
+                   "it "
+                   "out";
+    }
+    if (path == "atlas.tries" && atlas.kind != AtlasKind::patch)
+        return other_kind("patch", atlas.kind);
+    if (path == "filter.samples" && recipe.filter.kind != FilterKind::supersample)
+        return "only --filter supersample takes samples; add that, or leave it out";
+    const bool bits = path == "precision.integer_bits" || path == "precision.fraction_bits";
+    if (bits && recipe.precision.kind != PrecisionKind::fixed)
+        return "only fixed point has these bits; use --precision fixed:I.F, or leave it out";
+    return "";
+}
+
+std::string idle_kernel(const Recipe& recipe, Kernel kernel) {
+    if (kernel == Kernel::automatic) return "";
+    if (!recipe.graph.empty())
+        return "the texture has other nodes than a color_map over a field, whose noise has one way";
+    if (!has_fast_way(recipe, {})) return "only --precision float32 has it";
+    if (std::ranges::none_of(expand_octaves(recipe.texture), on_lattice))
+        return "only value and perlin noise without a period, time or turbulence has it";
+    const FilterKind filter = recipe.filter.kind;
+    const bool slopes = filter != FilterKind::none && filter != FilterKind::supersample;
+    if (kernel == Kernel::scanline && slopes) return "filters take slopes, which it does not have";
+    return "";
+}
+
+void check_edits(const RecipeOptions& options, const Recipe& recipe,
+                 std::span<const std::string> moves) {
+    const auto check = [&](std::string_view path, const std::string& said) {
+        if (const std::string why = idle_reason(recipe, path); !why.empty())
+            throw Error(ExitCode::usage, fmt::format("{} does nothing: {}", said, why));
+    };
+    for (const RecipeEdit& edit : options.edits()) check(edit.path, edit.said);
+    for (const std::string& move : moves) check(path_of_move(move), "--animate " + move);
+}
+
+void refuse_edits(const RecipeOptions& options, std::span<const IdleKey> keys) {
+    for (const RecipeEdit& edit : options.edits())
+        for (const auto& [key, why] : keys)
+            if (edit.said.starts_with("--set") && lies_in(edit.path, key))
+                throw Error(ExitCode::usage,
+                            fmt::format("{} does nothing: {}; leave it out", edit.said, why));
+}
+
+void refuse_moves(std::span<const std::string> moves, std::span<const IdleKey> keys) {
+    for (const std::string& move : moves)
+        for (const auto& [key, why] : keys)
+            if (lies_in(path_of_move(move), key))
+                throw Error(ExitCode::usage,
+                            fmt::format("--animate {} does nothing: {}; leave it out", move, why));
+}
+
+}  // namespace burl

@@ -1,0 +1,24 @@
+#pragma once
+// A flat patch needs no map onto a rectangle: it is drawn as it is, in the rectangle of least area
+// round it. Whatever its outline, holes and slivers, the solid point is then one affine function of
+// the texel over the whole block, so a lookup is exact everywhere and no gutter can be wrong.
+#include <optional>
+
+#include "atlas/patch/patch.h"
+#include "atlas/patch/stretch.h"
+
+namespace burl {
+
+struct PlanarMap {
+    std::vector<Vec2d> uv;             ///< per vertex, in the unit square
+    Vec3d origin{0.0};                 ///< surface point of (0,0)
+    Vec3d along_u{0.0}, along_v{0.0};  ///< the rectangle's sides: s(u,v) = origin + u.. + v..
+    Stretch stretch;  ///< over the patch; its distortion is the rectangle's area over the patch's
+};
+
+/// The map of a connected patch whose triangles all face one way in one plane (normals' sum at
+/// least 0.9999 of the area, no thicker than 0.002 of the area's root, no triangle reversed, no
+/// overlap by area); nothing for any other.
+std::optional<PlanarMap> map_planar(const Patch& patch);
+
+}  // namespace burl

@@ -1,0 +1,33 @@
+#pragma once
+// The 1999 paper's first filter (Hart et al., section 3.3.1): tables of the colour map at halved
+// resolutions, looked up at the one whose entries are as wide as the footprint. Kept for comparison
+// with the exact filter.
+#include <vector>
+
+#include "atlas/base/vec.h"
+#include "procedural/color/map.h"
+
+namespace burl {
+
+class ColorMip {
+  public:
+    static constexpr int finest = 10;  ///< the full table has 2^finest entries
+
+    explicit ColorMip(const ColorMap& map);
+
+    /// c(f) averaged over about `width`, linear light: linear interpolation in the two tables with
+    /// entries just narrower and just wider, and between these. (The paper's clut_i[f/i] means
+    /// f / 2^i.) A footprint beyond an end of a `clamp` map counts as lying at the end.
+    Vec3d operator()(double f, double width) const;
+
+    /// 2^finest, ..., 1 entries; entry i from i to i + 1.
+    const std::vector<std::vector<Vec3d>>& levels() const { return levels_; }
+
+  private:
+    Vec3d at_level(int level, double index) const;
+
+    Wrap wrap_;
+    std::vector<std::vector<Vec3d>> levels_;
+};
+
+}  // namespace burl

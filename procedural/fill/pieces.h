@@ -1,0 +1,148 @@
+#pragma once
+// The spans of an atlas's rows, cut into pieces that fill batches.
+#include <algorithm>
+#include <span>
+#include <vector>
+
+#include "atlas/solid/solid_atlas.h"
+#include "procedural/batch/row_tasks.h"
+#include "procedural/field/sampler.h"
+
+namespace burl {
+
+/// Texels' maps followed by another map, each worked out when it is asked for: a list of them is as
+/// large as the atlas's own.
+class MovedMaps {
+  public:
+    /// `maps` must outlive it.
+    MovedMaps(std::span<const TexelMap> maps, const Affine3& map) : maps_(maps), map_(map) {}
+
+    TexelMap operator[](std::size_t i) const {
+        const TexelMap& m = maps_[i];
+        return {map_(m.origin), map_.linear * m.step_x, map_.linear * m.step_y, m.anchor_x,
+                m.anchor_y};
+    }
+    /// What the i-th one is worked out from.
+    const TexelMap& source(std::size_t i) const { return maps_[i]; }
+
+  private:
+    std::span<const TexelMap> maps_;
+    Affine3 map_;
+};
+
+/// All of them, for those who ask for each more than a few times.
+inline std::vector<TexelMap> moved_maps(const std::vector<TexelMap>& maps, const Affine3& map,
+                                        int threads) {
+    std::vector<TexelMap> result(maps.size());
+    const MovedMaps moved(maps, map);
+    for_row_ranges(maps.size(), 1, threads, [&](const RowRange& range) {
+        for (std::size_t i = range.begin(); i != range.end(); ++i) result[i] = moved[i];
+    });
+    return result;
+}
+
+/// Texels of a row's spans.
+inline std::size_t texels_of(std::span<const Span> spans) {
+    std::size_t count = 0;
+    for (const Span& span : spans) count += span.count;
+    return count;
+}
+
+/// What no span owns is background.
+template <class Pixel>
+void fill_gaps(std::span<const Span> spans, const Pixel& background, std::span<Pixel> row) {
+    auto owned = row.begin();
+    for (const Span& span : spans) {
+        std::fill(owned, row.begin() + span.x, background);
+        owned = row.begin() + span.x + span.count;
+    }
+    std::fill(owned, row.end(), background);
+}
+
+/// Neighbouring spans show triangles from all over the mesh, whose maps the processor cannot guess:
+/// they are called for this many spans ahead.
+inline constexpr std::ptrdiff_t map_prefetch = 8;
+
+inline void prefetch(const TexelMap& map) {
+    const char* bytes = reinterpret_cast<const char*>(&map);
+    __builtin_prefetch(bytes);
+    __builtin_prefetch(bytes + sizeof(TexelMap) - 1);
+}
+
+/// What the i-th map is read from.
+inline const TexelMap& stored(std::span<const TexelMap> maps, std::size_t i) {
+    return maps[i];
+}
+inline const TexelMap& stored(const MovedMaps& maps, std::size_t i) {
+    return maps.source(i);
+}
+
+/// Adds `count` texels of the span from number `first` on; `start` is that of number 0.
+inline void add_piece(const WholeSpan& span, const TexelMap& texel, const Vec3d& start,
+                      std::size_t y, std::size_t first, std::size_t count, FieldBatch& batch) {
+    // Filled in place, and not by emplace_back(): that clears it by `rep stos`, a quarter of the
+    // time of all this, as are copies of vectors just written.
+    static constexpr Piece blank;
+    batch.pieces.push_back(blank);
+    Piece& piece = batch.pieces.back();
+    piece.x = span.x + first;
+    piece.y = y;
+    piece.solid.start.x = start.x, piece.solid.start.y = start.y, piece.solid.start.z = start.z;
+    piece.solid.step = texel.step_x;
+    piece.solid.first = double(first);
+    piece.solid.count = count;
+    piece.down = texel.step_y;
+    piece.length = double(span.count);
+    batch.count += count;
+}
+
+/// Adds row y's texels, whose maps are `maps`: a list or MovedMaps. Calls full(), which must empty
+/// the batch, whenever nothing more goes in.
+template <class Maps, class Full>
+void add_row(const SolidAtlas& solid, const Maps& maps, std::size_t y, FieldBatch& batch,
+             const Full& full) {
+    const auto spans = solid.row(y);
+    for (const Span& span : spans) {
+        if (&spans.back() - &span >= map_prefetch)
+            prefetch(stored(maps, (&span)[map_prefetch].map));
+        const TexelMap& texel = maps[span.map];
+        const WholeSpan whole = solid.whole(span);
+        const std::size_t before = span.x - whole.x, end = before + span.count;
+        const Vec3d start = texel(whole.x, std::int64_t(y));
+        for (std::size_t done = before; done < end;) {
+            const std::size_t count = std::min(end - done, batch_capacity - batch.count);
+            add_piece(whole, texel, start, y, done, count, batch);
+            done += count;
+            if (batch.count == batch_capacity) full();
+        }
+    }
+}
+
+/// Adds up to a batch of blocks of texels that follow one another in the atlas, one in 64 or fewer,
+/// spread evenly; none if there are few.
+template <class Maps>
+void add_pilot(const SolidAtlas& solid, const Maps& maps, FieldBatch& batch) {
+    std::size_t texels = 0;
+    for (const Span& span : solid.spans) texels += span.count;
+    const std::size_t blocks = std::min(texels / 64, batch_capacity) / batch_padding;
+    if (blocks < 2) return;
+    std::size_t at = 0, block = 0;
+    for (std::size_t y = 0; y < solid.size; ++y)
+        for (const Span& span : solid.row(y)) {
+            for (; block < blocks; ++block) {
+                const std::size_t first = (2 * block + 1) * texels / (2 * blocks);
+                const std::size_t begin = std::max(first, at);
+                const std::size_t end = std::min(first + batch_padding, at + span.count);
+                if (begin < end) {
+                    const TexelMap& map = maps[span.map];
+                    const WholeSpan whole = solid.whole(span);
+                    add_piece(whole, map, map(whole.x, std::int64_t(y)), y,
+                              span.x - whole.x + begin - at, end - begin, batch);
+                }
+                if (first + batch_padding > at + span.count) break;
+            }
+            at += span.count;
+        }
+}
+
+}  // namespace burl

@@ -1,0 +1,67 @@
+#pragma once
+// Tangent space as glTF 2.0 defines it (specification 3.7.2.1 and 3.9.3): normal maps give normals
+// by their share of a tangent (image to the right), a bitangent (image up) and the vertex normal.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "atlas/base/image.h"
+#include "atlas/base/vec.h"
+
+namespace burl {
+
+/// Unit vectors but for the bitangent, which is shorter where the others are not perpendicular.
+struct TangentFrame {
+    Vec3d tangent{0.0}, bitangent{0.0}, normal{0.0};
+};
+
+/// Of a point inside a triangle, from its vertices' interpolated vectors: each is made unit length
+/// by itself, and the bitangent is cross(normal, tangent) * w. `w` is 1, or -1 on mirrored charts.
+/// shaders/mesh.frag repeats this.
+inline TangentFrame tangent_frame(const Vec3d& normal, const Vec3d& tangent, double w) {
+    TangentFrame frame{glm::normalize(tangent), {}, glm::normalize(normal)};
+    frame.bitangent = w * glm::cross(frame.normal, frame.tangent);
+    return frame;
+}
+
+/// The unit vector c that a viewer takes to the direction of `v`: c.x tangent + c.y bitangent + c.z
+/// normal. c.z is at least 0, as the format has it; (0, 0, 1) in a frame that is flat, and exactly
+/// where v is the normal.
+inline Vec3d in_frame(const TangentFrame& frame, const Vec3d& v) {
+    if (v == frame.normal) return {0.0, 0.0, 1.0};
+    const double height = glm::dot(frame.bitangent, frame.bitangent);
+    const double slant = glm::dot(frame.tangent, frame.normal);
+    const double along = glm::dot(frame.tangent, v), up = glm::dot(frame.normal, v);
+    // |bitangent|^2 = 1 - slant^2 is the determinant for the other two.
+    const Vec3d c(along - slant * up, glm::dot(frame.bitangent, v), up - slant * along);
+    const Vec3d kept(c.x, c.y, std::max(c.z, 0.0));
+    const double length = glm::length(kept);
+    if (!(height > 1e-12) || !(length > 0.0)) return {0.0, 0.0, 1.0};
+    return kept / length;
+}
+
+/// The direction that a viewer makes of c.
+inline Vec3d from_frame(const TangentFrame& frame, const Vec3d& c) {
+    return glm::normalize(c.x * frame.tangent + c.y * frame.bitangent + c.z * frame.normal);
+}
+
+/// Components from -1 to 1 as linear codes from 0 to the largest, rounded: 0 is 128 of 255 (decoded
+/// as 1/255), 32768 of 65535.
+template <class Code>
+Rgb<Code> encode_normal(const Vec3d& n) {
+    const auto code = [](double x) {
+        const double largest = double(std::numeric_limits<Code>::max());
+        return Code(std::floor(std::clamp(0.5 + 0.5 * x, 0.0, 1.0) * largest + 0.5));
+    };
+    return {code(n.x), code(n.y), code(n.z)};
+}
+
+/// What viewers read: 2 code / largest - 1 for every component, made unit length.
+template <class Code>
+Vec3d decode_normal(const Rgb<Code>& codes) {
+    const double largest = double(std::numeric_limits<Code>::max());
+    const Vec3d v = 2.0 / largest * Vec3d(codes.r, codes.g, codes.b) - 1.0;
+    return glm::normalize(v);
+}
+
+}  // namespace burl

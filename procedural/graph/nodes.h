@@ -1,0 +1,60 @@
+#pragma once
+// The functions behind the nodes of graph_table.h, one per node, by family: each fills its output
+// channels from its inputs, its point and the samples' footprints. docs/nodes.md defines them.
+#include "procedural/graph/batch.h"
+
+namespace burl::nodes {
+
+// graph_math.cpp: numbers, and what weighs inputs against each other
+void constant(const NodeCall& call);
+void coordinate(const NodeCall& call);
+void add(const NodeCall& call);
+void multiply(const NodeCall& call);
+void minimum(const NodeCall& call);
+void maximum(const NodeCall& call);
+void absolute(const NodeCall& call);
+void power(const NodeCall& call);
+void sine_of(const NodeCall& call);
+void slope(const NodeCall& call);
+void floor_of(const NodeCall& call);
+void fract_of(const NodeCall& call);
+void smoothstep(const NodeCall& call);
+void scale(const NodeCall& call);
+void mix(const NodeCall& call);
+void bilerp(const NodeCall& call);
+
+// graph_patterns.cpp
+void uv(const NodeCall& call);
+void checkerboard(const NodeCall& call);
+void checkerboard_3d(const NodeCall& call);
+void stripes(const NodeCall& call);
+void ramp(const NodeCall& call);
+void sine(const NodeCall& call);
+void rings(const NodeCall& call);
+void wood_grain(const NodeCall& call);
+
+// graph_noise.cpp
+void field(const NodeCall& call);
+void fbm(const NodeCall& call);
+void wrinkled(const NodeCall& call);
+void windy(const NodeCall& call);
+void marble(const NodeCall& call);
+void bumps(const NodeCall& call);
+void dots(const NodeCall& call);
+void warp(const NodeCall& call);
+
+// graph_colors.cpp
+void color_map(const NodeCall& call);
+void layer_over(const NodeCall& call);
+
+// graph_image.cpp
+void image(const NodeCall& call);
+
+// graph_mappings.cpp
+void transform(const NodeCall& call);
+void map_uv(const NodeCall& call);
+void map_spherical(const NodeCall& call);
+void map_cylindrical(const NodeCall& call);
+void map_planar(const NodeCall& call);
+
+}  // namespace burl::nodes

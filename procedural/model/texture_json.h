@@ -1,0 +1,21 @@
+#pragma once
+// The texture as JSON: a tree of nodes, for now a color_map over a field (f = quadric + noise).
+// docs/recipes.md lists the keys.
+#include <nlohmann/json_fwd.hpp>
+
+#include "procedural/model/texture.h"
+
+namespace burl {
+
+/// Reads the value of a recipe's "texture" key. Keys, types and ranges must have been checked;
+/// whatever is left out has the default of the structs, a missing map is black to white.
+Texture texture_from_json(const nlohmann::ordered_json& json);
+
+/// JSON that texture_from_json reads back to an equal Texture.
+nlohmann::ordered_json texture_to_json(const Texture& texture);
+
+/// "#rrggbb" and back.
+Rgb8 color_from_hex(const std::string& text);
+std::string color_to_hex(const Rgb8& color);
+
+}  // namespace burl
