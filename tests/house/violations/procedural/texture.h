@@ -1,1 +1,0 @@
-// Right: what others include wrongly.
