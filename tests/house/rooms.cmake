@@ -1,5 +1,5 @@
 # Who may include whom: the rooms of rooms.txt; tests all, assets only atlas, and nobody tests. Only rooms that include OpenGL, and
-# tests/app/gl_*, name its headers. Usage: cmake -DROOT=folder [-DROOMS=file] -P rooms.cmake
+# the tests of app/gl and app/editor/window, name its headers. Usage: cmake -DROOT=folder [-DROOMS=file] -P rooms.cmake
 cmake_minimum_required(VERSION 3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/files.cmake)
 if(NOT ROOMS)
@@ -50,7 +50,7 @@ function(complaint_about out file room included)
     if(included MATCHES "\\.\\.")
         set(why "name it from the top folder, without ..")
     elseif(target MATCHES "^(glad|GL|EGL|GLFW)$")
-        if(NOT "OpenGL" IN_LIST allowed AND NOT file MATCHES "^tests/app/gl_")
+        if(NOT "OpenGL" IN_LIST allowed AND NOT file MATCHES "^tests/app/(gl|editor/window)/")
             set(why "${room} does not include OpenGL")
         endif()
     elseif(target MATCHES "^(tests|assets)$" AND NOT room MATCHES "^(tests|${target})$")

@@ -1,0 +1,49 @@
+#pragma once
+// Tests that use the editor as a person does, without a display: scripts of real pointer and key
+// events.
+#include <memory>
+#include <string>
+
+#include "app/editor/window/program.h"
+#include "tests/app/gl/device/fixture.h"
+
+namespace burl {
+
+class GlEditProgramTest : public GlTest {
+  protected:
+    std::unique_ptr<EditorProgram> start(const std::string& recipe = "marble",
+                                         const std::string& autosave = "") {
+        EditorOptions options;
+        options.mesh = "sample:cube";
+        options.recipe = recipe;
+        options.settings = {"atlas.size=64", "atlas.tries=1"};
+        options.autosave = autosave;
+        options.gallery = false;  // its balls take longer than most tests
+        if (!context) context = create_osmesa_context();
+        auto editor = std::make_unique<EditorProgram>(
+            create_unseen_window(std::move(context), {800, 640}), options);
+        play(*editor, R"({"settle": true}, {"wait": 2})");
+        return editor;
+    }
+
+    /// Steps as JSON, separated by commas.
+    static void play(EditorProgram& editor, const std::string& steps,
+                     const std::string& folder = "") {
+        editor.play(
+            parse_script(R"({"burl_input": 1, "size": [800, 640], "steps": [)" + steps + "]}",
+                         "test"),
+            folder);
+    }
+
+    static Image<Rgb8> settled(EditorProgram& editor) {
+        play(editor, R"({"events": [{"move": [1, 1]}]}, {"settle": true}, {"wait": 3})");
+        return editor.screenshot();
+    }
+
+    /// Of the right-hand side's first tab that was open at the start.
+    static std::size_t different(EditorProgram& editor, const Image<Rgb8>& before) {
+        return differing(before, settled(editor));
+    }
+};
+
+}  // namespace burl
