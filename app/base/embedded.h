@@ -7,12 +7,12 @@
 namespace burl {
 
 struct EmbeddedFile {
-    std::string_view name;  ///< file name without folder
+    std::string_view name;  ///< path below its folder, "noise/value.glsl"
     std::string_view content;
 };
 
 std::span<const EmbeddedFile> embedded_recipes();  ///< assets/recipes/*.json
 std::span<const EmbeddedFile> embedded_meshes();   ///< the sample meshes, *.obj
-std::span<const EmbeddedFile> embedded_shaders();  ///< shaders/*.vert, *.frag, *.glsl
+std::span<const EmbeddedFile> embedded_shaders();  ///< all of shaders/
 
 }  // namespace burl

@@ -1,6 +1,6 @@
 #pragma once
 // What both renderers agree on: the headlight, the background, and how samples become pixels.
-// shaders/mesh.frag repeats headlight().
+// shaders/draw/mesh.frag repeats headlight().
 #include <cstdint>
 
 #include "app/scene/camera.h"

@@ -17,7 +17,7 @@ struct TangentFrame {
 
 /// Of a point inside a triangle, from its vertices' interpolated vectors: each is made unit length
 /// by itself, and the bitangent is cross(normal, tangent) * w. `w` is 1, or -1 on mirrored charts.
-/// shaders/mesh.frag repeats this.
+/// shaders/draw/mesh.frag repeats this.
 inline TangentFrame tangent_frame(const Vec3d& normal, const Vec3d& tangent, double w) {
     TangentFrame frame{glm::normalize(tangent), {}, glm::normalize(normal)};
     frame.bitangent = w * glm::cross(frame.normal, frame.tangent);

@@ -168,8 +168,8 @@ std::vector<GlslPart> glsl_noises_of(const FieldShape& shape) {
     std::vector<NoiseSpec> noises;
     for (const FieldShape::Lone& lone : shape.lone) noises.push_back(lone.noise);
     std::vector<GlslPart> parts = glsl_noise_parts(noises);
-    parts.push_back({"real_bits.glsl"});
-    if (!shape.groups.empty()) parts.push_back({"stream_noise.glsl"});
+    parts.push_back({"numbers/real_bits.glsl"});
+    if (!shape.groups.empty()) parts.push_back({"noise/stream_noise.glsl"});
     return parts;
 }
 

@@ -93,10 +93,12 @@ std::vector<GlslPart> slope_parts(const FieldShape& shape) {
     for (const FieldShape::Lone& lone : shape.lone) noises.push_back(lone.noise);
     std::vector<GlslPart> parts = glsl_noise_parts(noises);
     if (!noises.empty()) std::ranges::copy(glsl_gradient_parts(noises), std::back_inserter(parts));
-    for (const char* file : {"real_bits.glsl", "stream_noise.glsl", "stream_gradient.glsl"})
+    for (const char* file :
+         {"numbers/real_bits.glsl", "noise/stream_noise.glsl", "noise/stream_gradient.glsl"})
         parts.push_back({file});
     if (!noises.empty())
-        for (const char* file : {"texel_line.glsl", "line_field.glsl"}) parts.push_back({file});
+        for (const char* file : {"maps/texel_line.glsl", "maps/line_field.glsl"})
+            parts.push_back({file});
     return parts;
 }
 

@@ -85,7 +85,7 @@ GlslTexture GlslFunctions::texture(const std::string& body, std::span<const Glsl
     }
     GlslTexture texture{glsl_noise_parts(noises), images_, tables_};
     for (GlslPart& part : glsl_gradient_parts(sloped)) texture.parts.push_back(std::move(part));
-    for (const char* file : {"elementary.glsl", "level_size.glsl", "graph.glsl"})
+    for (const char* file : {"numbers/elementary.glsl", "maps/level_size.glsl", "graph/graph.glsl"})
         texture.parts.push_back({file});
     texture.parts.insert(texture.parts.end(), more.begin(), more.end());
     texture.parts.push_back({"the graph", text_ + body});

@@ -66,9 +66,9 @@ std::string field_of_text(const FieldShape& shape, bool fading) {
 /// The parts that a field on a texel's line stands behind, and itself.
 std::vector<GlslPart> field_parts(const FieldShape& shape, bool fading) {
     std::vector<GlslPart> parts = glsl_noises_of(shape);
-    if (shape.groups.empty()) parts.push_back({"stream_noise.glsl"});
-    parts.push_back({"texel_line.glsl"});
-    parts.push_back({"line_field.glsl"});
+    if (shape.groups.empty()) parts.push_back({"noise/stream_noise.glsl"});
+    parts.push_back({"maps/texel_line.glsl"});
+    parts.push_back({"maps/line_field.glsl"});
     parts.push_back({"field_of", glsl_line_uniforms(shape) + glsl_lone_functions(shape) +
                                      field_of_text(shape, fading)});
     return parts;
@@ -220,7 +220,7 @@ std::string glsl_lone_line(std::size_t i) {
 
 std::vector<GlslPart> glsl_supersampled(const FieldShape& shape, bool fading) {
     std::vector<GlslPart> parts = field_parts(shape, fading);
-    parts.push_back({"supersample.glsl"});
+    parts.push_back({"maps/supersample.glsl"});
     parts.push_back({"samples", mean_color_text(shape)});
     return parts;
 }

@@ -2,7 +2,7 @@
 // The field of a 1999 texture beside the texels' centres, as the text of shader functions with the
 // sequence of operations, and so the bits, of field_sampler.h: the lattice coordinates at the
 // centre are moved in fixed point, everything else is worked out from the line of points that the
-// texel's span shows (shaders/texel_line.glsl).
+// texel's span shows (shaders/maps/texel_line.glsl).
 #include <string>
 #include <vector>
 

@@ -54,41 +54,41 @@ std::string classic_tables_text() {
 std::vector<GlslPart> parts_of(NoiseKind kind) {
     switch (kind) {
         case NoiseKind::value:
-            return {{"noise_value.glsl"}};
+            return {{"noise/value.glsl"}};
         case NoiseKind::perlin:
-            return {{"noise_perlin.glsl"}};
+            return {{"noise/perlin.glsl"}};
         case NoiseKind::perlin2002:
-            return {{"noise_perlin.glsl"},
+            return {{"noise/perlin.glsl"},
                     {"published permutation", published_tables()},
-                    {"noise_perlin2002.glsl"}};
+                    {"noise/perlin2002.glsl"}};
         case NoiseKind::perlin1985:
-            return {{"tables of 1985", classic_tables_text()}, {"noise_perlin1985.glsl"}};
+            return {{"tables of 1985", classic_tables_text()}, {"noise/perlin1985.glsl"}};
         case NoiseKind::simplex:
-            return {{"noise_simplex.glsl"}};
+            return {{"noise/simplex.glsl"}};
         case NoiseKind::worley:
-            return {{"noise_worley.glsl"}};
+            return {{"noise/worley.glsl"}};
         case NoiseKind::cell:
         case NoiseKind::white:
-            return {{"noise_cell.glsl"}};
+            return {{"noise/cell.glsl"}};
     }
     return {};
 }
 
-/// What stands behind parts_of and noise_gradient.glsl.
+/// What stands behind parts_of and noise/gradient.glsl.
 std::vector<GlslPart> gradient_parts_of(NoiseKind kind) {
     switch (kind) {
         case NoiseKind::value:
-            return {{"noise_value_gradient.glsl"}};
+            return {{"noise/value_gradient.glsl"}};
         case NoiseKind::perlin:
-            return {{"noise_perlin_gradient.glsl"}};
+            return {{"noise/perlin_gradient.glsl"}};
         case NoiseKind::perlin2002:
-            return {{"noise_perlin_gradient.glsl"}, {"noise_perlin2002_gradient.glsl"}};
+            return {{"noise/perlin_gradient.glsl"}, {"noise/perlin2002_gradient.glsl"}};
         case NoiseKind::perlin1985:
-            return {{"noise_perlin1985_gradient.glsl"}};
+            return {{"noise/perlin1985_gradient.glsl"}};
         case NoiseKind::simplex:
-            return {{"noise_simplex_gradient.glsl"}};
+            return {{"noise/simplex_gradient.glsl"}};
         case NoiseKind::worley:
-            return {{"noise_worley_gradient.glsl"}};
+            return {{"noise/worley_gradient.glsl"}};
         case NoiseKind::cell:
         case NoiseKind::white:
             return {};
@@ -223,14 +223,14 @@ std::string site_function(const NoiseSpec& noise, std::string_view name, const F
 }  // namespace
 
 std::vector<GlslPart> glsl_noise_parts(std::span<const NoiseSpec> noises) {
-    std::vector<GlslPart> parts{{"real.glsl"}, {"noise_lattice.glsl"}};
+    std::vector<GlslPart> parts{{"numbers/real.glsl"}, {"noise/lattice.glsl"}};
     for (const NoiseSpec& noise : noises) add_new(parts, parts_of(noise.kind));
     return parts;
 }
 
 std::vector<GlslPart> glsl_gradient_parts(std::span<const NoiseSpec> noises) {
     std::vector<GlslPart> parts;
-    if (!noises.empty()) parts.push_back({"noise_gradient.glsl"});
+    if (!noises.empty()) parts.push_back({"noise/gradient.glsl"});
     for (const NoiseSpec& noise : noises) add_new(parts, gradient_parts_of(noise.kind));
     return parts;
 }

@@ -19,8 +19,8 @@ struct GlslPart {
     bool operator==(const GlslPart&) const = default;
 };
 
-/// What stands before the noises' functions, in order: real.glsl, noise_lattice.glsl and, once
-/// each, the kinds' own.
+/// What stands before the noises' functions, in order: numbers/real.glsl, noise/lattice.glsl and,
+/// once each, the kinds' own.
 std::vector<GlslPart> glsl_noise_parts(std::span<const NoiseSpec> noises);
 
 /// What noises with gradients (`..._sample`) need besides, behind all of those.

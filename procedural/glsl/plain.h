@@ -6,8 +6,8 @@
 
 namespace burl {
 
-/// Text that stood behind real.glsl, in float32 without its macros: `real` types are float types,
-/// `exact` goes, of #if REAL_IS_DOUBLE the second branch stays.
+/// Text that stood behind numbers/real.glsl, in float32 without its macros: `real` types are float
+/// types, `exact` goes, of #if REAL_IS_DOUBLE the second branch stays.
 std::string glsl_in_float(std::string_view text);
 
 /// The top-level definitions that `root`, a name, needs, in their order, each with the comment

@@ -12,7 +12,7 @@
 
 namespace burl {
 
-/// What `real` is in a shader (shaders/real.glsl).
+/// What `real` is in a shader (shaders/numbers/real.glsl).
 enum class GlslReal { float64, float32 };
 
 /// A uniform sampler2D of RGB texels in linear light, float32, level 0 of the image.
@@ -21,15 +21,15 @@ struct GlslImage {
     std::shared_ptr<const MipImage> pixels;
 };
 
-/// Numbers that a shader reads by `real NAME_at(int i)`, which must stand behind real.glsl:
+/// Numbers that a shader reads by `real NAME_at(int i)`, which must stand behind numbers/real.glsl:
 /// glsl_buffer_tables, or glsl_constant_tables where it has nobody to give it a buffer.
 struct GlslTable {
     std::string name;
     std::vector<double> numbers;
 };
 
-/// A shader's parts from real.glsl on; the last one defines `real3 texture_color(real3 solid)`,
-/// linear light at a point of solid space.
+/// A shader's parts from numbers/real.glsl on; the last one defines `real3 texture_color(real3
+/// solid)`, linear light at a point of solid space.
 struct GlslTexture {
     std::vector<GlslPart> parts;
     std::vector<GlslImage> images;

@@ -1,6 +1,6 @@
 #pragma once
 // Which span of an atlas every texel lies in, as an image: from it, and the maps of the triangles,
-// a shader works out points beside the texels' centres (shaders/texel_line.glsl).
+// a shader works out points beside the texels' centres (shaders/maps/texel_line.glsl).
 #include "atlas/solid/solid_atlas.h"
 #include "procedural/field/lattice_map.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 // The binary logarithm of one number, by the series that vectors and shaders have, too
-// (elementary-inl.h, shaders/elementary.glsl): the same bits from all, which the mathematical
-// library's does not give.
+// (elementary-inl.h, shaders/numbers/elementary.glsl): the same bits from all, which the
+// mathematical library's does not give.
 #include <bit>
 #include <cstddef>
 #include <cstdint>

@@ -1,7 +1,7 @@
 #pragma once
 // Sine, angle and power of single numbers, by the range reductions and polynomials that vectors and
-// shaders have, too (elementary-inl.h, shaders/elementary.glsl): the same bits from all, which no
-// two mathematical libraries share.
+// shaders have, too (elementary-inl.h, shaders/numbers/elementary.glsl): the same bits from all,
+// which no two mathematical libraries share.
 #include <cmath>
 #include <limits>
 

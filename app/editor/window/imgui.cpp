@@ -50,7 +50,9 @@ ScreenRect whole(const ImDrawData& data) {
 }  // namespace
 
 GlImGui::GlImGui(const GladGLContext& gl)
-    : gl_(&gl), program_(gl, "imgui.vert", "imgui.frag"), vertex_array_(make_vertex_array(gl)) {
+    : gl_(&gl),
+      program_(gl, "draw/imgui.vert", "draw/imgui.frag"),
+      vertex_array_(make_vertex_array(gl)) {
     gl.BindVertexArray(vertex_array_.get());
     vertices_ = make_buffer(gl);
     indices_ = make_buffer(gl);

@@ -17,7 +17,7 @@ constexpr Look borders_look{{1.0f, 0.32f, 0.02f, 1.0f}, 2.0f};
 }  // namespace
 
 GlEditLines::GlEditLines(const GladGLContext& gl)
-    : gl_(&gl), program_(gl, "edit_lines.vert", "edit_lines.frag") {}
+    : gl_(&gl), program_(gl, "draw/lines.vert", "draw/lines.frag") {}
 
 void GlEditLines::show(std::shared_ptr<const SurfaceLines> lines, const Sphere& sphere) {
     lines_ = std::move(lines);

@@ -27,9 +27,9 @@ bool is_direct(const ObjectViewOptions& options) {
 
 GlEditObject::GlEditObject(const GladGLContext& gl)
     : gl_(&gl),
-      encode_(
-          make_full_screen_program(gl, "the view of the object",
-                                   ShaderSource().add("srgb_encode.glsl").add("edit_encode.frag"))),
+      encode_(make_full_screen_program(
+          gl, "the view of the object",
+          ShaderSource().add("color/srgb_encode.glsl").add("draw/encode.frag"))),
       pass_(gl),
       programs_(std::make_shared<GlScenePrograms>(gl)),
       lines_(gl),

@@ -36,9 +36,9 @@ GlDepthTarget::GlDepthTarget(const GladGLContext& gl, const GlDepthTarget& other
 
 GlEditPlaces::GlEditPlaces(const GladGLContext& gl)
     : gl_(&gl),
-      color_(
-          make_full_screen_program(gl, "the object's places",
-                                   ShaderSource().add("srgb_encode.glsl").add("edit_places.frag"))),
+      color_(make_full_screen_program(
+          gl, "the object's places",
+          ShaderSource().add("color/srgb_encode.glsl").add("draw/places.frag"))),
       pass_(gl) {}
 
 void GlEditPlaces::find(const GlScene& scene, const Camera& camera, const GlDepthTarget& target,

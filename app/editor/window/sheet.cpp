@@ -6,7 +6,7 @@
 namespace burl {
 
 GlEditSheet::GlEditSheet(const GladGLContext& gl)
-    : gl_(&gl), program_(gl, "full_screen.vert", "edit_sheet.frag"), pass_(gl) {}
+    : gl_(&gl), program_(gl, "maps/full_screen.vert", "draw/sheet.frag"), pass_(gl) {}
 
 void GlEditSheet::upload(const SheetPicture& picture) {
     texture_ = make_texture(*gl_);

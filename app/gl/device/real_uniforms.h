@@ -1,6 +1,6 @@
 #pragma once
-// Uniforms of a shader's type `real` (shaders/real.glsl): float64 where the shader was compiled so,
-// else the same numbers as float32.
+// Uniforms of a shader's type `real` (shaders/numbers/real.glsl): float64 where the shader was
+// compiled so, else the same numbers as float32.
 #include <span>
 #include <vector>
 

@@ -24,7 +24,7 @@ GlProgram make_program(const GladGLContext& gl, const std::string& name, const S
 
 GlProgram make_full_screen_program(const GladGLContext& gl, const std::string& name,
                                    const ShaderSource& fragment) {
-    return make_program(gl, name, ShaderSource().add("full_screen.vert"), fragment);
+    return make_program(gl, name, ShaderSource().add("maps/full_screen.vert"), fragment);
 }
 
 }  // namespace burl

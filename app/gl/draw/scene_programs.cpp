@@ -13,7 +13,7 @@ const char* word(bool value) {
 
 /// mesh.vert and a fragment shader that knows footprints.
 GlProgram scene_program(const GladGLContext& gl, ShaderSource fragment) {
-    return make_program(gl, "the scene", ShaderSource().add("mesh.vert"), fragment);
+    return make_program(gl, "the scene", ShaderSource().add("draw/mesh.vert"), fragment);
 }
 
 }  // namespace
@@ -25,10 +25,10 @@ const GlProgram& GlScenePrograms::use(const Look& look) {
         source.define("ENCODED", word(look.encoded)).define("LIT", word(look.lit));
         source.define("BUMPED", word(look.bumped)).define("LEVELS", word(look.levels));
         source.define("IN_BLOCKS", word(look.in_blocks)).define("PLACES", word(look.places));
-        source.add("footprint.glsl")
-            .add("level_size.glsl")
-            .add("srgb_encode.glsl")
-            .add("mesh.frag");
+        source.add("maps/footprint.glsl")
+            .add("maps/level_size.glsl")
+            .add("color/srgb_encode.glsl")
+            .add("draw/mesh.frag");
         found = looks_.emplace(look, scene_program(gl_, source)).first;
     }
     const GlProgram& program = found->second;
@@ -41,8 +41,8 @@ const GlProgram& GlScenePrograms::use(const Look& look) {
 
 const GlProgram& GlScenePrograms::use_lookups() {
     if (!lookups_)
-        lookups_.emplace(
-            scene_program(gl_, ShaderSource().add("footprint.glsl").add("mesh_lookups.frag")));
+        lookups_.emplace(scene_program(
+            gl_, ShaderSource().add("maps/footprint.glsl").add("draw/mesh_lookups.frag")));
     lookups_->use();
     return *lookups_;
 }

@@ -22,7 +22,7 @@ GlProgram make_pass(GlContext& context, bool even, bool gutters, bool float64) {
                                         .define_real(float64)
                                         .define("EVEN", even ? "1" : "0")
                                         .define("GUTTERS", gutters ? "1" : "0")
-                                        .add("level.frag"));
+                                        .add("maps/level.frag"));
 }
 
 /// An axis's weights, three a new texel, in float64 where shaders have it.

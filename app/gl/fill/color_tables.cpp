@@ -42,7 +42,7 @@ void GlColorTables::set_map(const ColorMap& map) {
 }
 
 void GlColorTables::add_index(ShaderSource& source) const {
-    source.define("COLOR_REPEATS", map_.wrap == Wrap::repeat ? "1" : "0").add("color_index.glsl");
+    source.define("COLOR_REPEATS", map_.wrap == Wrap::repeat ? "1" : "0").add("color/index.glsl");
 }
 
 void GlColorTables::add_codes(ShaderSource& source) {
@@ -58,7 +58,7 @@ void GlColorTables::add_codes(ShaderSource& source) {
     add_index(source);
     source.define("COLOR_ENTRIES", fmt::format("{}.0", codes_->count))
         .define("COLOR_STEPS", fmt::format("{}", codes_->most))
-        .add("color_codes.glsl");
+        .add("color/codes.glsl");
 }
 
 void GlColorTables::bind_codes(const GlProgram& program, int first_unit) const {
@@ -75,7 +75,7 @@ void GlColorTables::add_linear(ShaderSource& source) {
             Segments{table(*gl_, GL_RGBA32UI, color_segments(map)), int(map.segments())});
     }
     add_index(source);
-    source.add("color_segments.glsl");
+    source.add("color/segments.glsl");
 }
 
 void GlColorTables::bind_linear(const GlProgram& program, int first_unit) const {
@@ -89,7 +89,8 @@ void GlColorTables::add_srgb16(ShaderSource& source) {
         thresholds_.emplace(Thresholds{table(*gl_, GL_R32UI, codes.first),
                                        table(*gl_, GL_RG32UI, codes.thresholds)});
     }
-    source.define("SRGB_BUCKETS", fmt::format("{}.0", SrgbThresholds::buckets)).add("srgb16.glsl");
+    source.define("SRGB_BUCKETS", fmt::format("{}.0", SrgbThresholds::buckets))
+        .add("color/srgb16.glsl");
 }
 
 void GlColorTables::bind_srgb16(const GlProgram& program, int first_unit) const {

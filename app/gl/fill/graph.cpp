@@ -58,18 +58,18 @@ const GlProgram& GlGraphSynthesis::program(const GlslTexture& texture, FilterKin
     ShaderSource source;
     source.define_real(float64_);
     const std::span parts(texture.parts);
-    add_parts(source, parts.first(1));  // real.glsl
+    add_parts(source, parts.first(1));  // numbers/real.glsl
     source.add("tables", glsl_buffer_tables(texture.tables, real()));
     add_parts(source, parts.subspan(1));
-    source.add("real_bits.glsl");
+    source.add("numbers/real_bits.glsl");
     const char* color = "texture_color(solid_point(texel))";
     if (kind == FilterKind::none) {
-        source.add("point_texel.glsl");
+        source.add("maps/point_texel.glsl");
     } else if (kind == FilterKind::supersample) {
-        source.add("texel_line.glsl").add("supersample.glsl").add("graph_samples.glsl");
+        source.add("maps/texel_line.glsl").add("maps/supersample.glsl").add("graph/samples.glsl");
         color = "mean_color(texel)";
     } else {
-        source.add("texel_line.glsl").add("graph_footprint.glsl");
+        source.add("maps/texel_line.glsl").add("graph/footprint.glsl");
         color = "footprint_color(texel)";
     }
     add_color_output<Pixel>(colors_, source, color);

@@ -45,8 +45,8 @@ GlLatticeMapper::GlLatticeMapper(const GladGLContext& gl, const SolidAtlas& soli
     if (draws_maps(gl, solid, fill))
         drawing_ = std::make_unique<Drawing>(
             Drawing{GlSpans(gl, solid, maps_),
-                    GlSpans::make_program(gl, "lattice_map.vert", "lattice_map.frag"),
-                    GlSpans::make_program(gl, "line.vert", "point_map.frag")});
+                    GlSpans::make_program(gl, "maps/lattice_map.vert", "maps/lattice_map.frag"),
+                    GlSpans::make_program(gl, "maps/line.vert", "maps/point_map.frag")});
 }
 
 GlLatticeMapper::GlLatticeMapper(GlLatticeMapper&&) noexcept = default;

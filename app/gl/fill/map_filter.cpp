@@ -129,8 +129,8 @@ void GlMapFilter::add(ShaderSource& source, const FieldShape& shape) const {
     add_parts(source, beside_centres() ? glsl_field_corners(shape, filter_.band_limit)
                                        : glsl_field_slopes(shape, filter_.band_limit));
     if (pieces_)
-        source.add("box_width.glsl")
-            .add("map_filter.glsl")
+        source.add("color/box_width.glsl")
+            .add("color/map_filter.glsl")
             .add("filter", glsl_map_filter(pieces_->shape));
 }
 
@@ -149,7 +149,7 @@ void GlMapFilter::add_field(ShaderSource& source, const FieldShape& shape) const
 void GlMapFilter::add_means(ShaderSource& source, const FieldShape& shape) const {
     if (sampled()) return add_parts(source, glsl_supersampled(shape, filter_.band_limit));
     add(source, shape);
-    source.define("COLOR_REPEATS", map_.wrap == Wrap::repeat ? "1" : "0").add("color_index.glsl");
+    source.define("COLOR_REPEATS", map_.wrap == Wrap::repeat ? "1" : "0").add("color/index.glsl");
     if (pieces_) {
         source.add("means", R"(
 real3 mean_color(ivec2 texel) {
@@ -160,13 +160,13 @@ real3 mean_color(ivec2 texel) {
 )");
         return;
     }
-    source.add("box_width.glsl").add("color_table.glsl");
+    source.add("color/box_width.glsl").add("color/table.glsl");
     if (filter_.kind == FilterKind::table_mip)
         source.define("COLOR_MIP_FINEST", fmt::format("{}", ColorMip::finest))
-            .add("elementary.glsl")
-            .add("color_mip.glsl");
+            .add("numbers/elementary.glsl")
+            .add("color/mip.glsl");
     else
-        source.add("color_sums.glsl");
+        source.add("color/sums.glsl");
     source.add("means", R"(
 real3 mean_color(ivec2 texel) {
     vec2 slopes;

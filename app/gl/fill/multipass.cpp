@@ -20,7 +20,7 @@ GLenum format_of_images(PassPrecision precision) {
     return GL_RGBA32F;
 }
 
-/// Of shaders/multipass_NAME.frag.
+/// The pass of shaders/passes/NAME.frag.
 std::string name_of(PassKind kind, bool integers) {
     switch (kind) {
         case PassKind::fill:
@@ -105,15 +105,17 @@ ShaderSource GlMultipass::source() const {
     source.define_real(float64_)
         .define("FIXED8", precision_ == PassPrecision::fixed8 ? "1" : "0")
         .define("COLOR_REPEATS", plan_->wrap == Wrap::repeat ? "1" : "0");
-    for (const char* part : {"real.glsl", "real_bits.glsl", "multipass.glsl"}) source.add(part);
+    for (const char* part :
+         {"numbers/real.glsl", "numbers/real_bits.glsl", "passes/multipass.glsl"})
+        source.add(part);
     return source;
 }
 
 ShaderSource GlMultipass::pass_source(const std::string& name) const {
     ShaderSource parts = source();
-    if (name == "hash") parts.add("noise_lattice.glsl");
-    if (name == "field_index") parts.add("color_index.glsl");
-    return parts.add("multipass_" + name + ".frag");
+    if (name == "hash") parts.add("noise/lattice.glsl");
+    if (name == "field_index") parts.add("color/index.glsl");
+    return parts.add("passes/" + name + ".frag");
 }
 
 void GlMultipass::compile() {

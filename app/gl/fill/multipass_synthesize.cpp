@@ -50,7 +50,7 @@ GlMultipassSynthesis::Maps GlMultipassSynthesis::maps_of(const Quadric& quadric,
 template <class Pixel>
 void GlMultipassSynthesis::compile() {
     ShaderSource source = passes_.source();
-    source.add("multipass_field.glsl");
+    source.add("passes/field.glsl");
     add_output<Pixel>(colors_, source);
     std::string text = source.text();
     auto found = programs_.find(text);

@@ -87,7 +87,7 @@ template <class Pixel>
 void add_color_output(GlColorTables& colors, ShaderSource& source, const char* color) {
     if constexpr (std::is_same_v<Pixel, Rgb8>)
         source.define("SRGB8_BUCKETS", fmt::format("{}.0", SrgbStreamEncoder::bucket_count))
-            .add("srgb8.glsl");
+            .add("color/srgb8.glsl");
     if constexpr (std::is_same_v<Pixel, Rgb16>) colors.add_srgb16(source);
     source.add("output", fmt::format("real3 color_at(ivec2 texel) {{ return {}; }}\n", color) +
                              GlOutput<Pixel>::color_text);

@@ -13,7 +13,7 @@ GlTarget target_of(const GladGLContext& gl, const GlTile& tile) {
 void draw(const GladGLContext& gl, const SolidAtlas& solid, const Affine3& map, const Vec3d& base,
           const GlTile& tile, const GlTarget& target) {
     const GlSpans spans(gl, solid, solid.maps);
-    const GlProgram program = GlSpans::make_program(gl, "line.vert", "solid_map.frag");
+    const GlProgram program = GlSpans::make_program(gl, "maps/line.vert", "maps/solid_map.frag");
     target.clear(0, Vec4f(0.0f));
     target.clear(1, glm::uvec4(no_owner));
     program.use();

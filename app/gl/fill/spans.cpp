@@ -74,8 +74,8 @@ GlProgram GlSpans::make_program(const GladGLContext& gl, std::string_view vertex
     ShaderSource parts[2];
     for (ShaderSource& part : parts)
         part.extension("GL_ARB_gpu_shader_fp64").extension("GL_ARB_gpu_shader5");
-    parts[0].add("span.glsl").add(vertex);
-    parts[1].add("line.glsl").add(fragment);
+    parts[0].add("maps/span.glsl").add(vertex);
+    parts[1].add("maps/line.glsl").add(fragment);
     return burl::make_program(gl, std::string(vertex), parts[0], parts[1]);
 }
 

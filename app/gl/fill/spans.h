@@ -1,7 +1,7 @@
 #pragma once
 // An atlas's spans on the graphics processor: each is drawn as a quad one texel high, so that every
 // texel has the owner that the host gives it, by a program that works out what the map being made
-// shows (shaders/span.glsl).
+// shows (shaders/maps/span.glsl).
 #include "app/gl/device/source.h"
 #include "app/gl/device/target.h"
 #include "atlas/solid/solid_atlas.h"
@@ -23,8 +23,8 @@ class GlSpans {
     /// Error(unsupported) where OpenGL has no float64 (4.0 brings it) or too small arrays.
     GlSpans(const GladGLContext& gl, const SolidAtlas& solid, std::span<const TexelMap> maps);
 
-    /// A program for draw(): `vertex` comes after span.glsl, `fragment` after line.glsl. Names are
-    /// those of embedded_shaders().
+    /// A program for draw(): `vertex` comes after maps/span.glsl, `fragment` after maps/line.glsl.
+    /// Names are those of embedded_shaders().
     static GlProgram make_program(const GladGLContext& gl, std::string_view vertex,
                                   std::string_view fragment);
 

@@ -1,5 +1,5 @@
 #pragma once
-// What shaders/texel_line.glsl reads: the spans of an atlas's texels, and the maps of its
+// What shaders/maps/texel_line.glsl reads: the spans of an atlas's texels, and the maps of its
 // triangles.
 #include <optional>
 #include <vector>

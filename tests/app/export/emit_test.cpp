@@ -34,7 +34,7 @@ class GlEmitTest : public GlTest {
     std::vector<float> draw(const std::string& shader, const SolidMap& map, const Vec3d& base) {
         const GladGLContext& gl = context->gl();
         const GlProgram program = GlProgram::from_source(
-            gl, "an emitted shader", embedded_shader("full_screen.vert"), shader);
+            gl, "an emitted shader", embedded_shader("maps/full_screen.vert"), shader);
         const GlSize size(int(map.local.width()), int(map.local.height()));
         const GlTexture texture = make_texture(gl, GL_RGBA32F, size, map.local.pixels());
         const GlTarget target(gl, size, {GL_RGBA32F});

@@ -33,8 +33,8 @@ class GlElementaryTest : public GlTest {
         const GlTexture texture =
             make_texture(gl, GL_RGBA32UI, {side, side}, std::as_bytes(std::span(words)));
         ShaderSource source;
-        source.define_real(float64).add("real.glsl").add("real_bits.glsl");
-        source.add("elementary.glsl")
+        source.define_real(float64).add("numbers/real.glsl").add("numbers/real_bits.glsl");
+        source.add("numbers/elementary.glsl")
             .add("main", fmt::format(R"(
 uniform usampler2D arguments;
 layout(location = 0) out uvec2 result;

@@ -1,4 +1,4 @@
-// The noises of shaders/noise_*.glsl against the host's, bit for bit, at points anywhere.
+// The noises of shaders/noise/ against the host's, bit for bit, at points anywhere.
 #include <bit>
 #include <cmath>
 #include <limits>

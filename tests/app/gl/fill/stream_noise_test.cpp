@@ -1,4 +1,4 @@
-// The noise of shaders/stream_noise.glsl over random lattice coordinates against the host's
+// The noise of shaders/noise/stream_noise.glsl over random lattice coordinates against the host's
 // kernels, bit by bit.
 #include <random>
 

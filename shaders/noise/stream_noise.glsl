@@ -1,0 +1,227 @@
+// The octaves that have a stream kernel on the host (procedural/kernels/stream_noise-inl.h,
+// simplex_kernel.cpp), from the same fixed-point coordinates in the same sequence of operations:
+// with IEEE arithmetic the same bits. Noise is over stream_unit(kind). After numbers/real.glsl and
+// noise/lattice.glsl.
+
+// A texel in the lattice of an octave: cells modulo 2^32, places in them in units of 2^-32 cells.
+struct StreamSite {
+    uvec3 cell, place;
+};
+
+StreamSite doubled(StreamSite site, int doublings) {
+    if (doublings == 0) return site;
+    return StreamSite(site.cell << doublings | site.place >> (32 - doublings),
+                      site.place << doublings);
+}
+
+// 2^32 times the distance from the cell's middle, rounded to float.
+vec3 centred_places(uvec3 place) {
+    return vec3(ivec3(place ^ 0x80000000u));
+}
+
+// Twice the place in cells: t in [-1,1].
+vec3 twice_places(vec3 s) {
+    return s * 4.656612873077392578125e-10;  // 2^-31
+}
+
+// Fades v = 2 w - 1 of centred_places.
+vec3 stream_fade_linear(vec3 s) {
+    return twice_places(s);
+}
+vec3 stream_fade_smooth(vec3 s) {  // t (3/2 - t^2 / 2), t = 2^-31 s: 3 2^-32 and 2^-94
+    exact vec3 v = s * (6.984919309616088867e-10 - 5.048709793414475549e-29 * (s * s));
+    return v;
+}
+vec3 stream_fade_quintic(vec3 s) {  // t (15/8 - t^2 (5/4 - 3/8 t^2))
+    vec3 t = twice_places(s), square = t * t;
+    exact vec3 v = t * (1.875 - square * (1.25 - 0.375 * square));
+    return v;
+}
+
+// ---- Value noise ----
+
+// The hash of the cell's lowest corner before mixing; the other corners' are primes higher.
+uint cell_hash(uvec3 cell, uint seed) {
+    return cell.x * prime_x + seed + cell.y * prime_y + cell.z * prime_z;
+}
+
+// All that value and Perlin noise need to know of a cell: its hash without a seed.
+struct HashSite {
+    uint hash;
+    uvec3 place;
+};
+
+HashSite hash_site(StreamSite site) {
+    return HashSite(cell_hash(site.cell, 0u), site.place);
+}
+HashSite doubled(HashSite site, int doublings) {
+    if (doublings == 0) return site;
+    return HashSite((site.hash << doublings) + cell_hash(site.place >> (32 - doublings), 0u),
+                    site.place << doublings);
+}
+
+uvec4 plane_hashes(uint h) {
+    uint above = h + prime_y;
+    return uvec4(mix_bits(h), mix_bits(h + prime_x), mix_bits(above), mix_bits(above + prime_x));
+}
+
+// Four times the interpolation of a plane's lattice values, 2^31 times too large.
+float value_plane(uint h, vec3 fade) {
+    vec4 n = vec4(ivec4(plane_hashes(h) & 0xffffff00u));
+    float low = n.x + n.y, high = n.z + n.w, low_x = n.y - n.x, high_x = n.w - n.z;
+    exact float plane = (low + high + fade.x * (low_x + high_x)) +
+                        fade.y * ((high - low) + fade.x * (high_x - low_x));
+    return plane;
+}
+
+// `seed` is that of the octave times prime_seed.
+float stream_value(HashSite site, uint seed, vec3 fade) {
+    uint h = site.hash + seed;
+    return twice_lerp(fade.z, value_plane(h, fade), value_plane(h + prime_z, fade));
+}
+float stream_value_linear(HashSite site, uint seed) {
+    return stream_value(site, seed, stream_fade_linear(centred_places(site.place)));
+}
+float stream_value_smooth(HashSite site, uint seed) {
+    return stream_value(site, seed, stream_fade_smooth(centred_places(site.place)));
+}
+float stream_value_quintic(HashSite site, uint seed) {
+    return stream_value(site, seed, stream_fade_quintic(centred_places(site.place)));
+}
+float stream_value_linear(StreamSite site, uint seed) {
+    return stream_value_linear(hash_site(site), seed);
+}
+float stream_value_smooth(StreamSite site, uint seed) {
+    return stream_value_smooth(hash_site(site), seed);
+}
+float stream_value_quintic(StreamSite site, uint seed) {
+    return stream_value_quintic(hash_site(site), seed);
+}
+
+// ---- Perlin noise ----
+
+float with_sign(float x, uint bits) {
+    return uintBitsToFloat(floatBitsToUint(x) ^ (bits & 0x80000000u));
+}
+
+// The slope through a corner at offset d, the gradient's number in the upper four bits of h.
+float perlin_corner(uint h, float x, float y, float z) {
+    uint number = h >> 28;
+    float a = number < 8u ? x : y;
+    float b = number < 4u ? y : (number == 12u || number == 14u ? x : z);
+    return with_sign(a, h << 3) + with_sign(b, h << 2);
+}
+
+float perlin_plane(uint h, vec3 t, float z, vec3 fade) {
+    uvec4 hash = plane_hashes(h);
+    float x0 = t.x + 1.0, x1 = t.x - 1.0, y0 = t.y + 1.0, y1 = t.y - 1.0;
+    float low = twice_lerp(fade.x, perlin_corner(hash.x, x0, y0, z), perlin_corner(hash.y, x1, y0, z));
+    float high = twice_lerp(fade.x, perlin_corner(hash.z, x0, y1, z), perlin_corner(hash.w, x1, y1, z));
+    return twice_lerp(fade.y, low, high);
+}
+
+// `seed` is that of the octave times prime_seed.
+float stream_perlin(HashSite site, uint seed) {
+    vec3 s = centred_places(site.place), fade = stream_fade_quintic(s), t = twice_places(s);
+    uint h = site.hash + seed;
+    return twice_lerp(fade.z, perlin_plane(h, t, t.z + 1.0, fade),
+                      perlin_plane(h + prime_z, t, t.z - 1.0, fade));
+}
+float stream_perlin(StreamSite site, uint seed) {
+    return stream_perlin(hash_site(site), seed);
+}
+
+// ---- Simplex noise ----
+
+// n = 3 quotient + rest modulo 2^32, for -2^31 < n < 2^31 - 2: products with the inverse of 3 lie
+// far apart for the three rests.
+uint third(uint n, out uint rest) {
+    uint product = n * 0xaaaaaaabu;
+    int place = int(product);
+    rest = place > 0x2aaaaaaa ? 2u : place < -0x2aaaaaaa ? 1u : 0u;
+    return product - rest * 0xaaaaaaabu;
+}
+
+// The appendix's pattern by one bit of each coordinate.
+uint bit_pattern(uint number) {
+    return ((number & 4u) == 0u ? 0x2c323815u : 0x2a07130du) >> 8u * (number & 3u) & 63u;
+}
+
+// The sum of the patterns of a corner's lower eight bits; its lower six name a gradient.
+uint pattern_hash(uvec3 i) {
+    // The coordinates take turns at being the highest: bit by bit here those that are.
+    uvec3 turned = uvec3(i.x & 0x49u | i.y & 0x92u | i.z & 0x24u, i.y & 0x49u | i.z & 0x92u | i.x & 0x24u,
+                         i.z & 0x49u | i.x & 0x92u | i.y & 0x24u);
+    uint sum = 0u;
+    for (int bit = 0; bit < 8; ++bit) {
+        uvec3 b = turned >> bit & 1u;
+        sum += bit_pattern(b.x << 2 | b.y << 1 | b.z);
+    }
+    return sum;
+}
+
+// Twice the gradient: components 2, 0 and -2.
+vec3 simplex_gradient(uint hash) {
+    uint turn = hash & 3u, b3 = hash >> 3 & 1u, b4 = hash >> 4 & 1u, b5 = hash >> 5 & 1u;
+    bool corner = turn == 0u, b2 = (hash & 4u) != 0u;
+    float p = b5 == b3 ? -2.0 : 2.0;
+    float q = corner || !b2 ? (b5 == b4 ? -2.0 : 2.0) : 0.0;
+    float r = corner || b2 ? (b5 != (b4 ^ b3) ? -2.0 : 2.0) : 0.0;
+    return turn == 1u ? vec3(p, q, r) : turn == 2u ? vec3(r, p, q) : vec3(q, r, p);
+}
+
+// Height of a corner's kernel: t^4 (g . d) with t = radius2 - d . d where positive.
+float simplex_height(vec3 offset, float radius2) {
+    exact float square = offset.x * offset.x + offset.y * offset.y + offset.z * offset.z;
+    return max(radius2 - square, 0.0);
+}
+
+float simplex_kernel(uvec3 corner, vec3 offset, float radius2) {
+    vec3 g = simplex_gradient(pattern_hash(corner));
+    float t = simplex_height(offset, radius2);
+    exact float t4 = (t * t) * (t * t);
+    return t4 * exact_dot(g, offset);
+}
+
+// Corners of the simplex from the lowest to the highest, and the texel's offsets from them.
+struct SimplexCorners {
+    uvec3 corner[4];
+    vec3 offset[4];
+};
+
+// `shift` is what the octave's seed adds to corners (lattice_shift).
+SimplexCorners simplex_corners(StreamSite site, uvec3 shift) {
+    const uint one = 1u << 29;
+    uvec3 p = site.place >> 3;
+    // A third of the coordinates' sum, which skews them. It is 1 too small: so small sums have
+    // signs.
+    uint rest, unused;
+    uint cells = third(site.cell.x + site.cell.y + site.cell.z, rest);
+    uint skew = third(p.x + p.y + p.z - 3u * one + rest * one, unused);
+    uvec3 skewed = p + skew;
+    uvec3 corner = site.cell + cells + uvec3(ivec3(skewed) >> 29) + 1u + shift;
+    ivec3 way = ivec3(skewed << 3 ^ 0x80000000u);
+    // The place in the skewed cube, from its middle; unskewing takes a sixth of the sum away.
+    vec3 y = vec3(way) * 2.3283064365386962890625e-10;  // 2^-32
+    exact float back = 0.25 - (y.x + y.y + y.z) * 0.16666667163372039794921875;
+    exact vec3 offset = y + back;
+
+    // The largest offset goes first; of equals the one along the lower axis.
+    bool xy = way.x < way.y, xz = way.x < way.z, yz = way.y < way.z;
+    uvec3 first = uvec3(bvec3(!(xy || xz), xy && !yz, xz && yz));
+    uvec3 last = uvec3(bvec3(xy && xz, !xy && yz, !(xz || yz)));
+    exact vec3 second = (offset + 0.16666667163372039794921875) - vec3(first);
+    exact vec3 third_offset = (offset - 0.666666686534881591796875) + vec3(last);
+    exact vec3 highest = offset - 0.5;
+    return SimplexCorners(uvec3[4](corner, corner + first, corner + 1u - last, corner + 1u),
+                          vec3[4](offset, second, third_offset, highest));
+}
+
+float stream_simplex(StreamSite site, uvec3 shift, float radius2) {
+    SimplexCorners at = simplex_corners(site, shift);
+    exact float noise = simplex_kernel(at.corner[0], at.offset[0], radius2) +
+                        simplex_kernel(at.corner[1], at.offset[1], radius2) +
+                        simplex_kernel(at.corner[2], at.offset[2], radius2) +
+                        simplex_kernel(at.corner[3], at.offset[3], radius2);
+    return noise;
+}
