@@ -16,8 +16,8 @@ namespace {
 constexpr double margin_left = 52, margin_bottom = 40, margin_top = 26, gap = 14;
 constexpr double title_height = 48, legend_row = 17;
 
-constexpr std::array colors{"#0072B2", "#D55E00", "#009E73", "#CC79A7",
-                            "#E69F00", "#56B4E9", "#000000"};
+constexpr std::array line_colors{"#0072B2", "#D55E00", "#009E73", "#CC79A7",
+                                 "#E69F00", "#56B4E9", "#000000"};
 
 /// Where a decade's line has its label: every one, or so many apart that they have room.
 int label_step(const DecadeAxis& axis) {
@@ -87,7 +87,7 @@ std::string plot_grid(const PlotAxes& axes, const std::string& title) {
 }
 
 std::string plot_color(std::size_t method) {
-    return colors[method % colors.size()];
+    return line_colors[method % line_colors.size()];
 }
 
 std::string plot_marker(std::size_t method, double x, double y, bool best) {

@@ -30,14 +30,14 @@ Mesh sliver_strip(std::uint32_t count, double length, double aspect) {
     return mesh;
 }
 
-struct Subject {
+struct MeshSubject {
     Mesh mesh;
     Recipe recipe;
     std::string input;
 };
 
-Subject subject(Mesh mesh, AtlasKind kind, std::uint32_t size, SolidSpace space) {
-    Subject one{std::move(mesh), load_recipe("marble"), {}};
+MeshSubject subject(Mesh mesh, AtlasKind kind, std::uint32_t size, SolidSpace space) {
+    MeshSubject one{std::move(mesh), load_recipe("marble"), {}};
     one.recipe.atlas.kind = kind, one.recipe.atlas.size = size, one.recipe.atlas.tries = 1;
     one.recipe.solid = {space, 3.0};
     one.input = fmt::format("{}, {} triangles, {} atlas of {}", one.mesh.name,
@@ -45,9 +45,9 @@ Subject subject(Mesh mesh, AtlasKind kind, std::uint32_t size, SolidSpace space)
     return one;
 }
 
-std::vector<Subject> subjects(StabilityChoice choice) {
+std::vector<MeshSubject> mesh_subjects(StabilityChoice choice) {
     const bool full = choice != StabilityChoice::thinned;
-    std::vector<Subject> all;
+    std::vector<MeshSubject> all;
     for (const AtlasKind kind : {AtlasKind::uniform, AtlasKind::area, AtlasKind::length,
                                  AtlasKind::quad, AtlasKind::patch}) {
         for (const double aspect : {1e3, 1e6})
@@ -85,7 +85,7 @@ std::optional<Vec3d> place_in_triangle(const std::array<Vec2d, 3>& corners, cons
 
 StabilityGroup mesh_group(StabilityChoice choice) {
     StabilityGroup group{"slivers and small triangles", {}};
-    for (Subject& one : subjects(choice)) {
+    for (MeshSubject& one : mesh_subjects(choice)) {
         Pipeline pipeline(std::move(one.mesh));
         pipeline.set_recipe(one.recipe);
         group.cases.push_back({std::move(one.input), one.recipe.texture, pipeline.solid(),
@@ -97,7 +97,7 @@ StabilityGroup mesh_group(StabilityChoice choice) {
 StabilityRow check_texel_points(StabilityChoice choice) {
     StabilityRow row;
     row.group = "slivers: points of texels";
-    for (Subject& one : subjects(choice)) {
+    for (MeshSubject& one : mesh_subjects(choice)) {
         Pipeline pipeline(std::move(one.mesh));
         pipeline.set_recipe(one.recipe);
         ++row.cases;

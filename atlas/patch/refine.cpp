@@ -65,7 +65,7 @@ void append_bones(const CornerAttributes& from, std::size_t i, std::size_t j,
 }
 
 /// A triangle of a patch.
-struct Piece {
+struct PatchPiece {
     std::uint32_t patch = 0, triangle = 0;
 };
 
@@ -73,16 +73,17 @@ struct Piece {
 class PiecesOfFaces {
   public:
     PiecesOfFaces(std::size_t faces, const PatchMaps& maps) : begin_(faces + 1, 0) {
-        for_each(maps, [&](std::uint32_t face, const Piece&) { ++begin_[face]; });
+        for_each(maps, [&](std::uint32_t face, const PatchPiece&) { ++begin_[face]; });
         std::uint32_t sum = 0;
         for (std::uint32_t& count : begin_) sum += std::exchange(count, sum);
         pieces_.resize(sum);
-        for_each(maps,
-                 [&](std::uint32_t face, const Piece& piece) { pieces_[begin_[face]++] = piece; });
+        for_each(maps, [&](std::uint32_t face, const PatchPiece& piece) {
+            pieces_[begin_[face]++] = piece;
+        });
     }
 
     /// Filling moved every face's begin on to its end.
-    std::span<const Piece> of(std::uint32_t face) const {
+    std::span<const PatchPiece> of(std::uint32_t face) const {
         const std::uint32_t begin = face == 0 ? 0 : begin_[face - 1];
         return {pieces_.data() + begin, begin_[face] - begin};
     }
@@ -93,12 +94,12 @@ class PiecesOfFaces {
         for (std::uint32_t p = 0; p < maps.patches.size(); ++p) {
             const std::vector<std::uint32_t>& faces = maps.patches[p].patch.faces;
             for (std::uint32_t t = 0; t < faces.size(); ++t)
-                if (faces[t] != not_in_mesh) visit(faces[t], Piece{p, t});
+                if (faces[t] != not_in_mesh) visit(faces[t], PatchPiece{p, t});
         }
     }
 
     std::vector<std::uint32_t> begin_;
-    std::vector<Piece> pieces_;
+    std::vector<PatchPiece> pieces_;
 };
 
 class Refiner {
@@ -124,10 +125,10 @@ class Refiner {
         std::vector<std::uint32_t> first(mesh_.triangles.size() + 1, 0);
         for (std::uint32_t face = 0; face < mesh_.triangles.size(); ++face) {
             first[face] = static_cast<std::uint32_t>(refined.triangles.size());
-            const std::span<const Piece> pieces = pieces_of_.of(face);
+            const std::span<const PatchPiece> pieces = pieces_of_.of(face);
             if (pieces.empty())
                 append(face, mesh_.triangles[face], {{{0, 0}, {1, 1}, {2, 2}}}, {not_in_mesh, 0});
-            for (const Piece& piece : pieces) append_piece(face, piece);
+            for (const PatchPiece& piece : pieces) append_piece(face, piece);
             if (pieces.size() > 1)
                 result_.refined.cut_faces.push_back({face, std::uint32_t(pieces.size())});
         }
@@ -142,7 +143,7 @@ class Refiner {
     }
 
   private:
-    void append_piece(std::uint32_t face, const Piece& piece) {
+    void append_piece(std::uint32_t face, const PatchPiece& piece) {
         const Patch& patch = maps_.patches[piece.patch].patch;
         Triangle triangle{};
         std::array<CornerPair, 3> pairs;
@@ -168,7 +169,7 @@ class Refiner {
     }
 
     void append(std::uint32_t face, const Triangle& triangle,
-                const std::array<CornerPair, 3>& pairs, const Piece& piece) {
+                const std::array<CornerPair, 3>& pairs, const PatchPiece& piece) {
         Mesh& mesh = result_.refined.mesh;
         mesh.triangles.push_back(triangle);
         if (!mesh_.source_faces.empty()) mesh.source_faces.push_back(mesh_.source_faces[face]);

@@ -12,7 +12,7 @@ namespace burl {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 template <ValueOp op>
 LoweredNode of_one(const LoweringCall& call) {

@@ -11,7 +11,7 @@ namespace burl::nodes {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 Dual dot(const Vec3d& d, const DualPoint& p) {
     return d.x * p.x + d.y * p.y + d.z * p.z;

@@ -18,7 +18,7 @@
 namespace burl {
 namespace {
 
-constexpr std::size_t plenty = std::size_t(1) << 26;
+constexpr std::size_t large_cache = std::size_t(1) << 26;
 
 Skips without(Skip skip) {
     Skips skips;
@@ -112,7 +112,7 @@ Filter random_filter(Chance& chance) {
 TEST(Economy, ShowsInNoByteOfAThousandRecipesAtRandom) {
     const std::vector<NamedTerm> kinds = named_terms();
     const SolidAtlas solid = SyntheticAtlas{20, 7, 3.0, 0.05, true}.make(5);
-    KeptSynthesis kept(solid, {}, plenty);
+    KeptSynthesis kept(solid, {}, large_cache);
     SynthesisWork with, bare;
     const auto compare = [&]<class Pixel>(std::uint32_t seed, auto synthesize, Image<Pixel> image) {
         SCOPED_TRACE(seed);

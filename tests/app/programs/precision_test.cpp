@@ -8,7 +8,7 @@
 namespace burl::test {
 namespace {
 
-constexpr const char* tetrahedron =
+constexpr const char* precision_mesh =
     "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
 
 TEST(Precision, IsPartOfTheRecipeAndComesBackFromItsJson) {
@@ -39,7 +39,7 @@ std::string precision_baked(const Scratch& scratch, const std::string& mesh,
 
 TEST(Precision, DecidesWhatABakeWrites) {
     const Scratch scratch;
-    const std::string mesh = scratch.write("t.obj", tetrahedron);
+    const std::string mesh = scratch.write("t.obj", precision_mesh);
     const auto bake = [&](const std::string& options) {
         return precision_baked(scratch, mesh, options);
     };
@@ -59,7 +59,7 @@ TEST(Precision, DecidesWhatABakeWrites) {
 
 TEST(Precision, DecidesWhatAPictureOfTheExactTextureShows) {
     const Scratch scratch;
-    const std::string mesh = scratch.write("t.obj", tetrahedron);
+    const std::string mesh = scratch.write("t.obj", precision_mesh);
     const auto render = [&](const std::string& options) {
         const std::string out = scratch / "out.png";
         const Outcome outcome = run_burl(
@@ -83,7 +83,7 @@ struct Refusal {
 
 TEST(Precision, RefusesInOneSentenceWhatFixedPointDoesNotHave) {
     const Scratch scratch;
-    const std::string mesh = scratch.write("t.obj", tetrahedron);
+    const std::string mesh = scratch.write("t.obj", precision_mesh);
     for (const auto& [options, says] :
          {Refusal{"--precision double", "must be float32, float64, or fixed:I.F"},
           {"--precision fixed", "as fixed:8.8"},

@@ -21,7 +21,7 @@ Recipe with_bump(const std::string& bump, const std::vector<std::string>& settin
     return parse_recipe("{\"bump\": " + bump + "}", "r", settings);
 }
 
-std::string wrong(const std::string& bump, const std::vector<std::string>& settings = {}) {
+std::string wrong_bump(const std::string& bump, const std::vector<std::string>& settings = {}) {
     try {
         with_bump(bump, settings);
     } catch (const Error& error) {
@@ -61,23 +61,25 @@ TEST(BumpRecipe, IsSetFromTheCommandLine) {
 }
 
 TEST(BumpRecipe, WrongOnesAreRefusedWithTheirPath) {
-    EXPECT_THAT(wrong("3"), HasSubstr("bump is 3, must be an object"));
-    EXPECT_THAT(wrong("{}"), HasSubstr("bump.input is missing"));
-    EXPECT_THAT(wrong(R"({"height": 0.1})"), HasSubstr("bump.input is missing"));
-    EXPECT_THAT(wrong(R"({"input": 1, "heigth": 1})"), HasSubstr("did you mean \"height\"?"));
-    EXPECT_THAT(wrong(R"({"input": 1, "height": "a"})"), HasSubstr("bump.height is \"a\""));
-    EXPECT_THAT(wrong(R"({"input": 1, "height": 1e7})"), HasSubstr("bump.height is"));
-    EXPECT_THAT(wrong(R"({"input": {}})"), HasSubstr("bump.input has no key \"node\""));
-    EXPECT_THAT(wrong(R"({"input": "#ff0000"})"), HasSubstr("bump.input gives a colour"));
-    EXPECT_THAT(wrong(R"({"input": {"node": "marble"}})"), HasSubstr("bump.input gives a colour"));
-    EXPECT_THAT(wrong(R"({"input": {"node": "fbn"}})"), HasSubstr("did you mean \"fbm\"?"));
-    EXPECT_THAT(wrong(R"({"input": {"node": "fbm", "octaves": 1e9}})"),
-                HasSubstr("bump.input.octaves is"));
-    EXPECT_THAT(wrong(R"({"input": {"node": "abs", "input": {"node": "dots", "a": "#ffffff"}}})"),
-                HasSubstr("bump.input.input.a gives a colour"));
-    EXPECT_THAT(wrong(R"({"input": 1})", {"bump.input.node=marble"}),
+    EXPECT_THAT(wrong_bump("3"), HasSubstr("bump is 3, must be an object"));
+    EXPECT_THAT(wrong_bump("{}"), HasSubstr("bump.input is missing"));
+    EXPECT_THAT(wrong_bump(R"({"height": 0.1})"), HasSubstr("bump.input is missing"));
+    EXPECT_THAT(wrong_bump(R"({"input": 1, "heigth": 1})"), HasSubstr("did you mean \"height\"?"));
+    EXPECT_THAT(wrong_bump(R"({"input": 1, "height": "a"})"), HasSubstr("bump.height is \"a\""));
+    EXPECT_THAT(wrong_bump(R"({"input": 1, "height": 1e7})"), HasSubstr("bump.height is"));
+    EXPECT_THAT(wrong_bump(R"({"input": {}})"), HasSubstr("bump.input has no key \"node\""));
+    EXPECT_THAT(wrong_bump(R"({"input": "#ff0000"})"), HasSubstr("bump.input gives a colour"));
+    EXPECT_THAT(wrong_bump(R"({"input": {"node": "marble"}})"),
                 HasSubstr("bump.input gives a colour"));
-    EXPECT_THAT(wrong(R"({"input": 1})", {"bump.hight=2"}), HasSubstr("bump.height"));
+    EXPECT_THAT(wrong_bump(R"({"input": {"node": "fbn"}})"), HasSubstr("did you mean \"fbm\"?"));
+    EXPECT_THAT(wrong_bump(R"({"input": {"node": "fbm", "octaves": 1e9}})"),
+                HasSubstr("bump.input.octaves is"));
+    EXPECT_THAT(
+        wrong_bump(R"({"input": {"node": "abs", "input": {"node": "dots", "a": "#ffffff"}}})"),
+        HasSubstr("bump.input.input.a gives a colour"));
+    EXPECT_THAT(wrong_bump(R"({"input": 1})", {"bump.input.node=marble"}),
+                HasSubstr("bump.input gives a colour"));
+    EXPECT_THAT(wrong_bump(R"({"input": 1})", {"bump.hight=2"}), HasSubstr("bump.height"));
 }
 
 /// Longest side 1 about the origin, in the plane z = 0, facing +z.

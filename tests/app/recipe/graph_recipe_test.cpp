@@ -37,7 +37,7 @@ Recipe with_texture(const std::string& texture, const std::vector<std::string>& 
     return parse_recipe("{\"texture\": " + texture + "}", origin(), settings);
 }
 
-std::string wrong(const std::string& texture) {
+std::string wrong_graph(const std::string& texture) {
     try {
         with_texture(texture);
     } catch (const Error& error) {
@@ -116,53 +116,62 @@ TEST(GraphRecipe, TheModelOf1999KeepsItsOwnForm) {
 
 TEST(GraphRecipe, WrongNodesGetOneSentenceWithTheirPath) {
     EXPECT_THAT(
-        wrong(R"({"node": "fbmm"})"),
+        wrong_graph(R"({"node": "fbmm"})"),
         HasSubstr("texture.node is \"fbmm\", must be a node's name; did you mean \"fbm\"?"));
-    EXPECT_THAT(wrong(R"({"node": 3})"), HasSubstr("texture.node is 3"));
-    EXPECT_THAT(wrong(R"({"node": "abs", "input": {}})"),
+    EXPECT_THAT(wrong_graph(R"({"node": 3})"), HasSubstr("texture.node is 3"));
+    EXPECT_THAT(wrong_graph(R"({"node": "abs", "input": {}})"),
                 HasSubstr("texture.input has no key \"node\""));
-    EXPECT_THAT(wrong(R"({"node": "abs"})"), HasSubstr("texture.input is missing"));
-    EXPECT_THAT(wrong(R"({"node": "abs", "input": null})"), HasSubstr("texture.input is null"));
-    EXPECT_THAT(wrong(R"({"node": "abs", "input": [1]})"), HasSubstr("texture.input is [1]"));
-    EXPECT_THAT(wrong(R"({"node": "abs", "input": 1e300})"), HasSubstr("texture.input is 1e+300"));
-    EXPECT_THAT(wrong(R"({"node": "abs", "input": "red"})"), HasSubstr("texture.input is \"red\""));
-    EXPECT_THAT(wrong(R"({"node": "abs", "input": "#ff0000"})"),
+    EXPECT_THAT(wrong_graph(R"({"node": "abs"})"), HasSubstr("texture.input is missing"));
+    EXPECT_THAT(wrong_graph(R"({"node": "abs", "input": null})"),
+                HasSubstr("texture.input is null"));
+    EXPECT_THAT(wrong_graph(R"({"node": "abs", "input": [1]})"), HasSubstr("texture.input is [1]"));
+    EXPECT_THAT(wrong_graph(R"({"node": "abs", "input": 1e300})"),
+                HasSubstr("texture.input is 1e+300"));
+    EXPECT_THAT(wrong_graph(R"({"node": "abs", "input": "red"})"),
+                HasSubstr("texture.input is \"red\""));
+    EXPECT_THAT(wrong_graph(R"({"node": "abs", "input": "#ff0000"})"),
                 HasSubstr("texture.input gives a colour, must be a number"));
-    EXPECT_THAT(wrong(R"({"node": "abs", "input": {"node": "uv"}})"),
+    EXPECT_THAT(wrong_graph(R"({"node": "abs", "input": {"node": "uv"}})"),
                 HasSubstr("texture.input gives a colour"));
-    EXPECT_THAT(wrong(R"({"node": "abs", "input": {"node": "map_uv", "input": {"node": "mix", "a":
+    EXPECT_THAT(
+        wrong_graph(R"({"node": "abs", "input": {"node": "map_uv", "input": {"node": "mix", "a":
         "#ff0000"}}})"),
-                HasSubstr("texture.input.input.a gives a colour"));
-    EXPECT_THAT(wrong(R"({"node": "mix", "a": {"node": "abs", "input": {"node": "sin"}}})"),
+        HasSubstr("texture.input.input.a gives a colour"));
+    EXPECT_THAT(wrong_graph(R"({"node": "mix", "a": {"node": "abs", "input": {"node": "sin"}}})"),
                 HasSubstr("texture.a.input.input is missing"));
-    EXPECT_THAT(wrong(R"({"node": "fbm", "octave": 3})"),
+    EXPECT_THAT(wrong_graph(R"({"node": "fbm", "octave": 3})"),
                 HasSubstr("unknown key \"octave\" in texture; did you mean \"octaves\"?"));
-    EXPECT_THAT(wrong(R"({"node": "fbm", "octaves": 1e9})"),
+    EXPECT_THAT(wrong_graph(R"({"node": "fbm", "octaves": 1e9})"),
                 HasSubstr("texture.octaves is 1000000000.0, must be a whole number from 1 to 24"));
-    EXPECT_THAT(wrong(R"({"node": "fbm", "octaves": 2.5})"), HasSubstr("texture.octaves is 2.5"));
-    EXPECT_THAT(wrong(R"({"node": "fbm", "kind": "perlim"})"), HasSubstr("\"perlin\"?"));
-    EXPECT_THAT(wrong(R"({"node": "fbm", "gain": NaN})"), HasSubstr("not valid JSON"));
-    EXPECT_THAT(wrong(R"({"node": "fbm", "gain": 1e999})"), HasSubstr("not valid JSON"));
-    EXPECT_THAT(wrong(R"({"node": "fbm", "time": 1, "kind": "perlin1985"})"),
+    EXPECT_THAT(wrong_graph(R"({"node": "fbm", "octaves": 2.5})"),
+                HasSubstr("texture.octaves is 2.5"));
+    EXPECT_THAT(wrong_graph(R"({"node": "fbm", "kind": "perlim"})"), HasSubstr("\"perlin\"?"));
+    EXPECT_THAT(wrong_graph(R"({"node": "fbm", "gain": NaN})"), HasSubstr("not valid JSON"));
+    EXPECT_THAT(wrong_graph(R"({"node": "fbm", "gain": 1e999})"), HasSubstr("not valid JSON"));
+    EXPECT_THAT(wrong_graph(R"({"node": "fbm", "time": 1, "kind": "perlin1985"})"),
                 HasSubstr("texture.time is 1, but perlin1985 noise has no fourth dimension"));
-    EXPECT_THAT(wrong(R"({"node": "fbm", "time": 1, "time_period": 3, "kind": "simplex"})"),
+    EXPECT_THAT(wrong_graph(R"({"node": "fbm", "time": 1, "time_period": 3, "kind": "simplex"})"),
                 HasSubstr("texture.time is 1, but simplex noise"));
-    EXPECT_THAT(wrong(R"({"node": "fbm", "time": "now"})"), HasSubstr("texture.time is \"now\""));
-    EXPECT_THAT(wrong(R"({"node": "fbm", "octaves": null})"), HasSubstr("texture.octaves is null"));
-    EXPECT_THAT(wrong(R"({"node": "constant"})"), HasSubstr("texture.value is missing"));
-    EXPECT_THAT(wrong(R"({"node": "constant", "value": "#12345"})"), HasSubstr("texture.value is"));
-    EXPECT_THAT(wrong(R"({"node": "constant", "value": {"node": "fbm"}})"),
+    EXPECT_THAT(wrong_graph(R"({"node": "fbm", "time": "now"})"),
+                HasSubstr("texture.time is \"now\""));
+    EXPECT_THAT(wrong_graph(R"({"node": "fbm", "octaves": null})"),
+                HasSubstr("texture.octaves is null"));
+    EXPECT_THAT(wrong_graph(R"({"node": "constant"})"), HasSubstr("texture.value is missing"));
+    EXPECT_THAT(wrong_graph(R"({"node": "constant", "value": "#12345"})"),
+                HasSubstr("texture.value is"));
+    EXPECT_THAT(wrong_graph(R"({"node": "constant", "value": {"node": "fbm"}})"),
                 HasSubstr("texture.value is an object"));
-    EXPECT_THAT(wrong(R"({"node": "stripes", "direction": [1, 2]})"),
+    EXPECT_THAT(wrong_graph(R"({"node": "stripes", "direction": [1, 2]})"),
                 HasSubstr("texture.direction is [1,2], must be an array of 3 numbers"));
-    EXPECT_THAT(wrong(R"({"node": "stripes", "direction": [1, 2, "x"]})"),
+    EXPECT_THAT(wrong_graph(R"({"node": "stripes", "direction": [1, 2, "x"]})"),
                 HasSubstr("texture.direction.2 is \"x\""));
-    EXPECT_THAT(wrong(R"({"node": "stripes", "period": 0})"), HasSubstr("texture.period is 0"));
+    EXPECT_THAT(wrong_graph(R"({"node": "stripes", "period": 0})"),
+                HasSubstr("texture.period is 0"));
 }
 
 TEST(GraphRecipe, ImagesAreReadBesideTheRecipe) {
-    EXPECT_THAT(wrong(R"({"node": "image"})"), HasSubstr("texture.file is missing"));
-    EXPECT_THAT(wrong(R"({"node": "image", "file": 3})"), HasSubstr("texture.file is 3"));
+    EXPECT_THAT(wrong_graph(R"({"node": "image"})"), HasSubstr("texture.file is missing"));
+    EXPECT_THAT(wrong_graph(R"({"node": "image", "file": 3})"), HasSubstr("texture.file is 3"));
     const ScratchFolder folder;
     const auto broken = [&](const std::string& file) -> std::string {
         try {
@@ -182,7 +191,8 @@ TEST(GraphRecipe, ImagesAreReadBesideTheRecipe) {
 
 TEST(GraphRecipe, TheModelsNodesAreCheckedInside) {
     const auto map = [](const std::string& keys) {
-        return wrong(R"({"node": "mix", "b": {"node": "color_map", "input": 0.5, )" + keys + "}}");
+        return wrong_graph(R"({"node": "mix", "b": {"node": "color_map", "input": 0.5, )" + keys +
+                           "}}");
     };
     EXPECT_THAT(map(R"("stops": [])"), HasSubstr("texture.b.stops is empty"));
     EXPECT_THAT(map(R"("stops": [[0.5, "#000000"], [0.4, "#000000"]])"),
@@ -191,7 +201,7 @@ TEST(GraphRecipe, TheModelsNodesAreCheckedInside) {
     EXPECT_THAT(map(R"("wrap": "mirror")"), HasSubstr("texture.b.wrap is \"mirror\""));
     EXPECT_THAT(map(R"("quadric": {})"), HasSubstr("unknown key \"quadric\" in texture.b"));
     const auto field = [](const std::string& keys) {
-        return wrong(R"({"node": "abs", "input": {"node": "field", )" + keys + "}}");
+        return wrong_graph(R"({"node": "abs", "input": {"node": "field", )" + keys + "}}");
     };
     EXPECT_THAT(field(R"("quadric": {"K": 1})"), HasSubstr("texture.input.quadric"));
     EXPECT_THAT(field(R"("noise": [{}, {"octaves": 1e9}])"),
@@ -208,15 +218,15 @@ std::string nested(std::size_t depth) {
 
 TEST(GraphRecipe, DepthAndNumberOfNodesAreLimited) {
     EXPECT_NO_THROW(with_texture(nested(max_graph_depth - 1)));
-    EXPECT_THAT(wrong(nested(max_graph_depth)), HasSubstr("more than 64 deep"));
-    EXPECT_THAT(wrong(nested(10000)),
+    EXPECT_THAT(wrong_graph(nested(max_graph_depth)), HasSubstr("more than 64 deep"));
+    EXPECT_THAT(wrong_graph(nested(10000)),
                 HasSubstr("texture.input.input.input.input.inpu...ut.input.input.input: nodes are "
                           "nested more than 64 deep"));
-    EXPECT_LT(wrong(nested(10000)).size(), 400u);
+    EXPECT_LT(wrong_graph(nested(10000)).size(), 400u);
     std::string broad = "1";
     for (int i = 0; i < 10; ++i)
         broad = R"({"node": "add", "a": )" + broad + ", \"b\": " + broad + "}";
-    EXPECT_THAT(wrong(broad), HasSubstr("more than 1000 nodes"));
+    EXPECT_THAT(wrong_graph(broad), HasSubstr("more than 1000 nodes"));
 }
 
 TEST(GraphRecipe, SettingsReachIntoTheTree) {

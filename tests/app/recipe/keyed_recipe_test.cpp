@@ -109,7 +109,7 @@ TEST(Frames, CoverTheAnimationFromItsStartToItsEnd) {
     EXPECT_EQ(frame_count(animation), 2);
 }
 
-std::string wrong(const std::string& animation) {
+std::string wrong_keys(const std::string& animation) {
     try {
         parse_recipe(
             R"({"texture": {"input": {"noise": [{"gain": 0.5}]}}, "animation": )" + animation + "}",
@@ -138,30 +138,32 @@ TEST(AnimationJson, ComesBack) {
 }
 
 TEST(AnimationJson, SaysWhatIsWrong) {
-    EXPECT_EQ(wrong(R"({"tracks": [{"path": "solid.scale", "keys": [[0, 1]]}]})"), "");
-    EXPECT_THAT(wrong(R"({"tracks": [{"path": "solid.scal", "keys": [[0, 1]]}]})"),
+    EXPECT_EQ(wrong_keys(R"({"tracks": [{"path": "solid.scale", "keys": [[0, 1]]}]})"), "");
+    EXPECT_THAT(wrong_keys(R"({"tracks": [{"path": "solid.scal", "keys": [[0, 1]]}]})"),
                 HasSubstr("did you mean \"solid.scale\"?"));
-    EXPECT_THAT(wrong(R"({"tracks": [{"path": "atlas.size", "keys": [[0, 64]]}]})"),
+    EXPECT_THAT(wrong_keys(R"({"tracks": [{"path": "atlas.size", "keys": [[0, 64]]}]})"),
                 HasSubstr("none of its atlas"));
-    EXPECT_THAT(wrong(R"({"tracks": [{"path": "solid.rotate", "keys": [[0, 64]]}]})"),
+    EXPECT_THAT(wrong_keys(R"({"tracks": [{"path": "solid.rotate", "keys": [[0, 64]]}]})"),
                 HasSubstr("solid.rotate.0"));
-    EXPECT_THAT(wrong(R"({"tracks": [{"path": "texture.wrap", "keys": [[0, 1]]}]})"),
+    EXPECT_THAT(wrong_keys(R"({"tracks": [{"path": "texture.wrap", "keys": [[0, 1]]}]})"),
                 HasSubstr("one number"));
-    EXPECT_THAT(wrong(R"({"tracks": [{"keys": [[0, 1]]}]})"), HasSubstr("path is missing"));
-    EXPECT_THAT(wrong(R"({"tracks": [{"path": "solid.scale"}]})"), HasSubstr("keys is missing"));
-    EXPECT_THAT(wrong(R"({"tracks": [{"path": "solid.scale", "keys": []}]})"),
+    EXPECT_THAT(wrong_keys(R"({"tracks": [{"keys": [[0, 1]]}]})"), HasSubstr("path is missing"));
+    EXPECT_THAT(wrong_keys(R"({"tracks": [{"path": "solid.scale"}]})"),
+                HasSubstr("keys is missing"));
+    EXPECT_THAT(wrong_keys(R"({"tracks": [{"path": "solid.scale", "keys": []}]})"),
                 HasSubstr("must have at least one key"));
-    EXPECT_THAT(wrong(R"({"tracks": [{"path": "solid.scale", "keys": [[1, 1], [1, 2]]}]})"),
+    EXPECT_THAT(wrong_keys(R"({"tracks": [{"path": "solid.scale", "keys": [[1, 1], [1, 2]]}]})"),
                 HasSubstr("keys.1.0 is 1, must be later than the key before it, 1"));
-    EXPECT_THAT(wrong(R"({"tracks": [{"path": "texture.input.noise.0.gain", "keys": [[0, 3]]}]})"),
-                HasSubstr("keys.0.1 is 3, must be from 0 to 2 as texture.input.noise.0.gain"));
-    EXPECT_THAT(wrong(R"({"tracks": [{"path": "solid.scale", "keys": [[0, 1]]},
+    EXPECT_THAT(
+        wrong_keys(R"({"tracks": [{"path": "texture.input.noise.0.gain", "keys": [[0, 3]]}]})"),
+        HasSubstr("keys.0.1 is 3, must be from 0 to 2 as texture.input.noise.0.gain"));
+    EXPECT_THAT(wrong_keys(R"({"tracks": [{"path": "solid.scale", "keys": [[0, 1]]},
                                      {"path": "solid.scale", "keys": [[0, 1]]}]})"),
                 HasSubstr("another one than that of animation.tracks.0"));
-    EXPECT_THAT(wrong(R"({"tracks": [{"path": "solid.scale", "keys": [[-1, 1]]}]})"),
+    EXPECT_THAT(wrong_keys(R"({"tracks": [{"path": "solid.scale", "keys": [[-1, 1]]}]})"),
                 HasSubstr("keys.0.0 is -1"));
-    EXPECT_THAT(wrong(R"({"second": 1})"), HasSubstr("did you mean \"seconds\"?"));
-    EXPECT_THAT(wrong(R"({"end": "bounce"})"), HasSubstr("\"stop\", \"loop\""));
+    EXPECT_THAT(wrong_keys(R"({"second": 1})"), HasSubstr("did you mean \"seconds\"?"));
+    EXPECT_THAT(wrong_keys(R"({"end": "bounce"})"), HasSubstr("\"stop\", \"loop\""));
 }
 
 TEST(RecipeNumbers, AreThoseThatSettingsTake) {

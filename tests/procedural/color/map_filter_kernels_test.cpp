@@ -11,7 +11,7 @@
 namespace burl {
 namespace {
 
-ColorMap jumping(Wrap wrap) {
+ColorMap jumping_map(Wrap wrap) {
     return {wrap,
             {{0.0, {255, 0, 30}},
              {0.35, {20, 200, 90}},
@@ -20,9 +20,9 @@ ColorMap jumping(Wrap wrap) {
              {1.0, {5, 90, 140}}}};
 }
 
-std::vector<ColorMap> maps() {
-    return {jumping(Wrap::repeat),
-            jumping(Wrap::clamp),
+std::vector<ColorMap> kernel_maps() {
+    return {jumping_map(Wrap::repeat),
+            jumping_map(Wrap::clamp),
             {Wrap::repeat, {{0.0, {10, 20, 30}}, {0.5, {250, 200, 100}}}},
             {Wrap::repeat, {{0.3, {7, 77, 177}}}},
             {Wrap::clamp, {{0.2, {0, 0, 0}}, {0.9, {255, 255, 255}}}},
@@ -87,7 +87,7 @@ TEST(StreamFilter, AgreesWithThePiecewiseFilter) {
     // Widths from 2^-20 to 2^4: every kernel has its share.
     Case texels(batch_capacity, 3.0, -20.0, 4.0), narrow(batch_capacity, 1.5, -12.0, -6.0);
     std::size_t filtered = 0;
-    for (const ColorMap& map : maps())
+    for (const ColorMap& map : kernel_maps())
         for (const bool both_axes : {false, true})
             for (Case* one : {&texels, &narrow})
                 EXPECT_LT(worst(map, both_axes, *one, filtered), 2e-7);
@@ -96,7 +96,7 @@ TEST(StreamFilter, AgreesWithThePiecewiseFilter) {
 
 TEST(StreamFilter, LeavesOutOnlyTexelsWithoutABreak) {
     Case texels(batch_capacity, 3.0, -9.0, -2.0);
-    const MapPieces pieces(jumping(Wrap::repeat));
+    const MapPieces pieces(jumping_map(Wrap::repeat));
     std::vector<bool> seen(texels.count());
     texels.filter(pieces, true, [&](std::size_t i, const Vec3d&) { seen[i] = true; });
     std::size_t left_out = 0;
@@ -111,7 +111,7 @@ TEST(StreamFilter, LeavesOutOnlyTexelsWithoutABreak) {
 }
 
 TEST(StreamFilter, IsAsExactFarOutAndForHugeFootprints) {
-    for (const ColorMap& map : maps()) {
+    for (const ColorMap& map : kernel_maps()) {
         std::size_t filtered = 0;
         Case far(500, 1e9, -3.0, 3.0), huge(500, 2.0, -3.0, 120.0);
         EXPECT_LT(worst(map, true, far, filtered), 2e-7);
@@ -121,7 +121,7 @@ TEST(StreamFilter, IsAsExactFarOutAndForHugeFootprints) {
 
 TEST(StreamFilter, WhatIsNotFiniteIsTheColourAtZero) {
     const double infinity = std::numeric_limits<double>::infinity();
-    for (const ColorMap& map : maps())
+    for (const ColorMap& map : kernel_maps())
         for (const bool both_axes : {false, true}) {
             Case texels(4, 1.0, -3.0, 0.0);
             texels.f[0] = std::nan("");

@@ -11,12 +11,12 @@
 namespace burl {
 namespace {
 
-constexpr int side = 64;
+constexpr int pass_side = 64;
 
 /// Cells from -5 on, oblique to the lattice.
 LatticeMap slice() {
     return lattice_slice(
-        side, side,
+        pass_side, pass_side,
         {Mat3d(0.17, 0.031, -0.05, -0.027, 0.21, 0.013, 0, 0, 1), Vec3d(-4.3, 0.2, 2.7)});
 }
 
@@ -38,11 +38,11 @@ std::vector<MultipassOctave> octaves_of(Fade fade, int count) {
 }
 
 GlLatticeMap upload(const GladGLContext& gl, const LatticeMap& map) {
-    GlTarget target(gl, {side, side}, {GL_RGBA32UI, GL_RGBA32UI});
+    GlTarget target(gl, {pass_side, pass_side}, {GL_RGBA32UI, GL_RGBA32UI});
     for (const auto& [number, image] : {std::pair(0u, &map.cells), std::pair(1u, &map.places)}) {
         gl.BindTexture(GL_TEXTURE_2D, target.texture(number).get());
-        gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, side, side, GL_RGBA_INTEGER, GL_UNSIGNED_INT,
-                         image->pixels().data());
+        gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, pass_side, pass_side, GL_RGBA_INTEGER,
+                         GL_UNSIGNED_INT, image->pixels().data());
     }
     check_gl(gl, "uploading a slice");
     return GlLatticeMap(std::move(target));
@@ -58,7 +58,7 @@ class GlMultipassTest : public GlTest, public testing::WithParamInterface<Case> 
 
 /// Units of fixed8 are 1/255, else the numbers themselves.
 std::vector<PassTexel> numbers_of(const GlTarget& target, PassPrecision precision) {
-    std::vector<PassTexel> texels(std::size_t(side * side));
+    std::vector<PassTexel> texels(std::size_t(pass_side * pass_side));
     if (precision == PassPrecision::fixed8) {
         const std::vector<std::uint8_t> read = target.read<std::uint8_t>();
         for (std::size_t i = 0; i < texels.size(); ++i)
@@ -78,7 +78,7 @@ TEST_P(GlMultipassTest, EveryPassGivesTheModelsImage) {
     const GladGLContext& gl = context->gl();
     MultipassModel model(plan, {&map, 1}, half_rounding(gl));
     GlMultipass multipass(gl, has_float64(gl));
-    multipass.set_plan(plan, {side, side});
+    multipass.set_plan(plan, {pass_side, pass_side});
     const GlLatticeMap uploaded = upload(gl, map);
     const std::array maps{&uploaded};
     const PassPrecision precision = plan.options.precision;
