@@ -1,6 +1,7 @@
 #pragma once
-// One bake from its command to its files. The mesh comes in a pipeline, which several bakes may
-// share one after the other (`burl batch`).
+// One command of `burl bake`: everything it can be wrong about, its plan (app/bake/bake.h), its
+// report and its record. The mesh comes in a pipeline, which the bakes of a batch share one after
+// the other.
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -9,24 +10,11 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/bake/levels.h"
-#include "app/bake/normals.h"
+#include "app/bake/bake.h"
 #include "app/bake/options.h"
-#include "app/export/export.h"
 #include "app/measure/report.h"
-#include "app/pipeline/pipeline.h"
 
 namespace burl {
-
-/// What is written besides the texture.
-struct BakeExtras {
-    LevelsAsked levels{};
-    NormalSpace normals = NormalSpace::none;
-    bool has_normals() const { return normals != NormalSpace::none; }
-};
-
-/// What another bake with the same pipeline will want of it.
-enum class LaterBake { none, mesh, atlas };
 
 class BakeJob {
   public:
@@ -35,12 +23,12 @@ class BakeJob {
     BakeJob(const BakeCommand& command, const Json& settings);
 
     const BakeCommand& command() const { return command_; }
-    /// Of the first frame.
-    const Recipe& recipe() const { return recipes_[0]; }
+    /// The recipe of the first frame.
+    const Recipe& recipe() const { return plan_.recipes[0]; }
     /// Every file that is read, or that the mesh's file names.
     const std::vector<std::string>& inputs() const { return inputs_; }
     /// Every file that will be written, but for reports (strip atlases may have fewer levels).
-    std::vector<std::string> outputs() const { return outputs(extras_.levels.count); }
+    std::vector<std::string> outputs() const { return outputs(plan_.levels.count); }
 
     /// All that decides what the outputs will be (app/bake/up_to_date.h), files as they were when
     /// the job was made: what a batch reads once for many bakes may have changed since.
@@ -64,13 +52,9 @@ class BakeJob {
     void print_up_to_date(Json report) const;
 
   private:
-    struct Written;
     void set_up(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthesizer) const;
-    Written write_texture(Pipeline& pipeline, const std::string& path, const MeshPose* pose,
-                          bool releases) const;
-    Written write_bands(Pipeline& pipeline, const std::string& path) const;
-    Json add_beside(std::vector<AtomicFile>& files, Pipeline& pipeline,
-                    const std::string& shader) const;
+    Json report_of(Pipeline& pipeline, const BakeResult& result,
+                   const TextureSynthesizer* synthesizer, Json seconds) const;
     std::vector<std::string> texture_outputs(std::uint32_t levels) const;
     std::vector<std::string> outputs(std::uint32_t levels) const;
     void check() const;
@@ -78,13 +62,11 @@ class BakeJob {
     void check_idle() const;
     Json what_it_is_made_from(const Json& settings) const;
     bool write_reports(const Json& report) const;
+    bool has_normals() const { return plan_.normals != NormalSpace::none; }
     bool wants_report() const { return command_.json || !command_.report.empty(); }
 
     BakeCommand command_;
-    ImageKind kind_;
-    std::vector<std::string> paths_;  ///< of all frames, or the one that was named
-    std::vector<Recipe> recipes_;     ///< of the same
-    BakeExtras extras_;
+    BakePlan plan_;
     std::vector<std::string> inputs_;
     Json made_from_;
 };

@@ -6,19 +6,16 @@
 #include <filesystem>
 #include <utility>
 
-#include "app/bake/normals.h"
-#include "app/bake/texture.h"
+#include "app/bake/bake.h"
 #include "app/base/atomic_file.h"
 #include "app/editor/work/reader.h"
 #include "app/export/command_files.h"
 #include "app/export/emit.h"
-#include "app/export/export.h"
 #include "app/options/animation.h"
 #include "app/recipe/keyed_recipe.h"
 #include "app/recipe/lattice_check.h"
 #include "app/surface/load_pose.h"
 #include "atlas/base/error.h"
-#include "atlas/build/atlas_pose.h"
 
 namespace burl {
 
@@ -71,6 +68,30 @@ void check_outputs(const ExportRequest& request) {
     for (const std::string& file : written_files(request)) files.write(file);
 }
 
+/// What `burl bake` with bake_options() does.
+BakePlan plan_of(const ExportRequest& request, std::vector<Recipe> recipes,
+                 std::vector<std::string> paths) {
+    BakePlan plan;
+    plan.kind = wanted_kind(request.out, export_depth);
+    plan.depth = export_depth;
+    plan.levels = export_levels(request);
+    plan.normals = normals_asked("", request.recipe, request.out);
+    plan.recipes = std::move(recipes);
+    plan.paths = std::move(paths);
+    plan.measures = false;
+    return plan;
+}
+
+void bake_plan(const ExportRequest& request, const BakePlan& plan, std::size_t cache_bytes) {
+    Pipeline pipeline(load_mesh(request.mesh));
+    check_mesh(plan, pipeline.mesh());
+    std::optional<MeshPose> pose;
+    if (!request.pose.empty() && holds_mesh(request.out))
+        pose = load_pose(request.mesh, request.pose);
+    pipeline.set_cache(cache_bytes);
+    bake(pipeline, plan, pose ? &*pose : nullptr);
+}
+
 }  // namespace
 
 bool is_shader_file(const std::string& path) {
@@ -102,24 +123,7 @@ std::vector<std::string> export_files(const ExportRequest& request) {
 void bake_file(const ExportRequest& request) {
     check_outputs(request);
     if (is_shader_file(request.out)) return write_shader(request);
-    const Recipe& recipe = request.recipe;
-    const ImageKind kind = wanted_kind(request.out, export_depth);
-    const LevelsAsked levels = export_levels(request);
-    const NormalSpace normals = normals_asked("", recipe, request.out);
-    Pipeline pipeline(load_mesh(request.mesh));
-    check_lattice(recipe, pipeline.mesh());
-    pipeline.set_recipe(recipe);
-    BakedTexture texture = bake_texture(pipeline, kind, levels);
-    ExportOptions options;
-    options.levels = std::move(texture.levels);
-    options.normals = bake_normals(pipeline, normals, export_depth, options.crease_degrees);
-    options.recipe_json = to_json(recipe);
-    options.recipe_name = recipe.name;
-    if (!request.pose.empty() && holds_mesh(request.out))
-        options.pose = ExportPose{atlas_pose(load_pose(request.mesh, request.pose), pipeline.mesh(),
-                                             pipeline.mesh_atlas()),
-                                  recipe.pose.weight};
-    export_scene(request.out, pipeline.atlas_mesh(), pipeline.atlas(), texture.image, options);
+    bake_plan(request, plan_of(request, {request.recipe}, {request.out}), 0);
 }
 
 void bake_frames(const ExportRequest& request) {
@@ -130,20 +134,15 @@ void bake_frames(const ExportRequest& request) {
     constexpr std::size_t cache_bytes = std::size_t(512) << 20;
     const KeyedAnimation& animation = request.recipe.animation;
     const int frames = frame_count(animation);
-    Pipeline pipeline(load_mesh(request.mesh));
-    pipeline.set_cache(cache_bytes);
+    std::vector<Recipe> recipes;
+    std::vector<std::string> paths;
     for (int i = 0; i < frames; ++i) {
-        const Recipe still = recipe_at(request.recipe, frame_seconds(animation, i, frames));
-        const std::string path = frame_path(request.out, std::size_t(i) + 1);
-        const NormalSpace normals = normals_asked("", still, path);
-        check_lattice(still, pipeline.mesh());
-        pipeline.set_recipe(still);
-        const BakedTexture texture = bake_texture(pipeline, wanted_kind(path, export_depth), {});
-        ExportOptions options;
-        options.normals = bake_normals(pipeline, normals, export_depth, options.crease_degrees);
-        options.recipe_json = to_json(still);
-        export_scene(path, pipeline.atlas_mesh(), pipeline.atlas(), texture.image, options);
+        recipes.push_back(recipe_at(request.recipe, frame_seconds(animation, i, frames)));
+        paths.push_back(frame_path(request.out, std::size_t(i) + 1));
     }
+    BakePlan plan = plan_of(request, std::move(recipes), std::move(paths));
+    plan.levels = {};
+    bake_plan(request, plan, cache_bytes);
 }
 
 void EditExport::start(ExportRequest request) {
