@@ -1,7 +1,7 @@
 #pragma once
 // Texture graphs as GLSL with gradients, node by node as the graph evaluator walks them
 // (graph_evaluator.h): every channel of every node is a variable of type real4, a value and its
-// derivatives with respect to the solid point (shaders/numbers/dual.glsl).
+// derivatives with respect to the solid point (shaders/graph/dual.glsl).
 #include <optional>
 
 #include "procedural/glsl/map_tables.h"

@@ -125,7 +125,7 @@ std::vector<GlslPart> glsl_fixed_index(const FixedShape& shape) {
     text += "    code = base == no_base ? index_words.w : fixed_color(index);\n}\n";
     std::vector<GlslPart> parts = glsl_noise_parts({});
     parts.push_back({"noise/stream_noise.glsl"});
-    parts.push_back({"color/fixed_index.glsl"});
+    parts.push_back({"maps/fixed_index.glsl"});
     parts.push_back({"colors", text});
     return parts;
 }

@@ -18,7 +18,7 @@ struct FixedShape {
     std::size_t terms() const;
 };
 
-/// The uniforms of the same names (shaders/color/fixed_index.vert).
+/// The uniforms of the same names (shaders/maps/fixed_index.vert).
 struct FixedUniforms {
     std::vector<glm::uvec4> octaves, terms;
     glm::uvec4 index{0}, entry{0};

@@ -17,7 +17,7 @@ namespace {
 /// What functions with gradients need besides those of values.
 std::vector<GlslPart> gradient_parts(const ValueProgram& program) {
     for (const ValueStep& step : program.steps())
-        if (std::holds_alternative<GraphSlope>(step.work)) return {{"numbers/dual.glsl"}};
+        if (std::holds_alternative<GraphSlope>(step.work)) return {{"graph/dual.glsl"}};
     return {};
 }
 
@@ -115,7 +115,7 @@ GlslTexture glsl_filtered_graph(const TextureGraph& graph, const Filter& filter,
     GlslFiltering filtering{filter, GlslMapTables(real)};
     const std::string body = glsl_filtered_function(graph, "texture_color", functions, filtering);
     std::vector<GlslPart> parts{
-        {"numbers/dual.glsl"}, {"colour maps", filtering.maps.text()}, {"color/dual_map.glsl"}};
+        {"graph/dual.glsl"}, {"colour maps", filtering.maps.text()}, {"graph/dual_map.glsl"}};
     if (!graph.images.empty()) parts.push_back({"graph/dual_image.glsl"});
     return functions.texture(body, parts);
 }

@@ -1,6 +1,6 @@
 #pragma once
 // The pieces and breaks of a shader's colour maps (map_pieces.h) as constant arrays, for
-// shaders/color/dual_map.glsl.
+// shaders/graph/dual_map.glsl.
 #include "procedural/color/map_pieces.h"
 #include "procedural/glsl/text.h"
 

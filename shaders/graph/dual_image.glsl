@@ -1,5 +1,5 @@
 // An image over a footprint, between its levels or by an elliptically weighted average, with its
-// derivatives by s and t, as procedural/graph/mip_image.cpp has it. After color/dual_map.glsl.
+// derivatives by s and t, as procedural/graph/mip_image.cpp has it. After graph/dual_map.glsl.
 
 struct ImageSample {
     real3 color, by_s, by_t;

@@ -10,6 +10,8 @@ endif()
 set(expected
     "rooms.txt: atlas/base includes app/draw, which does not stand before it"
     "rooms.txt: \"app/one: a purpose that is no sentence\" is neither"
+    "rooms.txt: nothing is in shaders/draw"
+    "shaders/noise/value.glsl:1: must not need draw/mesh.frag: shaders/noise does not include shaders/draw"
     "rooms.txt: nothing is in app/empty"
     "app/draw/render.cpp:3: must not include procedural/noise/noise.h: app/draw does not include procedural/noise"
     "app/draw/render.cpp:4: must not include glad/gl.h: app/draw does not include OpenGL"

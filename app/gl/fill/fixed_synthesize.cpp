@@ -57,7 +57,7 @@ bool GlFixedSynthesis::fits(const FixedShape& shape) const {
 const GlProgram& GlFixedSynthesis::program(const FixedShape& shape, GlWork& work) {
     constexpr std::size_t most_programs = 64;
     ShaderSource vertex, fragment;
-    vertex.add("color/fixed_index.vert");
+    vertex.add("maps/fixed_index.vert");
     fragment.define_real(false);
     define(vertex, shape);
     define(fragment, shape);

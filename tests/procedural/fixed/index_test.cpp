@@ -26,7 +26,7 @@ Texture texture_of(Wrap wrap, std::vector<NoiseTerm> noise) {
     return texture;
 }
 
-/// What shaders/color/fixed_index.glsl does with a group's sum.
+/// What shaders/maps/fixed_index.glsl does with a group's sum.
 std::int32_t added(const FixedTerm& term, float sum) {
     const std::int64_t product = std::int64_t(sum * term.whole) * term.factor;
     return std::int32_t(std::uint32_t(product >> 32) << term.shift);
@@ -109,7 +109,7 @@ std::uint32_t code_of(const Rgb8& color) {
     return std::uint32_t(color.r) | std::uint32_t(color.g) << 8 | std::uint32_t(color.b) << 16;
 }
 
-/// What shaders/color/fixed_index.glsl finds for steps of the index; none: undecided.
+/// What shaders/maps/fixed_index.glsl finds for steps of the index; none: undecided.
 std::optional<std::uint32_t> read(const FixedColors& colors, std::int64_t steps,
                                   std::uint32_t tolerance) {
     const glm::uvec4& entry = colors.entries[std::size_t(steps >> 15)];

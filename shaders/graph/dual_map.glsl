@@ -1,5 +1,5 @@
 // Colour maps averaged over a footprint, as procedural/color/map_pieces.h and map_filter.cpp have it.
-// After numbers/dual.glsl and the arrays of pieces and breaks, which procedural/glsl/map_tables.cpp writes.
+// After graph/dual.glsl and the arrays of pieces and breaks, which procedural/glsl/map_tables.cpp writes.
 
 // Which pieces and breaks of the arrays are a map's; its mean over a period.
 struct PieceMap {
