@@ -20,7 +20,7 @@ struct PrecisionBench {
     /// RMS error and PSNR with only the texture coordinates truncated and all else in float64;
     /// fixed-point formats only.
     double coordinate_rms_error = 0.0, coordinate_psnr = 0.0;
-    BenchRow time{};  ///< one thread, including the construction of the colour table
+    BenchRow time{};  ///< time on one thread, including the construction of the colour table
 };
 
 /// Measures the texels that show the torus in a texture of side x side texels; times are of

@@ -4,7 +4,7 @@ namespace burl {
 
 namespace {
 
-constexpr double pivot_reach = 0.1, key_step = 0.02;  // in radii of the object
+constexpr double pivot_reach = 0.1, key_step = 0.02;  // lengths in radii of the object
 
 double solid_units(const ObjectView& view) {
     return view.solid_from_mesh.linear[0][0];

@@ -22,7 +22,7 @@ class SolidGrab {
     const SolidOptions& start() const { return start_; }
     /// The gizmo's handle that is gripped; empty: the surface is.
     const std::optional<GizmoHandle>& handle() const { return handle_; }
-    /// What a drag on the surface does; without meaning for a handle.
+    /// The effect of a drag on the surface; meaningless for a handle.
     SolidDrag drag() const { return drag_; }
 
     /// Returns the transform for a pointer position. Beside the object a drag goes on over the

@@ -20,7 +20,7 @@ struct GizmoView {
 
 /// A gizmo's place in the scene.
 struct SolidGizmo {
-    Vec3d centre{0.0};  ///< in the scene
+    Vec3d centre{0.0};  ///< position in the scene
     /// The texture's axes s, t and r, unit vectors in the scene.
     std::array<Vec3d, 3> axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
     double length = 1.0;  ///< length of an arrow in the scene

@@ -131,7 +131,7 @@ void EditorProgram::pose_menu() {
 /// Takes over a recipe that was read. A file that holds the present recipe, such as one just saved
 /// by the editor, only counts as saved.
 void EditorProgram::take_recipe(FileRead read) {
-    if (read.again && read.path != session_.recipe_path()) return;  // another is open since
+    if (read.again && read.path != session_.recipe_path()) return;  // another was opened since
     if (read.again && *read.recipe == session_.recipe())
         return session_.history().open(std::move(*read.recipe), read.path);
     const double time = session_.time();

@@ -9,7 +9,7 @@ constexpr double nearer = 2e-3;
 
 struct Look {
     Vec4f color;  ///< linear light
-    float width;  ///< in pixels
+    float width;  ///< line width in pixels
 };
 constexpr Look edges_look{{0.0f, 0.0f, 0.0f, 0.5f}, 1.0f};
 constexpr Look borders_look{{1.0f, 0.32f, 0.02f, 1.0f}, 2.0f};

@@ -18,7 +18,7 @@ namespace burl {
 
 /// The inputs that decide the rendered view.
 struct ObjectViewOptions {
-    PictureSize size{};  ///< in pixels
+    PictureSize size{};  ///< size of the view in pixels
     EditCamera camera{};
     bool lit = true;
     double share = 0.0;  ///< share of the way to the pose, 0 to 1

@@ -12,7 +12,7 @@ namespace burl {
 
 /// The inputs that decide the rendered view.
 struct SheetViewOptions {
-    GlSize size{0};  ///< in pixels
+    GlSize size{0};  ///< size of the view in pixels
     SheetFrame frame{};
     int level = 0;  ///< the finest MIP level shown; negative values count as 0
     bool operator==(const SheetViewOptions&) const = default;

@@ -33,7 +33,7 @@ struct FileRead {
     std::string path{};
     bool again = false;  ///< whether the same file was open already
     std::optional<Error> problem{};
-    /// Without a problem: the one of mesh, recipe and pose that `kind` names.
+    /// The content of the file: one of mesh, recipe and pose, as `kind` says; none after a problem.
     std::optional<Mesh> mesh{};
     std::optional<Recipe> recipe{};
     std::shared_ptr<const MeshPose> pose{};

@@ -15,7 +15,7 @@
 
 namespace burl {
 
-/// What the views show; a null part is not wanted.
+/// The content that the views show; a null part is not wanted.
 struct ViewWish {
     std::shared_ptr<const EditSurface> lines{};  ///< surface whose edges are drawn
     std::shared_ptr<const AtlasSheet> sheet{};   ///< atlas sheet to be made into a picture
