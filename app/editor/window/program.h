@@ -44,7 +44,7 @@ struct FrameTimes {
     double panels = 0.0;  ///< input, panels and everything but drawing
     double object = 0.0;  ///< uploading the surface and the texture, and drawing the object
     double screen = 0.0;  ///< drawing the user interface
-    /// Processor time of that thread for `panels` and for uploading, however busy the machine is.
+    /// Processor time of the user interface's thread for `panels` and uploads, whatever the load.
     double worked = 0.0;
 };
 

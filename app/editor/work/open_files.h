@@ -43,7 +43,7 @@ class EditOpenFiles {
     /// The names of the poses that the mesh's file contains.
     const std::vector<std::string>& own_poses() const { return own_poses_; }
     const RecentFiles& recent() const { return recent_; }
-    /// The path of the file of that kind that is being read or waits for take(); empty: none.
+    /// The path of the `kind` file that is being read or waits for take(); empty: none.
     std::string reading(FileKind kind) const { return reader_.reading(kind); }
     /// Whether no file is being read or waits for take().
     bool idle() const { return reader_.idle(); }

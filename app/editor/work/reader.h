@@ -66,11 +66,11 @@ class EditReader {
     /// Waits for all files being read.
     ~EditReader();
 
-    /// Begins to read at once; the result of an older read of that kind is discarded.
+    /// Begins to read at once; an older read of the same kind is discarded.
     void read(FileWish wish);
-    /// Discards the file of that kind that is being read or waits for take().
+    /// Discards the `kind` file that is being read or waits for take().
     void forget(FileKind kind);
-    /// The path of the file of that kind that is being read or waits for take(); empty: none.
+    /// The path of the `kind` file that is being read or waits for take(); empty: none.
     std::string reading(FileKind kind) const;
     /// Whether no file is being read or waits for take().
     bool idle() const;

@@ -68,7 +68,7 @@ class FileWatch {
     /// Starts a thread that looks once every `period` and calls `wake` after a change.
     void start(std::function<void()> wake,
                std::chrono::milliseconds period = std::chrono::milliseconds(500));
-    /// Returns whether files of that kind changed since they were read or since the last call.
+    /// Returns whether the `kind` files changed since they were read or since the last call.
     bool take(FileKind kind);
 
   private:
