@@ -27,7 +27,7 @@ int all_threads() {
     return int(global_control::active_value(global_control::max_allowed_parallelism));
 }
 
-/// The same work on one thread and on all.
+/// Adds a stage twice: on one thread and on all.
 void add_stage(std::vector<BenchCase>& cases, const std::string& stage,
                const std::function<void()>& run) {
     for (const int threads : {1, all_threads()})
@@ -38,7 +38,7 @@ void add_stage(std::vector<BenchCase>& cases, const std::string& stage,
                          }});
 }
 
-/// A mesh, what all its atlases are built from, and what they are judged by.
+/// A mesh with the inputs of all its atlases and the reference for their quality.
 struct AtlasSubject {
     AtlasSubject(std::size_t faces, std::size_t points)
         : mesh(bumpy_sphere(faces)),
@@ -61,7 +61,7 @@ struct AtlasSubject {
 
 void add_quad_stages(std::vector<BenchCase>& cases, const AtlasSubject& subject,
                      const AtlasOptions& options) {
-    constexpr double most_cost = 1.5;  // as in atlas/blocks/layout_quad.cpp
+    constexpr double most_cost = 1.5;  // limit used by atlas/blocks/layout_quad.cpp
     const auto opposite = std::make_shared<std::vector<std::int32_t>>(
         opposite_half_edges(subject.mesh, subject.connectivity));
     const auto pairs = [&subject, opposite, options] {
@@ -87,7 +87,7 @@ std::vector<BenchCase> stages_of(const AtlasSubject& subject, const MeshAtlas& a
     return cases;
 }
 
-/// Coverage and lookup errors, at the same points of the surface for all kinds.
+/// Measures coverage and lookup errors, at the same surface points for all kinds of atlas.
 void add_quality(AtlasBench& bench, const AtlasSubject& subject, const MeshAtlas& atlas) {
     const Mesh& mesh = atlas.mesh(subject.mesh);
     const SolidAtlas solid = rasterize(subject.mesh, atlas, mesh.positions);

@@ -19,7 +19,8 @@ double median_of(std::vector<double> values) {
     return n % 2 == 1 ? values[n / 2] : 0.5 * (values[n / 2 - 1] + values[n / 2]);
 }
 
-/// `first`: seconds of the group's first case in the same rounds.
+/// Summarises a case's rounds; `first` has the seconds of its group's first case in the same
+/// rounds.
 BenchRow summarise(const BenchCase& bench, const std::vector<double>& seconds,
                    const std::vector<double>& first) {
     const auto [lowest, highest] = std::minmax_element(seconds.begin(), seconds.end());

@@ -1,5 +1,5 @@
 #pragma once
-// What `burl bench` was asked for, and the report that every suite ends with.
+// The command line of `burl bench`, and the report of every suite.
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -10,24 +10,26 @@
 
 namespace burl {
 
-/// `size`: 0 is the suite's own.
+/// The parsed command line.
 struct BenchCommand {
     std::string suite, file, out;
-    std::vector<std::string> recipes;  ///< empty: the suite's own
-    std::string simd;                  ///< empty: the machine's best
-    std::string gl = "osmesa";         ///< where OpenGL comes from (app/gl/device/context.h)
+    std::vector<std::string> recipes;  ///< recipes to use; empty: the suite's default
+    std::string simd;                  ///< instruction set; empty: the machine's best
+    std::string gl = "osmesa";         ///< OpenGL platform (app/gl/device/context.h)
+    /// The suite's size (--size); 0: its default.
     std::size_t size = 0;
     int repeats = 5;
     bool large = false, json = false;
-    bool thorough = false;  ///< stability
-    std::string one{};      ///< its --case
+    bool thorough = false;  ///< stability: whether all cases are run
+    std::string one{};      ///< stability: the case of --case
 };
 
-/// Writes the suite's rows with the machine and the versions: to the file asked for, and to stdout
-/// with --json.
+/// Writes the suite's rows with a description of the machine and the library versions, to the
+/// output file if there is one, and to stdout with --json.
 void write_report(const BenchCommand& command, const Json& rows);
 
-/// write_report of to_json(row) for every row; whether tables are wanted on stdout, too.
+/// Reports to_json(row) of every row through write_report(). Returns whether tables should be
+/// printed, too.
 template <class Rows, class ToJson>
 bool report_rows(const BenchCommand& command, const Rows& rows, const ToJson& to_json) {
     Json list = Json::array();
@@ -36,11 +38,11 @@ bool report_rows(const BenchCommand& command, const Rows& rows, const ToJson& to
     return !command.json;
 }
 
-/// The suite `forward`: runs it, prints and reports.
+/// Runs the suite `forward`, prints its tables and writes the report.
 void run_forward_bench(const BenchCommand& command);
-/// The suite `economy`.
+/// Runs the suite `economy`, prints its tables and writes the report.
 void run_economy_bench(const BenchCommand& command);
-/// The suite `stability`, or one of its cases.
+/// Runs the suite `stability`, or one of its cases, prints and writes the report.
 void run_stability_bench(const BenchCommand& command);
 
 }  // namespace burl

@@ -19,7 +19,7 @@ Recipe recipe_of(const std::string& name, std::uint32_t size) {
     return load_recipe(name, {fmt::format("atlas.size={}", size)});
 }
 
-/// Marble whose octaves are terms that can be edited one by one.
+/// Marble with its octaves as separate terms, which can be edited one by one.
 Recipe four_terms(std::uint32_t size) {
     Recipe recipe = recipe_of("marble", size);
     NoiseTerm term = recipe.texture.noise.front();
@@ -32,7 +32,7 @@ Recipe four_terms(std::uint32_t size) {
     return recipe;
 }
 
-/// A texture on the screen, and the recipe its sliders are at.
+/// A texture as an editor shows it, and the recipe set by the sliders.
 struct Shown {
     Pipeline pipeline{torus(6000)};
     Recipe recipe;
@@ -52,7 +52,7 @@ struct Edit {
     std::function<void(Recipe&)> move;
 };
 
-/// Each turns back what it did the time before.
+/// The edits; each undoes at every second call what it did at the call before.
 std::vector<Edit> edits() {
     return {{"colour",
              [](Recipe& r) {
@@ -67,12 +67,13 @@ std::vector<Edit> edits() {
             {"phase of 1 of 4 terms",
              [](Recipe& r) {
                  double& x = r.texture.noise[3].phase.x;
-                 x = x == 0.5 ? 0.25 : 0.5;  // its octave never hangs together with others
+                 // This octave never shares its coordinates with another.
+                 x = x == 0.5 ? 0.25 : 0.5;
              }},
             {"camera", [](Recipe&) {}}};
 }
 
-/// What synthesis did since `before`.
+/// Returns the work of the synthesis since `runs_before`; none where it did not run.
 SynthesisWork work_since(const Pipeline& pipeline, std::uint64_t runs_before) {
     const StageRecord& record = pipeline.records()[Stage::synthesis];
     return record.runs == runs_before ? SynthesisWork{} : record.last.work;
@@ -97,7 +98,7 @@ std::vector<EditBench> bench_edits(int repeats, std::uint32_t size) {
         return plain->records()[Stage::synthesis].last.work;
     });
     for (const Edit& edit : edits()) {
-        const auto shown = std::make_shared<Shown>(size);  // one slider is dragged at a time
+        const auto shown = std::make_shared<Shown>(size);  // every case drags one slider only
         add(edit.name, [shown, move = edit.move] {
             const std::uint64_t runs = shown->pipeline.records()[Stage::synthesis].runs;
             move(shown->recipe);

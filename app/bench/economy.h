@@ -1,6 +1,6 @@
 #pragma once
-// The parts of `burl bench economy` without cameras: what an edit of a recipe costs where results
-// are kept, which octaves distance spares, and which an early exit does.
+// The parts of `burl bench economy` without cameras: the cost of an edit of a recipe with cached
+// intermediate values, and the octaves that the band limit and the early exit leave out.
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -10,31 +10,32 @@
 
 namespace burl {
 
-/// A slider that was moved, in a program that shows the texture (Pipeline::picture).
+/// An edit by a slider, in a program that shows the texture (Pipeline::picture).
 struct EditBench {
-    BenchRow time;         ///< times_first: over the whole texture's
-    SynthesisWork work{};  ///< of one move
+    BenchRow time;         ///< times_first is relative to the whole texture
+    SynthesisWork work{};  ///< work of one edit
 };
 
-/// Marble's four octaves as terms of their own on a torus of `size` x `size` texels: the whole
-/// texture, and after a move of its colours, of one term's amplitude, of its phase, and of the
-/// camera alone, each as one of many moves of that slider. All threads; `repeats` paired rounds.
+/// Measures edits of marble with its four octaves as separate terms, on a torus with `size` x
+/// `size` texels: the whole texture, and changes of a colour, of one term's amplitude, of its
+/// phase, and of the camera alone, each case dragging one slider. All threads; `repeats` paired
+/// rounds.
 std::vector<EditBench> bench_edits(int repeats, std::uint32_t size);
 
-/// Octaves that one synthesis left out.
+/// The octaves left out by one synthesis.
 struct SparedOctaves {
     std::string recipe;
-    std::uint32_t level = 0;  ///< of the texture
+    std::uint32_t level = 0;  ///< MIP level of the texture
     SynthesisWork work{};
-    double share(Skip skip) const;  ///< of all octaves that it would have evaluated
+    double share(Skip skip) const;  ///< share of all octaves to be evaluated
 };
 
-/// What level `level` of the recipe's texture on the teapot leaves out when every texel shows only
-/// the octaves it can (filter.octaves fade), and is made by itself.
+/// The octaves left out of level `level` of the recipe's texture on the teapot, synthesised on its
+/// own, where every texel fades out the octaves it cannot show (filter.octaves fade).
 SparedOctaves spared_by_band_limit(const std::string& recipe, std::uint32_t size,
                                    std::uint32_t level);
 
-/// What the early exit leaves out of the texture of level 0.
+/// The octaves left out by the early exit in the texture at level 0.
 SparedOctaves spared_by_early_exit(const std::string& recipe, std::uint32_t size);
 
 }  // namespace burl

@@ -31,23 +31,24 @@ InputEvent left_button(bool down) {
     return event;
 }
 
-/// What is dragged, on which tab, and how far in screen coordinates.
+/// A dragged widget, its tab, and the drag's length in screen coordinates.
 struct Subject {
     const char* tab;
     const char* item;
     double reach;
-    const char* steps = "";  ///< of a script, before
+    const char* steps = "";  ///< script steps before the drag
 };
 constexpr std::array subjects{Subject{"Parameters", "texture.input.noise.0.amplitude", 60.0},
                               Subject{"Parameters", "texture.input.noise.0.frequency.0", 20.0},
                               Subject{"Parameters", "solid.scale", 60.0},
                               Subject{"Colours", "texture.stops.1", 60.0},
-                              Subject{"Parameters", "object", 120.0,  // the texture on it
+                              // Drags the texture on the object.
+                              Subject{"Parameters", "object", 120.0,
                                       R"({"key": "G"}, {"wait": 2}, {"click": "move.axes"},)"}};
 
 constexpr double pixels_per_second = 90.0;
 
-/// One drag to the right and back and so on, in real time.
+/// A drag to the right and back, repeatedly, in real time.
 class Drag {
   public:
     Drag(EditorProgram& editor, BenchWindow& window, const Subject& subject, EditorBench& bench)
@@ -77,7 +78,7 @@ class Drag {
         double at = 0.0;
     };
 
-    /// One event, in a frame of its own.
+    /// Plays events in one frame.
     void turn_with(const std::vector<InputEvent>& events) {
         window_.set_hand([&, used = false](double) mutable {
             return std::exchange(used, true) ? std::vector<InputEvent>() : events;
@@ -86,7 +87,8 @@ class Drag {
         window_.set_hand({});
     }
 
-    /// To and fro, fast enough that every event is on another pixel: the others change nothing.
+    /// Returns the pointer moving to and fro, fast enough that every event is on another pixel, as
+    /// others change nothing.
     std::vector<InputEvent> hand(double seconds) {
         const double turn = std::fmod(pixels_per_second * seconds / subject_.reach, 2.0);
         const double x = std::min(turn, 2.0 - turn);
@@ -115,7 +117,7 @@ class Drag {
         });
     }
 
-    /// The display's refreshes that a frame missed come on top of its own.
+    /// Computes the figures of a drag; a display refresh without a frame is a dropped frame.
     void summarise() {
         bench_.events = latencies_.size() + open_.size();
         bench_.frames = frames_.size();
@@ -161,7 +163,7 @@ void rest(EditorProgram& editor, const BenchWindow& window, double seconds) {
     while (window.seconds() < until) editor.turn();
 }
 
-/// Once the last drag's aftermath is over.
+/// Returns the idle processor load, after the last drag's background work has ended.
 double idle_share(EditorProgram& editor, const BenchWindow& window) {
     rest(editor, window, 0.5);
     const double before = processor_seconds(), start = window.seconds();

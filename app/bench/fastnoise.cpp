@@ -15,7 +15,8 @@ namespace burl {
 
 namespace {
 
-/// The points as it wants them, and room for a batch of values, which stays in the first cache.
+/// The points as single-precision arrays, and a buffer for a batch of values, which fits into the
+/// L1 cache.
 struct Arrays {
     std::vector<float> x, y, z, values;
 
@@ -34,7 +35,7 @@ FastSIMD::FeatureSet feature_set() {
     return level.starts_with("AVX3") ? FastSIMD::FeatureSet::Max : FastSIMD::FeatureSet::SSE41;
 }
 
-/// Null where the library was built without so small an instruction set.
+/// Makes a generator; null where the library lacks so small an instruction set.
 template <class Node>
 FastNoise::SmartNode<Node> scaled_node() {
     FastNoise::SmartNode<Node> node = FastNoise::New<Node>(feature_set());

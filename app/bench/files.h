@@ -1,12 +1,12 @@
 #pragma once
-// Files that suites of `burl bench` read, in a folder that goes with them.
+// Temporary files that suites of `burl bench` read.
 #include <filesystem>
 
 #include "atlas/mesh/mesh.h"
 
 namespace burl {
 
-/// A new folder among the system's temporary ones, gone with this.
+/// A new folder in the system's temporary one, removed with this object.
 struct BenchFolder {
     BenchFolder();
     ~BenchFolder();
@@ -16,7 +16,7 @@ struct BenchFolder {
     std::filesystem::path path;
 };
 
-/// Points and triangles alone; binary PLY is little-endian with float coordinates.
+/// Write positions and triangles only; binary PLY is little-endian with float coordinates.
 void write_bench_obj(const std::filesystem::path& path, const Mesh& mesh);
 void write_bench_ply(const std::filesystem::path& path, const Mesh& mesh);
 

@@ -1,4 +1,4 @@
-// All textures are looked at through oblique planes, with texels 0.7 times as high as wide.
+// All textures are sampled on oblique planes, with texels 0.7 times as high as wide.
 #include "app/bench/filter.h"
 
 #include <cmath>
@@ -20,7 +20,7 @@ namespace {
 constexpr std::uint32_t block = 8, blocks = 8, fine = 64, side_texels = block * blocks;
 constexpr double footprints[] = {1.0 / 32, 0.1, 0.25, 1.0};
 
-/// A texture with the filter under test; the first of a subject's has none.
+/// A texture with the filter under test; the first of a subject is unfiltered.
 struct NamedRecipe {
     std::string filter;
     Recipe recipe;
@@ -28,12 +28,12 @@ struct NamedRecipe {
 
 struct FilterSubject {
     std::string texture;
-    double frequency = 1.0;  ///< finest cells per unit of the solid
-    double reach = 1.0;      ///< how far from the origin texels are
+    double frequency = 1.0;  ///< cells of the finest octave per unit of the solid
+    double reach = 1.0;      ///< largest distance of texels from the origin
     std::vector<NamedRecipe> recipes;
 };
 
-/// Cells per unit of the solid of the finest octave.
+/// Returns the cells of the finest octave per unit of the solid.
 double finest_frequency(const Texture& texture) {
     double finest = 0.0;
     for (const Octave& octave : expand_octaves(texture))
@@ -62,7 +62,7 @@ FilterSubject preset(const char* name) {
     return subject;
 }
 
-/// A checkerboard by each of its node's own forms and by samples of the whole texture.
+/// Returns a checkerboard filtered by each form of its node and by supersampling the whole texture.
 FilterSubject checkers(const char* node) {
     FilterSubject subject{node, 1.0, 16.0, {}};
     const auto add = [&](const char* name, const char* form, FilterKind kind) {
@@ -86,7 +86,7 @@ Image<RgbF> colors(const SolidAtlas& solid, const Recipe& recipe) {
     return synthesize_rgbf(solid, recipe.texture, {}, 0, recipe.filter);
 }
 
-/// On one thread, in 8 bits.
+/// Bakes on one thread, in 8 bits.
 void bake(const SolidAtlas& solid, const Recipe& recipe) {
     if (!recipe.graph.empty())
         synthesize_graph_rgb8(solid, recipe.graph, {}, recipe.filter, 1);
@@ -99,7 +99,7 @@ TexelMap plane(const Vec3d& origin, double side) {
     return {origin, side * u, 0.7 * side * v, 0, 0};
 }
 
-/// across x across squares of side x side texels, each with a map of its own.
+/// Returns an atlas of squares of side x side texels, `across` in a row, each with its own map.
 SolidAtlas squares(const std::vector<TexelMap>& maps, std::uint32_t across, std::uint32_t side) {
     SolidAtlas solid;
     solid.size = across * side;
@@ -117,17 +117,18 @@ SolidAtlas squares(const std::vector<TexelMap>& maps, std::uint32_t across, std:
     return solid;
 }
 
-/// The texel's mean and what else its 64 x 64 samples tell.
+/// Statistics of the 64 x 64 samples of a texel: the mean, and the means of 16 of them.
 struct TexelTruth {
     Vec3d mean{0.0}, grid{0.0}, jittered{0.0};
-    Vec3d halves{0.0};  ///< difference of the means of two interleaved halves
+    Vec3d halves{0.0};  ///< difference of the means of the two halves of a chequered split
 };
 
 Vec3d as_vector(const RgbF& c) {
     return {c.r, c.g, c.b};
 }
 
-/// `samples`: 64 x 64 of the texel, in the middles of equal parts.
+/// Computes the statistics of a texel from its 64 x 64 samples, taken at the centres of equal
+/// parts.
 TexelTruth summed(const Image<RgbF>& samples, std::size_t x, std::size_t y, std::mt19937& random) {
     TexelTruth truth;
     constexpr std::size_t stratum = fine / 4;
@@ -141,7 +142,7 @@ TexelTruth summed(const Image<RgbF>& samples, std::size_t x, std::size_t y, std:
         return as_vector(samples(x * fine + k % 4 * stratum + i, y * fine + k / 4 * stratum + j));
     };
     for (std::size_t k = 0; k < 16; ++k) {
-        // A stratum's middle is a corner of four samples.
+        // The centre of a stratum is the common corner of four samples.
         const std::size_t m = stratum / 2;
         truth.grid +=
             (at(k, m, m) + at(k, m - 1, m - 1) + at(k, m, m - 1) + at(k, m - 1, m)) / 64.0;
@@ -179,13 +180,13 @@ BenchError error_of(const std::vector<TexelTruth>& truth,
     return BenchError::of(values, means);
 }
 
-/// Cells as people write them.
+/// Returns the group's name, with the footprint as a fraction of a cell.
 std::string group_name(const std::string& texture, double footprint) {
     return footprint < 1.0 ? fmt::format("{}, 1/{:.0f}", texture, 1.0 / footprint)
                            : fmt::format("{}, {:.0f}", texture, footprint);
 }
 
-/// Times of all filters on one large square.
+/// Times all filters on one large square.
 std::vector<BenchRow> timed(const FilterSubject& subject, const std::string& group, double side,
                             std::size_t across, int repeats) {
     const auto solid = std::make_shared<SolidAtlas>(
@@ -211,7 +212,7 @@ void add_rows(std::vector<FilterBench>& rows, const FilterSubject& subject, doub
     const double side = footprint / subject.frequency;
     const std::vector<TexelMap> maps = random_planes(subject, side);
     const std::vector<TexelTruth> truth = truths(maps, subject.recipes.front().recipe);
-    // Two halves differ by twice the error of their common mean, were their errors independent.
+    // If the errors of the halves are independent, they differ by twice the error of their mean.
     const double noise =
         0.5 * error_of(truth, [&](std::size_t i) { return truth[i].mean + truth[i].halves; }).rms;
     const std::string group = group_name(subject.texture, footprint);

@@ -16,13 +16,14 @@ namespace burl {
 
 namespace {
 
-/// A way to get f along lines; `values` of one line at a time, of at most batch_capacity texels.
+/// A method of evaluating f along lines; values() evaluates one line of at most batch_capacity
+/// texels.
 struct Method {
     std::string name;
     std::function<ForwardCounts(const LatticeLine&, double*)> values;
 };
 
-/// As bakes evaluate it: vectorised, in float32 with sums in float64.
+/// Evaluates as a bake does: vectorised, in float32 with sums in float64.
 Method kernel_method(const Texture& texture, Kernel kernel, const char* name) {
     const auto sampler = std::make_shared<FieldSampler>(texture, false, kernel);
     const auto batch = std::make_shared<FieldBatch>();
@@ -35,7 +36,7 @@ Method kernel_method(const Texture& texture, Kernel kernel, const char* name) {
             }};
 }
 
-/// Texel by texel, as the paper's comparison has it.
+/// Evaluates texel by texel in float64, the paper's baseline.
 Method texelwise_method(const Texture& texture) {
     return {"texel by texel, float64",
             [&texture, octaves = expand_octaves(texture)](const LatticeLine& line, double* f) {
@@ -53,7 +54,7 @@ Method forward_method(const Texture& texture, const std::string& name, ForwardPr
             }};
 }
 
-/// The quadric and every octave by themselves.
+/// Evaluates the quadric and every octave by forward differences of their own.
 Method octaves_method(const Texture& texture) {
     return {"forward, octave by octave",
             [&texture, octaves = expand_octaves(texture)](const LatticeLine& line, double* f) {
@@ -89,7 +90,7 @@ Measured measure(const Method& method, const Method& exact, const std::vector<La
     return result;
 }
 
-/// The methods' times over all lines, in turn.
+/// Times the methods over all lines, in paired rounds.
 std::vector<BenchRow> timed(const std::vector<Method>& list, const std::vector<LatticeLine>& lines,
                             int repeats) {
     std::vector<BenchCase> cases;
@@ -128,7 +129,7 @@ std::vector<LatticeLine> random_lines(double step) {
     return lines;
 }
 
-/// Scan lines of the faces of the cube [0, size]^3 that share the corner (size, size, size).
+/// Returns scan lines of the faces of the cube [0, size]^3 that meet at (size, size, size).
 std::vector<LatticeLine> cube_lines(double size, std::size_t side) {
     std::vector<LatticeLine> lines;
     const double step = size / double(side);
@@ -145,7 +146,7 @@ std::vector<LatticeLine> cube_lines(double size, std::size_t side) {
     return lines;
 }
 
-/// All steps of one method after the other.
+/// Measures every method at every step; the rows of a method are adjacent.
 std::vector<ForwardBench> bench_function(const std::string& name, const Texture& texture,
                                          int repeats) {
     constexpr int powers[] = {12, 10, 8, 6, 5, 4, 3, 2, 0};
@@ -187,7 +188,7 @@ std::vector<ForwardBench> bench_forward(int repeats) {
 
 namespace {
 
-/// Compares what the methods show of the lines in 8 bits.
+/// Counts the texels whose 8-bit colours differ between two methods.
 void count_codes(const Method& method, const Method& exact, const ColorMap& colors,
                  const std::vector<LatticeLine>& lines, CubeBench& row) {
     const ColorTable8 color(colors);

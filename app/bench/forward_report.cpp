@@ -40,7 +40,7 @@ Json growth_json(const GrowthBench& row) {
             {"errors", errors}};
 }
 
-/// A table per function: a line per method, and in it cell(row) for every step.
+/// Prints a table per function, with a line per method and a column cell(row) per step.
 template <class Cell>
 void print_steps(const std::vector<ForwardBench>& rows, const char* what, Cell&& cell) {
     std::string function, method;
@@ -69,7 +69,7 @@ void print_cubes(const std::vector<CubeBench>& rows) {
                    row.cells, row.runs);
 }
 
-/// Largest error at the cells' first, second, third, fifth ... and last texel.
+/// Prints the largest errors by the index of the texel in its cell.
 void print_growth(const std::vector<GrowthBench>& rows) {
     double frequency = 0.0;
     for (const GrowthBench& row : rows) {

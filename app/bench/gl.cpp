@@ -24,7 +24,7 @@ double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// Of all but the first, the warm-up round.
+/// Returns the median without the first value, the warm-up round.
 double median(std::vector<double> values) {
     if (values.size() < 2) return 0.0;
     const auto begin = values.begin() + 1, middle = begin + (values.end() - begin) / 2;
@@ -32,7 +32,7 @@ double median(std::vector<double> values) {
     return *middle;
 }
 
-/// What is drawn, and every how many rows errors are taken.
+/// A texture to draw; errors are taken on every step-th row.
 struct GlSubject {
     std::shared_ptr<Pipeline> pipeline;
     std::uint32_t octaves = 0, side = 0, step = 1;
@@ -52,16 +52,17 @@ GlSubject make_subject(std::uint32_t octaves, std::uint32_t side) {
     return subject;
 }
 
-/// One way to make the subject's texture.
+/// A method of making the subject's texture.
 class Way {
   public:
     explicit Way(std::string text) : name(std::move(text)) {}
     Way(const Way&) = delete;
     Way& operator=(const Way&) = delete;
     virtual ~Way() = default;
-    /// 8-bit sRGB into host memory.
+    /// Makes the texture as 8-bit sRGB in host memory.
     virtual void run() = 0;
-    /// Colours in linear light, of every step-th row; none of a way that is not the definition's.
+    /// Returns colours in linear light of every step-th row; empty for a method whose noise differs
+    /// from the definition.
     virtual std::vector<double> colors() = 0;
     virtual void describe(GlBench&) const {}
 
@@ -89,11 +90,11 @@ class HostSynthesis final : public Way {
     Image<Rgb8> image_;
 };
 
-/// By GlSynthesis or what is shaped like it, in a context of its own.
+/// A texture made by GlSynthesis or a class with its interface, in an OpenGL context of its own.
 template <class Synthesis>
 class GlWay final : public Way {
   public:
-    /// make(GlContext&) gives the Synthesis. Makes the first picture.
+    /// Creates the context and, by make(GlContext&), the Synthesis, and draws the first picture.
     template <class Make>
     GlWay(const std::string& text, const GlSubject& subject, const std::string& platform,
           const Make& make, bool is_defined = true)
@@ -107,7 +108,7 @@ class GlWay final : public Way {
         const GlWork& work = synthesis_->work();
         cold_.compile = work.compile, cold_.maps = work.map, cold_.draw = work.draw;
     }
-    /// What it holds goes in its own context.
+    /// Makes the context current in which the members are destroyed.
     ~GlWay() override { context_->make_current(); }
     void run() override {
         draw(image_);
@@ -151,8 +152,9 @@ struct Passes {
     Randomizer randomizer;
 };
 
-/// The papers' passes at every precision, and of 4 octaves by their own random numbers, which are
-/// not the definition's; bit by bit they are thousands of passes, for small textures only.
+/// The papers' multi-pass methods at every precision, and for 4 octaves with their own random
+/// numbers, which differ from the definition's. The one by bits has thousands of passes and is
+/// measured for small textures only.
 std::vector<Passes> passes_of(const GlSubject& subject) {
     std::vector<Passes> passes{{"multipass 32f", PassPrecision::float32, Randomizer::hash},
                                {"multipass 16f", PassPrecision::float16, Randomizer::hash},
@@ -214,7 +216,7 @@ std::vector<double> values_of(const std::vector<Image<RgbF>>& levels) {
     return values;
 }
 
-/// All levels of a texture, uploaded and read back, against the host's.
+/// Measures all MIP levels of a texture, uploaded and read back, with errors against the host's.
 std::vector<GlBench> bench_levels(const GlSubject& subject, const std::string& platform,
                                   int repeats) {
     Pipeline& pipeline = *subject.pipeline;

@@ -1,4 +1,4 @@
-// `burl bench economy`: its tables and its JSON.
+// The command `burl bench economy` with its tables and its JSON.
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 

@@ -24,7 +24,7 @@ void append(Mesh& mesh, const Mesh& more, double scale, const Vec3d& move) {
         mesh.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
 }
 
-/// Six balls round the teapot, each a third as large.
+/// The teapot behind six balls a third of its size.
 Mesh teapot_behind_balls() {
     Mesh mesh = sample_mesh("sample:teapot");
     const Sphere sphere = bounding_sphere(mesh);
@@ -36,14 +36,14 @@ Mesh teapot_behind_balls() {
         append(mesh, ball, sphere.radius / 3.0, sphere.centre + 1.2 * sphere.radius * direction);
     }
     mesh.parts = {{mesh.name, 0, std::uint32_t(mesh.triangles.size())}};
-    mesh.source_faces.clear();  // the balls have none
+    mesh.source_faces.clear();  // the balls have no source faces
     return mesh;
 }
 
 struct ViewSubject {
     std::string name;
     Mesh mesh;
-    double distance;  ///< of the eye in radii of the scene's sphere
+    double distance;  ///< distance of the eye, in radii of the scene's bounding sphere
 };
 
 std::vector<ViewSubject> scenes(const ViewBenchSubjects& subjects) {
@@ -62,7 +62,7 @@ std::vector<View> sweep(int count, double distance) {
     return views;
 }
 
-/// A scene whose texture is not there yet.
+/// A scene drawn before its texture is made.
 struct ViewedScene {
     GlContext& context;
     Pipeline& pipeline;

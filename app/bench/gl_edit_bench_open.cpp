@@ -20,7 +20,7 @@ namespace {
 
 constexpr glm::ivec2 size{1280, 800};
 
-/// The editor, what a hand does to it and how long frames take.
+/// The editor while it opens a mesh, with moving pointer input and a record of its frame times.
 class Opening {
   public:
     explicit Opening(const std::string& file) : file_(file) {
@@ -40,7 +40,7 @@ class Opening {
         window_->set_hand([this](double seconds) { return hand(seconds); });
     }
 
-    /// Turns until `done`; the seconds since the drop.
+    /// Runs turns until `done`; returns the seconds since the drop.
     template <class Done>
     double until(const Done& done) {
         while (!done(*editor_)) editor_->turn();
@@ -63,7 +63,7 @@ class Opening {
     Durations thread() const { return durations_of(thread_); }
 
   private:
-    /// The pointer goes round over the panels, or with the button down over the object.
+    /// Returns pointer motion in a circle: over the panels, or as a drag on the object.
     std::vector<InputEvent> hand(double seconds) {
         const glm::dvec2 round(std::cos(3.0 * seconds), std::sin(3.0 * seconds));
         const glm::dvec2 middle = turns_ ? glm::dvec2(400, 400) : glm::dvec2(1050, 400);

@@ -1,6 +1,6 @@
 #pragma once
-// A display of 60 Hz that nobody sees, in real time: events come when a hand makes them, and every
-// frame is drawn to its end and then waits for the display.
+// An offscreen 60 Hz display in real time: a callback makes input at that rate, and every frame is
+// finished and then waits for the next refresh.
 #include <chrono>
 #include <condition_variable>
 #include <functional>
@@ -13,6 +13,7 @@
 
 namespace burl {
 
+/// A window for benchmarks. All functions except wake() are called by one thread.
 class BenchWindow final : public GlWindow {
   public:
     static constexpr double refresh_seconds = 1.0 / 60.0;
@@ -23,9 +24,9 @@ class BenchWindow final : public GlWindow {
 
     BenchWindow(std::unique_ptr<GlContext> context, const glm::ivec2& size);
 
-    /// Asked for its events 60 times a second from now on; none: the hand rests.
+    /// Sets the callback asked for input 60 times a second; an empty function: no input.
     void set_hand(std::function<std::vector<InputEvent>(double seconds)> hand);
-    /// Told of every frame before the display shows it.
+    /// Sets the callback that receives every frame's times before the frame is presented.
     void on_frame(std::function<void(const Frame&)> told) { told_ = std::move(told); }
 
     GlContext& context() override { return window_->context(); }
@@ -50,6 +51,7 @@ class BenchWindow final : public GlWindow {
     std::function<std::vector<InputEvent>(double)> hand_;
     std::function<void(const Frame&)> told_;
     double next_events_ = 0.0, began_ = 0.0;
+    // `mutex_` guards woken_, and `changed_` is notified when it becomes true.
     std::mutex mutex_;
     std::condition_variable changed_;
     bool woken_ = false;

@@ -19,7 +19,7 @@ struct KernelSubject {
     double values[batch_capacity + batch_padding] = {};
 };
 
-/// Spans that go on from one another, turned at random, as a bake cuts them into batches.
+/// Returns successive spans in random directions, cut into batches as in a bake.
 std::vector<std::vector<Piece>> random_spans(std::mt19937& random, double crossings,
                                              std::size_t span) {
     std::uniform_real_distribution<double> unit(-1.0, 1.0);

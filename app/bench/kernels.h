@@ -1,25 +1,26 @@
 #pragma once
-// The suite `burl bench kernels`: the ways of computing lattice noise beside one another, by how
-// many planes of the lattice a texel crosses. It is what the crossovers in
-// procedural/octave_streams are taken from, and how far off they are.
+// The suite `burl bench kernels`: the kernels for lattice noise side by side, by the number of
+// lattice planes crossed per texel. The crossovers in procedural/field/octave_streams are taken
+// from it, and it shows how far off they are.
 #include <algorithm>
 #include <string>
 #include <vector>
 
 namespace burl {
 
+/// Times of the kernels for one noise, span length and number of crossings.
 struct KernelBench {
     std::string noise;
-    std::size_t span = 0;    ///< texels
-    double crossings = 0.0;  ///< planes per texel, of the first octave
-    /// ns per texel, medians, one thread.
+    std::size_t span = 0;    ///< length of a span in texels
+    double crossings = 0.0;  ///< lattice planes of the first octave crossed per texel
+    /// Median times in ns per texel on one thread, by kernel.
     double direct = 0.0, share = 0.0, scanline = 0.0, automatic = 0.0;
 
     double best() const { return std::min({direct, share, scanline}); }
 };
 
-/// Spans of `span` texels in random directions, in `repeats` paired rounds. Coordinates, noise and
-/// its sum are timed; no colours.
+/// Measures spans of `span` texels in random directions, in `repeats` paired rounds. The time
+/// includes coordinates, noise and its sum, and no colours.
 std::vector<KernelBench> bench_kernels(int repeats, std::size_t span);
 
 }  // namespace burl

@@ -17,7 +17,7 @@ namespace {
 constexpr std::uint32_t last = 5;
 constexpr std::array rules{"average", "direct:64", "direct:16", "direct:4", "direct:1"};
 
-/// The texels of a rule's source over those of level 0.
+/// Returns the texels synthesised for a level by a rule, as a multiple of those of level 0.
 double samples_of(Pipeline& pipeline, const LevelRule& rule, std::uint32_t level) {
     if (!rule.direct) return 1.0;
     const std::uint32_t size = pipeline.recipe().atlas.size;
@@ -28,7 +28,7 @@ double samples_of(Pipeline& pipeline, const LevelRule& rule, std::uint32_t level
 void add_rules(Pipeline& pipeline, const SurfaceTruth& truth, int repeats,
                std::vector<LevelBench>& rows) {
     const Image<RgbF> texture = pipeline.synthesize<RgbF>();
-    std::vector<std::vector<double>> errors;  // per rule and level
+    std::vector<std::vector<double>> errors;  // indexed by rule, then by level
     for (const char* name : rules)
         errors.push_back(level_errors(
             pipeline.atlas(), pipeline.levels(texture, last, level_rule_named(name)), truth));

@@ -10,7 +10,7 @@ namespace burl {
 
 namespace {
 
-/// Points of the surface of an n x n x n lattice cube, numbered by first use.
+/// The surface points of an n x n x n lattice cube, numbered by first use.
 class CubeLattice {
   public:
     explicit CubeLattice(std::uint32_t n) : n_(n) {}
@@ -21,7 +21,7 @@ class CubeLattice {
         const auto [entry, added] =
             numbers_.try_emplace(key, static_cast<std::uint32_t>(points_.size()));
         if (added)
-            points_.push_back(2.0 / n_ * Vec3d(at[0], at[1], at[2]) - 1.0);  // cube of side 2
+            points_.push_back(2.0 / n_ * Vec3d(at[0], at[1], at[2]) - 1.0);  // the cube's side is 2
         return entry->second;
     }
     std::vector<Vec3d> take_points() { return std::move(points_); }

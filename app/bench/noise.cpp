@@ -1,5 +1,6 @@
-// Values are taken at points in no order; those of the vectorised kernels along lines of 256, as
-// in a bake, their positions worked out in the time. Other libraries get their positions ready.
+// Values are computed at points in random order; vectorised kernels compute them along lines of 256
+// points, as in a bake, and their times include the positions. The positions for other libraries
+// are computed beforehand.
 #include "app/bench/noise.h"
 
 #include <algorithm>
@@ -17,18 +18,18 @@ namespace burl {
 
 namespace {
 
-constexpr double reach = 64.0;  // cells from the origin
+constexpr double reach = 64.0;  // distance of the points from the origin in cells
 constexpr std::size_t line_length = 256;
 
-/// Cases of a suite with what they compute and what they should.
+/// Cases of a suite with the values they compute and the reference values.
 struct NoiseCases {
     using Values = std::shared_ptr<std::vector<double>>;
     std::vector<BenchCase> cases;
     std::vector<Values> values;
-    std::vector<std::shared_ptr<const std::vector<double>>> references;  ///< null: none
-    std::vector<std::function<void()>> finish;  ///< what is left to compute after the timing
+    std::vector<std::shared_ptr<const std::vector<double>>> references;  ///< null: no reference
+    std::vector<std::function<void()>> finish;  ///< computations after the timing
 
-    /// run(values) fills as many values as there are points.
+    /// Adds a case; run(values) must compute `count` values.
     template <class Run>
     void add(const std::string& group, const std::string& name, std::size_t count,
              std::shared_ptr<const std::vector<double>> reference, const Run& run) {
@@ -56,7 +57,7 @@ BenchPoints random_points(std::size_t count) {
     return points;
 }
 
-/// A tenth of a cell from texel to texel, on the average.
+/// Returns lines whose texels are about a tenth of a cell apart.
 Lines random_lines(std::size_t count) {
     std::mt19937 random(2);
     std::uniform_real_distribution<double> place(-reach, reach), step(-0.1, 0.1);
@@ -77,7 +78,7 @@ std::shared_ptr<const std::vector<double>> reference(const NoiseSpec& noise,
     return values;
 }
 
-/// The octaves' sum without their offsets, as the kernels have it.
+/// Returns the octaves' sum without their offsets, as kernels compute it.
 double octave_sum(const std::vector<Octave>& octaves, const Vec3d& s) {
     double sum = 0.0;
     for (const Octave& octave : octaves)
@@ -114,14 +115,14 @@ std::vector<Octave> noise_octaves(NoiseKind kind, Fade fade, std::uint32_t octav
     return expand_octaves(texture);
 }
 
-/// The vectorised kernels, where they know the noise; every texel hashes its own corners.
+/// Adds the vectorised kernel of a noise that has one; every texel hashes its own corners.
 void add_kernel(NoiseCases& all, const std::string& group, const std::string& name,
                 const std::vector<Octave>& octaves, const Lines& lines) {
     if (!std::ranges::all_of(octaves, has_kernel)) return;
     const auto buffers = std::make_shared<StreamBuffers>();
     constexpr std::size_t at_once = batch_capacity / line_length;
     const std::size_t count = lines->size() * line_length;
-    // Batch i goes to out + i * stride: all to one place in the timing, where it stays in the first
+    // Batch i is written to out + i * stride. While timing, stride is 0: the output stays in the L1
     // cache, as in a bake.
     const auto run = [streams = OctaveStreams(octaves, Kernel::direct), lines, buffers](
                          double* out, std::size_t stride) {
@@ -136,7 +137,7 @@ void add_kernel(NoiseCases& all, const std::string& group, const std::string& na
     all.finish.back() = [run, out = all.values.back()] { run(out->data(), batch_capacity); };
 }
 
-/// Four octaves point by point, in float64.
+/// Adds cases of four octaves: point by point in float64, and vectorised.
 void add_octaves(NoiseCases& all, const std::string& name, const std::vector<Octave>& octaves,
                  const BenchPoints& points, const Lines& lines) {
     auto exact = std::make_shared<std::vector<double>>();

@@ -14,19 +14,20 @@ namespace burl {
 
 namespace {
 
+/// A suite's name and the options that it accepts.
 struct Suite {
     std::string_view name;
-    std::string_view options;    ///< besides -o, which all have
-    std::string_view size_of{};  ///< what --size counts; empty: no --size
+    std::string_view options;    ///< accepted options besides -o, which every suite has
+    std::string_view size_of{};  ///< unit of --size; empty: --size is not accepted
     std::size_t least = 0, most = 0;
-    std::string_view otherwise{};  ///< without --size
-    bool halved = false;           ///< --size must be a power of two, for quad atlases
+    std::string_view otherwise{};  ///< size without --size, for the help
+    bool halved = false;           ///< whether --size must be a power of two, for quad atlases
 
     std::string bounds() const;
 };
 
-/// Sides are bounded by memory: a filter or an error takes some 100 bytes a texel; from below by
-/// the meshes' triangles.
+/// Sizes are bounded from above by memory (a filter or an error takes some 100 bytes per texel),
+/// and from below by the meshes' triangles.
 constexpr std::array suites{
     Suite{"atlas", "--repeats --large --json", "faces", 12, 10'000'000, "1,000 to 100,000"},
     Suite{"economy", "--repeats --json --simd --gl", "texels a side", 128, 4096, "1,024", true},
@@ -52,13 +53,13 @@ bool has_word(std::string_view words, std::string_view word) {
     return fmt::format(" {} ", words).find(fmt::format(" {} ", word)) != std::string::npos;
 }
 
-/// 4096 as 4,096.
+/// Formats 4096 as "4,096".
 std::string grouped(std::size_t number) {
     if (number < 1000) return std::to_string(number);
     return fmt::format("{},{:03}", grouped(number / 1000), number % 1000);
 }
 
-/// "a power of two from 128 to 4,096".
+/// Returns the accepted sizes, such as "a power of two from 128 to 4,096".
 std::string Suite::bounds() const {
     const std::string range = fmt::format("{} to {}", grouped(least), grouped(most));
     return halved ? "a power of two from " + range : range;

@@ -19,7 +19,8 @@ namespace burl {
 
 namespace {
 
-/// Wood and marble of the papers are within one unit of 0, so eight integer bits are never left.
+/// Returns the precisions to measure. Wood and marble of the papers stay within one unit of 0, so
+/// eight integer bits suffice.
 std::vector<std::string> precisions() {
     std::vector<std::string> names{"float64", "float32"};
     for (const unsigned bits : {16, 14, 12, 10, 9, 8, 7, 6, 5, 4, 3, 2})
@@ -27,7 +28,7 @@ std::vector<std::string> precisions() {
     return names;
 }
 
-/// A texture at one precision: f, and the colours as a bake stores them.
+/// A texture at one precision: the field f, and the colours as a bake stores them.
 struct Filled {
     Image<double> field;
     Image<Rgb8> colors;
@@ -73,7 +74,7 @@ Difference compare(const SolidAtlas& solid, const Filled& one, const Filled& exa
     return result;
 }
 
-/// The texture in float64 at points whose coordinates are cut to the format.
+/// Evaluates the texture in float64 at points whose coordinates are truncated to the format.
 Filled fill_at_cut_points(const SolidAtlas& solid, const Recipe& recipe,
                           const FixedFormat& format) {
     const std::vector<Octave> octaves = expand_octaves(recipe.texture);

@@ -1,7 +1,7 @@
 #pragma once
-// The suite `burl bench precision`: bits of texture coordinate against error, after the precision
-// tests of Hart et al. 1999 (section 4.3, figure 10): wood and marble on a torus in fixed point of
-// many formats and in float32, held against float64.
+// The suite `burl bench precision`: error by the number of bits of texture coordinates, after Hart
+// et al. 1999 (section 4.3, figure 10): wood and marble on a torus in many fixed-point formats and
+// in float32, compared with float64.
 #include <string>
 #include <vector>
 
@@ -9,18 +9,22 @@
 
 namespace burl {
 
+/// The results of one texture at one precision.
 struct PrecisionBench {
-    std::string texture;     ///< preset
-    std::string precision;   ///< as --precision has it
-    double max_error = 0.0;  ///< of f, against float64
+    std::string texture;     ///< name of the preset
+    std::string precision;   ///< value of --precision
+    double max_error = 0.0;  ///< largest error of f against float64
     double rms_error = 0.0;
-    double psnr = 0.0;  ///< dB, of 8-bit sRGB colours against those of float64; infinite if equal
-    /// The same where texture coordinates alone are cut, and all else is float64; fixed only.
+    /// PSNR of the 8-bit sRGB colours against float64 in dB; infinite if all are equal.
+    double psnr = 0.0;
+    /// RMS error and PSNR with only the texture coordinates truncated and all else in float64;
+    /// fixed-point formats only.
     double coordinate_rms_error = 0.0, coordinate_psnr = 0.0;
-    BenchRow time{};  ///< one thread, the colour table's making included
+    BenchRow time{};  ///< time on one thread, including the construction of the colour table
 };
 
-/// Over the texels of a side x side texture that show the torus; `repeats` paired rounds for times.
+/// Measures the texels that show the torus in a texture of side x side texels; times are of
+/// `repeats` paired rounds.
 std::vector<PrecisionBench> bench_precision(int repeats, std::size_t side = 512);
 
 }  // namespace burl

@@ -19,7 +19,7 @@ Json finite_or_null(double x) {
     return std::isfinite(x) ? Json(x) : Json();
 }
 
-/// As Linux names it.
+/// Returns the processor's name according to Linux.
 std::string processor_name() {
     std::ifstream file("/proc/cpuinfo");
     for (std::string line; std::getline(file, line);)

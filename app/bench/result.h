@@ -1,6 +1,6 @@
 #pragma once
-// What every suite that sets run time against error reports, in one scheme, so that one reader and
-// one plot (app/bench/plot.h) do for all of them.
+// The result of every suite that compares run time with error, in one scheme, so that one reader
+// and one plot (app/bench/plot.h) serve all suites.
 #include <optional>
 #include <span>
 #include <string>
@@ -11,31 +11,33 @@
 
 namespace burl {
 
-/// Against the float64 reference; what is compared has a peak of 1.
+/// Errors of values with a peak of 1 against the float64 reference.
 struct BenchError {
     double max = 0.0, rms = 0.0;
-    /// Over pairs of equally many values, at least one.
+    /// Computes the errors of at least one value; both spans must have the same length.
     static BenchError of(std::span<const double> values, std::span<const double> reference);
-    /// dB; infinite without an error.
+    /// The PSNR in dB; infinite without an error.
     double psnr() const;
 };
 
+/// The time and the errors of one method.
 struct BenchResult {
-    BenchRow time;  ///< its group and name are the result's; no rounds: not timed
+    BenchRow time;  ///< has the result's group and name; no rounds: not timed
     std::optional<BenchError> error{};
-    /// Mean over the spans of the texture it baked; suites without one have none.
+    /// Mean number of texels per span of the texture baked; empty where a suite bakes none.
     std::optional<double> texels_per_span{};
 };
 
-/// group, method, unit, ns_median, ns_lowest, ns_highest (per unit), times_first (the median over
-/// the rounds of its time over that of its group's first method), error_max, error_rms, psnr; null
-/// where something is not known or infinite; texels_per_span, where the suite has it.
+/// Returns the JSON of a result: group, method, unit, ns_median, ns_lowest, ns_highest (per unit),
+/// times_first (median over the rounds of the time divided by that of the group's first method),
+/// error_max, error_rms, psnr, and texels_per_span where the suite has it; null where a number is
+/// unknown or infinite.
 Json result_json(const BenchResult& result);
 
-/// The processor's name, how many threads it has and the instruction set the kernels use.
+/// Returns the processor's name, its number of threads and the instruction set of the kernels.
 Json machine_json();
 
-/// A table per group, for people; under its header how long its first result's spans are.
+/// Formats a table per group; its header gives the texels per span of the group's first result.
 std::string result_table(std::span<const BenchResult> results);
 
 }  // namespace burl

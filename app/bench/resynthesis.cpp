@@ -17,7 +17,7 @@ namespace burl {
 
 namespace {
 
-/// The octaves of the first term as terms of their own, added up in the same order; how many.
+/// Replaces the first term by one term per octave, in the same order; returns their number.
 std::size_t take_apart(Texture& texture) {
     NoiseTerm term = texture.noise.front();
     texture.noise.erase(texture.noise.begin());
@@ -32,14 +32,14 @@ std::size_t take_apart(Texture& texture) {
     return terms.size();
 }
 
-/// A texture and the slider that is dragged.
+/// A texture and the slider that edits it.
 struct Edited {
     std::shared_ptr<Pipeline> pipeline;
     Affine3 map;
     Texture texture;
     KeptSynthesis kept;
     Image<Rgb8> image;
-    std::size_t octave;  ///< the term that is edited
+    std::size_t octave;  ///< index of the edited term
 
     explicit Edited(std::shared_ptr<Pipeline> p)
         : pipeline(std::move(p)),
@@ -52,7 +52,8 @@ struct Edited {
     void update() { kept.synthesize(texture, 1, image); }
 };
 
-/// Every kind of edit has a texture of its own, as a slider is dragged for a while.
+/// Returns a case per kind of edit; each has a texture of its own, as a slider is dragged for a
+/// while.
 std::vector<BenchCase> cases_of(const std::shared_ptr<Pipeline>& pipeline,
                                 const std::string& group) {
     const double texels = double(pipeline->solid().size) * pipeline->solid().size;
@@ -78,7 +79,8 @@ std::vector<BenchCase> cases_of(const std::shared_ptr<Pipeline>& pipeline,
         std::swap(e.texture.colors.stops.front().color, e.texture.colors.stops.back().color);
         e.texture.colors.stops.front().color.r ^= 1;
     });
-    // Between two values, so that no change moves octaves to coordinates of their own.
+    // Changes alternate between two values, and neither lets octaves leave their common
+    // coordinates.
     const auto swap = [](double& x, double a, double b) { x = x == a ? b : a; };
     add("after a change of one octave's amplitude",
         [swap, first = Edited(pipeline).term().amplitude](Edited& e) {

@@ -1,6 +1,6 @@
 #pragma once
-// The suite `burl bench resynthesis`: what the next texture costs when one thing of the last one
-// was edited, beside a synthesis from scratch.
+// The suite `burl bench resynthesis`: the time of the next texture after an edit, with intermediate
+// values cached, beside a synthesis from scratch.
 #include <vector>
 
 #include "app/bench/result.h"
@@ -8,11 +8,11 @@
 
 namespace burl {
 
-/// One thread, 8 bits; mesh, layout and spans are ready before the clock starts. In every round
-/// each case makes one edit of its kind to the texture of the case before, in which the recipe's
-/// first noise term is taken apart into terms of one octave and the last of them is edited. `From
-/// scratch` is the recipe as it is. Throws Error for recipes that cannot be read, and for graphs,
-/// filters and precisions, of which nothing is kept.
+/// Measures textures on one thread in 8 bits; mesh, layout and spans are not timed. In every round
+/// a case makes one edit of its kind to the texture of its round before, in which the recipe's
+/// first noise term is split into one term per octave, and the last of these is edited. "From
+/// scratch" is the recipe itself. Throws Error for recipes that cannot be read, and for graphs,
+/// filters and precisions, for which nothing is cached.
 std::vector<BenchResult> bench_resynthesis(int repeats, SynthesisSubjects subjects);
 
 }  // namespace burl

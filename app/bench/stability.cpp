@@ -15,10 +15,10 @@ namespace burl {
 
 namespace {
 
-/// Images of longer runs are so large that they are made one at a time, by the kernels alone.
+/// Images with longer runs are so large that they are made one at a time, and by the kernels only.
 constexpr std::uint32_t large_image = 5000;
 
-/// What all ways through a case are held against.
+/// The definition's values at a case's texels, which all ways of filling them are compared with.
 struct Definition {
     StabilityTruth truth;
     std::vector<LongPoint> points;
@@ -36,7 +36,8 @@ struct Definition {
     }
 };
 
-/// visit(texel's number, its column, whether it is its span's first, the sizes of its span).
+/// Calls visit(index of the texel, its span, its index in the span, its row, the span's sizes) for
+/// every texel.
 template <class Visit>
 void for_each_texel(const StabilityCase& one, const Definition& definition, const Visit& visit) {
     std::size_t at = 0;
@@ -67,7 +68,7 @@ void note_errors(const StabilityCase& one, const StabilityWay& way, const Defini
                    });
 }
 
-/// Neighbouring texels of a line against each other: what f changes by, against what it should.
+/// Compares the differences of neighbouring texels with those of the definition.
 void note_steps(const StabilityCase& one, const StabilityWay& way, const Definition& definition,
                 const std::vector<double>& texels, StabilityRow& row) {
     for_each_texel(
@@ -82,7 +83,8 @@ void note_steps(const StabilityCase& one, const StabilityWay& way, const Definit
         });
 }
 
-/// The same places by two charts, whose spans begin at opposite ends of the line.
+/// Returns a case with the same points, whose spans begin at the opposite ends of their lines: the
+/// other chart of a seam.
 StabilityCase reversed(const StabilityCase& one) {
     StabilityCase back = one;
     for_each_span(one.solid, [&](const Span& span, const TexelMap& map, std::int64_t y) {
@@ -114,7 +116,7 @@ StabilityRow row_of(const StabilityWay& way) {
     return row;
 }
 
-/// A row per arithmetic, of all cases.
+/// Returns a row per arithmetic, over all cases of the group.
 std::vector<StabilityRow> group_errors(const StabilityGroup& group) {
     std::vector<std::vector<StabilityRow>> each(group.cases.size());
     const auto measure = [&](std::size_t i) { each[i] = case_errors(group.cases[i]); };
@@ -140,8 +142,8 @@ std::vector<StabilityRow> group_errors(const StabilityGroup& group) {
     return rows;
 }
 
-/// What is promised of textures of the papers' size: 1e-6 at most, and 1.7e-7 root mean square over
-/// any recipe.
+/// Returns the rows that check the bounds promised for textures of the papers' size: 1e-6 for the
+/// largest error, and 1.7e-7 for the RMS error of any recipe.
 std::vector<StabilityRow> unit_rows(const std::vector<StabilityRow>& rows) {
     std::vector<StabilityRow> result;
     for (const StabilityRow& row : rows) {

@@ -1,7 +1,7 @@
 #pragma once
-// The suite `burl bench stability`: how far every way to fill a texture is from its definition
-// where rounding has the most room, as a share of what docs/numerics.md allows, with the input that
-// comes nearest to it and the command that repeats it.
+// The suite `burl bench stability`: the errors of every way to fill a texture against its
+// definition, for inputs where rounding errors are largest, as a share of the bounds of
+// docs/numerics.md, with the worst input and the command that reproduces it.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -12,22 +12,26 @@
 
 namespace burl {
 
+/// The errors of a group of cases in one arithmetic.
 struct StabilityRow {
     std::string group{}, arithmetic{};
-    std::size_t cases = 0, values = 0;  ///< inputs, and texels or numbers that were looked at
-    double share = 0.0;                 ///< worst error over the error allowed: 1 or less is right
-    double error = 0.0;                 ///< the error there
-    double largest = 0.0;               ///< of all errors
-    double rms = 0.0;  ///< root mean square of the errors, the worst case's; of one case: 0
+    std::size_t cases = 0, values = 0;  ///< number of inputs, and of texels or numbers compared
+    /// Largest ratio of an error to its bound: at most 1 where the bound holds.
+    double share = 0.0;
+    double error = 0.0;    ///< error with that ratio
+    double largest = 0.0;  ///< largest of all errors
+    double rms = 0.0;      ///< largest RMS error of a case; 0 in the row of a single case
+    /// The cases with the largest error and the largest RMS error.
     std::string largest_case{}, rms_case{};
-    double squares = 0.0;
-    /// Worst shares of two bounds: a step from texel to texel against the step of the definition,
-    /// and the two sides of a seam.
+    double squares = 0.0;  ///< sum of the squared errors
+    /// Largest ratios to the bound for the difference of neighbouring texels from the definition's,
+    /// and for the difference of the two sides of a seam.
     double jump_share = 0.0, seam_share = 0.0;
-    std::string input{};      ///< where the worst error is
-    std::string case_name{};  ///< what `--case` takes; empty where a row counts failures
+    std::string input{};      ///< input with the largest ratio
+    std::string case_name{};  ///< argument of `--case`; empty in rows that count failures
 
-    /// A value more; `text()` says where it is, if it is the worst so far. NaN is worse than any.
+    /// Adds an error and its bound; `text()` describes the input, and is called if the ratio is the
+    /// largest so far. NaN is larger than any ratio.
     template <class Text>
     void note(double value_error, double allowed, const Text& text) {
         ++values;
@@ -37,7 +41,7 @@ struct StabilityRow {
         share = std::isnan(its_share) ? HUGE_VAL : its_share;
         error = value_error, input = text();
     }
-    /// A number more that is right or not; rows of such count failures.
+    /// Adds a check that may have failed; in rows of checks, `share` and `error` count failures.
     template <class Text>
     void count(bool fails, const Text& text) {
         ++values;
@@ -45,27 +49,28 @@ struct StabilityRow {
         share += 1.0, error += 1.0;
         if (input.empty()) input = text();
     }
-    /// Takes another row's numbers in, and where it is worse its input.
+    /// Adds the numbers of the row of the case `name`, and its input where its ratio is larger.
     void merge(const StabilityRow& other, const std::string& name);
 };
 
-/// Groups of texels against the definition in long double, by every way and arithmetic there is;
-/// filtered colours against theirs; then what must not change a bit or must be refused, whose rows
-/// count failures.
+/// Runs the suite: the errors of all groups, in every way and arithmetic, against the definition in
+/// long double; the errors of filtered colours; and checks of bit-exactness and of refusals, whose
+/// rows count failures.
 std::vector<StabilityRow> bench_stability(StabilityChoice choice);
-/// Its first and its second part.
+/// Return the rows of errors, and the rows of checks.
 std::vector<StabilityRow> stability_errors(StabilityChoice choice);
 std::vector<StabilityRow> stability_counts(StabilityChoice choice);
 
-/// One case's texels, as a way filled them, against the definition.
+/// Returns the errors of a case's texels, filled by a way.
 StabilityRow field_errors(const StabilityCase& one, const StabilityWay& way,
                           const std::vector<double>& texels);
 
-/// As field_errors for every way that knows the texture, in their order; with steps and seams.
+/// Returns the errors of every way that supports the texture, in the order of stability_ways(),
+/// with steps and seams.
 std::vector<StabilityRow> case_errors(const StabilityCase& one);
 
-/// The case that a row names, such as "coordinates/117" of the same choice. Throws Error(usage) if
-/// there is none.
+/// Returns the case that a row names, such as "coordinates/117" of the same choice. Throws
+/// Error(usage) where there is none.
 StabilityCase stability_case(const std::string& name, StabilityChoice choice);
 
 }  // namespace burl

@@ -1,4 +1,4 @@
-// What of the stability suite compares bits.
+// The checks of the stability suite that compare bits.
 #include <algorithm>
 #include <bit>
 
@@ -15,7 +15,7 @@ namespace burl {
 
 namespace {
 
-/// A number that other bits have another of, but for one chance in 2^64.
+/// Returns a 64-bit hash of the numbers' bits; different bits collide with a chance of 2^-64.
 template <class Bytes>
 std::uint64_t hash_of(const Bytes& values) {
     std::uint64_t hash = 0xcbf29ce484222325;
@@ -40,7 +40,7 @@ struct Hashed {
     std::uint64_t bits;
 };
 
-/// Everything that must not depend on the instruction set.
+/// Returns hashes of everything that must not depend on the instruction set.
 std::vector<Hashed> hashes_of(const StabilityCase& one, bool filters) {
     std::vector<Hashed> result;
     for (const StabilityWay& way : stability_ways()) {
@@ -64,7 +64,7 @@ std::vector<std::vector<Hashed>> all_hashes(const std::vector<const StabilityCas
     return hashes;
 }
 
-/// Of how many cases one is looked at: fewer of noises whose code is the same everywhere.
+/// Returns the step from one checked case to the next, larger for noises without vectorised code.
 std::size_t stride(const StabilityCase& one, StabilityChoice choice) {
     if (choice == StabilityChoice::thorough) return 1;
     bool vectorised = false;
@@ -74,7 +74,7 @@ std::size_t stride(const StabilityCase& one, StabilityChoice choice) {
     return vectorised ? 3 : 31;
 }
 
-/// The two kernels that promise the same bits.
+/// Compares the two kernels that promise identical bits.
 void compare_kernels(const std::string& input, const std::vector<Hashed>& hashes,
                      StabilityRow& row) {
     const auto hash = [&](const char* name) {

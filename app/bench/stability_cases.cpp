@@ -17,7 +17,7 @@ namespace {
 using enum StabilityChoice;
 using Cases = std::vector<StabilityCase>;
 
-/// Every `stride`-th element.
+/// Returns every `stride`-th element.
 template <class T>
 std::vector<T> thinned_out(const std::vector<T>& all, std::size_t stride) {
     std::vector<T> some;
@@ -29,12 +29,14 @@ std::size_t lines_for(StabilityChoice choice) {
     return choice == thinned ? 2 : choice == usual ? 6 : 40;
 }
 
-/// White noise has lattice points 2^-16 apart: farther out than this rounding picks among them.
+/// Whether a place is too far away for a noise: white noise has lattice points 2^-16 apart, and
+/// rounding chooses among them.
 bool is_lost(const NamedTerm& noise, double cells) {
     return noise.term.kind == NoiseKind::white && std::abs(cells) > 1e8;
 }
 
-/// Noises that are evaluated texel by texel get fewer steps: their texels have nothing in common.
+/// Returns the stride through the steps, larger for noises evaluated texel by texel, whose texels
+/// share no work.
 std::size_t step_stride(StabilityChoice choice, const NamedTerm& noise) {
     if (choice == thorough) return 1;
     return choice == thinned || !has_long_form({.kind = noise.term.kind}) ? 4 : 1;
@@ -60,7 +62,7 @@ Cases coordinates(StabilityChoice choice) {
     return cases;
 }
 
-/// Lattice coordinates beyond 2^31, where cells wrap, up to the last ones that are not refused.
+/// Returns lattice coordinates beyond 2^31, where cells wrap, up to the largest ones accepted.
 Cases far_cells(StabilityChoice choice) {
     Cases cases;
     for (const NamedTerm& noise : terms_for(choice))
@@ -77,8 +79,8 @@ Cases far_cells(StabilityChoice choice) {
     return cases;
 }
 
-/// Lines that start some floats before a lattice plane and cross it float by float, or lie in it,
-/// or meet one every eighth texel.
+/// Returns lines that begin some floats before a lattice plane and cross it float by float, lines
+/// in the plane, and lines that meet a plane at every eighth texel.
 SolidAtlas plane_lines(double plane, Chance& chance) {
     const double infinity = std::numeric_limits<double>::infinity();
     const double up = std::nextafter(plane, infinity) - plane,
@@ -132,7 +134,7 @@ Cases runs(StabilityChoice choice) {
     return cases;
 }
 
-/// Images are square, so these are large.
+/// Returns the longest runs; images are square, so these are large.
 Cases longest_runs(StabilityChoice choice) {
     Cases cases;
     if (choice == thinned) return cases;
@@ -184,7 +186,7 @@ Cases octaves(StabilityChoice choice) {
     return cases;
 }
 
-/// Quadrics up to 1e12 with a map that repeats; the noise is a small part of f.
+/// Returns quadrics up to 1e12 with a map that repeats; the noise is a small part of f.
 Cases quadrics(StabilityChoice choice) {
     Cases cases;
     const std::vector<NamedTerm> terms = named_terms();
@@ -209,7 +211,7 @@ Cases quadrics(StabilityChoice choice) {
     return cases;
 }
 
-/// Sums of |n| and (1 - |n|)^2, periods, and noise in time: all added texel by texel.
+/// Returns sums of |n| and (1 - |n|)^2, periodic noise and noise in time, all added texel by texel.
 Cases other_sums(StabilityChoice choice) {
     Cases cases;
     for (const NamedTerm& noise : terms_for(choice))
@@ -262,7 +264,7 @@ std::vector<NamedTerm> named_terms() {
 
 std::vector<NamedTerm> terms_for(StabilityChoice choice) {
     std::vector<NamedTerm> terms = named_terms();
-    if (choice == thinned)  // of the noises that kernels are written for
+    if (choice == thinned)  // keeps noises that have kernels
         std::erase_if(terms, [](const NamedTerm& one) {
             return !has_long_form({.kind = one.term.kind}) || one.name == "value quintic" ||
                    one.name == "simplex";

@@ -1,5 +1,5 @@
 #pragma once
-// Random numbers of the stability suite's inputs: the same in every run.
+// Random numbers for the stability suite's inputs, identical in every run.
 #include <array>
 #include <random>
 

@@ -23,14 +23,14 @@ StabilityRow failures(const char* group) {
     return row;
 }
 
-/// f of lines of texels; ways that do not know the texture give nothing.
+/// Returns f along lines of texels; empty where the way does not support the texture.
 std::vector<double> lines_by(const StabilityWay& way, const Texture& texture,
                              const std::vector<TexelLine>& lines, int threads = 1) {
     if (!can_fill(way, texture)) return {};
     return fill_texels({"", texture, atlas_of_lines(lines)}, way, threads);
 }
 
-/// Lines whose texels are multiples of 2^-6, exact in float64 wherever they are moved to.
+/// Returns lines whose texels are multiples of 2^-6 and remain exact in float64 after every move.
 std::vector<TexelLine> exact_lines(const Vec3d& move) {
     std::vector<TexelLine> lines;
     for (int i = 0; i < 40; ++i)
@@ -39,7 +39,7 @@ std::vector<TexelLine> exact_lines(const Vec3d& move) {
     return lines;
 }
 
-/// Lines of several lengths, so that batches end anywhere in them.
+/// Returns lines of various lengths, so that batches end anywhere in them.
 std::vector<TexelLine> uneven_lines(std::uint32_t before) {
     std::vector<TexelLine> lines;
     if (before > 0) lines.push_back({Vec3d(0.0), Vec3d(0.01), before});
@@ -54,7 +54,8 @@ std::vector<TexelLine> uneven_lines(std::uint32_t before) {
 StabilityRow check_wrap(StabilityChoice choice) {
     StabilityRow row = failures("2^32 cells apart");
     for (const NamedTerm& noise : terms_for(choice)) {
-        // Three-dimensional simplices repeat with the skewed lattice, of 3 x 256 cells.
+        // A simplex lattice is skewed by a third of the coordinates' sum: along an axis it repeats
+        // after 3 x 2^32 cells.
         if (noise.term.kind == NoiseKind::white) continue;
         const double period = noise.term.kind == NoiseKind::simplex ? 3.0 * 0x1p32 : 0x1p32;
         for (const StabilityWay& way : stability_ways())
@@ -101,7 +102,7 @@ StabilityRow check_batches(StabilityChoice choice) {
     for (const NamedTerm& noise : terms_for(choice)) {
         const Texture texture = texture_of(noise.term);
         for (const StabilityWay& way : stability_ways()) {
-            if (way.arithmetic != "float32") continue;  // batches are the kernels'
+            if (way.arithmetic != "float32") continue;  // only the kernels work in batches
             const std::vector<double> alone = lines_by(way, texture, uneven_lines(0));
             for (const std::uint32_t before : {1u, 2u, 7u, 8u, 15u, 16u, 17u, 255u}) {
                 ++row.cases;
@@ -151,7 +152,7 @@ StabilityRow check_filters(const std::vector<StabilityGroup>& groups) {
 
 namespace {
 
-/// Whether the recipe is refused, in one line.
+/// Whether the recipe is refused as a usage error, in one line.
 bool is_refused(const std::string& setting) {
     const std::string base =
         R"({"texture": {"stops": [[0, "#000000"]], "input": {"noise": [{}]}}})";
@@ -201,7 +202,7 @@ StabilityRow check_refusals() {
             row.count(!is_refused(setting), [&] { return setting + " is accepted"; });
         }
     }
-    // 2^46 cells at the last octave's own frequency, and a float more.
+    // The limit is 2^46 cells at the last octave's frequency; the next float is beyond it.
     const double limit = farthest_cell, over = std::nextafter(limit, HUGE_VAL);
     row.count(octaves_are_refused(2.0, 1, limit),
               [&] { return std::string("2^46 cells are refused"); });

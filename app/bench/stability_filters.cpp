@@ -17,13 +17,13 @@ namespace {
 
 using Real = long double;
 
-/// The density of u U + v V at x from its middle, u >= v >= 0, u > 0.
+/// The density of u U + v V at a distance x from its centre; u >= v >= 0, u > 0.
 Real trapezoid_density(Real x, Real u, Real v) {
     const Real outside = 0.5L * (u + v) - std::abs(x);
     return outside <= 0.0L ? 0.0L : std::min(outside / v, 1.0L) / u;
 }
 
-/// Where map or density bend between low and high, those two among them.
+/// Returns the points from low to high, inclusive, where the slope of map or density changes.
 std::vector<Real> bends(const ColorMap& map, Real f, Real u, Real v) {
     const Real low = f - 0.5L * (u + v), high = f + 0.5L * (u + v);
     std::vector<Real> at{low, high, f - 0.5L * (u - v), f + 0.5L * (u - v), f};
@@ -36,7 +36,7 @@ std::vector<Real> bends(const ColorMap& map, Real f, Real u, Real v) {
     return at;
 }
 
-/// The steepest slope of a map's straight pieces, linear light per unit of index.
+/// Returns the steepest slope of a map's linear pieces, in linear light per unit of index.
 double steepest(const ColorMap& map) {
     double slope = 0.0;
     for (std::size_t i = 1; i < map.stops.size(); ++i) {
@@ -47,7 +47,8 @@ double steepest(const ColorMap& map) {
     return slope;
 }
 
-/// f's middle over a texel and its changes along the texel's sides, and what each may err by.
+/// The mean of f over a texel and the changes of f along the texel's sides, with their error
+/// bounds.
 struct Spread {
     Real f = 0.0L, u = 0.0L, v = 0.0L;
     double f_error = 0.0, slope_error = 0.0;
@@ -63,10 +64,11 @@ LongPoint moved(const LongPoint& s, const Vec3d& u, Real along_u, const Vec3d& v
 
 struct Texel {
     LongPoint point;
-    Vec3d u, v;  ///< sides
+    Vec3d u, v;  ///< sides of the texel
 };
 
-/// Sum of |a_k| times the cells that octave k's lattice coordinates change by along the sides.
+/// Returns the sum of |a_k| times the change of octave k's lattice coordinates along the sides, in
+/// cells.
 double cells_across(const StabilityTruth& truth, const Texel& texel) {
     double sum = 0.0;
     for (const Octave& octave : truth.octaves())
@@ -78,7 +80,8 @@ double cells_across(const StabilityTruth& truth, const Texel& texel) {
     return sum;
 }
 
-/// The noises' slopes err by 3e-6 in float32, and by up to 60 times what their coordinates do.
+/// Returns the spread from f and its gradient at the centre. In float32 the noises' slopes err by
+/// 3e-6, and by up to 60 times the error of their coordinates.
 Spread central_spread(const StabilityTruth& truth, const Texel& texel, const SpanSizes& sizes,
                       bool float32) {
     const LongNoise f = truth.sample(texel.point);
@@ -96,7 +99,7 @@ Spread central_spread(const StabilityTruth& truth, const Texel& texel, const Spa
     return spread;
 }
 
-/// As central_spread, from f at centre and corners (corner_samples.h).
+/// Returns the spread from f at the centre and the corners (corner_samples.h).
 Spread corner_spread(const StabilityTruth& truth, const Texel& texel, const SpanSizes& sizes,
                      bool float32) {
     Spread spread = central_spread(truth, texel, sizes, float32);
@@ -139,14 +142,14 @@ Vec3d long_mean(const ColorMap& map, long double f, long double u, long double v
     u = std::abs(u), v = std::abs(v);
     if (u < v) std::swap(u, v);
     if (f + u == f) return long_color(map, f);
-    v = std::max(v, 1e-12L * u);  // a box has steep sides
+    v = std::max(v, 1e-12L * u);  // a box is a trapezoid with steep sides
     const std::vector<Real> at = bends(map, f, u, v);
     std::array<Real, 3> sum{};
     Real weight = 0.0L;
     for (std::size_t i = 0; i + 1 < at.size(); ++i) {
         const Real width = at[i + 1] - at[i];
         if (width <= 0.0L) continue;
-        // Gauss's rule of two points: exact for what is a product of straight lines.
+        // Gauss's rule with two points is exact for a product of two linear functions.
         for (const Real side : {-1.0L, 1.0L}) {
             const Real x = 0.5L * (at[i] + at[i + 1]) + side * width / std::sqrt(12.0L);
             const Real share = 0.5L * width * trapezoid_density(x - f, u, v);

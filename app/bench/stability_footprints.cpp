@@ -1,5 +1,5 @@
-// Texels whose footprints a filter averages over: as large in one direction as in another, and 1000
-// times longer than wide.
+// Texels with large footprints for filters: equally large in all directions, and 1000 times longer
+// than wide.
 #include <fmt/format.h>
 
 #include "app/bench/stability_cases.h"

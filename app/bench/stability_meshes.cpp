@@ -1,4 +1,4 @@
-// Meshes whose texels hardly fit them: slivers, and triangles below a texel, in every atlas.
+// Meshes of slivers and of triangles smaller than a texel, in every kind of atlas.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -14,7 +14,7 @@ namespace burl {
 
 namespace {
 
-/// A strip of `count` quadrilaterals, each `length` long and 1 / aspect of that wide.
+/// Returns a strip of `count` quadrilaterals, each `length` long and length / aspect wide.
 Mesh sliver_strip(std::uint32_t count, double length, double aspect) {
     Mesh mesh;
     mesh.name = "slivers";
@@ -56,7 +56,8 @@ std::vector<MeshSubject> mesh_subjects(StabilityChoice choice) {
                     all.push_back(
                         subject(sliver_strip(40, length, aspect), kind, 64, SolidSpace::unit));
         all.push_back(subject(sliver_strip(40, 1e3, 1e6), kind, 64, SolidSpace::object));
-        // A quad atlas takes triangles of any size; the others get the smallest they fit into.
+        // A quad atlas accepts triangles of any size; the other atlases get the smallest size that
+        // fits.
         Mesh small = bumpy_sphere(full ? 20'000 : 1'000);
         const std::uint32_t fits = smallest_size(small.triangles.size(), {.kind = kind});
         const std::uint32_t size = kind == AtlasKind::quad ? (full ? 64 : 16) : fits + 16;
@@ -69,7 +70,8 @@ long double exact_cross(const Vec2d& a, const Vec2d& b) {
     return (long double)(a.x) * b.y - (long double)(a.y) * b.x;
 }
 
-/// Where a texel's centre lies in its triangle, or nothing if outside or the triangle has no area.
+/// Returns the barycentric coordinates of a texel's centre; empty outside the triangle or without
+/// area.
 std::optional<Vec3d> place_in_triangle(const std::array<Vec2d, 3>& corners, const Vec2d& centre) {
     const auto& [a, b, c] = corners;
     const long double area = exact_cross(b - a, c - a);
@@ -109,7 +111,8 @@ StabilityRow check_texel_points(StabilityChoice choice) {
         for (const Vec3d& p : points) size = std::max(size, glm::length(p));
         for (std::size_t y = 0; y < solid.size; ++y)
             for (const Span& span : solid.row(y)) {
-                if (span.map >= mesh.triangles.size()) continue;  // turned
+                // A triangle shown a second time, turned by 180 degrees.
+                if (span.map >= mesh.triangles.size()) continue;
                 const Triangle& corners = mesh.triangles[span.map];
                 for (std::uint32_t x = span.x; x < span.x + span.count; ++x) {
                     const auto weights = place_in_triangle(pipeline.atlas().corners[span.map],

@@ -16,7 +16,7 @@ namespace {
 using Real = long double;
 using Cell = std::array<std::int64_t, 3>;
 
-/// The weight of a cell's upper side at x in [0,1), and its slope.
+/// The weight of a cell's upper side at x in [0,1), and its derivative.
 struct Weight {
     Real value, slope;
 };
@@ -28,7 +28,7 @@ Weight weight_at(Fade fade, Real x) {
     return {x * x * x * (10.0L + x * (6.0L * x - 15.0L)), 30.0L * x * x * rest * rest};
 }
 
-/// What a lattice point adds, before weights, at a place `away` from it.
+/// Returns a lattice point's unweighted contribution at the offset `away` from it.
 LongNoise corner(const NoiseSpec& noise, const Cell& cell, const LongPoint& away) {
     std::array<std::uint32_t, 3> index;
     for (std::size_t axis = 0; axis < 3; ++axis) index[axis] = std::uint32_t(cell[axis]);
@@ -42,7 +42,7 @@ LongNoise corner(const NoiseSpec& noise, const Cell& cell, const LongPoint& away
     return result;
 }
 
-/// The eight corners of p's cell, weighted.
+/// Returns the weighted sum over the eight corners of p's cell.
 LongNoise interpolated(const NoiseSpec& noise, const LongPoint& p) {
     const Fade fade = noise.kind == NoiseKind::value ? noise.fade : Fade::quintic;
     LongNoise sum;
@@ -68,8 +68,9 @@ LongNoise interpolated(const NoiseSpec& noise, const LongPoint& p) {
     return sum;
 }
 
-/// Perlin's appendix B: the lattice skewed along its diagonal, the simplex of p walked from its
-/// lowest corner to its highest, along the axis of the largest offset first.
+/// Simplex noise after Perlin's appendix B: the lattice is skewed along its diagonal, and the
+/// simplex of p is walked from its lowest corner to its highest, along the axis of the largest
+/// offset first.
 LongNoise simplex(const NoiseSpec& noise, const LongPoint& p) {
     using Shape = SimplexShape<3>;
     const Real skew = (p[0] + p[1] + p[2]) / 3.0L;

@@ -1,6 +1,6 @@
 #pragma once
-// Noise written once more, straight from docs/noise.md and in long double with its gradient: what
-// textures are held against where float64 itself is in doubt.
+// A second implementation of noise and its gradient, directly from docs/noise.md and in long
+// double: the reference where float64 itself is in doubt.
 #include <array>
 
 #include "procedural/noise/spec.h"
@@ -9,20 +9,21 @@ namespace burl {
 
 using LongPoint = std::array<long double, 3>;
 
+/// A noise's value and gradient.
 struct LongNoise {
     long double value = 0.0L;
     LongPoint gradient{};
 };
 
-/// Whether true_noise has a text of its own for the noise: `value`, `perlin` and `simplex` without
-/// period and time.
+/// Whether long_noise() implements the noise itself: `value`, `perlin` and `simplex` without period
+/// and time.
 bool has_long_form(const NoiseSpec& noise);
 
-/// Value and gradient at p, in lattice coordinates. Noises without a form of their own are those of
-/// procedural/noise/noise.h in float64, at p rounded to it.
+/// Returns value and gradient at p, in lattice coordinates. Other noises are evaluated by
+/// procedural/noise/noise.h in float64, at p rounded to float64.
 LongNoise long_noise(const NoiseSpec& noise, const LongPoint& p);
 
-/// Whether the noise's value jumps somewhere, where a point's rounding decides which side it shows.
+/// Whether the noise is discontinuous: there, the rounding of a point decides its side.
 bool has_jumps(const NoiseSpec& noise);
 
 }  // namespace burl

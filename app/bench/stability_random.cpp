@@ -1,4 +1,4 @@
-// Recipes at random within the size of the papers' textures: |q| <= 1, amplitudes that add up to 2.
+// Random recipes of the size of the papers' textures: |q| <= 1, and amplitudes with the sum 2.
 #include <algorithm>
 #include <cmath>
 
@@ -12,7 +12,7 @@ namespace burl {
 
 namespace {
 
-/// Coefficients in all sizes, brought down to |q| <= 1 on the lines.
+/// Returns a quadric with random coefficients, scaled so that |q| <= 1 on the lines.
 Quadric unit_quadric(Chance& chance, const SolidAtlas& solid) {
     Texture texture;
     Quadric& q = texture.quadric;
@@ -43,7 +43,7 @@ NoiseTerm random_term(Chance& chance, const std::vector<NamedTerm>& kinds) {
     return term;
 }
 
-/// Octaves so far out that float64 itself rounds their coordinates are left out.
+/// Removes octaves so far out that float64 itself rounds their coordinates.
 void leave_out_far_octaves(Texture& texture, const SolidAtlas& solid) {
     for (NoiseTerm& term : texture.noise) {
         Texture one;

@@ -1,4 +1,4 @@
-// The table of `burl bench stability`, and one of its cases with all that it takes to repeat it.
+// The table of `burl bench stability`, and the report of one case with all that reproduces it.
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -37,7 +37,8 @@ Json numbers(const Vec3d& v) {
     return {v.x, v.y, v.z};
 }
 
-/// A recipe whose solid space is the case's, so that `burl eval` has the points of its texels.
+/// Returns a recipe whose solid space is the case's, so that `burl eval` takes the points of its
+/// texels.
 Json case_json(const StabilityCase& one) {
     Recipe recipe;
     recipe.name = one.input;

@@ -23,7 +23,7 @@ LongPoint mapped(const Affine3& map, const LongPoint& p) {
     return result;
 }
 
-/// Sizes of the terms whose sum mapped() is.
+/// Returns the sums of the magnitudes of the terms of mapped().
 Vec3d term_sizes(const Affine3& map, const Vec3d& sizes) {
     Vec3d result(0.0);
     for (int row = 0; row < 3; ++row) {
@@ -54,7 +54,7 @@ double quadric_sizes(const Quadric& q, const Vec3d& s) {
     return double(quadric_at(sizes, {s.x, s.y, s.z}));
 }
 
-/// n, |n| or (1 - |n|)^2 with its gradient.
+/// Returns n, |n| or (1 - |n|)^2 with its gradient.
 LongNoise shaped_noise(OctaveShape shape, LongNoise n) {
     if (shape == OctaveShape::plain) return n;
     Real slope = Real(n.value > 0.0L) - Real(n.value < 0.0L);
@@ -97,7 +97,7 @@ long double StabilityTruth::field(const LongPoint& s) const {
     return f;
 }
 
-/// f at s with every octave gone on with from beside its lattice coordinates.
+/// Returns f at s with every octave extrapolated linearly from beside its lattice coordinates.
 long double StabilityTruth::from_side(const LongPoint& s, const LongPoint& side) const {
     Real f = quadric_at(texture_.quadric, s);
     for (const Octave& octave : octaves_) {

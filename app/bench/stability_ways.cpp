@@ -22,8 +22,8 @@ std::vector<double> of_spans(const SolidAtlas& solid, const Image<Number>& image
     return values;
 }
 
-/// Forward differences' errors, for amplitudes that add up to 2, as a share of 1 + the sizes of the
-/// quadric's terms.
+/// Returns the error bound of forward differences for amplitudes with the sum 2, as a share of 1 +
+/// the magnitudes of the quadric's terms.
 double forward_error(ForwardPrecision precision) {
     if (precision == ForwardPrecision::float32) return 4e-6;
     return precision == ForwardPrecision::float64 ? 4e-12 : 4e-8;

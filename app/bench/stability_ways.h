@@ -1,6 +1,6 @@
 #pragma once
-// All ways there are to fill texels with a texture's field, and how far each may be from the
-// definition: `burl bench stability` looks at every one of them.
+// All ways to fill texels with a texture's field, with their error bounds; `burl bench stability`
+// checks each of them.
 #include <string>
 #include <variant>
 #include <vector>
@@ -12,31 +12,32 @@
 
 namespace burl {
 
-struct Float64Way {};  ///< --precision float64
+struct Float64Way {};  ///< evaluation with --precision float64
 
+/// A way to fill texels.
 struct StabilityWay {
-    std::string name;        ///< as options of `burl bake`; fixed64 has none
-    std::string arithmetic;  ///< ways of one arithmetic have one bound and share a row
+    std::string name;        ///< options of `burl bake`; fixed64 has none
+    std::string arithmetic;  ///< ways of the same arithmetic have one bound and share a row
     std::variant<Kernel, Float64Way, ForwardPrecision> how;
 };
 
-/// Every kernel of kernel_names, the reference evaluation and forward differences.
+/// Returns every kernel of kernel_names, the reference evaluation and forward differences.
 std::vector<StabilityWay> stability_ways();
 
-/// Whether the way knows the texture's noises.
+/// Whether the way supports the texture's noises.
 bool can_fill(const StabilityWay& way, const Texture& texture);
 
-/// f of every texel that a span owns, span by span.
+/// Returns f of every texel that a span owns, span by span.
 std::vector<double> fill_texels(const StabilityCase& one, const StabilityWay& way, int threads);
 
-/// What |f - f64| may be on a span of these sizes (docs/numerics.md).
+/// Returns the bound on |f - f64| in a span of these magnitudes (docs/numerics.md).
 double allowed_error(const StabilityWay& way, const StabilityTruth& truth, const SpanSizes& sizes,
                      double f);
 
-/// By how much of a cell the way rounds a place in it.
+/// Returns the rounding of a position within its cell, in cells.
 double place_error(const StabilityWay& way);
 
-/// visit(span, map, y) for every span.
+/// Calls visit(span, map, y) for every span.
 template <class Visit>
 void for_each_span(const SolidAtlas& solid, const Visit& visit) {
     for (std::size_t y = 0; y < solid.size; ++y)

@@ -1,4 +1,4 @@
-// The suite of `burl bench` that times cases one by one and compares nothing with a reference.
+// The suite of `burl bench` whose cases are timed without a reference to compare with.
 #include <memory>
 
 #include <fmt/format.h>

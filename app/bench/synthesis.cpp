@@ -17,7 +17,7 @@ namespace {
 /// Channels of the texels that show the mesh, in linear light.
 using Values = std::vector<double>;
 
-/// A texture's cases and where each leaves what it computed.
+/// A texture's cases and access to their results.
 struct SynthesisSubject {
     std::shared_ptr<Pipeline> pipeline;
     std::string group;
@@ -47,7 +47,7 @@ struct SynthesisSubject {
     }
 };
 
-/// Whether a bake is meant to give the texture's values at the texels' centres.
+/// Whether a bake should reproduce the texture's values at the texels' centres.
 bool has_definition(const Recipe& recipe) {
     return recipe.filter == Filter{} && !recipe.precision.kind;
 }

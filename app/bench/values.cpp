@@ -23,7 +23,7 @@ void append(const Vec3d& color, Values& values) {
     values.insert(values.end(), {color.x, color.y, color.z});
 }
 
-/// A graph's values in float64.
+/// Returns the values of a graph in float64.
 Values defined_graph(const SolidAtlas& solid, const Recipe& recipe, std::uint32_t step) {
     const GraphEvaluator evaluate(recipe.graph);
     GraphEvaluator::Scratch scratch = evaluate.make_scratch();

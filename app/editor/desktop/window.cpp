@@ -1,4 +1,4 @@
-// Windows of the desktop through GLFW, whose callbacks become events.
+// Desktop windows through GLFW, whose callbacks are queued as input events.
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <glad/gl.h>
@@ -17,13 +17,13 @@ namespace burl {
 
 namespace {
 
-// GLFW keeps one state per process; only the main thread touches it.
+// GLFW has one global state, which only the main thread may touch.
 std::string last_problem() {
     const char* text = nullptr;
     return glfwGetError(&text) != GLFW_NO_ERROR && text != nullptr ? text : "no reason given";
 }
 
-/// Ends GLFW when the last window of the process has gone.
+/// Initialises GLFW, and terminates it when the last window of the process is gone.
 struct GlfwLibrary {
     GlfwLibrary() {
         glfwInitHint(GLFW_JOYSTICK_HAT_BUTTONS, GLFW_FALSE);
@@ -74,7 +74,7 @@ class DesktopContext final : public GlContext {
     GLFWwindow* window_;
 };
 
-/// Names of keys that are no letters and digits; docs/editor.md lists them.
+/// GLFW's keys besides letters and digits, by their names in docs/editor.md.
 constexpr std::array<std::pair<int, const char*>, 35> named_keys{{
     {GLFW_KEY_TAB, "Tab"},
     {GLFW_KEY_LEFT, "Left"},
@@ -113,7 +113,8 @@ constexpr std::array<std::pair<int, const char*>, 35> named_keys{{
     {GLFW_KEY_RIGHT_SUPER, "Ctrl"},
 }};
 
-/// Letters by what the layout prints on them, so that Ctrl+Z is where it is written.
+/// Returns the name of a key; letters are those of the keyboard layout, so that Ctrl+Z is where Z
+/// is printed.
 std::string name_of_key(int key, int scancode) {
     for (const auto& [number, name] : named_keys)
         if (number == key) return name;
@@ -153,7 +154,7 @@ class DesktopWindow final : public GlWindow {
         glfwGetFramebufferSize(window_.get(), &size.x, &size.y);
         return size;
     }
-    /// Its own even while minimised, when there are no pixels.
+    /// Binds an offscreen target, which keeps its size while the window is minimised to 0 pixels.
     void bind_screen() override {
         const glm::ivec2 size = pixels();
         const bool resized = size.x > 0 && size.y > 0 && screen_ && screen_->size() != size;
@@ -200,11 +201,12 @@ class DesktopWindow final : public GlWindow {
     double seconds() const override { return glfwGetTime(); }
 
   private:
-    static constexpr GLenum context_lost = 0x0507;  // OpenGL 4.5
+    static constexpr GLenum context_lost = 0x0507;  // GL_CONTEXT_LOST of OpenGL 4.5
 
     static constexpr std::initializer_list<GLenum> screen_format{GL_RGBA8};
 
-    /// The display's own buffers keep nothing.
+    /// Copies the offscreen target to the display's back buffer, whose content is undefined after a
+    /// swap.
     void show_screen() {
         const GladGLContext& gl = context_.gl();
         const glm::ivec2 size = screen_->size();
@@ -252,7 +254,7 @@ class DesktopWindow final : public GlWindow {
             self(w).add(InputKind::resize).at = {x, y};
         });
         glfwSetWindowCloseCallback(window, [](GLFWwindow* w) {
-            glfwSetWindowShouldClose(w, GLFW_FALSE);  // the program may ask first
+            glfwSetWindowShouldClose(w, GLFW_FALSE);  // the program decides, and may ask first
             self(w).add(InputKind::close);
         });
     }

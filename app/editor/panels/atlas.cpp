@@ -25,7 +25,7 @@ ImU32 color32(const Vec3d& linear) {
     return color32(Rgb8{code(linear.x), code(linear.y), code(linear.z)});
 }
 
-/// A bar of colours on the line of the text after it.
+/// Draws a colour ramp before the text that follows on the same line.
 template <class Color>
 void ramp(const Color& color) {
     constexpr int steps = 32;

@@ -16,7 +16,7 @@ namespace burl {
 namespace {
 
 constexpr float bar_height = 28.0f, handle = 7.0f;
-constexpr float least_width = 10.0f;  // of a bar, however narrow the window is
+constexpr float least_width = 10.0f;  // least width of a bar, in a narrow window
 constexpr std::size_t bar_colors = 256;
 
 const Json& at_path(const Json& recipe, const std::string& path) {
@@ -49,7 +49,7 @@ ImU32 color_code(const Rgb8& color) {
     return IM_COL32(color.r, color.g, color.b, 255);
 }
 
-/// One map under the hands of a person.
+/// The editor of one colour map.
 class MapEditor {
   public:
     MapEditor(const PanelContext& context, std::string path, StopSelection& selection)
@@ -77,7 +77,7 @@ class MapEditor {
     }
     float x_of(double position) const { return low_.x + float(position) * width_; }
 
-    /// A click beside all stops adds one.
+    /// Draws the map as a bar; a click between the stops adds a stop.
     void bar() {
         low_ = ImGui::GetCursorScreenPos();
         width_ = std::max(least_width, ImGui::GetContentRegionAvail().x - 2.0f * handle);
@@ -148,7 +148,7 @@ class MapEditor {
         context_.items.note(path_ + ".wrap");
     }
 
-    /// Place and colour of the chosen stop as numbers.
+    /// Draws position and colour of the selected stop as numbers.
     void selected() {
         const ColorStop& stop = map_.stops[selection_.stop];
         double position = stop.position;

@@ -104,7 +104,8 @@ void FileDialog::entries(EditItems& items) {
     }
 }
 
-/// What is typed may lead elsewhere; a name to save by may leave out its usual extension.
+/// Returns the path typed: it may lead out of the folder, and may lack the usual extension when
+/// saving.
 std::string FileDialog::path() const {
     fs::path path = fs::path(folder_) / name_;
     std::error_code unknown;
@@ -113,7 +114,7 @@ std::string FileDialog::path() const {
     return path.string();
 }
 
-/// A folder's name leads into it.
+/// Returns the path typed if it can be accepted; the name of a folder opens that folder instead.
 std::optional<std::string> FileDialog::chosen() {
     if (name_.empty()) return {};
     const std::string path = this->path();
@@ -128,7 +129,7 @@ std::optional<std::string> FileDialog::chosen() {
     return path;
 }
 
-/// Names of the files that are there already of those to be written.
+/// Returns the names of existing files that writing to `path` would replace.
 std::vector<std::string> FileDialog::replaced(const std::string& path) const {
     std::vector<std::string> names;
     std::error_code unknown;
@@ -137,7 +138,7 @@ std::vector<std::string> FileDialog::replaced(const std::string& path) const {
     return names;
 }
 
-/// The path once there is nothing to ask any more.
+/// Returns the path once it needs no confirmation any more.
 std::optional<std::string> FileDialog::agreed() {
     const bool yes = std::exchange(agreed_, false);
     const std::optional<std::string> path = chosen();
@@ -149,7 +150,7 @@ std::optional<std::string> FileDialog::agreed() {
     return {};
 }
 
-/// What comes of the name.
+/// Returns a remark on the path typed, such as that a file will be replaced.
 std::string FileDialog::remark() const {
     if (name_.empty()) return {};
     const std::string path = this->path(), name = fs::path(path).filename().string();

@@ -1,5 +1,5 @@
 #pragma once
-// A small browser for files, because the desktop's own dialogs are not there without a desktop.
+// A file browser in the editor's window: the desktop's own dialogs need a desktop.
 #include <functional>
 #include <optional>
 #include <string>
@@ -9,47 +9,51 @@
 
 namespace burl {
 
+/// An entry of a folder.
 struct FolderEntry {
     std::string name;
     bool folder = false;
     bool operator==(const FolderEntry&) const = default;
 };
 
-/// Folders first, then files with one of the extensions (in lower case, with the dot; none: all),
-/// each by name; hidden ones are left out. Empty where the folder cannot be read.
+/// Lists a folder: folders first, then files with one of the extensions (lower case, with the dot;
+/// none: all), each sorted by name and without hidden ones. Empty where the folder cannot be read.
 std::vector<FolderEntry> list_folder(const std::string& folder,
                                      const std::vector<std::string>& extensions);
 
-/// "a.mtl, a.obj and a.png"; of many the first ones and how many more there are.
+/// Joins names as "a.mtl, a.obj and a.png"; of many only the first, and the number of the others.
 std::string names_together(const std::vector<std::string>& names);
 
-/// An empty file "STEM-NNN.EXTENSION" in the working folder, with the first number from 001 on that
-/// no file has, made so that no other program gets the same. Throws Error(io).
+/// Creates an empty file "STEM-NNN.EXTENSION" in the working folder with the first free number from
+/// 001 on; concurrent programs get different files. Throws Error(io).
 std::string claim_numbered(const std::string& stem, const std::string& extension);
 
-/// A dialog that gives a path once.
+/// A dialog for one path, to open or to save.
 class FileDialog {
   public:
+    /// The purpose of the dialog.
     struct Wish {
         std::string title{};
         std::vector<std::string> extensions{};
-        bool saves = false;    ///< the file need not be there
-        std::string name{};    ///< to begin with
-        std::string hint{};    ///< what the extensions are for
-        std::string choice{};  ///< something to tick; empty: nothing
-        /// All files that are written for a path and the choice; none: that file alone.
+        bool saves = false;    ///< whether the file may be new
+        std::string name{};    ///< name offered at first
+        std::string hint{};    ///< explanation of the extensions
+        std::string choice{};  ///< label of a check box; empty: none
+        /// Returns all files that would be written for a path and a check box's state; not set:
+        /// that path alone.
         std::function<std::vector<std::string>(const std::string& path, bool chose)> files{};
     };
 
-    /// Opens it in the folder last shown; what is typed is the file's name at once.
+    /// Opens the dialog in the folder shown last, with the keyboard's focus on the file's name.
     void open(Wish wish);
     bool is_open() const { return open_; }
     void cancel() { open_ = false; }
-    /// The folder that is shown.
+    /// The folder shown.
     const std::string& folder() const { return folder_; }
-    /// Whether Wish::choice is ticked.
+    /// Whether the check box is ticked.
     bool chose() const { return chose_; }
-    /// Draws it; the path chosen in this frame. Where that replaces files it has asked first.
+    /// Draws the dialog. Returns the path in the frame it is chosen, after a confirmation where
+    /// files would be replaced.
     std::optional<std::string> show(EditItems& items);
 
   private:
@@ -64,10 +68,10 @@ class FileDialog {
 
     Wish wish_;
     std::string folder_ = ".", name_;
-    std::string asked_;                  ///< the path whose files would be replaced; empty: none
-    std::vector<std::string> replaced_;  ///< names of those
+    std::string asked_;                  ///< path for which a confirmation is shown; empty: none
+    std::vector<std::string> replaced_;  ///< names of the files to be replaced
     bool open_ = false, accepted_ = false, chose_ = false, agreed_ = false;
-    bool begins_ = false;  ///< the next frame is the first
+    bool begins_ = false;  ///< whether the next frame is the dialog's first
 };
 
 }  // namespace burl

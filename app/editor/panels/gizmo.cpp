@@ -19,9 +19,10 @@ constexpr std::array<ImU32, 3> colors{IM_COL32(235, 64, 52, 255), IM_COL32(88, 1
                                       IM_COL32(66, 133, 255, 255)};
 constexpr ImU32 bright = IM_COL32(255, 226, 92, 255), shadow = IM_COL32(0, 0, 0, 150),
                 handle_color = IM_COL32(240, 240, 240, 255);
-constexpr float line = 2.5f, outline = 2.0f;  // pixels; the outline on both sides of the line
+// Widths in pixels; the outline is on both sides of the line.
+constexpr float line = 2.5f, outline = 2.0f;
 constexpr float head_length = 13.0f, head_width = 5.5f;
-constexpr unsigned faint = 70;  // opacity of a ring's far half, of 255
+constexpr unsigned faint = 70;  // opacity of a ring's far half, 0 to 255
 
 ImU32 with_opacity(ImU32 color, unsigned opacity) {
     return (color & ~IM_COL32_A_MASK) | opacity << IM_COL32_A_SHIFT;
@@ -32,10 +33,10 @@ class Drawing {
     Drawing(const SolidGizmo& gizmo, const ObjectView& view, const std::optional<GizmoHandle>& lit)
         : gizmo_(gizmo), view_(view), lit_(lit), list_(*ImGui::GetWindowDrawList()) {}
 
-    /// One half of a ring as one line.
+    /// Draws the near or the far half of a ring as one line.
     void ring(int axis, bool near_half) const {
         const Vec3d to_eye = camera_of(view_).eye - gizmo_.centre;
-        // The halves overlap a little, so that no gap is between them.
+        // The halves overlap a little, so that no gap shows between them.
         const double overlap = 0.1 * gizmo_ring * gizmo_.length * glm::length(to_eye);
         const auto shown = [&](const Vec3d& p) {
             const double towards = glm::dot(p - gizmo_.centre, to_eye);
@@ -43,7 +44,7 @@ class Drawing {
         };
         std::vector<Vec3d> points = ring_points(gizmo_, axis);
         const auto hidden = std::ranges::find_if_not(points, shown);
-        std::ranges::rotate(points, hidden);  // what is shown lies together
+        std::ranges::rotate(points, hidden);  // the half's points are contiguous then
         std::vector<ImVec2> half;
         for (const Vec3d& p : points)
             if (shown(p)) half.push_back(at(p));

@@ -1,5 +1,5 @@
 #pragma once
-// Draws the gizmo over the object.
+// Drawing of the transform gizmo over the object.
 #include <optional>
 
 #include "app/editor/panels/items.h"
@@ -8,11 +8,11 @@
 
 namespace burl {
 
-/// `lit` is drawn bright: under the pointer or held.
+/// Draws the gizmo; the handle `lit`, under the pointer or held, is bright.
 void draw_gizmo(const SolidGizmo& gizmo, const ObjectView& view,
                 const std::optional<GizmoHandle>& lit);
 
-/// Handles become items "gizmo.move.x", "gizmo.turn.x", ..., "gizmo.size", where they can be taken.
+/// Notes the visible handles as items "gizmo.move.x", "gizmo.turn.x", ..., "gizmo.size".
 void note_gizmo(const SolidGizmo& gizmo, const ObjectView& view, EditItems& items);
 
 }  // namespace burl

@@ -1,6 +1,6 @@
 #pragma once
-// Where the user interface's items are on screen, by name, so that scripts can name what they act
-// on and tests need no coordinates.
+// A registry of widgets by name and rectangle on the screen, so that scripts name the widgets they
+// act on and tests need no coordinates.
 #include <imgui.h>
 
 #include <map>
@@ -11,11 +11,12 @@
 
 namespace burl {
 
+/// The rectangles of one frame's widgets.
 class EditItems {
   public:
-    /// A new frame begins.
+    /// Begins a frame.
     void clear() { rects_.clear(); }
-    /// ImGui's last item is `name`; one that is scrolled out of sight is left out.
+    /// Notes ImGui's last item as `name`, unless it is scrolled out of sight.
     void note(const std::string& name) {
         if (!ImGui::IsItemVisible()) return;
         const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
@@ -24,7 +25,7 @@ class EditItems {
     void note(const std::string& name, const ItemRect& rect) { rects_[name] = rect; }
     /// All rectangles of the last frame, by name.
     const std::map<std::string, ItemRect>& all() const { return rects_; }
-    /// Of the last frame; empty where there was none of that name.
+    /// The rectangle of a name in the last frame; empty: none.
     std::optional<ItemRect> find(const std::string& name) const {
         const auto found = rects_.find(name);
         if (found == rects_.end()) return {};

@@ -10,7 +10,7 @@ namespace burl {
 
 namespace {
 
-/// ImGui's array of keys is ours to number: the place in this list, then letters, digits and F1 to
+/// Our numbering of ImGui's array of keys: the index into this list, then letters, digits and F1 to
 /// F12.
 constexpr std::array<std::string_view, 22> names{
     "Tab",   "Left",   "Right",  "Up",        "Down",  "PageUp", "PageDown", "Home",
@@ -39,7 +39,7 @@ constexpr std::array<std::pair<ImGuiKey_, std::string_view>, 21> imgui_keys{
      {ImGuiKey_Y, "Y"},
      {ImGuiKey_Z, "Z"}}};
 
-/// -1 for a name nobody knows.
+/// Returns the number of a key; -1 for an unknown name.
 int number_of(std::string_view name) {
     const auto found = std::ranges::find(names, name);
     if (found != names.end()) return int(found - names.begin());

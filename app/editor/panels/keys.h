@@ -1,5 +1,5 @@
 #pragma once
-// Hands input to Dear ImGui, and says which shortcuts were pressed.
+// Input for Dear ImGui, and keyboard shortcuts.
 #include <imgui.h>
 
 #include <string_view>
@@ -8,21 +8,21 @@
 
 namespace burl {
 
-/// Tells ImGui where its keys are; once per context.
+/// Tells ImGui's current context the numbers of its keys; called once.
 void map_keys(ImGuiIO& io);
 
-/// One event of kinds move, button, wheel, key and text; nothing happens for others.
+/// Passes an event of kind move, button, wheel, key or text to ImGui; other kinds are ignored.
 void feed(ImGuiIO& io, const InputEvent& event);
 
-/// Before every frame: forgets popups that were opened and not shown yet where Escape is down, at
-/// which Dear ImGui would look for their windows.
+/// Closes popups that were opened but not drawn yet, if Escape is down: Dear ImGui would look for
+/// their windows. Called before every frame.
 void forget_unseen_popups();
 
-/// Whether the last letter of "Ctrl+Shift+Z" went down since the last frame with just these
-/// modifiers held.
+/// Whether the last key of a shortcut such as "Ctrl+Shift+Z" went down since the last frame with
+/// exactly these modifiers held.
 bool pressed(std::string_view shortcut);
 
-/// Where the pointer is on the screen, y down.
+/// The pointer's position on the screen, y down.
 Vec2d pointer_now();
 
 }  // namespace burl

@@ -1,4 +1,4 @@
-// Panels that list things: the log, keys.
+// Panels that are lists: the log and the keyboard shortcuts.
 #include <fmt/format.h>
 #include <imgui.h>
 

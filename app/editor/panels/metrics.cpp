@@ -1,5 +1,5 @@
-// The panel of figures: the atlas with the spread of its density, and what the pipeline's stages
-// did and could leave out.
+// The metrics panel: figures of the atlas with a histogram of its texel density, and the work,
+// times and reuse of the pipeline's stages.
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -49,7 +49,7 @@ void atlas_rows(const AtlasFigures& figures) {
                                figures.density[2]));
 }
 
-/// Bars over the logarithm of the density, the mean in the middle.
+/// Draws the histogram of the density on a logarithmic axis, the mean in the middle.
 void histogram(const AtlasFigures& figures) {
     ImGui::TextUnformatted("share of the surface by texels per area");
     const ImVec2 low = ImGui::GetCursorScreenPos();

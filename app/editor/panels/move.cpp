@@ -26,7 +26,7 @@ void change(EditSession& session, const SolidOptions& solid) {
     session.change_still(recipe);
 }
 
-/// What is held, and with a thread to its pivot where it turns or grows about one.
+/// Draws the gripped point, and a line to the pivot for turns and scalings.
 void draw_hold(const ObjectView& view, const SolidGrab& grab) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const auto at = [&](const Vec3d& point) {
@@ -98,7 +98,7 @@ bool EditMove::input(const ObjectView& view, EditSession& session) {
     if (on && !grab_ && view.pick) step(view, session);
     if (!grab_) return false;
     if (pressed("Escape")) {
-        session.history().change(before_);  // with its keys, if it has any
+        session.history().change(before_);  // restores the animation tracks, too
         drop(session);
     } else if (on && ImGui::IsMouseDown(0) && session.history().in_gesture()) {
         follow(view, session, pointer_now());

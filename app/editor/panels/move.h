@@ -1,6 +1,6 @@
 #pragma once
-// The tool that moves the texture on the object: left drags on the surface and on the gizmo's
-// handles become the recipe's transform, one gesture from press to release.
+// The tool that moves the texture on the object: drags on the surface and on the gizmo's handles
+// change the recipe's transform, each as one undo step.
 #include <imgui.h>
 
 #include <optional>
@@ -11,16 +11,17 @@
 
 namespace burl {
 
+/// The move tool. All functions are called by the user interface's thread.
 class EditMove {
   public:
-    bool on = false;  ///< the pointer moves the texture
+    bool on = false;  ///< whether the tool is active
     bool shows_gizmo = true;
 
-    /// Takes the pointer where the last item, the view, has it. True: it moves the texture; false:
-    /// the view may have it. Escape takes the gesture back. Arrow keys do the same in steps, while
-    /// no other window has them.
+    /// Handles the pointer over ImGui's last item, the object's view, and the arrow keys unless
+    /// another window has the keyboard's focus. Returns whether the tool takes the pointer;
+    /// otherwise the camera may. Escape undoes the drag.
     bool input(const ObjectView& view, EditSession& session);
-    /// The gizmo, and what is held.
+    /// Draws the gizmo and the gripped point.
     void draw(const ObjectView& view, EditSession& session, EditItems& items);
 
   private:
@@ -31,12 +32,13 @@ class EditMove {
     std::optional<SolidGizmo> gizmo(const ObjectView& view, const SolidOptions& solid) const;
 
     std::optional<SolidGrab> grab_{};
-    Recipe before_{};                ///< as the gesture began
-    std::optional<Vec3d> anchor_{};  ///< where the gizmo stands, in the texture
-    Vec2d pointer_{0.0};             ///< which the recipe has followed
+    Recipe before_{};                ///< recipe before the drag
+    std::optional<Vec3d> anchor_{};  ///< texture's point at which the gizmo stands
+    Vec2d pointer_{0.0};             ///< pointer position that the recipe has followed
 };
 
-/// The tool's hints and settings, in a small window at the left upper corner of the object's view.
+/// Draws the tool's hints and settings in a small window in the upper left corner of the object's
+/// view, at `low`.
 void move_panel(const PanelContext& context, EditMove& tool, const ImVec2& low);
 
 }  // namespace burl

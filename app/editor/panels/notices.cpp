@@ -6,8 +6,8 @@ namespace burl {
 
 namespace {
 
-const ImVec4 problem_color{1.0f, 0.55f, 0.4f, 1.0f};  // the log's
-constexpr float most_width = 40.0f;                   // of a line, in heights of the font
+const ImVec4 problem_color{1.0f, 0.55f, 0.4f, 1.0f};  // as in the log
+constexpr float most_width = 40.0f;                   // maximum width of a line, in font sizes
 
 }  // namespace
 

@@ -1,6 +1,6 @@
 #pragma once
-// What is going on beside the user interface, and questions that can wait: lines in the lower left
-// corner of the object.
+// Notices in the lower left corner of the object's view: background work under way, and questions
+// that can wait.
 #include <string>
 #include <vector>
 
@@ -8,14 +8,15 @@
 
 namespace burl {
 
+/// A line of text with buttons for its answers.
 struct Notice {
     std::string text{};
     std::vector<std::string> answers{};
     bool problem = false;
 };
 
-/// Nothing at all without notices. `bottom`: where the object's view ends. The answer that was
-/// clicked in this frame; empty: none.
+/// Draws the notices, their lower edge at y = `bottom`, the end of the object's view; nothing
+/// without notices. Returns the answer clicked in this frame; empty: none.
 std::string notices_panel(EditItems& items, const std::vector<Notice>& notices, float bottom);
 
 }  // namespace burl

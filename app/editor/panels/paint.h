@@ -5,14 +5,15 @@
 
 namespace burl {
 
-/// Keys of the mode while it is on: comma and period change the radius, X takes the eraser or the
-/// brush.
+/// Handles the tool's keys while it is on: comma and period change the radius, X switches between
+/// brush and eraser.
 void paint_shortcuts(PaintTool& tool);
 
-/// `low`: the left upper corner of the object's view. Nothing while the tool is off.
+/// Draws the settings in the upper left corner of the object's view, at `low`, while the tool is
+/// on.
 void paint_panel(const PanelContext& context, PaintTool& tool, const ImVec2& low);
 
-/// Takes all paint away, as one step.
+/// Removes all paint as one step.
 void clear_paint(EditSession& session);
 
 }  // namespace burl

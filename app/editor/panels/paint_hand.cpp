@@ -12,20 +12,21 @@ namespace burl {
 namespace {
 
 constexpr int brush_points = 48;
-constexpr int most_steps = 200;  // places between two of the pointer's
+constexpr int most_steps = 200;  // limit of points between two pointer positions
 
 double solid_units(const ObjectView& view) {
     return glm::length(view.solid_from_mesh.linear[0]);
 }
 
-/// Pixels that a solid unit has at the place hit.
+/// Returns the pixels per solid unit at a surface point.
 double pixels_per_unit(const ObjectView& view, const SurfaceHit& hit) {
     return 0.5 * view.size.y * camera_of(view).focal_y / (hit.depth * solid_units(view));
 }
 
 }  // namespace
 
-/// Follows the surface between the pointer's places, so that quick hands leave no gaps.
+/// Paints along the surface from the last pointer position to this one, so that fast strokes have
+/// no gaps.
 void EditPaint::lead_to(const ObjectView& view, EditSession& session, const Vec2d& pointer) {
     const std::optional<SurfaceHit> hit = hit_at(view, pointer);
     if (!hit) {
@@ -60,7 +61,7 @@ bool EditPaint::input(const ObjectView& view, EditSession& session) {
         history.begin_gesture();
     }
     if (!painting_) return false;
-    if (ImGui::IsMouseDown(0) && tool.on && history.in_gesture())  // nobody has undone it
+    if (ImGui::IsMouseDown(0) && tool.on && history.in_gesture())  // undo has not ended the stroke
         lead_to(view, session, pointer_now());
     else {
         painting_ = false;

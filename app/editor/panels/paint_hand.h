@@ -1,6 +1,6 @@
 #pragma once
-// Painting on the object's view: the pointer's places become strokes of the recipe, one gesture
-// from press to release, and the brush is seen as a ring on the surface.
+// Painting in the object's view: pointer positions become strokes of the recipe, one undo step from
+// press to release, and the brush is drawn as a ring on the surface.
 #include <optional>
 
 #include "app/editor/session/session.h"
@@ -9,21 +9,22 @@
 
 namespace burl {
 
+/// The paint tool. All functions are called by the user interface's thread.
 class EditPaint {
   public:
     PaintTool tool{};
 
-    /// Takes the pointer where the last item, the view, has it. True: it paints; false: the view
-    /// may have it, as where a drag began beside the object.
+    /// Handles the pointer over ImGui's last item, the object's view. Returns whether the tool
+    /// takes the pointer; otherwise, as for a drag that began beside the object, the camera may.
     bool input(const ObjectView& view, EditSession& session);
-    /// The ring under the pointer.
+    /// Draws the brush's ring under the pointer.
     void draw(const ObjectView& view) const;
 
   private:
     void lead_to(const ObjectView& view, EditSession& session, const Vec2d& pointer);
 
     bool painting_ = false;
-    std::optional<Vec2d> last_{};  ///< where the stroke under way has met the surface
+    std::optional<Vec2d> last_{};  ///< last pointer position on the surface in the present stroke
 };
 
 }  // namespace burl

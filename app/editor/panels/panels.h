@@ -1,6 +1,6 @@
 #pragma once
-// The editor's panels. Each shows a part of the session and hands what a person does to it; none
-// keeps a state of its own but what it shows of itself.
+// The editor's panels: each shows a part of the session and passes edits to it. The only state of
+// their own is what is shown and selected.
 #include <memory>
 #include <optional>
 #include <string>
@@ -13,35 +13,38 @@
 
 namespace burl {
 
-/// What a panel needs: the session, and where items are noted.
+/// The session that a panel shows and edits, and the registry for its widgets.
 struct PanelContext {
     EditSession& session;
     EditItems& items;
 };
 
-/// Sliders for everything in the parameter tables (app/recipe/leaves.h), grouped as the recipe is;
-/// that of the pose where there is one.
+/// Draws a slider for every parameter in the tables (app/recipe/leaves.h), grouped as in the
+/// recipe; the pose's weight only where the mesh has a pose (`posed`).
 void parameters_panel(const PanelContext& context, bool posed);
 
-/// The colour maps of the recipe as bars with stops: drag, click to add, recolour, delete; wrap.
+/// The selected stop of a colour map.
 struct StopSelection {
     std::string map{};  ///< path of the map; empty: none
     std::size_t stop = 0;
 };
+/// Draws the recipe's colour maps as bars with stops: drags move stops, clicks add them, and the
+/// selected stop can be recoloured and removed; a check box sets the wrap mode.
 void color_maps_panel(const PanelContext& context, StopSelection& selection);
 
-/// Figures of the atlas, times and work of the pipeline's stages, machine and renderer.
+/// The content of the metrics panel: figures of the atlas, times and work of the pipeline's stages,
+/// and facts about the machine and the renderer.
 struct MetricsView {
-    std::vector<std::pair<std::string, std::string>> facts{};  ///< name, value
-    std::shared_ptr<const AtlasFigures> atlas{};               ///< null: not yet
+    std::vector<std::pair<std::string, std::string>> facts{};  ///< pairs of name and value
+    std::shared_ptr<const AtlasFigures> atlas{};               ///< null: not ready
     StageRecords records{};
 };
 void metrics_panel(const PanelContext& context, const MetricsView& view);
 
-/// What there was to tell, newest last.
+/// Draws the log, newest line last.
 void log_panel(const PanelContext& context);
 
-/// Keys and gestures; false once it was closed.
+/// Draws the window of keys and gestures; returns false once it was closed.
 bool cheat_sheet(const PanelContext& context);
 
 }  // namespace burl

@@ -12,9 +12,9 @@ namespace burl {
 
 namespace {
 
-const ImVec4 keyed_color(0.45f, 0.36f, 0.10f, 1.0f);  // of what has keys over time
+const ImVec4 keyed_color(0.45f, 0.36f, 0.10f, 1.0f);  // background of animated numbers
 
-/// The number of the leaf that a hand is on; empty: the leaf is none.
+/// Returns the path of the leaf's number that is being edited; empty where the leaf is no number.
 std::string number_path(const RecipeLeaf& leaf, const ValueEdit& edit) {
     const ParameterType type = leaf.parameter->type;
     if (type == ParameterType::numbers) return fmt::format("{}.{}", leaf.path, edit.item);

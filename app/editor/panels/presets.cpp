@@ -14,16 +14,16 @@ namespace burl {
 
 namespace {
 
-constexpr float least_side = 96.0f;  // of a tile, before the scale of the user interface
-constexpr float margin = 5.0f;       // between a tile's edge and its ball
-constexpr int picture_step = 128;    // pictures are made in multiples of this size
-constexpr float large_side = 256.0f, rest_seconds = 0.2f;  // of what the pointer rests on
+constexpr float least_side = 96.0f;  // minimum side of a tile at interface scale 1
+constexpr float margin = 5.0f;       // space between a tile's edge and its ball
+constexpr int picture_step = 128;    // sizes of thumbnails are multiples of this
+constexpr float large_side = 256.0f, rest_seconds = 0.2f;  // tooltip: side of the ball, and delay
 
 ImVec2 plus(const ImVec2& a, float x, float y) {
     return {a.x + x, a.y + y};
 }
 
-/// As much of a name as fits, with dots for the rest.
+/// Shortens a name to a width, ending in dots where it does not fit.
 std::string shortened(std::string name, float width) {
     if (ImGui::CalcTextSize(name.c_str()).x <= width) return name;
     while (!name.empty() && ImGui::CalcTextSize((name + "..").c_str()).x > width) name.pop_back();
@@ -45,7 +45,7 @@ class Gallery {
         side_ = std::max(2.0f * margin + 1.0f, std::floor(wide / float(columns_)));
     }
 
-    /// The preset under the pointer or chosen by keys, if any.
+    /// Draws the tiles; returns the preset under the pointer or selected by keys, or null.
     const PresetNote* show(const std::vector<PresetNote>& presets) {
         const PresetNote* looked_at = nullptr;
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0f, 2.0f));
@@ -77,8 +77,8 @@ class Gallery {
         return looked_at;
     }
 
-    /// The ball in large beside what is said of it, once the pointer has rested there; not of the
-    /// one that is open, which the object shows.
+    /// Draws a tooltip with a large ball and the description after the pointer has rested on a
+    /// tile, except for the open preset, which the object shows.
     void enlarged(const PresetNote& preset) const {
         if (!ImGui::IsItemHovered(ImGuiHoveredFlags_None) || ImGui::GetIO().MouseDown[0] ||
             GImGui->HoveredIdTimer < rest_seconds || preset.name == context_.session.recipe_path())
@@ -109,8 +109,8 @@ class Gallery {
         const bool seen = ImGui::IsItemVisible();
         const int side = picture_side(width), tile_side = picture_side(side_ - 2.0f * margin);
         ImTextureID picture = seen ? picture_(name, side) : nullptr;
-        if (picture == nullptr && seen && side != tile_side)  // until it is ready
-            picture = picture_(name, tile_side);
+        // A smaller thumbnail until the large one is ready.
+        if (picture == nullptr && seen && side != tile_side) picture = picture_(name, tile_side);
         if (picture != nullptr)
             list.AddImageRounded(picture, low, high, {0.0f, 0.0f}, {1.0f, 1.0f}, IM_COL32_WHITE,
                                  0.5f * width);
@@ -125,7 +125,7 @@ class Gallery {
     float side_ = least_side;
 };
 
-/// What the preset looked at is, in a place that does not move.
+/// Draws the description of the preset under the pointer, at a fixed place.
 void about(const PresetNote* preset) {
     const std::string text = preset != nullptr
                                  ? fmt::format("{}: {}", preset->name, preset->about)

@@ -1,5 +1,5 @@
 #pragma once
-// The gallery of presets: a ball and a name each; a click opens one.
+// The gallery of presets: a thumbnail and a name each; a click opens one.
 #include <imgui.h>
 
 #include <functional>
@@ -9,11 +9,11 @@
 
 namespace burl {
 
-/// A preset's ball, side x side pixels; null: not ready.
+/// Returns a preset's thumbnail, side x side pixels; null: not ready.
 using PresetPicture = std::function<ImTextureID(const std::string& preset, int side)>;
 
-/// `search`: what a person typed to see fewer. Notes "preset:NAME" for every one in sight, and
-/// "preset search".
+/// Draws the gallery; `search` is the text that filters it. Items are "preset:NAME" for every
+/// visible preset, and "preset search".
 void presets_panel(const PanelContext& context, std::string& search, const PresetPicture& picture);
 
 }  // namespace burl

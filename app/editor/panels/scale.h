@@ -1,19 +1,19 @@
 #pragma once
-// The size of the editor's text and panels: steps for keys, and fonts drawn at that size, which
-// stay sharp.
+// The scale of the editor's text and panels: steps for keys, and fonts rasterised at that size, so
+// that they stay sharp.
 
 namespace burl {
 
-/// The next larger or smaller of a few sizes from 0.5 to 4; 1: thirteen pixels a line. At the ends
-/// the last one.
+/// The next larger or smaller scale of a fixed list from 0.5 to 4, clamped at its ends; at scale 1
+/// the font is 13 pixels high.
 double larger_scale(double scale);
 double smaller_scale(double scale);
 
-/// Sets style and fonts of ImGui's current context, between frames. The fonts' texture is to be
-/// uploaded anew.
+/// Sets style and fonts of ImGui's current context, between frames; the fonts' texture must be
+/// uploaded again.
 void set_interface_scale(double scale);
 
-/// What is set now; 0: nothing yet.
+/// The scale set last; 0: none yet.
 double interface_scale();
 
 }  // namespace burl

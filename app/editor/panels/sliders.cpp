@@ -18,8 +18,9 @@ namespace burl {
 
 namespace {
 
-constexpr double narrow = 64.0;     // a range this wide fits one slider
-constexpr double steps_about = 40;  // of a wide range, to both sides of the default
+constexpr double narrow = 64.0;  // width of the widest range shown as a whole
+// Reach of a wider range's slider to both sides of the default, in the parameter's steps.
+constexpr double steps_about = 40;
 
 void merge(ValueEdit& into, const ValueEdit& more) {
     if (more.began || more.value) into.item = more.item;
@@ -28,7 +29,7 @@ void merge(ValueEdit& into, const ValueEdit& more) {
     if (more.value) into.value = more.value;
 }
 
-/// The gesture of ImGui's last item.
+/// Returns whether a gesture on ImGui's last item begins or ends in this frame.
 ValueEdit gesture() {
     ValueEdit edit;
     edit.began = ImGui::IsItemActivated();
@@ -36,8 +37,8 @@ ValueEdit gesture() {
     return edit;
 }
 
-/// What the table says of the parameter, while the pointer rests on ImGui's last item: its name,
-/// for over the sliders it would cover those below.
+/// Shows the parameter's description while the pointer rests on ImGui's last item, its label: over
+/// the slider it would cover the sliders below.
 void tip(const RecipeLeaf& leaf) {
     if (!ImGui::IsItemHovered() || ImGui::IsItemActive()) return;
     const Parameter& parameter = *leaf.parameter;
@@ -60,7 +61,7 @@ void tip(const RecipeLeaf& leaf) {
     ImGui::EndTooltip();
 }
 
-/// The default of the `item`th number of a parameter; empty where there is none.
+/// Returns the default of the `item`-th number of a parameter; empty where it has none.
 std::optional<double> default_of(const Parameter& parameter, std::size_t item) {
     const Json json = Json::parse(parameter.default_value, nullptr, false);
     if (json.is_number()) return json.get<double>();
@@ -78,8 +79,8 @@ ImGuiID left_id(const char* shown) {
     return ImGui::GetID(fmt::format("{} left", shown).c_str());
 }
 
-/// The reach follows the value, but not while the slider is held, when it would run away from the
-/// pointer, nor where the hand has left it, when it would jump.
+/// Returns the slider's range, which follows the value, except while the slider is dragged, when it
+/// would run away from the pointer, and at the value last dragged to, when the handle would jump.
 SliderRange held_range(const char* shown, const SliderRange& range, double value) {
     ImGuiStorage& kept = *ImGui::GetStateStorage();
     const ImGuiID low = ImGui::GetID(fmt::format("{} low", shown).c_str());
@@ -92,7 +93,7 @@ SliderRange held_range(const char* shown, const SliderRange& range, double value
     return range;
 }
 
-/// A slider for one number; `shown` is its name for ImGui.
+/// Draws a slider for one number, named `shown` for ImGui.
 ValueEdit edit_number(const Parameter& parameter, std::size_t item, double value,
                       const char* shown) {
     const SliderRange range = held_range(shown, slider_range(parameter, value), value);
@@ -107,7 +108,7 @@ ValueEdit edit_number(const Parameter& parameter, std::size_t item, double value
                             double(ImGui::CalcItemWidth());
     if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0)) {
         moved = default_of(parameter, item).value_or(value);
-        ImGui::ClearActiveID();  // or the slider would follow the pointer again
+        ImGui::ClearActiveID();  // keeps the slider from following the pointer again
         edit.began = edit.ended = true;
     }
     moved = snapped(parameter, moved);
@@ -187,7 +188,7 @@ SliderRange slider_range(const Parameter& parameter, double value) {
         const double reach = steps_about * parameter.step;
         range = {std::max(parameter.low, middle - reach), std::min(parameter.high, middle + reach)};
     }
-    // Room on both sides of a value beyond, so that it can be moved either way.
+    // A value outside the range gets room on both sides, so that it can be moved either way.
     const double room = std::abs(value);
     if (value < range.low) range.low = std::max(parameter.low, value - room);
     if (value > range.high) range.high = std::min(parameter.high, value + room);

@@ -20,7 +20,8 @@ namespace burl {
 namespace {
 
 constexpr std::size_t rows_seen = 4;
-constexpr float label_width = 220.0f, diamond_size = 6.0f, tick_gap = 60.0f;  // at scale 1
+// Sizes at interface scale 1.
+constexpr float label_width = 220.0f, diamond_size = 6.0f, tick_gap = 60.0f;
 constexpr ImU32 lane_color = IM_COL32(40, 44, 52, 255), tick_color = IM_COL32(120, 126, 138, 255);
 constexpr ImU32 head_color = IM_COL32(240, 90, 70, 255), key_color = IM_COL32(214, 176, 72, 255);
 constexpr ImU32 chosen_color = IM_COL32(255, 232, 150, 255), edge_color = IM_COL32(20, 20, 20, 255);
@@ -108,7 +109,7 @@ class TimelinePanel {
         if (moved) session_.change_keys(edited);
     }
 
-    /// Which number the next key is of.
+    /// Draws the choice of the number that the next key animates.
     void key_row() {
         const std::string path = session_.touched();
         ImGui::SetNextItemWidth(scaled(260.0f));
@@ -141,7 +142,7 @@ class TimelinePanel {
         ImGui::EndCombo();
     }
 
-    /// The scrub bar: a ruler of seconds.
+    /// Draws the scrub bar, a ruler in seconds.
     void ruler() {
         const ImVec2 at = ImGui::GetCursorScreenPos();
         const float height = ImGui::GetFrameHeight();
@@ -165,7 +166,7 @@ class TimelinePanel {
     void ticks(ImDrawList& list, float y, float height) const {
         const double fewest = animation_.seconds * double(scaled(tick_gap) / lane_width_);
         double step = std::pow(10.0, std::floor(std::log10(fewest)));
-        for (const double factor : {2.0, 2.5, 2.0})  // 1, 2, 5, 10
+        for (const double factor : {2.0, 2.5, 2.0})  // steps of 1, 2, 5 and 10
             if (step < fewest) step *= factor;
         const int count = int(animation_.seconds / step + 1e-9);
         for (int i = 0; i <= count; ++i) {
@@ -247,7 +248,8 @@ class TimelinePanel {
         ImGui::PopID();
     }
 
-    /// A press chooses the key and goes to its time, a drag moves it, a right click takes it away.
+    /// Handles input on a key: a press selects it and sets the clock to its time, a drag moves it,
+    /// and a right click removes it.
     void key_input(const KeyTrack& track, std::size_t index) {
         gesture();
         if (ImGui::IsItemActivated()) {
@@ -273,8 +275,8 @@ class TimelinePanel {
     EditSession& session_;
     EditItems& items_;
     EditTimeline& timeline_;
-    const KeyedAnimation animation_;            ///< as the frame began
-    const std::vector<ParameterGroup> groups_;  ///< for names
+    const KeyedAnimation animation_;            ///< animation at the start of the frame
+    const std::vector<ParameterGroup> groups_;  ///< parameter groups, for labels
     const float scale_ = float(interface_scale());
     const float diamond_ = diamond_size * scale_;
     float lane_low_ = 0.0f, lane_width_ = 1.0f;

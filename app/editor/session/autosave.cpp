@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr double every_seconds = 3.0;
-constexpr std::size_t most_files = 1000;  // of all editors
+constexpr std::size_t most_files = 1000;  // shared by all editors
 
 std::string lock_of(const std::string& file) {
     return file + ".lock";
@@ -45,7 +45,7 @@ std::string age_of(const std::string& file) {
     return hours < 48 ? fmt::format("{} hours ago", hours) : fmt::format("{} days ago", hours / 24);
 }
 
-/// Whatever the file holds.
+/// Returns the name of the recipe in any text, "a recipe" where there is none.
 std::string name_in(const std::string& json) {
     const Json recipe = Json::parse(json, nullptr, false);
     const bool named = recipe.is_object() && recipe.contains("name") && recipe["name"].is_string();
@@ -82,7 +82,7 @@ void EditAutosave::find_left() {
         const std::string file = file_of(i);
         if (!is_there(file)) continue;
         std::optional<EditLock> lock = EditLock::take(lock_of(file));
-        if (!lock || !is_there(file)) continue;  // of an editor that runs, or that has just ended
+        if (!lock || !is_there(file)) continue;  // its editor is running, or has just ended
         std::optional<LeftRecipe> left = read_left(file);
         if (!left) continue;
         left_.push_back(std::move(*left));
@@ -90,7 +90,7 @@ void EditAutosave::find_left() {
     }
 }
 
-/// A file of its own, which nobody has left.
+/// Claims the first unused file for a document; a file left by another editor is in use.
 EditAutosave::Kept& EditAutosave::claim(std::uint64_t document) {
     for (std::size_t i = 0; i < most_files; ++i) {
         std::string file = file_of(i);
@@ -125,7 +125,7 @@ void EditAutosave::write_all(const AllUnsaved& all) {
     }
 }
 
-/// The files of what is not unsaved any more.
+/// Removes the files of documents that have no unsaved changes any more.
 void EditAutosave::remove_others(const AllUnsaved& all) {
     std::erase_if(kept_, [&](const Kept& one) {
         const auto is_this = [&](const auto& unsaved) { return unsaved.document == one.document; };
@@ -148,7 +148,7 @@ void EditAutosave::keep(const EditHistory& history, double seconds) {
 void EditAutosave::take(std::size_t left, const EditHistory& history) {
     if (!first_.empty()) write_all(history.all_unsaved());
     if (first_.empty())
-        forget(left);  // its file is all that is kept of it
+        forget(left);  // without autosave, the left file is the only copy of the recipe
     else
         throw_away(left);
 }

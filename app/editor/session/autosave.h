@@ -1,7 +1,7 @@
 #pragma once
-// Unsaved work survives a crash: recipes are written beside the user's other state while they
-// differ from their files, and offered at the next start. Every one has a file of its own, which
-// its editor holds by a lock, so that only what no running editor has is offered.
+// Autosave: recipes are written to the user's state folder while they differ from their files, and
+// offered at the next start if the editor ended without saving or discarding them. Every recipe has
+// a file of its own, locked by its editor, so that no running editor's recipe is offered.
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -12,40 +12,46 @@
 
 namespace burl {
 
-/// A recipe that an editor left without ending well.
+/// A recipe left behind by an editor that crashed or was killed.
 struct LeftRecipe {
+    /// Path of the autosave file.
     std::string file{};
     std::string json{};
-    std::string title{};  ///< its name, and when it was written
+    std::string title{};  ///< the recipe's name and the age of the file, for display
 };
 
+/// Writes and recovers autosave files. All functions are called by one thread.
 class EditAutosave {
   public:
-    /// `file`: "DIR/NAME.json" for the first recipe, "DIR/NAME-1.json" for another one, of this
-    /// editor or of one that runs beside it, and so on; empty: nowhere.
+    /// `file` is "DIR/NAME.json", the first file's path; further recipes, of this or of other
+    /// running editors, go to "DIR/NAME-1.json", "DIR/NAME-2.json" and so on. An empty `file` turns
+    /// autosave off.
     explicit EditAutosave(std::string file);
 
-    /// To be called often; writes at most every few seconds, and removes the file of what is saved
-    /// now. A folder that cannot be written to ends it in silence: losing the autosave is no
-    /// reason to stop somebody's work.
+    /// Writes the unsaved recipes of `history` at most every 3 seconds, and removes the files of
+    /// those saved since. `seconds` is the time on any steady clock. Autosave turns itself off
+    /// silently where the folder cannot be written: that is no reason to interrupt somebody's work.
     void keep(const EditHistory& history, double seconds);
-    /// Recipes left by editors that did not end well; no other editor offers them meanwhile.
+    /// Recipes left behind by crashed editors; they are locked, so that no other editor offers
+    /// them.
     const std::vector<LeftRecipe>& left_behind() const { return left_; }
-    /// The history has one of them now, which is kept for it at once, or it is not wanted.
+    /// Removes a left recipe after writing the unsaved recipes of `history`, which has taken it
+    /// over.
     void take(std::size_t left, const EditHistory& history);
+    /// Removes a left recipe and its file.
     void throw_away(std::size_t left);
-    /// All stay where they are, for the next start.
+    /// Unlocks all left recipes and keeps their files for the next start.
     void leave_all();
-    /// The program ends well: its own files go.
+    /// Removes this editor's own files; called when the program ends normally.
     void clear();
 
   private:
-    /// A document of this editor's history.
+    /// An autosaved document of this editor's history.
     struct Kept {
-        std::uint64_t document = 0;
+        std::uint64_t document = 0;  ///< EditHistory::document_number()
         std::string file;
         EditLock lock;
-        std::optional<Recipe> written;
+        std::optional<Recipe> written;  ///< the recipe as last written
     };
     using AllUnsaved = std::vector<EditHistory::Unsaved>;
 
@@ -58,14 +64,15 @@ class EditAutosave {
     void remove_others(const AllUnsaved& all);
     void forget(std::size_t left);
 
-    std::string first_;  ///< of all files; empty: nothing is written
+    std::string first_;  ///< path of the first file; empty: autosave is off
     std::vector<Kept> kept_;
     std::vector<LeftRecipe> left_;
-    std::vector<EditLock> left_locks_;  ///< of each of those
-    double last_ = -1e9;
+    std::vector<EditLock> left_locks_;  ///< locks of `left_`, in the same order
+    double last_ = -1e9;                ///< time of the last write, in seconds
 };
 
-/// A file of this name in $XDG_STATE_HOME/burl or ~/.local/state/burl; empty without a home.
+/// Returns the path of a file of this name in $XDG_STATE_HOME/burl or ~/.local/state/burl; empty
+/// without a home folder.
 std::string state_file(const std::string& name);
 
 }  // namespace burl

@@ -14,7 +14,7 @@ namespace burl {
 
 namespace {
 
-using Name = std::pair<std::string_view, std::string_view>;  // key, in words
+using Name = std::pair<std::string_view, std::string_view>;  // a key, and its name
 
 constexpr std::array labels{
     Name{"aa", "smoothing"},
@@ -67,7 +67,7 @@ std::string_view in_words(const auto& names, std::string_view key) {
     return found == names.end() ? std::string_view() : found->second;
 }
 
-// Keys in the order in which they change most; keys that are not named stand at "".
+// Keys by how much they change a texture, most first; all other keys are sorted at "".
 constexpr std::array<std::string_view, 30> order{
     "kind",       "fade",      "feature",   "radius2",   "size",      "scale",
     "strength",   "variation", "height",    "amplitude", "frequency", "period",
@@ -85,7 +85,7 @@ constexpr std::array<std::string_view, 13> rare{
     "time",      "time_period", "weights",   "range", "matrix",   "overscan", "weight",
     "partition", "gutter",      "diagonals", "tries", "period_u", "period_v"};
 
-/// Kinds of noise that a key says something about; empty: all.
+/// Returns the kind of noise that a key applies to; empty: every kind.
 std::string_view kind_of(std::string_view key) {
     constexpr std::array<Name, 3> kinds{Name{"fade", "value"}, Name{"feature", "worley"},
                                         Name{"radius2", "simplex"}};
@@ -97,14 +97,15 @@ bool is_noise(const std::string& group) {
     return last != std::string::npos && (last == 0 || group[last - 1] == ' ');
 }
 
-/// Whether few people need it; `kind`: the group's kind of noise.
+/// Whether a parameter of a group with this kind of noise is rarely needed.
 bool is_rare(const RecipeLeaf& leaf, std::string_view kind) {
     if (const std::string_view wanted = kind_of(leaf.label); !wanted.empty()) return wanted != kind;
-    if (leaf.label == "period") return is_noise(leaf.group);  // of patterns it says most
+    // A pattern's period is important, a noise's is not.
+    if (leaf.label == "period") return is_noise(leaf.group);
     return std::ranges::find(rare, leaf.label) != rare.end();
 }
 
-/// Where a group stands: the texture's own between its place and what bakes are about.
+/// Returns the sort key of a group: 0 first; the texture's own groups are 1.
 int group_place(std::string_view name) {
     constexpr std::array<std::pair<std::string_view, int>, 8> places{{{"pose", 3},
                                                                       {"solid", 0},
@@ -130,13 +131,14 @@ std::string capitalised(std::string text) {
     return text;
 }
 
-/// What the leaf's path names before its key: a node, a term, a section.
+/// Returns the part of the leaf's path before its key: the path of a node, a term or a section.
 std::string_view owner_of(const RecipeLeaf& leaf) {
     const std::size_t at = leaf.path.size() - leaf.label.size();
     return std::string_view(leaf.path).substr(0, at > 0 ? at - 1 : 0);
 }
 
-/// "mix > warp > wood_grain" is "Wood grain in warp", or as warp's b "Wood grain: b of warp".
+/// Returns the heading of "mix > warp > wood_grain": "Wood grain in warp", or "Wood grain: b of
+/// warp" where the node is input b of warp.
 std::string title_of(std::string_view name, std::string_view owner) {
     constexpr std::string_view arrow = " > ";
     const auto tail = [&](std::string_view& rest) {
@@ -175,7 +177,7 @@ ParameterGroup make_group(std::span<const RecipeLeaf> leaves) {
     return group;
 }
 
-/// Empty where the text is no index.
+/// Parses an index; empty where the text is not a number.
 std::optional<std::size_t> index_of(std::string_view text) {
     std::size_t index = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), index);
@@ -183,13 +185,13 @@ std::optional<std::size_t> index_of(std::string_view text) {
     return index;
 }
 
-/// " x", " y", " z" of several numbers, and their place for those after them.
+/// Returns the suffix of an array item: " x", " y", " z", then " 4", " 5" and so on.
 std::string item_name(std::size_t index) {
     return index < 3 ? fmt::format(" {}", char('x' + int(index))) : fmt::format(" {}", index + 1);
 }
 
-/// The text after the parameter's label for the number at `path`; none where the leaf has no such
-/// number.
+/// Returns the suffix of the parameter's name for the number at `path`; empty where the leaf has no
+/// such number.
 std::optional<std::string> item_of(const RecipeLeaf& leaf, std::string_view path) {
     if (path == leaf.path && leaf.value.is_number()) return std::string();
     if (!leaf.value.is_array() || !path.starts_with(leaf.path + ".")) return {};
@@ -198,7 +200,8 @@ std::optional<std::string> item_of(const RecipeLeaf& leaf, std::string_view path
     return item_name(*index);
 }
 
-/// The name of a stop's place, such as "texture.stops.1.0"; none: the path is of something else.
+/// Returns the name of a colour stop's position, such as "texture.stops.1.0"; empty for any other
+/// path.
 std::optional<std::string> stop_label(const std::vector<ParameterGroup>& groups,
                                       const std::string& path) {
     constexpr std::string_view stops = ".stops.", place = ".0";

@@ -1,7 +1,6 @@
 #pragma once
-// In which order people meet a recipe's parameters: what changes the texture most comes first, what
-// few people need is folded away, and everything has a name in words. No user interface is known
-// here.
+// The order and the words in which an editor shows a recipe's parameters: those that change the
+// texture most come first, rarely needed ones are folded away. Independent of any user interface.
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,26 +9,28 @@
 
 namespace burl {
 
-/// A heading and what stands under it.
+/// A group of parameters under one heading.
 struct ParameterGroup {
     std::string name;                     ///< RecipeLeaf::group
-    std::string title;                    ///< for people
-    bool open = true;                     ///< to begin with
-    std::vector<RecipeLeaf> first, more;  ///< `more`: few people need them
+    std::string title;                    ///< heading, in words
+    bool open = true;                     ///< whether it is unfolded at first
+    std::vector<RecipeLeaf> first, more;  ///< parameters shown, and rarely needed ones folded away
 };
 
-/// Every leaf once; leaves of the same node or section must stand together. Those of a kind of
-/// noise that the group has not are among `more`.
+/// Groups all leaves; each occurs once. Leaves of the same node or section must be adjacent.
+/// Parameters of another kind of noise than the group's are among `more`.
 std::vector<ParameterGroup> parameter_groups(const std::vector<RecipeLeaf>& leaves);
 
-/// What people call the node at this path; of a map of colours without sliders, after its place.
+/// The heading of the node at `path`; for a colour map without sliders, "Colours" and its place in
+/// the texture, such as "Colours: input".
 std::string group_title(const std::vector<ParameterGroup>& groups, const std::string& path);
 
-/// What people call a number of it, such as "Noise 1: frequency y" or "Colours: stop 2, place"; of
-/// one that has no slider, the path.
+/// The name of a number of a parameter, such as "Noise 1: frequency y" or "Colours: stop 2, place";
+/// the path itself for a number without a slider.
 std::string number_label(const std::vector<ParameterGroup>& groups, const std::string& path);
 
-/// What people call a parameter with this key; of keys nobody thought of, the key in words.
+/// The name of a parameter with this key; for keys without a name of their own, the key with spaces
+/// for underscores.
 std::string parameter_label(std::string_view key);
 
 }  // namespace burl

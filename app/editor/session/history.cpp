@@ -8,7 +8,7 @@ namespace burl {
 
 namespace {
 
-/// A preset's name is no file's.
+/// Returns a file's path with links resolved, or a preset's name unchanged.
 std::string spelling_of(const std::string& path) {
     return path.ends_with(".json") ? real_path(path) : path;
 }
@@ -30,7 +30,7 @@ bool EditHistory::is_saved(const Recipe& recipe, const Document& document) const
     return saved != saved_.end() && saved->second == recipe;
 }
 
-/// Steps that were undone are forgotten.
+/// Appends a step after the current one; the undone steps are dropped.
 void EditHistory::add_step(Step step) {
     steps_.erase(steps_.begin() + std::ptrdiff_t(at_) + 1, steps_.end());
     steps_.push_back(std::move(step));
@@ -66,7 +66,7 @@ void EditHistory::change(Recipe recipe) {
     if (!in_gesture_) end_gesture();
 }
 
-/// The one with what unsaved() is; no gesture may be open.
+/// Returns the step of unsaved(); no gesture may be open.
 std::optional<std::size_t> EditHistory::changed_step() const {
     if (changed()) return at_;
     return left_.empty() ? std::nullopt : std::optional(left_[0].step);
@@ -138,7 +138,7 @@ void EditHistory::mark_saved(const std::string& path) {
     look_back();
 }
 
-/// All steps of the document get names that lead from the file on.
+/// Renames the images of all steps of the document, so that the names are relative to the file.
 void EditHistory::name_images(const std::string& path) {
     for (Step& step : steps_)
         if (step.document == steps_[at_].document) step.recipe.name_images(document().path, path);
@@ -147,8 +147,8 @@ void EditHistory::name_images(const std::string& path) {
     ++revision_;
 }
 
-/// Older changes of the file that was just saved: to save them would undo this. What other
-/// documents left unsaved is still to be lost.
+/// Drops older unsaved steps of the file that was just saved, which saving would undo. Unsaved
+/// steps of other documents stay.
 void EditHistory::give_up_left() {
     const auto is_older = [&](std::size_t left) {
         return left < at_ && steps_[left].document->file == document().file;

@@ -1,8 +1,8 @@
 #pragma once
-// Undo and redo of what an editor has open, unlimited. A step is a recipe together with the file or
-// preset that it belongs to, so that going back to it brings back the file's name, too; what those
-// files hold is known, so that what is saved is known of every step. All changes of one gesture (a
-// slider's drag) are one step.
+// The undo stack of an editor, unlimited. A step holds a recipe and the file or preset it belongs
+// to, so that undo brings back the file's name, too. The contents of those files are remembered, so
+// that every step knows whether it is saved. All changes of one gesture (a slider's drag) are one
+// step.
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -15,77 +15,83 @@
 
 namespace burl {
 
+/// Undo and redo. All functions are called by one thread.
 class EditHistory {
   public:
-    /// `recipe` counts as saved in `path`, a file or a preset's name.
+    /// Starts with `recipe`, which counts as saved in `path`, a file or a preset's name.
     explicit EditHistory(Recipe recipe, const std::string& path = {});
 
     const Recipe& recipe() const { return now_; }
     /// The file or preset that the recipe came from or was saved to; empty: none.
     const std::string& path() const { return document().path; }
-    /// The recipe as it was opened, and what was opened.
+    /// The recipe as it was opened, before any edit, and the file or preset it was opened from.
     Recipe opened() const { return document().opened.recipe(); }
     const std::string& opened_path() const { return document().opened_path; }
-    /// Another number for everything that is opened; undo brings the number before back.
+    /// A number that identifies the opened file or preset: every recipe that is opened gets a new
+    /// one, and undo brings back the older ones.
     std::uint64_t document_number() const { return document().number; }
-    /// Another number whenever the recipe may be another one.
+    /// A counter that changes whenever the recipe may have changed.
     std::uint64_t revision() const { return revision_; }
 
-    /// Changes until end_gesture() are one step; gestures may be opened again while open.
+    /// Begins a gesture, unless one is open: all changes until end_gesture() are one step.
     void begin_gesture() { in_gesture_ = true; }
-    /// Nothing happens when the recipe ends as it began.
+    /// Ends the gesture; adds no step where the recipe is what it was at the beginning.
     void end_gesture();
-    /// Inside a gesture the last change counts; outside it is a step of its own. Steps that were
-    /// undone are forgotten.
+    /// Replaces the recipe: within a gesture the last change becomes the step, outside of one the
+    /// change is a step. Undone steps are dropped.
     void change(Recipe recipe);
     bool in_gesture() const { return in_gesture_; }
-    /// Opens a file's or preset's recipe as one step; no step where just that is open.
+    /// Opens a file's or preset's recipe as one step, unless the same recipe of the same file is
+    /// open.
     void open(Recipe recipe, const std::string& path);
-    /// A recipe that no file holds, as one step.
+    /// Opens a recipe that no file holds as one step.
     void open_unsaved(Recipe recipe);
 
     bool can_undo() const { return now_ != step_ || at_ > 0; }
     bool can_redo() const { return now_ == step_ && at_ + 1 < steps_.size(); }
-    /// Ends an open gesture first, whose step is then the one undone.
+    /// Ends an open gesture and undoes the last step, which may be the gesture's.
     void undo();
+    /// Ends an open gesture and redoes the step undone last; after new changes there is none.
     void redo();
 
-    /// Whether the recipe is not what its file or preset holds.
+    /// Whether the recipe differs from its file or preset.
     bool changed() const { return !is_saved(now_, document()); }
-    /// A document's changes that would be lost.
+    /// A document with unsaved changes.
     struct Unsaved {
         std::uint64_t document = 0;  ///< its document_number()
         std::string path{};
         const Recipe* recipe = nullptr;
     };
-    /// This recipe's where it has changed(), and those in whose place others were opened, each
-    /// until it is saved; the newest first.
+    /// The documents with unsaved changes, newest first: the current one if changed(), and those
+    /// replaced by open() and not saved since.
     std::vector<Unsaved> all_unsaved() const;
-    /// The first of those; null: nothing.
+    /// The newest recipe with unsaved changes; null: none.
     const Recipe* unsaved() const;
-    /// Goes back to that.
+    /// Goes to the step of unsaved().
     void return_to_unsaved();
-    /// The file holds the recipe now, as with_images_for (app/recipe/images.h) names its images
-    /// there, and the recipe belongs to the file. Changes of the file that
-    /// were left before are given up, but for undo.
+    /// Records that the recipe was written to the file `path`, with its images named relative to it
+    /// (with_images_for, app/recipe/images.h), and makes that the recipe's file. Older unsaved
+    /// changes of the same file are no longer unsaved() but can be undone to.
     void mark_saved(const std::string& path);
-    /// Somebody else has changed the file: no recipe counts as saved there.
+    /// Records that the file changed on disk: no recipe counts as saved in it.
     void forget_saved() { saved_.erase(document().file); }
 
   private:
-    /// An opened file or preset; steps share it, so that saving names all of them.
+    /// An opened file or preset, shared by its steps, so that saving renames all of them.
     struct Document {
         std::uint64_t number = 0;
         std::string path, opened_path;
-        std::string file;  ///< its one spelling
+        std::string file;  ///< `path` with links resolved, as saved_ is keyed
         KeptRecipe opened;
     };
+    /// A step of the undo stack.
     struct Step {
         KeptRecipe recipe;
         std::shared_ptr<Document> document;
-        std::optional<std::size_t> left;  ///< the step that was left with changes
+        /// Step with unsaved changes that the opening of this step's document replaced.
+        std::optional<std::size_t> left;
     };
-    /// A step that was left, and its changes are not saved.
+    /// A replaced step with unsaved changes.
     struct Left {
         std::size_t step;
         Recipe recipe;
@@ -102,12 +108,14 @@ class EditHistory {
     void name_images(const std::string& path);
 
     std::vector<Step> steps_;
-    std::map<std::string, Recipe> saved_;  ///< what files and presets hold
+    std::map<std::string, Recipe> saved_;  ///< last known contents of files and presets
     std::uint64_t documents_ = 0, revision_ = 0;
-    std::size_t at_ = 0;  ///< of `now_`, but for changes of an open gesture
+    std::size_t at_ = 0;  ///< index of the current step
+    /// The recipe now: steps_[at_] with the changes of an open gesture.
     Recipe now_;
-    Recipe step_;             ///< steps_[at_]
-    std::vector<Left> left_;  ///< before steps_[at_], the newest first; kept for all_unsaved()
+    Recipe step_;  ///< recipe of steps_[at_], decompressed
+    /// Replaced steps before steps_[at_], newest first, for all_unsaved().
+    std::vector<Left> left_;
     bool in_gesture_ = false;
 };
 

@@ -12,7 +12,7 @@ namespace burl {
 
 namespace {
 
-// In the order of InputKind.
+// The names of the InputKinds, in order.
 constexpr std::array<std::string_view, 8> event_names{"move", "button", "wheel",  "key",
                                                       "text", "drop",   "resize", "close"};
 

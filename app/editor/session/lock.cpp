@@ -1,5 +1,5 @@
-// flock(), which the kernel ends with the process; fcntl's locks would end with any descriptor of
-// the file.
+// The lock is flock()'s, which the kernel releases with the process; fcntl's locks would end when
+// any descriptor of the file is closed.
 #include "app/editor/session/lock.h"
 
 #include <fcntl.h>
@@ -11,7 +11,7 @@ namespace burl {
 
 namespace {
 
-/// Whether the name still leads to the open file: whoever had it before may just have removed it.
+/// Whether the path still leads to the open file, which its last holder may just have removed.
 bool still_names(const std::string& path, int descriptor) {
     struct stat named {
     }, opened{};

@@ -1,20 +1,21 @@
 #pragma once
-// A name that one running program at a time has. The system lets go of it when the program ends,
-// however that comes about.
+// A lock file that one running program at a time can hold. The system releases it when the program
+// ends, however it ends.
 #include <optional>
 #include <string>
 #include <utility>
 
 namespace burl {
 
+/// A lock on a file, held until destruction.
 class EditLock {
   public:
-    /// Makes the file `path` and locks it; empty where another program has it, or where it cannot
-    /// be made.
+    /// Creates the file `path` and locks it; empty where another program holds it or the file
+    /// cannot be created.
     static std::optional<EditLock> take(const std::string& path);
     EditLock(EditLock&& other) noexcept;
     EditLock& operator=(EditLock&& other) noexcept;
-    /// The file is gone then.
+    /// Removes the file and releases the lock.
     ~EditLock();
 
   private:

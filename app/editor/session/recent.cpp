@@ -30,7 +30,7 @@ void RecentFiles::read() {
         paths_.clear();
         for (std::string line; paths_.size() < most_recent_files && std::getline(lines, line);)
             if (!line.empty()) paths_.push_back(line);
-    } catch (const Error&) {  // somebody else's, or gone
+    } catch (const Error&) {  // the list is unreadable or was just removed
     }
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// The files that were opened last, kept beside the user's other state for the next start.
+// The list of recently opened files, kept in the user's state folder.
 #include <string>
 #include <vector>
 
@@ -7,15 +7,17 @@ namespace burl {
 
 inline constexpr std::size_t most_recent_files = 10;
 
+/// A list of at most `most_recent_files` paths. All functions are called by one thread.
 class RecentFiles {
   public:
-    /// `file` holds a path in each line; empty: nothing is kept.
+    /// Reads the list from `file`, one path per line; an empty `file`: the list is not stored.
     explicit RecentFiles(std::string file);
 
-    /// It was opened, or saved; samples and presets are no files. Other editors' files are kept,
-    /// too. A list that cannot be written is no reason to complain.
+    /// Puts a file that was opened or saved at the front and writes the list, merged with what
+    /// other editors wrote since; names of samples and presets are ignored. A list that cannot be
+    /// written is no longer stored, without a message.
     void add(const std::string& path);
-    /// Newest first, at most ten, absolute.
+    /// Absolute paths, newest first.
     const std::vector<std::string>& paths() const { return paths_; }
 
   private:

@@ -17,7 +17,7 @@ namespace {
 using Kind = ScriptStep::Kind;
 using Frame = ScriptPlayer::Frame;
 
-// In the order of ScriptStep::Kind.
+// The names of the ScriptStep::Kinds, in order.
 constexpr std::array<std::string_view, 12> step_names{
     "events", "click", "double_click", "drag", "wheel",  "key",
     "type",   "drop",  "resize",       "wait", "settle", "screenshot"};
@@ -53,7 +53,7 @@ Json step_json(const ScriptStep& step) {
     return json;
 }
 
-/// A window's size.
+/// Parses the size of a window, 64 to 8192 in each direction.
 glm::dvec2 size_from(const Json& json, const std::string& key, const std::string& place) {
     const glm::dvec2 size = input_pair(json, place, key);
     if (glm::any(glm::lessThan(size, glm::dvec2(64.0))) ||
@@ -117,7 +117,8 @@ InputEvent key(const std::string& name, bool down) {
     return event;
 }
 
-/// Where the pointer is a frame before anything is pressed: widgets must see it first.
+/// Returns the frames of a click: the pointer arrives a frame before the button goes down, as
+/// widgets must see it first.
 std::vector<Frame> click_frames(const glm::dvec2& at, int number, int times) {
     std::vector<Frame> frames{{{move_to(at)}}};
     for (int i = 0; i < times; ++i) {
@@ -135,7 +136,8 @@ std::vector<Frame> drag_frames(const glm::dvec2& from, const ScriptStep& step) {
     return frames;
 }
 
-/// "Ctrl+Shift+Z": all down in one frame, all up in the next.
+/// Returns the frames of a key combination such as "Ctrl+Shift+Z": all keys go down in one frame
+/// and up in the next.
 std::vector<Frame> key_frames(const std::string& keys) {
     Frame down, up;
     for (std::size_t begin = 0; begin <= keys.size();) {

@@ -1,6 +1,6 @@
 #pragma once
-// Scripts for the editor: steps that name what they act on ("drag this slider by 40 pixels") or
-// repeat recorded events, played a frame at a time on a clock of their own, so that a run repeats
+// Scripts of input for the editor: steps that name the widget they act on ("drag this slider by 40
+// pixels") or replay recorded events, one frame at a time on a simulated clock, so that runs repeat
 // to the last pixel.
 #include <functional>
 #include <optional>
@@ -17,20 +17,21 @@ struct ItemRect {
     glm::dvec2 middle() const { return 0.5 * (low + high); }
 };
 
+/// A step of a script; `kind` says which members count.
 struct ScriptStep {
     enum class Kind {
-        events,        ///< one frame with these events
-        click,         ///< on `item`; with `text` "right" or "middle" by that button
-        double_click,  ///< on `item`
-        drag,          ///< from `item` by `by` pixels in `frames` frames
-        wheel,         ///< over `item` by `by` notches
-        key,           ///< `text`, such as "Ctrl+Z", down and up
-        type,          ///< `text`, then nothing
-        drop,          ///< `files`
-        resize,        ///< the window, to `by`
-        wait,          ///< `frames` frames without events
-        settle,        ///< frames until no work is under way
-        screenshot     ///< to NAME.png, `text` being the name
+        events,        ///< plays one frame with `events`
+        click,         ///< clicks `item`; `text` "right" or "middle" names another button
+        double_click,  ///< double-clicks `item`
+        drag,          ///< drags `item` by `by` pixels within `frames` frames
+        wheel,         ///< turns the wheel over `item` by `by` notches
+        key,           ///< presses and releases the keys of `text`, such as "Ctrl+Z"
+        type,          ///< types `text`, then waits a frame
+        drop,          ///< drops `files` on the window
+        resize,        ///< resizes the window to `by`
+        wait,          ///< plays `frames` frames without events
+        settle,        ///< plays frames until no background work is left
+        screenshot     ///< writes the frame as NAME.png, NAME being `text`
     };
     Kind kind = Kind::wait;
     std::string item{}, text{};
@@ -42,31 +43,34 @@ struct ScriptStep {
 };
 
 struct InputScript {
-    glm::ivec2 size{1280, 800};  ///< of the window
+    glm::ivec2 size{1280, 800};  ///< window size in screen coordinates, 64 to 8192
     std::vector<ScriptStep> steps{};
     bool operator==(const InputScript&) const = default;
 };
 
-/// {"burl_input": 1, "size": [w, h], "steps": [{"click": "undo"}, {"drag": "x", "by": [40, 0]}]}.
+/// Returns {"burl_input": 1, "size": [w, h], "steps": [{"click": "undo"}, ...]} as text.
 std::string script_text(const InputScript& script);
-/// Throws Error(invalid_file) naming `origin`, the step and what is wrong.
+/// Parses a script. Throws Error(invalid_file) that names `origin`, the step and the fault.
 InputScript parse_script(const std::string& text, const std::string& origin);
 
-/// Plays a script: what happens before each frame.
+/// Plays a script frame by frame.
 class ScriptPlayer {
   public:
-    /// Where an item is on screen now; empty: not to be seen.
+    /// Returns a widget's rectangle on screen in the present frame; empty: the widget is not
+    /// visible.
     using FindItem = std::function<std::optional<ItemRect>(const std::string& item)>;
 
     explicit ScriptPlayer(InputScript script);
 
+    /// The input of one frame.
     struct Frame {
         std::vector<InputEvent> events{};
-        std::string screenshot{};  ///< the picture of this frame is wanted under this name
-        bool settle = false;       ///< call again only once no work is under way
+        std::string screenshot{};  ///< file name for a picture of this frame; empty: none
+        bool settle = false;       ///< whether next() must wait until no background work is left
     };
     bool done() const { return next_ >= script_.steps.size() && pending_.empty(); }
-    /// The next frame. Throws Error(invalid_file) when a step's item is not on screen.
+    /// Returns the input of the next frame. Throws Error(invalid_file) when a step's widget is not
+    /// visible.
     Frame next(const FindItem& find);
 
   private:
@@ -75,7 +79,7 @@ class ScriptPlayer {
 
     InputScript script_;
     std::size_t next_ = 0;
-    std::vector<Frame> pending_;  ///< of the current step, last first
+    std::vector<Frame> pending_;  ///< frames of the current step still to come, last first
 };
 
 }  // namespace burl

@@ -56,7 +56,7 @@ class Differences {
     }
 };
 
-/// More than anybody wants on a command line, such as strokes of paint.
+/// Longest list of settings on a command line, in characters; strokes of paint are longer.
 constexpr std::size_t long_settings = 4000;
 
 std::size_t length_of(const std::vector<std::string>& settings) {
@@ -65,12 +65,12 @@ std::size_t length_of(const std::vector<std::string>& settings) {
     return length;
 }
 
-/// `burl bake` refuses what changes nothing.
+/// Whether a setting has no effect on the recipe, which `burl bake` would refuse.
 bool is_idle(const std::string& path, const Recipe& recipe, const std::string& pose) {
     return !idle_reason(recipe, path).empty() || (pose.empty() && path.starts_with(idle_pose.key));
 }
 
-/// In single quotes where a shell would touch it.
+/// Quotes a word for a shell, in single quotes where it needs them.
 std::string quoted(const std::string& word) {
     constexpr std::string_view plain =
         "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+./:=,@%";
@@ -80,7 +80,7 @@ std::string quoted(const std::string& word) {
     return text + "'";
 }
 
-/// Whether the recipe has images, and the settings leave them alone.
+/// Whether the recipe has images and the settings change none of them.
 bool keeps_images(const Recipe& recipe, const std::vector<std::string>& settings) {
     const auto other = [](const std::string& setting) {
         const std::size_t end = setting.find('=');
@@ -92,8 +92,8 @@ bool keeps_images(const Recipe& recipe, const std::vector<std::string>& settings
     return any && std::ranges::none_of(settings, other);
 }
 
-/// Images are not read again for a slider. Strokes of paint do not go through JSON, which would
-/// take longer than a frame, where no setting is of them.
+/// Applies settings to a recipe. Unchanged images are not read again, and unchanged strokes of
+/// paint bypass JSON, which would take longer than a frame.
 Recipe with_settings(Recipe recipe, const std::string& origin,
                      const std::vector<std::string>& settings) {
     std::vector<PaintStroke> paint;
@@ -156,7 +156,7 @@ const Recipe& EditSession::still() {
         now.recipe = recipe_at(recipe(), time_);
     } catch (const Error& error) {
         now.fails = true;
-        if (!still_ || !still_->fails) complain(error.what());  // once, not in every frame
+        if (!still_ || !still_->fails) complain(error.what());  // logged once, not in every frame
     }
     still_ = std::move(now);
     return still_->recipe;

@@ -1,6 +1,6 @@
 #pragma once
-// What an editor holds besides its pictures: the recipe with its history, where it came from, and
-// what there was to tell. It knows neither windows nor OpenGL.
+// The state of an editor besides its textures: the recipe with its undo stack, the animation clock
+// and the log. Independent of windows and OpenGL.
 #include <cstdint>
 #include <deque>
 #include <functional>
@@ -14,15 +14,16 @@
 
 namespace burl {
 
-/// A line for the log panel.
+/// A line of the log panel.
 struct LogLine {
     bool problem = false;
     std::string text;
 };
 
+/// The edited recipe. All functions are called by one thread.
 class EditSession {
   public:
-    /// `recipe_path`: a file or a preset's name, the origin of the images that it names.
+    /// `recipe_path` is a file or a preset's name; the recipe's image names are relative to it.
     EditSession(Recipe recipe, const std::string& recipe_path);
 
     const EditHistory& history() const { return history_; }
@@ -30,44 +31,50 @@ class EditSession {
     const Recipe& recipe() const { return history_.recipe(); }
     const std::string& recipe_path() const { return history_.path(); }
 
-    /// Where the clock of a recipe with keys over time stands, in seconds; moving it is no edit.
+    /// The time on the animation clock in seconds; setting it is no edit.
     double time() const { return time_; }
     void set_time(double seconds) { time_ = seconds; }
-    /// The recipe at that time, without keys: what is seen and what sliders show.
+    /// The recipe at that time with its animation tracks evaluated: the texture seen and the values
+    /// sliders show. Where the values there form no valid recipe, the error is logged and the
+    /// values without animation are returned.
     const Recipe& still();
 
-    /// One parameter of still(), by its path as --set takes it: a number that has keys gets one at
-    /// the present time. A value that recipes refuse changes nothing, is logged, and gives false.
+    /// Sets a parameter of still() by its path as in --set; an animated number gets a key at the
+    /// present time. An invalid value changes nothing, is logged and returns false.
     bool set(const std::string& path, const Json& value);
-    /// Several at once, "path=value"; all or none.
+    /// Sets several parameters ("path=value") as one step, all or none; errors as for one
+    /// parameter.
     bool set(const std::vector<std::string>& settings);
-    /// An edit of still() as a whole, the same way.
+    /// Replaces still() as one step; changed animated numbers get keys at the present time.
     bool change_still(const Recipe& still);
-    /// Other keys, and another recipe with its keys, each as one step; `edit` throws Error where
-    /// there is no such recipe.
+    /// Replaces the animation as one step. change_with() replaces the whole recipe by the result of
+    /// `edit`, which throws Error where there is none; the error is logged and false returned.
     bool change_keys(KeyedAnimation animation);
     bool change_with(const std::function<Recipe()>& edit) { return step(edit); }
-    /// The number last under a hand, of which the next key will be; empty: none, or one that the
-    /// recipe has no more.
+    /// The path of the number edited last, which the next key animates; empty: none, or the recipe
+    /// no longer has it.
     const std::string& touched();
     void touch(std::string path);
-    /// A file or preset as one step; what cannot be read is logged and gives false.
+    /// Opens a file or preset as one step; a read error is logged and returns false.
     bool open_recipe(const std::string& path);
-    /// One that was read from there, in the same way.
+    /// Opens a recipe that the caller has read from `path`, as one step.
     void take_recipe(Recipe recipe, const std::string& path);
-    /// Recipe JSON (the clipboard's) as one step.
+    /// Replaces the recipe by recipe JSON from the clipboard as one step; errors are logged and
+    /// return false.
     bool paste_recipe(const std::string& json);
-    /// Recipe JSON that is not to be saved where it was found, as one step; messages name `origin`.
+    /// Opens recipe JSON that belongs to no file as one step; error messages name `origin`.
     bool recover_recipe(const std::string& json, const std::string& origin);
-    /// Names the recipe's images from the file's folder on. Throws Error(io). The recipe counts as
-    /// saved.
+    /// Writes the recipe to a file, with its images named relative to the file's folder, and marks
+    /// it saved. Throws Error(io).
     void save_recipe(const std::string& path);
 
+    /// Logs a message.
     void tell(std::string text) { add({false, std::move(text)}); }
+    /// Logs a problem.
     void complain(std::string text) { add({true, std::move(text)}); }
-    /// The last thousand, oldest first.
+    /// The log's last thousand lines, oldest first.
     const std::deque<LogLine>& log() const { return log_; }
-    /// What was complained of since the last call, the last of it; empty: nothing.
+    /// Returns and clears the last problem logged; empty: none since the last call.
     std::optional<std::string> take_problem() { return std::exchange(problem_, {}); }
 
   private:
@@ -79,29 +86,30 @@ class EditSession {
     std::optional<std::string> problem_;
     double time_ = 0.0;
     std::string touched_;
-    std::optional<std::uint64_t> touched_revision_;  ///< of the recipe that is known to have it
-    /// still() of a recipe with keys, and what it is of.
+    /// History revision at which `touched_` was found in the recipe.
+    std::optional<std::uint64_t> touched_revision_;
+    /// A cached still(), with the recipe and the time it was evaluated for.
     struct Still {
-        Recipe of{};
+        Recipe of{};  ///< recipe with its animation
         double time = 0.0;
-        Recipe recipe{};
-        bool fails = false;
+        Recipe recipe{};     ///< recipe without animation
+        bool fails = false;  ///< whether evaluation failed, so that the error is logged once
     };
     std::optional<Still> still_;
 };
 
-/// The settings ("path=value") that make `recipe` of `base`, as few as there are differences.
-/// Empty and false in `possible` where settings cannot: another kind of texture, another node.
+/// The shortest list of settings ("path=value") that turn `base` into `recipe`. Settings cannot
+/// change the kind of texture or node: then `possible` is false and the list is empty.
 struct RecipeSettings {
     bool possible = true;
     std::vector<std::string> settings{};
 };
 RecipeSettings settings_between(const Recipe& base, const Recipe& recipe);
 
-/// `burl bake MESH -o OUT --recipe BASE --set ...`, quoted for a shell, that makes the recipe's
-/// texture; with the recipe's whole JSON to be saved where settings cannot say it, or not within
-/// 4000 characters ("--recipe NAME.json"). `output`: the options that say what is written; none:
-/// -o NAME.glb. `pose`: of --pose; empty: none.
+/// Returns the command `burl bake MESH -o OUT --recipe BASE --set ...`, quoted for a shell, that
+/// bakes the recipe's texture. Where settings cannot express the recipe or exceed 4000 characters,
+/// it is "--recipe NAME.json", for the recipe's JSON to be saved as. `output`: the options that
+/// choose the output, by default -o NAME.glb. `pose`: the argument of --pose; empty: none.
 std::string bake_command(const std::string& mesh, const std::string& base_path, const Recipe& base,
                          const Recipe& recipe, std::vector<std::string> output = {},
                          const std::string& pose = {});

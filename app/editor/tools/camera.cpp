@@ -59,11 +59,11 @@ Camera camera_of(const EditCamera& camera, const Sphere& sphere, const PictureSi
     const double radius = sphere.radius > 0.0 ? sphere.radius : 1.0;
     Camera result = orbit_camera(camera.view, sphere, size);
     result.eye += radius * camera.target;
-    // The field of view is that of the shorter side, so that what fits does in narrow views, too.
+    // The field of view applies to the shorter side, so that the scene fits into narrow views, too.
     const double narrow = std::min(1.0, double(size.width) / std::max(size.height, 1));
     result.focal_x *= narrow;
     result.focal_y *= narrow;
-    // The sphere no longer lies about what is looked at: enough room for it on both sides.
+    // With a moved target the bounding sphere is off centre: both clip planes make room for it.
     const double away = radius * glm::length(camera.target);
     const double distance = camera.view.distance * radius;
     result.near_distance =

@@ -4,7 +4,7 @@ namespace burl {
 
 namespace {
 
-constexpr double pivot_reach = 0.1, key_step = 0.02;  // of the object's radius
+constexpr double pivot_reach = 0.1, key_step = 0.02;  // lengths in radii of the object
 
 double solid_units(const ObjectView& view) {
     return view.solid_from_mesh.linear[0][0];
@@ -58,7 +58,8 @@ SolidGrab SolidGrab::handle(const SolidGizmo& gizmo, const GizmoHandle& handle,
     return grab;
 }
 
-/// Sizes are measured across the picture: on a round object all places are as far from its middle.
+/// Returns the solid point under the pointer. For scalings it lies in the plane through the middle,
+/// parallel to the picture: on a round object all surface points are about as far from the middle.
 Vec3d SolidGrab::solid_point(const ObjectView& view, const Vec2d& pointer) {
     const Camera camera = camera_of(view);
     const Ray ray = ray_at(view, pointer);

@@ -1,7 +1,6 @@
 #pragma once
-// Taking hold of the texture on the object's view: a press on the surface or on a handle of the
-// gizmo, and what the pointer's way from there makes of the recipe's transform. Knows no user
-// interface.
+// Dragging the texture in the object's view: a press on the surface or on a handle of the gizmo,
+// and the recipe's transform for every later pointer position. Independent of the user interface.
 #include <optional>
 
 #include "app/editor/tools/solid_drag.h"
@@ -10,26 +9,28 @@
 
 namespace burl {
 
-/// What a press has taken hold of.
+/// A grip on the texture from press to release.
 class SolidGrab {
   public:
-    /// A point of the surface; empty beside the object.
+    /// Grips the surface under the pointer; empty where the pointer is beside the object.
     static std::optional<SolidGrab> surface(const ObjectView& view, const SolidOptions& start,
                                             SolidDrag drag, const Vec2d& pointer);
+    /// Grips a handle of the gizmo.
     static SolidGrab handle(const SolidGizmo& gizmo, const GizmoHandle& handle,
                             const SolidOptions& start, const Vec2d& pointer);
 
     const SolidOptions& start() const { return start_; }
-    /// Of the gizmo; empty: the surface was taken.
+    /// The gizmo's handle that is gripped; empty: the surface is.
     const std::optional<GizmoHandle>& handle() const { return handle_; }
-    /// Of the surface.
+    /// The effect of a drag on the surface; meaningless for a handle.
     SolidDrag drag() const { return drag_; }
 
-    /// The transform with the pointer there. Beside the object it goes on over the plane parallel
-    /// to the picture through where it was on the surface last. Empty where it says nothing.
+    /// Returns the transform for a pointer position. Beside the object a drag goes on over the
+    /// plane parallel to the picture through the last point on the surface. Empty where a handle's
+    /// transform is undefined there (pulled()).
     std::optional<SolidOptions> to(const ObjectView& view, const Vec2d& pointer);
 
-    /// Where in the scene what was taken is held now.
+    /// The gripped point in the scene, now.
     const Vec3d& held() const { return held_; }
 
   private:
@@ -38,23 +39,25 @@ class SolidGrab {
 
     SolidOptions start_{};
     SolidDrag drag_ = SolidDrag::move;
-    Vec3d from_{0.0};  ///< in the solid
+    Vec3d from_{0.0};  ///< solid point pressed
     Vec3d held_{0.0};
-    Vec3d rest_offset_{0.0};      ///< from where the place hit last is to where it is at rest
-    Mat4d mesh_from_scene_{1.0};  ///< of the placement that is held
+    /// Vector from the last hit, posed, to its place at rest, in the mesh's space.
+    Vec3d rest_offset_{0.0};
+    Mat4d mesh_from_scene_{1.0};  ///< inverse of the gripped placement's matrix
     std::optional<GizmoHandle> handle_{};
     SolidGizmo gizmo_{};
-    Vec2d pressed_{0.0};
+    Vec2d pressed_{0.0};  ///< pointer position of the press
 };
 
-/// A step by a key: solid_drag.h's, by a fiftieth of the object's radius, about its middle.
+/// Returns the transform after a key step: a move by 1/50 of the object's radius, or a turn or
+/// scaling about the object's middle (stepped() of solid_drag.h).
 SolidOptions stepped(const ObjectView& view, const SolidOptions& start, SolidDrag drag,
                      const Vec2d& way);
 
-/// The middle of the object's box, about which the texture is turned and sized, in the scene.
+/// The centre of the object's bounding box in the scene: the pivot of turns and scalings.
 Vec3d middle_of(const ObjectView& view);
 
-/// The view as the gizmo wants it, whose pixels are pointers less view.low.
+/// Returns the gizmo's view; its pixels are pointer positions minus view.low.
 GizmoView gizmo_view(const ObjectView& view);
 
 }  // namespace burl

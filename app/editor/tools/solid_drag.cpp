@@ -16,12 +16,13 @@ namespace burl {
 namespace {
 
 constexpr double step_radians = std::numbers::pi / 36.0, step_size = 1.05;
-constexpr double least_scale = 1e-6, largest_scale = 1e6, farthest = 1e6;  // of recipes
+// Ranges that recipes accept.
+constexpr double least_scale = 1e-6, largest_scale = 1e6, farthest = 1e6;
 
 double tidy(double value) {
     const std::string text = fmt::format("{:.10g}", value);
     std::from_chars(text.data(), text.data() + text.size(), value);
-    return value + 0.0;  // no -0
+    return value + 0.0;  // turns -0 into 0
 }
 
 Vec3d tidy(const Vec3d& v) {
@@ -32,7 +33,7 @@ Vec3d texture_point(const SolidOptions& solid, const Vec3d& at) {
     return solid.scale * (rotation_about_axes(solid.rotate) * at) + solid.translate;
 }
 
-/// Moved so that `at` shows the texture's point `shown`.
+/// Returns `solid` translated so that it shows the texture's point `shown` at `at`.
 SolidOptions showing(SolidOptions solid, const Vec3d& at, const Vec3d& shown) {
     solid.translate = Vec3d(0.0);
     const Vec3d offset = tidy(shown - texture_point(solid, at));

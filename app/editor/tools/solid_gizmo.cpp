@@ -14,10 +14,10 @@ namespace burl {
 namespace {
 
 constexpr int ring_sides = 64;
-constexpr double end_on = 18.0;     // pixels below which an arrow cannot be held
-constexpr double edge_on = 0.2;     // sine of the angle below which a ring is seen from its edge
-constexpr double grip = 0.35;       // where an arrow begins, in its length: clear of the square
-constexpr double doubling = 100.0;  // pixels
+constexpr double end_on = 18.0;  // an arrow shorter than so many pixels cannot be dragged
+constexpr double edge_on = 0.2;  // a ring seen at an angle with a smaller sine is seen edge on
+constexpr double grip = 0.35;    // start of an arrow as a share of its length, clear of the square
+constexpr double doubling = 100.0;  // pixels that double the texture's size
 
 Vec2d seen(const GizmoView& view, const Vec3d& point) {
     return Vec2d(project(view.camera, view.size, point));
@@ -53,7 +53,7 @@ double distance_to(const SolidGizmo& gizmo, const GizmoView& view, const GizmoHa
     return distance_to(p, seen(view, glm::mix(gizmo.centre, tip, grip)), seen(view, tip));
 }
 
-/// Where a ray meets a plane, if in front.
+/// Returns where a ray meets the plane; empty where it does not, in front of its origin.
 std::optional<Vec3d> meet(const Ray& ray, const Vec3d& point, const Vec3d& normal) {
     const double slope = glm::dot(ray.direction, normal);
     const double t = glm::dot(point - ray.origin, normal) / slope;
@@ -61,7 +61,7 @@ std::optional<Vec3d> meet(const Ray& ray, const Vec3d& point, const Vec3d& norma
     return ray.at(t);
 }
 
-/// How far along an axis a pixel is: on the plane through the axis that faces the eye most.
+/// Returns a pixel's position along an axis, on the plane through the axis that faces the eye most.
 std::optional<double> along(const SolidGizmo& gizmo, const GizmoView& view, int axis,
                             const Vec2d& pixel) {
     const Vec3d& a = gizmo.axes[std::size_t(axis)];
@@ -81,7 +81,7 @@ std::optional<double> angle_in_plane(const SolidGizmo& gizmo, const GizmoView& v
     return std::atan2(glm::dot(axis, glm::cross(u, v)), glm::dot(u, v));
 }
 
-/// Of a ring seen from its edge: as its nearer half, where it was taken, runs over the screen.
+/// Returns the angle of a ring seen edge on: the pointer's way along the ring's near half.
 double angle_along_edge(const SolidGizmo& gizmo, const GizmoView& view, const Vec3d& axis,
                         const Vec2d& from, const Vec2d& to) {
     const Vec3d to_eye = view.camera.eye - gizmo.centre;

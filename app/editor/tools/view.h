@@ -1,6 +1,6 @@
 #pragma once
-// The object's view as tools on the surface see it: what is shown, where on the screen, and what
-// lies under a pointer.
+// The object's view as the tools on the surface see it: what is shown, its rectangle on the screen,
+// and picking.
 #include <memory>
 #include <optional>
 
@@ -9,30 +9,31 @@
 
 namespace burl {
 
-/// What the object's view shows and where. Places on the screen are those of the pointer, y down.
+/// The content and the rectangle of the object's view. Screen positions are the pointer's, y down.
 struct ObjectView {
-    std::shared_ptr<const SurfacePick> pick{};  ///< null: nothing can be touched yet
-    double share = 0.0;                         ///< of the way to its pose
+    std::shared_ptr<const SurfacePick> pick{};  ///< picking structure; null: not ready
+    double share = 0.0;                         ///< share of the way to the pose, 0 to 1
     Affine3 solid_from_mesh{};
     Affine3 unit_from_mesh{};  ///< solid_from_mesh of SolidSpace::unit
     EditCamera camera{};
     Sphere sphere{};
-    Vec2d low{0.0}, size{0.0};  ///< on the screen
+    Vec2d low{0.0}, size{0.0};  ///< upper left corner and size of the rectangle on the screen
 };
 
-/// Of the view in whole screen units.
+/// The view's size in whole screen units.
 PictureSize picture_size(const ObjectView& view);
 Camera camera_of(const ObjectView& view);
 
-/// Through a place on the screen.
+/// The ray through a position on the screen.
 Ray ray_at(const ObjectView& view, const Vec2d& pointer);
 
-/// What the object shows there; empty beside it.
+/// The surface point under the pointer; empty beside the object.
 std::optional<SurfaceHit> hit_at(const ObjectView& view, const Vec2d& pointer);
 
-/// Where a point of the scene is on the screen, and its distance along the view axis in z.
+/// A scene point's position on the screen (x, y) and its distance along the view axis (z).
 Vec3d on_screen(const ObjectView& view, const Vec3d& point);
 
+/// Whether the pointer is over the view.
 bool is_over(const ObjectView& view, const Vec2d& pointer);
 
 }  // namespace burl

@@ -14,8 +14,9 @@ namespace burl {
 
 namespace {
 
-constexpr std::size_t most_lines = 4000;  ///< of an outline
-constexpr double reach_texels = 4.0;      ///< from a gutter to what it goes on from
+constexpr std::size_t most_lines = 4000;  ///< the longest outline drawn in every frame
+/// Largest distance of a pointer in a gutter from the chart it picks.
+constexpr double reach_texels = 4.0;
 constexpr ImU32 mark_color = IM_COL32(255, 230, 60, 255), hidden_color = IM_COL32(255, 230, 60, 90),
                 dark = IM_COL32(0, 0, 0, 200);
 
@@ -32,7 +33,8 @@ void cross(ImDrawList& list, const ImVec2& at, ImU32 color) {
         }
 }
 
-/// Whether nothing lies before the point of the surface.
+/// Whether no other surface lies between the eye and a point of the surface, within 1 % of the
+/// scene's radius. `place` is the point's position on the screen.
 bool is_seen(const ObjectView& view, const Vec3d& point, const Vec3d& place) {
     const auto first = hit_at(view, Vec2d(place));
     const Vec3d eye = camera_of(view).eye;
@@ -96,7 +98,8 @@ void GlEditAtlas::look_at_object(const ObjectView& view) {
     on_object_ = hit_at(view, {pointer.x, pointer.y});
 }
 
-/// Of the chart that was hit; nothing where it is too long to draw in every frame.
+/// Returns the outline of the chart that was hit; empty where it is too long to draw in every
+/// frame.
 std::span<const BorderLine> GlEditAtlas::outline(const SurfaceHit& hit) const {
     const auto lines = maker_.lines();
     if (!lines || hit.surface >= lines->charts.size()) return {};
@@ -154,7 +157,7 @@ void GlEditAtlas::input(const Vec2d& low, const Vec2d& size, const SurfacePick* 
     if (pick && side > 0) on_atlas_ = pick->at(*pointer_, reach_texels / side);
 }
 
-/// The texture that the object shows, or a picture of its own.
+/// Returns the texture to show: the object's, or a picture of the atlas.
 const GlTexture* GlEditAtlas::draw(const GlEditObject& object, const Vec2d& size) {
     const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
     SheetViewOptions options{
@@ -162,7 +165,7 @@ const GlTexture* GlEditAtlas::draw(const GlEditObject& object, const Vec2d& size
     if (state.mode != SheetMode::texture) return sheet_.draw(picture(), options);
     const GlTexture* texture = object.texture();
     if (!texture) return nullptr;
-    // Level 0 of what is there may be a coarser one of the texture.
+    // Level 0 of the uploaded picture is level picture()->level of the texture.
     options.level -= int(object.picture()->level);
     return sheet_.draw(*texture, std::uint32_t(object.picture()->texels.width()),
                        object.picture()->number, options);

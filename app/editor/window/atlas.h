@@ -1,7 +1,7 @@
 #pragma once
-// The editor's second view: the texture and what its texels stand for, as it lies in the atlas,
-// beside the object; a pointer over the one is marked in the other. Nothing of it is made while it
-// is hidden.
+// The editor's view of the atlas beside the object: the texture, or its texels' solid points,
+// charts, scales or errors. The surface point under the pointer in one view is marked in the other.
+// Nothing is made while the view is hidden.
 #include "app/editor/panels/atlas.h"
 #include "app/editor/tools/view.h"
 #include "app/editor/window/object.h"
@@ -9,36 +9,39 @@
 
 namespace burl {
 
+/// The atlas view and the line overlays of the object. All functions are called by the user
+/// interface's thread.
 class GlEditAtlas {
   public:
-    /// `wake` is called by another thread whenever there is something new.
+    /// `wake` is called by another thread whenever there is something new to show.
     GlEditAtlas(const GladGLContext& gl, std::function<void()> wake);
 
     AtlasViewState state{};
-    bool edges = false, borders = false;  ///< lines over the object
+    /// Whether edges of triangles and borders of charts are drawn over the object.
+    bool edges = false, borders = false;
 
-    /// V, W and B; F where the pointer is over the atlas, and only then is the answer true.
+    /// Handles the keys V, W and B, and F where the pointer is over the atlas; true only for F.
     bool shortcuts();
-    /// Once a frame: what the pipeline has come to. `request` is the number of the last recipe that
-    /// was asked for.
+    /// Takes over the pipeline's newest results, once a frame. `request` is the number of the last
+    /// request, and `recipe` its recipe.
     void follow(const EditBaker& baker, std::uint64_t request, const Recipe& recipe);
-    /// The last item is the object's view: notes where the pointer is on it.
+    /// Picks the surface point under the pointer; ImGui's last item must be the object's view.
     void look_at_object(const ObjectView& view);
-    /// The marks on the object, in the window that shows it.
+    /// Marks the point under the pointer in the atlas on the object, in the current ImGui window.
     void mark_object(const ObjectView& view) const;
-    /// Inside a window of its own.
-    /// `pick`: of the object's view; null: none yet.
+    /// Draws the atlas and its controls in the current ImGui window. `pick`: the object's picking
+    /// structure; null: not ready.
     void panel(const PanelContext& context, const EditBaker& baker, const GlEditObject& object,
                const SurfacePick* pick);
 
-    /// Of the newest surface; null: nobody wants them, or not yet.
+    /// The lines of the newest surface; null: not wanted, or not ready.
     std::shared_ptr<const SurfaceLines> lines() const { return maker_.lines(); }
     std::shared_ptr<const SheetPicture> picture() const;
     bool idle() const { return maker_.idle(); }
     void wait() const { maker_.wait(); }
     std::optional<std::string> take_problem() { return maker_.take_problem(); }
 
-    /// Of the object, under the pointer over it; of the atlas.
+    /// The surface point under a pointer over the object, and that under a pointer over the atlas.
     const std::optional<SurfaceHit>& on_object() const { return on_object_; }
     const std::optional<SurfaceHit>& on_atlas() const { return on_atlas_; }
 
@@ -52,9 +55,9 @@ class GlEditAtlas {
 
     EditViewMaker maker_;
     GlEditSheet sheet_;
-    std::optional<Vec2d> pointer_;  ///< over the atlas, in texture coordinates
+    std::optional<Vec2d> pointer_;  ///< pointer over the atlas, in texture coordinates
     std::optional<SurfaceHit> on_atlas_, on_object_;
-    bool late_ = false;  ///< the picture is of an earlier texture
+    bool late_ = false;  ///< whether the error picture belongs to an earlier texture
 };
 
 }  // namespace burl

@@ -1,4 +1,4 @@
-// What the editor's window has to do with files: those it has open, and its dialogs.
+// The editor's open files, its file menu and its dialogs.
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -30,8 +30,8 @@ void EditorProgram::open(const std::string& path) {
     files_.open(path);
 }
 
-/// A preset was chosen, or undo has led to what was open before: what was chosen in the other one's
-/// recipe is chosen no more.
+/// Drops selections of the recipe shown before, after a preset was opened or undo has brought back
+/// another document.
 void EditorProgram::follow_document() {
     const std::uint64_t number = session_.history().document_number();
     if (std::exchange(document_, number) != number) {
@@ -47,7 +47,8 @@ void EditorProgram::take_files() {
     for (FileRead& read : files_.take(session_.history().changed())) {
         const bool nothing_open = read.kind == FileKind::mesh && files_.mesh().empty();
         if (read.problem && nothing_open && read.path == first_mesh_) throw Error(*read.problem);
-        if (read.problem && nothing_open) files_.open(first_mesh_);  // whose place it was to take
+        // The file opened in its place cannot be read.
+        if (read.problem && nothing_open) files_.open(first_mesh_);
         if (read.problem)
             session_.complain(read.problem->what());
         else if (read.kind == FileKind::mesh)
@@ -92,24 +93,24 @@ void EditorProgram::close_pose() {
     requested_.reset();
 }
 
-/// 0 without a pose.
+/// Returns the share of the way to the pose, 0 to 1; 0 without a pose.
 double EditorProgram::pose_share() {
     const auto& surface = object_.surface();
     if (!surface || !surface->posed) return 0.0;
     return shown_recipe().pose.weight;
 }
 
-/// Of what is shown; null: not yet.
+/// Returns the picking structure of the surface on screen; null: not ready.
 std::shared_ptr<const SurfacePick> EditorProgram::pick() const {
     const auto& surface = object_.surface();
     if (!surface) return nullptr;
     if (share_ != 0.0) return posed_pick_.pick(surface, share_);
     auto pick = baker_.pick();
-    if (pick && &pick->scene() != &surface->scene) pick.reset();  // of another surface
+    if (pick && &pick->scene() != &surface->scene) pick.reset();  // it belongs to another surface
     return pick;
 }
 
-/// Poses of the mesh: files, and what its own has.
+/// Draws the menu items for poses: files, and those in the mesh's own file.
 void EditorProgram::pose_menu() {
     if (menu_item("Open pose...", "", !files_.mesh().empty()))
         ask_for_file(&EditorProgram::open_pose,
@@ -127,9 +128,10 @@ void EditorProgram::pose_menu() {
     if (menu_item("Close pose", "", posed_)) close_pose();
 }
 
-/// One that is written as it stands here, such as by the editor itself, is no news.
+/// Takes over a recipe that was read. A file that holds the present recipe, such as one just saved
+/// by the editor, only counts as saved.
 void EditorProgram::take_recipe(FileRead read) {
-    if (read.again && read.path != session_.recipe_path()) return;  // another is open since
+    if (read.again && read.path != session_.recipe_path()) return;  // another was opened since
     if (read.again && *read.recipe == session_.recipe())
         return session_.history().open(std::move(*read.recipe), read.path);
     const double time = session_.time();
@@ -156,7 +158,7 @@ void EditorProgram::recent_menu() {
     ImGui::EndMenu();
 }
 
-/// In the lower left corner of the object.
+/// Draws notices in the lower left corner of the object's view.
 void EditorProgram::notices() {
     std::vector<Notice> notices;
     for (const FileKind kind : {FileKind::mesh, FileKind::recipe, FileKind::pose})
@@ -186,7 +188,7 @@ void EditorProgram::news(std::string text, bool problem) {
     news_ = {std::move(text), problem, window_->seconds() + news_seconds};
 }
 
-/// One of what editors left; whether it was answered.
+/// Draws a left recipe with its buttons; returns whether one was pressed.
 bool EditorProgram::left_row(std::size_t left) {
     const LeftRecipe& recipe = autosave_.left_behind()[left];
     const std::string number = left == 0 ? "" : fmt::format(" {}", left + 1);
@@ -228,7 +230,7 @@ void EditorProgram::ask_to_close() {
         closing_ = true;
 }
 
-/// Until there is nothing more to save, or somebody stays.
+/// Asks about unsaved changes until there are none or the user cancels.
 void EditorProgram::closing_window() {
     if (!asks_to_close_ || dialog_.is_open()) return;
     const ImVec2 display = ImGui::GetIO().DisplaySize;
@@ -321,7 +323,7 @@ double EditorProgram::seen_time() const {
     return session_.recipe().animation.tracks.empty() ? 0.0 : session_.time();
 }
 
-/// What the command line would say now.
+/// Returns the `burl bake` command of the present recipe.
 std::string EditorProgram::command(std::vector<std::string> output, double time) const {
     const EditHistory& history = session_.history();
     const bool saved = !history.changed();
@@ -332,7 +334,7 @@ std::string EditorProgram::command(std::vector<std::string> output, double time)
     return time > 0.0 ? fmt::format("{} --time {}", line, time) : line;
 }
 
-/// Of the recipe's own atlas, whatever is shown.
+/// Exports the recipe with its own atlas, even while a quad atlas is shown.
 void EditorProgram::export_as(const std::string& path) {
     ExportRequest request{files_.mesh(), session_.still(), path, dialog_.chose()};
     if (posed_) request.pose = files_.pose();

@@ -1,5 +1,5 @@
 #pragma once
-// The presets' pictures as textures of OpenGL, uploaded as they become ready.
+// The presets' thumbnails as OpenGL textures, uploaded as they become ready.
 #include <imgui.h>
 
 #include <functional>
@@ -12,16 +12,17 @@
 
 namespace burl {
 
+/// Thumbnails of the presets. All functions are called by the user interface's thread.
 class GlEditGallery {
   public:
-    /// `wake` is called by another thread whenever a picture is ready.
+    /// `wake` is called by another thread whenever a thumbnail is ready.
     GlEditGallery(const GladGLContext& gl, std::function<void()> wake);
 
-    /// A preset's ball, side x side pixels, asked for where need be (edit_thumbnails.h); null: not
-    /// yet. The context must be current.
+    /// The thumbnail of a preset, side x side pixels, drawn in the background when first asked for
+    /// (app/editor/work/thumbnails.h); null: not ready. The OpenGL context must be current.
     ImTextureID picture(const std::string& preset, int side);
 
-    /// While held, no picture is begun.
+    /// While held, no thumbnail is begun.
     void hold(bool held) { thumbnails_.hold(held); }
     bool idle() const { return thumbnails_.idle(); }
     void wait() const { thumbnails_.wait(); }

@@ -22,18 +22,18 @@ bool contains(const ScreenRect& outer, const ScreenRect& inner) {
            outer.high.x >= inner.high.x && outer.high.y >= inner.high.y;
 }
 
-/// Where the command shows all of an image, unblended with any colour; nothing where it does not.
+/// Returns the rectangle where a command draws a whole image unmodulated; empty for other commands.
 ScreenRect image_place(const ImDrawList& list, const ImDrawCmd& command) {
     if (command.ElemCount != 6) return {};
     const ImDrawIdx* index = list.IdxBuffer.Data + command.IdxOffset;
     const ImDrawVert* vertices = list.VtxBuffer.Data + command.VtxOffset;
     for (int i = 0; i < 6; ++i)
         if (vertices[index[i]].col != IM_COL32_WHITE) return {};
-    // AddImage's quad begins at its low corner, and its third point is the high one.
+    // ImGui's AddImage writes the quad from its low corner; the third vertex is the high corner.
     return {vertices[index[0]].pos, vertices[index[2]].pos};
 }
 
-/// Whole pixels, row 0 the highest.
+/// Returns a rectangle in whole pixels of the screen, row 0 on top.
 PixelRect pixel_rect(const ScreenRect& part, const ImDrawData& data, const glm::ivec2& pixels) {
     const auto pixel = [&](const ImVec2& at) {
         return glm::ivec2((at.x - data.DisplayPos.x) * data.FramebufferScale.x,
@@ -103,7 +103,7 @@ void GlImGui::set_state(const ImDrawData& data, const glm::ivec2& pixels) const 
 
 void GlImGui::draw(const ImDrawData& data) const {
     const glm::ivec2 pixels = pixel_size(data);
-    if (pixels.x <= 0 || pixels.y <= 0) return;  // a minimised window
+    if (pixels.x <= 0 || pixels.y <= 0) return;  // the window is minimised
     set_state(data, pixels);
     draw_within(data, pixels, whole(data));
     gl_->Disable(GL_SCISSOR_TEST);
@@ -132,8 +132,8 @@ void GlImGui::update(const ImDrawData& data, const Vec3f& background, const Opaq
     check_gl(*gl_, "drawing the user interface");
 }
 
-/// Where the image hides whatever was drawn before it in all of the part, pixel upon pixel, it is
-/// copied: the last command that shows it so. Null, and nothing is done, where there is none.
+/// Copies a dirty rectangle from the image instead of drawing it, where the image covers the
+/// rectangle pixel by pixel. Returns the last command that does so, or null where none does.
 const ImDrawCmd* GlImGui::copy(const ImDrawData& data, const glm::ivec2& pixels,
                                const ScreenRect& part, const GlTarget& image) const {
     const ImDrawCmd* found = nullptr;
@@ -161,7 +161,8 @@ const ImDrawCmd* GlImGui::copy(const ImDrawData& data, const glm::ivec2& pixels,
     return found;
 }
 
-/// `after`: the command from whose successor on it is drawn; null: from the first.
+/// Draws the lists within a dirty rectangle, beginning behind the command `after`; null: at the
+/// first one.
 void GlImGui::draw_within(const ImDrawData& data, const glm::ivec2& pixels, const ScreenRect& part,
                           const ImDrawCmd* after) const {
     bool begun = after == nullptr;
@@ -183,7 +184,7 @@ void GlImGui::draw_within(const ImDrawData& data, const glm::ivec2& pixels, cons
     }
 }
 
-/// Whether there are any pixels.
+/// Sets the scissor rectangle; returns false where it is empty.
 bool GlImGui::scissor(const PixelRect& part, const glm::ivec2& pixels) const {
     if (part.empty()) return false;
     const glm::ivec2 size = part.high - part.low;

@@ -1,6 +1,6 @@
 #pragma once
-// Draws Dear ImGui's lists with our own OpenGL layer, because the packaged backend loads OpenGL by
-// itself and cannot under OSMesa: so windows and headless runs draw the same pixels.
+// A renderer of Dear ImGui's draw lists. The packaged backend loads OpenGL by itself, which fails
+// under OSMesa; this one draws the same pixels in windows and in headless runs.
 #include <imgui.h>
 
 #include <cstdint>
@@ -11,35 +11,37 @@
 
 namespace burl {
 
-/// A texture as ImGui names it.
+/// Returns the identifier of a texture for ImGui.
 inline ImTextureID imgui_texture(const GlTexture& texture) {
     return reinterpret_cast<ImTextureID>(std::uintptr_t(texture.get()));
 }
 
-/// Of the screen, row 0 the highest.
+/// A rectangle of whole pixels on the screen, row 0 on top; `high` is exclusive.
 struct PixelRect {
     glm::ivec2 low{0}, high{0};
     bool empty() const { return low.x >= high.x || low.y >= high.y; }
 };
 
+/// Draws a user interface. The OpenGL context must be current in every call.
 class GlImGui {
   public:
-    /// Takes the fonts of ImGui's current context, which must be complete; tells it that large
-    /// lists may be drawn. The OpenGL context must be current, here and in every call.
+    /// Uploads the fonts of ImGui's current context, which must be complete, and tells it that draw
+    /// lists may have vertex offsets.
     explicit GlImGui(const GladGLContext& gl);
 
-    /// The fonts of ImGui's current context are other ones now.
+    /// Uploads the fonts again after ImGui's current context got other ones.
     void upload_fonts();
-    /// Into the bound framebuffer, over its whole area, whose row 0 is the picture's lowest.
-    /// Textures are sampled as their parameters say. Throws Error(runtime) when OpenGL fails.
+    /// Draws the lists over the bound framebuffer, whose row 0 is the lowest. Textures are sampled
+    /// by their own parameters. Throws Error(runtime) when OpenGL fails.
     void draw(const ImDrawData& data) const;
-    /// A target whose alpha is 1 everywhere; its row 0 is the picture's top row.
+    /// An opaque image on the screen: alpha is 1 everywhere, row 0 is on top.
     struct OpaqueImage {
         const GlTarget* target = nullptr;
-        bool still = false;  ///< it has the texels that it had at the last call
+        bool still = false;  ///< whether its texels are unchanged since the last call
     };
-    /// The same over `background`, in a framebuffer that holds what the last call drew: only what
-    /// changed. Textures besides the fonts count as changed but for `image` that is still.
+    /// Redraws only the dirty rectangles over `background`; the bound framebuffer must hold what
+    /// the last call drew. A rectangle that shows any texture is dirty, except the fonts and an
+    /// `image` that is still.
     void update(const ImDrawData& data, const Vec3f& background, const OpaqueImage& image);
 
   private:

@@ -1,5 +1,5 @@
-// What the editor's window shows where: the object on the left, the panels on the right, the menu
-// above; and the keys that act on the whole.
+// The window's layout: the object on the left, the panels on the right and the menu above; and the
+// keyboard shortcuts of the whole window.
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -23,14 +23,15 @@ constexpr ImGuiWindowFlags fixed =
     ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
     ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoTitleBar;
 
-/// Halves a view; the second one begins at `second`, beside or below the first.
+/// Halves a view; the second half begins at `second`, beside the first one or below.
 void split(ImVec2& size, ImVec2& second) {
     const bool beside = size.x >= 0.8f * size.y;
     (beside ? size.x : size.y) *= 0.5f;
     (beside ? second.x : second.y) += beside ? size.x : size.y;
 }
 
-/// A share of the window that has room for sliders with their names, but at most half of it.
+/// Returns the width of the panels: a share of the window that has room for sliders with their
+/// labels, but at most half of it.
 float side_width(float window) {
     return std::min(0.5f * window, std::max(side_share * window, side_text * ImGui::GetFontSize()));
 }
@@ -46,12 +47,12 @@ void EditorProgram::compare() {
     compared_ = session_.recipe();
 }
 
-/// Switches a tool, and the other off.
+/// Switches a tool on or off; the other tool goes off.
 void EditorProgram::take_tool(bool& tool) {
     const bool on = !tool;
     paint_.tool.on = move_.on = false;
     tool = on;
-    if (move_.on) ImGui::SetWindowFocus("Object");  // the arrow keys are its
+    if (move_.on) ImGui::SetWindowFocus("Object");  // the arrow keys belong to the tool
 }
 
 void EditorProgram::shortcuts() {
@@ -226,15 +227,15 @@ void EditorProgram::object_input(const ImVec2& low, const ImVec2& size) {
     }
 }
 
-/// The picture is to be replaced by a finer one, or has just come of a mesh that is opened: it is
-/// smooth a frame later.
+/// Whether a finer level will replace the texture on screen soon, or the first texture of an opened
+/// mesh has just come: supersampling waits for the next frame.
 bool EditorProgram::is_rough() const {
     const EditPicture* picture = object_.picture();
     return picture && (picture->level > 0 || (opening_ && !baker_.opening()));
 }
 
-/// What moved has come to rest, and its last texture is not on the screen yet: that comes first,
-/// and is smooth a frame later.
+/// Whether movement has ended and its last texture is not on screen yet: that frame is drawn first,
+/// and supersampling waits for the next one.
 bool EditorProgram::comes_to_rest() const {
     const EditPicture *shown = object_.picture(), *newest = baker_.picture().get();
     if (!shown || object_.drawn_samples() != 1) return false;
@@ -308,7 +309,8 @@ void EditorProgram::side_window() {
     ImGui::End();
 }
 
-/// None before the object has its texture, which comes first.
+/// Returns the function that makes thumbnails; it returns null until the object has its texture,
+/// which comes first.
 PresetPicture EditorProgram::preset_picture() {
     return [this](const std::string& preset, int side) -> ImTextureID {
         return gallery_ && baker_.picture() ? gallery_->picture(preset, side) : nullptr;

@@ -4,12 +4,12 @@ namespace burl {
 
 namespace {
 
-/// By this share of its distance a line is nearer than what it lies on.
+/// Share of its distance by which a line is moved towards the eye, in front of its surface.
 constexpr double nearer = 2e-3;
 
 struct Look {
-    Vec4f color;  ///< in linear light
-    float width;  ///< in pixels
+    Vec4f color;  ///< linear light
+    float width;  ///< line width in pixels
 };
 constexpr Look edges_look{{0.0f, 0.0f, 0.0f, 0.5f}, 1.0f};
 constexpr Look borders_look{{1.0f, 0.32f, 0.02f, 1.0f}, 2.0f};
@@ -27,7 +27,7 @@ void GlEditLines::show(std::shared_ptr<const SurfaceLines> lines, const Sphere& 
     borders_.reset();
 }
 
-/// As two attributes from number `first` on.
+/// Uploads line ends as two vertex attributes, numbered from `first`.
 void GlEditLines::upload(const Uploaded& into, const GlBuffer& buffer, const Ends& ends,
                          GLuint first) const {
     gl_->BindVertexArray(into.vertex_array.get());
@@ -42,7 +42,7 @@ void GlEditLines::upload(const Uploaded& into, const GlBuffer& buffer, const End
     }
 }
 
-/// Ends in the sphere's units, so that float32 suffices wherever it lies.
+/// Uploads lines in units of the enclosing sphere, so that float32 suffices wherever it lies.
 GlEditLines::Uploaded GlEditLines::upload(Kind kind) const {
     Ends ends, changes;
     const auto add = [&](const SurfaceLine& line) {

@@ -1,6 +1,6 @@
 #pragma once
-// Lines over the editor's view of the object: its triangles' edges and its charts' borders, hidden
-// where the surface hides them, and uploaded when they are first asked for.
+// Line overlays of the object: the edges of triangles and the borders of charts, hidden by the
+// surface through a depth test, uploaded when they are first drawn.
 #include <array>
 #include <memory>
 #include <optional>
@@ -11,17 +11,19 @@
 
 namespace burl {
 
+/// Draws lines; the OpenGL context must be current in every call.
 class GlEditLines {
   public:
     explicit GlEditLines(const GladGLContext& gl);
 
-    /// What is drawn from now on, around a sphere that holds it all; null: nothing.
+    /// Sets the lines, and a sphere that encloses them; null: no lines.
     void show(std::shared_ptr<const SurfaceLines> lines, const Sphere& sphere);
     bool shows(const std::shared_ptr<const SurfaceLines>& lines) const { return lines_ == lines; }
 
     enum class Kind { edges, borders };
-    /// Into the bound framebuffer, of `samples` with rows top first, in front of the depths it
-    /// holds; `pixel`: samples that a pixel is wide; `share`: of the way to their targets.
+    /// Draws into the bound framebuffer of size `samples`, rows top first, testing against its
+    /// depth buffer. `pixel`: width of a pixel in samples. `share`: share of the way to the pose, 0
+    /// to 1.
     void draw(Kind kind, const Camera& camera, const PictureSize& samples, int pixel,
               double share = 0.0);
 

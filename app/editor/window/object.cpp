@@ -11,14 +11,14 @@ namespace burl {
 namespace {
 
 constexpr std::size_t piece_bytes = std::size_t(1) << 20;
-constexpr std::chrono::milliseconds patience{4};  ///< of a frame, for a surface's upload
+constexpr std::chrono::milliseconds patience{4};  ///< longest upload of a surface in a frame
 
 PictureSize sample_size(const ObjectViewOptions& options) {
     return {options.size.width * options.supersample, options.size.height * options.supersample};
 }
 
-/// A sample a pixel without lines over it needs no second pass, which would take longer than the
-/// first.
+/// Whether the view can be drawn without a second pass: with one sample per pixel and no lines,
+/// where that pass would take longer than the first.
 bool is_direct(const ObjectViewOptions& options) {
     return options.supersample == 1 && !options.edges && !options.borders;
 }
@@ -45,7 +45,7 @@ void GlEditObject::show(const std::shared_ptr<const EditSurface>& surface,
     if (fits && picture != picture_) upload(picture);
 }
 
-/// To upload it, unless it is there.
+/// Begins the upload of a surface, unless it is uploaded or under way.
 void GlEditObject::begin(const std::shared_ptr<const EditSurface>& surface) {
     if (surface == next_) return;
     next_ = surface;
@@ -61,10 +61,10 @@ void GlEditObject::upload() {
         uploaded_ = next_scene_->upload(next_->scene, piece_bytes);
 }
 
-/// What is uploaded is what is shown.
+/// Makes the uploaded surface the one shown.
 void GlEditObject::take_over() {
     scene_ = std::move(next_scene_);
-    // Freeing hundreds of megabytes takes longer than a frame may.
+    // Freeing hundreds of megabytes takes longer than a frame, so another thread does it.
     dropping_ = std::async(std::launch::async,
                            [old = std::exchange(surface_, next_)]() mutable { old.reset(); });
     texture_.reset();
@@ -128,7 +128,7 @@ void GlEditObject::draw_samples(const ObjectViewOptions& options) {
 }
 
 void GlEditObject::draw_pixels(const ObjectViewOptions& options) {
-    placed_.reset();  // their depth is drawn over
+    placed_.reset();  // drawing overwrites the depth of the G-buffer
     const PictureSize& size = options.size;
     shown_->colors.bind();
     scene_->draw_encoded(camera_of(options.camera, surface_->sphere, size), size,
@@ -154,7 +154,8 @@ void GlEditObject::draw_view(const ObjectViewOptions& options) {
     encode(options);
 }
 
-/// Where it is the texture alone that changes; whether it could.
+/// Shades from the G-buffer where only the texture has changed since the last frame; returns
+/// whether that was possible.
 bool GlEditObject::draw_places(const ObjectViewOptions& options) {
     if (seen_ != options || !scene_->has_places()) return false;
     if (placed_ != options) {

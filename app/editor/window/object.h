@@ -1,6 +1,6 @@
 #pragma once
-// The editor's view of the object: a scene drawn into a texture that the panels show, with the
-// newest picture of its colours, drawn anew only when something about it has changed.
+// The editor's view of the object: the scene with the newest texture, rendered into an OpenGL
+// texture, and only when something has changed.
 #include <cstdint>
 #include <future>
 #include <memory>
@@ -16,46 +16,49 @@
 
 namespace burl {
 
+/// The inputs that decide the rendered view.
 struct ObjectViewOptions {
-    PictureSize size{};  ///< in pixels
+    PictureSize size{};  ///< size of the view in pixels
     EditCamera camera{};
     bool lit = true;
-    double share = 0.0;                   ///< of the way to its pose
-    bool edges = false, borders = false;  ///< of triangles and charts, as far as there are lines
-    int supersample = 1;  ///< samples a side of a pixel: 1 while things move, 2 at rest
+    double share = 0.0;  ///< share of the way to the pose, 0 to 1
+    /// Whether edges of triangles and borders of charts are drawn, once available.
+    bool edges = false, borders = false;
+    int supersample = 1;  ///< samples per side of a pixel: 1 while anything moves, 2 at rest
     bool operator==(const ObjectViewOptions&) const = default;
 };
 
+/// Renders the object; the OpenGL context must be current in every call.
 class GlEditObject {
   public:
     explicit GlEditObject(const GladGLContext& gl);
 
-    /// What is shown from now on; null: nothing. Uploads only what is new, and of a large surface a
-    /// few milliseconds' worth: until the last of several calls the one before is shown. `coming`
-    /// (null: none) is what will be shown next and is uploaded already.
+    /// Sets the surface (null: none) and its texture. Uploads what is new, a large surface in
+    /// slices of a few milliseconds per call, and shows the old surface until the upload is
+    /// complete. `coming` (null: none) is uploaded ahead and shown by a later call.
     void show(const std::shared_ptr<const EditSurface>& surface,
               const std::shared_ptr<const EditPicture>& picture,
               const std::shared_ptr<const EditSurface>& coming = nullptr);
-    /// A few milliseconds' worth more.
+    /// Uploads for a few more milliseconds.
     void upload();
-    /// A surface is not there yet: show() or upload() is to be called again.
+    /// Whether an upload is incomplete: show() or upload() must be called again.
     bool uploading() const { return next_scene_ && !uploaded_; }
-    /// What is shown; null: nothing.
+    /// The surface shown; null: none.
     const std::shared_ptr<const EditSurface>& surface() const { return surface_; }
-    /// The lines over it; null: none.
+    /// Sets the lines drawn over the object; null: none.
     void show_lines(const std::shared_ptr<const SurfaceLines>& lines);
-    /// That of picture(); null: none yet.
+    /// The OpenGL texture of picture(); null: none.
     const GlTexture* texture() const;
-    /// Draws if need be. Row 0 of the texture is the picture's top row. Null without a surface or
-    /// with a size of 0.
+    /// Renders if anything has changed. Row 0 of the texture is the top row. Null without a surface
+    /// or with a size of 0.
     const GlTexture* draw(const ObjectViewOptions& options);
-    /// What the last draw() drew into.
+    /// The target that the last draw() rendered into; null: none.
     const GlTarget* target() const { return shown_ ? &shown_->colors : nullptr; }
-    /// Whether the last draw() had to.
+    /// Whether the last draw() rendered anew.
     bool drew() const { return drew_; }
-    /// What was shown last; null: nothing of this surface.
+    /// The picture shown on the present surface; null: none yet.
     const EditPicture* picture() const { return picture_.get(); }
-    /// Samples a side of a pixel that the last draw() had; 0: it drew nothing.
+    /// Samples per side of a pixel of the last draw(); 0: nothing was drawn.
     int drawn_samples() const { return drawn_ ? drawn_->supersample : 0; }
 
   private:
@@ -75,21 +78,23 @@ class GlEditObject {
     GlProgram encode_;
     GlFullScreen pass_;
     std::shared_ptr<GlScenePrograms> programs_;
-    std::shared_ptr<const EditSurface> surface_, next_;  ///< shown, and being uploaded
-    std::unique_ptr<GlScene> scene_, next_scene_;        ///< of these
-    bool uploaded_ = false;                              ///< the latter is there
-    std::optional<GlEditTexture> texture_;               ///< that the scene's surfaces show
+    /// The surface shown, and the one being uploaded.
+    std::shared_ptr<const EditSurface> surface_, next_;
+    std::unique_ptr<GlScene> scene_, next_scene_;  ///< scenes of `surface_` and `next_`
+    bool uploaded_ = false;                        ///< whether `next_scene_` is complete
+    std::optional<GlEditTexture> texture_;         ///< texture of the scene's surfaces
     std::shared_ptr<const EditPicture> picture_;
     GlEditLines lines_;
-    std::shared_ptr<const Image<Rgb8>> normals_;  ///< that are shown
-    std::optional<GlDepthTarget> samples_,
-        shown_;  ///< the former where there are lines or many samples a pixel
+    std::shared_ptr<const Image<Rgb8>> normals_;  ///< normal map on the graphics processor
+    /// The samples, for views that need a downsampling pass, and the view's pixels.
+    std::optional<GlDepthTarget> samples_, shown_;
     GlEditPlaces places_;
     std::optional<ObjectViewOptions> drawn_;
-    /// Of this surface, with whatever texture: what was drawn last, and whose places are known.
+    /// Options with which this surface was drawn last, whatever its texture, and options of the
+    /// G-buffer.
     std::optional<ObjectViewOptions> seen_, placed_;
     bool drew_ = false;
-    std::future<void> dropping_;  ///< of the surface that was shown before
+    std::future<void> dropping_;  ///< destruction of the surface shown before, in the background
 };
 
 }  // namespace burl

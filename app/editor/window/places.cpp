@@ -50,7 +50,8 @@ void GlEditPlaces::find(const GlScene& scene, const Camera& camera, const GlDept
     gl_->Disable(GL_DEPTH_TEST);
 }
 
-/// The pass lies at the far end, where nothing was drawn: so only pixels with a surface pass.
+/// Shades the G-buffer by a full-screen pass at the far plane. The depth test is GL_GREATER, so
+/// that only pixels with a surface pass.
 void GlEditPlaces::draw(const GlTexture& texture, const GlDepthTarget& target) const {
     target.colors.bind();
     const Vec4f background = GlScene::background_codes();

@@ -1,7 +1,8 @@
 #pragma once
-// Where the object's pixels look their texture up, kept while the view stays: a slider that moves
-// then costs a lookup a pixel, and no triangle is drawn again (deferred shading: Deering et al.,
-// "The Triangle Processor and Normal Vector Shader", 1988).
+// A G-buffer of the object, kept while the view stays: every pixel's texture coordinates, MIP level
+// and light. While a slider moves, a frame then costs a texture lookup per pixel, and no triangle
+// is drawn (deferred shading: Deering et al., "The Triangle Processor and Normal Vector Shader",
+// 1988).
 #include <memory>
 #include <optional>
 
@@ -12,11 +13,11 @@ namespace burl {
 
 class GlScene;
 
-/// A colour target with depth.
+/// A colour target with a depth buffer.
 class GlDepthTarget {
   public:
     GlDepthTarget(const GladGLContext& gl, const PictureSize& size, GLenum format);
-    /// With the depth of another one of the same size.
+    /// Shares the depth buffer of another target of the same size.
     GlDepthTarget(const GladGLContext& gl, const GlDepthTarget& other, GLenum format);
 
     GlTarget colors;
@@ -25,15 +26,16 @@ class GlDepthTarget {
     std::shared_ptr<const GlRenderbuffer> depth_;
 };
 
+/// The G-buffer and its shading pass; the OpenGL context must be current in every call.
 class GlEditPlaces {
   public:
     explicit GlEditPlaces(const GladGLContext& gl);
 
-    /// Of a scene that has_places(), as it is seen in `target`, whose depth tells from then on
-    /// where there is a surface.
+    /// Renders the G-buffer of a scene that has_places(). The depth buffer of `target` is shared,
+    /// and says from then on which pixels show a surface.
     void find(const GlScene& scene, const Camera& camera, const GlDepthTarget& target, bool lit);
-    /// Into the target of the last find(), whose depth is still the same: the pixels that
-    /// GlScene::draw_encoded draws of a scene with this texture, to the bit.
+    /// Shades the G-buffer into the target of the last find(), whose depth must be unchanged: the
+    /// pixels are bit-identical to those of GlScene::draw_encoded for a scene with this texture.
     void draw(const GlTexture& texture, const GlDepthTarget& target) const;
 
   private:

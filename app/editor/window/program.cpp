@@ -20,7 +20,7 @@ namespace burl {
 
 namespace {
 
-/// The recipe at a time; its numbers without keys where those make no recipe.
+/// Evaluates a recipe's animation at a time; a recipe invalid at that time is returned unevaluated.
 Recipe still_of(const Recipe& recipe, double seconds) {
     try {
         return recipe_at(recipe, seconds);
@@ -75,7 +75,7 @@ void EditorProgram::take(const InputEvent& event) {
     if (event.kind == InputKind::close) ask_to_close();
 }
 
-/// What other threads had to tell, and what becomes due with time.
+/// Takes over the results of other threads and writes the autosave when it is due.
 void EditorProgram::take_news() {
     take_files();
     if (const auto problem = baker_.take_problem()) session_.complain(*problem);
@@ -114,17 +114,19 @@ void EditorProgram::take_screenshot() {
         session_.tell(fmt::format("screenshot {}", path));
     } catch (const Error& error) {
         std::error_code unknown;
-        if (!path.empty()) std::filesystem::remove(path, unknown);  // it is empty
+        // It is the empty file claimed above.
+        if (!path.empty()) std::filesystem::remove(path, unknown);
         session_.complain(error.what());
     }
 }
 
-/// The recipe on the screen, or while comparing the one that was opened.
+/// Returns the recipe on screen, which is the opened one while comparing.
 Recipe EditorProgram::shown_recipe() {
     return comparing_ ? still_of(session_.history().opened(), session_.time()) : session_.still();
 }
 
-/// How far the mesh has gone to its pose is no affair of the texture's.
+/// Requests the texture of the recipe on screen unless that was done. The pose's weight is left
+/// out: it changes no texel.
 void EditorProgram::request_texture() {
     if (baker_.want_sheet(atlas_.state.shown)) requested_.reset();
     if (comparing_ && compared_ != session_.recipe()) comparing_ = false;
@@ -153,7 +155,7 @@ void EditorProgram::frame(const std::vector<InputEvent>& events) {
     if (std::exchange(screenshot_due_, false)) take_screenshot();
 }
 
-/// All of a frame but the drawing of the screen.
+/// Runs a frame except for drawing the screen.
 void EditorProgram::panels(const std::vector<InputEvent>& events) {
     ImGuiIO& io = ImGui::GetIO();
     const glm::ivec2 size = window_->size(), pixels = window_->pixels();
@@ -188,7 +190,7 @@ void EditorProgram::panels(const std::vector<InputEvent>& events) {
     follow_opening();
 }
 
-/// What can wait does while a mesh is opened: the processors are wanted for that.
+/// Holds background work that can wait while a mesh is being opened and needs the processors.
 void EditorProgram::follow_opening() {
     const bool is_seen = !object_.uploading() && object_.picture() == baker_.picture().get();
     const bool opening =
@@ -216,8 +218,9 @@ Image<Rgb8> EditorProgram::screenshot() {
     return read_screen(*window_, window_->context().gl());
 }
 
-/// What happens until the next frame is due while a mesh is opened, which goes on being uploaded.
-/// News of other threads end it, and so do events that are more than a pointer passing by.
+/// Returns the input until the next frame is due while a mesh is being opened, and goes on
+/// uploading it. A wake from another thread or input other than passing pointer motion ends the
+/// wait.
 std::vector<InputEvent> EditorProgram::until_due() {
     std::vector<InputEvent> events;
     while (true) {
@@ -238,7 +241,7 @@ void EditorProgram::turn() {
     const bool handled = ImGui::IsAnyMouseDown() || turntable_ || timeline_.playing;
     const std::vector<InputEvent> events =
         opening_ && !handled ? until_due() : window_->poll(busy ? 0.0 : 1.0);
-    // A wake of the pipeline ends the waiting without an event: a frame is due, too.
+    // Waking up without an event means that a background thread has news: a frame is due.
     frames_to_draw_ = events.empty() && !busy ? 1 : std::max(frames_to_draw_ - 1, 0);
     if (!events.empty()) frames_to_draw_ = 3;
     for (const std::vector<InputEvent>& some : in_frames(events)) {

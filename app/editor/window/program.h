@@ -1,6 +1,6 @@
 #pragma once
-// The editor as a whole: a window, the panels, the session and the pipeline's thread, tied together
-// frame by frame. Everything it does follows from input events, so that scripts replay it.
+// The editor as a whole: window, panels, session and worker threads, tied together frame by frame.
+// Everything it does follows from input events, so that scripts can replay it.
 #include <memory>
 #include <string>
 #include <vector>
@@ -27,52 +27,57 @@
 
 namespace burl {
 
+/// The editor's start-up options.
 struct EditorOptions {
     std::string mesh = "sample:teapot", recipe = "marble";
     std::vector<std::string> settings{};
     double ui_scale = 1.0;
-    std::string autosave{};  ///< file (edit_autosave.h); empty: none
-    bool gallery = true;     ///< whether presets have pictures
-    std::string recent{};    ///< file (edit_recent.h); empty: none
+    /// Path of the autosave file (app/editor/session/autosave.h); empty: none.
+    std::string autosave{};
+    bool gallery = true;  ///< whether presets have thumbnails
+    /// Path of the list of recent files (app/editor/session/recent.h); empty: none.
+    std::string recent{};
 };
 
-/// Where the time of a frame went, in seconds on the thread of the user interface.
+/// Wall-clock times of a frame's parts on the user interface's thread, in seconds.
 struct FrameTimes {
-    double panels = 0.0;  ///< input, panels and all else that is not drawing
+    double panels = 0.0;  ///< input, panels and everything but drawing
     double object = 0.0;  ///< uploading the surface and the texture, and drawing the object
     double screen = 0.0;  ///< drawing the user interface
-    /// Of `panels` and uploading: what that thread's processor worked, however many others wanted
-    /// it.
+    /// Processor time of the user interface's thread for `panels` and uploads, whatever the load.
     double worked = 0.0;
 };
 
+/// The editor. All functions are called by the main thread.
 class EditorProgram {
   public:
-    /// Reads the recipe and begins to read the mesh. Throws Error as the former does.
+    /// Reads the recipe and begins to read the mesh. Throws Error where the recipe cannot be read.
     EditorProgram(std::unique_ptr<GlWindow> window, const EditorOptions& options);
     ~EditorProgram();
 
-    /// One frame: what happened since the last one, then the panels, then the picture. Throws Error
-    /// where the first mesh cannot be read.
+    /// Runs one frame: handles `events`, lays out the panels and draws. Throws Error where the
+    /// first mesh cannot be read.
     void frame(const std::vector<InputEvent>& events);
-    /// Until the window is closed; waits while nothing happens.
+    /// Runs until the window is closed; sleeps while nothing happens.
     void run();
-    /// Once round run()'s loop.
+    /// Runs one turn of run()'s loop.
     void turn();
-    /// A mesh is read, laid out or uploaded, or its finest picture is not on the screen yet.
+    /// Whether a mesh is being read, laid out or uploaded, or its texture at level 0 is not on
+    /// screen.
     bool opening() const { return opening_; }
-    /// Plays a script to its end; its screenshots go into `folder`, empty: nowhere. Waits at
-    /// "settle" for the pipeline. Throws Error as ScriptPlayer does, io for screenshots.
+    /// Plays a script to its end; screenshots are written to `folder`, or nowhere where it is
+    /// empty. "settle" steps wait for all background work. Throws Error as ScriptPlayer does, and
+    /// Error(io) for screenshots.
     void play(InputScript script, const std::string& folder);
 
-    /// Frames from now on become steps of a script.
+    /// Starts to record all later frames as a script.
     void record() { recording_.emplace(); }
     const std::optional<InputScript>& recording() const { return recording_; }
 
     bool wants_to_close() const { return closing_; }
-    /// No texture is being made and what is there is shown.
+    /// Whether no background work is left and its results are uploaded.
     bool settled() const;
-    /// What the last frame drew.
+    /// The pixels of the last frame.
     Image<Rgb8> screenshot();
 
     EditSession& session() { return session_; }
@@ -82,14 +87,15 @@ class EditorProgram {
     const GlEditAtlas& atlas() const { return atlas_; }
     const EditOpenFiles& files() const { return files_; }
     FileDialog& dialog() { return dialog_; }
-    /// Number of the last texture that was asked for.
+    /// The number of the last texture request.
     std::uint64_t last_request() const { return request_; }
-    /// The texture that the last frame shows; null: none. And whether with many samples a pixel.
+    /// The texture on screen; null: none.
     const EditPicture* shown() const { return object_.picture(); }
+    /// Whether the last frame was drawn with several samples per pixel.
     bool shown_smooth() const { return object_.drawn_samples() > 1; }
-    /// The window's: recipe and mesh, and a star where the recipe is not saved.
+    /// The window's title: recipe and mesh, with a star where there are unsaved changes.
     std::string title() const;
-    /// Of the last frame.
+    /// The times of the last frame.
     const FrameTimes& times() const { return times_; }
 
   private:
@@ -124,7 +130,7 @@ class EditorProgram {
     void ask_for_file(void (EditorProgram::*then)(const std::string&), FileDialog::Wish wish);
     void save_as(const std::string& path);
     void export_as(const std::string& path);
-    double seen_time() const;  ///< 0 without keys
+    double seen_time() const;  ///< time on the clock in seconds; 0 without animation
     std::string command(std::vector<std::string> output, double time) const;
     void export_frames_as(const std::string& path);
     void take_screenshot();
@@ -152,7 +158,7 @@ class EditorProgram {
     void draw_screen();
     void request_texture();
     Recipe shown_recipe();
-    /// A slider, a hand or the clock changes what is seen.
+    /// Whether a slider, a drag or the clock is changing the recipe.
     bool is_moving() const { return session_.history().in_gesture() || timeline_.moving(); }
     void compare();
     void take_tool(bool& tool);
@@ -165,12 +171,13 @@ class EditorProgram {
     EditSession session_;
     EditItems items_;
     EditCamera camera_;
-    double scale_ = 1.0, normal_scale_ = 1.0;  ///< of the user interface, from the next frame on
+    /// Scale of the user interface from the next frame on.
+    double scale_ = 1.0, normal_scale_ = 1.0;
     double shown_scale_ = 0.0;
     bool lit_ = true, turntable_ = false, keys_open_ = false, comparing_ = false, closing_ = false;
     bool moving_camera_ = false, asks_to_close_ = false;
-    Recipe compared_;  ///< what is compared; another one ends it
-    /// Told over the object for some seconds.
+    Recipe compared_;  ///< the session's recipe when comparing began; another recipe ends it
+    /// A message shown over the object for some seconds.
     struct News {
         std::string text{};
         bool problem = false;
@@ -180,24 +187,25 @@ class EditorProgram {
     EditTimeline timeline_;
     EditPaint paint_;
     EditMove move_;
-    std::uint64_t document_ = 0;  ///< EditHistory::document_number() of the last frame
-    bool posed_ = false;          ///< the mesh has a pose
-    double share_ = 0.0;          ///< of the way there that is shown
+    std::uint64_t document_ = 0;  ///< EditHistory::document_number() in the last frame
+    bool posed_ = false;          ///< whether the mesh has a pose
+    double share_ = 0.0;          ///< share of the way to the pose that is shown, 0 to 1
     std::optional<WorkerRequest> requested_;
     std::uint64_t request_ = 0;
     double last_seconds_ = 0.0;
     bool opening_ = false;
     EditPace pace_;
     std::string shown_title_;
-    int frames_to_draw_ = 3;  ///< until the user interface has come to rest
+    int frames_to_draw_ = 3;  ///< frames still to draw until the user interface is at rest
     FileDialog dialog_;
-    void (EditorProgram::*chosen_)(const std::string&) = nullptr;  ///< takes the dialog's file
+    /// Receives the path chosen in the dialog.
+    void (EditorProgram::*chosen_)(const std::string&) = nullptr;
     EditAutosave autosave_;
     std::optional<InputScript> recording_;
     bool screenshot_due_ = false;
     EditExport export_;
     FrameTimes times_;
-    std::string first_mesh_;  ///< what the editor was started with
+    std::string first_mesh_;  ///< mesh that the editor was started with
     EditOpenFiles files_;
     GlImGui::OpaqueImage object_image_{};
 

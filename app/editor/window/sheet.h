@@ -1,6 +1,5 @@
 #pragma once
-// The editor's view of a texture as it lies in its atlas, drawn anew only when something about it
-// has changed.
+// The editor's view of a texture in its atlas, rendered only when something has changed.
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -11,26 +10,28 @@
 
 namespace burl {
 
+/// The inputs that decide the rendered view.
 struct SheetViewOptions {
-    GlSize size{0};  ///< in pixels
+    GlSize size{0};  ///< size of the view in pixels
     SheetFrame frame{};
-    int level = 0;  ///< the finest that is shown; finer ones than there are count as the finest
+    int level = 0;  ///< the finest MIP level shown; negative values count as 0
     bool operator==(const SheetViewOptions&) const = default;
 };
 
+/// Renders the atlas; the OpenGL context must be current in every call.
 class GlEditSheet {
   public:
     explicit GlEditSheet(const GladGLContext& gl);
 
-    /// A picture, uploaded when it is new. Row 0 of the texture that comes back is the picture's
-    /// top row. Null with a size of 0.
+    /// Renders a picture of the atlas, uploading a new one. Row 0 of the texture returned is the
+    /// top row. Null without a picture or with a size of 0.
     const GlTexture* draw(const std::shared_ptr<const SheetPicture>& picture,
                           const SheetViewOptions& options);
-    /// A texture with levels that is on the graphics processor already, level 0 `side` texels wide;
-    /// `number`: another one whenever its texels are others.
+    /// Renders an OpenGL texture with MIP levels whose level 0 is `side` texels wide. `number` must
+    /// change whenever its texels change. Null with a size of 0.
     const GlTexture* draw(const GlTexture& texture, std::uint32_t side, std::uint64_t number,
                           const SheetViewOptions& options);
-    /// Gives back what was uploaded.
+    /// Frees the uploaded picture.
     void release();
 
   private:
@@ -45,7 +46,7 @@ class GlEditSheet {
     const GladGLContext* gl_;
     GlProgram program_;
     GlFullScreen pass_;
-    std::shared_ptr<const SheetPicture> picture_;  ///< uploaded
+    std::shared_ptr<const SheetPicture> picture_;  ///< picture in `texture_`
     std::uint64_t uploads_ = 0;
     GlTexture texture_;
     std::optional<GlTarget> shown_;

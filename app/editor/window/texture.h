@@ -1,6 +1,6 @@
 #pragma once
-// The editor's picture in OpenGL: storage that stays, so that a new picture is a copy of its
-// levels.
+// The baked texture in OpenGL, in storage that is reused: a new texture of the same size is a copy
+// of its MIP levels.
 #include <vector>
 
 #include "app/editor/work/levels.h"
@@ -8,14 +8,15 @@
 
 namespace burl {
 
+/// Writes into an OpenGL texture; the OpenGL context must be current in every call.
 class GlEditTexture {
   public:
-    /// `texture` is to be written and belongs to another one.
+    /// `texture` is owned by the caller.
     GlEditTexture(const GladGLContext& gl, GLuint texture) : gl_(&gl), texture_(texture) {}
 
-    /// Looked up trilinearly, and not beyond its edges. Where there could be more levels than the
-    /// one given, OpenGL makes them. Throws Error(unsupported) when it is larger than this OpenGL
-    /// has.
+    /// Uploads MIP levels and sets trilinear filtering, clamped to the edges. Where only level 0 is
+    /// given, OpenGL generates the others. Throws Error(unsupported) where the texture is larger
+    /// than this OpenGL supports.
     void show(const std::vector<Image<Rgba8>>& levels);
 
   private:
@@ -23,7 +24,7 @@ class GlEditTexture {
 
     const GladGLContext* gl_;
     GLuint texture_;
-    std::size_t width_ = 0, height_ = 0, count_ = 0;  ///< of level 0, and of levels
+    std::size_t width_ = 0, height_ = 0, count_ = 0;  ///< size of level 0, and number of levels
 };
 
 }  // namespace burl

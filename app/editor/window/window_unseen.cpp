@@ -1,4 +1,4 @@
-// Windows for scripts and tests: an off-screen target, a clipboard and a clock of their own.
+// Offscreen windows for scripts and tests, with a clipboard and a clock of their own.
 #include <algorithm>
 #include <initializer_list>
 #include <optional>

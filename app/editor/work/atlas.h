@@ -1,6 +1,6 @@
 #pragma once
-// Patches are the better atlas and take long to lay out: an editor shows a large mesh with pairs
-// first, which take a tenth of the time, and lays out patches meanwhile.
+// Patch atlases are better than quad atlases and take about ten times as long to lay out: an editor
+// shows a large mesh with a quad atlas first and lays out the patches meanwhile.
 #include <optional>
 #include <stop_token>
 
@@ -8,15 +8,18 @@
 
 namespace burl {
 
-/// Meshes with more triangles: patches of so many take about a second on two cores.
+/// The number of triangles above which patches are laid out in the background: patches of so many
+/// triangles take about a second on two cores.
 inline constexpr std::size_t many_faces = 40000;
 
-/// What to show a mesh with at once: the atlas that is wanted, or for patches of many faces a quad
-/// atlas of the largest size not above it.
+/// Returns the atlas to show a mesh with at once: `wanted`, or, where patches of more than
+/// `many_faces` triangles are wanted, a quad atlas of the largest power of two not above the wanted
+/// size.
 AtlasOptions atlas_at_once(const AtlasOptions& wanted, std::size_t triangles);
 
-/// Makes the atlas of the pipeline's recipe and its texels' points on all cores but one, where
-/// there are several, and behind whatever else they are wanted for. False: `stop` came first.
+/// Lays out the atlas of the pipeline's recipe and makes its texels' solid points, at low priority
+/// on all cores but one (on the only one, where there is one). Returns false where `stop` was
+/// requested first.
 bool lay_out_aside(Pipeline& pipeline, const std::stop_token& stop);
 
 }  // namespace burl

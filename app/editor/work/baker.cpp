@@ -16,11 +16,14 @@ namespace burl {
 
 namespace {
 
+/// Size of the pipeline's cache of intermediate values, in bytes.
 constexpr std::size_t cache_bytes = std::size_t(512) << 20;
-constexpr double patience = 0.08;  // seconds until the next finer picture, at rest
-constexpr std::uint32_t coarsest_side = 128;
-constexpr double crease_degrees = 40.0;  // as a bake has it unless it is told otherwise
+constexpr double patience = 0.08;  // longest refinement step of a slider at rest, in seconds
+constexpr std::uint32_t coarsest_side = 128;  ///< side of the coarsest level shown, in texels
+constexpr double crease_degrees = 40.0;       // the default crease angle of `burl bake`
 
+/// Returns the coarsest MIP level of a texture of `size` texels a side that still has coarsest_side
+/// texels a side; 0 for smaller textures.
 std::uint32_t coarsest_level(std::uint32_t size) {
     return size > coarsest_side ? std::uint32_t(std::bit_width(size / coarsest_side)) - 1 : 0;
 }
@@ -30,7 +33,7 @@ std::shared_ptr<EditSurface> surface_of(const SceneParts& parts, const MeshPose*
     surface->scene = baked_scene(parts, pose);
     surface->posed = pose != nullptr;
     const int normals = baked_material(surface->scene).normals;
-    if (normals >= 0)  // flat until there is a map of them
+    if (normals >= 0)  // a flat normal map stands in until one is baked
         surface->scene.textures[std::size_t(normals)].image = Image<Rgb8>(1, 1, {128, 128, 255});
     tbb::parallel_invoke(
         [&] { surface->unit_from_mesh = solid_from_mesh(*parts.input, SolidSpace::unit); },
@@ -46,13 +49,13 @@ std::shared_ptr<EditSurface> surface_of(Pipeline& pipeline, const MeshPose* pose
     return surface_of(scene_parts(pipeline, crease_degrees), pose);
 }
 
-/// The scene lives as long as its surface.
+/// Builds the picking structure of a surface, whose scene lives as long as the structure.
 std::shared_ptr<const SurfacePick> pick_of(const std::shared_ptr<const EditSurface>& surface) {
     return std::make_shared<const SurfacePick>(
         std::shared_ptr<const Scene>(surface, &surface->scene));
 }
 
-/// Then the texture under the paint is there.
+/// Whether the recipes differ in paint at most: the pipeline then still has the unpainted texture.
 bool only_paint_differs(Recipe before, const Recipe& now) {
     before.paint = now.paint;
     return before == now;
@@ -67,7 +70,8 @@ EditBaker::EditBaker(std::function<void()> wake, double budget)
                      const std::stop_token& stop) { work(request, stop); },
               std::move(wake)) {}
 
-/// An errand may ask the worker for a picture, and its pictures give errands.
+/// The job queue ends before any member is destroyed: its jobs call the worker, and the worker
+/// queues jobs.
 EditBaker::~EditBaker() {
     errands_.end();
 }
@@ -146,7 +150,7 @@ std::optional<std::string> EditBaker::take_problem() {
     return std::exchange(problem_, std::nullopt);
 }
 
-/// Whether the mesh has another pose.
+/// Takes over the mesh and the pose set since the last request. Returns whether the pose changed.
 bool EditBaker::take_mesh() {
     std::optional<Mesh> mesh;
     std::optional<std::shared_ptr<const MeshPose>> pose;
@@ -178,7 +182,7 @@ void EditBaker::take_pose(std::shared_ptr<const MeshPose> pose) {
     problem_ = "the pose is of a mesh with other triangles: a file has changed";
 }
 
-/// It will be shown with its first picture.
+/// Announces a surface, which publish_picture() will show together with its first picture.
 void EditBaker::announce(std::shared_ptr<EditSurface> surface) {
     {
         const std::scoped_lock lock(mutex_);
@@ -189,7 +193,8 @@ void EditBaker::announce(std::shared_ptr<EditSurface> surface) {
     wake_();
 }
 
-/// What is shown from now on: the atlas that is wanted where it is there, or quick.
+/// Takes over an atlas that was laid out in the background. Returns the atlas to show: `wanted`
+/// where it is laid out, otherwise atlas_at_once().
 AtlasOptions EditBaker::take_atlas(const AtlasOptions& wanted) {
     std::optional<OwnAtlas> own;
     {
@@ -214,7 +219,7 @@ AtlasOptions EditBaker::take_atlas(const AtlasOptions& wanted) {
     return atlas_at_once(wanted, pipeline_->mesh().triangles.size());
 }
 
-/// Lays out the recipe's own atlas, unless that is under way.
+/// Queues a job that lays out the recipe's own atlas, unless one is queued or running.
 void EditBaker::begin_atlas(const Recipe& recipe) {
     {
         const std::scoped_lock lock(mutex_);
@@ -224,7 +229,7 @@ void EditBaker::begin_atlas(const Recipe& recipe) {
     auto pipeline = std::make_unique<Pipeline>(pipeline_->mesh());
     pipeline->set_cache(cache_bytes);
     pipeline->set_recipe(recipe);
-    // A function that is kept may be copied, and a pipeline may not.
+    // std::function copies its closure, and std::unique_ptr cannot be copied.
     errands_.add([this, mesh = mesh_, pose = pose_,
                   held = std::make_shared<std::unique_ptr<Pipeline>>(std::move(pipeline))](
                      const std::stop_token& stop) { lay_out(mesh, pose, std::move(*held), stop); });
@@ -245,7 +250,7 @@ void EditBaker::lay_out(std::uint64_t mesh, const std::shared_ptr<const MeshPose
     worker_.again();
 }
 
-/// The newest picture once more, with the bumps of its recipe.
+/// Publishes the newest picture again, with the normal map of the recipe's bumps.
 void EditBaker::publish_normals() {
     auto normals =
         std::make_shared<const Image<Rgb8>>(pipeline_->normal_map<Rgb8>(crease_degrees, true));
@@ -262,7 +267,7 @@ void EditBaker::publish_normals() {
     wake_();
 }
 
-/// Once for every surface.
+/// Publishes the picking structure of a surface, on the job queue's thread, once per surface.
 void EditBaker::publish_pick(const std::shared_ptr<const EditSurface>& surface) {
     std::shared_ptr<const SurfacePick> pick = pick_of(surface);
     {
@@ -273,12 +278,12 @@ void EditBaker::publish_pick(const std::shared_ptr<const EditSurface>& surface) 
     wake_();
 }
 
-/// Where somebody looks at it.
+/// Publishes the sheet of the surface shown, if a window shows sheets and the sheet is outdated.
 void EditBaker::publish_sheet() {
     SheetKey key{0, pipeline_->recipe().solid.space};
     {
         const std::scoped_lock lock(mutex_);
-        if (!surface_ || pending_) return;  // it would be of another one
+        if (!surface_ || pending_) return;  // the pipeline already has the next surface's atlas
         key.surface = surface_->number;
         if (!wants_sheet_ || (sheet_ && sheet_key_ == key)) return;
     }
@@ -316,14 +321,15 @@ void EditBaker::publish_picture(const WorkerRequest& request, std::uint32_t leve
     wake_();
 }
 
-/// A new surface's first errands: what finds places on it, and a better atlas.
+/// Queues a new surface's jobs: building its picking structure, and laying out a better atlas.
 void EditBaker::give_errands(const Recipe& recipe, bool moving) {
     const std::shared_ptr<const EditSurface> shown = surface();
     if (!shown) return;
     if (errands_of_ != shown->number) {
         errands_of_ = shown->number;
         const std::shared_ptr<const SurfacePick> found = pick();
-        if (found && &found->scene() == &shown->scene) return;  // they are done
+        // The structure was built with the background atlas.
+        if (found && &found->scene() == &shown->scene) return;
         errands_.cancel();
         {
             const std::scoped_lock lock(mutex_);
@@ -360,8 +366,8 @@ void EditBaker::work(const WorkerRequest& request, const std::stop_token& stop) 
     }
     auto start = std::chrono::steady_clock::now();
     const Drag drag = request.moving ? Drag::moving : Drag::released;
-    // Paint over the finest picture is quicker than any other level's, and says nothing of them;
-    // what is shown already need not become blurred first.
+    // With only paint changed, level 0 is quicker than a coarser level, its time says nothing about
+    // level choice, and the sharp texture on screen need not become blurred first.
     LevelChoice finest(budget_, 0);
     const bool whole = better || (finest_ && only_paint_differs(*finest_, recipe));
     const bool done =

@@ -21,7 +21,7 @@ namespace burl {
 
 namespace {
 
-/// What a bake checks before it writes a shader.
+/// Writes the recipe as a fragment shader after the checks of `burl bake --emit-glsl`.
 void write_shader(const ExportRequest& request) {
     const Mesh mesh = load_mesh(request.mesh);
     check_lattice(request.recipe, mesh);
@@ -35,7 +35,7 @@ LevelsAsked export_levels(const ExportRequest& request) {
                         wanted_kind(request.out, export_depth));
 }
 
-/// All files of one texture.
+/// Returns the paths of all files of one texture: its MIP levels and its normal map.
 std::vector<std::string> files_of_texture(const ExportRequest& request, const std::string& out,
                                           std::uint32_t levels) {
     const NormalSpace normals = normals_asked("", request.recipe, out);
@@ -59,7 +59,7 @@ std::vector<std::string> written_files(const ExportRequest& request) {
     return files_of_texture(request, request.out, export_levels(request).count);
 }
 
-/// Refuses outputs that would replace a file that is read.
+/// Throws Error where an output file is also an input.
 void check_outputs(const ExportRequest& request) {
     CommandFiles files;
     files.read(files_of_mesh(request.mesh));

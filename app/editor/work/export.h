@@ -1,6 +1,6 @@
 #pragma once
-// Exports beside the user interface: what `burl bake` writes for the recipe, by a pipeline of its
-// own, so that sliders can go on moving meanwhile.
+// Exports in the background: the files that `burl bake` would write for the recipe, made by a
+// pipeline of their own while the editor's goes on.
 #include <functional>
 #include <mutex>
 #include <optional>
@@ -12,55 +12,63 @@
 
 namespace burl {
 
+/// An export: its inputs and its output file.
 struct ExportRequest {
-    std::string mesh{};   ///< a mesh file or sample
-    Recipe recipe{};      ///< one with keys over time becomes the textures of all its frames
-    std::string out{};    ///< its extension says what is written
-    bool levels = false;  ///< all MIP levels besides the texture
-    std::string pose{};   ///< of the mesh (app/surface/load_pose.h); empty: none
-    /// A file or preset, whose folder the images' names lead from; empty: none.
+    std::string mesh{};  ///< mesh file, or "sample:NAME"
+    /// A recipe with animation tracks is exported as the textures of all its frames.
+    Recipe recipe{};
+    std::string out{};    ///< output file; its extension is its format
+    bool levels = false;  ///< whether all MIP levels are written besides the texture
+    std::string pose{};   ///< pose of the mesh (app/surface/load_pose.h); empty: none
+    /// The recipe's file or preset; image names are relative to its folder. Empty: none.
     std::string recipe_path{};
 };
 
-/// Whether it is the texture as a shader: .frag or .glsl.
+/// Whether `path` names a fragment shader: the extension is .frag or .glsl.
 bool is_shader_file(const std::string& path);
 
-/// The options of `burl bake` that write the same: -o and what else is needed.
+/// The options of `burl bake` that write the same files: -o and those that its default lacks.
 std::vector<std::string> bake_options(const ExportRequest& request);
 
-/// All files that bake_file, or of a recipe with keys bake_frames, would write; the one named alone
-/// where it cannot be written.
+/// All files that bake_file() (bake_frames() for a recipe with animation tracks) would write; `out`
+/// alone where the request cannot be exported.
 std::vector<std::string> export_files(const ExportRequest& request);
 
-/// Reads the mesh, textures it and writes everything or nothing, as `burl bake` does with
-/// bake_options(). Throws Error; before any work where a file that is read would be replaced.
+/// Reads the mesh, bakes the texture and writes all files or none, as `burl bake` does with
+/// bake_options(). Throws Error, and does so before baking where an input would be overwritten.
 void bake_file(const ExportRequest& request);
 
-/// The textures of the frames of a recipe with keys (app/recipe/keyed_recipe.h), at its own rate:
-/// the files of `burl bake --frames`. Throws Error; before any work where `out` is no texture or a
-/// file that is read would be replaced.
+/// Bakes and writes the textures of all frames of a recipe with animation tracks
+/// (app/recipe/keyed_recipe.h) at the recipe's own frame rate: the files of `burl bake --frames`.
+/// Throws Error, and does so before baking where `out` is no texture or an input would be
+/// overwritten.
 void bake_frames(const ExportRequest& request);
 
+/// Runs one export at a time on a thread of its own. All functions may be called by one thread.
 class EditExport {
   public:
-    /// `wake` is called by another thread when an export has ended.
+    /// `wake` is called by the export's thread when an export has ended.
     explicit EditExport(std::function<void()> wake) : wake_(std::move(wake)) {}
 
-    /// Begins once the last one has ended.
+    /// Waits for the running export, then starts this one.
     void start(ExportRequest request);
+    /// Whether an export is running.
     bool busy() const;
+    /// Blocks until no export is running.
     void wait();
-    /// How the last one ended, once: the sentence, and whether it is a problem.
+    /// The result of an export: one sentence, and whether it reports a failure.
     struct Outcome {
         bool problem = false;
         std::string text{};
     };
+    /// Returns and clears the result of the last export; empty: none ended since.
     std::optional<Outcome> take_outcome();
 
   private:
     void run(const ExportRequest& request);
 
     std::function<void()> wake_;
+    // `mutex_` guards busy_ and outcome_.
     mutable std::mutex mutex_;
     bool busy_ = false;
     std::optional<Outcome> outcome_;

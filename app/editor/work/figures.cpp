@@ -9,7 +9,7 @@ namespace burl {
 
 namespace {
 
-/// A triangle's areas: on the surface, and in the texture whose area is 1.
+/// The areas of a triangle: on the surface in units of the scene, and in the texture of area 1.
 struct Areas {
     double surface = 0.0, texture = 0.0;
 };
@@ -32,6 +32,7 @@ std::vector<Areas> triangle_areas(const Scene& scene) {
     return areas;
 }
 
+/// Returns the histogram's bin of a density, given as a multiple of the mean.
 std::size_t bin_of(double density) {
     const double place = 0.5 + 0.5 * std::log(density) / std::log(AtlasFigures::reach);
     const double last = double(AtlasFigures::bins) - 1.0;
@@ -69,7 +70,7 @@ std::shared_ptr<const AtlasFigures> EditFigures::of(
     const std::shared_ptr<const EditSurface>& surface) {
     const std::scoped_lock lock(mutex_);
     if (surface->number == surface_ && !busy_) return figures_;
-    if (busy_) return nullptr;  // the newest one is asked for again
+    if (busy_) return nullptr;  // the caller asks again for the newest surface
     busy_ = true;
     surface_ = surface->number;
     figures_.reset();

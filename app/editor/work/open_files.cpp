@@ -8,6 +8,7 @@ namespace burl {
 
 namespace {
 
+/// Whether an open path is a file on disk rather than a sample, a preset or nothing.
 bool is_file(FileKind kind, const std::string& path) {
     return kind == FileKind::recipe ? kind_of_file(path) == FileKind::recipe
                                     : !path.empty() && !is_sample_mesh(path);
@@ -47,7 +48,8 @@ void EditOpenFiles::set_recipe(const std::string& path) {
     if (file) recent_.add(path);
 }
 
-/// A mesh that changed is always read again: there is nothing of it to lose.
+/// Reads the files that changed on disk: mesh and pose always, as they have no edits to lose, the
+/// recipe unless it is edited.
 void EditOpenFiles::read_changed(bool is_edited) {
     if (watch_.take(FileKind::mesh)) reader_.read({FileKind::mesh, mesh(), true});
     if (watch_.take(FileKind::pose) && !pose().empty())
@@ -57,8 +59,8 @@ void EditOpenFiles::read_changed(bool is_edited) {
     if (!is_edited) reader_.read({FileKind::recipe, recipe(), true});
 }
 
-/// One that was opened in vain is not open; one that was open stays watched, so that it is tried
-/// again when it changes.
+/// Makes a file that was read the open one. A file that cannot be read is not adopted; the open one
+/// stays watched and is read again at its next change.
 void EditOpenFiles::adopt(const FileRead& read) {
     if (read.problem) return;
     paths_[std::size_t(read.kind)] = read.path;
@@ -76,7 +78,8 @@ std::vector<FileRead> EditOpenFiles::take(bool is_edited) {
     read_changed(is_edited);
     std::vector<FileRead> read = reader_.take(), taken;
     for (FileRead& one : read) {
-        if (one.kind == FileKind::pose && one.of_mesh != mesh()) continue;  // another is open now
+        // A pose of a mesh that is no longer open.
+        if (one.kind == FileKind::pose && one.of_mesh != mesh()) continue;
         adopt(one);
         taken.push_back(std::move(one));
     }

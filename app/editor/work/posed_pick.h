@@ -1,6 +1,6 @@
 #pragma once
-// What finds places on a surface on its way to a pose, made beside the user interface once the
-// slider rests: a tree of boxes follows no vertex.
+// The picking structure of a surface part of the way to its pose. A bounding volume hierarchy does
+// not follow moving vertices, so it is built anew in the background once the slider rests.
 #include <memory>
 #include <mutex>
 
@@ -9,14 +9,16 @@
 
 namespace burl {
 
+/// Builds picking structures on a thread of its own. All functions may be called by one thread.
 class EditPosedPick {
   public:
-    /// `wake` is called by another thread when there is a new one.
+    /// `wake` is called by the worker's thread when a structure is ready.
     explicit EditPosedPick(std::function<void()> wake);
 
-    /// Once a frame: what is shown. While it is `moving` none is begun.
+    /// Sets what the window shows, once a frame: a surface that has gone `share` of the way to its
+    /// pose. While the slider is `moving`, no structure is begun.
     void follow(const std::shared_ptr<const EditSurface>& surface, double share, bool moving);
-    /// Of this surface and share; null: not yet.
+    /// The picking structure of this surface at this share; null: not ready.
     std::shared_ptr<const SurfacePick> pick(const std::shared_ptr<const EditSurface>& surface,
                                             double share) const;
 
@@ -24,6 +26,7 @@ class EditPosedPick {
     void wait() const { worker_.wait(); }
 
   private:
+    /// The surface and share that a structure is built for.
     struct Wish {
         std::shared_ptr<const EditSurface> surface{};  ///< null: none
         double share = 0.0;
@@ -31,11 +34,12 @@ class EditPosedPick {
     };
     void work();
 
-    Wish asked_;
-    mutable std::mutex mutex_;  ///< of the next two
+    Wish asked_;  ///< wish of the last follow(); the calling thread's alone
+    // `mutex_` guards wish_ and pick_.
+    mutable std::mutex mutex_;
     Wish wish_;
     std::shared_ptr<const SurfacePick> pick_;
-    EditWorker worker_;  ///< last: it sees all the others
+    EditWorker worker_;  ///< last member: its thread uses all the others
 };
 
 }  // namespace burl

@@ -16,7 +16,7 @@ namespace burl {
 
 namespace {
 
-/// The file itself, and what it names.
+/// Returns the recipe's file and the image files that the recipe names.
 std::vector<std::string> recipe_files(const std::string& path, const Recipe& recipe) {
     std::vector<std::string> files{path};
     std::ranges::move(images_of_recipe(path, recipe), std::back_inserter(files));

@@ -1,6 +1,6 @@
 #pragma once
-// Meshes and recipes are read beside the user interface, which goes on with what it has until they
-// are there.
+// Meshes, poses and recipes are read in the background; the editor goes on with what it has until
+// they are there.
 #include <algorithm>
 #include <array>
 #include <condition_variable>
@@ -21,60 +21,62 @@
 
 namespace burl {
 
-/// A mesh file, or "sample:NAME". Throws Error.
+/// Reads a mesh file or makes "sample:NAME". Throws Error.
 Mesh load_mesh(const std::string& path);
 
-/// What the file names: .json is a recipe.
+/// Returns recipe for the extension .json, mesh for any other.
 FileKind kind_of_file(const std::string& path);
 
-/// A file that was read, or why it was not.
+/// A file that was read, or the reason why it could not be read.
 struct FileRead {
     FileKind kind = FileKind::mesh;
     std::string path{};
-    bool again = false;  ///< it was open already
+    bool again = false;  ///< whether the same file was open already
     std::optional<Error> problem{};
-    std::optional<Mesh> mesh{};  ///< one of the three, unless there is a problem
+    /// The content of the file: one of mesh, recipe and pose, as `kind` says; none after a problem.
+    std::optional<Mesh> mesh{};
     std::optional<Recipe> recipe{};
     std::shared_ptr<const MeshPose> pose{};
-    std::string of_mesh{};                 ///< of a pose
-    std::vector<std::string> own_poses{};  ///< of a mesh: what its file has
-    WatchedFiles files{};                  ///< as they were before they were read
-    double seconds = 0.0;
+    std::string of_mesh{};                 ///< for a pose, the path of its mesh
+    std::vector<std::string> own_poses{};  ///< for a mesh, the names of the poses in its file
+    WatchedFiles files{};                  ///< the files and their states before they were read
+    double seconds = 0.0;                  ///< time that reading took
 };
 
-/// What to read. A pose may be one of its mesh's own (app/surface/load_pose.h).
+/// A request to read a file; the path of a pose may name one of its mesh's own
+/// (app/surface/load_pose.h).
 struct FileWish {
     FileKind kind = FileKind::mesh;
     std::string path{};
-    bool again = false;  ///< it is open already
-    std::string mesh{};  ///< of a pose: its mesh
+    bool again = false;  ///< whether the file is open already
+    std::string mesh{};  ///< for a pose, the path of its mesh
 };
 
-/// Reads one. Never throws Error.
+/// Reads a file; problems are reported in the result. Never throws Error.
 FileRead read_opened(const FileWish& wish);
 
-/// All functions may be called by one thread.
+/// Reads files in the background, at most one wanted per kind. All functions may be called by one
+/// thread.
 class EditReader {
   public:
     /// `wake` is called by another thread when take() has something.
     explicit EditReader(std::function<void()> wake) : wake_(std::move(wake)) {}
     EditReader(const EditReader&) = delete;
     EditReader& operator=(const EditReader&) = delete;
-    /// Waits for what is under way.
+    /// Waits for all files being read.
     ~EditReader();
 
-    /// Begins at once. One of that kind that is still being read is not wanted any more: nobody
-    /// hears of it.
+    /// Begins to read at once; an older read of the same kind is discarded.
     void read(FileWish wish);
-    /// One of that kind that is being read is not wanted any more.
+    /// Discards the `kind` file that is being read or waits for take().
     void forget(FileKind kind);
-    /// What is being read or waits for take(), by kind; empty: nothing.
+    /// The path of the `kind` file that is being read or waits for take(); empty: none.
     std::string reading(FileKind kind) const;
-    /// Nothing is being read, and take() has had all.
+    /// Whether no file is being read or waits for take().
     bool idle() const;
-    /// Until nothing is being read.
+    /// Blocks until no file is being read.
     void wait() const;
-    /// What has been read since, in the order in which that ended.
+    /// Returns and removes the files read, in the order in which reading ended.
     std::vector<FileRead> take();
 
   private:
@@ -82,13 +84,16 @@ class EditReader {
     void run(std::uint64_t number, const FileWish& wish);
 
     std::function<void()> wake_;
+    // `mutex_` guards numbers_, wanted_, paths_ and done_; `changed_` is notified when wanted_
+    // changes.
     mutable std::mutex mutex_;
     mutable std::condition_variable changed_;
     std::uint64_t numbers_ = 0;
     std::array<std::uint64_t, file_kinds>
-        wanted_{};  ///< by kind, the newest that is under way; 0: none
+        wanted_{};  ///< by kind, the number of the newest read under way; 0: none
     std::array<std::string, file_kinds> paths_;
     std::vector<FileRead> done_;
+    /// Reads under way, discarded ones included; the calling thread's alone.
     std::vector<std::future<void>> running_;
 };
 

@@ -13,8 +13,8 @@ namespace burl {
 
 namespace {
 
-/// Distance, in radii, at which a ball fills the view's height and a little more: its rim is not
-/// seen as a polygon.
+/// Returns the distance in radii at which a ball slightly exceeds the view's height, so that its
+/// rim is not seen as a polygon.
 double filling_distance() {
     const double half = 0.5 * vertical_field_of_view_degrees * std::numbers::pi / 180.0;
     return 0.985 / std::sin(half);
@@ -24,6 +24,7 @@ std::uint8_t mean(int a, int b, int c, int d) {
     return static_cast<std::uint8_t>((a + b + c + d + 2) / 4);
 }
 
+/// Halves a square picture by means of 2 x 2 codes.
 Image<Rgb8> halved(const Image<Rgb8>& fine) {
     const std::size_t side = std::max<std::size_t>(fine.width() / 2, 1);
     Image<Rgb8> coarse(side, side);
@@ -69,7 +70,7 @@ void EditThumbnails::make(const Key& key) {
     std::shared_ptr<const Image<Rgb8>> picture;
     try {
         picture = std::make_shared<Image<Rgb8>>(ball_picture(load_recipe(key.first), key.second));
-    } catch (const Error&) {  // it stays without
+    } catch (const Error&) {  // a recipe that cannot be drawn has no thumbnail
     }
     {
         const std::scoped_lock lock(mutex_);

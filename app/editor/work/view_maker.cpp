@@ -6,7 +6,7 @@ namespace burl {
 
 namespace {
 
-/// Empty: somebody did not wait.
+/// Makes the picture of a texture's error; empty: `stop` was requested first.
 std::optional<SheetPicture> error_picture(const ViewWish& wish, const std::stop_token& stop) {
     SheetPicture picture{wish};
     picture.problem = no_reference(*wish.recipe, wish.sheet->box);
@@ -56,7 +56,7 @@ std::shared_ptr<const SurfaceLines> EditViewMaker::lines() const {
 void EditViewMaker::make_lines(const std::shared_ptr<const EditSurface>& surface) {
     auto lines = std::make_shared<const SurfaceLines>(surface_lines(surface->scene));
     const std::scoped_lock lock(mutex_);
-    if (next_.lines != surface) return;  // nobody wants them any more
+    if (next_.lines != surface) return;  // the surface is no longer wished for
     lines_ = std::move(lines);
     surface_ = surface;
 }
@@ -69,11 +69,11 @@ void EditViewMaker::make_picture(const ViewWish& wish, const std::stop_token& st
         picture = SheetPicture{wish, sheet_levels(*wish.sheet, wish.mode)};
     if (!picture) return;
     const std::scoped_lock lock(mutex_);
-    if (!next_.sheet) return;  // nobody looks any more
+    if (!next_.sheet) return;  // atlas pictures are no longer wished for
     picture_ = std::make_shared<const SheetPicture>(std::move(*picture));
 }
 
-/// Nothing that is there already is made again.
+/// Makes the parts of the wish that are not there yet.
 void EditViewMaker::work(const std::stop_token& stop) {
     ViewWish wish;
     bool lines = false, picture = false;

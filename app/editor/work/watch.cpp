@@ -40,7 +40,7 @@ void FileWatch::watch(FileKind kind, WatchedFiles files) {
     ++versions_[std::size_t(kind)];
 }
 
-/// The lock is not held while the disk answers.
+/// Looks at the files of one kind; the mutex is not held while the disk answers.
 bool FileWatch::look(FileKind kind) {
     const auto k = std::size_t(kind);
     std::unique_lock lock(mutex_);

@@ -1,7 +1,7 @@
 #pragma once
-// Files on disk that an editor shows: whether one was changed by somebody else. They are looked at
-// again and again, as that works on every file system, and a change counts once the file has been
-// the same for two looks, so that one which is still being written is left alone.
+// Finds out when files that an editor has open change on disk. The files are polled, which works on
+// every file system. A change counts once two looks in a row find the same state, so that a file
+// that is still being written is not read.
 #include <array>
 #include <chrono>
 #include <condition_variable>
@@ -16,43 +16,44 @@
 
 namespace burl {
 
-/// What an editor has opened.
+/// The kinds of files that an editor opens.
 enum class FileKind { mesh, recipe, pose };
 inline constexpr std::size_t file_kinds = 3;
 
-/// What tells one state of a file from another.
+/// Attributes by which two states of a file differ.
 struct FileStamp {
-    std::int64_t seconds = 0, nanoseconds = 0;  ///< when it was last written
+    std::int64_t seconds = 0, nanoseconds = 0;  ///< time of the last modification
     std::uint64_t bytes = 0, inode = 0;
     bool operator==(const FileStamp&) const = default;
 };
 
-/// A mesh is several files where it has buffers of its own, a recipe where it names images.
+/// The files of one mesh, recipe or pose, and their states: a glTF mesh may have buffers in files
+/// of their own, and a recipe may name images.
 struct WatchedFiles {
     std::vector<std::string> paths{};
-    std::vector<std::optional<FileStamp>> stamps{};  ///< nothing: not there
+    std::vector<std::optional<FileStamp>> stamps{};  ///< one per path; empty: no such file
     bool operator==(const WatchedFiles&) const = default;
 };
 
-/// As the files are now.
+/// Returns the files with their present states.
 WatchedFiles look_at(std::vector<std::string> paths);
 
-/// Whether files have changed, from looks at them.
+/// Detects changes from successive looks at the same files.
 class FileChange {
   public:
-    /// The state that is known; none of files that are no longer watched counts.
+    /// `known` is the state that the program has read; no paths: nothing is watched.
     explicit FileChange(WatchedFiles known = {}) : known_(known), last_(std::move(known)) {}
 
     const std::vector<std::string>& paths() const { return known_.paths; }
-    /// True once for every state that is not the known one, when two looks in a row have found it
-    /// and every file is there. It is the known one then.
+    /// Returns true if every file is there, in a state found by two looks in a row that is not the
+    /// known one; the state is the known one from then on.
     bool look(WatchedFiles now);
 
   private:
     WatchedFiles known_, last_;
 };
 
-/// Looks at the files of a mesh, of a recipe and of a pose. All functions may be called by any
+/// Watches the files of a mesh, of a recipe and of a pose. All functions may be called by any
 /// thread.
 class FileWatch {
   public:
@@ -60,14 +61,14 @@ class FileWatch {
     FileWatch(const FileWatch&) = delete;
     FileWatch& operator=(const FileWatch&) = delete;
 
-    /// From now on these, which were in this state when they were read; none: nothing.
+    /// Watches `files`, whose stamps are those found when the files were read; no paths: nothing.
     void watch(FileKind kind, WatchedFiles files);
-    /// Looks once; whether take() has something new.
+    /// Looks once at all files; returns whether one of the kinds changed.
     bool look();
-    /// From now on looks twice a second, on a thread of its own that calls `wake` for news.
+    /// Starts a thread that looks once every `period` and calls `wake` after a change.
     void start(std::function<void()> wake,
                std::chrono::milliseconds period = std::chrono::milliseconds(500));
-    /// Whether the files have changed since they were read or this was last asked.
+    /// Returns whether the `kind` files changed since they were read or since the last call.
     bool take(FileKind kind);
 
   private:
@@ -75,12 +76,13 @@ class FileWatch {
              std::chrono::milliseconds period);
     bool look(FileKind kind);
 
+    // `mutex_` guards changes_, versions_ and changed_.
     std::mutex mutex_;
     std::condition_variable_any ending_;
     std::array<FileChange, file_kinds> changes_;
-    std::array<std::uint64_t, file_kinds> versions_{};  ///< of what is watched
+    std::array<std::uint64_t, file_kinds> versions_{};  ///< incremented by every watch()
     std::array<bool, file_kinds> changed_{};
-    std::jthread thread_;  ///< last: it sees all the others
+    std::jthread thread_;  ///< last member: it uses all the others
 };
 
 }  // namespace burl

@@ -1,5 +1,5 @@
 #pragma once
-// Runs the built program the way a shell would and keeps what it said, for tests of whole commands.
+// Runs the built programs as a shell would and keeps their output, for tests of whole commands.
 #include <sys/wait.h>
 
 #include <cstdlib>
@@ -17,6 +17,7 @@ namespace burl::test {
 
 namespace fs = std::filesystem;
 
+/// The exit code and the output of a program.
 struct Outcome {
     int exit_code = -1;  ///< 128 + signal when the program was killed
     std::string out, err;
@@ -29,7 +30,7 @@ inline std::string slurp(const fs::path& path) {
     return text.str();
 }
 
-/// A folder of the running test's own, empty at the start and gone at the end.
+/// A folder of the running test's own, empty at the start and removed at the end.
 class Scratch {
   public:
     Scratch() {
@@ -61,8 +62,8 @@ class Scratch {
     fs::path path_;
 };
 
-/// `PROGRAM ARGUMENTS`, one of the built programs, with `prefix` (shell text such as "ulimit -f
-/// 1;") before it.
+/// Runs `PROGRAM ARGUMENTS`, one of the built programs, after `prefix`, shell text such as "ulimit
+/// -f 1;".
 inline Outcome run_program(const Scratch& scratch, const std::string& program,
                            const std::string& arguments, const std::string& prefix = "") {
     const std::string out = scratch / "stdout.txt", err = scratch / "stderr.txt";
@@ -81,7 +82,7 @@ inline Outcome run_burl(const Scratch& scratch, const std::string& arguments,
     return run_program(scratch, "burl", arguments, prefix);
 }
 
-/// One line that begins with the program's name.
+/// Expects one line that begins with the program's name.
 inline void expect_one_sentence(const std::string& text) {
     EXPECT_TRUE(text.starts_with("burl: ")) << text;
     EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1) << text;

@@ -14,7 +14,7 @@ inline void add_whole_part(Mesh& mesh) {
     mesh.parts = {{mesh.name, 0, std::uint32_t(mesh.triangles.size()), {Mat4d(1.0)}}};
 }
 
-/// Cube of side 2 about `centre`, two triangles per side, outside counter-clockwise.
+/// Returns a cube of side 2 about `centre`, with two triangles per side, counter-clockwise outside.
 inline Mesh cube_mesh(const Vec3d& centre = Vec3d(0.0)) {
     Mesh mesh;
     mesh.name = "cube";
@@ -31,7 +31,7 @@ inline Mesh cube_mesh(const Vec3d& centre = Vec3d(0.0)) {
     return mesh;
 }
 
-/// Unit sphere by latitude and longitude, poles closed with triangles.
+/// Returns a unit sphere by latitude and longitude; triangles close the poles.
 inline Mesh sphere_mesh(std::uint32_t rings, std::uint32_t segments) {
     Mesh mesh;
     mesh.name = "sphere";
@@ -61,8 +61,9 @@ inline Mesh sphere_mesh(std::uint32_t rings, std::uint32_t segments) {
     return mesh;
 }
 
-/// Triangles 2i and 2i+1 fill one square cell and share its diagonal, so a mesh that lists the two
-/// halves of each quad in turn, as cube_mesh does, shares two vertices per pair.
+/// Returns an atlas in which triangles 2i and 2i+1 fill one square cell and share its diagonal. A
+/// mesh that lists the two halves of each quad in turn, as cube_mesh does, shares two vertices per
+/// pair.
 inline Atlas pair_atlas(const Mesh& mesh, std::uint32_t size,
                         Overscan overscan = Overscan::bilinear) {
     Atlas atlas;
@@ -84,7 +85,7 @@ inline Atlas pair_atlas(const Mesh& mesh, std::uint32_t size,
     return atlas;
 }
 
-/// A different colour in every texel, so that a swap or shift shows.
+/// Returns an image whose texels differ, so that a swap or shift shows.
 inline Image<Rgb8> sample_image(std::uint32_t size) {
     Image<Rgb8> image(size, size);
     for (std::uint32_t y = 0; y < size; ++y) {
@@ -96,7 +97,7 @@ inline Image<Rgb8> sample_image(std::uint32_t size) {
     return image;
 }
 
-/// A placement: turn about Z by `degrees`, then scale, then move.
+/// Returns a placement that turns about Z by `degrees`, then scales, then translates.
 inline Mat4d placement(double degrees, const Vec3d& scale, const Vec3d& move) {
     const double c = std::cos(degrees * std::numbers::pi / 180);
     const double s = std::sin(degrees * std::numbers::pi / 180);

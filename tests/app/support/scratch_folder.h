@@ -1,5 +1,5 @@
 #pragma once
-// A folder of a test's own, empty at the start and gone at the end.
+// A folder of the test's own, empty at the start and removed at the end.
 #include <filesystem>
 #include <string>
 
@@ -29,7 +29,7 @@ class ScratchFolder {
 
     std::string operator/(const std::string& name) const { return (path_ / name).string(); }
     std::string path() const { return path_.string(); }
-    /// Names in the folder, hidden ones included.
+    /// The number of entries in the folder, hidden ones included.
     std::size_t entries() const {
         return std::size_t(std::distance(std::filesystem::directory_iterator(path_), {}));
     }

@@ -1,5 +1,5 @@
 #pragma once
-// What a recipe's solid transform does to points, for tests of the tools that change it.
+// The map of a recipe's solid transform, for tests of the tools that change it.
 #include "app/recipe/recipe.h"
 
 namespace burl {

@@ -1,7 +1,7 @@
 #pragma once
-// A display nobody sees (Xvfb) with a mouse and a keyboard (the X test extension), for tests that
-// use windows as a person does. The libraries are loaded when they are needed, so that tests build
-// and say why they are skipped without them.
+// An invisible display (Xvfb) with a mouse and a keyboard (the X test extension), for tests that
+// use windows as a person does. The libraries are loaded at run time, so that tests build without
+// them and say why they are skipped.
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <link.h>
@@ -20,10 +20,10 @@
 
 namespace burl::test {
 
-/// Xvfb on a display of its own while it lives.
+/// An Xvfb server on a display of its own, ended by the destructor.
 class XServer {
   public:
-    /// `screen` as Xvfb takes it, such as "1200x900x24".
+    /// Starts the server; `screen` is Xvfb's option, such as "1200x900x24".
     explicit XServer(const std::string& screen) {
         int ends[2];
         if (pipe(ends) != 0) return;
@@ -49,11 +49,12 @@ class XServer {
         waitpid(process_, nullptr, 0);
     }
 
-    /// ":99"; empty: it did not start.
+    /// The display's name, such as ":99"; empty: the server did not start.
     const std::string& display() const { return display_; }
 
   private:
-    /// The server writes its display's number and a line's end once it takes connections.
+    /// Reads the number of the display, which the server writes on a line once it accepts
+    /// connections.
     void read_number(int from) {
         std::string number;
         pollfd ready{from, POLLIN, 0};
@@ -66,8 +67,8 @@ class XServer {
     std::string display_;
 };
 
-/// The libraries that are loaded now stay to the process's end, so that the leak checker can name
-/// those whose memory the drivers of displays leave behind (tests/lsan.supp).
+/// Keeps the libraries loaded now until the process ends, so that the leak checker can name those
+/// whose memory display drivers leave behind (tests/lsan.supp).
 inline void keep_libraries() {
     std::vector<std::string> names;
     dl_iterate_phdr(
@@ -80,11 +81,11 @@ inline void keep_libraries() {
         if (!name.empty()) dlopen(name.c_str(), RTLD_LAZY | RTLD_NOLOAD | RTLD_NODELETE);
 }
 
-/// What moves the pointer and presses buttons and keys of a display. Every call is with the server
-/// when it returns.
+/// Moves the pointer and presses buttons and keys of a display. The server has handled a call when
+/// it returns.
 class XHand {
   public:
-    /// problem() says why it cannot.
+    /// Connects to a display; problem() says why that failed.
     explicit XHand(const std::string& display)
         : x11_(dlopen("libX11.so.6", RTLD_NOW)), xtst_(dlopen("libXtst.so.6", RTLD_NOW)) {
         if (x11_ == nullptr || xtst_ == nullptr) {
@@ -107,27 +108,28 @@ class XHand {
     }
     const std::string& problem() const { return problem_; }
 
-    /// To a place on the screen.
+    /// Moves the pointer to a position on the screen.
     void move(const glm::dvec2& to) const {
         call<int (*)(void*, int, int, int, unsigned long)>(xtst_, "XTestFakeMotionEvent")(
             display_, -1, int(to.x), int(to.y), 0);
         sync();
     }
-    /// 1 left, 2 middle, 3 right.
+    /// Presses or releases a button: 1 left, 2 middle, 3 right.
     void button(unsigned number, bool down) const {
         call<int (*)(void*, unsigned, int, unsigned long)>(xtst_, "XTestFakeButtonEvent")(
             display_, number, down ? 1 : 0, 0);
         sync();
     }
-    /// A key by its X name, such as "z", "Control_L" or "F1".
+    /// Presses or releases a key by its X name, such as "z", "Control_L" or "F1".
     void key(const std::string& name, bool down) const {
         const auto sym = call<unsigned long (*)(const char*)>(x11_, "XStringToKeysym");
         press(code_of(sym(name.c_str())), down);
     }
-    /// Characters of ASCII.
+    /// Types ASCII text.
     void type(const std::string& text) const {
         for (const char c : text) {
-            const auto sym = static_cast<unsigned char>(c);  // keysyms of Latin-1 are its codes
+            // Keysyms of Latin-1 characters are their codes.
+            const auto sym = static_cast<unsigned char>(c);
             const unsigned char code = code_of(sym);
             const auto plain = call<unsigned long (*)(void*, unsigned char, int, int)>(
                 x11_, "XkbKeycodeToKeysym")(display_, code, 0, 0);

@@ -1,6 +1,6 @@
 #pragma once
-// Builds small glTF files for tests: accessors are appended to one buffer, which is written inside
-// the JSON, in a GLB, or in a file of its own.
+// A builder of small glTF files for tests: accessors are appended to one buffer, which is written
+// inside the JSON, in a GLB, or in a file of its own.
 #include <nlohmann/json.hpp>
 
 #include "tests/atlas/support/mesh_files.h"
@@ -13,7 +13,7 @@ class GltfFile {
 
     GltfFile() { root["asset"]["version"] = "2.0"; }
 
-    /// Appends bytes (aligned to four) as a bufferView; returns its number.
+    /// Appends bytes (aligned to four) as a bufferView; returns its index.
     int view(const std::string& data, int stride = 0) {
         binary.resize((binary.size() + 3) / 4 * 4, '\0');
         Json v{{"buffer", 0}, {"byteOffset", binary.size()}, {"byteLength", data.size()}};
@@ -22,7 +22,7 @@ class GltfFile {
         root["bufferViews"].push_back(v);
         return static_cast<int>(root["bufferViews"].size()) - 1;
     }
-    /// Appends an accessor over a view (-1: none); returns its number.
+    /// Appends an accessor over a view (-1: none); returns its index.
     int accessor(int buffer_view, int component_type, const std::string& type, std::size_t count,
                  const Json& more = Json::object()) {
         Json a{{"componentType", component_type}, {"type", type}, {"count", count}};
@@ -44,12 +44,12 @@ class GltfFile {
     int shorts(const std::vector<std::uint16_t>& indices) {
         return accessor(view(packed(indices)), 5123, "SCALAR", indices.size());
     }
-    /// Appends a mesh of one primitive; returns its number.
+    /// Appends a mesh of one primitive; returns its index.
     int mesh(const Json& primitive) {
         root["meshes"].push_back({{"primitives", Json::array({primitive})}});
         return static_cast<int>(root["meshes"].size()) - 1;
     }
-    /// A mesh of the triangle (0,0,0) (1,0,0) (0,1,0).
+    /// Appends a mesh of the triangle (0,0,0) (1,0,0) (0,1,0); returns its index.
     int triangle() {
         return mesh({{"attributes", {{"POSITION", positions({0, 0, 0, 1, 0, 0, 0, 1, 0})}}}});
     }

@@ -1,10 +1,11 @@
 #pragma once
-// What a cut round Gaussian leaves of a wave, summed over a fine grid.
+// The share of a wave that a truncated round Gaussian keeps, summed over a fine grid.
 #include <cmath>
 
 namespace burl::made {
 
-/// Share of cos(k x) kept at x = 0 by exp(-r^2 / 2) within r <= cut; k per standard deviation.
+/// Returns the share of cos(k x) kept at x = 0 by exp(-r^2 / 2) within r <= cut; k is in radians
+/// per standard deviation.
 inline double kept_by_gaussian(double k, double cut) {
     double kept = 0.0, total = 0.0;
     for (double x = -cut + 0.01; x < cut; x += 0.02)

@@ -1,6 +1,6 @@
 #pragma once
-// Meshes the tests make themselves, and neighbours found by comparing every edge with every other:
-// slow, and independent of the half-edge structure.
+// Meshes made by the tests, and neighbours found by sorting edges, independent of the half-edge
+// structure.
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -26,6 +26,7 @@ inline Mesh mesh_of(std::vector<Vec3d> positions, std::vector<Triangle> triangle
     return mesh;
 }
 
+/// Returns the neighbours of all triangles: those that share an edge no third triangle has.
 inline Connectivity neighbours_by_brute_force(const Mesh& mesh) {
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::pair<std::size_t, int>>>
         edges;
@@ -46,7 +47,7 @@ inline Connectivity neighbours_by_brute_force(const Mesh& mesh) {
     return connectivity;
 }
 
-/// A bumpy sheet of columns x rows squares, cut along one diagonal.
+/// Returns a bumpy sheet of columns x rows squares, cut along one diagonal.
 inline Mesh grid(std::uint32_t columns, std::uint32_t rows) {
     std::vector<Vec3d> positions;
     std::vector<Triangle> triangles;
@@ -63,7 +64,8 @@ inline Mesh grid(std::uint32_t columns, std::uint32_t rows) {
     return mesh_of(positions, triangles);
 }
 
-/// A sphere-like closed surface: an octahedron, every triangle cut in four `depth` times.
+/// Returns a closed surface like a sphere: an octahedron whose triangles are divided into four
+/// `depth` times.
 inline Mesh ball(int depth) {
     std::vector<Vec3d> p{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
     std::vector<Triangle> triangles{{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4},
@@ -86,7 +88,7 @@ inline Mesh ball(int depth) {
     return mesh_of(p, triangles);
 }
 
-/// Triangles that touch nothing, sizes spread over about two decades.
+/// Returns separate triangles, with areas over about two decades.
 inline Mesh soup(std::uint32_t count, std::uint32_t seed) {
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> place(-1.0, 1.0);
@@ -102,7 +104,7 @@ inline Mesh soup(std::uint32_t count, std::uint32_t seed) {
     return mesh_of(positions, triangles);
 }
 
-/// A disk of slivers around one point, radius 1.
+/// Returns a disk of radius 1 made of slivers around one point.
 inline Mesh fan(std::uint32_t count) {
     std::vector<Vec3d> positions{{0, 0, 0}};
     std::vector<Triangle> triangles;
@@ -114,7 +116,7 @@ inline Mesh fan(std::uint32_t count) {
     return mesh_of(positions, triangles);
 }
 
-/// A long ribbon whose quads shrink by `factor` each: weights over many decades.
+/// Returns a ribbon whose quads shrink by `factor` each, so that weights span many decades.
 inline Mesh taper(std::uint32_t quads, double factor) {
     std::vector<Vec3d> positions{{0, 0, 0}, {0, 1, 0}};
     std::vector<Triangle> triangles;
@@ -134,12 +136,13 @@ inline Mesh one_triangle() {
     return mesh_of({{0, 0, 0}, {3, 0, 0}, {0, 4, 0}}, {{0, 1, 2}});
 }
 
-/// A unit square of two triangles.
+/// Returns a unit square of two triangles.
 inline Mesh square() {
     return mesh_of({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}});
 }
 
-/// A cube with repeated points, collinear points, duplicates and an edge with three faces.
+/// Returns a ball with repeated points, collinear points, duplicates and an edge of three
+/// triangles.
 inline Mesh nasty() {
     Mesh mesh = ball(1);
     const auto n = static_cast<std::uint32_t>(mesh.positions.size());
@@ -151,12 +154,12 @@ inline Mesh nasty() {
     return mesh_of(mesh.positions, t);
 }
 
-/// Whether atlases of this kind come in this size.
+/// Whether atlases of this kind can have this size.
 inline bool allowed(AtlasKind kind, std::uint32_t size) {
     return kind != AtlasKind::quad || std::has_single_bit(size);
 }
 
-/// Per triangle whether it lies in a block one texel wide, where it has no area.
+/// Returns for every triangle whether it lies in a block one texel wide, in which it has no area.
 inline std::vector<bool> collapsed_triangles(const Atlas& atlas) {
     std::vector<bool> collapsed(atlas.corners.size(), false);
     for (const Block& block : atlas.blocks)

@@ -1,6 +1,6 @@
 #pragma once
 // Meshes with a known topology for the patch tests, whole meshes as patches, and checks of a patch
-// and a map that use nothing but their definition.
+// and a map that use only their definitions.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -14,7 +14,7 @@
 
 namespace burl::made {
 
-/// Columns x rows squares bent into an open tube round z: two loops, no handle.
+/// Returns columns x rows squares bent into an open tube about z: two loops, no handle.
 inline Mesh tube(std::uint32_t columns, std::uint32_t rows, double height) {
     std::vector<Vec3d> positions;
     std::vector<Triangle> triangles;
@@ -32,7 +32,7 @@ inline Mesh tube(std::uint32_t columns, std::uint32_t rows, double height) {
     return mesh_of(positions, triangles);
 }
 
-/// A closed ring: no loop, one handle.
+/// Returns a closed ring: no loop, one handle.
 inline Mesh ring(std::uint32_t columns, std::uint32_t rows) {
     std::vector<Vec3d> positions;
     std::vector<Triangle> triangles;
@@ -53,7 +53,7 @@ inline Mesh ring(std::uint32_t columns, std::uint32_t rows) {
     return mesh_of(positions, triangles);
 }
 
-/// A closed box of sides 1 x 2 x 3, n x n squares on each side, points shared.
+/// Returns a closed box of sides 1 x 2 x 3, with n x n squares on each side and shared points.
 inline Mesh box(std::uint32_t n) {
     std::vector<Vec3d> positions;
     std::vector<Triangle> triangles;
@@ -96,7 +96,7 @@ inline Patch whole(const Mesh& mesh) {
     return patch_of(mesh, faces);
 }
 
-/// A disk grown at random on a bumpy sheet: ragged, with ears.
+/// Returns a disk grown at random on a bumpy sheet: ragged, with ears.
 inline Patch random_disk(std::uint32_t seed, std::size_t faces) {
     Mesh mesh = grid(20, 20);
     std::mt19937 random(seed);
@@ -118,8 +118,8 @@ inline Patch random_disk(std::uint32_t seed, std::size_t faces) {
     return extract_patch(mesh, connectivity, chosen, local);
 }
 
-/// Neighbours agree with each other and with the vertices, vertices with the neighbours, and loops
-/// hold every border half-edge once.
+/// Expects that neighbours and vertices agree with each other, and that the loops hold every border
+/// half-edge once.
 inline void expect_sound(const Patch& patch) {
     ASSERT_EQ(patch.points.size(), patch.origins.size());
     ASSERT_EQ(patch.triangles.size(), patch.neighbours.size());
@@ -150,14 +150,14 @@ inline void expect_sound(const Patch& patch) {
     EXPECT_EQ(in_loops, border);
 }
 
-/// Signed area of a triangle in the unit square.
+/// Returns the signed area of a triangle in the unit square.
 inline double uv_area(const Patch& patch, const std::vector<Vec2d>& uv, std::size_t t) {
     const Triangle& v = patch.triangles[t];
     const Vec2d a = uv[v[1]] - uv[v[0]], b = uv[v[2]] - uv[v[0]];
     return 0.5 * (a.x * b.y - a.y * b.x);
 }
 
-/// No triangle flipped, and together they fill the unit square exactly once: one to one.
+/// Expects a one-to-one map: no triangle is flipped, and together they fill the unit square once.
 inline void expect_fills_square(const Patch& patch, const std::vector<Vec2d>& uv) {
     double sum = 0.0;
     for (std::size_t t = 0; t < patch.triangles.size(); ++t) {

@@ -1,6 +1,6 @@
 #pragma once
-// Small mesh files for the reader tests: written to a folder of the running test's own, since CTest
-// runs cases side by side.
+// Small mesh files for the reader tests, in a folder of the running test's own, as CTest runs cases
+// side by side.
 #include <gtest/gtest.h>
 
 #include <cstdint>
@@ -17,7 +17,7 @@
 
 namespace burl::test {
 
-/// binary_folder()/tmp/<suite>.<test>/, made if need be.
+/// Returns the folder binary_folder()/tmp/<suite>.<test>/, which is created if necessary.
 inline std::filesystem::path test_folder() {
     const auto* info = testing::UnitTest::GetInstance()->current_test_info();
     const auto folder = std::filesystem::path(test::binary_folder()) / "tmp" /
@@ -28,19 +28,19 @@ inline std::filesystem::path test_folder() {
 
 inline std::string write_file(const std::string& name, const std::string& content) {
     const std::string path = (test_folder() / name).string();
-    std::filesystem::remove(path);  // truncating one instead makes ext4 write it to disk at once
+    std::filesystem::remove(path);  // truncating a file instead makes ext4 write it to disk at once
     std::ofstream(path, std::ios::binary) << content;
     return path;
 }
 
-/// Reads a mesh from memory, as if it stood in the test's folder.
+/// Reads a mesh from memory, as if it were a file in the test's folder.
 inline Mesh read_text(const std::string& name, const std::string& content,
                       const ReadOptions& options = {}) {
     const std::string path = (test_folder() / name).string();
     return build_mesh(parse_mesh(buffer_from(content, path), options), path, options);
 }
 
-/// Expects an Error with `code` whose message holds `part` (after the folder's path).
+/// Expects an Error with `code` whose one-line message contains `part`.
 inline void expect_error(const std::function<void()>& action, ExitCode code,
                          const std::string& part) {
     try {
@@ -59,7 +59,7 @@ inline void expect_invalid(const std::string& name, const std::string& content,
     expect_error([&] { read_text(name, content); }, ExitCode::invalid_file, part);
 }
 
-/// The bytes of `value`, in this (little-endian) machine's order, or reversed.
+/// Returns the bytes of `value` in this (little-endian) machine's order, or reversed.
 template <typename Value>
 std::string bytes_of(Value value, bool big_endian = false) {
     std::string bytes(sizeof value, '\0');
@@ -73,7 +73,7 @@ inline double total_area(const Mesh& mesh) {
     return area;
 }
 
-/// The position of corner 3t+k.
+/// Returns the position of corner 3t+k.
 inline Vec3d corner(const Mesh& mesh, std::size_t t, std::size_t k) {
     return mesh.positions[mesh.triangles[t][k]];
 }

@@ -1,5 +1,5 @@
 #pragma once
-// One small graph for every node of the table, and what tests of graphs share.
+// A small graph for every node of the table, and helpers shared by the tests of graphs.
 #include <array>
 #include <random>
 #include <string>
@@ -14,6 +14,7 @@
 
 namespace burl {
 
+/// A graph as JSON that uses one node.
 struct GraphCase {
     std::string_view node, json;
 };
@@ -33,7 +34,8 @@ inline constexpr std::array graph_cases{
         "input": {"node": "add", "a": 0.5, "b": {"node": "fbm"}}})"},
     GraphCase{"sin", R"({"node": "sin", "input": {"node": "multiply", "a": 5,
         "b": {"node": "fbm", "octaves": 2}}})"},
-    // Of a plane alone the slope's own gradient is 0, which is all that the node knows.
+    // The slope of a plane is constant, so the gradient 0, which is all that the node gives, is
+    // right.
     GraphCase{"slope", R"({"node": "slope", "direction": [1, -2, 3],
         "input": {"node": "coordinate", "direction": [0.5, 4, 2]}})"},
     GraphCase{"floor", R"({"node": "floor", "input": {"node": "coordinate"}})"},
@@ -98,7 +100,7 @@ inline Image<Rgb8> random_image(std::size_t width, std::size_t height) {
     return image;
 }
 
-/// The image that every case reads.
+/// Returns the image that every case reads.
 inline Image<Rgb8> case_image(const std::string&) {
     return random_image(12, 16);
 }
@@ -110,7 +112,7 @@ inline TextureGraph graph_of(std::string_view json) {
                            });
 }
 
-/// One channel at one point.
+/// Returns one channel at a point.
 inline Dual sample_of(const TextureGraph& graph, const Vec3d& point,
                       const Footprint& footprint = {}, std::size_t channel = 0) {
     return GraphEvaluator(graph)(point, footprint).channels[channel];
@@ -128,7 +130,7 @@ inline std::vector<Vec3d> random_points(std::size_t count, double reach, std::ui
     return points;
 }
 
-/// What a batch of points gives is what each of them gives by itself, to the bit.
+/// Expects that a batch of points gives, to the bit, what every point gives by itself.
 inline void expect_batches_equal_points(const GraphEvaluator& evaluate,
                                         const std::vector<Vec3d>& points,
                                         const std::vector<Footprint>& footprints,

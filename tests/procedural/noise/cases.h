@@ -1,5 +1,5 @@
 #pragma once
-// Every noise there is in N dimensions, by name, and random points to ask it at.
+// All noises that exist in N dimensions, by name, and random points at which to evaluate them.
 #include <random>
 #include <string>
 #include <vector>
@@ -13,6 +13,7 @@ struct NoiseCase {
     NoiseSpec noise;
 };
 
+/// Returns the noises that are defined in that number of dimensions.
 inline std::vector<NoiseCase> noise_cases(std::size_t dimensions) {
     std::vector<NoiseCase> all{
         {"value linear", {.kind = NoiseKind::value, .fade = Fade::linear}},
@@ -34,7 +35,8 @@ inline std::vector<NoiseCase> noise_cases(std::size_t dimensions) {
     return defined;
 }
 
-/// Interpolated noises and the continuous simplex: no jumps in value.
+/// Whether the noise's value is continuous: interpolated noises and simplex noise with a small
+/// radius.
 inline bool is_continuous(const NoiseCase& one, std::size_t dimensions) {
     const NoiseKind kind = one.noise.kind;
     if (kind == NoiseKind::cell || kind == NoiseKind::white) return false;
@@ -49,6 +51,7 @@ Point<N> random_point(std::mt19937& random, double reach) {
     return p;
 }
 
+/// Calls function(integral_constant) for 1, 2, 3 and 4 dimensions.
 template <class Function>
 void for_each_dimension(Function&& function) {
     function(std::integral_constant<std::size_t, 1>());

@@ -10,7 +10,7 @@ struct ReferenceValue {
     double x, y, z, noise;
 };
 
-/// The reference function of "Noise Hardware" (2001), appendix B.
+/// Values of the reference function of "Noise Hardware" (2001), appendix B.
 inline constexpr ReferenceValue simplex_values[] = {
     {0.16714090556234673, 0.39816884937181340, -0.36201987013937000, 0.075668942270398500},
     {6.1257006137178040, 0.40920200618752345, 1.1568931241588598, 0.058384781811391145},
@@ -134,7 +134,7 @@ inline constexpr ReferenceValue simplex_values[] = {
     {21.578660210337830, -966.29386641075750, -740.48266988345040, 0.23113272823011052},
 };
 
-/// Three-dimensional noise of appendix A, evaluated in float64.
+/// Values of the three-dimensional noise of appendix A, evaluated in float64.
 inline constexpr ReferenceValue classic_values[] = {
     {9.9358317736928825, -90.858279318683799, 115.43978733612192, 0.28048546204460389},
     {-2.4154460590584108, 0.14586392520200775, 2.9251002128002028, -0.19573272689463161},
@@ -258,7 +258,7 @@ inline constexpr ReferenceValue classic_values[] = {
     {-3.7672113213894818, 0.12960993730823134, 3.9154467942750557, 0.078929812081489303},
 };
 
-/// Entries of the tables of appendix A: index, p and the gradient g3.
+/// Entries of the tables of appendix A: index, permutation p and gradient g3.
 struct ReferenceEntry {
     std::uint32_t i, p;
     std::array<double, 3> g;

@@ -8,7 +8,7 @@
 
 namespace burl::test {
 
-/// Every noise whose corners texels can share.
+/// A noise whose corners neighbouring texels can share.
 struct NoiseName {
     NoiseKind kind = NoiseKind::value;
     Fade fade = Fade::smooth;
@@ -18,7 +18,7 @@ inline constexpr NoiseName shared_noises[] = {{NoiseKind::value, Fade::linear},
                                               {NoiseKind::value, Fade::quintic},
                                               {NoiseKind::perlin, Fade::quintic}};
 
-/// Texels `first` to first + count - 1 of a span of `length`.
+/// Returns the piece of texels `first` to first + count - 1 of a span of `length` texels.
 inline Piece piece(const Vec3d& start, const Vec3d& step, double first, std::size_t count,
                    double length) {
     Piece result;
@@ -32,8 +32,8 @@ inline Vec3d random_vector(std::mt19937& random, double size) {
     return {unit(random), unit(random), unit(random)};
 }
 
-/// batch_capacity texels in pieces of 1 to 40, within `reach` of the origin, whose sides are up to
-/// `side` on every axis, some of them much shorter.
+/// Returns batch_capacity texels in pieces of 1 to 40, within `reach` of the origin. Their sides
+/// are up to `side` long on every axis, and some are much shorter.
 inline std::vector<Piece> random_batch(std::mt19937& random, double reach, double side) {
     std::vector<Piece> pieces;
     for (std::size_t left = batch_capacity; left > 0;) {
@@ -48,7 +48,7 @@ inline std::vector<Piece> random_batch(std::mt19937& random, double reach, doubl
     return pieces;
 }
 
-/// visit(texel of the batch, its piece, its centre).
+/// Calls visit(index of the texel in the batch, its piece, its centre) for every texel.
 template <class Visit>
 void for_each_texel(const std::vector<Piece>& pieces, const Visit& visit) {
     std::size_t at = 0;

@@ -1,17 +1,18 @@
 #pragma once
-// A SolidAtlas made without mesh or layout: rectangles of texels with random affine maps.
+// A SolidAtlas made without a mesh or a layout: rectangles of texels with random affine maps.
 #include <random>
 
 #include "atlas/solid/solid_atlas.h"
 
 namespace burl {
 
+/// The parameters of a synthetic atlas.
 struct SyntheticAtlas {
-    std::uint32_t size = 64;   ///< N
-    std::uint32_t block = 16;  ///< side of a rectangle; the last ones are cut off
+    std::uint32_t size = 64;   ///< side N of the texture in texels
+    std::uint32_t block = 16;  ///< side of a rectangle in texels; the last ones are cut off
     double offset = 0.0;       ///< blocks start within +-1 of (offset, -offset, offset)
     double step = 0.01;        ///< largest component of the step between texels
-    bool holes = true;         ///< every seventh block is left without owner
+    bool holes = true;         ///< whether every seventh block has no owner
 
     SolidAtlas make(std::uint32_t seed) const {
         std::mt19937 random(seed);

@@ -1,5 +1,5 @@
 #pragma once
-// An editor that has files of a test's own folder open.
+// A fixture for an editor that opens files of the test's own folder.
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -14,7 +14,7 @@ namespace burl {
 
 class GlEditFilesTest : public GlEditProgramTest {
   protected:
-    /// `gallery`: with its balls, which take longer than most tests.
+    /// Starts an editor; thumbnails (`gallery`) take longer than most tests.
     std::unique_ptr<EditorProgram> open(const std::string& mesh, const std::string& recipe,
                                         bool gallery = false) {
         EditorOptions options;
@@ -28,12 +28,13 @@ class GlEditFilesTest : public GlEditProgramTest {
         play(*editor, settle);
         return editor;
     }
+    /// Writes a preset with one changed setting as the recipe file `name`.
     void save(const std::string& recipe, const std::string& setting = "solid.scale=1",
               const std::string& name = "r.json") const {
         write_file(folder / name,
                    to_json(load_recipe(recipe, {"atlas.size=64", "atlas.tries=1", setting})));
     }
-    /// Names of the files "out...".
+    /// Returns the names of the files "out...".
     std::vector<std::string> outputs() const {
         std::vector<std::string> names;
         for (const auto& entry : std::filesystem::directory_iterator(folder.path()))
@@ -41,6 +42,7 @@ class GlEditFilesTest : public GlEditProgramTest {
                 names.push_back(entry.path().filename());
         return names;
     }
+    /// Returns script steps that drop a file on the editor.
     static std::string dropped(const std::string& path) {
         return R"({"drop": [")" + path + R"("]}, {"settle": true}, {"wait": 2})";
     }

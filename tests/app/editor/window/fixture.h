@@ -1,6 +1,6 @@
 #pragma once
-// Tests that use the editor as a person does, without a display: scripts of real pointer and key
-// events.
+// A fixture for tests that use the editor as a person does, without a display: scripts of real
+// pointer and key events.
 #include <memory>
 #include <string>
 
@@ -18,7 +18,7 @@ class GlEditProgramTest : public GlTest {
         options.recipe = recipe;
         options.settings = {"atlas.size=64", "atlas.tries=1"};
         options.autosave = autosave;
-        options.gallery = false;  // its balls take longer than most tests
+        options.gallery = false;  // thumbnails take longer than most tests
         if (!context) context = create_osmesa_context();
         auto editor = std::make_unique<EditorProgram>(
             create_unseen_window(std::move(context), {800, 640}), options);
@@ -26,7 +26,7 @@ class GlEditProgramTest : public GlTest {
         return editor;
     }
 
-    /// Steps as JSON, separated by commas.
+    /// Plays steps given as JSON, separated by commas.
     static void play(EditorProgram& editor, const std::string& steps,
                      const std::string& folder = "") {
         editor.play(
@@ -35,12 +35,13 @@ class GlEditProgramTest : public GlTest {
             folder);
     }
 
+    /// Returns the screen once no background work is left and the pointer is in the corner.
     static Image<Rgb8> settled(EditorProgram& editor) {
         play(editor, R"({"events": [{"move": [1, 1]}]}, {"settle": true}, {"wait": 3})");
         return editor.screenshot();
     }
 
-    /// Of the right-hand side's first tab that was open at the start.
+    /// Returns the number of pixels of the settled screen that differ from `before`.
     static std::size_t different(EditorProgram& editor, const Image<Rgb8>& before) {
         return differing(before, settled(editor));
     }

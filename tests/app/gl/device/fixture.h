@@ -1,5 +1,6 @@
 #pragma once
-// Tests that draw with OpenGL: skipped, visibly, where OSMesa is not installed.
+// A fixture for tests that draw with OpenGL, which are skipped visibly where OSMesa is not
+// installed.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,7 +25,8 @@ class GlTest : public testing::Test {
     std::unique_ptr<GlContext> context;
 };
 
-/// Number of pixels in which two images differ, which must be of one size and not empty.
+/// Returns the number of pixels in which two images differ; the images must have the same size and
+/// not be empty.
 template <class Pixel>
 std::size_t differing(const Image<Pixel>& a, const Image<Pixel>& b) {
     EXPECT_FALSE(a.pixels().empty());
