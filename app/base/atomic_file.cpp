@@ -37,8 +37,8 @@ std::string folder_of(const std::string& path) {
 
 std::string temporary_name(const std::string& path, int attempt) {
     const std::filesystem::path p = path;
-    std::string name =
-        p.filename().string().substr(0, 200);  // file systems limit names to 255 bytes
+    // File systems limit names to 255 bytes.
+    std::string name = p.filename().string().substr(0, 200);
     return (p.parent_path() / fmt::format(".{}.{}.burl-tmp", name, attempt)).string();
 }
 

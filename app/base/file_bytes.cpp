@@ -80,8 +80,8 @@ std::vector<std::uint8_t> read_to_end(const std::string& path, const Opened& ope
                                     path, most >> 20));
     };
     refuse(opened.size);
-    std::vector<std::uint8_t> bytes(opened.size +
-                                    1);  // one byte more, so that the last read can return 0
+    // One byte more, so that the last read can return 0.
+    std::vector<std::uint8_t> bytes(opened.size + 1);
     std::size_t filled = 0;
     for (;;) {
         if (filled == bytes.size()) bytes.resize(filled + filled / 8 + 4096);

@@ -60,8 +60,8 @@ Vec3d across(const Vec3d& unit_direction) {
 }  // namespace
 
 Vec3d angles_of(const Mat3d& rotation, const Vec3d& near) {
-    const double sine = rotation[1][2],
-                 cosine = rotation[2][2];  // sine and cosine of x's angle, times the cosine of y's
+    // Sine and cosine of x's angle, times the cosine of y's.
+    const double sine = rotation[1][2], cosine = rotation[2][2];
     if (std::hypot(sine, cosine) < pole) return wound(with_x(rotation, near.x), near);
     const double x = degrees(std::atan2(sine, cosine));
     const Vec3d one = wound(with_x(rotation, x), near),

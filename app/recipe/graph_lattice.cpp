@@ -86,8 +86,8 @@ double reach(const TextureGraph& graph, const NodeCall& call, const Vec3d& p) {
 
 void check_graph_lattice(const TextureGraph& graph, const Vec3d& box_sizes,
                          const std::string& name) {
-    std::vector<Vec3d> sizes{
-        box_sizes};  // bounds of the points that nodes give; unused for other nodes
+    // Bounds of the points that nodes give; unused for other nodes.
+    std::vector<Vec3d> sizes{box_sizes};
     for (std::size_t n = 1; n < graph.nodes.size(); ++n) {
         const NodeCall call = call_of(graph.nodes[n]);
         const Vec3d& p = sizes[call.node->place];

@@ -27,8 +27,8 @@ Recipe with_names(Recipe recipe, const std::string& from, const Spell& spell) {
     const fs::path folder = real_folder(from);
     for (TextureGraph* graph : {&recipe.graph, &recipe.bump.input})
         for (GraphImage& image : graph->images) {
-            const fs::path file =
-                folder / image.file;  // symbolic links of the file itself are kept
+            // Symbolic links of the file itself are kept.
+            const fs::path file = folder / image.file;
             image.file = spell(real_folder(file) / file.filename(), image.file).string();
         }
     return recipe;
