@@ -13,8 +13,8 @@
 
 namespace burl {
 
-/// Options of `burl render`. The scene, --view, --size, --filter, --unlit and --supersample apply to
-/// every picture; the others to --direct and, except --plane and --widths, to --lazy.
+/// Options of `burl render`. The scene, --view, --size, --filter, --unlit and --supersample apply
+/// to every picture; the others to --direct and, except --plane and --widths, to --lazy.
 struct DirectOptions {
     std::string scene;  ///< a mesh (file or "sample:NAME"); may be empty where there are planes
     std::optional<std::string> view, size, filter;
