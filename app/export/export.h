@@ -34,7 +34,7 @@ struct NormalMap {
 /// A pose of the exported mesh (atlas_pose), and its weight.
 struct ExportPose {
     MeshPose corners{};
-    double weight = 1.0;  ///< 0..1; 0: at rest
+    double weight = 1.0;  ///< the pose's share, 0..1
 };
 
 struct ExportOptions {

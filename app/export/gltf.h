@@ -18,7 +18,7 @@ namespace burl {
 /// The name and weight of the vertices' morph target.
 struct GltfTarget {
     std::string name{};
-    double weight = 0.0;  ///< 0..1
+    double weight = 0.0;  ///< the initial weight, 0..1
 };
 
 /// The content of a glTF file; images are contents of PNG files.

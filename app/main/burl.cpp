@@ -145,7 +145,7 @@ bool reader_left() {
 [[noreturn]] void end_by_sigpipe() {
     std::signal(SIGPIPE, SIG_DFL);
     std::raise(SIGPIPE);
-    std::_Exit(128 + SIGPIPE);  // for the case that the signal is blocked
+    std::_Exit(128 + SIGPIPE);  // reached where the signal is blocked
 }
 
 /// The exit code with stdout taken into account: results that could not be written are an error,

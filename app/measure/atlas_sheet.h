@@ -36,7 +36,7 @@ struct TexelFacts {
     double scale = 1.0;
     Vec3d point{0.0};  ///< the solid point, in the sheet's space
 };
-/// The facts of texel (x, y); no value outside the texture and its charts.
+/// The facts of texel (x, y); no value outside the texture and its spans.
 std::optional<TexelFacts> texel_facts(const AtlasSheet& sheet, std::int64_t x, std::int64_t y);
 
 /// MIP levels, down to 1 x 1 texel, of the picture for `solid`, `charts` or `scale`, in sRGB codes.

@@ -15,7 +15,7 @@ namespace burl {
 struct Evaluation {
     double value = 0.0;
     std::vector<double> gradient;  ///< one derivative per coordinate; empty in fixed point
-    std::optional<Vec3d> color;    ///< in linear light; only for recipes
+    std::optional<Vec3d> color;    ///< the colour in linear light, for recipes
 };
 
 /// The evaluations at one point.

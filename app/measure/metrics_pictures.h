@@ -19,7 +19,7 @@ struct PicturedAtlas {
 
 /// The charts in one colour each (`charts`: chart per triangle): the atlas on the left, the model
 /// on the right, each a square with the texture's side, clamped to 256..1024 pixels. Texels outside
-/// charts are dark.
+/// all spans are dark.
 Image<Rgb8> charts_picture(const PicturedAtlas& what, std::span<const std::uint32_t> charts);
 
 /// The triangles in the false colour of their relative scale, sqrt(A(u) / A(x) sum A(x)), in the
@@ -36,7 +36,7 @@ std::vector<double> relative_scales(const Mesh& mesh, const Atlas& atlas);
 /// A bright colour for a chart, in linear light: hues by the golden section, so that consecutive
 /// ones differ.
 Vec3d chart_color(std::uint32_t chart);
-/// The colour of texels outside charts, in linear light.
+/// The colour of texels outside all spans, in linear light.
 inline constexpr Vec3d gap_color(0.015, 0.015, 0.015);
 /// Linear light as 8-bit sRGB codes; values outside [0,1] are clamped.
 Rgb8 encoded(const Vec3d& linear);

@@ -13,10 +13,10 @@ namespace burl {
 
 /// The differences of a texture from its reference.
 struct TextureError {
-    /// Per texel the largest difference of a channel, in 8-bit sRGB codes; -1 outside charts.
+    /// Per texel the largest difference of a channel, in 8-bit sRGB codes; -1 outside all spans.
     /// Rounding alone makes it up to 1/2.
     Image<float> codes;
-    double largest = 0.0, rms = 0.0;  ///< in codes, over all channels
+    double largest = 0.0, rms = 0.0;  ///< errors in codes, over all channels
 };
 
 /// The reason, in one sentence, why a recipe whose solid points lie in `box` has no float64

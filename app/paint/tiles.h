@@ -29,7 +29,7 @@ class PaintTiles {
     /// Sets `reached` for the tiles that the brush may cover in part.
     void add_reached(const PaintBrush& brush, std::vector<bool>& reached) const;
 
-    /// Calls visit(x, y, solid point, width) for the tile's texels inside charts. The width is the
+    /// Calls visit(x, y, solid point, width) for the tile's texels in spans. The width is the
     /// distance to the farther of the neighbours in x and y, in solid units.
     template <class Visit>
     void for_each_texel(std::size_t tile, const Visit& visit) const {
@@ -65,7 +65,7 @@ class PaintTiles {
     void measure(std::size_t tile);
 
     const SolidAtlas* solid_;
-    std::uint32_t columns_, first_row_;  ///< in units of tiles
+    std::uint32_t columns_, first_row_;  ///< counts of tiles
     std::vector<Box3> boxes_;
 };
 

@@ -25,8 +25,8 @@ PaintTool resized(PaintTool tool, int tenths);
 inline constexpr double longest_lead = 2.5;
 
 /// The recipe with the brush moved to a solid point. A new stroke begins where `leads` is false or
-/// the last point is too far; the recipe is unchanged where the last point is nearer than 0.2
-/// radii. Points are rounded to 1e-6.
+/// the last point is too far; otherwise the recipe is unchanged where the last point is nearer than
+/// 0.2 radii. Points are rounded to 1e-6.
 Recipe painted_at(Recipe recipe, const PaintTool& tool, const Vec3d& point, bool leads);
 
 /// `count` points of a circle about `centre` in the plane with this normal, of any length but 0.

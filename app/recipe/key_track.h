@@ -23,7 +23,7 @@ struct KeyTrack {
     /// The dotted path, such as "texture.input.noise.0.phase.2".
     std::string path{};
     KeyEase ease = KeyEase::linear;
-    std::vector<KeyPoint> keys{};  ///< in ascending order of distinct times
+    std::vector<KeyPoint> keys{};  ///< the keys, ascending by distinct times
     bool operator==(const KeyTrack&) const = default;
 };
 

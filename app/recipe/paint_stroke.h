@@ -17,9 +17,9 @@ enum class PaintMode {
 /// A ball swept along a polyline; it covers the surface that it touches.
 struct PaintStroke {
     std::vector<Vec3d> points{};  ///< the polyline in solid space, before scale and rotation
-    double radius = 0.05;         ///< in solid units, above 0
+    double radius = 0.05;         ///< the ball's radius in solid units, > 0
     double hardness = 0.5;        ///< 0..1: the share of the radius with full coverage
-    double opacity = 1.0;         ///< 0..1
+    double opacity = 1.0;         ///< the opacity at full coverage, 0..1
     Rgb8 color{0, 0, 0};          ///< sRGB
     PaintMode mode = PaintMode::paint;
     bool operator==(const PaintStroke&) const = default;

@@ -75,7 +75,7 @@ class BoxTree {
         for (std::uint32_t i = 0; i < node.count; ++i) visit(items_[node.first + i]);
     }
 
-    std::vector<Node> nodes_;  ///< in depth-first order, the root first
+    std::vector<Node> nodes_;  ///< depth-first, the root first
     std::vector<std::uint32_t> items_;
 };
 

@@ -14,7 +14,7 @@ namespace burl {
 struct View {
     double azimuth_degrees = 30.0;    ///< 0: camera on +z, 90: on +x (y is up, as in glTF)
     double elevation_degrees = 20.0;  ///< [-90, 90]; positive views from above
-    double distance = 3.5;            ///< from the eye to the sphere's centre, in its radii, > 0
+    double distance = 3.5;            ///< the eye's distance from the centre in radii, > 0
     bool operator==(const View&) const = default;
 };
 

@@ -48,7 +48,7 @@ struct SurfaceTarget {
 
 /// Indexed triangles drawn with one material in one or more placements.
 struct Surface {
-    std::vector<Vec3d> positions;  ///< in local coordinates
+    std::vector<Vec3d> positions;  ///< local coordinates
     std::vector<Vec3f> normals;    ///< one per position
     std::vector<Vec2d> uvs;        ///< one per position, or empty
     std::vector<Vec4f> tangents;   ///< one per position (procedural/fill/tangent_frame.h), or empty

@@ -43,9 +43,9 @@ struct SurfaceLines {
     }
 };
 
-/// The edges and charts of a scene. Two triangles of a surface are in one chart where they share an
-/// edge of two triangles with equal texture coordinates on both sides. A surface without texture
-/// coordinates has charts bounded by its own borders.
+/// The edges and charts of a scene. Charts are connected groups of a surface's triangles; an edge
+/// connects its two triangles where it has equal texture coordinates on both sides. A surface
+/// without texture coordinates has charts bounded by its own borders.
 SurfaceLines surface_lines(const Scene& scene);
 
 }  // namespace burl

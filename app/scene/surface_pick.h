@@ -18,7 +18,7 @@ struct SurfaceHit {
     std::uint32_t triangle = 0;   ///< index into Surface::triangles
     std::uint32_t placement = 0;  ///< index into Surface::placements
     Vec3d weights{0.0};           ///< barycentric coordinates, by the triangle's corners; sum 1
-    Vec3d point{0.0};             ///< in scene coordinates
+    Vec3d point{0.0};             ///< the scene coordinates
     /// The picked point of the surface at rest, in its first placement. For a scene of
     /// baked_scene() (app/gl/draw/view_scene.h) these are the mesh's coordinates, which decide the
     /// colour: texture_from_mesh(recipe, mesh) maps them to texture coordinates.

@@ -11,9 +11,9 @@ namespace burl {
 
 /// Durations in seconds.
 struct GlSeconds {
-    /// From the first to the last command, by OpenGL's clock; 0 where it has none.
+    /// The time from the first to the last command, by OpenGL's clock; 0 where it has none.
     double gpu = 0.0;
-    double wall = 0.0;  ///< from start to the end of all commands, by the host's clock
+    double wall = 0.0;  ///< the time until all commands are done, by the host's clock
 };
 
 /// A stopwatch for one interval at a time.

@@ -21,7 +21,7 @@ struct LazyOptions {
     double crease_degrees = 40.0;
     const MeshPose* pose = nullptr;  ///< a pose of the pipeline's mesh; null: none
     std::uint32_t cell = view_cell;
-    Skips skips{};  ///< without Skip::unseen_tiles the whole atlas is synthesised
+    Skips skips{};  ///< Skip::unseen_tiles forbidden: the whole atlas is synthesised
 };
 
 /// A picture, with the work and the seconds that it took.

@@ -10,8 +10,8 @@
 
 namespace burl {
 
-/// Counts of texels inside charts, over level 0 and, where levels are direct, over the levels that
-/// have samples of their own.
+/// Counts of texels in spans, over level 0 and, where levels are direct, over the levels that have
+/// samples of their own.
 struct ViewWork {
     std::uint64_t tiles = 0;         ///< pairs of a 32 x 32 tile and a level that are looked up
     std::uint64_t texels_read = 0;   ///< texels looked up, or averaged into such texels
@@ -44,7 +44,7 @@ std::vector<TexelSet> view_part(const ViewSource& source, const ViewTexels& view
                                 std::uint32_t cell);
 /// Per level the texels that are synthesised for the whole atlas.
 std::vector<TexelSet> whole_part(const ViewSource& source);
-/// The number of texels of `part` inside charts.
+/// The number of texels of `part` in spans.
 std::uint64_t count_texels(const ViewSource& source, const std::vector<TexelSet>& part);
 
 /// The colours of a baked scene as `burl bake` writes them, and where `filter` is `mip` their

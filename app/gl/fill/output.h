@@ -15,8 +15,8 @@
 
 namespace burl {
 
-/// The output of pixels of the type Rgb8, Rgb16, RgbF, or float for the field itself (0 outside
-/// charts). `color_text` is the last part of a shader that defines `real3 color_at(ivec2 texel)` in
+/// The output of pixels of the type Rgb8, Rgb16, RgbF, or float for the field itself (0 outside all
+/// spans). `color_text` is the last part of a shader that defines `real3 color_at(ivec2 texel)` in
 /// linear light; `field_text`, where it exists, that of a shader that defines `real field(ivec2
 /// texel)`.
 template <class Pixel>

@@ -10,10 +10,9 @@ namespace burl {
 class GlSolidMap {
   public:
     GlSolidMap(GlTarget target, const Vec3d& base) : target_(std::move(target)), base_(base) {}
-    /// RGBA32F: x, y, z, and 1 inside charts; 0 elsewhere. The error is up to 2^-25 of the solid's
-    /// size.
+    /// RGBA32F: x, y, z, and 1 in spans; 0 elsewhere. The error is up to 2^-25 of the solid's size.
     const GlTexture& local() const { return target_.texture(0); }
-    /// R32UI: the number of the texel's map (Span::map), no_owner outside charts.
+    /// R32UI: the number of the texel's map (Span::map), no_owner outside all spans.
     const GlTexture& owners() const { return target_.texture(1); }
     const Vec3d& base() const { return base_; }
     /// The target with both textures, for reading back.

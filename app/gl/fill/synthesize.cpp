@@ -44,7 +44,7 @@ GlSynthesis::GlSynthesis(GlContext& context, const GlSynthesisLimits& limits)
       maps_(*gl_, limits.map_budget),
       colors_(*gl_),
       reals_(*gl_, float64_) {
-    // On a graphics processor maps are drawn, so that float64 costs little.
+    // Graphics processors draw maps, so that float64 costs little there.
     if (float64_ && is_software(*gl_)) fixed_.emplace(*gl_, limits.tile, limits.map_budget);
 }
 

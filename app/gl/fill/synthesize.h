@@ -97,7 +97,7 @@ class GlSynthesis {
     GlMapCache maps_;
     GlColorTables colors_;
     GlRealUniforms reals_;
-    std::optional<GlFixedSynthesis> fixed_;      ///< only where OpenGL is software
+    std::optional<GlFixedSynthesis> fixed_;      ///< exists where OpenGL is software
     std::optional<GlMapFilter> filter_;          ///< created at the first filter
     std::map<std::string, GlProgram> programs_;  ///< keyed by the text of the fragment shader
     std::optional<GlTarget> target_;
