@@ -83,14 +83,14 @@ int open_nameless(const std::string& folder) {
     return -1;
 }
 
-/// The names of this process' temporary files that exist. The mutex is held while names are given
+/// The names of this process's temporary files that exist. The mutex is held while names are given
 /// or removed.
 struct TemporaryNames {
     std::mutex mutex;
     std::set<std::string> names;
 };
 
-/// The process' only list; never destroyed, since a signal may arrive during exit.
+/// The process's only list; never destroyed, since a signal may arrive during exit.
 TemporaryNames& temporary_names() {
     static auto* const all = new TemporaryNames;
     return *all;

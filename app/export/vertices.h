@@ -29,8 +29,9 @@ struct PartVertices {
     std::vector<Vec3f> normals;             ///< unit length
     std::vector<Vec4f> tangents;            ///< glTF's TANGENT (app/surface/tangents.h), or empty
     std::vector<std::array<float, 2>> uvs;  ///< corners divided by N; v = 0 at image row 0
-    /// In quad atlases, the rectangle of each vertex' block as texture coordinates low u, low v,
-    /// high u, high v. Lookups of MIP levels that are clamped to it do not show other blocks.
+    /// The rectangle of each vertex's block, in quad atlases only, as texture coordinates low u,
+    /// low v, high u, high v. Lookups of MIP levels that are clamped to it do not show other
+    /// blocks.
     std::vector<std::array<float, 4>> blocks;
     VertexTarget target{};               ///< empty without a pose
     std::vector<std::uint32_t> indices;  ///< three per triangle, in the mesh's order

@@ -1,5 +1,5 @@
 #pragma once
-// Pictures of an atlas' texels beside its texture: their solid coordinates, their charts and their
+// Pictures of an atlas's texels beside its texture: their solid coordinates, their charts and their
 // relative scale in false colour (Carr & Hart 2002, figures 5 and 7).
 #include <array>
 #include <cstdint>

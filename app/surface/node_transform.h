@@ -21,7 +21,7 @@ std::optional<NodeTransform> decompose(const Mat4d& matrix);
 /// The matrix that glTF defines for the transform: scale, then rotation, then translation.
 Mat4d matrix_of(const NodeTransform& transform);
 
-/// Transforms normals by the matrix' cofactors, which are defined for every matrix, those that
+/// Transforms normals by the matrix's cofactors, which are defined for every matrix, those that
 /// shear, mirror or flatten included.
 class NormalTransform {
   public:
