@@ -1,4 +1,4 @@
-// POSIX calls rather than iostreams: each one's failure is seen, with its reason.
+// POSIX calls rather than iostreams: every call reports its failure and the reason.
 #include "app/base/atomic_file.h"
 
 #include <cerrno>
@@ -37,25 +37,26 @@ std::string folder_of(const std::string& path) {
 
 std::string temporary_name(const std::string& path, int attempt) {
     const std::filesystem::path p = path;
-    std::string name = p.filename().string().substr(0, 200);  // names end at 255 bytes
+    // File systems limit names to 255 bytes.
+    std::string name = p.filename().string().substr(0, 200);
     return (p.parent_path() / fmt::format(".{}.{}.burl-tmp", name, attempt)).string();
 }
 
-/// Files are locked as long as they are written, and locks go with the process.
+/// Locks the file for as long as it is being written; the lock goes when the process ends.
 void lock_for_this_run(int descriptor) {
-    // Waits for a run that takes the file for a left-over one: was_removed tells afterwards whether
-    // it did away with it. Where there are no locks nothing is removed either.
+    // A run that takes this file for a left-over may hold the lock for a moment; was_removed() then
+    // tells whether it removed the file. Without locks no run removes left-overs.
     while (::flock(descriptor, LOCK_EX) != 0 && errno == EINTR) {
     }
 }
 
-/// Removes a temporary file whose run was killed.
+/// Removes the temporary file of a run that was killed.
 void remove_left_over(const std::string& name) {
     const int descriptor = ::open(name.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
     if (descriptor < 0) return;
     struct stat locked {
     }, named{};
-    // The name may have gone to another file before this one was locked.
+    // The name may have been given to another file before the lock was taken.
     if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0 && ::fstat(descriptor, &locked) == 0 &&
         ::lstat(name.c_str(), &named) == 0 && locked.st_ino == named.st_ino &&
         S_ISREG(named.st_mode))
@@ -63,7 +64,7 @@ void remove_left_over(const std::string& name) {
     ::close(descriptor);
 }
 
-/// Whether it was taken for left over before it was locked.
+/// Whether another run took the file for a left-over and removed it before it was locked.
 bool was_removed(int descriptor) {
     struct stat status {};
     return ::fstat(descriptor, &status) == 0 && status.st_nlink == 0;
@@ -73,7 +74,8 @@ std::string handle_path(int descriptor) {
     return fmt::format("/proc/self/fd/{}", descriptor);
 }
 
-/// -1 where the file system has no nameless files, or /proc is missing to name them later.
+/// A descriptor of a nameless file; -1 where the file system has none, or where /proc, which names
+/// it later, is missing.
 int open_nameless(const std::string& folder) {
     const int descriptor = ::open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0666);
     if (descriptor < 0 || ::access(handle_path(descriptor).c_str(), F_OK) == 0) return descriptor;
@@ -81,20 +83,21 @@ int open_nameless(const std::string& folder) {
     return -1;
 }
 
-/// The temporary names that are there. Whoever gives or takes names holds the mutex.
+/// The names of this process's temporary files that exist. The mutex is held while names are given
+/// or removed.
 struct TemporaryNames {
     std::mutex mutex;
     std::set<std::string> names;
 };
 
-/// One for the whole process; never destroyed, since a signal may come last.
+/// The process's only list; never destroyed, since a signal may arrive during exit.
 TemporaryNames& temporary_names() {
     static auto* const all = new TemporaryNames;
     return *all;
 }
 
-/// Ends the program as the signal would have done, with no temporary file left. Names are not given
-/// any more.
+/// Ends the program by the signal's default action once all temporary files are removed. The mutex
+/// stays locked, so that no file gets a name any more.
 [[noreturn]] void end_by_signal(int signal, const sigset_t& signals) {
     temporary_names().mutex.lock();
     for (const std::string& name : temporary_names().names) ::unlink(name.c_str());
@@ -188,7 +191,7 @@ void AtomicFile::take_name() {
     throw write_error(target_, errno);
 }
 
-/// Calls write_some(rest) until nothing is left.
+/// Calls write_some(rest), which returns the number of bytes written, until no bytes are left.
 template <class WriteSome>
 void AtomicFile::write_whole(std::span<const std::uint8_t> bytes, const WriteSome& write_some) {
     while (!bytes.empty()) {
@@ -242,20 +245,21 @@ void AtomicFile::finish() {
     finished_ = true;
 }
 
-/// A name cannot be moved to a file, only a file of one name to another.
+/// Gives a nameless file a temporary name where the target exists: only rename() replaces a file,
+/// and it needs a name.
 void AtomicFile::name_beside_old() {
     remove_left_over(temporary_name(real_path_, 0));
     if (temporary_.empty() && ::access(real_path_.c_str(), F_OK) == 0) take_name();
 }
 
-/// The finished file under its own name.
+/// Gives the finished file the target's name.
 void AtomicFile::take_place() {
     if (temporary_.empty()) {
         if (::linkat(AT_FDCWD, handle_path(descriptor_).c_str(), AT_FDCWD, real_path_.c_str(),
                      AT_SYMLINK_FOLLOW) == 0)
             return;
         if (errno != EEXIST) throw write_error(target_, errno);
-        take_name();  // somebody made one meanwhile
+        take_name();  // another process created the target meanwhile
     }
     if (std::rename(temporary_.c_str(), real_path_.c_str()) != 0) throw write_error(target_, errno);
     temporary_names().names.erase(std::exchange(temporary_, {}));
@@ -318,7 +322,7 @@ void clean_up_on_signals() {
             }
             end_by_signal(signal, signals);
         }).detach();
-    } catch (const std::system_error&) {  // no thread to be had: signals end the program at once
+    } catch (const std::system_error&) {  // without a thread signals end the program at once
         ::pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);
     }
 }

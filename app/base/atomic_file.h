@@ -1,12 +1,12 @@
 #pragma once
-// Output that is either whole or absent. The bytes go into a nameless file of the target's folder
-// (O_TMPFILE); once all files of a group are complete and safe on disk they get their names at
-// once: a target that is new is linked, an old one replaced by way of a temporary name. A run that
-// fails, is interrupted or killed leaves the old file or none. Only a run that is killed (SIGKILL,
-// SIGQUIT, a crash, power) within the microseconds between two names may leave ".NAME.N.burl-tmp"
-// behind; N is 0 but for runs that write NAME at a time. The next run that writes NAME removes that
-// of 0, and any other once it needs such a name itself. Where the file system has no nameless files
-// that name is used from the start.
+// Output files that are either whole or absent. The bytes go into a nameless file of the target's
+// folder (O_TMPFILE). Once all files of a group are complete and synced to disk, they get their
+// names together: a new target is linked, an existing one is replaced by renaming a temporary name
+// over it. A run that fails, is interrupted or killed leaves the old file or none. Only a run that
+// is killed (SIGKILL, SIGQUIT, a crash, power) within the microseconds between two names may leave
+// ".NAME.N.burl-tmp" behind; N is 0 unless several runs write NAME at the same time. The next run
+// that writes NAME removes a left-over with N = 0, and one with another N when it needs that name
+// itself. On file systems without nameless files the temporary name is used from the start.
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -20,20 +20,20 @@
 namespace burl {
 
 enum class Temporary {
-    nameless,  ///< O_TMPFILE where the file system has it, else named
+    nameless,  ///< O_TMPFILE where the file system has it, else a named file
     named,     ///< a hidden name from the start
 };
 
-/// A file as it was committed. Another one in its place has another inode, even where size and time
-/// are the same.
+/// The identity of a file when it was committed. A file that replaced it has another inode, even
+/// where size and time of change are equal.
 struct CommittedFile {
-    std::string path;  ///< as the user named it
+    std::string path;  ///< the path as the user gave it
     std::uint64_t bytes = 0, inode = 0;
-    std::int64_t seconds = 0, nanoseconds = 0;  ///< of its last change
+    std::int64_t seconds = 0, nanoseconds = 0;  ///< the time of the file's last change
     bool operator==(const CommittedFile&) const = default;
 };
 
-/// The state of the file at the path; nothing where there is none.
+/// The state of the file at the path; no value where there is none.
 std::optional<CommittedFile> file_there(const std::string& path);
 
 class AtomicFile {
@@ -47,18 +47,19 @@ class AtomicFile {
     AtomicFile(AtomicFile&& other) noexcept;
     AtomicFile& operator=(AtomicFile&&) = delete;
 
-    /// Appends; large or small pieces alike. Throws Error(io) (disk full, ...).
+    /// Appends bytes through a buffer of 256 KiB. Throws Error(io) (disk full, ...).
     void write(std::span<const std::uint8_t> bytes);
     void write(std::string_view text);
 
-    /// Puts bytes in the place of some written before, such as a header whose numbers were not
-    /// known. Throws Error(io).
+    /// Overwrites bytes written earlier, from byte `position` of the file on: a header whose
+    /// numbers were not known before, say. Throws Error(io).
     void overwrite(std::uint64_t position, std::span<const std::uint8_t> bytes);
 
-    /// Flushes everything to disk; nothing may be written after. Throws Error(io).
+    /// Flushes everything to disk; no write may follow. Throws Error(io).
     void finish();
 
-    /// Takes the target's place; finishes first if that was not done. Throws Error(io).
+    /// Gives the file the target's name; calls finish() first where that was not done. Throws
+    /// Error(io).
     CommittedFile commit();
 
     const std::string& target() const { return target_; }
@@ -75,16 +76,17 @@ class AtomicFile {
     CommittedFile committed() const;
     void discard() noexcept;
 
-    std::string target_;     // as the user named it, for messages
-    std::string real_path_;  // after symbolic links
-    std::string temporary_;  // empty while nameless
+    std::string target_;     // the path as the user gave it, for messages
+    std::string real_path_;  // the target with symbolic links followed
+    std::string temporary_;  // the temporary file's path; empty while it is nameless
     int descriptor_ = -1;
-    bool replaces_ = false;  // the target existed before
+    bool replaces_ = false;  // whether the target existed before
     bool finished_ = false;
     std::vector<std::uint8_t> buffer_;
 };
 
-/// Appends to the file, which must outlive it; for encoders that give their bytes piece by piece.
+/// A sink that appends to the file, which must outlive it; for encoders that hand on their bytes in
+/// pieces.
 ByteSink sink_of(AtomicFile& file);
 
 /// Commits files that only make sense together (.obj, .mtl, .png): all are finished before the
@@ -92,17 +94,16 @@ ByteSink sink_of(AtomicFile& file);
 /// fails, files that did not exist before are removed again. Throws Error(io).
 std::vector<CommittedFile> commit_together(std::span<AtomicFile> files);
 
-/// One file written whole or not at all. Throws Error(io).
+/// Writes one file, whole or not at all. Throws Error(io).
 CommittedFile write_file(const std::string& path, std::span<const std::uint8_t> bytes);
 CommittedFile write_file(const std::string& path, std::string_view text);
 
-/// Makes a folder to write into, with those above it, unless it is there. Throws Error(io).
+/// Creates the folder and its parents where they are missing. Throws Error(io).
 void make_folder(const std::string& folder);
 
-/// From here on SIGINT, SIGTERM and SIGHUP, where they are not ignored, wait while files get their
-/// names and remove temporary ones before they end the program. To be called once, before other
-/// threads are started: it blocks these signals for the calling thread and takes them in one of its
-/// own.
+/// Makes SIGINT, SIGTERM and SIGHUP, unless they are ignored, wait while files get their names, and
+/// remove temporary files before they end the program. Must be called once, before other threads
+/// start: it blocks these signals in the calling thread and handles them in a thread of its own.
 void clean_up_on_signals();
 
 }  // namespace burl

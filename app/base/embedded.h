@@ -7,12 +7,12 @@
 namespace burl {
 
 struct EmbeddedFile {
-    std::string_view name;  ///< path below its folder, "noise/value.glsl"
+    std::string_view name;  ///< the path below the file's folder: "noise/value.glsl"
     std::string_view content;
 };
 
-std::span<const EmbeddedFile> embedded_recipes();  ///< assets/recipes/*.json
+std::span<const EmbeddedFile> embedded_recipes();  ///< the presets, assets/recipes/*.json
 std::span<const EmbeddedFile> embedded_meshes();   ///< the sample meshes, *.obj
-std::span<const EmbeddedFile> embedded_shaders();  ///< all of shaders/
+std::span<const EmbeddedFile> embedded_shaders();  ///< all files of shaders/
 
 }  // namespace burl

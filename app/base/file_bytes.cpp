@@ -1,4 +1,5 @@
-// Reads by POSIX calls: unlike iostreams they say why something failed, and a folder is refused.
+// Files are read by POSIX calls: unlike iostreams they give the reason of a failure and refuse
+// folders.
 #include "app/base/file_bytes.h"
 
 #include <algorithm>
@@ -27,11 +28,13 @@ struct Descriptor {
     }
 };
 
+/// The largest content read from a pipe, in bytes.
 constexpr std::uint64_t most_of_pipe = 1ull << 28;
 
 enum class Readable { regular, regular_or_pipe };
 
-/// Asked before it is opened, since opening a pipe may wait for its writer.
+/// Throws Error(io) unless the file is of a kind that may be read. Called before open() as well,
+/// since opening a pipe may wait for its writer.
 void refuse_unreadable(const std::string& path, const struct stat& status, Readable kind) {
     if (S_ISDIR(status.st_mode)) throw read_error(path, EISDIR);
     if (S_ISREG(status.st_mode)) return;
@@ -39,7 +42,7 @@ void refuse_unreadable(const std::string& path, const struct stat& status, Reada
     throw Error(ExitCode::io, fmt::format("{}: cannot be read: it is not a regular file", path));
 }
 
-/// The open file; its size is 0 where it is a pipe.
+/// An open file with its size in bytes, 0 where it is a pipe.
 struct Opened {
     Descriptor file{-1};
     std::size_t size = 0;
@@ -56,7 +59,7 @@ struct Opened {
     }
 };
 
-/// How many bytes came; 0: the file's end.
+/// Reads into `bytes` and returns the number of bytes read; 0 at the end of the file.
 std::size_t read_some(const std::string& path, const Opened& opened,
                       std::span<std::uint8_t> bytes) {
     for (;;) {
@@ -66,7 +69,7 @@ std::size_t read_some(const std::string& path, const Opened& opened,
     }
 }
 
-/// The whole file, which may grow meanwhile.
+/// The content up to the end of the file, which may grow while it is read.
 std::vector<std::uint8_t> read_to_end(const std::string& path, const Opened& opened,
                                       std::uint64_t most) {
     const auto refuse = [&](std::size_t size) {
@@ -77,7 +80,8 @@ std::vector<std::uint8_t> read_to_end(const std::string& path, const Opened& ope
                                     path, most >> 20));
     };
     refuse(opened.size);
-    std::vector<std::uint8_t> bytes(opened.size + 1);  // room to see the end, which is a read of 0
+    // One byte more, so that the last read can return 0.
+    std::vector<std::uint8_t> bytes(opened.size + 1);
     std::size_t filled = 0;
     for (;;) {
         if (filled == bytes.size()) bytes.resize(filled + filled / 8 + 4096);

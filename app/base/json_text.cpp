@@ -18,7 +18,7 @@ std::size_t line_of(const std::string& text, std::size_t byte) {
     return 1 + std::size_t(std::count(text.begin(), end, '\n'));
 }
 
-/// The library's message without its prefix "[json.exception.parse_error.101] parse error at line
+/// The message without the library's prefix "[json.exception.parse_error.101] parse error at line
 /// 3, column 5: ".
 std::string_view reason(std::string_view what) {
     const std::size_t column = what.find("column ");
@@ -29,7 +29,8 @@ std::string_view reason(std::string_view what) {
     return bracket == std::string_view::npos ? what : what.substr(bracket + 2);
 }
 
-/// Line of the number a message such as "number overflow parsing '1e999'" quotes.
+/// The line, from 1, of the number that a message such as "number overflow parsing '1e999'" quotes;
+/// 0 where it is not found.
 std::size_t line_of_number(const std::string& text, std::string_view what) {
     const std::size_t begin = what.find('\''), end = what.rfind('\'');
     if (begin == std::string_view::npos || end <= begin) return 0;
@@ -37,7 +38,8 @@ std::size_t line_of_number(const std::string& text, std::string_view what) {
     return byte == std::string::npos ? 0 : line_of(text, byte);
 }
 
-/// Remembers the keys of the objects that are open; the library itself lets the last one win.
+/// A parser callback that finds the first key given twice in one object; the library itself keeps
+/// the last value.
 class RepeatedKeys {
   public:
     bool operator()(int, Json::parse_event_t event, const Json& parsed) {

@@ -1,6 +1,6 @@
 #pragma once
-// Boxes under affine maps: how far solid coordinates reach where those of a mesh are known to lie
-// in a box.
+// Bounding boxes under affine maps: the extent of the solid coordinates of a mesh whose bounding
+// box is known.
 #include <cmath>
 
 #include "atlas/base/vec.h"
@@ -8,8 +8,7 @@
 
 namespace burl {
 
-/// The least box with axes along the coordinates that holds the images of all eight corners, and so
-/// of the whole box.
+/// The axis-aligned bounding box of the images of all eight corners, and so of the whole box.
 inline Box3 mapped(const Affine3& map, const Box3& box) {
     Box3 seen{Vec3d(HUGE_VAL), Vec3d(-HUGE_VAL)};
     for (int corner = 0; corner < 8; ++corner) {

@@ -11,7 +11,8 @@ namespace burl {
 
 namespace {
 
-/// How many bytes the UTF-8 character at the text's begin has; 0 if it is none.
+/// The length in bytes of the UTF-8 character that the text begins with; 0 where it begins with
+/// none.
 std::size_t utf8_length(std::string_view text) {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
     const unsigned lead = byte(0);
@@ -25,14 +26,14 @@ std::size_t utf8_length(std::string_view text) {
     for (std::size_t i = 1; i < length; ++i)
         if ((byte(i) & 0xc0U) != 0x80) return 0;
     if (length < 3) return length;
-    // Longer than needed, half of a pair of UTF-16, or beyond the last character.
+    // Invalid forms: overlong encodings, UTF-16 surrogates, code points beyond U+10FFFF.
     const unsigned front = lead << 8U | byte(1);
     const bool wrong = front < 0xe0a0 || (front >= 0xeda0 && front < 0xee00) ||
                        (front >= 0xf000 && front < 0xf090) || front >= 0xf490;
     return wrong ? 0 : length;
 }
 
-/// Whether a terminal obeys the character.
+/// Whether the UTF-8 character is a control character, C0 (with DEL) or C1.
 bool commands_terminals(std::string_view character) {
     const auto first = static_cast<unsigned char>(character[0]);
     if (character.size() == 1) return first < 0x20 || first == 0x7f;
@@ -56,7 +57,7 @@ std::string printable(std::string_view text) {
             result += character;
             continue;
         }
-        // The first byte of a C1 character says nothing that its second does not.
+        // The second byte of a C1 character is its code; its first, 0xc2, adds nothing.
         const auto code = static_cast<unsigned char>(character.back());
         result += fmt::format("\\x{:02x}", code);
     }

@@ -1,21 +1,20 @@
 #pragma once
-// How lines for people are printed, so that a name or text from somebody's file cannot command the
-// terminal it is shown on.
+// Lines printed for people. Text from somebody's file cannot send commands to the terminal that
+// shows it.
 #include <string>
 #include <string_view>
 
 namespace burl {
 
-/// The text with everything that terminals obey made visible: control characters (those after 0x7e
-/// and U+0080 to U+009F among them) and bytes that are no UTF-8 become \x1b and the like. All other
-/// UTF-8 stays.
+/// The text with everything that terminals obey made visible: control characters (U+0000 to U+001F,
+/// U+007F to U+009F) and bytes that are not UTF-8 become \x1b and the like. All other UTF-8 stays.
 std::string printable(std::string_view text);
 
-/// A printable line on stdout, written at once: who reads it from a file or through a pipe sees it
-/// when it is true. Throws std::system_error where it cannot be written.
+/// Prints a printable() line to stdout and flushes it, so that readers of a file or pipe see it at
+/// once. Throws std::system_error where it cannot be written.
 void print_line(std::string_view line);
 
-/// A printable line on stderr; a stderr that cannot be written to is no reason to stop.
+/// Prints a printable() line to stderr; a stderr that cannot be written to is ignored.
 void warn(std::string_view sentence);
 
 }  // namespace burl

@@ -16,8 +16,9 @@ std::string follow_links(const std::string& path) {
 }
 
 std::string real_path(const std::string& path) {
-    // Links first, since one to a file that is missing counts as missing itself; absolute first: of
-    // a relative path whose first part is missing, weakly_canonical leaves the rest as it is.
+    // Links come first, since weakly_canonical takes a link to a missing file for missing itself;
+    // absolute() comes next, since weakly_canonical leaves a relative path unresolved whose first
+    // part is missing.
     std::error_code failed;
     const std::filesystem::path absolute = std::filesystem::absolute(follow_links(path), failed);
     if (failed) return path;

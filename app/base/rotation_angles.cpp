@@ -9,13 +9,14 @@ namespace burl {
 
 namespace {
 
-constexpr double pole = 1e-14;  // cosine of y's angle that counts as 0
+constexpr double pole = 1e-14;  // a cosine of y's angle up to this counts as gimbal lock
 
 double degrees(double radians) {
     return radians * 180.0 / std::numbers::pi;
 }
 
-/// By whole turns nearest to `near`, and within what recipes hold.
+/// The angle in degrees plus the whole turns that bring it nearest to `near`, wrapped into [-360,
+/// 360].
 double wound(double angle, double near) {
     const double close = angle + 360.0 * std::round((near - angle) / 360.0);
     return close > 360.0 ? close - 360.0 : close < -360.0 ? close + 360.0 : close;
@@ -30,14 +31,15 @@ double away(const Vec3d& angles, const Vec3d& near) {
     return d.x + d.y + d.z;
 }
 
-/// y and z from what is left once the turn about x is taken off, so that errors of x do no harm.
+/// The three angles for a given x: y and z come from the rotation with the turn about x undone, so
+/// that an error of x does not spread to them.
 Vec3d with_x(const Mat3d& rotation, double x) {
     const Mat3d rest = rotation * glm::transpose(rotation_about(0, x));  // Rz Ry
     return {x, degrees(std::atan2(-rest[0][2], rest[2][2])),
             degrees(std::atan2(-rest[1][0], rest[1][1]))};
 }
 
-/// Of length 1, or 0.
+/// The direction at length 1; a zero vector stays 0.
 Vec3d unit(const Vec3d& direction) {
     const double length = glm::length(direction);
     return length > 0.0 ? direction / length : Vec3d(0.0);
@@ -58,7 +60,8 @@ Vec3d across(const Vec3d& unit_direction) {
 }  // namespace
 
 Vec3d angles_of(const Mat3d& rotation, const Vec3d& near) {
-    const double sine = rotation[1][2], cosine = rotation[2][2];  // of x, times y's cosine
+    // Sine and cosine of x's angle, times the cosine of y's.
+    const double sine = rotation[1][2], cosine = rotation[2][2];
     if (std::hypot(sine, cosine) < pole) return wound(with_x(rotation, near.x), near);
     const double x = degrees(std::atan2(sine, cosine));
     const Vec3d one = wound(with_x(rotation, x), near),
@@ -66,8 +69,9 @@ Vec3d angles_of(const Mat3d& rotation, const Vec3d& near) {
     return away(one, near) <= away(other, near) ? one : other;
 }
 
-/// Half turns about `from` and then about the middle of both: twice the turn from one to the other
-/// of these. Unlike Rodrigues' formula this keeps lengths near opposite directions, too.
+/// Two half turns, about `from` and about the bisector of both directions, make twice the rotation
+/// from the one axis to the other. Unlike Rodrigues' formula this preserves lengths near opposite
+/// directions, too.
 Mat3d turn_between(const Vec3d& from, const Vec3d& to) {
     const Vec3d a = unit(from), b = unit(to);
     if (a == Vec3d(0.0) || b == Vec3d(0.0)) return Mat3d(1.0);

@@ -1,5 +1,5 @@
-// Logs are of three kinds: Mesa's "0:12(3): error", NVIDIA's "0(12) : error" and "ERROR: 0:12:" of
-// most others, 12 being a line of the whole text: Mesa shows no number that #line gives a part.
+// Logs come in three forms: Mesa's "0:12(3): error", NVIDIA's "0(12) : error" and "ERROR: 0:12:" of
+// most others. 12 is a line of the whole text: Mesa ignores the source number of #line.
 #include "app/base/shader_source.h"
 
 #include <algorithm>
@@ -15,7 +15,8 @@ namespace burl {
 
 namespace {
 
-/// A version must come first, so a part's own line of it becomes an empty one; the last line ends.
+/// The part's text ending with a newline. Its own #version line becomes empty, since the whole has
+/// one at its beginning, and line numbers stay.
 std::string part_text(std::string_view text) {
     if (text.starts_with("#version")) text.remove_prefix(std::min(text.find('\n'), text.size()));
     std::string result(text);
@@ -23,10 +24,10 @@ std::string part_text(std::string_view text) {
     return result;
 }
 
-/// Where a line of a log tells a line of the text.
+/// The place in a log's line that refers to a line of the source.
 struct LogPlace {
-    std::size_t begin = 0, end = 0;  ///< of "0:12" or "0(12)" in the log's line
-    std::size_t line = 0;            ///< 12; 0: nowhere
+    std::size_t begin = 0, end = 0;  ///< the range of "0:12" or "0(12)" in the log's line
+    std::size_t line = 0;            ///< the source's line, 12; 0 where the log names none
 };
 
 LogPlace log_place(std::string_view line) {

@@ -1,7 +1,7 @@
 #pragma once
-// A shader put together from parts: hand-written files of shaders/ and generated text under one
-// #version, so that functions stand once, and a compiler's complaint names the part and its own
-// line. All of it is text and needs no OpenGL.
+// Shader sources assembled from parts: hand-written files of shaders/ and generated text under one
+// #version line. Every function is written once, and compilers' messages name the part and the line
+// within it. Text only, without OpenGL.
 #include <span>
 #include <string>
 #include <string_view>
@@ -11,27 +11,29 @@
 
 namespace burl {
 
-/// The text of a file of shaders/. Throws Error(runtime) when the program holds none of that name.
+/// The text of a file of shaders/. Throws Error(runtime) where the program embeds none of that
+/// name.
 std::string_view embedded_shader(std::string_view name);
 
-/// Text in GLSL 3.30 core: extensions and macros first, whenever they are added, then the parts in
-/// order.
+/// GLSL 3.30 core: the #version line, extensions, macros, then the parts in the order they were
+/// added.
 class ShaderSource {
   public:
-    /// `#extension NAME : require`.
+    /// Adds `#extension NAME : require`.
     ShaderSource& extension(std::string_view name);
-    /// `#define NAME VALUE`.
+    /// Adds `#define NAME VALUE`.
     ShaderSource& define(std::string_view name, std::string_view value);
-    /// The macros real, real2, real3 and real4: double, dvec2, ... or float, vec2, ...;
-    /// BURL_FLOAT64 is 1 or 0.
+    /// Defines the macros real, real2, real3 and real4 as double, dvec2, ... or float, vec2, ...,
+    /// and BURL_FLOAT64 as 1 or 0.
     ShaderSource& define_real(bool float64);
-    /// A file of shaders/; its own #version, if any, does not count.
+    /// Adds a file of shaders/; a #version line at its beginning becomes an empty line.
     ShaderSource& add(std::string_view embedded);
-    /// `name` stands in messages.
+    /// Adds text that messages call `name`.
     ShaderSource& add(std::string name, std::string_view text);
 
     std::string text() const;
-    /// A compiler's log of text() with parts and their own lines for lines of the whole.
+    /// A compiler's log of text() in which each line number of the whole is replaced by the part's
+    /// name and the line within it.
     std::string with_names(std::string_view log) const;
 
   private:
@@ -44,7 +46,7 @@ class ShaderSource {
     std::vector<Part> parts_;
 };
 
-/// Adds them in order.
+/// Adds generated parts in order; a part without text is a file of shaders/ by its name.
 void add_parts(ShaderSource& source, std::span<const GlslPart> parts);
 
 }  // namespace burl

@@ -1,18 +1,18 @@
 #pragma once
-// Adds up the host's time that goes into parts of some work.
+// Time measurement for parts of a computation.
 #include <chrono>
 #include <ctime>
 
 namespace burl {
 
-/// Processor time of the calling thread since it began.
+/// Processor time of the calling thread since it started, in seconds.
 inline double thread_seconds() {
     std::timespec time{};
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
     return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
 }
 
-/// Adds the seconds it lives to a sum.
+/// Adds the wall-clock seconds of its lifetime to a sum.
 class Stopwatch {
   public:
     explicit Stopwatch(double& sum) : sum_(sum) {}
@@ -27,7 +27,7 @@ class Stopwatch {
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// work(), whose seconds are added to `sum`.
+/// The result of work(), whose wall-clock seconds are added to `sum`.
 template <class Work>
 auto timed(double& sum, const Work& work) {
     const Stopwatch stopwatch(sum);

@@ -1,7 +1,7 @@
 #pragma once
-// Numbers distinct rows of words in the order they first appear: how exporters share vertices that
-// agree in every bit. Open addressing with linear probing, since std::unordered_map costs several
-// times as much here.
+// Numbers distinct rows of words in the order of their first occurrence: exporters share vertices
+// that agree in every bit. A hash table with open addressing and linear probing; std::unordered_map
+// costs several times as much here.
 #include <array>
 #include <bit>
 #include <cstdint>
@@ -17,7 +17,7 @@ class UniqueRows {
 
     explicit UniqueRows(std::size_t expected) : slots_(std::bit_ceil(2 * expected + 2), empty) {}
 
-    /// The row's number; new rows get the next one.
+    /// The row's number, from 0; a new row gets the next one.
     std::uint32_t insert(const Row& row) {
         if (2 * rows_.size() >= slots_.size()) grow();
         std::uint32_t& slot = slots_[find(row)];
@@ -29,7 +29,7 @@ class UniqueRows {
     }
 
     const std::vector<Row>& rows() const { return rows_; }
-    /// The rows, by number; what finds them is given up.
+    /// Moves out the rows, indexed by number, and drops the hash table.
     std::vector<Row> take_rows() && {
         slots_ = {};
         return std::move(rows_);

@@ -1,5 +1,5 @@
 #pragma once
-// What exactly ran: our version, the libraries' versions and the SIMD level chosen at run time.
+// The versions of Burl and its libraries, and the SIMD level chosen at run time.
 #include <string>
 #include <utility>
 #include <vector>
@@ -8,11 +8,11 @@ namespace burl {
 
 std::string burl_version();
 
-/// Name and version of every library, and "simd" with the instruction set the kernels use on this
-/// machine.
+/// Name and version of every library, and "simd" with the instruction set that the kernels use on
+/// this machine.
 std::vector<std::pair<std::string, std::string>> component_versions();
 
-/// All of it, a line each.
+/// Burl's version and all component_versions(), one per line.
 std::string version_text();
 
 }  // namespace burl

@@ -17,12 +17,13 @@ namespace burl {
 
 namespace {
 
-constexpr std::size_t gap = 4;  // white pixels between parts
+constexpr std::size_t gap = 4;  // the width in pixels of the white between parts
 
-/// Seen head on from there, the middle of a square picture shows [-1,1]^2.
-constexpr double unit_distance = 3.171595;  // 1 / tan(17.5 degrees)
+/// The distance, in radii, of a head-on view in which the middle of a square picture shows
+/// [-1,1]^2: 1 / tan(17.5 degrees).
+constexpr double unit_distance = 3.171595;
 
-/// A noise and the amplitude that fills half the range of grey.
+/// A kind of noise, and the amplitude that fills half the range of grey.
 struct ShownNoise {
     std::string_view kind;
     double amplitude = 0.5;
@@ -31,7 +32,8 @@ struct ShownNoise {
 constexpr std::array shown_noises{ShownNoise{"perlin1985", 0.55}, ShownNoise{"simplex", 1.2},
                                   ShownNoise{"perlin", 0.5}};
 
-/// 5 x 5 cells of a noise in the plane z = `place`: its value, or its slope along `direction`.
+/// The arguments for 5 x 5 cells of a noise in the plane z = `place`: its value, or its slope along
+/// `direction` where that is not empty.
 std::string noise_part(const ShownNoise& noise, std::string_view direction, double place) {
     const bool value = direction.empty();
     std::string line = fmt::format("--plane 0,0,1,{} --view 0,0,{:.4f} --size 100x100 --unlit",
@@ -55,7 +57,8 @@ Figure noise_figure() {
     return figure;
 }
 
-/// 6 x 6 cells of a fractal sum in grey, taken from [0,1] by amplitude and offset.
+/// The arguments for 6 x 6 cells of a fractal sum in grey, mapped from [0,1] by amplitude and
+/// offset.
 std::string sum_part(std::string_view sum, double amplitude, double offset) {
     return fmt::format(
         "--plane 0,0,1,0.3 --view 0,0,9.8148 --size 180x180 --unlit --recipe noise --set "
@@ -82,8 +85,8 @@ Figure sums_figure() {
          fmt::format("{} --view 0,0,3.5 --recipe sine-marble", colored)}};
 }
 
-/// A square of the zone plate head on, with the rings' centre in a corner of it (the paper's unit
-/// square) or in its middle.
+/// The arguments for a square of the zone plate seen head on, with the rings' centre in one of its
+/// corners (the paper's unit square) or in its middle.
 std::string zone_part(bool corner, std::string_view filter) {
     std::string line = fmt::format(
         "--plane 0,0,1,0 --recipe zoneplate --view 0,0,{:.5f} --size 256x256 --unlit "

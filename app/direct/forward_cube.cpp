@@ -13,7 +13,7 @@ namespace burl {
 
 namespace {
 
-/// Where the picture's pixels lie: p = origin + x right + y down, and any way along `towards`.
+/// The parallel projection of pixels: p = origin + x right + y down, and any multiple of `towards`.
 struct Projection {
     Vec3d origin, right, down, towards;
 };
@@ -22,7 +22,8 @@ Projection projection(double size, std::size_t side) {
     const Vec3d towards = Vec3d(-1.0, -1.0, 1.0) / std::sqrt(3.0);
     const Vec3d up = Vec3d(1.0, 1.0, 2.0) / std::sqrt(6.0);
     const Vec3d right = glm::cross(up, towards);
-    // The hexagon is sqrt(8/3) high for a cube of 1; a 20th of the picture stays free all round.
+    // The hexagon is sqrt(8/3) high for a cube of side 1; a 20th of the picture stays free on each
+    // side.
     const double pixel = size * std::sqrt(8.0 / 3.0) / (0.9 * double(side));
     const double half = 0.5 * double(side) - 0.5;
     return {Vec3d(0.5 * size) - half * pixel * (right - up), pixel * right, -pixel * up, towards};
@@ -30,11 +31,11 @@ Projection projection(double size, std::size_t side) {
 
 struct Face {
     int axis = 0;
-    double at = 0.0;  ///< its coordinate along the axis
+    double at = 0.0;  ///< the face's coordinate along the axis
     double light = 1.0;
 };
 
-/// Along `towards` until the face's plane.
+/// The point projected along `towards` onto the face's plane.
 Vec3d onto(const Face& face, const Vec3d& towards, const Vec3d& p) {
     return p + (face.at - p[face.axis]) / towards[face.axis] * towards;
 }
@@ -45,7 +46,7 @@ bool within(const Face& face, double size, const Vec3d& p) {
     return true;
 }
 
-/// The pixels of a row that show a face: the first one, and their line through the solid.
+/// The pixels of a row that show a face: the first one, and their line through solid space.
 struct Run {
     std::size_t x = 0;
     LatticeLine line;

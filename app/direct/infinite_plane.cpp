@@ -17,7 +17,8 @@ Error bad_plane(const std::string& text) {
                              text));
 }
 
-/// Four finite numbers, the first three not all 0.
+/// Parses four finite numbers, the first three not all 0, and normalises the plane. Throws
+/// Error(usage).
 Plane parse_numbers(const std::string& text, std::string_view rest) {
     std::array<double, 4> numbers{};
     const char* begin = rest.data();
@@ -65,7 +66,7 @@ std::optional<PlaneHit> meet(const SampleRays& rays, int x, int y, const Plane& 
     const Vec3d direction = rays.direction(x, y);
     const double height = plane.offset - glm::dot(plane.normal, rays.eye());
     const double approach = glm::dot(plane.normal, direction);
-    // A ray closer to parallel than rounding can tell is parallel.
+    // A ray that is parallel within rounding errors counts as parallel.
     if (!(std::abs(approach) > 0x1p-48 * glm::length(direction))) return std::nullopt;
     PlaneHit hit;
     hit.depth = height / approach;

@@ -1,7 +1,7 @@
 #pragma once
-// Planes seen to the horizon (Hart et al. 1999, figures 3 and 6): no mesh reaches that far, so
-// every picture sample meets the plane by its own ray, and the ray's differential says how much of
-// the plane the sample covers.
+// Planes up to the horizon (Hart et al. 1999, figures 3 and 6). No mesh extends that far, so every
+// picture sample intersects the plane by a ray of its own, and the ray's differential gives the
+// sample's footprint on the plane.
 #include <optional>
 #include <string>
 
@@ -16,24 +16,27 @@ struct Plane {
     double offset = 0.0;
 };
 
-/// A plane and the recipe it shows; an empty name means the one of --recipe.
+/// A plane and the recipe it shows; an empty name means the recipe of --recipe.
 struct PlaneArgument {
     Plane plane;
     std::string recipe;
 };
 
-/// "RECIPE:NX,NY,NZ,D" or "NX,NY,NZ,D", for example "clouds:0,1,0,4". Throws Error(usage).
+/// Parses "RECIPE:NX,NY,NZ,D" or "NX,NY,NZ,D", for example "clouds:0,1,0,4"; the plane's normal has
+/// length 1. Throws Error(usage).
 PlaneArgument parse_plane(const std::string& text);
 
-/// The rays through a picture's samples, of which `samples` are in the whole picture.
+/// The rays through the samples of a picture; `samples` is the number of samples per side of the
+/// whole picture.
 class SampleRays {
   public:
     SampleRays(const Camera& camera, const PictureSize& samples);
 
     const Vec3d& eye() const { return eye_; }
-    /// Through the centre of sample (x, y), y down; its component along the view axis is 1.
+    /// The direction through the centre of sample (x, y), y down; its component along the view axis
+    /// is 1.
     Vec3d direction(int x, int y) const;
-    /// By how much it changes from one sample to the next, to the right and downwards.
+    /// The difference of directions between neighbouring samples, to the right and downwards.
     const Footprint& steps() const { return steps_; }
 
   private:
@@ -41,14 +44,16 @@ class SampleRays {
     Footprint steps_;
 };
 
-/// Where a ray meets a plane.
+/// The intersection of a ray with a plane.
 struct PlaneHit {
-    double depth = 0.0;  ///< along the view axis, > 0
+    double depth = 0.0;  ///< the distance along the view axis, > 0
     Vec3d point{0.0};
-    Footprint steps;  ///< by how much the point moves from one sample to the next, to first order
+    /// The displacement of the point between neighbouring samples, to first order.
+    Footprint steps;
 };
 
-/// Nothing where the ray does not come to the plane: parallel to it, away from it, or from within.
+/// The intersection of the ray through sample (x, y) with the plane; no value where the ray is
+/// parallel to it, points away from it or begins in it.
 std::optional<PlaneHit> meet(const SampleRays& rays, int x, int y, const Plane& plane);
 
 }  // namespace burl

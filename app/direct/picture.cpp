@@ -26,7 +26,7 @@ struct NamedFilter {
     FilterKind kind;
 };
 
-/// Those that average over a footprint without taking further samples.
+/// The filters that average over a footprint without further samples.
 constexpr std::array filters{NamedFilter{"none", FilterKind::none},
                              NamedFilter{"table-mip", FilterKind::table_mip},
                              NamedFilter{"table-sat", FilterKind::table_sat},
@@ -44,14 +44,15 @@ FilterKind parse_filter(const std::string& text) {
                                              text, fmt::join(names, ", ")));
 }
 
-/// A footprint and the texture's coordinates through an affine map.
+/// The colour of points and footprints that are first mapped by an affine map.
 FilteredColor mapped(FilteredColor color, const Affine3& map) {
     return [color = std::move(color), map](const Vec3d& p, const Footprint& steps) {
         return color(map(p), {map.linear * steps.u, map.linear * steps.v});
     };
 }
 
-/// Of both, so that the view stays the same on the way from one to the other.
+/// The bounding sphere of the mesh at rest and posed together, so that the view does not change
+/// with the pose's weight.
 Sphere sphere_of(const Mesh& mesh, const Mesh& posed) {
     if (posed.triangles.empty()) return bounding_sphere(mesh);
     return sphere_around([&](auto visit) {
@@ -64,7 +65,7 @@ Sphere sphere_of(const Mesh& mesh, const Mesh& posed) {
     });
 }
 
-/// A step along a triangle of the posed mesh as the same step along that at rest.
+/// A step along a triangle of the posed mesh, mapped to the same triangle at rest.
 Vec3d step_at_rest(const Mesh& posed, const Mesh& rest, std::uint32_t triangle, const Vec3d& step) {
     const Triangle &p = posed.triangles[triangle], &r = rest.triangles[triangle];
     const Vec3d e = posed.positions[p[1]] - posed.positions[p[0]],
@@ -77,14 +78,14 @@ Vec3d step_at_rest(const Mesh& posed, const Mesh& rest, std::uint32_t triangle, 
            (ee * b - ef * a) / area * (rest.positions[r[2]] - rest.positions[r[0]]);
 }
 
-/// The keys that have no say in a picture of what has not been baked.
+/// The keys without effect on a picture that is drawn without an atlas.
 constexpr std::array idle_keys{
     IdleKey{"atlas", "--direct draws without an atlas"},
     IdleKey{"paint", "--direct draws the texture below the paint"},
     IdleKey{"filter.kind", "--direct takes its filter from --filter"},
     IdleKey{"filter.samples", "--direct takes its filter from --filter"}};
 
-/// The recipes that a picture shows, by their names, with the edits and moves of each.
+/// The recipes that a picture shows, by name, each with its edits and moves.
 class ShownRecipes {
   public:
     explicit ShownRecipes(const DirectOptions& options) : options_(options) {
@@ -94,7 +95,8 @@ class ShownRecipes {
         for (const std::string& name : names_) add(name);
     }
 
-    /// Gives every edit and every move to the recipe it names.
+    /// The recipes, each with the edits and moves that name it. Throws Error(usage) for one that
+    /// names no shown recipe.
     std::vector<MovedRecipe> with_edits(const AnimationOptions& animation) const {
         std::vector<MovedRecipe> result = recipes_;
         for (const std::string& text : options_.recipe.settings)
@@ -107,7 +109,7 @@ class ShownRecipes {
         return result;
     }
 
-    /// The picture of recipes in the order of with_edits().
+    /// The picture's recipes, from recipes in the order of with_edits().
     PictureRecipes picture(const std::vector<Recipe>& recipes) const {
         PictureRecipes result;
         const std::size_t main = place_of("");
@@ -120,7 +122,7 @@ class ShownRecipes {
     }
 
   private:
-    /// A name's first time; the empty one is that of --recipe.
+    /// Adds a name that is new; the empty name is that of --recipe.
     void add(const std::string& name) {
         if (place_of(name) < shown_.size()) return;
         shown_.push_back(name);
@@ -159,8 +161,8 @@ class ShownRecipes {
     }
 
     const DirectOptions& options_;
-    std::vector<std::string> names_;  ///< of the planes' recipes; empty: that of --recipe
-    std::vector<std::string> shown_;  ///< each once
+    std::vector<std::string> names_;  ///< per plane its recipe's name; empty: that of --recipe
+    std::vector<std::string> shown_;  ///< the distinct names
     std::vector<MovedRecipe> recipes_;
 };
 
@@ -266,7 +268,7 @@ std::vector<PlaneLayer> DirectPicture::layers(const PictureRecipes& recipes) con
     return result;
 }
 
-/// The posed surface shows the colours of the one at rest.
+/// Draws the posed surface with the colours of the surface at rest.
 Image<Rgb8> DirectPicture::draw_posed(const Recipe& recipe,
                                       const std::vector<PlaneLayer>& planes) const {
     if (!recipe.bump.empty())

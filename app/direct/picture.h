@@ -1,6 +1,6 @@
 #pragma once
-// What `burl render --direct` is asked for, from its options to the picture, so that the figures
-// (app/direct/figures.h) are drawn from the very command lines a user would type.
+// `burl render --direct` from its options to the picture. The figures (app/direct/figures.h) are
+// drawn from the same command lines.
 #include <memory>
 #include <optional>
 #include <string>
@@ -13,7 +13,8 @@
 
 namespace burl {
 
-/// Options of `burl render`; all but the last group are also those of a picture without --direct.
+/// Options of `burl render`. The scene, --view, --size, --filter, --unlit and --supersample apply
+/// to every picture; the others to --direct and, except --plane and --widths, to --lazy.
 struct DirectOptions {
     std::string scene;  ///< a mesh (file or "sample:NAME"); may be empty where there are planes
     std::optional<std::string> view, size, filter;
@@ -24,35 +25,38 @@ struct DirectOptions {
     bool widths = false;
     RecipeOptions recipe;
     MeshOptions meshes;
-    std::string pose;  ///< app/surface/load_pose.h; empty: none
+    std::string pose;  ///< --pose (app/surface/load_pose.h); empty: none
     double crease = 40.0;
 
     void add(CLI::App& verb);
+    /// The value of --view, or the default view. Throws Error(usage).
     View parsed_view() const;
-    /// `picture` with --size and --unlit.
+    /// The options `picture` with --size and --unlit applied. Throws Error(usage).
     PictureOptions picture_options() const;
 };
 
 /// The recipes that one picture shows.
 struct PictureRecipes {
-    Recipe main;  ///< that of --recipe: of the mesh, and of planes that name none
-    std::vector<std::optional<Recipe>> planes;  ///< of those that name one, in the planes' order
+    Recipe main;  ///< the recipe of --recipe: for the mesh, and for planes that name none
+    std::vector<std::optional<Recipe>> planes;  ///< per plane its own recipe, if it names one
 };
 
-/// The recipes of every frame, or of the one picture without --frames. An edit (--set, --animate)
-/// is of --recipe, or as NAME:PATH... of the recipe that the picture shows by that name; --time is
-/// of all. Throws Error, usage for what would change nothing in the picture.
+/// The recipes of every frame, or of a single picture without --frames. An edit (--set, --animate)
+/// applies to the recipe of --recipe, or as NAME:PATH... to the shown recipe of that name; --time
+/// applies to all. Throws Error, usage among others for edits without effect on the picture.
 std::vector<PictureRecipes> picture_recipes(const DirectOptions& options,
                                             const AnimationOptions& animation);
 
-/// A mesh and planes that were read once, for any number of pictures (frames).
+/// A mesh and planes, loaded once for any number of pictures (frames).
 class DirectPicture {
   public:
-    /// Throws Error: usage for options that do not fit together, else as reading does.
+    /// Loads the mesh and its pose. Throws Error: usage for options that do not fit together, else
+    /// as load_pose and MeshOptions::load do.
     explicit DirectPicture(const DirectOptions& options);
 
-    /// `recipes`: of picture_recipes(), or the main one alone where no plane names any. Throws
-    /// Error(unsupported) as check_lattice does.
+    /// Draws a picture. `recipes` are those of picture_recipes(), or the main one alone where no
+    /// plane names any. Throws Error(unsupported) as check_lattice does, and for bumps of a mesh in
+    /// a pose.
     Image<Rgb8> operator()(const PictureRecipes& recipes) const;
 
   private:

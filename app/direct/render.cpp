@@ -14,7 +14,7 @@ namespace burl {
 
 namespace {
 
-constexpr int band_rows = 8;  // picture rows drawn as one task
+constexpr int band_rows = 8;  // picture rows per task
 
 /// Per band of sample rows the triangles that may reach it, in drawing order.
 std::vector<std::vector<std::uint32_t>> sort_into_bands(const std::vector<ScreenTriangle>& all,
@@ -37,7 +37,8 @@ struct Surface {
     bool lit;
 };
 
-/// Takes normals through `m`, up to a factor: the inverse transposed times the determinant.
+/// The cofactors of `m`, which transform normals up to a factor: the inverse transposed times the
+/// determinant.
 Mat3d cofactors(const Mat3d& m) {
     return {glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1])};
 }
@@ -71,7 +72,7 @@ struct LayerHit {
     PlaneHit at;
 };
 
-/// The planes that sample (x, y) meets before `depth`, nearest first.
+/// Collects the planes whose intersections at sample (x, y) are nearer than `depth`, nearest first.
 void find_planes(const Surface& surface, int x, int y, double depth, std::vector<LayerHit>& hits) {
     hits.clear();
     for (const PlaneLayer& layer : surface.scene.planes) {
@@ -82,7 +83,7 @@ void find_planes(const Surface& surface, int x, int y, double depth, std::vector
                      [](const LayerHit& a, const LayerHit& b) { return a.at.depth < b.at.depth; });
 }
 
-/// The planes over each other, and over `behind` as far as they are transparent.
+/// Composites the planes over one another, and over `behind` as far as they are transparent.
 Vec3d covered_by(const Surface& surface, std::span<const LayerHit> hits, const Vec3d& behind) {
     Vec3d sum(0.0);
     double shows = 1.0;
@@ -98,7 +99,7 @@ Vec3d covered_by(const Surface& surface, std::span<const LayerHit> hits, const V
     return sum + shows * behind;
 }
 
-/// What sample (x, y) shows; `visible`: the triangle there, or nothing_visible.
+/// The colour of sample (x, y); `visible` is the triangle there, or nothing_visible.
 Vec3d sample_color(const Surface& surface, std::span<const ScreenTriangle> triangles,
                    std::uint32_t visible, int x, int y, std::vector<LayerHit>& hits) {
     const ScreenTriangle* t = visible == nothing_visible ? nullptr : &triangles[visible];

@@ -73,7 +73,7 @@ void check_output_file(const std::string& path) {
                             path, other, why));
 }
 
-/// Files that a glTF's list of buffers or images names.
+/// Appends the files that a glTF's list of buffers or images names.
 void add_named_by_uri(const Json& document, const char* list, const fs::path& folder,
                       std::vector<std::string>& files) {
     if (!document.is_object() || !document.contains(list)) return;
@@ -85,7 +85,7 @@ void add_named_by_uri(const Json& document, const char* list, const fs::path& fo
     }
 }
 
-/// The buffers beside a glTF, and its images where `all` is set.
+/// Appends the buffer files of a glTF, and its image files where `all` is set.
 void add_named_by_gltf(const std::string& path, bool all, std::vector<std::string>& files) {
     const FileBuffer file = read_file(path);
     const Json document = Json::parse(split_gltf(file).json, nullptr, false);
@@ -94,7 +94,7 @@ void add_named_by_gltf(const std::string& path, bool all, std::vector<std::strin
     if (all) add_named_by_uri(document, "images", folder, files);
 }
 
-/// The rest of every line "mtllib NAME".
+/// Appends the material libraries of an OBJ, the rest of every line "mtllib NAME".
 void add_named_by_obj(const std::string& path, std::vector<std::string>& files) {
     const FileBuffer file = read_file(path);
     const std::string_view text = file.text(), keyword = "mtllib ";

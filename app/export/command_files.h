@@ -1,6 +1,6 @@
 #pragma once
-// The files of one command: no output may replace a file that is read, nor another output. Links
-// and other spellings of a file are that file.
+// The files of one command. No output may replace an input or another output; symbolic links and
+// other spellings of a path count as the same file.
 #include <cstdint>
 #include <map>
 #include <span>
@@ -13,42 +13,43 @@
 
 namespace burl {
 
-/// Files by their real path and, where they are there, by device and inode.
+/// A set of files, by real path and, for existing ones, by device and inode.
 class FileNames {
   public:
-    /// `note` is the caller's, for messages. A path that is known keeps its first name and note;
-    /// another hard link of a known file has its own.
+    /// Adds a file; `note` is the caller's, for messages. A path that is known keeps its first name
+    /// and note; another hard link of a known file gets its own.
     void add(const std::string& path, std::string note = {});
 
     struct Known {
-        std::string name;  ///< as it was given
+        std::string name;  ///< the path as it was given
         std::string note;
     };
-    /// Null for a file that was not added.
+    /// The entry of the file or one of its hard links; null where it was not added.
     const Known* find(const std::string& path) const;
-    /// By real path alone, for files that are replaced: their other hard links stay as they are.
+    /// The entry of the real path alone, for files that are replaced: their other hard links stay
+    /// unchanged.
     const Known* find_path(const std::string& path) const;
 
   private:
     std::vector<Known> known_;
-    std::map<std::string, std::size_t> by_path_;  ///< into known_
+    std::map<std::string, std::size_t> by_path_;  ///< indices into known_, by real path
     std::map<std::pair<std::uint64_t, std::uint64_t>, std::size_t> by_inode_;
 };
 
+/// The inputs and outputs of a command, checked before any work.
 class CommandFiles {
   public:
     CommandFiles() = default;
-    /// Of files that were checked already.
+    /// A command with files that were checked already.
     CommandFiles(FileNames read, FileNames written)
         : read_(std::move(read)), written_(std::move(written)) {}
 
-    /// Files that are read, those already known included. Throws Error(io) for one that is written.
+    /// Adds inputs, which may be known already. Throws Error(io) for one that is an output.
     void read(std::span<const std::string> paths);
 
-    /// A file that will be written. Throws Error before any work: usage where its name does not end
-    /// in `extension` (in lower case; empty: any); io where its folder is missing or not writable,
-    /// where something else than a regular file has its name, or for a file that is read or written
-    /// already.
+    /// Adds an output. Throws Error: usage where the name does not end in `extension` (in lower
+    /// case; empty: any); io where the folder is missing or not writable, where something else than
+    /// a regular file has the name, or where the file is an input or another output.
     void write(const std::string& path, std::string_view extension = {});
 
   private:
@@ -56,18 +57,20 @@ class CommandFiles {
 };
 
 enum class MeshFiles {
-    read,   ///< the mesh is made of these: its own file and a glTF's buffers
-    named,  ///< these must stay besides: images of a glTF and material libraries of an OBJ
+    read,   ///< the files that the mesh is made of: its own and a glTF's buffers
+    named,  ///< besides those of `read`, images of a glTF and material libraries of an OBJ
 };
 
-/// None for a sample mesh or an empty path. What cannot be read is left for the reader to report.
+/// The files of a mesh; empty for a sample mesh or an empty path. Errors of reading are left to the
+/// mesh's reader.
 std::vector<std::string> files_of_mesh(const std::string& mesh_path,
                                        MeshFiles which = MeshFiles::named);
 
-/// The images a recipe reads, its bumps' included, from the folder of its file on.
+/// The paths of the images of a recipe and its bumps, which are relative to the folder of its file;
+/// each once.
 std::vector<std::string> images_of_recipe(const std::string& path_or_preset, const Recipe& recipe);
 
-/// Those images and the recipe's own file, if it has one and is no preset.
+/// The images of a recipe, and its own file unless it is a preset.
 std::vector<std::string> files_of_recipe(const std::string& path_or_preset, const Recipe& recipe);
 
 }  // namespace burl

@@ -11,14 +11,14 @@ namespace burl {
 
 namespace {
 
-/// "vec3(x, y, z)".
+/// The GLSL text "vec3(x, y, z)".
 std::string column(const Vec3d& v) {
     const auto number = [](double x) { return glsl_number(x, GlslReal::float32); };
     return fmt::format("vec3({}, {}, {})", number(v.x), number(v.y), number(v.z));
 }
 
-/// A name as a comment takes it: GLSL 3.30 is ASCII, and a backslash or a line's end would end the
-/// comment elsewhere.
+/// The name in printable ASCII without backslashes, since GLSL 3.30 is ASCII and a backslash or a
+/// line's end would end the comment elsewhere.
 std::string in_comment(std::string name) {
     for (char& c : name)
         if (c < ' ' || c > '~' || c == '\\') c = '?';

@@ -1,4 +1,4 @@
-// Chooses the writer by extension, and answers what can be known before the work starts.
+// Selection of the writer by extension, and the checks that need no image.
 #include "app/export/export.h"
 
 #include <array>
@@ -49,7 +49,7 @@ const FormatFiles& format_of(const std::string& path) {
                 fmt::format("{}: the output {}; use .glb, .gltf, .obj, .png or .exr", path, what));
 }
 
-/// PNG content in the image's own depth; float becomes 8 bits. The image must outlive it.
+/// A source of PNG content in the image's own depth, 8 bits for float. The image must outlive it.
 ByteSource png_of(const BakedImage& image) {
     return [&image](const ByteSink& sink) {
         if (const auto* rgb16 = std::get_if<Image<Rgb16>>(&image)) return encode_png(*rgb16, sink);
@@ -59,7 +59,7 @@ ByteSource png_of(const BakedImage& image) {
     };
 }
 
-/// Of 8 or 16 bits.
+/// An image of 8 or 16 bits decoded to linear light.
 Image<RgbF> linear_of(const BakedImage& image) {
     if (const auto* rgb8 = std::get_if<Image<Rgb8>>(&image)) return to_linear(*rgb8);
     return to_linear(std::get<Image<Rgb16>>(image));
@@ -71,7 +71,7 @@ std::vector<ByteSource> level_pngs(const ExportOptions& options) {
     return pngs;
 }
 
-/// PNG content of the normal map; empty without one.
+/// A source of the normal map's PNG content; empty without a normal map.
 ByteSource normal_png(const ExportOptions& options) {
     if (!options.normals) return {};
     return [&normals = options.normals->image](const ByteSink& sink) {
@@ -79,7 +79,8 @@ ByteSource normal_png(const ExportOptions& options) {
     };
 }
 
-/// "teapot marble": what importers store under one name is then one thing.
+/// The material's name "teapot marble", which differs between textures, since importers merge what
+/// has one name.
 std::string texture_name(const Mesh& mesh, const ExportOptions& options) {
     const std::string& recipe = options.recipe_name;
     if (mesh.name.empty() || recipe.empty())
@@ -87,7 +88,7 @@ std::string texture_name(const Mesh& mesh, const ExportOptions& options) {
     return mesh.name + ' ' + recipe;
 }
 
-/// NAME.png and NAME.1.png, NAME.2.png, ...
+/// The files NAME.png, its MIP levels NAME.1.png, NAME.2.png, ..., and its normal map.
 std::vector<AtomicFile> export_png(const std::string& path, const BakedImage& image,
                                    const ExportOptions& options) {
     std::vector<AtomicFile> files;
@@ -103,13 +104,13 @@ std::vector<AtomicFile> export_png(const std::string& path, const BakedImage& im
     return files;
 }
 
-/// The image where it is float, else `made` of it.
+/// The image where it is float; otherwise its linear light, stored in `made`.
 const Image<RgbF>& float_of(const BakedImage& image, Image<RgbF>& made) {
     if (const auto* linear = std::get_if<Image<RgbF>>(&image)) return *linear;
     return made = linear_of(image);
 }
 
-/// One file, with all levels in it. Nothing is copied: 16384 x 16384 floats are 3 GB.
+/// One file with all MIP levels. Float images are not copied: 16384 x 16384 floats are 3 GB.
 AtomicFile write_exr_file(const std::string& path, const BakedImage& image,
                           const ExportOptions& options) {
     std::vector<Image<RgbF>> made(1 + options.levels.size());
@@ -143,7 +144,7 @@ std::vector<AtomicFile> export_obj(const std::string& path, const Mesh& mesh, co
                  blended_normals(rest, posed_corners(mesh, pose, rest).normals, weight));
 }
 
-/// The arrays of a glTF; the normals they are made of are gone afterwards.
+/// The vertex arrays of a glTF; normals and tangents per corner are freed on return.
 std::vector<PartVertices> gltf_vertices(const Mesh& mesh, const Atlas& atlas,
                                         const ExportOptions& options) {
     const bool bumped = options.normals && options.normals->tangent_space;

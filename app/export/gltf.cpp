@@ -1,4 +1,4 @@
-// Containers only: the document itself is made in gltf_scene.cpp.
+// The containers of glTF; gltf_scene.cpp makes the document.
 #include "app/export/gltf.h"
 
 #include <array>
@@ -19,10 +19,10 @@ using Json = nlohmann::ordered_json;
 
 std::string dump(const Json& json, int indent) {
     return json.dump(indent, ' ', false,
-                     Json::error_handler_t::replace);  // bytes not UTF-8: U+FFFD
+                     Json::error_handler_t::replace);  // invalid UTF-8 becomes U+FFFD
 }
 
-/// RFC 3986: everything but unreserved characters is escaped.
+/// The name with everything but RFC 3986's unreserved characters escaped.
 std::string percent_encoded(const std::string& name) {
     std::string uri;
     for (const char c : name) {
@@ -52,8 +52,8 @@ std::array<std::uint8_t, 4 * Count> as_words(const std::array<std::uint64_t, Cou
     return bytes;
 }
 
-/// The container's bytes before the buffer: its header, the document's with the document, the
-/// buffer's header. The document is filled up with spaces to `length` bytes, a multiple of 4.
+/// The container's bytes before the buffer: file header, JSON chunk and the buffer chunk's header.
+/// The JSON is padded with spaces to `length` bytes, a multiple of 4.
 std::string glb_head(const std::string& json, std::size_t length, std::uint64_t binary_size) {
     std::string head;
     const auto append = [&](const auto& bytes) { head.append(bytes.begin(), bytes.end()); };
@@ -75,7 +75,8 @@ void write_meshes(AtomicFile& file, const GltfScene& scene) {
     }
 }
 
-/// Appends the image to the buffer and says in its view how long it is.
+/// Appends the image to the buffer and stores its offset and length in its bufferView. Throws
+/// Error(unsupported) beyond 4 GiB.
 void write_image(AtomicFile& file, GltfScene& scene, const ByteSource& png, std::size_t view) {
     std::uint64_t size = 0;
     png([&](std::span<const std::uint8_t> bytes) {
@@ -95,7 +96,7 @@ struct NamedImage {
     ByteSource png;
 };
 
-/// The texture, its MIP levels, the normal map.
+/// The texture, its MIP levels, then the normal map.
 std::vector<NamedImage> images_of(const GltfContent& content) {
     std::vector<NamedImage> images{{content.name, content.png}};
     for (const ByteSource& level : content.levels)
@@ -106,8 +107,8 @@ std::vector<NamedImage> images_of(const GltfContent& content) {
 
 }  // namespace
 
-// Images become as long as they do: the head is written a second time over room for numbers of any
-// length.
+// Lengths of images are known only once they are encoded: the head is first written with the
+// largest numbers, and at the end overwritten with the true ones.
 AtomicFile write_glb(const GltfContent& content) {
     GltfScene scene = build_gltf_scene(content);
     const std::vector<NamedImage> images = images_of(content);

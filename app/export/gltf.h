@@ -1,6 +1,7 @@
 #pragma once
-// glTF 2.0 output: JSON and buffers written by us, so that the texture is a plain bufferView (not a
-// data URI), bounds are those of the floats written, and every byte goes through AtomicFile.
+// glTF 2.0 files. The JSON and buffers are written here rather than by a library, so that the
+// texture is a plain bufferView (not a data URI), bounds are those of the floats written, and every
+// byte goes through AtomicFile.
 #include <cstdint>
 #include <span>
 #include <string>
@@ -14,33 +15,34 @@
 
 namespace burl {
 
-/// How the vertices' targets are called, and how far they go.
+/// The name and weight of the vertices' morph target.
 struct GltfTarget {
     std::string name{};
-    double weight = 0.0;  ///< 0 to 1
+    double weight = 0.0;  ///< the initial weight, 0..1
 };
 
-/// What a glTF file is made of; images are file contents.
+/// The content of a glTF file; images are contents of PNG files.
 struct GltfContent {
-    std::string path;  ///< of the file, which errors name
+    std::string path;  ///< the file's path, which errors name
     const Mesh& mesh;
     std::span<const PartVertices> vertices;
     const AtlasOptions& atlas;
-    std::string name;  ///< of the material and, with what sets them apart, the images
+    std::string name;  ///< the material's name, and the beginning of the images' names
     ByteSource png;
-    std::span<const ByteSource> levels;  ///< PNGs of MIP levels 1, 2, ...
-    std::string recipe_json;             ///< for asset.extras; may be empty
-    ByteSource normal_png{};  ///< in tangent space, for vertices with tangents; may be empty
-    GltfTarget target{};      ///< of vertices that have one
+    std::span<const ByteSource> levels;  ///< PNG contents of MIP levels 1, 2, ...
+    std::string recipe_json;             ///< the recipe for asset.extras; may be empty
+    /// The normal map in tangent space, for vertices with tangents; may be empty.
+    ByteSource normal_png{};
+    GltfTarget target{};  ///< the name and weight of morph targets
 };
 
-/// One file with everything in it, images last; it has yet to be committed. Throws Error: io, or
-/// unsupported beyond 4 GiB and for points that 32-bit floats cannot hold.
+/// Writes one .glb file, images last, which the caller commits. Throws Error: io, or unsupported
+/// for more than 4 GiB and for points beyond the range of 32-bit floats.
 AtomicFile write_glb(const GltfContent& content);
 
-/// The file, the buffer beside it in NAME.bin, the texture in NAME.png, MIP level l in NAME.l.png
-/// and the normal map in NAME_normal.png; they have yet to be committed together. Throws Error: io,
-/// or unsupported for such points.
+/// Writes the .gltf file, its buffer NAME.bin, the texture NAME.png, MIP levels NAME.l.png and the
+/// normal map NAME_normal.png, which the caller commits together. Throws Error: io, or unsupported
+/// for points beyond the range of 32-bit floats.
 std::vector<AtomicFile> write_gltf(const GltfContent& content);
 
 }  // namespace burl

@@ -1,4 +1,4 @@
-// Ids: view, accessor and mesh numbers are positions in the JSON arrays they were appended to.
+// View, accessor and mesh ids are indices into the JSON arrays.
 #include "app/export/gltf_scene.h"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-enum Gl {  // the few OpenGL constants the format is written in
+enum Gl {  // OpenGL's constants in glTF documents
     gl_unsigned_short = 5123,
     gl_unsigned_int = 5125,
     gl_float = 5126,
@@ -29,7 +29,7 @@ enum Gl {  // the few OpenGL constants the format is written in
     gl_element_array_buffer = 34963,
 };
 
-/// Highest 16-bit index; 65535 itself is reserved (primitive restart).
+/// The largest 16-bit index; 65535 itself is reserved (primitive restart).
 constexpr std::size_t max_short_index = 65534;
 
 template <class T>
@@ -42,7 +42,7 @@ std::size_t append(Json& array, Json value) {
     return array.size() - 1;
 }
 
-/// An accessor over bytes of its own.
+/// Appends an accessor with a bufferView of its own; returns its index.
 std::size_t add_accessor(GltfScene& scene, std::span<const std::uint8_t> bytes, Gl target,
                          Gl component, std::size_t count, const char* type) {
     const std::size_t view = add_buffer_view(scene, bytes.size());
@@ -54,7 +54,7 @@ std::size_t add_accessor(GltfScene& scene, std::span<const std::uint8_t> bytes, 
                                             {"type", type}});
 }
 
-/// Whether 32-bit floats could hold them.
+/// Whether all components are finite: conversion to float32 has not overflowed.
 bool all_finite(const std::vector<Vec3f>& values) {
     return std::ranges::all_of(values, [](const Vec3f& v) {
         return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
@@ -86,11 +86,11 @@ std::size_t add_indices(GltfScene& scene, const std::vector<std::uint32_t>& indi
                         narrow.size(), "SCALAR");
 }
 
-/// Accessors of one part's arrays.
+/// The accessors of one part's arrays.
 struct PrimitiveIds {
     std::size_t position, normal, uv, indices;
     std::optional<std::size_t> block, tangent;
-    Json target{};  ///< null: none
+    Json target{};  ///< the morph target's accessors; null: none
 };
 
 std::size_t add_mesh(GltfScene& scene, const std::string& name, const PrimitiveIds& ids,
@@ -108,7 +108,7 @@ std::size_t add_mesh(GltfScene& scene, const std::string& name, const PrimitiveI
     return append(scene.json["meshes"], std::move(mesh));
 }
 
-/// Hands out each name once: "leg", "leg 2", "leg 3".
+/// Makes names unique: "leg", "leg 2", "leg 3".
 class UniqueNames {
   public:
     std::string operator()(const std::string& wanted) {
@@ -120,11 +120,13 @@ class UniqueNames {
 
   private:
     std::unordered_set<std::string> used_;
-    std::unordered_map<std::string, std::size_t> last_;  ///< number; none before it is free
+    /// The last number tried; lower ones are taken.
+    std::unordered_map<std::string, std::size_t> last_;
 };
 
-/// JSON holds doubles: translations and scales beyond 32-bit floats are written as they are, for
-/// readers that keep doubles, as Burl's own does; others cannot show a mesh of that size at all.
+/// Appends a node. Translations and scales beyond float32 are written as they are, since JSON holds
+/// doubles: Burl and other readers in double precision keep them, and the rest cannot show a mesh
+/// of that size at all.
 void add_node(GltfScene& scene, const std::string& name, std::size_t mesh,
               const NodeTransform& place) {
     Json node{{"name", name}, {"mesh", mesh}};
@@ -166,7 +168,7 @@ PrimitiveIds add_primitive(GltfScene& scene, const PartVertices& v) {
     return ids;
 }
 
-/// Refuses what would be read as no number.
+/// Throws Error(unsupported) where a position is beyond the range of 32-bit floats.
 void check_range(const GltfContent& content, const PartVertices& vertices) {
     const auto refuse = [&](const std::string& what) {
         throw Error(ExitCode::unsupported,
@@ -223,8 +225,8 @@ Json sampler(const AtlasOptions& atlas) {
             {"wrapT", int(gl_clamp_to_edge)}};
 }
 
-/// A solid texture shows on whichever side is seen, so open sheets and meshes with faces wound both
-/// ways look whole: the material is double-sided.
+/// The material, double-sided: a solid texture is the same on both sides, and open sheets and
+/// meshes with inconsistent winding look whole.
 Json material(const GltfContent& content) {
     Json json{
         {"name", content.name},
@@ -235,7 +237,7 @@ Json material(const GltfContent& content) {
     return json;
 }
 
-/// The base colour, and the normal map.
+/// The base colour texture, then the normal map.
 Json textures(const GltfContent& content) {
     const std::size_t levels = content.levels.size();
     Json color{{"sampler", 0}, {"source", 0}};

@@ -1,4 +1,4 @@
-// The text is built in one buffer per kind of line and goes to disk in large pieces.
+// Text is built in one buffer per kind of line and written in large pieces.
 #include "app/export/obj.h"
 
 #include <array>
@@ -26,16 +26,18 @@ void print(Text& text, Values&&... values) {
     fmt::format_to(std::back_inserter(text), std::forward<Values>(values)...);
 }
 
-/// Words of a double or float, -0 as 0.
+/// The two words of a double, with -0 as 0.
 std::array<std::uint32_t, 2> words(double value) {
     const auto bits = std::bit_cast<std::uint64_t>(value + 0.0);
     return {std::uint32_t(bits), std::uint32_t(bits >> 32)};
 }
+/// The word of a float, with -0 as 0.
 std::uint32_t word(float value) {
     return std::bit_cast<std::uint32_t>(value + 0.0f);
 }
 
-/// Names end at the line's end and must not start another one.
+/// The name with control characters replaced, since it ends at the line's end and must not start
+/// another line; "mesh" for an empty name.
 std::string one_line(std::string name) {
     for (char& c : name) {
         if (static_cast<unsigned char>(c) < ' ') c = '_';
@@ -43,14 +45,15 @@ std::string one_line(std::string name) {
     return name.empty() ? "mesh" : name;
 }
 
-/// Readers end names at spaces, and lines at "#".
+/// The name with spaces and "#" replaced, which end names or lines for readers.
 std::string material_name(std::string name) {
     for (char& c : name)
         if (static_cast<unsigned char>(c) <= ' ' || c == '#' || c == '\x7f') c = '_';
     return name;
 }
 
-/// Numbers of each corner's vt and vn line, from 1, and the lines.
+/// For each corner the numbers, from 1, of its vt and vn lines; the normals of the vn lines; and
+/// the text of the vt lines.
 struct CornerLines {
     std::vector<std::uint32_t> uv, normal;
     std::vector<Vec3f> normals;
@@ -86,7 +89,7 @@ void print_normal(Text& text, const Vec3f& n) {
     print(text, FMT_COMPILE("vn {} {} {}\n"), n.x, n.y, n.z);
 }
 
-/// Per corner of a part, the numbers its face lines give (from 1, before a copy's offsets).
+/// The indices of a part's face lines per corner, from 1, before a copy's offsets.
 struct FaceNumbers {
     std::vector<std::size_t> point, uv, normal;
 };
@@ -102,7 +105,7 @@ FaceNumbers face_numbers(const Mesh& mesh, const Part& part, const CornerLines& 
     return out;
 }
 
-/// Renumbers to 1, 2, ... by first use; returns the old numbers in that order.
+/// Renumbers to 1, 2, ... by first use; returns the old numbers in the new order.
 std::vector<std::size_t> compact(std::vector<std::size_t>& numbers) {
     UniqueRows<1> rows(numbers.size() / 3);
     for (std::size_t& n : numbers) n = 1 + std::size_t(rows.insert({std::uint32_t(n)}));
@@ -127,7 +130,8 @@ void print_faces(Text& text, const FaceNumbers& numbers, const Offsets& offsets,
     }
 }
 
-/// All placements of a part but the first: points and normals of their own, shared vt lines.
+/// Prints all placements of a part but the first, with points and normals of their own and shared
+/// vt lines.
 void print_copies(Text& text, const Mesh& mesh, const Part& part, const CornerLines& lines,
                   Offsets& offsets) {
     FaceNumbers numbers = face_numbers(mesh, part, lines);

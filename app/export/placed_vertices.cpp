@@ -8,7 +8,7 @@ namespace burl {
 
 namespace {
 
-/// Both ends of a change are moved, and it is between them.
+/// Transforms the morph target: its changes are the differences of both ends as placed.
 void place_target(const PartVertices& vertices, const Mat3d& linear,
                   const NormalTransform& normal_transform, PartVertices& out) {
     VertexTarget& target = out.target;

@@ -29,7 +29,7 @@ Imf::Header header_of(const SolidMap& map, const Vec3d& base) {
     return header;
 }
 
-/// `pixels` are read only, whatever OpenEXR asks for.
+/// A slice over one component of the pixels, which OpenEXR only reads although it takes char*.
 template <class Pixel>
 Imf::Slice slice_of(Imf::PixelType type, const Image<Pixel>& image, std::size_t component) {
     auto* base = const_cast<char*>(reinterpret_cast<const char*>(image.pixels().data()));

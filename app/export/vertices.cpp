@@ -1,5 +1,6 @@
 // Vertices are numbered by first use, so the arrays follow the triangles and are deterministic.
-// Corners can agree only where they meet at a point of the mesh, so points are worked at apart.
+// Corners can agree only where they meet at a point of the mesh, so points are handled
+// independently.
 #include "app/export/vertices.h"
 
 #include <algorithm>
@@ -20,25 +21,27 @@ namespace {
 
 using Range = tbb::blocked_range<std::size_t>;
 constexpr std::size_t grain = 4096;
-constexpr std::size_t few_corners = 24;  // up to here all are compared with all
+// Up to this number all corners of a point are compared pairwise.
+constexpr std::size_t few_corners = 24;
 
 std::uint32_t bits(float value) {
     return std::bit_cast<std::uint32_t>(value + 0.0f);
-}  // -0 -> 0
+}  // -0 becomes 0
 
-/// Per triangle corner; the tangents may be empty, the pose null.
+/// The frames of all triangle corners; tangents may be empty, the pose null.
 struct CornerFrames {
     std::span<const Vec3f> normals;
     std::span<const Vec4f> tangents;
     const PosedCorners* posed;
 
-    /// The pose's point of the corner.
+    /// The corner's point in the pose; 0 without a pose.
     std::uint32_t point(std::size_t corner) const {
         return posed ? posed->points.triangles[corner / 3][corner % 3] : 0;
     }
 };
 
-/// What corners at one point must agree in: part, the pose's point, u, v, normal, w of the tangent.
+/// The values in which corners at one point must agree: part, point of the pose, u, v, normal, the
+/// tangent's w.
 using Row = std::array<std::uint32_t, 8>;
 
 std::array<float, 2> uv_of(const Atlas& atlas, std::size_t corner) {
@@ -57,7 +60,7 @@ Row row_of(const Atlas& atlas, const CornerFrames& frames, std::span<const std::
             bits(n.z),         bits(w)};
 }
 
-/// Finds for the corners at a point the first that each agrees with.
+/// Finds, for each corner at a point, the first that agrees with it.
 class Agreement {
   public:
     template <class RowOf>
@@ -92,14 +95,14 @@ std::vector<std::uint32_t> parts_of_triangles(const Mesh& mesh) {
     return parts;
 }
 
-/// Whether corners can agree only within a block: its corners lie half a texel or more within it,
-/// so that no other's have the same texture coordinates.
+/// Whether corners can agree only within a block: its corners are at least half a texel inside, so
+/// that other blocks' corners have other texture coordinates.
 bool parts_blocks(const Atlas& atlas) {
     return atlas.options.kind == AtlasKind::quad && atlas.options.overscan == Overscan::bilinear &&
            std::ranges::none_of(atlas.blocks, &Block::shares_texel);
 }
 
-/// Per corner the first that is the same vertex, among those of its block.
+/// Per corner the first of its block that is the same vertex.
 std::vector<std::uint32_t> first_corners_of_blocks(const Mesh& mesh, const Atlas& atlas,
                                                    const CornerFrames& frames) {
     const std::vector<std::uint32_t> parts = parts_of_triangles(mesh);
@@ -152,16 +155,16 @@ Box3 box_of(const Mesh& mesh, const Part& part) {
     return box;
 }
 
-/// Power of two that brings sizes float32 cannot work with to about one.
+/// A power of two that scales sizes outside float32's range to about one; 1 for all others.
 double safe_scale(const Box3& box) {
-    const Vec3d half = 0.5 * box.high - 0.5 * box.low;  // halved first: sizes may overflow
+    const Vec3d half = 0.5 * box.high - 0.5 * box.low;  // halved first, since sizes may overflow
     const double half_size = std::max({half.x, half.y, half.z});
     if (!(half_size > 0.0)) return 1.0;
     const int exponent = std::ilogb(half_size);
     return std::abs(exponent) <= 60 ? 1.0 : std::ldexp(1.0, exponent);
 }
 
-/// Per triangle the number of its block; only of quad atlases.
+/// Per triangle the index of its block; empty unless the atlas is of the kind quad.
 std::vector<std::uint32_t> blocks_of_triangles(const Atlas& atlas) {
     std::vector<std::uint32_t> result;
     if (atlas.options.kind != AtlasKind::quad) return result;
@@ -180,8 +183,8 @@ std::array<float, 4> rectangle_of(const Atlas& atlas, const Block& block) {
     return {float(low.x), float(low.y), float(high.x), float(high.y)};
 }
 
-/// Numbers a part's vertices, and writes over `first` the number of each corner's. Returns each
-/// vertex's first corner.
+/// Numbers a part's vertices and replaces each corner's entry of `first` by its vertex number.
+/// Returns the first corner of each vertex.
 std::vector<std::uint32_t> number_vertices(const Part& part, std::vector<std::uint32_t>& first) {
     std::vector<std::uint32_t> corners;
     corners.reserve(part.triangle_count + part.triangle_count / 2);
@@ -198,12 +201,12 @@ std::vector<std::uint32_t> number_vertices(const Part& part, std::vector<std::ui
     return corners;
 }
 
-/// What export_vertices looks at.
+/// The inputs of export_vertices.
 struct ExportCorners {
     const Mesh& mesh;
     const Atlas& atlas;
     CornerFrames frames;
-    std::span<const std::uint32_t> blocks;  ///< per triangle, or empty
+    std::span<const std::uint32_t> blocks;  ///< per triangle the index of its block, or empty
 };
 
 void resize(PartVertices& out, std::size_t count, const ExportCorners& of) {
@@ -218,7 +221,7 @@ void resize(PartVertices& out, std::size_t count, const ExportCorners& of) {
     out.target.tangents.resize(out.tangents.size());
 }
 
-/// The change from vertex i as it was rounded.
+/// Stores the change from vertex i, as rounded to float32, to its pose.
 void fill_target(PartVertices& out, std::size_t i, std::size_t corner, const PosedCorners& posed) {
     const Vec3d& place = posed.points.positions[posed.points.triangles[corner / 3][corner % 3]];
     const Vec3d p = (place - out.centre) / out.scale;
@@ -228,7 +231,7 @@ void fill_target(PartVertices& out, std::size_t i, std::size_t corner, const Pos
         out.target.tangents[i] = Vec3f(posed.tangents[corner]) - Vec3f(out.tangents[i]) + 0.0f;
 }
 
-/// Vertex i as its first corner has it.
+/// Stores the attributes of vertex i, taken from its first corner.
 void fill_vertex(PartVertices& out, std::size_t i, std::size_t corner, const ExportCorners& of) {
     const std::size_t t = corner / 3;
     const Vec3d& point = of.mesh.positions[of.mesh.triangles[t][corner % 3]];
@@ -243,7 +246,7 @@ void fill_vertex(PartVertices& out, std::size_t i, std::size_t corner, const Exp
     if (of.frames.posed) fill_target(out, i, corner, *of.frames.posed);
 }
 
-/// `first` as of first_corners; what it says of the part is used up.
+/// The arrays of one part. `first` is that of first_corners(); the part's entries are overwritten.
 PartVertices part_vertices(const ExportCorners& of, std::size_t index,
                            std::vector<std::uint32_t>& first) {
     const Part& part = of.mesh.parts[index];

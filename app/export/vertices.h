@@ -1,5 +1,5 @@
 #pragma once
-// A mesh with its atlas as the vertex arrays a graphics API draws: corners that agree in point,
+// The vertex arrays of a mesh with its atlas, for graphics APIs: corners that agree in point,
 // texture coordinate and normal become one vertex.
 #include <array>
 #include <cstdint>
@@ -12,32 +12,35 @@
 
 namespace burl {
 
-/// What a pose adds to vertices, as a glTF's morph target has it.
+/// The changes that a pose adds to vertices, as a glTF morph target stores them.
 struct VertexTarget {
     std::vector<Vec3f> positions, normals;
-    std::vector<Vec3f> tangents;  ///< where the vertices have any
+    std::vector<Vec3f> tangents;  ///< empty where the vertices have no tangents
 };
 
-/// One Part. A point of the mesh is centre + scale * position; subtracting the box's centre in
-/// double first keeps float32 positions exact to 2^-24 of the part's own size wherever it lies.
+/// The vertex arrays of one Part. A point of the mesh is centre + scale * position: subtracting the
+/// box's centre in double first keeps float32 positions exact to 2^-24 of the part's own size
+/// wherever it lies.
 struct PartVertices {
-    std::size_t part = 0;  ///< index into mesh.parts
-    Vec3d centre{0.0};     ///< of the part's box, mesh units
+    std::size_t part = 0;  ///< an index into mesh.parts
+    Vec3d centre{0.0};     ///< the centre of the part's box, in mesh units
     double scale = 1.0;    ///< a power of two; 1 unless the part's size is beyond 2^-60 .. 2^60
     std::vector<Vec3f> positions;
-    std::vector<Vec3f> normals;   ///< unit length
-    std::vector<Vec4f> tangents;  ///< of glTF's TANGENT (app/surface/tangents.h), or empty
-    std::vector<std::array<float, 2>> uvs;  ///< corners / N, v = 0 at image row 0
-    /// Of quad atlases: the block a vertex lies in, as texture coordinates low u, low v, high u,
-    /// high v. A lookup of a MIP level that is clamped to it shows nothing of other blocks.
+    std::vector<Vec3f> normals;             ///< unit length
+    std::vector<Vec4f> tangents;            ///< glTF's TANGENT (app/surface/tangents.h), or empty
+    std::vector<std::array<float, 2>> uvs;  ///< corners divided by N; v = 0 at image row 0
+    /// The rectangle of each vertex's block, in quad atlases only, as texture coordinates low u,
+    /// low v, high u, high v. Lookups of MIP levels that are clamped to it do not show other
+    /// blocks.
     std::vector<std::array<float, 4>> blocks;
-    VertexTarget target{};               ///< empty: there is no pose
+    VertexTarget target{};               ///< empty without a pose
     std::vector<std::uint32_t> indices;  ///< three per triangle, in the mesh's order
 };
 
-/// One entry per part that has triangles. `normals` are per corner (app/surface/normals.h), as
-/// `tangents`, which may be empty; corners share a vertex where w agrees, too, and where a pose
-/// does not part them. `posed` is of the mesh and these normals; null: there is no pose.
+/// One entry per part that has triangles. `normals` (app/surface/normals.h) and `tangents`, which
+/// may be empty, are per corner. Corners share a vertex where the tangent's w agrees, too, and
+/// where a pose does not separate them. `posed` belongs to the mesh and these normals; null: no
+/// pose.
 std::vector<PartVertices> export_vertices(const Mesh& mesh, const Atlas& atlas,
                                           std::span<const Vec3f> normals,
                                           std::span<const Vec4f> tangents = {},

@@ -1,4 +1,4 @@
-// One loop, one function per component kind.
+// One loop for all conversions, and a function per component type.
 #include "app/image/convert_image.h"
 
 #include "procedural/color/srgb.h"
@@ -18,7 +18,7 @@ Image<Rgb<To>> convert(const Image<Rgb<From>>& image, const Function& component)
     return result;
 }
 
-/// Linear light of every code.
+/// Linear light by sRGB code.
 template <class Code>
 std::vector<float> decoding_table() {
     const std::size_t count = std::size_t(std::numeric_limits<Code>::max()) + 1;

@@ -21,13 +21,13 @@ namespace {
 constexpr std::size_t tile_side = 64;
 constexpr std::size_t rows_at_once = 256;  ///< a multiple of ZIP's 16, so that threads share them
 
-/// Rows of an image as OpenEXR is to see them, whole or as halves.
+/// Rows of an image as a frame buffer of OpenEXR, as 32-bit floats or converted to halves.
 class Band {
   public:
     Band(const Image<RgbF>& image, ExrDepth depth) : image_(image), depth_(depth) {}
 
-    /// The frame buffer of rows [begin, end) of an image whose row 0 is the file's row `line`;
-    /// valid until the next call.
+    /// The frame buffer of rows [begin, end) of an image whose row 0 is scan line `line` of the
+    /// file; valid until the next call.
     Imf::FrameBuffer rows(std::size_t begin, std::size_t end, std::size_t line = 0) {
         if (depth_ == ExrDepth::float_full) return frame(image_.row(0).data(), line, Imf::FLOAT);
         halves_.clear();
@@ -38,8 +38,9 @@ class Band {
     }
 
   private:
-    /// Of pixels from the beginning of row `first` on. OpenEXR's slices take char* although they
-    /// are only read here, and count from row 0.
+    /// A frame buffer over `pixels`, the first of them at the beginning of scan line `first`.
+    /// OpenEXR's slices take char* although they are only read here, and are addressed from scan
+    /// line 0.
     template <class Component>
     Imf::FrameBuffer frame(const Rgb<Component>* pixels, std::size_t first,
                            Imf::PixelType type) const {
@@ -68,7 +69,7 @@ Imf::Header header_of(std::size_t width, std::size_t height, ExrDepth depth) {
     return header;
 }
 
-/// Tile by tile's row.
+/// Writes a whole level, one row of tiles at a time.
 void write_level(Imf::TiledOutputFile& file, int level, const Image<RgbF>& image, ExrDepth depth) {
     Band band(image, depth);
     for (int tile = 0; tile < file.numYTiles(level); ++tile) {
@@ -90,7 +91,7 @@ void encode_levels(Imf::OStream& stream, std::span<const Image<RgbF>* const> lev
     for (int l = 0; l < file.numLevels(); ++l) write_level(file, l, *levels[std::size_t(l)], depth);
 }
 
-/// Rows of level 0 as they come, in any numbers: each row of tiles is written once it is there.
+/// Collects rows of level 0 and writes each row of tiles once all its rows are there.
 class TileRows {
   public:
     TileRows(Imf::TiledOutputFile& file, std::size_t width, std::size_t height, ExrDepth depth)
@@ -117,7 +118,7 @@ class TileRows {
     Image<RgbF> rows_;
 };
 
-/// The next rows of the file.
+/// Writes the rows at the file's current scan line.
 void write_rows(Imf::OutputFile& file, const Image<RgbF>& image, ExrDepth depth) {
     Band band(image, depth);
     const auto line = std::size_t(file.currentScanLine());
@@ -128,7 +129,8 @@ void write_rows(Imf::OutputFile& file, const Image<RgbF>& image, ExrDepth depth)
     }
 }
 
-/// encode(stream), and what it or the file says where it fails.
+/// The file that encode(stream) has written. Throws the file's own error where it has one, else
+/// Error(runtime) with OpenEXR's message.
 template <class Encode>
 AtomicFile write_whole(const std::string& path, std::size_t width, std::size_t height,
                        const Encode& encode) {

@@ -1,5 +1,5 @@
 #pragma once
-// OpenEXR writes through these into memory or into a file that is whole or absent (AtomicFile).
+// Output streams of OpenEXR into memory or into an AtomicFile.
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
@@ -13,7 +13,7 @@
 
 namespace burl {
 
-/// Appends to the bytes, which must outlive it.
+/// A stream into a vector of bytes, which must outlive it.
 class ExrStream : public Imf::OStream {
   public:
     explicit ExrStream(std::vector<std::uint8_t>& bytes) : Imf::OStream("image"), bytes_(bytes) {}
@@ -32,8 +32,9 @@ class ExrStream : public Imf::OStream {
     std::size_t position_ = 0;
 };
 
-/// Appends to the file, which must outlive it, and puts OpenEXR's table of contents, which comes
-/// last, in its place. What the file throws stays known, since OpenEXR may keep it to itself.
+/// A stream into the file, which must outlive it. OpenEXR seeks back to fill in its offset table,
+/// which goes through AtomicFile::overwrite. An exception of the file is kept, since OpenEXR may
+/// swallow it.
 class ExrFileStream : public Imf::OStream {
   public:
     explicit ExrFileStream(AtomicFile& file) : Imf::OStream("image"), file_(file) {}
@@ -50,7 +51,7 @@ class ExrFileStream : public Imf::OStream {
     std::uint64_t tellp() override { return position_; }
     void seekp(std::uint64_t position) override { position_ = position; }
 
-    /// Throws what the file has thrown. For after the last write.
+    /// Rethrows the exception that a write has thrown, if any; to be called after the last write.
     void check() const {
         if (failure_) std::rethrow_exception(failure_);
     }

@@ -44,7 +44,7 @@ ImageDiff diff_images(const Image<Rgb8>& a, const Image<Rgb8>& b, const DiffOpti
     }
     ImageDiff diff;
     diff.false_color = Image<Rgb8>(a.width(), a.height(), ignored_color);
-    std::uint64_t square_sum = 0;  // of byte differences: exact
+    std::uint64_t square_sum = 0;  // sum over differences of 8-bit codes, which is exact
     int maximum = 0;
     for (std::size_t y = 0; y < a.height(); ++y) {
         for (std::size_t x = 0; x < a.width(); ++x) {

@@ -23,9 +23,9 @@ static_assert(sizeof(png_color) == 3, "a palette is an array of pixels");
 
 constexpr png_uint_32 max_side = 1u << 20;
 constexpr std::uint64_t max_pixels = 1ull << 28;
-/// Room for 2^28 pixels of 16-bit RGBA, and a little.
+/// The size in bytes of 2^28 pixels of 16-bit RGBA, and 16 MiB more for all else.
 constexpr std::uint64_t most_file_bytes = (max_pixels * 8) + (1u << 24);
-constexpr std::uint64_t max_deflate_ratio = 1032;  // no zlib stream expands further
+constexpr std::uint64_t max_deflate_ratio = 1032;  // zlib's limit
 
 struct Message {
     char text[200] = "unknown error";
@@ -51,7 +51,7 @@ void on_read(png_structp png, png_bytep out, std::size_t count) {
     source->rest = source->rest.subspan(count);
 }
 
-/// Where encoded bytes go, and what went wrong there.
+/// The sink of the encoded bytes, and the exception it has thrown.
 struct Target {
     const ByteSink& sink;
     std::exception_ptr thrown{};
@@ -71,7 +71,7 @@ void on_write(png_structp png, png_bytep data, std::size_t count) {
 
 void on_flush(png_structp) {}
 
-/// Owns libpng's two structs for reading.
+/// Owner of libpng's two structs for reading.
 struct Reader {
     Message message;
     Source source;
@@ -101,7 +101,7 @@ void refuse_hostile_size(Reader& r) {
     }
 }
 
-/// Reads the header and asks for 8-bit RGB rows.
+/// Reads the header and sets up the conversion to 8-bit RGB rows; false after a libpng error.
 bool read_header(Reader& r) {
     if (setjmp(png_jmpbuf(r.png))) return false;
     png_set_user_limits(r.png, max_side, max_side);
@@ -130,7 +130,7 @@ bool read_rows(Reader& r, std::uint8_t* pixels, std::size_t stride, std::size_t 
     return true;
 }
 
-/// Owns libpng's two structs for writing.
+/// Owner of libpng's two structs for writing.
 struct Writer {
     Message message;
     png_structp png;
@@ -144,7 +144,7 @@ struct Writer {
     Writer& operator=(const Writer&) = delete;
 };
 
-/// What libpng is told about an image.
+/// Pixels, size and pixel format of an image in libpng's terms.
 struct Raster {
     const std::uint8_t* pixels;
     std::size_t width, height;
@@ -157,11 +157,11 @@ struct Raster {
 
 void set_method(Writer& w, const Raster& raster, int level) {
     png_set_compression_level(w.png, level);
-    // Differences of numbers of colours mean nothing.
+    // Row filters subtract neighbours, and differences of palette indices mean nothing.
     if (!raster.palette.empty()) png_set_filter(w.png, PNG_FILTER_TYPE_BASE, PNG_FILTER_NONE);
     if (level != default_png_level) return;
-    // Noise has no long repeats to find: against libpng's defaults at this level 25 % faster
-    // and 20 % smaller (docs/export.md).
+    // Noise has few long repeats: against libpng's defaults at this level 25 % faster and 20 %
+    // smaller (docs/export.md).
     png_set_filter(w.png, PNG_FILTER_TYPE_BASE, PNG_FILTER_PAETH);
     png_set_compression_strategy(w.png, Z_RLE);
 }

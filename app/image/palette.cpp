@@ -32,7 +32,7 @@ std::int64_t pixels_of(std::span<const Color> colors) {
     return sum;
 }
 
-/// A box of colours with its longest side.
+/// A box of the colour space with its longest side.
 struct Box {
     std::span<Color> colors;
     std::size_t axis = 0;
@@ -49,11 +49,12 @@ struct Box {
             axis = a;
         }
     }
-    /// What splitting it is worth: long sides first, then many pixels.
+    /// The priority of splitting the box: squared side times pixels.
     double worth() const { return double(side) * double(side) * double(pixels); }
 };
 
-/// Where half of the box's pixels lie on either side, at least one colour on each.
+/// The index that splits the box's sorted colours into halves of about equal pixel counts, at least
+/// one colour in each.
 std::size_t median(const Box& box) {
     std::int64_t before = 0;
     for (std::size_t i = 0; i + 1 < box.colors.size(); ++i) {
@@ -110,7 +111,7 @@ std::size_t nearest(std::span<const Mean> means, const std::array<int, 3>& code)
     return best;
 }
 
-/// Every mean moves to the middle of the colours that are nearest to it.
+/// One step of Lloyd's algorithm: every mean moves to the mean of the colours nearest to it.
 void refine(std::vector<Mean>& means, std::span<const Color> colors) {
     std::vector<std::vector<Color>> owned(means.size());
     for (const Color& color : colors) owned[nearest(means, color.code)].push_back(color);

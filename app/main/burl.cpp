@@ -1,4 +1,5 @@
-// The program `burl`: verbs in, one sentence and an exit code out (docs/usage.md).
+// The program `burl`: the command line with its verbs, errors as one sentence, and exit codes
+// (docs/usage.md).
 #include <fcntl.h>
 #include <poll.h>
 #include <unistd.h>
@@ -27,8 +28,8 @@
 
 namespace {
 
-/// A closed stdin, stdout or stderr would lend its number to an output file, and messages would go
-/// into that.
+/// Opens /dev/null for a closed stdin, stdout or stderr. Otherwise an output file might get its
+/// descriptor, and messages would go into that file.
 void open_standard_streams() {
     for (int opened = 0; opened >= 0 && opened <= STDERR_FILENO;) {
         opened = ::open("/dev/null", O_RDWR);
@@ -36,6 +37,7 @@ void open_standard_streams() {
     }
 }
 
+/// Prints a sentence on stderr with the program's name in front.
 void say(std::string_view sentence) {
     burl::warn(fmt::format("burl: {}", sentence));
 }
@@ -53,8 +55,8 @@ std::vector<std::string> option_names(const CLI::App& verb) {
     return names;
 }
 
-/// The option on the verb's line that it has not, with the one that was probably meant; empty if
-/// there is none.
+/// The sentence about an option on the verb's command line that the verb does not have, with the
+/// nearest one; empty where there is none.
 std::string unknown_option(const CLI::App& verb) {
     const std::vector<std::string> unknown = verb.remaining();
     const auto found = std::ranges::find_if(
@@ -64,7 +66,7 @@ std::string unknown_option(const CLI::App& verb) {
     return fmt::format("there is no option {}; {}", name, did_you_mean(name, option_names(verb)));
 }
 
-/// What is wrong with a command line, and which help to read.
+/// The sentence about a wrong command line, and the help to read.
 std::string usage_sentence(const CLI::App& program, const CLI::ParseError& wrong,
                            std::span<char*> arguments) {
     const std::vector<CLI::App*> chosen = program.get_subcommands();
@@ -85,7 +87,8 @@ std::string usage_sentence(const CLI::App& program, const CLI::ParseError& wrong
                        arguments[1], did_you_mean(arguments[1], words), fmt::join(verbs, ", "));
 }
 
-/// A verb, at most one usage sentence for a wrong line, help on stdout.
+/// Runs the verb and returns the exit code. A wrong command line gives one sentence on stderr, help
+/// goes to stdout.
 int run(int argc, char** argv) {
     CLI::App program{
         "Burl carves triangle meshes out of procedural wood, marble, stone, cloud and fire."};
@@ -115,7 +118,8 @@ int run(int argc, char** argv) {
     return 0;
 }
 
-/// The exit code. Nothing is said where stdout failed, which is for main to tell.
+/// Runs the verb, reports errors and returns the exit code. Failures of stdout are left for main to
+/// report.
 int run_and_say(int argc, char** argv) {
     try {
         return run(argc, argv);
@@ -131,21 +135,21 @@ int run_and_say(int argc, char** argv) {
     return static_cast<int>(burl::ExitCode::runtime);
 }
 
-/// Whether stdout is a pipe that nobody reads any more.
+/// Whether stdout is a pipe that no process reads any more.
 bool reader_left() {
     pollfd state{STDOUT_FILENO, POLLOUT, 0};
     return ::poll(&state, 1, 0) == 1 && (state.revents & (POLLERR | POLLHUP)) != 0;
 }
 
-/// Quietly, as other programs end before `| head -1`.
+/// Ends the program by SIGPIPE, without a message, as other programs end before `| head -1`.
 [[noreturn]] void end_by_sigpipe() {
     std::signal(SIGPIPE, SIG_DFL);
     std::raise(SIGPIPE);
-    std::_Exit(128 + SIGPIPE);  // the signal is blocked
+    std::_Exit(128 + SIGPIPE);  // reached where the signal is blocked
 }
 
-/// Results that did not reach stdout are an error, as a file that could not be written is; what
-/// went wrong before has been told and counts.
+/// The exit code with stdout taken into account: results that could not be written are an error,
+/// unless an earlier error has been reported.
 int code_with_results(int code) {
     const bool arrived = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
     const bool told = code != 0 && code != static_cast<int>(burl::ExitCode::difference);
@@ -159,8 +163,8 @@ int code_with_results(int code) {
 
 int main(int argc, char** argv) {
     open_standard_streams();
-    // A reader that went away must not end a program that writes a file or a message elsewhere, and
-    // a file-size limit is an error to report.
+    // Without SIGPIPE a broken pipe is a write error, so that the program still writes its other
+    // files and messages; without SIGXFSZ a file-size limit is a write error, too.
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN);
     burl::clean_up_on_signals();

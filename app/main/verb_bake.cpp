@@ -1,4 +1,4 @@
-// `burl bake`: a mesh without UVs in, a textured scene out (the whole pipeline, headless).
+// `burl bake`: from a mesh without UVs to a textured scene, the whole pipeline without a window.
 #include <chrono>
 #include <memory>
 

@@ -1,6 +1,7 @@
-// `burl batch`: many bakes from one manifest. Bakes of one mesh follow one another on one pipeline,
-// so that the mesh is read once and atlas and texels' points are made once for all that agree in
-// them; those whose outputs are up to date cost no more than the hashes of their inputs.
+// `burl batch`: many bakes from one manifest. Bakes of one mesh run one after another on one
+// pipeline, so that the mesh is read once and atlas and solid points are computed once for all
+// bakes that agree in them. Bakes whose outputs are up to date cost only the hashes of their
+// inputs.
 #include <algorithm>
 #include <chrono>
 #include <exception>
@@ -30,10 +31,10 @@ namespace {
 
 struct BatchCommand {
     std::string manifest;
-    BakeCommand run;  ///< add_run_options' and add_report_options' only
+    BakeCommand run;  ///< options of add_run_options and add_report_options only
 };
 
-/// An entry on its way.
+/// An entry of the manifest, with its state.
 struct Bake {
     std::string where;
     BakeJob job;
@@ -41,9 +42,9 @@ struct Bake {
     std::string problem{};
     ExitCode code = ExitCode::ok;
     double seconds = 0.0;
-    std::vector<std::string> shared{};  ///< what an entry before had made
+    std::vector<std::string> shared{};  ///< the stages that earlier entries had computed
 
-    /// Its outputs, and what says how they were made.
+    /// The outputs, and the record of how they were made.
     std::vector<std::string> files() const {
         std::vector<std::string> files = job.outputs();
         files.push_back(record_path(job.command().out));
@@ -55,6 +56,7 @@ struct Bake {
     }
 };
 
+/// A counter of wrong entries, which prints each on stderr.
 class Problems {
   public:
     void add(ExitCode code, const std::string& where, const std::string& what) {
@@ -72,8 +74,8 @@ class Problems {
     ExitCode code_ = ExitCode::ok;
 };
 
-/// Why the bake may not write its outputs, which are added to those of the bakes before it; empty:
-/// no reason.
+/// The reason why the bake may not write its outputs; empty where it may. Adds the outputs to those
+/// of the bakes before it.
 std::string clash(const Bake& bake, const FileNames& readers, FileNames& writers) {
     for (const std::string& file : bake.files()) {
         if (const auto* writer = writers.find_path(file))
@@ -85,8 +87,8 @@ std::string clash(const Bake& bake, const FileNames& readers, FileNames& writers
     return {};
 }
 
-/// No two bakes may write one file, nor one what another reads, nor any the manifest. Gives all
-/// that is read and written.
+/// Reports bakes that write the same file as another bake, or a file that a bake or the batch
+/// reads. Returns all files read and written.
 CommandFiles check_outputs(const BatchCommand& command, const std::vector<Bake>& bakes,
                            Problems& problems) {
     FileNames readers, writers;
@@ -101,7 +103,8 @@ CommandFiles check_outputs(const BatchCommand& command, const std::vector<Bake>&
     return {std::move(readers), std::move(writers)};
 }
 
-/// All entries, or, after a line for everything that is wrong, an Error.
+/// All entries of the manifest. Throws Error where any is wrong, after a line on stderr for each of
+/// them.
 std::vector<Bake> check_manifest(const BatchCommand& command) {
     std::vector<BatchEntry> entries = read_manifest(command.manifest);
     std::vector<Bake> bakes;
@@ -126,7 +129,7 @@ std::vector<Bake> check_manifest(const BatchCommand& command) {
     return bakes;
 }
 
-/// Bakes with equal keys can use one pipeline.
+/// A key that is equal for bakes that can use one pipeline.
 std::string mesh_key(const Bake& bake) {
     const BakeCommand& command = bake.job.command();
     return fmt::format("{} {} {}", command.meshes.read.weld, command.meshes.read.unshare_instances,
@@ -135,8 +138,8 @@ std::string mesh_key(const Bake& bake) {
 
 using Group = std::vector<Bake*>;
 
-/// Bakes that want the same atlas, and then the same space, follow one another, in the order of the
-/// first of them.
+/// Sorts bakes of a mesh so that those with the same atlas, and then the same space, are adjacent,
+/// in the order of their first occurrence.
 void put_in_order(Group& group) {
     const auto rank = [group](const auto& same) {
         return [group, same](const Bake* bake) {
@@ -167,10 +170,11 @@ std::vector<Group> groups_of(std::vector<Bake>& bakes) {
     return groups;
 }
 
-/// A mesh that is read when the first bake needs it.
+/// A mesh that is read when the first bake needs it; a failure is kept for the others.
 class SharedMesh {
   public:
-    /// Whether it was there already.
+    /// Reads the mesh unless it has been read; returns whether it had been. Throws Error as reading
+    /// does.
     bool read(const BakeJob& job) {
         if (pipeline_) return true;
         if (problem_) throw *problem_;
@@ -194,7 +198,7 @@ class SharedMesh {
     double seconds_ = 0.0;
 };
 
-/// Stages that have not run again.
+/// The stages that have run before and not again.
 std::vector<std::string> kept_stages(const StageRecords& before, const StageRecords& after) {
     std::vector<std::string> names;
     for (const Stage stage : {Stage::connectivity, Stage::layout, Stage::spans})
@@ -219,7 +223,7 @@ void run(Bake& bake, SharedMesh& mesh, LaterBake later) {
     bake.status = "written";
 }
 
-/// What goes wrong with one bake is its own.
+/// Runs a bake; its errors do not end the batch.
 void run_alone(Bake& bake, SharedMesh& mesh, LaterBake later) {
     const auto start = std::chrono::steady_clock::now();
     try {
@@ -265,7 +269,8 @@ LaterBake later_of(const Group& group, std::size_t i) {
     return same ? LaterBake::atlas : LaterBake::mesh;
 }
 
-/// Whether a texture of the group leaves something to the next one.
+/// Whether a bake of the group can reuse synthesis results of the one before or of an earlier
+/// frame.
 bool has_several_textures(const Group& group) {
     for (std::size_t i = 0; i < group.size(); ++i)
         if (group[i]->job.command().animation.asked() || later_of(group, i) == LaterBake::atlas)
@@ -280,8 +285,8 @@ void check_cache(const BakeCommand& run, const std::vector<Group>& groups) {
                     "leave it out");
 }
 
-/// Bakes, and says so where it `speaks`. A line that cannot be written keeps no bake from being
-/// made: it is the last one, and what was thrown is given back.
+/// Runs all bakes and prints a line for each where `speaks` is set. A line that cannot be written
+/// does not stop the bakes: no more lines are printed, and the exception is returned.
 std::exception_ptr run_all(const std::vector<Group>& groups, bool speaks) {
     std::exception_ptr silenced;
     for (const Group& group : groups) {

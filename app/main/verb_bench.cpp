@@ -1,4 +1,4 @@
-// `burl bench`: run times anyone can repeat, as medians of paired runs.
+// `burl bench`: run times that others can reproduce, as medians of paired runs.
 #include <algorithm>
 #include <cmath>
 
@@ -64,7 +64,7 @@ Json atlas_json(const AtlasBench& bench) {
     layout.time.units = double(bench.faces);
     layout.time.group = fmt::format("{} faces", bench.faces);
     Json json = result_json(layout);
-    json["times_first"] = nullptr;  // kinds are timed one after the other
+    json["times_first"] = nullptr;  // atlas kinds are timed one after another
     json["error_rms"] = std::pow(10.0, -bench.psnr / 20.0);
     json.update(Json{{"kind", bench.kind},
                      {"faces", bench.faces},
@@ -76,7 +76,7 @@ Json atlas_json(const AtlasBench& bench) {
     return json;
 }
 
-/// One line: its layout and spans, and its quality.
+/// Prints an atlas in one line: times of layout and spans, and quality.
 void print_atlas(const AtlasBench& bench) {
     const double us = 1e6 / double(bench.faces);
     const StageBench &layout = bench.stage("layout"), &spans = bench.stage("spans");
@@ -131,7 +131,7 @@ void run_filter_bench(const BenchCommand& command) {
     fmt::print("{}", result_table(results));
 }
 
-/// A suite that has nothing to tell but what all have.
+/// Reports a suite whose rows have no columns of their own.
 void report_results(const BenchCommand& command, const std::vector<BenchResult>& results) {
     if (report_rows(command, results, result_json)) fmt::print("{}", result_table(results));
 }

@@ -1,4 +1,4 @@
-// `burl diff`: how far two pictures are apart, for people and for scripts that need a yes or no.
+// `burl diff`: the difference of two pictures, for people and for scripts that need a yes or no.
 #include <array>
 
 #include <fmt/format.h>

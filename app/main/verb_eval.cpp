@@ -1,5 +1,5 @@
-// `burl eval`: value, gradient and colour of a recipe, or of one noise, at given points, in float64
-// and another precision side by side: the way anyone checks the textures from outside.
+// `burl eval`: value, gradient and colour of a recipe, or of a single noise, at given points, in
+// float64 and another precision side by side, so that textures can be checked from outside.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -30,7 +30,7 @@ struct EvalCommand {
     bool json = false;
 };
 
-/// The keys that have no say in the texture at a point.
+/// The keys without effect on the texture at a point.
 constexpr std::array idle_in_eval{IdleKey{"atlas", "eval works without an atlas"},
                                   IdleKey{"solid.space", "eval's points are in solid space"},
                                   IdleKey{"bump", "eval is of the texture alone"},
@@ -64,7 +64,7 @@ Json point_json(const std::array<double, 4>& point, std::size_t dimensions,
     return json;
 }
 
-/// Largest differences from float64.
+/// The largest differences from float64.
 Json differences_json(const std::vector<PointResult>& results) {
     double value = 0.0, gradient = 0.0;
     for (const auto& [float64, other] : results) {
@@ -86,7 +86,7 @@ Json results_json(const PointFile& file, const std::vector<PointResult>& results
     return {{"points", points}, {"largest_difference", differences_json(results)}};
 }
 
-/// Names of the columns of one precision.
+/// The names of the columns of one precision.
 std::string column_names(const Evaluation& one, std::string_view axes, std::string_view suffix) {
     std::string names = fmt::format(",value{}", suffix);
     for (std::size_t i = 0; i < one.gradient.size(); ++i)
@@ -104,7 +104,8 @@ std::string columns(const Evaluation& one, int digits) {
     return text;
 }
 
-/// A table with a line of names; 17 and 9 digits tell every float64 and float32.
+/// Prints a table with a line of names. 17 and 9 digits distinguish all float64 and float32
+/// numbers.
 void print_table(const PointFile& file, const std::vector<PointResult>& results, bool fixed) {
     const std::string_view axes = std::string_view("xyzw").substr(0, file.dimensions);
     const PointResult& first = results.front();
@@ -126,7 +127,7 @@ void run_eval(const EvalCommand& command, bool recipe_given) {
     if (!recipe_given && (!command.recipe.settings.empty() || command.recipe.time))
         throw Error(ExitCode::usage,
                     "--set and --time are of recipes; a noise has options of its own");
-    // The points last: a wrong recipe should not need them.
+    // Points are read last, since a wrong recipe should be reported without them.
     std::optional<Recipe> recipe;
     if (recipe_given) {
         recipe = command.recipe.load();

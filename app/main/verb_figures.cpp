@@ -1,4 +1,4 @@
-// `burl figures`: the papers' figures, drawn anew.
+// `burl figures`: redraws the papers' figures.
 #include <filesystem>
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// `burl list`: what can be asked for, so that nobody has to guess a name.
+// `burl list`: the names that other verbs accept.
 #include <algorithm>
 #include <span>
 
@@ -37,7 +37,7 @@ std::vector<Entry> recipe_entries() {
     return entries;
 }
 
-/// "number 0..10, default 1: what it does".
+/// A parameter as "number 0..10, default 1: what it does".
 std::string describe(const Parameter& p) {
     std::string text(to_string(p.type));
     if (p.type == ParameterType::choice) text += fmt::format(" {}", p.choices);
@@ -49,7 +49,7 @@ std::string describe(const Parameter& p) {
     return fmt::format("{}: {}", text, p.tip);
 }
 
-/// "number from a, b: what it does".
+/// A node type as "inputs, parameters: what it gives".
 std::string describe(const NodeType& type) {
     std::vector<std::string_view> keys;
     for (const NodeInput& input : type.inputs()) keys.push_back(input.key);

@@ -1,5 +1,5 @@
-// `burl metrics`: how well an atlas uses its texture, in the papers' measures, for our atlases and
-// for the texture coordinates a file brings.
+// `burl metrics`: the quality of an atlas by the papers' measures, for Burl's atlases and for a
+// file's own texture coordinates.
 #include <array>
 #include <bit>
 #include <optional>
@@ -37,7 +37,7 @@ struct MetricsCommand {
     bool uv = false, levels = false, json = false;
 };
 
-/// By the names --fill takes.
+/// The way to fill gaps, by the name that --fill takes.
 GapFill gap_fill(const std::string& name) {
     if (name == "black") return GapFill::black;
     return name == "nearest" ? GapFill::nearest : GapFill::extrapolate;
@@ -50,7 +50,8 @@ std::string picture_path(const std::string& prefix, std::string_view atlas, cons
     return fmt::format("{}-{}-{}.png", prefix, atlas, topic);
 }
 
-/// Refused before any work where what is asked for is not in it.
+/// Loads the mesh. Throws Error(usage) where --uv asks for texture coordinates that it does not
+/// have.
 Mesh load_measured(const MetricsCommand& command) {
     Mesh mesh = command.meshes.load(command.mesh);
     if (command.uv && mesh.corners.uvs.empty())
@@ -61,7 +62,7 @@ Mesh load_measured(const MetricsCommand& command) {
     return mesh;
 }
 
-/// What is measured: the mesh, and one atlas after another.
+/// The measurement of one atlas after another on a mesh.
 class Measuring {
   public:
     Measuring(const MetricsCommand& command, Recipe recipe, Mesh measured_mesh)
@@ -108,7 +109,7 @@ class Measuring {
     }
 
   private:
-    /// Adds the errors of direct levels, of which only a recipe's texture has any.
+    /// Adds the errors of levels synthesised directly, which only a recipe's texture has.
     MeasuredAtlas with_direct(MeasuredAtlas result, const std::optional<SurfaceTruth>& truth) {
         if (!truth || texture_.name == metric_marble_name) return result;
         const Image<RgbF> texture = pipeline_.synthesize<RgbF>();
@@ -127,7 +128,8 @@ class Measuring {
         return truth;
     }
 
-    /// `surface` is the mesh whose triangles the atlas places; the truth's points lie on it.
+    /// Measures an atlas; `surface` is the mesh whose triangles the atlas places, and the truth's
+    /// points lie on it.
     template <class Rasterize>
     MeasuredAtlas measured(std::string name, const Mesh& surface,
                            const std::vector<MeshEdge>& edges, const Atlas& atlas,
@@ -181,7 +183,7 @@ std::vector<AtlasKind> kinds_asked(const MetricsCommand& command, const Recipe& 
     return kinds;
 }
 
-/// Refuses pictures in the place of files that are read.
+/// Throws Error(io) where a picture would replace a file that is read, or cannot be written.
 void check_pictures(const MetricsCommand& command, const Recipe& recipe, bool uvs,
                     const std::vector<AtlasKind>& kinds) {
     if (command.image.empty()) return;
@@ -195,7 +197,8 @@ void check_pictures(const MetricsCommand& command, const Recipe& recipe, bool uv
     }
 }
 
-/// Edits of the texture have a say where it is looked up.
+/// Throws Error(usage) for edits without effect; edits of the texture have one only where it is
+/// looked up.
 void check_recipe(const MetricsCommand& command, const RecipeOptions& options,
                   const Recipe& recipe) {
     const bool looked_up =
@@ -212,7 +215,8 @@ void check_recipe(const MetricsCommand& command, const RecipeOptions& options,
     if (command.recipe.kind != "all") check_edits(options, recipe);
 }
 
-/// Where nothing but the file's own texture coordinates is measured.
+/// Throws Error(usage) for options of Burl's atlases where only the file's own texture coordinates
+/// are measured.
 void check_uv_options(const MetricsCommand& command) {
     for (const RecipeEdit& edit : command.recipe.edits())
         if (edit.path.starts_with("atlas.") && edit.path != "atlas.size")
@@ -222,13 +226,14 @@ void check_uv_options(const MetricsCommand& command) {
                                     edit.said, command.mesh));
 }
 
-/// The atlases that are measured.
+/// The atlases to measure.
 struct AtlasesAsked {
     bool uvs = false;  ///< the file's own texture coordinates
     std::vector<AtlasKind> kinds;
 };
 
-/// Throws Error for all that is wrong with them and the pictures of them.
+/// The atlases that the options ask for. Throws Error for options that do not fit them, and for
+/// their pictures' paths.
 AtlasesAsked atlases_asked(const MetricsCommand& command, const Recipe& recipe, const Mesh& mesh) {
     const bool has_uvs = !mesh.corners.uvs.empty(), asked = command.recipe.kind.has_value();
     AtlasesAsked result{command.uv || (has_uvs && !asked), {}};

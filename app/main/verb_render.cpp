@@ -83,8 +83,8 @@ Json work_json(const LazyPicture& drawn) {
               {"drawing", drawn.seconds_drawing}}}};
 }
 
-/// A recipe on a mesh, of which only what the picture shows is worked out. The report follows the
-/// picture: it must not stand alone.
+/// Draws a recipe on a mesh by --lazy. The report is written after the picture, so that it never
+/// exists without one.
 void write_lazily(const RenderCommand& command, CommandFiles& files) {
     const DirectOptions& options = command.options;
     if (options.scene.empty()) throw Error(ExitCode::usage, "--lazy: a mesh is missing");
@@ -113,7 +113,7 @@ void write_lazily(const RenderCommand& command, CommandFiles& files) {
     if (!command.report.empty()) write_json(command.report, work_json(drawn));
 }
 
-/// One picture, or one per frame.
+/// Draws the ground truth: one picture, or one per frame.
 void draw_truth(const RenderCommand& command, const std::vector<std::string>& paths,
                 CommandFiles& files) {
     const DirectOptions& options = command.options;
@@ -126,8 +126,8 @@ void draw_truth(const RenderCommand& command, const std::vector<std::string>& pa
     for (std::size_t i = 0; i < paths.size(); ++i) write_png(paths[i], draw(frames[i]));
 }
 
-/// Whether the options have a say, `given` those on the command line; what needs a verb's other
-/// options is said with these.
+/// Throws Error(usage) for options in `given`, those on the command line, that have no effect
+/// together with the others.
 void check_given(const RenderCommand& command, const std::vector<std::string>& given) {
     const DirectOptions& options = command.options;
     const auto refuse = [&](const std::vector<std::string>& idle, const char* why) {

@@ -1,6 +1,6 @@
 #pragma once
 // The verbs of the program `burl`, one file each (verb_*.cpp). Each adds its options to the command
-// line and a callback that does the work; errors leave as burl::Error and are printed by main.
+// line and a callback that does the work; errors are thrown as burl::Error and printed by main.
 namespace CLI {
 class App;
 }

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t texels_per_task = 8192;
 
-/// color(map's number, x, y) of every texel that a span owns.
+/// An image with color(map's number, x, y) in every texel of a span, and gap_color elsewhere.
 template <class Color>
 Image<Rgb8> fill(const SolidAtlas& solid, const Color& color) {
     Image<Rgb8> image(solid.size, solid.size, encoded(gap_color));

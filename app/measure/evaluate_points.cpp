@@ -83,7 +83,7 @@ Evaluation evaluate_fixed(const PreparedRecipe& recipe, const FixedField& field,
     return {f, {}, recipe.colors(f)};
 }
 
-/// A colour's value is its luminance (ITU-R BT.709).
+/// Evaluates a graph at a point; the value of a colour is its luminance (ITU-R BT.709).
 template <class Real>
 Evaluation evaluate_graph(const GraphEvaluator& evaluate, GraphEvaluator::Scratch& scratch,
                           const Affine3& map, const Vec3d& point) {
@@ -150,7 +150,7 @@ void check_reach(const NoiseOptions& noise, const PointFile& file) {
         }
 }
 
-/// The other precision would be float64 again.
+/// The results without the other precision, which would be float64 again.
 std::vector<PointResult> only_float64(std::vector<PointResult> results) {
     for (PointResult& result : results) result.other.reset();
     return results;

@@ -1,7 +1,6 @@
 #pragma once
-// How far MIP levels of a recipe's texture are from what the surface shows there, whatever rule
-// they were made by: plain bilinear lookups against the surface's mean
-// (atlas/measure/surface_truth.h).
+// Errors of a texture's MIP levels against the surface's mean (atlas/measure/surface_truth.h), by
+// bilinear lookups within a level; independent of how the levels were computed.
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -11,13 +10,13 @@
 
 namespace burl {
 
-/// The truth about levels `first` to `last` of the pipeline's texture at about `points` points of
-/// its atlas's mesh. It has no points for level 0 and no grazing ones.
+/// The true means for levels `first` to `last` of the pipeline's texture, at about `points` points
+/// of its atlas's mesh; without points for level 0 and for grazing views.
 SurfaceTruth level_truth(Pipeline& pipeline, std::uint32_t first, std::uint32_t last,
                          std::size_t points);
 
-/// RMS errors of `levels`, of which the first is level 1; as many as the truth has, 0 for those
-/// that it has no means of.
+/// RMS errors of `levels`, the first of which is level 1, as far as the truth has levels; 0 for
+/// levels without means.
 std::vector<double> level_errors(const Atlas& atlas, std::span<const Image<RgbF>> levels,
                                  const SurfaceTruth& truth);
 

@@ -22,9 +22,9 @@ double half_diagonal(std::span<const Vec3d> positions) {
     return 0.5 * glm::length(high - low);
 }
 
-/// From the mesh to the normalised one, and what the longest side is divided by in between.
+/// The map to the unit box, and the half diagonal of the mesh there.
 struct Normalising {
-    Affine3 to_unit;  ///< longest side 1: no overflow
+    Affine3 to_unit;  ///< scales the longest side to 1, so that nothing overflows
     double half = 1.0;
 
     explicit Normalising(const Mesh& mesh) : to_unit(solid_from_mesh(mesh, SolidSpace::unit)) {
@@ -33,7 +33,7 @@ struct Normalising {
     }
 };
 
-/// From the normalised mesh to the texture's coordinates.
+/// The map from the normalised mesh to texture coordinates.
 Affine3 texture_from_normalised(const Recipe& recipe, const Mesh& mesh) {
     const Normalising map(mesh);
     const Affine3 unit_from_normalised{Mat3d(map.half), Vec3d(0.0)};
@@ -44,7 +44,7 @@ Affine3 texture_from_normalised(const Recipe& recipe, const Mesh& mesh) {
     return texture_from_mesh(recipe, mesh).after(mesh_from_unit.after(unit_from_normalised));
 }
 
-/// Longest step in the noise lattice per step on the normalised mesh.
+/// The longest step in the noise lattice per unit step on the normalised mesh.
 double highest_frequency(std::span<const Octave> octaves, const Affine3& from_normalised) {
     double highest = 0.0;
     for (const Octave& octave : octaves) {

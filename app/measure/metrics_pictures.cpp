@@ -32,7 +32,7 @@ Image<Rgb8> on_model(const PicturedAtlas& what, std::size_t side, bool lit,
                          {size, lit, 2});
 }
 
-/// Colours per triangle, in the atlas and on the model.
+/// The picture of colours per triangle, in the atlas and on the model.
 Image<Rgb8> triangles_picture(const PicturedAtlas& what, const std::vector<Vec3d>& colors) {
     const std::size_t texels = what.atlas.options.size;
     const std::size_t side = std::clamp<std::size_t>(texels, 256, 1024);
@@ -63,7 +63,7 @@ Image<Rgb8> texels_tile(const Image<Vec3f>& level) {
     return picture;
 }
 
-/// The finest levels are shown halved until they fit a tile.
+/// The first level from `level` on that is no larger than a tile.
 const Image<Vec3f>& fitting(const MipChain<Vec3f>& chain, std::size_t level) {
     while (chain.levels[level].width() > tile) ++level;
     return chain.levels[level];

@@ -8,39 +8,41 @@
 
 namespace burl {
 
-/// What is drawn: `mesh` is the one whose triangles the atlas places.
+/// The subject of a picture; `mesh` is the one whose triangles the atlas places.
 struct PicturedAtlas {
     const Mesh& mesh;
     const Atlas& atlas;
-    const SolidAtlas& solid;  ///< of any space
+    const SolidAtlas& solid;  ///< solid points in any space
     View view;
     double crease_degrees = 40.0;
 };
 
-/// The atlas on the left, the model on the right, each as high as the texture is, 256 to 1024
-/// pixels. A colour per chart (`charts`: chart per triangle); texels that show no triangle are
-/// dark.
+/// The charts in one colour each (`charts`: chart per triangle): the atlas on the left, the model
+/// on the right, each a square with the texture's side, clamped to 256..1024 pixels. Texels outside
+/// all spans are dark.
 Image<Rgb8> charts_picture(const PicturedAtlas& what, std::span<const std::uint32_t> charts);
 
-/// The same in the false colour of each triangle's own relative scale, sqrt(A(u) / A(x) sum A(x)).
+/// The triangles in the false colour of their relative scale, sqrt(A(u) / A(x) sum A(x)), in the
+/// layout of charts_picture().
 Image<Rgb8> scale_picture(const PicturedAtlas& what);
 
-/// Levels 0 to 6, or as many as there are: above the level's texels, below the model with plain
-/// bilinear lookups in it, without light. Tiles are 256 pixels wide.
+/// MIP levels 0 to 6, or as many as there are, in tiles of 256 x 256 pixels: above the level's
+/// texels, below the unlit model with bilinear lookups in that level.
 Image<Rgb8> levels_picture(const PicturedAtlas& what, const TextureValues& texture);
 
-/// Each triangle's own relative scale; 1 where it has no area on the surface.
+/// The relative scale of each triangle; 1 where it has no area on the surface.
 std::vector<double> relative_scales(const Mesh& mesh, const Atlas& atlas);
 
-/// A bright colour of its own, linear light: hues by the golden section, so that consecutive ones
-/// differ.
+/// A bright colour for a chart, in linear light: hues by the golden section, so that consecutive
+/// ones differ.
 Vec3d chart_color(std::uint32_t chart);
-/// What texels that show no triangle have, linear light.
+/// The colour of texels outside all spans, in linear light.
 inline constexpr Vec3d gap_color(0.015, 0.015, 0.015);
-/// Linear light in 8 bits of sRGB.
+/// Linear light as 8-bit sRGB codes; values outside [0,1] are clamped.
 Rgb8 encoded(const Vec3d& linear);
 
-/// Blue at 1/2 and below, white at 1, red at 2 and above, by the logarithm; linear light.
+/// A colour in linear light by the scale's logarithm: blue at 1/2 and below, white at 1, red at 2
+/// and above.
 Vec3d scale_color(double relative_scale);
 
 }  // namespace burl

@@ -36,14 +36,14 @@ void print_shape(const MeasuredAtlas& m) {
                shape.vanished, texels.overlapped);
 }
 
-/// Not a number where there is nothing to compare with.
+/// The error near seams over that elsewhere; NaN where one of them is missing.
 double seam_ratio(const LookupErrors& errors) {
     return errors.interior_rmse > 0.0 && errors.seam_points > 0.0
                ? errors.seam_rmse / errors.interior_rmse
                : std::nan("");
 }
 
-/// A level's, if there is one.
+/// The error of a level that was evaluated from the recipe; no value for other levels.
 std::optional<double> direct_rmse(const MeasuredAtlas& m, std::uint32_t level) {
     if (level == 0 || level > m.direct.size()) return std::nullopt;
     return m.direct[level - 1];

@@ -1,5 +1,5 @@
 #pragma once
-// The figures of `burl metrics` as JSON and as tables; both come from the same values.
+// The figures of `burl metrics` as JSON and as tables, from the same values.
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,23 +10,23 @@
 
 namespace burl {
 
-/// One atlas that was measured: one of our kinds, or "uv" for the file's own coordinates.
+/// An atlas that was measured: one of Burl's kinds, or "uv" for the file's own coordinates.
 struct MeasuredAtlas {
     std::string name;
     Atlas atlas;
     AtlasMeasures measures;
-    std::string texture;  ///< what was looked up
+    std::string texture;  ///< the name of the texture that was looked up
     std::optional<LookupErrors> lookups;
-    std::vector<std::string> images;  ///< files drawn
-    /// `rmse` of level 1 and up where they are worked out from the recipe
-    /// (app/pipeline/direct_levels.h) and not averaged; empty: the texture is no recipe's, or the
-    /// atlas not ours.
+    std::vector<std::string> images;  ///< the files drawn
+    /// `rmse` of levels 1 and up where they are evaluated from the recipe
+    /// (app/pipeline/direct_levels.h) rather than averaged; empty where the texture is not a
+    /// recipe's or the atlas not one of Burl's.
     std::vector<double> direct{};
 };
 
 Json measured_json(const MeasuredAtlas& measured);
 
-/// Prints how the texture is used, how the surface lies in it, and what lookups show of it.
+/// Prints tables of the texture's use, the surface's shape in it, and the errors of lookups.
 void print_measures(const std::vector<MeasuredAtlas>& atlases);
 
 }  // namespace burl

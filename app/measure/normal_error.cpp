@@ -78,7 +78,8 @@ NormalErrors normal_errors(Pipeline& pipeline, const ViewerFrames& frames, const
         const Vec3d found = bilinear(map, place(pipeline.atlas(), p));
         const Vec3d seen = tangent_space ? from_frame(frames.frame(p), found) : found;
         const double error = degrees_between(wanted, seen);
-        if (!std::isfinite(error)) continue;  // corners' vectors that cancel: no viewer has a frame
+        // The corners' vectors cancel: no viewer has a frame here.
+        if (!std::isfinite(error)) continue;
         all.push_back(error);
         errors.mean += error;
         errors.mean_tilt += degrees_between(wanted, normal);

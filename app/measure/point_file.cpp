@@ -38,7 +38,8 @@ std::optional<double> parse_number(std::string_view text) {
     return value;
 }
 
-/// At most a line's worth of what was found, without what a terminal would act on.
+/// The beginning of the text, at most 40 characters, without control and other non-ASCII
+/// characters.
 std::string shown(std::string_view text) {
     std::string result(text.substr(0, 40));
     for (char& c : result)
@@ -46,7 +47,7 @@ std::string shown(std::string_view text) {
     return "'" + result + (text.size() > 40 ? "...'" : "'");
 }
 
-/// Turns lines into points; knows which columns are coordinates.
+/// A parser of lines; the first line chooses the columns of coordinates.
 class PointReader {
   public:
     explicit PointReader(const std::string& path) : path_(path) {}
@@ -74,7 +75,7 @@ class PointReader {
     }
 
   private:
-    /// From the first line; false when it was a line of names.
+    /// Chooses the columns from the first line; false when it was a line of names.
     bool choose_columns(const std::vector<std::string_view>& cells, std::size_t number) {
         cell_count_ = cells.size();
         const bool numbers = parse_number(cells[0]).has_value();
@@ -108,7 +109,8 @@ class PointReader {
 
     std::string path_;
     PointFile file_;
-    std::vector<std::size_t> columns_;  ///< where x, y, z, w stand; empty until a line was seen
+    /// The columns of x, y, z, w; empty until a line was read.
+    std::vector<std::size_t> columns_;
     std::size_t cell_count_ = 0;
 };
 

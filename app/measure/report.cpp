@@ -86,7 +86,7 @@ Json patches_json(const PatchAtlas& atlas) {
 
 namespace {
 
-/// Calls visit(name, record) for the stages that anybody asked for.
+/// Calls visit(name, record) for the stages that were asked for.
 template <class Visit>
 void for_each_stage(const StageRecords& records, const Visit& visit) {
     for (std::size_t k = 0; k < stage_names.size(); ++k) {
@@ -95,7 +95,8 @@ void for_each_stage(const StageRecords& records, const Visit& visit) {
     }
 }
 
-/// `spared` of them by whole stages that were kept.
+/// Work done and skipped, by reason; `spared` counts the work of whole stages whose results were
+/// reused.
 Json counts_json(std::uint64_t done, std::uint64_t spared,
                  const std::array<std::uint64_t, skip_names.size()>& skipped = {}) {
     Json reasons = Json::object();

@@ -1,6 +1,5 @@
 #pragma once
-// What a verb found out, as JSON for pipelines and as short lines for people; both come from the
-// same values.
+// The results of verbs as JSON for pipelines.
 #include <string>
 
 #include <nlohmann/json_fwd.hpp>
@@ -13,25 +12,25 @@ namespace burl {
 
 using Json = nlohmann::ordered_json;
 
-/// Counts of the mesh and of what reading noticed.
+/// Counts of the mesh, and the reader's notes.
 Json mesh_json(const Mesh& mesh, const Connectivity& connectivity);
 
-/// Coverage, relative scale, density percentiles (DESIGN names) and the layout's own counts.
+/// Coverage, relative scale, density percentiles and the layout's own counts.
 Json metrics_json(const Atlas& atlas, const AtlasMetrics& metrics);
 
-/// Texels per triangle and what sizes would do; sizes that no texture has are 0.
+/// Texels per triangle and the sizes that would suffice; a size that no texture has is 0.
 Json capacity_json(const Capacity& capacity);
 
-/// What mapping and placing a patch atlas did.
+/// Counts of the parametrisation and layout of a patch atlas.
 Json patches_json(const PatchAtlas& atlas);
 
-/// Seconds per stage that ran, of all its runs.
+/// Per stage that ran, the seconds of all its runs.
 Json times_json(const StageRecords& records);
 
-/// What every stage did and what it could leave out, by the reason (procedural/batch/economy.h).
+/// Per stage, the work done and the work skipped, by reason (procedural/batch/economy.h).
 Json stages_json(const StageRecords& records);
 
-/// Version, library versions and SIMD level.
+/// The version, library versions and SIMD level.
 Json versions_json();
 
 /// Writes `json` to a file, or to stdout when `path` is "-". Throws Error(io).

@@ -26,7 +26,7 @@ double difference(std::uint8_t code, float linear) {
     return std::abs(double(code) - exact);
 }
 
-/// Of a row, per channel.
+/// Sums over the channels of a row's texels.
 struct RowSum {
     double largest = 0.0, squares = 0.0, texels = 0.0;
 };

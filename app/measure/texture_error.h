@@ -1,7 +1,6 @@
 #pragma once
-// How far a texture of 8 bits is from the same recipe in float64: the reference evaluation of the
-// definition, filters and paint included, at the very points that the texels show, before it is
-// rounded to codes.
+// The error of an 8-bit texture against the same recipe in float64: the reference evaluation,
+// filters and paint included, at the same points as the texels, before rounding to codes.
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -12,28 +11,30 @@
 
 namespace burl {
 
+/// The differences of a texture from its reference.
 struct TextureError {
-    /// Per texel the largest difference of a channel, in sRGB codes of 8 bits; -1 where an atlas
-    /// shows nothing. Rounding alone takes it to 1/2.
+    /// Per texel the largest difference of a channel, in 8-bit sRGB codes; -1 outside all spans.
+    /// Rounding alone makes it up to 1/2.
     Image<float> codes;
-    double largest = 0.0, rms = 0.0;  ///< of codes; over all channels
+    double largest = 0.0, rms = 0.0;  ///< errors in codes, over all channels
 };
 
-/// Why there is no float64 reference of a recipe whose solid points lie in `box`, in one sentence;
-/// empty: there is one.
+/// The reason, in one sentence, why a recipe whose solid points lie in `box` has no float64
+/// reference; empty where it has one.
 std::string no_reference(const Recipe& recipe, const Box3& box);
 
-/// `solid` is in the recipe's space, `texels` the recipe's texture of it. All threads; empty:
-/// `stop` came first.
+/// The error of `texels`, the recipe's texture of `solid`, which is in the recipe's space. Uses all
+/// threads; no value where `stop` was requested.
 std::optional<TextureError> texture_error(const SolidAtlas& solid, const Recipe& recipe,
                                           const Image<Rgb8>& texels, const std::stop_token& stop);
 
-/// Where the ramp of false colours ends: the least power of two from 2 on that no error exceeds.
-/// (From 2 on, so that rounding, which is everywhere, stays in its dark quarter.)
+/// The error at which the false-colour ramp ends: the least power of two, at least 2, that no error
+/// exceeds (at most 256). From 2 on, rounding errors stay in the ramp's dark quarter.
 double error_scale(double largest);
 
-/// Through the ramp of `burl diff` (app/image/image_diff.h) up to error_scale, level 0 to the one
-/// of 1 x 1 texel; a texel of a coarser level shows the largest error it covers.
+/// MIP levels, down to 1 x 1 texel, of the error through the ramp of `burl diff`
+/// (app/image/image_diff.h) up to error_scale. A texel of a coarser level shows the largest error
+/// it covers.
 std::vector<Image<Rgb8>> error_levels(const TextureError& error);
 
 }  // namespace burl

@@ -27,8 +27,8 @@ bool is_index(std::string_view part) {
     return !part.empty() && part.find_first_not_of("0123456789") == std::string_view::npos;
 }
 
-/// The parameter that a path with indices means, or one of whose numbers it means; null where the
-/// table has none, which is for load_recipe to say.
+/// The parameter that a path with indices names; `item` tells whether the path ends in an index
+/// into the parameter's numbers. Null where the table has no such path, which load_recipe reports.
 const Parameter* find_parameter(std::string_view path, bool& item) {
     const SchemaNode schema = build_schema();
     const SchemaNode* node = &schema;
@@ -66,7 +66,8 @@ void check_path(Key& key, const std::string& text) {
                                              text, key.path, to_string(parameter->type)));
 }
 
-/// load_keyed() names --set in what it throws about an edit.
+/// The recipe of a frame. An error of load_keyed() that begins with --set is thrown with --animate
+/// and the frame instead.
 Recipe load_frame(const RecipeOptions& options, double seconds, int frame) {
     try {
         return recipe_at(options.load_keyed(), seconds);
@@ -79,7 +80,8 @@ Recipe load_frame(const RecipeOptions& options, double seconds, int frame) {
     }
 }
 
-/// Every number once, by one way.
+/// The parsed --animate options of a recipe. Throws Error(usage) for a number that is set or moved
+/// twice.
 std::vector<Key> parse_keys(const MovedRecipe& moved, const KeyedAnimation& own) {
     const std::vector<RecipeEdit> edits = moved.options.edits();
     std::vector<Key> keys;
@@ -105,13 +107,13 @@ std::vector<Key> parse_keys(const MovedRecipe& moved, const KeyedAnimation& own)
     return keys;
 }
 
-/// A recipe on its way through the frames.
+/// A recipe with the numbers that --animate moves.
 struct Track {
     const RecipeOptions& options;
     std::vector<Key> keys;
 };
 
-/// Its recipe at a frame of n, which comes `seconds` after the first one.
+/// The track's recipe at frame `frame` of n, `seconds` after the first frame.
 Recipe recipe_in_frame(const Track& track, double seconds, int frame, int n, bool loop) {
     RecipeOptions options = track.options;
     for (const Key& key : track.keys)
@@ -119,7 +121,7 @@ Recipe recipe_in_frame(const Track& track, double seconds, int frame, int n, boo
     return load_frame(options, seconds, frame);
 }
 
-/// The recipes of the one picture that there is.
+/// The recipes of a single picture, at the times of --time.
 std::vector<Recipe> still_recipes(std::span<const MovedRecipe> recipes) {
     std::vector<Recipe> result;
     bool keyed = false, timed = false;

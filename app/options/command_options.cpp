@@ -19,7 +19,8 @@ namespace burl {
 
 namespace {
 
-/// KIND, or supersample:N.
+/// Adds the edits of --filter, KIND or supersample:N. Throws Error(usage) where another kind has a
+/// number of samples.
 void append_filter(const std::string& text, std::vector<RecipeEdit>& edits) {
     const std::size_t colon = text.find(':');
     const std::string option = "--filter " + text;
@@ -40,7 +41,7 @@ void append_precision(const std::string& text, std::vector<RecipeEdit>& edits) {
     edits.push_back({option, "precision.fraction_bits", std::to_string(format.fraction_bits)});
 }
 
-/// A number that is said twice would be dropped once.
+/// Throws Error(usage) where two edits set one number, since the first would have no effect.
 void check_said_once(const std::vector<RecipeEdit>& edits) {
     for (std::size_t i = 0; i < edits.size(); ++i)
         for (std::size_t k = 0; k < i; ++k)
@@ -50,7 +51,8 @@ void check_said_once(const std::vector<RecipeEdit>& edits) {
                                         edits[i].said, edits[k].said));
 }
 
-/// An edit of a number that the recipe's keys move would be dropped at every time.
+/// Throws Error(usage) for an edit of a number that the recipe's keys move, since it would have no
+/// effect.
 void check_not_keyed(const std::vector<RecipeEdit>& edits, const KeyedAnimation& animation) {
     for (const KeyTrack& track : animation.tracks)
         for (const RecipeEdit& edit : edits)
@@ -61,7 +63,7 @@ void check_not_keyed(const std::vector<RecipeEdit>& edits, const KeyedAnimation&
                                         edit.said));
 }
 
-/// load_recipe() names --set in what it throws about an edit.
+/// The error of load_recipe(), with the option that the user gave in place of --set.
 Error with_option(const Error& error, const std::vector<RecipeEdit>& edits) {
     const std::string sentence = error.what();
     for (const RecipeEdit& edit : edits) {

@@ -1,5 +1,5 @@
 #pragma once
-// Options that several verbs share, so that a recipe or an atlas is named the same way everywhere.
+// Options that several verbs share, so that recipes and atlases are given the same way everywhere.
 #include <memory>
 #include <optional>
 #include <string>
@@ -17,77 +17,81 @@ class Validator;
 
 namespace burl {
 
-/// An edit of a recipe on the command line.
+/// An edit of a recipe from the command line.
 struct RecipeEdit {
-    std::string said;  ///< as it was given: "--size 64"
+    std::string said;  ///< the option as it was given: "--size 64"
     std::string path, value;
 
     std::string setting() const { return path + "=" + value; }
 };
 
-/// --recipe, --set, --time and the atlas options; the latter are edits of the recipe like any
-/// --set.
+/// --recipe, --set, --time and the atlas options. Atlas options are edits of the recipe, as --set
+/// is.
 struct RecipeOptions {
     std::string recipe = "marble";
     std::vector<std::string> settings;
     std::optional<std::string> kind, overscan, weight, tries, partition, gutter, diagonals, filter,
         precision, size;
-    std::optional<double> time;  ///< of a recipe with keys, in seconds; left out: 0
-    /// Copies of the options, one for every frame, share the images they read.
+    /// --time in seconds, for a recipe with keys; 0 where it is left out.
+    std::optional<double> time;
+    /// The images read so far; copies of the options, one per frame, share them.
     std::shared_ptr<RecipeImages> images = std::make_shared<RecipeImages>();
 
     void add_recipe(CLI::App& verb);
-    /// --set and --time alone, for verbs that take the recipe as an argument.
+    /// Adds --set and --time alone, for verbs that take the recipe as an argument.
     void add_settings(CLI::App& verb);
     void add_atlas(CLI::App& verb);
-    /// --precision, with what is computed if it is left out.
+    /// Adds --precision, whose help calls the default `otherwise`.
     void add_precision(CLI::App& verb, const std::string& otherwise);
-    /// Every edit, those of --set first.
+    /// All edits, those of --set first.
     std::vector<RecipeEdit> edits() const;
-    /// The recipe with all edits applied; throws Error as load_recipe does, and usage for what is
-    /// said twice or moved by the recipe's own keys.
+    /// The recipe with all edits applied and its keys. Throws Error as load_recipe does, and usage
+    /// for a number that is set twice or moved by the recipe's own keys.
     Recipe load_keyed() const;
-    /// The recipe at `time` (recipe_at), without keys. Throws Error(usage) for a `time` where there
-    /// are no keys.
+    /// The recipe at --time (recipe_at), without keys. Throws Error as load_keyed() does, and usage
+    /// for --time where the recipe has no keys.
     Recipe load() const;
 };
 
-/// "float32", "float64" or "fixed:8.8"; throws Error(usage) for anything else.
+/// Parses "float32", "float64" or "fixed:8.8" (1 to 16 integer bits, 2 to 16 fraction bits). Throws
+/// Error(usage) for anything else.
 Precision parse_precision(const std::string& text);
 
-/// --weld and --unshare-instances.
+/// The options --weld and --unshare-instances.
 struct MeshOptions {
     ReadOptions read;
 
     void add(CLI::App& verb);
-    /// Reads the mesh, or makes the sample ("sample:teapot"), and prints what reading noticed on
-    /// stderr.
+    /// Reads the mesh file or sample ("sample:teapot") and prints the reader's notes on stderr.
+    /// Throws Error as read_mesh does, and usage for --unshare-instances of a mesh that is not
+    /// glTF.
     Mesh load(const std::string& path) const;
 };
 
-/// --pose (app/surface/load_pose.h).
+/// Adds --pose (app/surface/load_pose.h).
 void add_pose(CLI::App& verb, std::string& pose);
 
-/// A number within bounds; CLI::Range would let NaN pass.
+/// A validator of numbers within bounds that, unlike CLI::Range, refuses NaN.
 CLI::Validator in_range(double low, double high);
-/// One of the words; of a misspelt one it says which was probably meant.
+/// A validator of words; its message suggests the nearest word for a misspelt one.
 CLI::Validator one_of(const std::vector<std::string>& words);
 
-/// --threads, 0 for all.
+/// Adds --threads, 0 for all.
 void add_threads(CLI::App& verb, int& threads);
-/// The --kernel that sums differences (app/recipe/forward_check.h), whose result is another one.
+/// The --kernel that sums forward differences (app/recipe/forward_check.h); its textures differ
+/// from those of the other kernels.
 inline constexpr const char* forward_kernel = "forward";
-/// The --kernel that is another name for --precision float64.
+/// The --kernel that means --precision float64.
 inline constexpr const char* reference_kernel = "reference";
-/// --kernel, one of kernel_names, forward_kernel or reference_kernel.
+/// Adds --kernel: one of kernel_names, forward_kernel or reference_kernel.
 void add_kernel(CLI::App& verb, std::string& kernel);
-/// Sets the precision that --kernel reference stands for. Throws Error(usage) if the recipe asks
-/// for another.
+/// Sets the precision that --kernel reference means. Throws Error(usage) where the recipe asks for
+/// another.
 void apply_reference(Recipe& recipe);
-/// `automatic` for any other name.
+/// The kernel of this name in kernel_names; `automatic` for any other name.
 Kernel kernel_named(const std::string& name);
 
-/// One line per thing reading noticed, with the file's name in front.
+/// Prints the reader's notes on stderr, a line each, which begins with the file's name.
 void print_notes(const std::string& path, const MeshNotes& notes);
 
 }  // namespace burl

@@ -1,5 +1,5 @@
 #pragma once
-// Options about work that a texture can do without: --no-skip and --cache.
+// Options about computations that a texture may leave out or reuse: --no-skip and --cache.
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -14,21 +14,21 @@ class App;
 namespace burl {
 
 struct EconomyOptions {
-    std::vector<std::string> forbidden;     ///< of skip_names, or all_skips
-    std::optional<double> cache_megabytes;  ///< of 1024^2 bytes
+    std::vector<std::string> forbidden;     ///< words of skip_names, or all_skips
+    std::optional<double> cache_megabytes;  ///< --cache, in units of 1024^2 bytes
 
-    /// --no-skip.
+    /// Adds --no-skip.
     void add_skips(CLI::App& verb);
-    /// --cache.
+    /// Adds --cache.
     void add_cache(CLI::App& verb);
 
     Skips skips() const;
-    /// Bytes to keep where `several` textures of one atlas will be made. For a single one nothing
-    /// is kept unless it was asked for.
+    /// The cache size in bytes: the value of --cache, or else 1 GiB where `several` textures of one
+    /// atlas will be made and 0 for a single one.
     std::size_t cache_bytes(bool several) const;
 };
 
-/// --no-skip's word for every one of skip_names.
+/// The word of --no-skip that stands for all skip_names.
 inline constexpr const char* all_skips = "all";
 
 }  // namespace burl

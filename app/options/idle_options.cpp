@@ -25,7 +25,8 @@ std::string_view path_of_move(std::string_view move) {
     return move.substr(0, move.find('='));
 }
 
-/// Whether its cells' corners can be shared and scanned.
+/// Whether the octave's noise is on a cubic lattice with a vectorised kernel, so that cells can be
+/// shared and scanned.
 bool on_lattice(const Octave& octave) {
     return has_kernel(octave) && octave.noise.kind != NoiseKind::simplex;
 }

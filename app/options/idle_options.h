@@ -1,6 +1,6 @@
 #pragma once
-// Options and edits on the command line that would change nothing are refused: whoever typed them
-// believes that they do. What a recipe's file says beside the point is left alone.
+// Options and edits on the command line that would have no effect are refused, since their user
+// expects one. Numbers without effect in a recipe's file are accepted.
 #include <span>
 #include <string>
 #include <string_view>
@@ -9,32 +9,31 @@
 
 namespace burl {
 
-/// The reason for which a number of the recipe has no say in its textures, and what to do about it;
-/// empty if it has one.
+/// The reason why a number of the recipe has no effect on its textures, with a remedy; empty where
+/// it has one.
 std::string idle_reason(const Recipe& recipe, std::string_view path);
 
-/// Throws Error(usage) for an edit of a number that has no say (idle_reason), or one of `moves`
-/// (--animate PATH=FROM:TO). `recipe`: what the options make.
+/// Throws Error(usage) for an edit, or for a move (--animate PATH=FROM:TO), of a number without
+/// effect (idle_reason). `recipe` is the result of the options.
 void check_edits(const RecipeOptions& options, const Recipe& recipe,
                  std::span<const std::string> moves = {});
 
-/// The reason for which a kernel (app/options/command_options.h: --kernel) has no say in the
-/// recipe's texture, and what to do about it; empty if it has one.
+/// The reason why a kernel (--kernel, app/options/command_options.h) has no effect on the recipe's
+/// texture; empty where it has one.
 std::string idle_kernel(const Recipe& recipe, Kernel kernel);
 
-/// A key of recipes and what makes it idle in a verb.
+/// A key of recipes, and the reason why it has no effect in a verb.
 struct IdleKey {
     std::string_view key, why;
 };
 
-/// Throws Error(usage) for a --set of one of the keys or of what lies below it.
+/// Throws Error(usage) for a --set of one of the keys or of a key below it.
 void refuse_edits(const RecipeOptions& options, std::span<const IdleKey> keys);
 
-/// Throws Error(usage) for a key over time (--animate PATH=...) of one of the keys or of what lies
-/// below it.
+/// Throws Error(usage) for a move (--animate PATH=FROM:TO) of one of the keys or of a key below it.
 void refuse_moves(std::span<const std::string> moves, std::span<const IdleKey> keys);
 
-/// The key that has no say in meshes without a pose.
+/// The key that has no effect on meshes without a pose.
 inline constexpr IdleKey idle_pose{"pose", "there is no --pose"};
 
 }  // namespace burl

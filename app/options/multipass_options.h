@@ -1,5 +1,5 @@
 #pragma once
-// The papers' passes as the command line describes them: what `--synth gl-multipass` takes.
+// The options of `--synth gl-multipass`, which evaluates the papers' passes over whole images.
 #include <string>
 
 #include "procedural/passes/plan.h"
@@ -14,9 +14,9 @@ inline constexpr const char* multipass_synth = "gl-multipass";
 
 class MultipassCommand {
   public:
-    /// --gl-precision, --gl-randomizer and --gl-equalize.
+    /// Adds --gl-precision, --gl-randomizer and --gl-equalize.
     void add(CLI::App& verb);
-    /// Throws Error(usage) where one of them is given without `--synth gl-multipass`.
+    /// The passes' options. Throws Error(usage) where one is given without `--synth gl-multipass`.
     MultipassOptions options(const std::string& synth) const;
 
   private:

@@ -22,7 +22,7 @@ std::vector<std::string> words(const std::array<Named<T>, N>& names) {
     return result;
 }
 
-/// The name has been checked.
+/// The value of a name that has been checked to exist.
 template <class T, std::size_t N>
 T value_named(const std::array<Named<T>, N>& names, const std::string& name) {
     return std::find_if(names.begin(), names.end(), [&](const auto& n) { return n.name == name; })
@@ -122,7 +122,7 @@ void NoiseOptions::resolve(std::size_t dimensions) {
 
 namespace {
 
-/// The sum of octaves with `seed` for the first.
+/// The sum of all octaves, the first with `seed`.
 template <class Real, std::size_t N>
 NoiseSample<Real, N> sum_octaves(const NoiseOptions& options, std::uint32_t seed,
                                  const Point<N>& p) {

@@ -1,6 +1,6 @@
 #pragma once
-// One noise as the command line describes it: a kind, its octaves and a domain warp, for points of
-// one to four dimensions.
+// One noise from the command line: a kind, its octaves and a domain warp, for points of one to four
+// dimensions.
 #include <string>
 #include <vector>
 
@@ -16,14 +16,16 @@ namespace burl {
 struct NoiseOptions {
     NoiseSpec noise;
     FractalSum fractal;
-    double warp = 0.0;  ///< cells by which the point moves for a noise of 1
+    double warp = 0.0;  ///< the displacement, in cells, for a noise of 1
 
-    /// --noise and what goes with it.
+    /// Adds --noise and the options of its kinds.
     void add(CLI::App& verb);
     bool given() const { return !kind_.empty(); }
-    /// Throws Error(usage) for an option on the verb's line that has no say in the noise.
+    /// Throws Error(usage) for an option on the verb's command line that has no effect on the
+    /// noise.
     void check_given(const CLI::App& verb) const;
-    /// Fills `noise` and `fractal`; throws Error(usage) for what the kind cannot do.
+    /// Sets `noise` and `fractal` from the options, for points of this many dimensions. Throws
+    /// Error(usage) for dimensions or periods that the kind does not have.
     void resolve(std::size_t dimensions);
 
   private:
@@ -31,7 +33,7 @@ struct NoiseOptions {
     std::vector<std::uint32_t> period_;
 };
 
-/// The options' noise at a point of N coordinates. Octave k has seed + k and the period times
+/// The noise of the options at a point of N coordinates. Octave k has seed + k and the period times
 /// lacunarity^k; component i of the warp is the same sum with seed + 100 (i + 1).
 template <class Real, std::size_t N>
 NoiseSample<Real, N> sample_noise(const NoiseOptions& options, const Point<N>& p);

@@ -62,7 +62,7 @@ double squared_distance(const Vec3d& point, const PaintSegment& segment) {
 }
 
 bool may_reach(const PaintSegment& segment, double radius, const Box3& box) {
-    constexpr double margin = 1e-9;  // many times what rounding moves a distance
+    constexpr double margin = 1e-9;  // many times the rounding error of a distance
     double squared = 0.0, size = radius;
     for (int k = 0; k < 3; ++k) {
         const double low = std::min(segment.from[k], segment.to[k]),

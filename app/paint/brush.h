@@ -1,7 +1,7 @@
 #pragma once
-// What a stroke of paint does to a point of the surface: how much of it a ball moved along a line
-// covers, and how colours lie over one another (Porter & Duff, "Compositing Digital Images", 1984,
-// the operator `over`, in linear light).
+// The effect of a paint stroke at a point of the surface: the coverage by a ball swept along a
+// polyline, and the compositing of colours (Porter & Duff, "Compositing Digital Images", 1984, the
+// operator `over`, in linear light).
 #include <span>
 #include <vector>
 
@@ -10,29 +10,29 @@
 
 namespace burl {
 
-/// Colour in linear light times alpha, then alpha: what paint lays over the texture.
+/// Premultiplied colour in linear light, and alpha: the paint over the texture.
 using PaintLight = Vec4f;
 
-/// A straight part of a stroke's line; a stroke of one point has one of length 0.
+/// A straight part of a stroke's polyline; a stroke of one point has one segment of length 0.
 struct PaintSegment {
     Vec3d from{0.0}, to{0.0};
 };
 
-/// A stroke made ready for many points.
+/// A stroke prepared for evaluation at many points.
 class PaintBrush {
   public:
     explicit PaintBrush(const PaintStroke& stroke);
 
     std::span<const PaintSegment> segments() const { return segments_; }
-    /// The diagonal of their box.
+    /// The diagonal of the segments' bounding box.
     const PaintSegment& hull() const { return hull_; }
     double radius() const { return radius_; }
 
-    /// Share of a point covered that lies so far (squared) from the stroke's line: 1 up to hardness
-    /// times the radius, then a smoothstep down to 0 at the radius, which is at least as wide as a
-    /// texel, so that hard edges have no steps.
+    /// The coverage, 0..1, of a point at this squared distance from the stroke's polyline: 1 up to
+    /// hardness times the radius, then a smoothstep down to 0 at the radius. The smoothstep is at
+    /// least one texel wide, so that hard edges are antialiased. `texel` is in solid units.
     double coverage(double squared_distance, double texel) const;
-    /// `below` with the stroke over it where it covers so much.
+    /// The paint after laying the stroke over `below`, or erasing from it, with this coverage.
     PaintLight over(const PaintLight& below, double coverage) const;
 
   private:
@@ -43,14 +43,14 @@ class PaintBrush {
     bool erases_;
 };
 
-/// Squared distance of a point from a segment.
+/// The squared distance of a point from a segment.
 double squared_distance(const Vec3d& point, const PaintSegment& segment);
 
-/// Whether some point of the box whose diagonal the segment is may be within `radius` of `box`;
-/// never false where one is.
+/// Whether the box whose diagonal is the segment may come within `radius` of `box`; conservative:
+/// never false where it does.
 bool may_reach(const PaintSegment& segment, double radius, const Box3& box);
 
-/// The colour, in linear light, of what `paint` lies over.
+/// The colour in linear light of `below` under the paint.
 inline Vec3f painted(const PaintLight& paint, const Vec3f& below) {
     return Vec3f(paint) + (1.0f - paint.a) * below;
 }

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t tile_texels = std::size_t(PaintTiles::side) * PaintTiles::side;
 
-/// Whether `now` is `before` with more points, or the same.
+/// Whether `now` is `before`, possibly with more points at its end.
 bool goes_on(const PaintStroke& before, const PaintStroke& now) {
     PaintStroke brush = now;
     brush.points = before.points;
@@ -18,7 +18,7 @@ bool goes_on(const PaintStroke& before, const PaintStroke& now) {
            std::equal(before.points.begin(), before.points.end(), now.points.begin());
 }
 
-/// The part of a stroke from its point `first` on.
+/// The part of a stroke that begins with its point `first`.
 PaintStroke from_point(const PaintStroke& stroke, std::size_t first) {
     PaintStroke part = stroke;
     part.points.erase(part.points.begin(), part.points.begin() + std::ptrdiff_t(first));
@@ -34,7 +34,7 @@ std::size_t place_in_tile(std::uint32_t x, std::uint32_t y) {
     return std::size_t(y % side) * side + x % side;
 }
 
-/// The segments that may come within the brush's radius of the tile.
+/// The segments of the brush that may come within its radius of the box.
 std::vector<PaintSegment> segments_at(const PaintBrush& brush, const Box3& box) {
     std::vector<PaintSegment> near;
     if (!may_reach(brush.hull(), brush.radius(), box)) return near;
@@ -43,7 +43,7 @@ std::vector<PaintSegment> segments_at(const PaintBrush& brush, const Box3& box) 
     return near;
 }
 
-/// Lays a stroke over a tile's paint; whether it may reach it at all.
+/// Lays a stroke over a tile's paint and returns whether it may reach the tile.
 bool lay_over(const PaintTiles& tiles, std::size_t tile, const PaintBrush& brush,
               std::vector<PaintLight>& paint) {
     const std::vector<PaintSegment> near = segments_at(brush, tiles.box(tile));
@@ -116,7 +116,7 @@ PaintWork PaintLayer::update(std::span<const PaintStroke> strokes) {
     PaintWork work;
     if (std::ranges::equal(strokes_, strokes)) return work;
     const Change change = change_to(strokes);
-    if (change.start != Start::below) {  // of another stroke
+    if (change.start != Start::below) {  // `below` belongs to another stroke
         open_ = change.open;
         for (TilePaint& tile : paint_) tile.below = {};
     }

@@ -1,7 +1,7 @@
 #pragma once
-// The paint of a recipe on the texels of one atlas, kept from one set of strokes to the next: a
-// stroke that goes on, one more stroke, or strokes taken back redo only the tiles they reach. What
-// lies below does not matter to it, so that the texture may change under the paint.
+// The paint of a recipe on the texels of one atlas, updated incrementally: a stroke that goes on, a
+// new stroke or an undone one recomputes only the tiles it reaches. It is independent of the
+// texture below, which may change under the paint.
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -10,39 +10,43 @@
 
 namespace burl {
 
-/// What the last update() went through.
+/// The work of the last update().
 struct PaintWork {
+    /// The number of texels in the tiles that were recomputed.
     std::uint64_t texels = 0;
-    std::vector<std::uint32_t> tiles{};  ///< whose paint may have changed, in order
+    /// The tiles whose paint may have changed, in ascending order.
+    std::vector<std::uint32_t> tiles{};
 };
 
 class PaintLayer {
   public:
-    /// Of some rows, as PaintTiles. `solid` must outlive this. `threads` 0: all; no result depends
-    /// on it.
+    /// A layer without paint on some rows of the atlas, as PaintTiles takes them. `solid` must
+    /// outlive the layer. 0 threads means all; the number does not affect results.
     PaintLayer(const SolidAtlas& solid, int threads, const RowWindow& rows = {})
         : tiles_(solid, threads, rows), threads_(threads), paint_(tiles_.count()) {}
 
     const PaintTiles& tiles() const { return tiles_; }
-    /// From now on the paint of these strokes, bit for bit as if they were the first.
+    /// Makes the layer hold the paint of these strokes, bit for bit as if computed from nothing.
     PaintWork update(std::span<const PaintStroke> strokes);
-    /// A tile's paint, row by row of PaintTiles::side texels; empty where there is none.
+    /// The paint of a tile, side x side texels in row order (PaintTiles::side); empty where there
+    /// is none.
     std::span<const PaintLight> paint(std::size_t tile) const { return paint_[tile].all; }
-    /// Tiles that have paint, in order.
+    /// The tiles that have paint, in ascending order.
     std::vector<std::uint32_t> painted_tiles() const;
     std::size_t bytes() const;
 
   private:
     struct TilePaint {
-        std::vector<PaintLight> below{};  ///< of all strokes but the last, where that reaches
+        /// The paint of all strokes but the last, in tiles that the last one reaches.
+        std::vector<PaintLight> below{};
         std::vector<PaintLight> all{};
     };
-    /// Strokes from `first` on are laid over what `start` names.
+    /// The paint that strokes from `first` on are laid over.
     enum class Start { nothing, below, all };
     struct Change {
         Start start = Start::nothing;
         std::size_t first = 0;
-        bool open = true;  ///< the last stroke is among those that differ
+        bool open = true;  ///< whether the last stroke is among those that differ
         std::vector<bool> reached{};
     };
     Change change_to(std::span<const PaintStroke> strokes) const;
@@ -52,7 +56,7 @@ class PaintLayer {
     PaintTiles tiles_;
     int threads_;
     std::vector<PaintStroke> strokes_;
-    bool open_ = false;  ///< `below` is there wherever the last stroke reaches
+    bool open_ = false;  ///< whether `below` is stored wherever the last stroke reaches
     std::vector<TilePaint> paint_;
 };
 

@@ -8,6 +8,7 @@ namespace burl {
 
 namespace {
 
+/// The number of sRGB codes of a component; 0 for floats.
 constexpr std::size_t texels_at_once = std::size_t(1) << 20;
 
 template <class Pixel>

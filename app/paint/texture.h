@@ -1,6 +1,6 @@
 #pragma once
-// Paint laid over a texture's texels: decoded, mixed in linear light, encoded once. Texels without
-// paint keep their bits.
+// Compositing of paint over a texture's texels: each is decoded, mixed in linear light and encoded
+// once. Texels without paint keep their bits.
 #include <span>
 #include <vector>
 
@@ -10,14 +10,14 @@
 
 namespace burl {
 
-/// Lays tiles of paint over pixels of a kind: Rgb8, Rgb16 or RgbF.
+/// Composites tiles of paint over an image of Rgb8, Rgb16 or RgbF.
 template <class Pixel>
 class PaintMixer {
   public:
     PaintMixer();
 
-    /// Writes the tile's texels of `image`: those of `base` under its paint. Both have the layer's
-    /// rows, from number `first` of theirs on, and may be the same.
+    /// Writes the tile's texels of `image`: those of `base` with the tile's paint over them. Row
+    /// `first` of both images is the layer's first row; they may be the same image.
     void mix(const PaintLayer& layer, std::size_t tile, const Image<Pixel>& base,
              Image<Pixel>& image, std::size_t first = 0) const;
 
@@ -25,13 +25,13 @@ class PaintMixer {
     Vec3f light(const Pixel& pixel) const;
 
     PixelEncoder<Pixel> encode_;
-    std::vector<float> decoded_;  ///< per code; none for floats
+    std::vector<float> decoded_;  ///< linear light by sRGB code; empty for floats
 };
 
-/// Lays the strokes over the texture of an atlas, about a million texels at a time: paint takes 32
-/// bytes a texel. For Rgb8, Rgb16 and RgbF. `threads` 0: all; the
-/// result does not depend on it. The image may be some rows alone of the texture, from `first` on,
-/// a multiple of PaintTiles::side. Gives the texels that it went through.
+/// Composites the strokes over an atlas's texture in bands of about a million texels, since paint
+/// takes 32 bytes per texel. Pixel is Rgb8, Rgb16 or RgbF. 0 threads means all; the result does not
+/// depend on the number. The image may be a band of the texture's rows that begins at row `first`,
+/// a multiple of PaintTiles::side. Returns the number of texels in tiles that a stroke reaches.
 template <class Pixel>
 std::uint64_t paint_over(const SolidAtlas& solid, std::span<const PaintStroke> strokes, int threads,
                          Image<Pixel>& image, std::size_t first = 0);

@@ -17,7 +17,7 @@ PaintTiles::PaintTiles(const SolidAtlas& solid, int threads, const RowWindow& wi
     });
 }
 
-/// A piece's points lie on a line, so that its ends have them all between them.
+/// Within a span the solid points lie on a straight line, so its two ends bound them.
 void PaintTiles::measure(std::size_t tile) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     Box3 box{Vec3d(infinity), Vec3d(-infinity)};

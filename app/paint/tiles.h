@@ -1,7 +1,7 @@
 #pragma once
-// A texture cut into squares of texels that know which part of solid space they show, so that a
-// brush finds the few it reaches. Texels that are neighbours in the texture are near one another on
-// the surface, but for a tile that lies across several blocks, whose box is large and costs time.
+// A texture divided into square tiles of texels, each with the bounding box of its solid points, so
+// that a brush finds the few tiles it reaches. Neighbouring texels are near one another on the
+// surface, except in tiles across several blocks, whose larger boxes only cost time.
 #include <algorithm>
 #include <cstdint>
 #include <vector>
@@ -14,23 +14,23 @@ namespace burl {
 
 class PaintTiles {
   public:
-    static constexpr std::uint32_t side = 16;  ///< texels
+    static constexpr std::uint32_t side = 16;  ///< the side of a tile in texels
 
-    /// Of some rows, the first of them a multiple of `side`: the first tile is the one there.
-    /// `solid` must outlive this. `threads` 0: all.
+    /// Tiles of some rows of the texture, of which the first is a multiple of `side`; tile 0 begins
+    /// there. `solid` must outlive this. 0 threads means all.
     PaintTiles(const SolidAtlas& solid, int threads, const RowWindow& rows = {});
 
-    std::uint32_t size() const { return solid_->size; }  ///< of the texture, in texels
+    std::uint32_t size() const { return solid_->size; }  ///< the side of the texture in texels
     std::uint32_t columns() const { return columns_; }
     std::size_t count() const { return boxes_.size(); }
-    /// Of the solid points of a tile's texels; low > high: it has none.
+    /// The bounding box of the solid points of a tile's texels; low > high where it has none.
     const Box3& box(std::size_t tile) const { return boxes_[tile]; }
 
-    /// Adds to `reached` those that the brush may cover some of.
+    /// Sets `reached` for the tiles that the brush may cover in part.
     void add_reached(const PaintBrush& brush, std::vector<bool>& reached) const;
 
-    /// Calls visit(x, y, solid point, width) for the tile's texels that have a point; the width is
-    /// the longer step to a neighbour, in solid units.
+    /// Calls visit(x, y, solid point, width) for the tile's texels in spans. The width is the
+    /// distance to the farther of the neighbours in x and y, in solid units.
     template <class Visit>
     void for_each_texel(std::size_t tile, const Visit& visit) const {
         const auto column = std::uint32_t(tile % columns_), row = row_of(tile);
@@ -51,8 +51,7 @@ class PaintTiles {
     std::uint32_t end(std::uint32_t index) const {
         return std::min(solid_->size, (index + 1) * side);
     }
-    /// Calls visit(first, last + 1, map) for the parts of spans within texels [begin, end) of a
-    /// row.
+    /// Calls visit(first, last + 1, map) for the parts of a row's spans within texels [begin, end).
     template <class Visit>
     void for_each_piece(std::uint32_t begin, std::uint32_t end, std::uint32_t y,
                         const Visit& visit) const {
@@ -66,7 +65,7 @@ class PaintTiles {
     void measure(std::size_t tile);
 
     const SolidAtlas* solid_;
-    std::uint32_t columns_, first_row_;  ///< in tiles
+    std::uint32_t columns_, first_row_;  ///< counts of tiles
     std::vector<Box3> boxes_;
 };
 

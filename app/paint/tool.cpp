@@ -9,7 +9,7 @@ namespace burl {
 
 namespace {
 
-constexpr double spacing = 0.2;  // of a stroke's points, in radii
+constexpr double spacing = 0.2;  // the least distance between a stroke's points, in radii
 constexpr double steps_per_unit = 1e6;
 
 Vec3d rounded(const Vec3d& point) {

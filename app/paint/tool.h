@@ -1,5 +1,5 @@
 #pragma once
-// A hand with a brush: what places on the surface, one after the other, make of a recipe's strokes.
+// A brush in a user's hand: how successive points on the surface extend a recipe's strokes.
 #include <optional>
 #include <vector>
 
@@ -7,29 +7,29 @@
 
 namespace burl {
 
-/// The brush in hand; its stroke has no points.
+/// The state of the paint tool; its brush is a stroke without points.
 struct PaintTool {
-    bool on = false;  ///< the pointer paints
+    bool on = false;  ///< whether the pointer paints
     PaintStroke brush{.radius = 0.04, .color = {0xc8, 0x2d, 0x1e}};
     bool operator==(const PaintTool&) const = default;
 };
 
-/// Radii that a hand may choose, in solid units.
+/// The range of the brush radius, in solid units.
 inline constexpr double least_brush_radius = 0.002, largest_brush_radius = 0.5;
 
-/// The brush larger by so many tenths, within these radii.
+/// The tool with its radius multiplied by 1.1^tenths, within the range of radii.
 PaintTool resized(PaintTool tool, int tenths);
 
-/// How far apart, in radii, places may be that one stroke leads through: farther ones are on
-/// another part of the surface, behind an edge, and what is between is not what was touched.
+/// The largest distance, in radii, between successive points of one stroke. Farther points are on
+/// another part of the surface, behind an edge, and the surface in between was not touched.
 inline constexpr double longest_lead = 2.5;
 
-/// The recipe with the brush led on to a solid point: a new stroke at the beginning (`leads` false)
-/// or where the last one is too far; the recipe as it is where the last point is hardly left.
-/// Points are rounded to a millionth.
+/// The recipe with the brush moved to a solid point. A new stroke begins where `leads` is false or
+/// the last point is too far; otherwise the recipe is unchanged where the last point is nearer than
+/// 0.2 radii. Points are rounded to 1e-6.
 Recipe painted_at(Recipe recipe, const PaintTool& tool, const Vec3d& point, bool leads);
 
-/// Points of a circle about `centre` in the plane with this normal.
+/// `count` points of a circle about `centre` in the plane with this normal, of any length but 0.
 std::vector<Vec3d> circle(const Vec3d& centre, const Vec3d& normal, double radius, int count);
 
 }  // namespace burl

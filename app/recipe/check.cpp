@@ -14,7 +14,7 @@ namespace {
 
 using Found = std::optional<RecipeProblem>;
 
-/// The schema with the texture left to find_graph_problem.
+/// The schema whose texture is left to find_graph_problem.
 SchemaNode schema_without_texture() {
     SchemaNode schema = build_schema();
     for (auto& [name, node] : schema.children)
@@ -22,7 +22,7 @@ SchemaNode schema_without_texture() {
     return schema;
 }
 
-/// The recipe has been checked against the schema.
+/// The first problem of "bump.input", in a recipe that has passed the schema.
 Found find_bump_problem(const Json& recipe) {
     if (!recipe.contains("bump")) return {};
     if (!recipe["bump"].contains("input"))

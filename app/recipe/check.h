@@ -1,11 +1,12 @@
 #pragma once
-// Checks recipe JSON against the parameter table and, where the texture is a graph, the table of
-// nodes. What turns JSON into a Recipe afterwards may rely on keys, types and ranges.
+// Checks recipe JSON against the parameter table and, where the texture is a graph, against the
+// node table. The conversion from JSON to a Recipe relies on the keys, types and ranges checked
+// here.
 #include "app/recipe/schema_check.h"
 
 namespace burl {
 
-/// The first thing that is wrong with the recipe, if any.
+/// The first problem of the recipe, if any.
 std::optional<RecipeProblem> find_problem(const Json& recipe);
 
 }  // namespace burl

@@ -1,11 +1,12 @@
 #pragma once
-// What the kernel `forward` cannot bake: one sentence instead of a texture that is something else.
+// Recipes that the kernel `forward` cannot bake are refused with one sentence, rather than baked as
+// another texture.
 #include "app/recipe/recipe.h"
 
 namespace burl {
 
-/// Throws Error(usage) if the recipe's texture is no polynomial between cell crossings, or is asked
-/// for with a filter or in another arithmetic than the kernel has.
+/// Throws Error(usage) where the recipe's texture is not a polynomial between cell crossings
+/// (procedural/bresenham), has a filter, or asks for fixed-point arithmetic.
 void check_forward(const Recipe& recipe);
 
 }  // namespace burl

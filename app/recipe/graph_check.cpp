@@ -45,16 +45,17 @@ RecipeProblem unknown_node(const Json& name, const std::string& path) {
                                               : fmt::format("; did you mean \"{}\"?", nearest))};
 }
 
-/// The beginning and the end of a path that is too long to read.
+/// The path with its middle left out where it has more than 60 characters.
 std::string shortened(const std::string& path) {
     if (path.size() <= 60) return path;
     return fmt::format("{}...{}", path.substr(0, 36), path.substr(path.size() - 20));
 }
 
-/// Recurses no deeper than max_graph_depth, however deep the JSON is.
+/// A checker of one graph. It recurses no deeper than max_graph_depth, however deep the JSON is.
 class GraphChecker {
   public:
-    /// Sets `given` to what the value gives.
+    /// Checks a node or constant that must give `wanted`, and sets `given` to the type that it
+    /// gives.
     Found check_input(const Json& value, const std::string& path, Wire wanted, std::size_t depth,
                       Wire& given) {
         if (++nodes_ > max_graph_nodes)
@@ -81,7 +82,7 @@ class GraphChecker {
   private:
     Found check_node(const Json& node, const std::string& path, Wire wanted, std::size_t depth,
                      Wire& given) {
-        // Only the recipe's texture itself may leave its kind out.
+        // Only the recipe's texture itself may leave out "node": it is a color_map then.
         if (!node.contains("node") && depth > 0)
             return RecipeProblem{path,
                                  fmt::format("{} has no key \"node\" that says what it is", path)};
@@ -117,7 +118,7 @@ class GraphChecker {
         return {};
     }
 
-    /// Names of the keys, and the parameters' values.
+    /// Checks the names of all keys and the values of parameters.
     static Found check_keys(const NodeType& type, const Json& node, const std::string& path) {
         std::vector<std::string_view> known{"node"};
         for (const NodeInput& input : type.inputs()) known.push_back(input.key);
@@ -136,7 +137,7 @@ class GraphChecker {
         return check_time(node, path);
     }
 
-    /// The keys' values have been checked.
+    /// Whether the node's kind of noise can have a time; the keys' values have been checked.
     static Found check_time(const Json& node, const std::string& path) {
         if (!node.contains("time") || node["time"].is_null()) return {};
         const std::string problem =
@@ -156,7 +157,8 @@ class GraphChecker {
                 return RecipeProblem{input_path, fmt::format("{} is missing, must be {}",
                                                              input_path, wanted_text(input.wire))};
             }
-            // A node that only hands on what its input gives wants what is wanted of it.
+            // A node that passes its input's type on requires of the input what is required of
+            // itself.
             const Wire from = input.sets_wire ? wanted : input.wire;
             Wire got = Wire::number;
             if (Found found =

@@ -25,8 +25,8 @@ NodeCall call_of(const GraphNode& node) {
     return call;
 }
 
-/// What the coordinates of matrix (translate + rotate scale p) are at most: a rotation brings none
-/// beyond the distance from the origin.
+/// Bounds of the absolute coordinates of matrix (translate + rotate scale p), given those of p. A
+/// rotation is bounded by the distance from the origin.
 Vec3d transformed(const NodeCall& call, const Vec3d& p) {
     const Vec3d scale = glm::abs(call.vector("scale")), shift = glm::abs(call.vector("translate"));
     const bool turned = call.vector("rotate") != Vec3d(0.0);
@@ -47,7 +47,7 @@ double octave_weights_of(const NodeCall& call) {
     return octave_weights(call.parameter("gain"), std::uint32_t(call.parameter("octaves")));
 }
 
-/// The largest sizes that the coordinates of the point have that a node makes of p.
+/// Bounds of the absolute coordinates of the point that a node makes of a point bounded by p.
 Vec3d moved_sizes(const NodeCall& call, const Vec3d& p) {
     const std::string_view type = type_of(*call.node).name;
     const double distance = glm::length(p);
@@ -67,8 +67,8 @@ Vec3d moved_sizes(const NodeCall& call, const Vec3d& p) {
     return p;
 }
 
-/// The largest lattice coordinate at which a node of noise is evaluated, all octaves together; 0
-/// for other nodes.
+/// The largest absolute lattice coordinate at which a noise node is evaluated, in cells, over all
+/// octaves; 0 for other nodes.
 double reach(const TextureGraph& graph, const NodeCall& call, const Vec3d& p) {
     const std::string_view type = type_of(*call.node).name;
     if (type == "field") return farthest_lattice(graph.textures[call.node->texture], p).reach;
@@ -86,7 +86,8 @@ double reach(const TextureGraph& graph, const NodeCall& call, const Vec3d& p) {
 
 void check_graph_lattice(const TextureGraph& graph, const Vec3d& box_sizes,
                          const std::string& name) {
-    std::vector<Vec3d> sizes{box_sizes};  // of the points that nodes give; of others nothing
+    // Bounds of the points that nodes give; unused for other nodes.
+    std::vector<Vec3d> sizes{box_sizes};
     for (std::size_t n = 1; n < graph.nodes.size(); ++n) {
         const NodeCall call = call_of(graph.nodes[n]);
         const Vec3d& p = sizes[call.node->place];

@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The file's folder without links; a name alone is in the working folder.
+/// The real path of the file's folder; that of the working folder for a bare name.
 fs::path real_folder(const fs::path& file) {
     return real_path((file.parent_path() / ".").string());
 }
@@ -21,13 +21,14 @@ bool has_images(const Recipe& recipe) {
     return !recipe.graph.images.empty() || !recipe.bump.input.images.empty();
 }
 
-/// `spell` gives an image another name, from its absolute path and its name.
+/// The recipe with every image's path replaced by spell(absolute path, path).
 template <class Spell>
 Recipe with_names(Recipe recipe, const std::string& from, const Spell& spell) {
     const fs::path folder = real_folder(from);
     for (TextureGraph* graph : {&recipe.graph, &recipe.bump.input})
         for (GraphImage& image : graph->images) {
-            const fs::path file = folder / image.file;  // whose own links are no names of it
+            // Symbolic links of the file itself are kept.
+            const fs::path file = folder / image.file;
             image.file = spell(real_folder(file) / file.filename(), image.file).string();
         }
     return recipe;

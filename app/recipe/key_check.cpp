@@ -13,14 +13,14 @@ namespace {
 
 using Found = std::optional<RecipeProblem>;
 
-/// What lies at a dotted path, which there must be.
+/// The value at a dotted path, which must exist.
 const Json& place_at(const Json& recipe, const std::string& path) {
     std::string pointer = "/" + path;
     std::ranges::replace(pointer, '.', '/');
     return recipe.at(Json::json_pointer(pointer));
 }
 
-/// Of the table, which is static: nobody owns it.
+/// The table's entry of a stop's position. The table is static, so the pointer owns nothing.
 std::shared_ptr<const Parameter> stop_parameter() {
     const auto all = parameters();
     return {std::shared_ptr<void>(),
@@ -67,7 +67,7 @@ RecipeProblem unknown_number(const std::vector<RecipeNumber>& numbers, const Jso
     return problem;
 }
 
-/// Times go up, values lie in the number's range.
+/// The first problem of a track's keys: times must increase and values lie in the number's range.
 Found find_key_problem(const Json& keys, const RecipeNumber& number, const std::string& path) {
     if (keys.empty()) return RecipeProblem{path, path + " is empty, must have at least one key"};
     for (std::size_t i = 0; i < keys.size(); ++i) {

@@ -1,11 +1,12 @@
 #pragma once
-// Keys over time as a recipe's JSON has them (docs/recipes.md, "Animation").
+// Conversion of keys over time from and to a recipe's JSON (docs/recipes.md, "Animation").
 #include "app/base/json_text.h"
 #include "app/recipe/key_track.h"
 
 namespace burl {
 
-/// `json` must have passed find_animation_problem (app/recipe/key_check.h).
+/// The animation that the JSON describes; it must have passed find_animation_problem
+/// (app/recipe/key_check.h).
 KeyedAnimation animation_from_json(const Json& json);
 
 /// JSON that animation_from_json reads back to an equal animation.

@@ -19,7 +19,7 @@ bool is_whole(const std::vector<RecipeNumber>& numbers, const std::string& path)
     return found != numbers.end() && found->parameter->type == ParameterType::integer;
 }
 
-/// with_numbers() names --set in what it throws.
+/// The error of with_numbers() with the time in its sentence instead of "--set".
 Error with_time(const Error& error, double seconds) {
     std::string sentence = error.what();
     for (const std::string_view set : {"--set: ", "--set "})

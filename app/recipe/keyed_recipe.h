@@ -1,24 +1,24 @@
 #pragma once
-// A recipe with keys over time is a recipe without them at every time.
+// Evaluation of a keyed recipe: at every time it is a recipe without keys.
 #include "app/recipe/recipe.h"
 
 namespace burl {
 
-/// What the track's number is at a time: that of the first key before it, of the last one after it.
-/// The track must have a key.
+/// The value of the track's number at a time: interpolated between keys, constant before the first
+/// and after the last. The track has at least one key.
 double value_at(const KeyTrack& track, double seconds);
 
-/// The recipe of one time: its numbers are what their keys say, and keys it has none. A recipe
-/// without keys comes back as it is. Throws Error(usage) where the numbers between two keys make no
-/// recipe, such as stops that pass one another.
+/// The recipe at a time: its numbers have their keyed values, and it has no keys. A recipe without
+/// keys is returned unchanged. Throws Error(usage) where the values make no valid recipe, such as
+/// stops out of order.
 Recipe recipe_at(const Recipe& recipe, double seconds);
 
-/// How many frames an animation has at its own rate: the last one is at its end or, of a loop, one
-/// frame before it. At least 2.
+/// The number of frames at the animation's own rate, at least 2. The last frame is at the end or,
+/// for a loop, one frame before it.
 int frame_count(const KeyedAnimation& animation);
 
-/// When frame i of n (from 0, n at least 2) is: the first at 0, the last at the end; of a loop
-/// frame n would be at the end.
+/// The time of frame i of n (i from 0, n at least 2), in seconds: the first at 0, the last at the
+/// end. For a loop, frame n would be at the end.
 double frame_seconds(const KeyedAnimation& animation, int i, int n);
 
 }  // namespace burl

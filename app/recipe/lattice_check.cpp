@@ -14,8 +14,8 @@ namespace burl {
 
 namespace {
 
-/// The largest lattice coordinate where texture coordinates have these sizes; infinite if it is
-/// none.
+/// The largest absolute lattice coordinate where absolute texture coordinates are at most `sizes`;
+/// infinite where it is not a number.
 double farthest(const Octave& octave, const Vec3d& sizes) {
     double result = 0.0;
     for (int row = 0; row < 3; ++row) {

@@ -13,7 +13,7 @@ namespace {
 
 class LeafWalk {
   public:
-    /// Objects and arrays of the table; arrays as long as the recipe's are.
+    /// Visits the table's objects and arrays; arrays have the recipe's lengths.
     void walk_schema(const SchemaNode& node, const Json& value, const std::string& path,
                      const std::string& group) {
         for (const auto& [key, child] : node.children) {
@@ -28,7 +28,7 @@ class LeafWalk {
         }
     }
 
-    /// A graph's node and all below it.
+    /// Visits a node of a graph and all nodes below it.
     void walk_node(const Json& node, const std::string& path, const std::string& group) {
         if (node.is_array()) {
             for (std::size_t i = 0; i < node.size(); ++i)
@@ -64,7 +64,7 @@ class LeafWalk {
              const std::string& path, const std::string& group) {
         const std::string name(key);
         if (name == "node" || path == "burl") return;
-        // Tables are static: nobody owns their entries.
+        // Tables are static, so the pointer owns nothing.
         RecipeLeaf leaf{path, group, name, {std::shared_ptr<void>(), &parameter}, {}};
         if (owner.contains(name))
             leaf.value = owner[name];
@@ -73,7 +73,7 @@ class LeafWalk {
         if (!leaf.value.is_null()) leaves.push_back(std::move(leaf));
     }
 
-    /// An input that is a bare number or colour, or left out.
+    /// Adds an input that is a constant number or colour, or left out with a constant as default.
     void add_constant(const NodeInput& input, const Json& node, const std::string& path,
                       const std::string& group) {
         const std::string name(input.key);
@@ -96,7 +96,7 @@ class LeafWalk {
                         fmt::format("{} {}", name, i + 1));
     }
 
-    /// A graph's node `field` has the keys of the 1999 model's.
+    /// Visits a graph's node `field`, which has the keys of the 1999 model's field.
     void walk_field(const Json& node, const std::string& path, const std::string& group) {
         const SchemaNode schema = build_schema();
         const SchemaNode* field = schema.child("texture")->child("input");

@@ -14,7 +14,8 @@ namespace {
 
 using Found = std::optional<RecipeProblem>;
 
-/// A colour map has stops, in order.
+/// The first problem of a colour map's stops: there must be at least one, and positions must not
+/// descend.
 Found check_stops(const Json& map, const std::string& map_path) {
     if (!map.contains("stops")) return {};
     const Json& stops = map["stops"];
@@ -31,7 +32,7 @@ Found check_stops(const Json& map, const std::string& map_path) {
     return {};
 }
 
-/// Why a noise term cannot repeat as asked, without its path; empty if it can.
+/// The reason why a noise term cannot have its period, without its path; empty where it can.
 std::string period_problem(const Json& term) {
     const auto number = [&term](const char* key, double otherwise) {
         return term.contains(key) ? term[key].get<double>() : otherwise;
@@ -51,7 +52,7 @@ std::string period_problem(const Json& term) {
     return {};
 }
 
-/// Why a noise term cannot have a time, without its path; empty if it can.
+/// The reason why a noise term cannot have a time, without its path; empty where it can.
 std::string term_time_problem(const Json& term) {
     const bool still = !term.contains("period") ||
                        std::all_of(term["period"].begin(), term["period"].end(),
@@ -60,7 +61,7 @@ std::string term_time_problem(const Json& term) {
                         !still || term.value("time_period", 0.0) != 0.0);
 }
 
-/// Periods and times are such as the term's kind can have.
+/// The first noise term whose period or time its kind cannot have.
 Found check_noise(const Json& field, const std::string& field_path) {
     if (!field.contains("noise")) return {};
     for (std::size_t i = 0; i < field["noise"].size(); ++i) {

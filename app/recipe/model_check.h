@@ -1,18 +1,18 @@
 #pragma once
-// Checks the two nodes of the 1999 model, colour map and field, wherever in a texture they stand.
+// Checks the two nodes of the 1999 model, colour map and field, wherever they stand in a texture.
 #include "app/recipe/schema_check.h"
 
 namespace burl {
 
-/// A color_map's `wrap` and `stops`; `schema` is build_schema()'s.
+/// The first problem of a color_map's `wrap` and `stops`; `schema` is build_schema()'s.
 std::optional<RecipeProblem> find_map_problem(const SchemaNode& schema, const Json& map,
                                               const std::string& path);
 
-/// Why noise of a kind cannot have a time, as the end of a sentence; empty if it can. `repeats`: it
-/// has a period along any axis or time.
+/// The reason why a kind of noise cannot have a time, as the end of a sentence; empty where it can.
+/// `repeats` tells that the noise has a period along an axis or in time.
 std::string time_problem(std::string_view kind, bool repeats);
 
-/// A field as a whole.
+/// The first problem of a field: keys, values, periods and times.
 std::optional<RecipeProblem> find_field_problem(const SchemaNode& schema, const Json& field,
                                                 const std::string& path);
 

@@ -1,5 +1,5 @@
 #pragma once
-// Strokes of paint as a recipe's JSON has them (docs/recipes.md, "Paint").
+// Conversion of paint strokes from and to a recipe's JSON (docs/recipes.md, "Paint").
 #include <vector>
 
 #include "app/base/json_text.h"
@@ -7,7 +7,7 @@
 
 namespace burl {
 
-/// `json` must have passed the parameter table (app/recipe/check.h): an array of strokes.
+/// The strokes of an array that has passed the parameter table (app/recipe/check.h).
 std::vector<PaintStroke> paint_from_json(const Json& json);
 
 /// JSON that paint_from_json reads back to equal strokes.

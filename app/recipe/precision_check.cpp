@@ -11,7 +11,7 @@ namespace burl {
 
 namespace {
 
-/// What of a noise term has no fixed point; empty if all of it has.
+/// The feature of a noise term that has no fixed-point form; empty where all have one.
 std::string noise_problem(const Json& term) {
     const std::string kind = term.value("kind", "value");
     if (kind != "value" && kind != "perlin") return kind + " noise";

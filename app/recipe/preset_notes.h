@@ -1,6 +1,6 @@
 #pragma once
-// What the presets are, for people who choose among them by eye: an order in which like stands by
-// like, and a sentence each.
+// Descriptions of the presets for people who choose by eye: one sentence each, in an order that
+// puts similar presets side by side.
 #include <span>
 #include <string_view>
 #include <vector>
@@ -8,14 +8,14 @@
 namespace burl {
 
 struct PresetNote {
-    std::string_view name;   ///< as load_recipe takes it
-    std::string_view about;  ///< one sentence
+    std::string_view name;   ///< the preset's name, as load_recipe takes it
+    std::string_view about;  ///< a description of one sentence
 };
 
-/// Every preset once: stone, wood, planets and skies, water and fire, patterns, relief, noise.
+/// All presets, each once: stone, wood, planets and skies, water and fire, patterns, relief, noise.
 std::span<const PresetNote> preset_notes();
 
-/// Those whose name or sentence holds the text, whatever its case; all for none.
+/// The presets whose name or description contains the text, ignoring case; all for an empty text.
 std::vector<PresetNote> presets_with(std::string_view text);
 
 }  // namespace burl

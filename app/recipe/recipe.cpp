@@ -46,7 +46,7 @@ Affine3 texture_from_mesh(const Recipe& recipe, const Mesh& mesh) {
 }
 
 double solid_units(const Mesh& mesh, SolidSpace space) {
-    // Uniform and upright: one entry of the diagonal says it all.
+    // The map is a uniform scale without rotation: one diagonal entry is the whole scale.
     return solid_from_mesh(mesh, space).linear[0][0];
 }
 

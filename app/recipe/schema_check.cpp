@@ -55,7 +55,7 @@ bool is_utf8(const Json& text) {
         (void)text.dump();
         return true;
     } catch (const Json::type_error&) {
-        return false;  // the library throws for what it could not write
+        return false;  // dump() throws for invalid UTF-8
     }
 }
 
@@ -105,7 +105,7 @@ RecipeProblem mismatch(const std::string& path, const Json& value, const std::st
 std::optional<RecipeProblem> check_leaf(const Parameter& parameter, const Json& value,
                                         const std::string& path) {
     if (fits(parameter, value)) return {};
-    // For one wrong number of an array, name its index.
+    // The index is named where one number of an array is wrong.
     if (parameter.type == ParameterType::numbers && value.is_array() &&
         value.size() == parameter.count) {
         for (std::size_t i = 0; i < value.size(); ++i)
@@ -161,7 +161,7 @@ Found check_tuple(const SchemaNode& node, const Json& value, const std::string& 
 
 Found check_object(const SchemaNode& node, const Json& value, const std::string& path) {
     if (!value.is_object()) return mismatch(path, value, "an object");
-    // The kind of a node decides what its other keys may be, so it is looked at first.
+    // "node" decides which other keys are allowed, so it is checked first.
     if (const SchemaNode* kind = node.child("node"); kind && value.contains("node"))
         if (Found found = check_value(*kind, value["node"], join_path(path, "node"))) return found;
     for (const auto& item : value.items()) {

@@ -16,7 +16,7 @@ std::vector<std::string_view> split_path(std::string_view path) {
 
 namespace {
 
-/// The node at a path, made if there is none yet.
+/// The node at a path, created where it is missing.
 SchemaNode& place(SchemaNode& root, std::string_view path) {
     SchemaNode* node = &root;
     for (const std::string_view part : split_path(path)) {
@@ -32,7 +32,7 @@ SchemaNode build_schema() {
     SchemaNode root;
     for (const Parameter& parameter : parameters())
         place(root, parameter.path).parameter = &parameter;
-    place(root, "bump.input").elsewhere = true;  // a graph (graph_check.h)
+    place(root, "bump.input").elsewhere = true;  // a graph, which graph_check.h checks
     return root;
 }
 

@@ -9,11 +9,11 @@
 
 namespace burl {
 
-/// A node is a leaf (one parameter), an array of like items (single child
+/// A node of the schema: a leaf (one parameter), an array of items of one schema (single child
 /// "*"), a tuple (children "0", "1", ...) or an object.
 struct SchemaNode {
     const Parameter* parameter = nullptr;
-    bool elsewhere = false;  ///< what is below is checked elsewhere
+    bool elsewhere = false;  ///< the content is checked by another function
     std::vector<std::pair<std::string_view, std::unique_ptr<SchemaNode>>> children;
 
     const SchemaNode* child(std::string_view key) const {
@@ -33,7 +33,7 @@ struct SchemaNode {
 /// The tree of parameters().
 SchemaNode build_schema();
 
-/// The parts of a dotted path; at least one, possibly empty.
+/// The parts of a dotted path: at least one, possibly empty.
 std::vector<std::string_view> split_path(std::string_view path);
 
 }  // namespace burl

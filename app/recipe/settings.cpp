@@ -25,7 +25,7 @@ bool is_index(std::string_view part) {
     return parse_index(part, index);
 }
 
-/// All paths of the table, indices taken from `parts` where those have any.
+/// All paths of the table, with "*" replaced by the index at that place of `parts`, or by 0.
 std::vector<std::string> concrete_paths(const std::vector<std::string_view>& parts) {
     std::vector<std::string> paths;
     for (const Parameter& parameter : parameters()) {
@@ -40,7 +40,7 @@ std::vector<std::string> concrete_paths(const std::vector<std::string_view>& par
 Error unknown_path(std::string_view path) {
     const auto parts = split_path(path);
     const std::vector<std::string> paths = concrete_paths(parts);
-    // A path that is cut off at its front ("gain") is compared with the known paths' ends.
+    // A path without its beginning ("gain") is compared with the ends of the known paths.
     std::vector<std::string_view> ends;
     for (const std::string& known : paths) {
         const auto all = split_path(known);
@@ -58,7 +58,7 @@ Error unknown_path(std::string_view path) {
                  fmt::format("--set: there is no parameter \"{}\"; {}", path, hint));
 }
 
-/// The element `part` names, appended when it is one past the end.
+/// The element at the index `part`, appended where that is one past the end.
 Json& array_item(Json& array, std::string_view part, std::string_view path) {
     std::size_t index = 0;
     parse_index(part, index);
@@ -71,7 +71,7 @@ Json& array_item(Json& array, std::string_view part, std::string_view path) {
     return array[index];
 }
 
-/// One number of a parameter that is several; the others keep their value or their default.
+/// One number of an array parameter; where the array is missing it begins as its default.
 Json& number_item(Json& numbers, const Parameter& parameter, std::string_view part,
                   std::string_view path) {
     std::size_t index = 0;
@@ -97,15 +97,15 @@ Json parse_value(const std::string& text, const SchemaNode& node) {
     return value;
 }
 
-/// Whether a path leads to a key of a texture graph.
+/// Whether the path leads to a key of a texture graph.
 bool lies_in_graph(const Json& recipe, std::span<const std::string_view> parts) {
     if (parts.size() < 2) return false;
     if (parts[0] == "bump") return parts[1] == "input";
     return parts[0] == "texture" && recipe.contains("texture") && is_graph(recipe["texture"]);
 }
 
-/// A key of a texture graph: paths follow the JSON itself, and what is no key of its node is found
-/// when the whole recipe is checked.
+/// The value at a path within a texture graph, which follows the JSON itself; a key that its node
+/// does not have is found when the whole recipe is checked.
 Json& graph_place(Json& recipe, std::span<const std::string_view> parts, std::string_view path) {
     Json* place = &recipe;
     for (const std::string_view part : parts) {
@@ -129,7 +129,7 @@ std::string apply_setting(Json& recipe, const std::string& setting) {
     const std::string path = setting.substr(0, equals);
     const SchemaNode schema = build_schema();
     const SchemaNode* node = &schema;
-    // A wrong path must not leave anything behind, so the edit is made in a copy.
+    // The edit is made in a copy, since a wrong path must leave the recipe unchanged.
     Json edited = recipe;
     Json* place = &edited;
     const auto parts = split_path(path);

@@ -48,9 +48,9 @@ BoxRay::BoxRay(const Ray& ray)
     : origin_(ray.origin), inverse_(1.0 / ray.direction), begin_(ray.begin) {}
 
 double BoxRay::entry(const BoxBounds& box, double end) const {
-    // Each slab's distances err by less than three roundings: widened by four (Ize, "Robust BVH
-    // Ray Traversal", 2013). A ray within a slab's plane gives NaN there, which loses every
-    // comparison and so leaves the other slabs to decide.
+    // Each slab's distances have an error of less than three roundings and are widened by four
+    // (Ize, "Robust BVH Ray Traversal", 2013). A ray within a slab's plane gives NaN there;
+    // comparisons with NaN are false, so the other slabs decide.
     constexpr double wider = 1.0 + 0x1p-51, narrower = 1.0 - 0x1p-51;
     double enter = begin_, leave = end;
     for (int k = 0; k < 3; ++k) {
@@ -74,7 +74,7 @@ BoxTree::BoxTree(std::span<const BoxBounds> boxes) {
     nodes_.shrink_to_fit();
 }
 
-/// Appends the items' subtree, its root first, and returns the root's number.
+/// Appends the subtree of the items, its root first, and returns the root's index.
 std::uint32_t BoxTree::build(std::span<const BoxBounds> boxes, std::span<Item> items) {
     const auto at = std::uint32_t(nodes_.size());
     nodes_.emplace_back();

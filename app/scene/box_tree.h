@@ -1,6 +1,6 @@
 #pragma once
-// A bounding volume hierarchy: which of many boxes a ray or a box meets, without asking all of
-// them. Built by halving at the median of the boxes' centres along their longest side, which for
+// A bounding volume hierarchy (BVH): finds the boxes that a ray or a box intersects without testing
+// all of them. It is built by median splits of the boxes' centres along the longest axis, which for
 // triangles of similar size is as good as costlier rules and takes O(n log n).
 #include <algorithm>
 #include <array>
@@ -14,7 +14,7 @@
 
 namespace burl {
 
-/// A box around things in double, rounded outwards.
+/// An axis-aligned bounding box (AABB) in float32, rounded outwards from float64.
 struct BoxBounds {
     Vec3f low{std::numeric_limits<float>::infinity()};
     Vec3f high{-std::numeric_limits<float>::infinity()};
@@ -24,11 +24,12 @@ struct BoxBounds {
     bool overlaps(const BoxBounds& other) const;
 };
 
-/// A ray prepared to be met with many boxes.
+/// A ray prepared for tests against many boxes.
 class BoxRay {
   public:
     explicit BoxRay(const Ray& ray);
-    /// Where the ray enters the box, at or before the exact t; more than `end`: not before that.
+    /// A lower bound of the t at which the ray enters the box, at least the ray's begin; infinite
+    /// where the ray does not meet the box up to `end`.
     double entry(const BoxBounds& box, double end) const;
 
   private:
@@ -36,29 +37,32 @@ class BoxRay {
     double begin_;
 };
 
-/// Immutable; items are numbered as the boxes given.
+/// The hierarchy over boxes; immutable. Items are numbered as the boxes given.
 class BoxTree {
   public:
     BoxTree() = default;
     explicit BoxTree(std::span<const BoxBounds> boxes);
 
-    /// Calls visit(item) for all items whose boxes overlap `box` and perhaps a few more, in no
-    /// order to rely on.
+    /// Calls visit(item) for all items whose boxes overlap `box`, and perhaps a few more, in
+    /// unspecified order.
     template <class Visit>
     void overlapping(const BoxBounds& box, Visit visit) const;
-    /// Calls visit(item) for all items whose boxes the ray meets at t <= `end`, near ones first and
-    /// perhaps a few more; visit may lower `end` as it finds what the ray meets.
+    /// Calls visit(item) for all items whose boxes the ray meets at t <= `end`, and perhaps a few
+    /// more, nearer nodes first. visit may lower `end` as it finds intersections.
     template <class Visit>
     void along(const Ray& ray, double& end, Visit visit) const;
 
   private:
     static constexpr std::uint32_t leaf_items = 4;
-    static constexpr std::size_t deepest = 64;  ///< median splits of 2^32 items stay far below
+    /// The stack's size; median splits of 2^32 items stay far below it.
+    static constexpr std::size_t deepest = 64;
 
     struct Node {
         BoxBounds box{};
-        std::uint32_t first = 0;  ///< of a leaf's items; else the second child (the first is next)
-        std::uint32_t count = 0;  ///< of a leaf's items; 0: no leaf
+        /// The first index into items_ of a leaf; else the node of the second child (the first
+        /// child is the next node).
+        std::uint32_t first = 0;
+        std::uint32_t count = 0;  ///< the number of a leaf's items; 0 for inner nodes
     };
     struct Item {
         Vec3f centre{0.0f};
@@ -71,7 +75,7 @@ class BoxTree {
         for (std::uint32_t i = 0; i < node.count; ++i) visit(items_[node.first + i]);
     }
 
-    std::vector<Node> nodes_;  ///< the root first
+    std::vector<Node> nodes_;  ///< depth-first, the root first
     std::vector<std::uint32_t> items_;
 };
 

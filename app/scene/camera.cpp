@@ -98,7 +98,8 @@ Camera orbit_camera(const View& view, const Sphere& sphere, const PictureSize& s
     camera.eye = sphere.centre + distance * camera.back;
     camera.focal_y = 1.0 / std::tan(radians(0.5 * vertical_field_of_view_degrees));
     camera.focal_x = camera.focal_y * double(size.height) / double(size.width);
-    // A hair of room on both sides; inside the sphere the near plane stays at 1 % of its radius.
+    // The near and far planes leave 1 % of the radius; inside the sphere the near plane stays at 1
+    // % of its radius.
     camera.near_distance = std::max(distance - 1.01 * radius, 0.01 * radius);
     camera.far_distance = distance + 1.01 * radius;
     return camera;

@@ -1,5 +1,5 @@
 #pragma once
-// Rays through a picture's pixels: the way back from what is seen to what it shows.
+// Rays through a picture's pixels, the inverse of the camera's projection.
 #include <limits>
 
 #include "app/scene/camera.h"
@@ -13,9 +13,9 @@ struct Ray {
     Vec3d at(double t) const { return origin + t * direction; }
 };
 
-/// Through a point of the picture, in pixels, x to the right and y down, pixel (0,0)'s centre at
-/// (0.5,0.5): the inverse of project(). t is the distance along the view axis; the ray begins at
-/// the near plane.
+/// The ray through a point of the picture, in pixels (x to the right, y down, pixel (0,0)'s centre
+/// at (0.5,0.5)): the inverse of project(). t is the distance along the view axis; the ray begins
+/// at the near plane.
 Ray ray_through(const Camera& camera, const PictureSize& size, const Vec2d& pixel);
 
 }  // namespace burl

@@ -19,7 +19,7 @@ Scene load_plain_mesh(const std::string& path) {
     return scene_from_mesh(mesh, {colored ? Vec4f(1.0f) : default_grey, -1});
 }
 
-/// Values by vertex, if any, as values by corner.
+/// Replaces values per vertex, if any, by values per triangle corner.
 template <class T>
 void spread(std::vector<T>& values, const std::vector<Triangle>& triangles) {
     if (values.empty()) return;
@@ -76,7 +76,7 @@ void add_tangents(Surface& surface) {
     spread(surface.blocks, surface.triangles);
     spread(surface.target.positions, surface.triangles);
     spread(surface.target.normals, surface.triangles);
-    surface.target.tangents.clear();  // of other ones
+    surface.target.tangents.clear();  // these belong to other tangents
     std::uint32_t corner = 0;
     for (Triangle& triangle : surface.triangles)
         for (std::uint32_t& vertex : triangle) vertex = corner++;

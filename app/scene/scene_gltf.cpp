@@ -1,5 +1,5 @@
-// Scenes from glTF: what the default scene draws, primitive by primitive, with base colour factors
-// and PNG textures as the metallic-roughness material names them (specification 3.9.2).
+// Scenes from glTF: the primitives of the default scene, with base colour factors and PNG textures
+// of the metallic-roughness materials (specification 3.9.2).
 #include <tiny_gltf.h>
 
 #include <algorithm>
@@ -46,7 +46,7 @@ TextureWrap wrap_of(int wrap) {
                                                          : TextureWrap::repeat;
 }
 
-/// The format of encoded image bytes, by their first ones.
+/// The format of encoded image bytes, from their signature.
 std::string_view image_type(const std::vector<unsigned char>& bytes) {
     const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
     if (text.starts_with("\x89PNG\r\n\x1a\n")) return "PNG";
@@ -101,7 +101,8 @@ class GltfSceneLoader {
         scene_.surfaces.push_back(std::move(surface));
     }
 
-    /// What Burl writes for quad atlases; anything else by that name is left alone.
+    /// Reads the block rectangles that Burl writes for quad atlases; an attribute of another form
+    /// by that name is ignored.
     void set_blocks(Surface& surface, const tinygltf::Primitive& primitive) const {
         const auto found = primitive.attributes.find("_BURL_BLOCK");
         if (found == primitive.attributes.end()) return;
@@ -113,15 +114,16 @@ class GltfSceneLoader {
         }
     }
 
-    /// The weights of the mesh's morph targets are those of the first node placing it that has
-    /// some, else the mesh's own; there may be none.
+    /// The weights of the mesh's morph targets: those of the first node placing it that has some,
+    /// else the mesh's own; may be empty.
     const std::vector<double>& weights_of(const GltfPlacement& placement) const {
         for (const int node : placement.nodes)
             if (const auto& own = model_.nodes[std::size_t(node)].weights; !own.empty()) return own;
         return model_.meshes[std::size_t(placement.mesh)].weights;
     }
 
-    /// One target goes as far as its weight says; several are added up to one.
+    /// Sets the surface's target: a single morph target keeps its weight as target_share, several
+    /// are summed by their weights into one.
     void set_target(Surface& surface, const tinygltf::Primitive& primitive,
                     std::vector<double> weights, const std::string& where) const {
         weights.resize(primitive.targets.size());
@@ -159,7 +161,8 @@ class GltfSceneLoader {
                                                    where));
     }
 
-    /// Looked at where there is a normal map; without them they are computed.
+    /// Reads the file's tangents, if they are of the right type; otherwise they are computed where
+    /// a normal map needs them.
     void set_tangents(Surface& surface, const tinygltf::Primitive& primitive) const {
         const auto found = primitive.attributes.find("TANGENT");
         if (found == primitive.attributes.end()) return;
@@ -171,8 +174,8 @@ class GltfSceneLoader {
         }
     }
 
-    /// Normal maps that cannot be drawn are left out with a note: without them the surface still
-    /// has its colour.
+    /// Sets the material's normal map. A map that cannot be drawn is left out with a note, since
+    /// the surface still has its colour.
     void set_normal_map(Surface& surface, const tinygltf::NormalTextureInfo& info,
                         const std::string& where) {
         const auto leave_out = [&](std::string_view why) {
@@ -234,7 +237,7 @@ class GltfSceneLoader {
         return uvs;
     }
 
-    /// Index of a glTF texture in the scene, loaded at its first use as colour or as data.
+    /// The index in the scene of a glTF texture, loaded at its first use as colour or as data.
     int texture(int number, bool is_color) {
         const auto [entry, is_new] =
             loaded_.try_emplace({number, is_color}, int(scene_.textures.size()));
@@ -254,7 +257,7 @@ class GltfSceneLoader {
         return entry->second;
     }
 
-    /// Levels that Burl wrote beside the texture, as far as they fit it.
+    /// Adds the MIP levels that Burl wrote beside the texture, up to the first of a wrong size.
     void add_levels(SceneTexture& texture, const tinygltf::Texture& source) {
         if (!source.extras.IsObject() || !source.extras.Has("burl_levels")) return;
         const tinygltf::Value& numbers = source.extras.Get("burl_levels");
@@ -292,7 +295,8 @@ class GltfSceneLoader {
         return decode_png(image.image, fmt::format("{}: {}", path_, where));
     }
 
-    /// glTF wants flat normals where there are none, so every triangle gets vertices of its own.
+    /// Gives every triangle vertices of its own with its face normal, as glTF requires where a
+    /// primitive has no normals.
     static void make_flat(Surface& surface) {
         Surface flat;
         flat.material = surface.material;
@@ -320,7 +324,8 @@ class GltfSceneLoader {
     const tinygltf::Model& model_;
     const std::string& path_;
     Scene scene_;
-    std::map<std::pair<int, bool>, int> loaded_;  ///< glTF texture, as colour, to scene texture
+    /// Scene textures by glTF texture and use as colour.
+    std::map<std::pair<int, bool>, int> loaded_;
 };
 
 std::vector<std::string> files_beside(const tinygltf::Model& model, const std::string& path) {

@@ -1,5 +1,5 @@
-// Scenes from Wavefront OBJ: the mesh as read_mesh() gives it, with the diffuse colour and map and
-// the normal map of its material library when the file uses one material, as `burl bake` writes it.
+// Scenes from Wavefront OBJ: the mesh of read_mesh() with Kd, map_Kd and norm of its material
+// library where the file uses one material, as `burl bake` writes it.
 #include <filesystem>
 #include <optional>
 #include <set>
@@ -34,8 +34,8 @@ void for_each_line(std::string_view text, Visit visit) {
 }
 
 struct MaterialUse {
-    std::string library;          ///< file name of the last mtllib, empty: none
-    std::set<std::string> names;  ///< of all usemtl
+    std::string library;          ///< the file name of the last mtllib; empty: none
+    std::set<std::string> names;  ///< the names of all usemtl
 };
 
 MaterialUse find_materials(const std::string& path) {
@@ -50,8 +50,8 @@ MaterialUse find_materials(const std::string& path) {
 
 struct ObjMaterial {
     Vec4f color{1.0f};
-    std::string map;      ///< map_Kd as written, empty: none
-    std::string normals;  ///< norm, the same
+    std::string map;      ///< map_Kd as written; empty: none
+    std::string normals;  ///< norm as written; empty: none
 };
 
 Vec4f parse_color(const FileBuffer& file, std::string_view rest) {
@@ -85,7 +85,8 @@ bool file_exists(const std::filesystem::path& path) {
     return std::filesystem::exists(path, ignored);
 }
 
-/// The material the whole file uses; nothing, with a note, when there is no such single one.
+/// The material that the whole file uses; no value, with a note for stderr, where there is no such
+/// single one.
 std::optional<ObjMaterial> whole_material(const std::string& path, const MaterialUse& use,
                                           std::vector<std::string>& notes) {
     if (use.library.empty() || use.names.empty()) return std::nullopt;

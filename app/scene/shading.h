@@ -1,6 +1,6 @@
 #pragma once
-// What both renderers agree on: the headlight, the background, and how samples become pixels.
-// shaders/draw/mesh.frag repeats headlight().
+// The shading that both renderers agree on: headlight, background, and the resolve of samples to
+// pixels. shaders/draw/mesh.frag repeats headlight().
 #include <cstdint>
 
 #include "app/scene/camera.h"
@@ -10,28 +10,31 @@
 
 namespace burl {
 
-/// What a picture is asked to show, for both renderers.
+/// Options of a picture, for both renderers.
 struct PictureOptions {
     PictureSize size;
-    bool lit = true;      ///< false: the surface colour itself
-    int supersample = 2;  ///< n: each pixel is the linear-light mean of n x n samples, 1..16
+    bool lit = true;      ///< false: the unlit surface colour
+    int supersample = 2;  ///< n in 1..16: a pixel is the linear-light mean of n x n samples
     bool operator==(const PictureOptions&) const = default;
 };
 
 inline constexpr int max_supersample = 16;
 
-/// The colour behind everything drawn, as stored and in linear light.
+/// The colour behind the scene, in sRGB codes.
 inline constexpr Rgb8 background_srgb{176, 176, 176};
+/// The background colour in linear light.
 Vec3d background_linear();
 
-inline constexpr double ambient = 0.25;  ///< the headlight gives the rest, 1 - ambient
+/// The share of ambient light; the headlight gives 1 - ambient.
+inline constexpr double ambient = 0.25;
 
-/// Share of the surface colour that reaches the eye: ambient + (1 - ambient) |n.v|, two-sided.
+/// The share of the surface colour that reaches the eye: ambient + (1 - ambient) |n.v|, two-sided.
 /// `normal` and `to_eye` need not be unit vectors; a zero normal counts as facing the eye.
 double headlight(const Vec3d& normal, const Vec3d& to_eye);
 
-/// The same with a bumped normal in place of n, on the side of the surface that n says is seen:
-/// ambient alone where the bumped one faces away from it.
+/// The share of the surface colour that reaches the eye with a bumped normal: `normal` decides
+/// which side of the surface is seen, and where the bumped normal faces away on that side only
+/// ambient light remains.
 double headlight(const Vec3d& normal, const Vec3d& bumped, const Vec3d& to_eye);
 
 /// Averages supersample x supersample blocks of linear-light samples, encodes them and stores them

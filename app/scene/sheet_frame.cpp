@@ -7,7 +7,8 @@ namespace burl {
 
 namespace {
 
-constexpr double filled = 0.96;  // of the shorter side, where all of the texture fits
+// The share of the shorter side that the whole texture takes at zoom 1.
+constexpr double filled = 0.96;
 
 SheetFrame within_sight(SheetFrame frame) {
     frame.centre = glm::clamp(frame.centre, Vec2d(0.0), Vec2d(1.0));

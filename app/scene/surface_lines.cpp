@@ -8,7 +8,8 @@ namespace burl {
 
 namespace {
 
-/// Numbers that are equal where positions are: corners of several charts share a point.
+/// Per position a number that is equal for equal positions, since corners of several charts share a
+/// point.
 std::vector<std::uint32_t> point_numbers(const std::vector<Vec3d>& positions) {
     std::vector<std::uint32_t> order(positions.size()), numbers(positions.size());
     std::iota(order.begin(), order.end(), 0U);
@@ -24,9 +25,10 @@ std::vector<std::uint32_t> point_numbers(const std::vector<Vec3d>& positions) {
     return numbers;
 }
 
-/// A triangle's side, from the lower point's number to the higher one's.
+/// A side of a triangle, directed from the lower point number to the higher one.
 struct Side {
-    std::uint32_t low = 0, high = 0, triangle = 0, from = 0, to = 0;  ///< corners' vertices
+    /// The numbers of its points, its triangle, and the vertices at its ends.
+    std::uint32_t low = 0, high = 0, triangle = 0, from = 0, to = 0;
     auto key() const { return std::tuple(low, high, triangle, from); }
     bool same_edge(const Side& other) const { return low == other.low && high == other.high; }
 };
@@ -45,7 +47,8 @@ std::vector<Side> sides_of(const Surface& surface) {
     return sides;
 }
 
-/// Which triangles hang together (Tarjan's union-find with halved paths).
+/// The connected groups of triangles (Tarjan's union-find with path halving); a group's root is its
+/// least triangle.
 class Groups {
   public:
     explicit Groups(std::size_t count) : parent_(count) {
@@ -69,7 +72,8 @@ class Lines {
     explicit Lines(const Surface& surface)
         : surface_(surface), groups_(surface.triangles.size()), sides_(sides_of(surface)) {}
 
-    /// Charts are numbered from border_begin's end on.
+    /// Appends the surface's edges, borders and charts, which are numbered on from those already
+    /// there.
     void add_to(SurfaceLines& lines, bool changes) {
         std::vector<Side> borders;
         for (auto side = sides_.begin(); side != sides_.end();) {
@@ -96,7 +100,7 @@ class Lines {
         std::vector<std::uint32_t> charts(surface_.triangles.size());
         auto count = std::uint32_t(lines.border_begin.size()) - 1;
         for (std::uint32_t t = 0; t < charts.size(); ++t) {
-            const std::uint32_t root = groups_.root(t);  // the least of its group
+            const std::uint32_t root = groups_.root(t);  // the least triangle of its group
             charts[t] = root == t ? count++ : charts[root];
         }
         std::ranges::stable_sort(borders, {}, [&](const Side& s) { return charts[s.triangle]; });

@@ -20,7 +20,8 @@ BoxTree tree_of(const std::vector<Triangle>& triangles, At at) {
     return BoxTree(boxes);
 }
 
-/// A ray in the axes of Woop, Benthin and Wald: it goes along z, and x and y are sheared so.
+/// A ray in the coordinates of Woop, Benthin and Wald: permuted and sheared so that it runs along
+/// z.
 class ShearedRay {
   public:
     explicit ShearedRay(const Ray& ray) : ray_(&ray) {
@@ -31,7 +32,7 @@ class ShearedRay {
         shear_ = Vec3d(ray.direction[x_], ray.direction[y_], 1.0) / ray.direction[z_];
     }
 
-    /// Barycentric coordinates and, in w, the depth.
+    /// The barycentric coordinates and, in w, the depth.
     std::optional<Vec4d> meet(const Vec3d& a, const Vec3d& b, const Vec3d& c) const {
         const Vec3d p = sheared(a), q = sheared(b), r = sheared(c);
         const Vec3d edges(r.x * q.y - r.y * q.x, p.x * r.y - p.y * r.x, q.x * p.y - q.y * p.x);
@@ -59,7 +60,7 @@ struct Nearest {
     double distance = std::numeric_limits<double>::infinity();
 };
 
-/// Of the segment from corner i to corner j.
+/// The point nearest to `uv` on the segment from corner i to corner j, by barycentric coordinates.
 Nearest nearest_on_edge(const std::array<Vec2d, 3>& corners, int i, int j, const Vec2d& uv) {
     const Vec2d from = corners[std::size_t(i)], along = corners[std::size_t(j)] - from;
     const double squared = glm::dot(along, along);
@@ -72,7 +73,7 @@ Nearest nearest_on_edge(const std::array<Vec2d, 3>& corners, int i, int j, const
     return nearest;
 }
 
-/// The place in a triangle of the texture that is nearest to `uv`: itself where it lies inside.
+/// The point nearest to `uv` in a triangle of the texture: `uv` itself where it lies inside.
 Nearest nearest_in(const std::array<Vec2d, 3>& corners, const Vec2d& uv) {
     const Vec2d a = corners[0] - uv, b = corners[1] - uv, c = corners[2] - uv;
     const Vec3d edges(cross(b, c), cross(c, a), cross(a, b));
@@ -98,7 +99,7 @@ auto mixed(const Values& values, const Triangle& corners, const Vec3d& weights) 
            weights.z * values[corners[2]];
 }
 
-/// Empty where nothing moves.
+/// The positions with the morph target at this weight; empty where they equal those at rest.
 std::vector<Vec3d> moved_places(const Surface& surface, double share) {
     if (share == 0.0 || surface.target.positions.empty()) return {};
     std::vector<Vec3d> places = surface.positions;
@@ -132,7 +133,8 @@ SurfacePick::SurfacePick(std::shared_ptr<const Scene> scene, double share)
     }
 }
 
-/// What follows from the triangle, the placement and the weights.
+/// The hit with the points and texture coordinates that follow from triangle, placement and
+/// weights.
 SurfaceHit SurfacePick::completed(SurfaceHit hit) const {
     const Surface& surface = scene_->surfaces[hit.surface];
     const Triangle& corners = surface.triangles[hit.triangle];
@@ -159,7 +161,8 @@ std::optional<SurfaceHit> SurfacePick::meet(const Ray& ray) const {
         const Surface& surface = scene_->surfaces[s];
         const std::vector<Vec3d>& at = places(s);
         for (std::uint32_t k = 0; k < trees_[s].local_from_scene.size(); ++k) {
-            // The direction keeps its length, so that depths are those of the scene.
+            // The local ray's direction is not normalised, so that its t is that of the scene's
+            // ray.
             const Mat4d& local_from_scene = trees_[s].local_from_scene[k];
             Ray local = ray;
             local.origin = transformed(local_from_scene, ray.origin);

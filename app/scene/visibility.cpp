@@ -7,8 +7,8 @@ namespace burl {
 
 namespace {
 
-/// (x w, y w, w) of a point, (x,y) in samples with y down. The unit of w is the far distance, so
-/// that products of several stay in range for scenes of any size.
+/// The homogeneous coordinates (x w, y w, w) of a point, (x,y) in samples with y down. The unit of
+/// w is the far distance, so that products of several stay in range for scenes of any size.
 Vec3d homogeneous_sample(const Camera& camera, const PictureSize& samples, const Vec3d& point) {
     const Vec3d d = (point - camera.eye) / camera.far_distance;
     const double w = -glm::dot(d, camera.back);
@@ -16,7 +16,7 @@ Vec3d homogeneous_sample(const Camera& camera, const PictureSize& samples, const
             0.5 * samples.height * (w - camera.focal_y * glm::dot(d, camera.up)), w};
 }
 
-/// First sample whose centre is >= edge, kept within [0, limit].
+/// The first sample whose centre is >= edge, clamped to [0, limit].
 int first_sample(double edge, int limit) {
     return int(std::clamp(std::ceil(edge - 0.5), 0.0, double(limit)));
 }
@@ -26,7 +26,8 @@ bool finite(const std::array<Vec3d, 3>& v) {
     return std::isfinite(sum.x + sum.y + sum.z);
 }
 
-/// Sets the sample box; false when it is empty. A triangle through the near plane may be anywhere.
+/// Sets the box of samples; false where it is empty. A triangle that crosses the near plane may be
+/// anywhere.
 bool set_bounds(ScreenTriangle& t, const std::array<Vec3d, 3>& v, double near_w,
                 const PictureSize& samples) {
     const auto [w_low, w_high] = std::minmax({v[0].z, v[1].z, v[2].z});
@@ -44,7 +45,7 @@ bool set_bounds(ScreenTriangle& t, const std::array<Vec3d, 3>& v, double near_w,
     return t.x_begin < t.x_end && t.y_begin < t.y_end;
 }
 
-/// Sets the edge functions; false when the triangle is seen edge-on.
+/// Sets the edge functions; false where the triangle is seen edge-on.
 bool set_edges(ScreenTriangle& t, const std::array<Vec3d, 3>& v) {
     t.edges = {glm::cross(v[1], v[2]), glm::cross(v[2], v[0]), glm::cross(v[0], v[1])};
     const double determinant = glm::dot(v[0], t.edges[0]);
@@ -56,7 +57,8 @@ bool set_edges(ScreenTriangle& t, const std::array<Vec3d, 3>& v) {
     return true;
 }
 
-/// Inside, or exactly on a left or top edge.
+/// Whether a sample with this value of an edge function is inside, or exactly on a left or top
+/// edge.
 bool covers(const Vec3d& edge, double value) {
     if (value != 0.0) return value > 0.0;
     return edge.x > 0.0 || (edge.x == 0.0 && edge.y > 0.0);
@@ -100,7 +102,7 @@ std::vector<std::uint32_t> visible_triangles(std::span<const ScreenTriangle> tri
                                              int rows) {
     const std::size_t count = std::size_t(width) * std::size_t(rows);
     std::vector<std::uint32_t> visible(count, nothing_visible);
-    std::vector<double> nearest(count, 0.0);  // 1 / depth: larger is closer
+    std::vector<double> nearest(count, 0.0);  // 1 / depth, larger is nearer
     const double limit = camera.far_distance / camera.near_distance;
     for (const std::uint32_t index : candidates) {
         const ScreenTriangle& t = triangles[index];

@@ -1,4 +1,4 @@
-// Counting sort: after `begin` has been moved on by one place per corner it is where rows end.
+// Counting sort: filling a row moves its entry of `begin` on to the row's end.
 #include "app/surface/corners_by_point.h"
 
 namespace burl {

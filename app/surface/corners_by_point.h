@@ -1,5 +1,5 @@
 #pragma once
-// Which triangle corners meet at a point of the mesh, as compressed rows.
+// The triangle corners that meet at each point of a mesh, in compressed rows (CSR).
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace burl {
 
-/// Corners 3t+k by their point, ascending at each.
+/// Corners 3t+k grouped by point, in ascending order.
 class CornersByPoint {
   public:
     explicit CornersByPoint(const Mesh& mesh);
@@ -19,7 +19,8 @@ class CornersByPoint {
     }
 
   private:
-    std::vector<std::uint32_t> begin_, corners_;  ///< the former one more than there are points
+    /// The corners of point p are corners_[begin_[p]] to corners_[begin_[p + 1] - 1].
+    std::vector<std::uint32_t> begin_, corners_;
 };
 
 }  // namespace burl

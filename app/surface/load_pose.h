@@ -1,12 +1,13 @@
 #pragma once
-// What `--pose` names: another file with the faces of the mesh, or a pose of the mesh's own.
+// The argument of `--pose`: another file with the mesh's faces, or a pose in the mesh's own file.
 #include <string>
 
 #include "atlas/read/pose.h"
 
 namespace burl {
 
-/// Whether it names a file or a sample mesh, by its ending; else a pose of the mesh's own.
+/// Whether the argument names a file (by its extension) or a sample mesh; otherwise it names a pose
+/// in the mesh's own file.
 bool is_pose_file(const std::string& pose);
 
 /// The pose of the mesh that is read from `mesh`, a file or "sample:NAME", with these options.
@@ -14,7 +15,7 @@ bool is_pose_file(const std::string& pose);
 MeshPose load_pose(const std::string& mesh, const std::string& pose,
                    const ReadOptions& options = {});
 
-/// What poses a mesh file has itself; none of a sample, or of one that cannot be read.
+/// The names of the poses in a mesh file; empty for samples and for files that cannot be read.
 std::vector<std::string> poses_of(const std::string& mesh);
 
 }  // namespace burl

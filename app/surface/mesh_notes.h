@@ -1,5 +1,5 @@
 #pragma once
-// What reading a mesh had to repair or leave out, as sentences for people.
+// Sentences for people about what reading a mesh repaired or left out.
 #include <string>
 #include <vector>
 
@@ -7,7 +7,7 @@
 
 namespace burl {
 
-/// Without the file's name; none where there is nothing to say.
+/// One sentence per kind of note, without the file's name; empty where there is nothing to report.
 std::vector<std::string> sentences_of(const MeshNotes& notes);
 
 }  // namespace burl

@@ -1,5 +1,5 @@
-// Column lengths are the scale; what is left must be a rotation, turned into a quaternion by its
-// largest component (Shepperd, "Quaternion from rotation matrix", 1978).
+// Column lengths are the scale; the remaining matrix must be a rotation, whose quaternion is
+// computed from its largest component (Shepperd, "Quaternion from rotation matrix", 1978).
 #include "app/surface/node_transform.h"
 
 #include <algorithm>

@@ -1,13 +1,13 @@
 #pragma once
-// The surface that a normal map is made for: places, normals and tangents of a mesh's corners, by
-// which recipes' bumps bend the normals.
+// The shading frames for which a normal map is baked: positions, normals and tangents per corner of
+// a mesh. Recipes' bumps perturb these normals.
 #include <vector>
 
 #include "atlas/build/mesh_atlas.h"
 
 namespace burl {
 
-/// What frames of a given atlas depend on.
+/// The settings that frames of a given atlas depend on.
 struct NormalFramesKey {
     SolidSpace space = SolidSpace::unit;
     double crease_degrees = 0.0;
@@ -15,15 +15,16 @@ struct NormalFramesKey {
     bool operator==(const NormalFramesKey&) const = default;
 };
 
-/// As ShadingFrames (procedural/fill/normals.h) wants them.
+/// Arrays for ShadingFrames (procedural/fill/normals.h).
 struct NormalFrames {
     NormalFramesKey key{};
     std::vector<Vec3d> positions{};
-    std::vector<Vec3f> normals{};   ///< of app/surface/normals.h
-    std::vector<Vec4f> tangents{};  ///< of app/surface/tangents.h, where asked for
+    std::vector<Vec3f> normals{};   ///< per triangle corner (3t+k), of app/surface/normals.h
+    std::vector<Vec4f> tangents{};  ///< per triangle corner, of app/surface/tangents.h; empty for
+                                    ///< maps in object space
 };
 
-/// `mesh` is the one that was laid out as `atlas`.
+/// The frames of the mesh that `atlas` was built from.
 NormalFrames make_normal_frames(const Mesh& mesh, const MeshAtlas& atlas,
                                 const NormalFramesKey& key);
 

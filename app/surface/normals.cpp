@@ -1,5 +1,5 @@
-// Grouping runs over the edges around each point: two faces there that share a second point meet
-// along that edge. Linear in the number of corners but for the sort of each point's edges.
+// Faces are grouped by the edges around each point: two faces there that share a second point meet
+// at that edge. Linear in the number of corners except for the sort of each point's edges.
 #include "app/surface/normals.h"
 
 #include <algorithm>
@@ -31,14 +31,15 @@ using Range = tbb::blocked_range<std::size_t>;
 constexpr std::size_t grain = 4096;
 constexpr Vec3f fallback_normal{0.0f, 0.0f, 1.0f};
 constexpr std::size_t fan_window = 16;  // faces compared along one non-manifold edge
-// A triangle flatter than this has no trustworthy direction: below float32's resolution.
+// The least height of a triangle, relative to its longest coordinate difference, that has a
+// reliable normal: about float32's resolution.
 constexpr double flat_height = 1e-7;
 
 bool is_zero(const Vec3d& v) {
     return v == Vec3d(0.0);
 }
 
-/// Unit normal, or zero where the face is degenerate.
+/// The face's unit normal, or zero where the face is degenerate.
 Vec3d face_normal(const Mesh& mesh, const Triangle& t) {
     const auto& p = mesh.positions;
     const Vec3d u = p[t[1]] - p[t[0]], v = p[t[2]] - p[t[0]], w = p[t[2]] - p[t[1]];
@@ -51,7 +52,7 @@ Vec3d face_normal(const Mesh& mesh, const Triangle& t) {
     return glm::length(cross) > flat_height ? glm::normalize(cross) : Vec3d(0.0);
 }
 
-/// Angle of triangle t at its corner k, in radians.
+/// The angle of triangle t at its corner k, in radians.
 double corner_angle(const Mesh& mesh, const Triangle& t, std::size_t k) {
     const auto& p = mesh.positions;
     const Vec3d u = unit_or_zero(p[t[(k + 1) % 3]] - p[t[k]]);
@@ -59,7 +60,8 @@ double corner_angle(const Mesh& mesh, const Triangle& t, std::size_t k) {
     return angle_between(u, v);
 }
 
-/// The faces around one point, grouped into smooth fans. Reused from point to point.
+/// The faces around one point, grouped into smooth fans by union-find. The buffers are reused from
+/// point to point.
 class Fans {
   public:
     Fans(const Mesh& mesh, const std::vector<Vec3d>& face_normals, double crease_degrees)
@@ -67,7 +69,7 @@ class Fans {
           face_normals_(face_normals),
           smooth_cosine_(std::cos(glm::radians(std::clamp(crease_degrees, 0.0, 180.0)))) {}
 
-    /// Writes the normals of all corners of one point; leaves zeros where nothing decides.
+    /// Writes the normals of all corners of one point; corners without any usable face stay zero.
     void compute(std::span<const std::uint32_t> corners, std::vector<Vec3f>& normals) {
         corners_ = corners;
         parent_.resize(corners.size());
@@ -81,8 +83,8 @@ class Fans {
   private:
     static constexpr std::size_t none = std::size_t(-1);
     struct Edge {
-        std::uint32_t other;  // the edge's second point
-        std::size_t local;    // index into corners_
+        std::uint32_t other;  // the edge's other point
+        std::size_t local;    // an index into corners_
     };
 
     const Vec3d& normal(std::size_t local) const { return face_normals_[corners_[local] / 3]; }
@@ -115,7 +117,7 @@ class Fans {
         }
     }
 
-    /// Two faces share an edge: join them when it is smooth. A degenerate face is looked through:
+    /// Joins two faces that share an edge where the edge is smooth. A degenerate face is skipped:
     /// its two neighbours count as neighbours of each other.
     void meet(std::size_t a, std::size_t b) {
         const bool flat_a = is_zero(normal(a)), flat_b = is_zero(normal(b));
@@ -156,7 +158,7 @@ class Fans {
     std::vector<Vec3d> sums_;
 };
 
-/// Corners still without a normal take one of their face's, then one of their point's, then +Z.
+/// Gives corners without a normal one of their face's, else one of their point's, else +Z.
 void fill_gaps(const CornersByPoint& around, std::vector<Vec3f>& normals) {
     const Vec3f zero(0.0f);
     if (std::find(normals.begin(), normals.end(), zero) == normals.end()) return;

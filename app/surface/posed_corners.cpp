@@ -10,14 +10,15 @@ namespace burl {
 
 namespace {
 
-/// Unit normal of the triangle times its angle at corner k.
+/// The triangle's unit normal times its angle at corner k.
 Vec3d weighted_normal(const std::array<Vec3d, 3>& corners, std::size_t k) {
     const Vec3d u = unit_or_zero(corners[(k + 1) % 3] - corners[k]);
     const Vec3d v = unit_or_zero(corners[(k + 2) % 3] - corners[k]);
     return angle_between(u, v) * unit_or_zero(glm::cross(u, v));
 }
 
-/// `v` as the shortest turn from one unit vector to the other takes it along (Rodrigues).
+/// `v` rotated by the shortest rotation from one unit vector to the other (Rodrigues); -v for
+/// opposite ones.
 Vec3d turned(const Vec3d& v, const Vec3d& from, const Vec3d& to) {
     const Vec3d axis = glm::cross(from, to);
     const double cosine = glm::dot(from, to);
@@ -26,9 +27,11 @@ Vec3d turned(const Vec3d& v, const Vec3d& from, const Vec3d& to) {
     return v + once + glm::cross(axis, once) / (1.0 + cosine);
 }
 
-/// Of the corners that share a normal.
+/// Sums over the corners that share a normal.
 struct NormalSums {
-    Vec3d rest{0.0}, posed{0.0}, own{0.0};  ///< of faces, of faces, of the pose's file
+    /// Sums of face normals at rest and posed, and of the pose file's normals.
+    Vec3d rest{0.0}, posed{0.0}, own{0.0};
+    /// The normal that the corners share at rest.
     Vec3f at_rest{0.0f};
 };
 

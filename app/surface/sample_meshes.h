@@ -1,6 +1,6 @@
 #pragma once
-// The meshes the program brings with it, named like a file: "sample:teapot". They are the same
-// OBJ files a build leaves in its folder of sample meshes.
+// The meshes embedded in the program, which are named like files: "sample:teapot". They equal the
+// OBJ files in the build's folder of sample meshes.
 #include <string>
 #include <vector>
 
@@ -9,16 +9,18 @@
 
 namespace burl {
 
-/// Whether a mesh argument names a sample; a file of such a name is reached as "./sample:...".
+/// Whether the argument names a sample mesh; a file of such a name is reached as "./sample:...".
 bool is_sample_mesh(const std::string& argument);
 
-/// Its file. Throws Error(usage), with the names there are, when it is none of them.
+/// The OBJ file of "sample:NAME". Throws Error(usage) listing the samples where there is none of
+/// that name.
 FileBuffer sample_file(const std::string& argument);
 
-/// The mesh "sample:NAME". Throws Error(usage), with the names there are, when it is none of them.
+/// The mesh "sample:NAME". Throws Error(usage) listing the samples where there is none of that
+/// name.
 Mesh sample_mesh(const std::string& argument, const ReadOptions& options = {});
 
-/// Without "sample:", in alphabetical order.
+/// The names of the sample meshes, without "sample:", in alphabetical order.
 std::vector<std::string> sample_mesh_names();
 
 }  // namespace burl

@@ -16,13 +16,13 @@ Vec3d any_perpendicular(const Vec3d& n) {
     return across == Vec3d(0.0) ? Vec3d(1, 0, 0) : across;
 }
 
-/// Where u grows on a triangle, and on which side of it the bitangent lies.
+/// The direction of growing u on a triangle, and the bitangent's sign.
 struct TriangleTangent {
     Vec3d along_u{0.0};  ///< unit, or zero where the texture coordinates span no area
     float w = 1.0f;
 };
 
-/// Per triangle corner but for the positions.
+/// The inputs of corner_tangents(): all per triangle corner but for the positions.
 struct TangentCorners {
     std::span<const Vec3d> positions;
     std::span<const Triangle> triangles;
@@ -41,8 +41,8 @@ TriangleTangent triangle_tangent(const TangentCorners& of, std::size_t t) {
     if (area == 0.0 || !std::isfinite(area)) return result;
     const double sign = area < 0.0 ? -1.0 : 1.0;
     result.along_u = unit_or_zero(sign * (h.y * e - g.y * f));
-    // v grows downwards, so an outside seen the right way round has a negative area; normals that
-    // point inside turn it round once more.
+    // v grows downwards, so a triangle that is not mirrored has a negative area in texture space;
+    // normals that point inwards reverse the sign once more.
     Vec3d normal(0.0);
     for (std::size_t k = 0; k < 3; ++k) normal += Vec3d(of.normals[3 * t + k]);
     const double outside = glm::dot(unit_or_zero(glm::cross(e, f)), normal) < 0.0 ? -1.0 : 1.0;
@@ -59,10 +59,10 @@ double corner_angle(const TangentCorners& of, std::size_t t, std::size_t k) {
 }
 
 std::uint32_t bits(double value) {
-    return std::bit_cast<std::uint32_t>(float(value) + 0.0f);  // -0 -> 0
+    return std::bit_cast<std::uint32_t>(float(value) + 0.0f);  // -0 becomes 0
 }
 
-using Shared = UniqueRows<12>;  // x, y, z as doubles, u, v, normal, w
+using Shared = UniqueRows<12>;  // position as three doubles, u, v, normal, w
 
 Shared::Row shared_row(const TangentCorners& of, std::size_t t, std::size_t k, float w) {
     const Vec3d& p = of.positions[of.triangles[t][k]];

@@ -1,6 +1,6 @@
 #pragma once
-// An OpenGL context whatever it comes from, with the functions of that context. A program may hold
-// several; each has its own table of functions.
+// An OpenGL context from any window-system library, with its function table. A program may hold
+// several; each has a table of its own.
 #include <memory>
 #include <span>
 #include <string>
@@ -17,48 +17,50 @@ class GlContext {
     GlContext(const GlContext&) = delete;
     GlContext& operator=(const GlContext&) = delete;
 
-    /// Makes this the calling thread's context. Throws Error(runtime).
+    /// Makes this the calling thread's current context. Throws Error(runtime).
     virtual void make_current() = 0;
-    /// Address of a GL function, null when the context has none of that name.
+    /// The address of an OpenGL function; null where the context has none of that name.
     virtual GlProcedure get_proc(const char* name) = 0;
-    /// Where the context comes from, as "OSMesa".
+    /// The library that the context comes from, such as "OSMesa".
     virtual std::string origin() const = 0;
     /// The origin with renderer and version, for reports; the context must be current.
     std::string description() const;
-    /// Functions of OpenGL 3.3 core at least; call them while the context is current.
+    /// The functions of OpenGL 3.3 core or later, for use while the context is current.
     const GladGLContext& gl() const { return *functions_; }
 
   protected:
     GlContext();
-    /// Fills the table; the context must be current. Throws Error(unsupported) below 3.3.
+    /// Fills the function table; the context must be current. Throws Error(unsupported) below 3.3.
     void load_functions(const std::string& library);
 
   private:
     std::unique_ptr<GladGLContext> functions_;
 };
 
-/// Names under which the libraries are looked for, newest first.
+/// The file names of the OSMesa library, newest first.
 std::span<const char* const> osmesa_library_names();
+/// The file names of the EGL library, newest first.
 std::span<const char* const> egl_library_names();
 
-/// A software context without window or display, through OSMesa, of the highest version it gives.
-/// The library is loaded here and not linked, so that whatever needs no picture runs without it.
-/// The new context is current. Throws Error(unsupported) when no library is found or it lacks
+/// Creates a software context without window or display through OSMesa, with the highest version
+/// that it gives, and makes it current. The library is loaded at run time, so that programs that
+/// draw nothing run without it. Throws Error(unsupported) when no library is found or it lacks
 /// OpenGL 3.3 core.
 std::unique_ptr<GlContext> create_osmesa_context(
     std::span<const char* const> library_names = osmesa_library_names());
 
-/// A context without window or display of a graphics processor, through EGL, of the highest
-/// version it gives: the first of EGL's devices that works, else Mesa's surfaceless platform, else
-/// EGL's software devices. Loaded and made current as OSMesa is. Throws Error(unsupported) when no
-/// library is found or nothing of it gives OpenGL 3.3 core.
+/// Creates a context without window or display through EGL, with the highest version that it gives,
+/// and makes it current: on the first of EGL's hardware devices that works, else on Mesa's
+/// surfaceless platform, else on EGL's software devices. The library is loaded at run time. Throws
+/// Error(unsupported) when no library is found or none of them gives OpenGL 3.3 core.
 std::unique_ptr<GlContext> create_egl_context(
     std::span<const char* const> library_names = egl_library_names());
 
-/// By name: "osmesa" or "egl". Throws Error: usage for others, and as the two above.
+/// Creates a context by platform name, "osmesa" or "egl". Throws Error: usage for other names, and
+/// as create_osmesa_context and create_egl_context do.
 std::unique_ptr<GlContext> create_gl_context(const std::string& platform);
 
-/// The names create_gl_context knows; the first is the default.
+/// The names that create_gl_context knows; the first is the default.
 std::span<const char* const> gl_platforms();
 
 }  // namespace burl

@@ -1,7 +1,7 @@
-// EGL by dlopen, without window or display: every device that EGL lists and Mesa's surfaceless
-// platform are tried in turn, graphics processors first (EGL_EXT_platform_device,
-// EGL_MESA_platform_surfaceless, EGL_MESA_device_software). The few declarations it needs stand
-// here.
+// EGL by dlopen, without window or display: all devices that EGL lists and Mesa's surfaceless
+// platform are tried in turn, hardware first (EGL_EXT_platform_device,
+// EGL_MESA_platform_surfaceless, EGL_MESA_device_software). The few declarations needed are
+// repeated here.
 #include <glad/gl.h>
 
 #include <array>
@@ -17,7 +17,7 @@ namespace burl {
 
 namespace {
 
-// From the EGL interface (EGL/egl.h, EGL/eglext.h).
+// Constants of the EGL interface (EGL/egl.h, EGL/eglext.h).
 using EglInt = std::int32_t;
 using EglHandle = void*;
 constexpr unsigned opengl_api = 0x30A2;
@@ -85,14 +85,14 @@ EglLibrary load_egl(std::span<const char* const> names) {
     return egl;
 }
 
-/// Where a context may come from.
+/// A device or platform that a context may be created on.
 struct Place {
     unsigned platform = platform_surfaceless;
     EglHandle device = nullptr;
     std::string name = "EGL surfaceless";
 };
 
-/// Graphics processors first.
+/// All devices and platforms, hardware first.
 std::vector<Place> places_of(const EglLibrary& egl) {
     const char* const extensions = egl.query_string(nullptr, extensions_text);
     std::vector<Place> places, software;
@@ -114,8 +114,8 @@ std::vector<Place> places_of(const EglLibrary& egl) {
     return places;
 }
 
-/// A context and its display; null where the place gives none. Displays are shared by whoever asks
-/// for the same one, so they are never closed.
+/// A display and a context on it; both null where the place gives none. EGL displays are shared by
+/// all users of one place, so they are never closed.
 struct Made {
     EglHandle display = nullptr, context = nullptr;
 };

@@ -1,4 +1,4 @@
-// OSMesa by dlopen: the few declarations it needs stand here.
+// OSMesa by dlopen. The few declarations needed are repeated here.
 #include <glad/gl.h>
 
 #include <array>
@@ -12,7 +12,7 @@ namespace burl {
 
 namespace {
 
-// From the OSMesa interface (GL/osmesa.h).
+// Constants of the OSMesa interface (GL/osmesa.h).
 constexpr int osmesa_format = 0x22;
 constexpr int osmesa_profile = 0x33;
 constexpr int osmesa_core_profile = 0x34;
@@ -50,7 +50,7 @@ OsMesaLibrary load_osmesa(std::span<const char* const> names) {
     return result;
 }
 
-/// Null when the library gives no core context.
+/// A core context of the highest version; null where the library gives none.
 void* create_highest(const OsMesaLibrary& library) {
     for (const auto& [major, minor] : gl_versions) {
         const std::array<int, 9> attributes{osmesa_format,
@@ -108,7 +108,7 @@ class OsMesaContext final : public GlContext {
 
     OsMesaLibrary library_;
     void* context_ = nullptr;
-    std::array<std::uint8_t, 4> window_{};  ///< the unused default framebuffer: one pixel
+    std::array<std::uint8_t, 4> window_{};  ///< the unused default framebuffer, one pixel
 };
 
 }  // namespace

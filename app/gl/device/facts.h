@@ -1,5 +1,5 @@
 #pragma once
-// What an OpenGL context is and can do, for `burl list gl` and for who chooses between it and the
+// Properties of an OpenGL context, for `burl list gl` and for the choice between OpenGL and the
 // host.
 #include <string>
 #include <vector>
@@ -12,11 +12,11 @@ struct GlFact {
     std::string name, value;
 };
 
-/// Renderer, vendor, versions, float64 and the limits that synthesis meets. The context becomes
-/// current. Throws Error(runtime) when OpenGL fails.
+/// Renderer, vendor, versions, float64 support and the limits that matter to synthesis. Makes the
+/// context current. Throws Error(runtime) when OpenGL fails.
 std::vector<GlFact> gl_facts(GlContext& context);
 
-/// Whether its work is done by the machine's ordinary processors. The context must be current.
+/// Whether the renderer is software on the host's processor. The context must be current.
 bool is_software(const GladGLContext& gl);
 
 }  // namespace burl

@@ -36,7 +36,7 @@ std::string info_log(GLuint object, Get get, GetLog get_log) {
     return log;
 }
 
-/// A compiler's log as one line of a message, its lines apart by semicolons.
+/// A compiler's log as one line of a message, its lines separated by semicolons.
 std::string in_one_line(const std::string& log) {
     std::string line;
     for (const char c : log.substr(0, log.find_last_not_of(" \n\r\t") + 1))

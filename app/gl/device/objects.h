@@ -1,6 +1,6 @@
 #pragma once
-// OpenGL objects that free themselves, and errors that become burl::Error. Every object belongs to
-// one context, which must outlive it and be current wherever the object is made, used or destroyed.
+// OpenGL objects that free themselves, and OpenGL errors as burl::Error. An object belongs to one
+// context, which must outlive it and be current wherever the object is created, used or destroyed.
 #include <glad/gl.h>
 
 #include <cstdint>
@@ -14,10 +14,10 @@
 
 namespace burl {
 
-/// Throws Error(runtime) naming `action` when GL has recorded an error since the last check.
+/// Throws Error(runtime) naming `action` where OpenGL has recorded an error since the last check.
 void check_gl(const GladGLContext& gl, std::string_view action);
 
-/// A GL name and the function that frees it.
+/// An OpenGL object name with the function that deletes it.
 template <PFNGLDELETETEXTURESPROC GladGLContext::*Delete>
 class GlName {
   public:
@@ -53,12 +53,15 @@ GlVertexArray make_vertex_array(const GladGLContext& gl);
 /// A linked program of one vertex and one fragment shader.
 class GlProgram {
   public:
-    /// Names are those of embedded_shaders(). Throws Error(runtime) with the compiler's log.
+    /// Compiles and links embedded shaders, named as in embedded_shaders(). Throws Error(runtime)
+    /// with the compiler's log.
     GlProgram(const GladGLContext& gl, std::string_view vertex_shader,
               std::string_view fragment_shader);
-    /// What a compiler's log of a shader (GL_VERTEX_SHADER, GL_FRAGMENT_SHADER) becomes.
+    /// A function that rewords the compiler's log of a shader (GL_VERTEX_SHADER,
+    /// GL_FRAGMENT_SHADER).
     using Reword = std::function<std::string(GLenum kind, std::string_view log)>;
-    /// From source text; `name` stands in messages. Parts: app/gl/device/source.h.
+    /// Compiles and links source texts; messages call the program `name`. Throws Error(runtime)
+    /// with the compiler's log. Sources made of parts: app/gl/device/source.h.
     static GlProgram from_source(const GladGLContext& gl, const std::string& name,
                                  std::string_view vertex_source, std::string_view fragment_source,
                                  const Reword& reword = {});
@@ -67,9 +70,9 @@ class GlProgram {
     ~GlProgram();
 
     GLuint get() const { return program_; }
-    /// Draws are of this program.
+    /// Makes this the program of the following draws.
     void use() const { gl_->UseProgram(program_); }
-    /// Set a uniform of the program in use; nothing happens where it has none of that name.
+    /// Sets a uniform of the program in use; names that the program does not have are ignored.
     void set(const char* name, int value) const { gl_->Uniform1i(uniform(name), value); }
     void set(const char* name, const glm::ivec2& v) const {
         gl_->Uniform2i(uniform(name), v.x, v.y);
@@ -100,13 +103,13 @@ class GlProgram {
     void set(const char* name, const glm::mat4& m) const {
         gl_->UniformMatrix4fv(uniform(name), 1, GL_FALSE, &m[0][0]);
     }
-    /// Float64 uniforms are OpenGL 4.0's: throw Error(unsupported) below it.
+    /// Sets a float64 uniform of the program in use. Throws Error(unsupported) below OpenGL 4.0.
     void set(const char* name, double value) const;
     void set(const char* name, const Vec3d& v) const;
     void set(const char* name, const Vec4d& v) const;
     void set(const char* name, const Mat3d& m) const;
     void set(const char* name, const Mat4d& m) const;
-    /// Location of a uniform; -1, which setting ignores, when the program has no such uniform.
+    /// The location of a uniform; -1, which set() ignores, where the program has none of that name.
     GLint uniform(const char* name) const;
 
   private:
@@ -118,10 +121,10 @@ class GlProgram {
     GLuint program_ = 0;
 };
 
-/// An off-screen target: linear RGBA float32 colour and 32-bit float depth.
+/// An off-screen framebuffer: linear RGBA float32 colour and 32-bit float depth.
 class GlFramebuffer {
   public:
-    /// Throws Error(runtime) when the size is more than the machine can hold.
+    /// Throws Error(runtime) where the size is more than OpenGL can hold.
     GlFramebuffer(const GladGLContext& gl, int width, int height);
     void bind() const;
 

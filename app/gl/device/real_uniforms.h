@@ -1,6 +1,6 @@
 #pragma once
-// Uniforms of a shader's type `real` (shaders/numbers/real.glsl): float64 where the shader was
-// compiled so, else the same numbers as float32.
+// Uniforms of the shader type `real` (shaders/numbers/real.glsl): float64 where the shader was
+// compiled with it, else float32.
 #include <span>
 #include <vector>
 
@@ -12,8 +12,8 @@ class GlRealUniforms {
   public:
     GlRealUniforms(const GladGLContext& gl, bool float64) : gl_(&gl), float64_(float64) {}
 
-    /// An array of `real` of the program in use; nothing happens where it has none of that name or
-    /// there are no values.
+    /// Sets an array of `real` of the program in use; names that the program does not have, and
+    /// empty arrays, are ignored.
     void set(const GlProgram& program, const char* name, std::span<const double> values) const {
         const std::vector<float> floats(values.begin(), values.end());
         const GLint at = program.uniform(name);
@@ -22,7 +22,8 @@ class GlRealUniforms {
         else
             gl_->Uniform1fv(at, GLsizei(values.size()), floats.data());
     }
-    /// The same of `real3`.
+    /// Sets an array of `real3` of the program in use; names that the program does not have, and
+    /// empty arrays, are ignored.
     void set(const GlProgram& program, const char* name, std::span<const Vec3d> values) const {
         const std::vector<Vec3f> floats(values.begin(), values.end());
         const GLint at = program.uniform(name);

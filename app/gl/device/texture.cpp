@@ -29,7 +29,7 @@ constexpr std::array formats{
     GlFormat{GL_RGBA32UI, "RGBA32UI", GL_RGBA_INTEGER, GL_UNSIGNED_INT, 4, 4},
 };
 
-/// In host memory.
+/// The size of a texel in host memory, in bytes.
 std::size_t texel_bytes(const GlFormat& format) {
     return std::size_t(format.components * format.component_bytes);
 }

@@ -1,6 +1,6 @@
 #pragma once
-// Textures of the formats that synthesis works in, and arrays that shaders read by index. Lookups
-// are texelFetch throughout, so nothing is filtered or wrapped.
+// Textures in the formats of synthesis, and arrays that shaders index. All lookups are texelFetch,
+// so nothing is filtered or wrapped.
 #include <span>
 #include <string_view>
 
@@ -9,27 +9,27 @@
 
 namespace burl {
 
-/// An internal format and how host memory holds its texels.
+/// An internal format and the layout of its texels in host memory.
 struct GlFormat {
     GLenum internal = 0;
     std::string_view name{};
     GLenum layout = 0;        ///< GL_RGBA, GL_RED_INTEGER, ...
-    GLenum type = 0;          ///< of a component in host memory
-    int components = 0;       ///< per texel
-    int component_bytes = 0;  ///< in host memory
+    GLenum type = 0;          ///< the type of a component in host memory
+    int components = 0;       ///< the number of components per texel
+    int component_bytes = 0;  ///< the size of a component in host memory
 };
 
-/// The formats synthesis uses: R, RG and RGBA of 8 bits, 16F, 32F and 32UI, RGB8, SRGB8, RGB32F,
-/// SRGB8_ALPHA8 and RGBA16. Half floats stand as floats in host memory. Throws Error(runtime) for
-/// others.
+/// The properties of a format that synthesis uses: R, RG and RGBA of 8 bits, 16F, 32F and 32UI,
+/// RGB8, SRGB8, RGB32F, SRGB8_ALPHA8 and RGBA16. Half floats are floats in host memory. Throws
+/// Error(runtime) for others.
 const GlFormat& format_of(GLenum internal);
 
-/// Width and height in texels.
+/// A width and height in texels.
 using GlSize = glm::ivec2;
 
-/// A texture of one level, looked up at the nearest texel. `texels` come row 0 first without gaps,
-/// in the format's own type; none leaves them undefined. Throws Error: unsupported when a side is
-/// larger than this OpenGL has, runtime when memory runs out or the number of bytes is wrong.
+/// Creates a texture of one level with nearest filtering. `texels` are row 0 first without gaps, in
+/// the format's own type; an empty span leaves them undefined. Throws Error: unsupported where a
+/// side is beyond this OpenGL, runtime when memory runs out or the number of bytes is wrong.
 GlTexture make_texture(const GladGLContext& gl, GLenum internal, GlSize size,
                        std::span<const std::byte> texels = {});
 
@@ -39,24 +39,24 @@ GlTexture make_texture(const GladGLContext& gl, GLenum internal, GlSize size,
     return make_texture(gl, internal, size, std::as_bytes(texels));
 }
 
-/// Makes it the 2-D texture of a unit (0, 1, ...), which samplers name.
+/// Binds the texture as the 2-D texture of a unit (0, 1, ...).
 void bind_texture(const GladGLContext& gl, int unit, const GlTexture& texture);
 
 /// An array that shaders read with texelFetch of a samplerBuffer, isamplerBuffer or usamplerBuffer.
 class GlBufferTexture {
   public:
-    /// `texels` in the format's own type, at least one; formats are R, RG or RGBA of 8 bits, 32F
-    /// or 32UI. Throws Error: unsupported for more texels than this OpenGL has, runtime when
-    /// memory runs out.
+    /// Creates an array from at least one texel in the format's own type; formats are R, RG or RGBA
+    /// of 8 bits, 32F or 32UI. Throws Error: unsupported for more texels than this OpenGL allows,
+    /// runtime when memory runs out.
     GlBufferTexture(const GladGLContext& gl, GLenum internal, std::span<const std::byte> texels);
     template <class T>
     GlBufferTexture(const GladGLContext& gl, GLenum internal, std::span<const T> texels)
         : GlBufferTexture(gl, internal, std::as_bytes(texels)) {}
-    /// An array of so many texels, undefined until they are set.
+    /// Creates an array of `count` texels that are undefined until they are set.
     GlBufferTexture(const GladGLContext& gl, GLenum internal, std::size_t count);
     /// Sets texels from byte `offset` on.
     void set(std::size_t offset, std::span<const std::byte> texels);
-    /// Makes it the buffer texture of a unit (0, 1, ...).
+    /// Binds the array as the buffer texture of a unit (0, 1, ...).
     void bind(int unit) const;
 
   private:

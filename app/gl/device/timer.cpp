@@ -10,7 +10,7 @@ GLuint make_query(const GladGLContext& gl) {
     return query;
 }
 
-/// Zero bits: the query is there but has no clock behind it.
+/// Whether time stamps have a clock; a query without one has zero bits.
 bool has_clock(const GladGLContext& gl) {
     GLint bits = 0;
     gl.GetQueryiv(GL_TIMESTAMP, GL_QUERY_COUNTER_BITS, &bits);
@@ -33,7 +33,8 @@ void GlTimer::start() {
     begin_ = std::chrono::steady_clock::now();
     if (!has_clock_) return;
     gl_.QueryCounter(first_.get(), GL_TIMESTAMP);
-    gl_.Flush();  // llvmpipe would take it anew for every bin of the draws that follow
+    // Llvmpipe would otherwise take the time stamp again for every bin of the draws that follow.
+    gl_.Flush();
 }
 
 GlSeconds GlTimer::stop() {

@@ -10,7 +10,7 @@ namespace burl {
 
 namespace {
 
-/// As the scene looks its own texture `number` up.
+/// The texture with the wrap modes and content of the scene's texture `number`.
 SceneTexture like(SceneTexture texture, const Scene& scene, int number) {
     const SceneTexture& own = scene.textures[std::size_t(number)];
     texture.wrap_u = own.wrap_u, texture.wrap_v = own.wrap_v;
@@ -18,7 +18,7 @@ SceneTexture like(SceneTexture texture, const Scene& scene, int number) {
     return texture;
 }
 
-/// Level 0 of a texture whose levels OpenGL averages: normals.
+/// The texels of level 0 of a texture whose levels OpenGL averages: the normals.
 TexelSet averaged_part(ViewSource source, const ViewTexels& view, const Skips& skips) {
     source.rule = {};
     return skips.allows(Skip::unseen_tiles) ? view_part(source, view, 1)[0] : whole_part(source)[0];

@@ -1,7 +1,7 @@
 #pragma once
-// `burl render --lazy`: a recipe on a mesh as a picture without a baked texture. A first pass finds
-// what the picture looks up, the host works out that, and the second pass draws (virtual
-// texturing's loop, with nothing left to guess: both passes are of one picture).
+// `burl render --lazy`: a picture of a recipe on a mesh without a baked texture, by virtual
+// texturing. A feedback pass finds the texels that the picture looks up, the host synthesises them,
+// and a second pass draws. Both passes are of the same picture, so no texel is missing.
 #include <optional>
 
 #include "app/gl/device/context.h"
@@ -12,27 +12,29 @@
 
 namespace burl {
 
+/// Options of render_lazily().
 struct LazyOptions {
     PictureOptions picture{};
-    std::optional<TextureFilter> filter{};  ///< instead of the one a bake asks for
-    LevelRule rule{.direct = true};         ///< of the bake's --levels
+    std::optional<TextureFilter> filter{};  ///< replaces the filter of the baked texture
+    LevelRule rule{.direct = true};         ///< the rule of MIP levels, as --levels of a bake
     HostWay way{};
     double crease_degrees = 40.0;
-    const MeshPose* pose = nullptr;  ///< of the pipeline's mesh; null: none
+    const MeshPose* pose = nullptr;  ///< a pose of the pipeline's mesh; null: none
     std::uint32_t cell = view_cell;
-    Skips skips{};  ///< without Skip::unseen_tiles the whole atlas is worked out
+    Skips skips{};  ///< Skip::unseen_tiles forbidden: the whole atlas is synthesised
 };
 
+/// A picture, with the work and the seconds that it took.
 struct LazyPicture {
     Image<Rgb8> picture;
     ViewWork work{};
-    double seconds_finding = 0.0;    ///< what the view looks up
-    double seconds_synthesis = 0.0;  ///< of the texels
+    double seconds_finding = 0.0;    ///< seconds to find the texels looked up
+    double seconds_synthesis = 0.0;  ///< seconds to synthesise the texels
     double seconds_drawing = 0.0;
 };
 
-/// The picture of the pipeline's recipe as baked into a .glb, with all MIP levels where they are
-/// looked up, by the same rule, bit for bit. The context becomes current. Throws Error as
+/// Draws the pipeline's recipe as if it had been baked into a .glb, with all MIP levels where they
+/// are looked up, by the same rule, bit for bit. Makes the context current. Throws Error as
 /// render_scene does.
 LazyPicture render_lazily(GlContext& context, Pipeline& pipeline, const View& view,
                           const LazyOptions& options);

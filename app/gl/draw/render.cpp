@@ -10,10 +10,10 @@ namespace burl {
 
 namespace {
 
-constexpr int tile_samples = 2048;  // largest side of the float target: 64 MiB of colour
+constexpr int tile_samples = 2048;  // the largest side of the float target: 64 MiB of colour
 
-/// Calls visit(tile) for the picture's tiles, whose sides are multiples of n samples, a float
-/// target for the largest bound.
+/// Calls visit(tile) for the tiles of the picture, whose sides are multiples of n samples except at
+/// the edges, with a float target for the largest one bound.
 template <class Visit>
 void for_each_tile(const GladGLContext& gl, const PictureSize& samples, int n, const Visit& visit) {
     const int side = tile_samples / n * n;
@@ -24,7 +24,7 @@ void for_each_tile(const GladGLContext& gl, const PictureSize& samples, int n, c
                              std::min(side, samples.height - y)});
 }
 
-/// What was drawn of a tile.
+/// Reads the pixels drawn for a tile back from the bound framebuffer.
 template <class Pixel>
 Image<Pixel> read_tile(const GladGLContext& gl, const SampleTile& tile, GLenum format) {
     auto drawn = Image<Pixel>::unset(std::size_t(tile.width), std::size_t(tile.height));

@@ -1,6 +1,6 @@
 #pragma once
-// Draws a scene with OpenGL to an 8-bit picture (docs/rendering.md): what a viewer would show of a
-// baked file, under one defined light and with the texture filter asked for.
+// Drawing a scene with OpenGL to an 8-bit picture (docs/rendering.md): the picture that a viewer
+// would show of a baked file, under one defined light and with a given texture filter.
 #include <optional>
 
 #include "app/gl/device/context.h"
@@ -13,18 +13,20 @@
 
 namespace burl {
 
-/// `filter` replaces the one each texture asks for. The context becomes current. Throws Error:
-/// unsupported when a texture is larger than the context allows, runtime when OpenGL fails.
+/// Draws the scene; `filter` replaces the filter of all textures. Makes the context current. Throws
+/// Error: unsupported where a texture is larger than the context allows, runtime when OpenGL fails.
 Image<Rgb8> render_scene(GlContext& context, const Scene& scene, const Camera& camera,
                          const PictureOptions& options,
                          std::optional<TextureFilter> filter = std::nullopt);
 
-/// The same of a scene that is on the GPU already; `context` is the one it was made in.
+/// Draws a scene that has been uploaded in `context`, which becomes current. Throws Error(runtime)
+/// when OpenGL fails.
 Image<Rgb8> render_scene(GlContext& context, const GlScene& scene, const Camera& camera,
                          const PictureOptions& options);
 
-/// The texels of texture `number` that such a picture looks up: hidden ones, those that look away
-/// and those outside the picture come by drawing it. `lookup` is that of lookup_of().
+/// The texels of texture `number` that the picture looks up. The lookups are drawn, so that
+/// clipping and the depth test exclude surfaces that the picture does not show. `lookup` is the
+/// result of lookup_of().
 ViewTexels view_texels(GlContext& context, const GlScene& scene, const Camera& camera,
                        const PictureOptions& options, int number, const TextureLookup& lookup,
                        const LookupSlack& slack = most_slack);

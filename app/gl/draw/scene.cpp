@@ -25,13 +25,14 @@ GLint wrap_mode(TextureWrap wrap) {
     return GL_CLAMP_TO_EDGE;
 }
 
-/// Rows lie without gaps.
+/// Uploads a level of the bound texture from rows without gaps.
 void upload_level(const GladGLContext& gl, GLint level, const Image<Rgb8>& image, bool is_color) {
     gl.TexImage2D(GL_TEXTURE_2D, level, is_color ? GL_SRGB8 : GL_RGB8, GLsizei(image.width()),
                   GLsizei(image.height()), 0, GL_RGB, GL_UNSIGNED_BYTE, image.pixels().data());
 }
 
-/// Box means, and in their place the file's own levels as far as those go.
+/// Generates MIP levels by box means, and replaces them by the file's own levels as far as there
+/// are any.
 void upload_levels(const GladGLContext& gl, const SceneTexture& texture) {
     gl.GenerateMipmap(GL_TEXTURE_2D);
     for (std::size_t l = 1; l <= texture.levels.size(); ++l)
@@ -47,7 +48,8 @@ void set_filter(const GladGLContext& gl, TextureFilter filter, const SceneTextur
     if (mip) upload_levels(gl, texture);
 }
 
-/// Colours as an sRGB texture: lookups decode each texel to linear light before they filter.
+/// Uploads a texture. Colours become an sRGB texture, whose lookups decode each texel to linear
+/// light before filtering. Throws Error(unsupported) where it is larger than OpenGL allows.
 GlTexture upload(const GladGLContext& gl, const SceneTexture& texture, TextureFilter filter) {
     const Image<Rgb8>& image = texture.image;
     GLint limit = 0;
@@ -121,7 +123,7 @@ void GlScene::clear(const SampleTile& tile, const Vec4f& color) const {
     gl_.Enable(GL_DEPTH_TEST);
 }
 
-/// White where there is none.
+/// Binds a texture of the scene, or a white one for a negative number.
 void GlScene::bind(GLenum unit, int number) const {
     const GlTexture& texture = number < 0 ? white_ : textures_[std::size_t(number)];
     gl_.ActiveTexture(unit);
@@ -167,7 +169,7 @@ bool GlScene::has_levels(const GlSurface& surface) const {
     return has(surface.material().texture) || has(surface.material().normals);
 }
 
-/// `look`: as far as it does not depend on the surface.
+/// Draws all surfaces; `look` holds the properties that do not depend on the surface.
 void GlScene::draw_surfaces(const TileView& view, const GlScenePrograms::Look& look) const {
     for (const GlSurface& surface : surfaces_) {
         const SceneMaterial& material = surface.material();

@@ -1,6 +1,6 @@
 #pragma once
-// A scene on the GPU, drawn tile by tile: its colours, or what of a texture they were looked up
-// from (the feedback pass of virtual texturing: Barrett, "Sparse Virtual Textures", 2008).
+// A scene uploaded to OpenGL and drawn in tiles: its colours, or the texture coordinates that it
+// looks up (the feedback pass of virtual texturing: Barrett, "Sparse Virtual Textures", 2008).
 #include <memory>
 #include <optional>
 #include <span>
@@ -13,50 +13,52 @@
 
 namespace burl {
 
-/// The context must be current wherever one is made, used or destroyed.
+/// Textures and surfaces of a scene. The context must be current wherever an object is created,
+/// used or destroyed.
 class GlScene {
   public:
-    /// `filter` replaces the one each texture asks for. Throws Error: unsupported when a texture
-    /// is larger than the context allows, runtime when OpenGL fails.
+    /// Uploads the whole scene; `filter` replaces the filter of all textures. Throws Error:
+    /// unsupported where a texture is larger than the context allows, runtime when OpenGL fails.
     GlScene(const GladGLContext& gl, const Scene& scene,
             std::optional<TextureFilter> filter = std::nullopt);
-    /// The same with programs that others use, too, and without what its surfaces show: that comes
-    /// with upload(). `frames` are the surfaces' (app/scene/unit_frame.h).
+    /// Uploads the textures, and leaves the surfaces to upload(). `programs` may be shared with
+    /// other scenes; `frames` holds the surfaces' unit_frame (app/scene/unit_frame.h).
     GlScene(const GladGLContext& gl, const Scene& scene, std::shared_ptr<GlScenePrograms> programs,
             std::span<const Mat4d> frames);
 
-    /// The next piece of the surfaces of the scene it was made for, of about `bytes`. Whether all
-    /// are there: not to be drawn before.
+    /// Uploads the next piece, of about `bytes`, of the surfaces of the scene it was created for.
+    /// Returns whether all are uploaded; the scene must not be drawn before.
     bool upload(const Scene& scene, std::size_t bytes);
 
-    /// Replaces the pixels of texture `number` of the scene; how it is looked up stays.
+    /// Replaces the pixels of texture `number`; its filter stays.
     void set_texture(int number, const SceneTexture& texture);
 
-    /// How far all surfaces that have a target have gone there; 0 to 1.
+    /// Sets the weight, 0..1, of the morph targets of all surfaces that have one.
     void set_target_share(double share);
 
     const GlTexture& texture(int number) const { return textures_[std::size_t(number)]; }
 
-    /// Draws one tile of the picture in linear light into the bound framebuffer; `lit`: under the
-    /// headlight of app/scene/shading.h.
+    /// Draws a tile of the picture in linear light into the bound framebuffer, under the headlight
+    /// of app/scene/shading.h where `lit` is set.
     void draw(const Camera& camera, const PictureSize& samples, const SampleTile& tile,
               bool lit) const;
 
-    /// The same in sRGB codes, where a sample is a pixel of the screen.
+    /// Draws a tile of the picture in sRGB codes, for a framebuffer whose samples are pixels of the
+    /// screen.
     void draw_encoded(const Camera& camera, const PictureSize& samples, const SampleTile& tile,
                       bool lit) const;
 
-    /// The background in such codes.
+    /// The background colour in sRGB codes of 0..1.
     static Vec4f background_codes();
-    /// Whether draw_places() can: all that surfaces show is one texture with levels, looked up
-    /// without blocks.
+    /// Whether draw_places() applies: all surfaces show the same texture with MIP levels, without
+    /// normal map, colour factor, vertex colours or blocks.
     bool has_places() const;
-    /// Draws instead where every sample looks that texture up: u, v, level and share of its light.
+    /// Draws a tile of lookups of the surfaces' one texture: u, v, level and light of every sample.
     void draw_places(const Camera& camera, const PictureSize& samples, const SampleTile& tile,
                      bool lit) const;
 
-    /// Draws instead what every sample looks up of texture `number` (LookupSample,
-    /// app/gl/draw/view_texels.h), whose sides have `size` texels whatever was uploaded.
+    /// Draws a tile of lookups of texture `number` (LookupSample, app/gl/draw/view_texels.h), whose
+    /// side is `size` texels whatever was uploaded.
     void draw_lookups(const Camera& camera, const PictureSize& samples, const SampleTile& tile,
                       int number, std::uint32_t size) const;
 
@@ -71,9 +73,9 @@ class GlScene {
     std::shared_ptr<GlScenePrograms> programs_;
     GlTexture white_;
     std::vector<GlTexture> textures_;
-    std::vector<TextureFilter> filters_;  ///< per texture
+    std::vector<TextureFilter> filters_;  ///< one per texture
     std::vector<GlSurface> surfaces_;
-    std::size_t uploaded_ = 0;  ///< surfaces that are there
+    std::size_t uploaded_ = 0;  ///< the number of surfaces that are uploaded completely
 };
 
 }  // namespace burl

@@ -11,7 +11,7 @@ const char* word(bool value) {
     return value ? "true" : "false";
 }
 
-/// mesh.vert and a fragment shader that knows footprints.
+/// A program of mesh.vert and a fragment shader.
 GlProgram scene_program(const GladGLContext& gl, ShaderSource fragment) {
     return make_program(gl, "the scene", ShaderSource().add("draw/mesh.vert"), fragment);
 }

@@ -1,5 +1,5 @@
 #pragma once
-// The programs that draw scenes: compiled once, when they are first wanted, for all scenes of a
+// The shader programs that draw scenes, compiled at their first use and shared by all scenes of a
 // context.
 #include <map>
 #include <optional>
@@ -12,15 +12,15 @@ class GlScenePrograms {
   public:
     explicit GlScenePrograms(const GladGLContext& gl) : gl_(gl) {}
 
-    /// What the program that draws a surface is made for.
+    /// The properties that a program is compiled for.
     struct Look {
         bool encoded = false, lit = false, bumped = false, levels = false, in_blocks = false,
              places = false;
         auto operator<=>(const Look&) const = default;
     };
-    /// The program that draws so, in use.
+    /// Makes the program of these properties current; compiles it at its first use.
     const GlProgram& use(const Look& look);
-    /// The one that draws what is looked up (app/gl/draw/view_texels.h), in use.
+    /// Makes the program current that draws lookups (app/gl/draw/view_texels.h).
     const GlProgram& use_lookups();
 
   private:

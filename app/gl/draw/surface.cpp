@@ -8,7 +8,7 @@ namespace burl {
 
 namespace {
 
-/// What is added to a vertex at the end of its way.
+/// The change of a vertex at weight 1 of the morph target.
 struct Change {
     Vec3f position, normal, tangent;
 };
@@ -23,7 +23,8 @@ std::vector<Change> pack_changes(const SurfaceTarget& target, double scale) {
     return changes;
 }
 
-/// Takes the whole picture's clip space to the tile's, turned over so that rows come top first.
+/// The map from the picture's clip space to the tile's, with y reversed so that rows are read top
+/// first.
 Mat4d tile_from_clip(const SampleTile& tile, const PictureSize& samples) {
     Mat4d m(1.0);
     m[0][0] = double(samples.width) / tile.width;
@@ -33,8 +34,8 @@ Mat4d tile_from_clip(const SampleTile& tile, const PictureSize& samples) {
     return m;
 }
 
-/// Cofactors of the linear part, scaled to entries of at most one: they take normals along, and
-/// the shader does not mind their length.
+/// The cofactors of the linear part, scaled to entries of at most one. They transform normals up to
+/// a length, which the shader normalises.
 glm::mat3 normal_matrix(const Mat4d& transform) {
     const Mat3d m(transform);
     const Mat3d cofactors(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
@@ -75,8 +76,8 @@ GlSurface::GlSurface(const GladGLContext& gl, const Surface& surface, const Mat4
     set(Stream::index, surface.triangles.size(), sizeof(Triangle));
 }
 
-/// An attribute without elements has one value for all (set_constants). One buffer at a time: a
-/// software OpenGL clears what it gives.
+/// Creates the buffer of one array; an attribute without elements has one constant value
+/// (set_constants). Buffers are created one at a time, since a software OpenGL clears them.
 void GlSurface::make_room(const GladGLContext& gl, Stream stream) {
     Buffer& buffer = streams_[std::size_t(stream)];
     buffer.buffer = make_buffer(gl);
@@ -90,7 +91,8 @@ void GlSurface::make_room(const GladGLContext& gl, Stream stream) {
                            0, nullptr);
 }
 
-/// Elements as they lie in the buffer. Positions and texture coordinates are made here.
+/// Elements of an array in the buffer's format. Positions and texture coordinates are converted to
+/// float32 here.
 const void* GlSurface::piece(const Surface& surface, Stream stream, std::size_t first,
                              std::size_t count) {
     const Vec3d centre(local_from_unit_[3]);
@@ -121,7 +123,7 @@ const void* GlSurface::piece(const Surface& surface, Stream stream, std::size_t 
 }
 
 bool GlSurface::upload(const GladGLContext& gl, const Surface& surface, std::size_t bytes) {
-    // Bound as an array, indices do not touch the vertex array that is bound.
+    // Indices are uploaded through GL_ARRAY_BUFFER, which leaves the bound vertex array unchanged.
     while (stream_ < streams_.size() && bytes > 0) {
         const Buffer& to = streams_[stream_];
         if (uploaded_ == to.count) {
@@ -157,7 +159,7 @@ void GlSurface::set_constants(const GladGLContext& gl) const {
     set(Stream::tangent, Vec4f(0.0f));
 }
 
-/// Beside the vertices, so that surfaces without a target have none of it.
+/// Uploads the morph target into a buffer of its own, which surfaces without a target do not have.
 void GlSurface::upload_target(const GladGLContext& gl, const SurfaceTarget& target) {
     const std::vector<Change> changes = pack_changes(target, local_from_unit_[0][0]);
     gl.BindVertexArray(vertex_array_.get());

@@ -1,7 +1,7 @@
 #pragma once
-// A scene's surface on the GPU, and how it is placed in a tile of a picture. Positions are moved
-// and scaled into [-1,1] so that float32 suffices wherever the surface lies. A large surface is
-// uploaded piece by piece, so that who draws frames meanwhile goes on doing so.
+// A surface uploaded to OpenGL, and the transformation of a picture's tile. Positions are
+// normalised into [-1,1] so that float32 is precise wherever the surface lies. Large surfaces are
+// uploaded in pieces, so that frames can be drawn meanwhile.
 #include <array>
 #include <optional>
 #include <vector>
@@ -17,26 +17,30 @@ struct SampleTile {
     int x = 0, y = 0, width = 0, height = 0;
 };
 
-/// From scene to clip space of a tile whose rows come top first.
+/// The maps from scene to clip space for a tile whose rows are read top first.
 struct TileView {
     TileView(const Camera& camera, const PictureSize& samples, const SampleTile& tile);
 
-    /// Eye space is in units of the far distance, so that float32 holds scenes of any size.
+    /// The maps from scene to eye space, in units of the far distance so that float32 holds scenes
+    /// of any size, and on to clip space.
     Mat4d eye_from_scene, clip_from_eye;
 };
 
+/// The vertex arrays of a surface.
 class GlSurface {
   public:
-    /// What it shows, and room for that, comes with upload(). `frame` as of app/scene/unit_frame.h.
+    /// Creates a surface without buffers, which upload() creates and fills. `frame` is its
+    /// unit_frame (app/scene/unit_frame.h).
     GlSurface(const GladGLContext& gl, const Surface& surface, const Mat4d& frame);
 
-    /// The next piece, of about `bytes`, of the surface it was made for. Whether all is there.
+    /// Uploads the next piece, of about `bytes`, of the surface it was created for. Returns whether
+    /// all is uploaded.
     bool upload(const GladGLContext& gl, const Surface& surface, std::size_t bytes);
 
-    /// All placements by a program in use with the uniforms of mesh.vert.
+    /// Draws all placements with the program in use, which has the uniforms of mesh.vert.
     void draw(const GladGLContext& gl, const GlProgram& program, const TileView& view) const;
 
-    /// How far it has gone to its target, if it has one.
+    /// Sets the weight of the surface's morph target, if it has one.
     void set_target_share(double share) { target_share_ = share; }
 
     const SceneMaterial& material() const { return material_; }
@@ -46,12 +50,13 @@ class GlSurface {
     GLsizei triangles() const { return GLsizei(streams_[std::size_t(Stream::index)].count); }
 
   private:
-    /// Arrays in buffers of their own, which are numbered as mesh.vert's attributes: positions and
-    /// normals may change where nothing else does.
+    /// Vertex arrays, each in a buffer of its own, numbered as mesh.vert's attributes; and the
+    /// indices.
     enum class Stream : std::size_t { position, normal, uv, color, block, tangent, index, count };
     struct Buffer {
         GlBuffer buffer{};
-        std::size_t count = 0, stride = 0;  ///< elements and their bytes; no elements: no buffer
+        /// The number of elements and their size in bytes; an empty array has no buffer.
+        std::size_t count = 0, stride = 0;
     };
 
     bool has(Stream stream) const { return streams_[std::size_t(stream)].count > 0; }
@@ -62,12 +67,12 @@ class GlSurface {
 
     GlVertexArray vertex_array_;
     std::array<Buffer, std::size_t(Stream::count)> streams_;
-    std::size_t stream_ = 0, uploaded_ = 0;  ///< where upload() goes on: elements of a stream
-    std::vector<Vec3f> points_;              ///< of the last piece, as OpenGL takes them
+    std::size_t stream_ = 0, uploaded_ = 0;  ///< the next element to upload, by array and index
+    std::vector<Vec3f> points_;              ///< the positions of the last piece as float32
     std::vector<glm::vec2> uvs_;
     Mat4d local_from_unit_{1.0};
     SceneMaterial material_;
-    std::optional<GlBuffer> changes_;  ///< of vertices on their way to a target
+    std::optional<GlBuffer> changes_;  ///< the changes of the morph target
     double target_share_ = 0.0;
     std::vector<Mat4d> placements_;
 };

@@ -1,5 +1,5 @@
-// What a reader of glTF makes of its numbers is done here, too: positions and texture coordinates
-// become double, normals are normalised once more.
+// Values are converted as glTF's reader converts them: positions and texture coordinates become
+// double, normals are normalised once more.
 #include "app/gl/draw/view_scene.h"
 
 #include <optional>
@@ -24,7 +24,7 @@ void resize(Surface& surface, std::size_t count, const PartVertices& like) {
     if (!like.blocks.empty()) surface.blocks.resize(count);
 }
 
-/// As a file of this weight has it.
+/// Sets the morph target as a file with this weight stores it.
 void set_target(Surface& surface, const VertexTarget& target, double weight) {
     surface.target_share = weight;
     surface.target.positions.assign(target.positions.begin(), target.positions.end());
@@ -54,7 +54,8 @@ Surface surface_of(const PartVertices& vertices, const SceneMaterial& material) 
     return surface;
 }
 
-/// The part where a node can place it, and a copy of it for every placement that none can.
+/// Adds the part with the placements that nodes can express, and a copy of it for every other
+/// placement.
 void add_part(Scene& scene, const Part& part, const PartVertices& vertices,
               const SceneMaterial& material, double weight) {
     const auto add = [&](const PartVertices& drawn) {
@@ -85,7 +86,7 @@ SceneTexture texture_of(const AtlasOptions& atlas, bool is_color) {
     return texture;
 }
 
-/// With bumps the normals come first, as in a file.
+/// Adds the textures in a file's order, normals before colours.
 SceneMaterial add_textures(Scene& scene, const AtlasOptions& atlas, bool bumped) {
     SceneMaterial material;
     if (bumped) {
@@ -97,7 +98,7 @@ SceneMaterial add_textures(Scene& scene, const AtlasOptions& atlas, bool bumped)
     return material;
 }
 
-/// Laid out meanwhile, where the atlas does not have a mesh of its own.
+/// The normals of the atlas's mesh; the atlas is built in parallel unless it refines the mesh.
 std::vector<Vec3f> normals_of(Pipeline& pipeline, double crease_degrees) {
     std::vector<Vec3f> normals;
     if (pipeline.recipe().atlas.kind == AtlasKind::patch)

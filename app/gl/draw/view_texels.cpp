@@ -14,20 +14,20 @@ namespace burl {
 
 namespace {
 
-/// Samples hold their triangle's number in a float.
+/// The largest number of triangles, since samples hold the triangle's number in a float.
 constexpr std::size_t most_numbered = std::size_t{1} << 24;
 
 struct Texels {
     std::int64_t first = 0, last = 0;  ///< both are read
 };
 
-/// std::floor of a number of no great size, which old instruction sets call a function for.
+/// std::floor of a number within std::int64_t, without the function call of old instruction sets.
 std::int64_t floor_of(double x) {
     const auto whole = std::int64_t(x);
     return whole - (x < double(whole) ? 1 : 0);
 }
 
-/// Those of an axis of n texels that a lookup at `place` (in textures) reads.
+/// The texels along an axis of n texels that a lookup at `place` (in texture coordinates) reads.
 Texels read_by(double place, std::uint32_t n, bool linear, double slack) {
     const double x = place * n - (linear ? 0.5 : 0.0);
     return {floor_of(x - slack), linear ? -floor_of(-(x + slack)) : floor_of(x + slack)};
@@ -65,14 +65,15 @@ class Marker {
     }
 
   private:
-    /// As lookup() of mesh.frag, but for the lower bound; of infinite and undefined footprints the
-    /// coarsest.
+    /// The level as lookup() of mesh.frag computes it, without the lower bound; the coarsest for
+    /// infinite and undefined footprints.
     static double level_of(double square) {
         if (square < 0.25) return -1.0;
         return square < 1e30 ? 0.5 * std::log2(square) : 50.0;
     }
 
-    /// As block_level() of mesh.frag.
+    /// Marks the texels of level l with the lookup clamped to a block as by block_level() of
+    /// mesh.frag.
     void mark_in(const Vec4f& block, int l, double u, double v) {
         const double half = 0.5 / texels_.levels[std::size_t(l)].size();
         const auto clamped = [&](double place, double low, double high) {

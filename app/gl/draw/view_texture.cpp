@@ -14,14 +14,15 @@ namespace burl {
 
 namespace {
 
-/// The coarsest level that the view reads of those a bake writes.
+/// The coarsest level that the view reads of those that a bake writes.
 std::uint32_t levels_read(const MeshAtlas& atlas, const ViewTexels& view) {
     std::uint32_t level = std::min(last_level(atlas), std::uint32_t(view.levels.size()) - 1);
     while (level > 0 && view.levels[level].count() == 0) --level;
     return level;
 }
 
-/// As to_rgb8() (convert_image.h) where somebody looks.
+/// The image as to_rgb8() (convert_image.h) encodes it, in the texels that are read; black
+/// elsewhere.
 Image<Rgb8> encoded(const Image<RgbF>& linear, const TexelSet& read, int threads) {
     const SrgbEncoder<std::uint8_t> encode;
     Image<Rgb8> image(linear.width(), linear.height());
@@ -39,7 +40,7 @@ Image<Rgb8> encoded(const Image<RgbF>& linear, const TexelSet& read, int threads
     return image;
 }
 
-/// Levels 1 to `count`, of direct ones only what is in `part`.
+/// Levels 1 to `count`; direct ones are synthesised only in `part`.
 std::vector<Image<RgbF>> levels_of(const ViewSource& source, const std::vector<TexelSet>& part,
                                    const Image<RgbF>& texture, std::uint32_t count,
                                    const HostWay& way, const Economy& economy) {

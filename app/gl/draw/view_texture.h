@@ -1,6 +1,5 @@
 #pragma once
-// The texture of a pipeline's recipe, of which only those texels are worked out that a view looks
-// up: what the rest of the atlas shows, nobody sees.
+// Synthesis of a recipe's texture for one view: only the texels that the view looks up.
 #include <cstdint>
 #include <vector>
 
@@ -11,52 +10,52 @@
 
 namespace burl {
 
-/// What of an atlas was worked out for a view. Texels of level 0 and, where levels are direct, of
-/// those that have samples of their own; only those in spans count.
+/// Counts of texels in spans, over level 0 and, where levels are direct, over the levels that have
+/// samples of their own.
 struct ViewWork {
-    std::uint64_t tiles = 0;         ///< pairs of 32 x 32 texels and a level that are looked up
-    std::uint64_t texels_read = 0;   ///< looked up, or parts of means that are
-    std::uint64_t texels_made = 0;   ///< those and the rest of their cells
-    std::uint64_t texels_whole = 0;  ///< of the atlas, level 0 alone
-    SynthesisWork synthesis{};       ///< of the colours
+    std::uint64_t tiles = 0;         ///< pairs of a 32 x 32 tile and a level that are looked up
+    std::uint64_t texels_read = 0;   ///< texels looked up, or averaged into such texels
+    std::uint64_t texels_made = 0;   ///< texels synthesised: whole cells of those read
+    std::uint64_t texels_whole = 0;  ///< texels of level 0 of the whole atlas
+    SynthesisWork synthesis{};       ///< the synthesis of colours
 };
 
-/// Texels are made in cells of so many a side. Cells of one take no longer than larger ones with
-/// more texels in them (docs/benchmarks.md).
+/// The side in texels of the cells that texels are synthesised in. Cells of one texel take no
+/// longer than larger ones with more texels in them (docs/benchmarks.md).
 inline constexpr std::uint32_t view_cell = 1;
 
-/// The recipe's atlas, and how its texture's levels come about.
+/// The recipe's atlas, and the rule by which its texture's levels are computed.
 struct ViewSource {
     const MeshAtlas& layout;
     const SolidAtlas& solid;
     const Recipe& recipe;
     LevelRule rule{};
 
-    /// Whose samples the texels of a level are means of. Levels that a bake does not write are
-    /// averaged, by OpenGL.
+    /// The level whose samples the texels of `level` are means of. Levels that a bake does not
+    /// write are averaged by OpenGL, from level 0.
     std::uint32_t source(std::uint32_t level) const;
+    /// The spans of a level of the atlas.
     SolidAtlas level(std::uint32_t number) const;
 };
 
-/// Per level the texels that are worked out there (ViewTexels::beneath), with the rest of their
-/// cells.
+/// Per level the texels that are synthesised for a view (ViewTexels::beneath), with the rest of
+/// their cells.
 std::vector<TexelSet> view_part(const ViewSource& source, const ViewTexels& view,
                                 std::uint32_t cell);
-/// All of level 0, and what of other levels has samples.
+/// Per level the texels that are synthesised for the whole atlas.
 std::vector<TexelSet> whole_part(const ViewSource& source);
-/// Those in spans.
+/// The number of texels of `part` in spans.
 std::uint64_t count_texels(const ViewSource& source, const std::vector<TexelSet>& part);
 
-/// Pixels and, where `filter` looks them up, levels of a baked scene's colours, as `burl bake
-/// --levels all` writes them where levels are looked up, and as `burl bake` does otherwise. Texels
-/// that are not in `part`, or of other levels not in `view`, hold anything, and levels that the
-/// view does not read may be missing.
+/// The colours of a baked scene as `burl bake` writes them, and where `filter` is `mip` their
+/// levels as `burl bake --levels all` writes them. Texels outside `part`, and texels of other
+/// levels outside `view`, are unspecified; levels that the view does not read may be missing.
 SceneTexture view_texture(const ViewSource& source, const std::vector<TexelSet>& part,
                           const ViewTexels& view, TextureFilter filter, const HostWay& way,
                           const Economy& economy = {});
 
-/// The normals of the recipe's bumps in tangent space, of those texels of `mesh`, which is the one
-/// that was laid out.
+/// The normals of the recipe's bumps in tangent space at `texels`. `mesh` is the one that the atlas
+/// was built from.
 Image<Rgb8> view_normals(const ViewSource& source, const Mesh& mesh, const TexelSet& texels,
                          double crease_degrees, int threads);
 

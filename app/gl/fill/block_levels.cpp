@@ -25,7 +25,7 @@ GlProgram make_pass(GlContext& context, bool even, bool gutters, bool float64) {
                                         .add("maps/level.frag"));
 }
 
-/// An axis's weights, three a new texel, in float64 where shaders have it.
+/// The weights along an axis, three per texel of the new level, in float64 where shaders have it.
 GlBufferTexture weights_of(const GladGLContext& gl, int size, bool float64) {
     std::vector<double> weights;
     for (const MipTaps& taps : mip_taps(std::size_t(size)))
@@ -43,7 +43,7 @@ GlSize half(GlSize size) {
     return glm::max(size / 2, GlSize(1));
 }
 
-/// Part of an image, rows without gaps.
+/// The texels of a part of an image, rows without gaps.
 template <class T>
 std::vector<T> cut(const Image<T>& image, const GlTile& part) {
     std::vector<T> texels;
@@ -65,7 +65,7 @@ GlTexture upload(const GladGLContext& gl, GLenum internal, const Image<T>& image
     return make_texture(gl, internal, part.size, std::span<const T>(texels));
 }
 
-/// Puts a target's texture where `origin` says in an image of whole rows.
+/// Copies a target's texture into the image, with its corner at `origin`.
 template <class T>
 void read_into(const GlTarget& target, std::size_t number, glm::ivec2 origin, Image<T>& image) {
     constexpr std::size_t components = sizeof(T) / sizeof(float);
@@ -80,10 +80,10 @@ void read_into(const GlTarget& target, std::size_t number, glm::ivec2 origin, Im
 
 }  // namespace
 
-/// The level before, as uploaded or as drawn.
+/// The level before the next pass, as uploaded or as drawn.
 struct GlBlockLevels::Stage {
     GlSize size{0};
-    bool first = true;  ///< `means` and `surface` are the texture and its shares
+    bool first = true;  ///< `means` and `surface` are the texture and its surface shares
     GlTexture means, surface;
     std::optional<GlTarget> drawn{};
 };
@@ -142,7 +142,7 @@ std::vector<Image<RgbF>> GlBlockLevels::operator()(const Image<RgbF>& texture, s
         result.push_back(Image<RgbF>::unset(size >> l, size >> l));
     const PatchAtlas* const patches = atlas_.patches();
     const Image<float> shares = patches ? inner_texels(*patches) : Image<float>(size, size);
-    // Levels whose texels each lie in one tile.
+    // The levels at which every texel lies in one tile.
     const int halvings = std::min(std::countr_zero(size), std::countr_zero(unsigned(tile)));
     const std::uint32_t apart =
         size <= std::uint32_t(tile) ? 0 : std::min(std::uint32_t(halvings), last);

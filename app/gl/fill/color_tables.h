@@ -1,6 +1,6 @@
 #pragma once
-// A colour map's tables (procedural/glsl/colors.h) where shaders read them, and the parts of
-// shaders that do.
+// The tables of a colour map (procedural/glsl/colors.h) as buffer textures, and the parts of
+// shaders that read them.
 #include <optional>
 
 #include "app/gl/device/source.h"
@@ -9,34 +9,36 @@
 
 namespace burl {
 
-/// Of the linear codes in equal steps of which srgb8.glsl makes 8-bit codes: halves of the
-/// threshold in a bucket, and the code below it.
+/// The table with which srgb8.glsl encodes linear light to 8 bits: per bucket of equal width the
+/// two words of the float64 threshold, and the code below it.
 GlBufferTexture srgb8_table(const GladGLContext& gl);
 
-/// Kept until another map is asked for. What add_...() adds to a shader, bind_...() binds, made
-/// before: making a texture changes the bindings of a unit.
+/// The tables of one colour map, kept until another map is set. add_...() creates the tables and
+/// adds the code that reads them, bind_...() binds them later, since creating a texture changes the
+/// bindings of a unit.
 class GlColorTables {
   public:
     explicit GlColorTables(const GladGLContext& gl) : gl_(&gl) {}
 
-    /// The map of the calls below.
+    /// Sets the map of the following calls.
     void set_map(const ColorMap& map);
 
-    /// `uint color_code(real f)`: 8-bit codes, r + 2^8 g + 2^16 b. Uses three units.
+    /// Adds `uint color_code(real f)`: 8-bit codes r + 2^8 g + 2^16 b. Uses three units.
     void add_codes(ShaderSource& source);
     void bind_codes(const GlProgram& program, int first_unit) const;
-    /// `real3 linear_color(real f)`. Uses one unit.
+    /// Adds `real3 linear_color(real f)`. Uses one unit.
     void add_linear(ShaderSource& source);
     void bind_linear(const GlProgram& program, int first_unit) const;
-    /// `uint srgb16(real linear)`. Uses two units.
+    /// Adds `uint srgb16(real linear)`. Uses two units.
     void add_srgb16(ShaderSource& source);
     void bind_srgb16(const GlProgram& program, int first_unit) const;
 
   private:
     struct Codes {
         GlBufferTexture entries;
-        std::optional<GlBufferTexture> first, steps;  ///< where an entry may hold several steps
-        std::uint32_t count, most;                    ///< of ColorSteps
+        /// The tables of steps, only for maps with entries of several steps.
+        std::optional<GlBufferTexture> first, steps;
+        std::uint32_t count, most;  ///< the fields of ColorSteps
     };
     struct Segments {
         GlBufferTexture texels;

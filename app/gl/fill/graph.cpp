@@ -10,14 +10,14 @@ namespace burl {
 
 namespace {
 
-constexpr int first_table = 2, first_image = 4;  // texture units, after the point map's
+constexpr int first_table = 2, first_image = 4;  // texture units after those of the point map
 
-/// Else texels are point samples, or several.
+/// Whether the graph's nodes filter; otherwise texels are one sample or the mean of several.
 bool nodes_filter(FilterKind kind) {
     return kind != FilterKind::none && kind != FilterKind::supersample;
 }
 
-/// For glsl_buffer_tables.
+/// A table of glsl_buffer_tables() as a buffer texture.
 GlBufferTexture table_of(const GladGLContext& gl, const GlslTable& table, GlslReal real) {
     const std::vector<float> floats(table.numbers.begin(), table.numbers.end());
     if (real == GlslReal::float32) return {gl, GL_R32F, std::as_bytes(std::span(floats))};
@@ -81,7 +81,7 @@ const GlProgram& GlGraphSynthesis::program(const GlslTexture& texture, FilterKin
     return programs_.emplace(std::move(text), std::move(made)).first->second;
 }
 
-/// All levels of the image.
+/// The texture of an image with all its MIP levels, uploaded at its first use.
 const GlTexture& GlGraphSynthesis::image_texture(const std::shared_ptr<const MipImage>& pixels) {
     for (const KeptImage& kept : images_)
         if (kept.pixels == pixels) return kept.texture;
@@ -158,7 +158,8 @@ const GlPointMap& GlGraphSynthesis::points(const GlTile& tile) {
     return points_.back().points;
 }
 
-/// For samples beside the texels' centres, and for footprints.
+/// Sets the tile of the spans that samples beside the texels' centres, and footprints, are computed
+/// from.
 void GlGraphSynthesis::set_lines(const GlTile& tile, int threads) {
     timed(work_.map, [&] {
         if (!lines_) {
@@ -200,12 +201,12 @@ void GlGraphSynthesis::synthesize(const SolidAtlas& solid, const TextureGraph& g
                                     : glsl_graph(graph, real());
     const GlProgram& program = this->program<Pixel>(texture, filter.kind);
     set_atlas(solid, texture_from_atlas, threads);
-    // Before anything is bound: making a texture changes the bindings of a unit.
+    // Textures are created before any is bound, since creating one changes the bindings of a unit.
     for (const GlslImage& one : texture.images) image_texture(one.pixels);
     std::vector<GlBufferTexture> tables;
     for (const GlslTable& table : texture.tables) tables.push_back(table_of(*gl_, table, real()));
     for_tiles({int(solid.size), int(solid.size)}, limits_.tile, [&](const GlTile& tile) {
-        // Bindings last: whatever makes a texture changes them.
+        // Bindings come last, since creating a texture changes them.
         const GlPointMap* map = points_only ? &points(tile) : nullptr;
         if (!map) set_lines(tile, threads);
         const GlTarget target(*gl_, tile.size, {GlOutput<Pixel>::internal});

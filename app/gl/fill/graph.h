@@ -1,10 +1,9 @@
 #pragma once
-// Fills an atlas with a texture graph in one pass on OpenGL: every texel's point comes from a point
-// map, a shader generated from the graph (procedural/glsl/graph.h) works out its colour and encodes
-// it, its mean over the texel by the nodes' own filters, or the weighted mean of its colours at
-// several places in the texel. Where OpenGL has float64
-// and rounds as IEEE 754 says, the bytes are those of synthesize_graph_rgb8 and its like in
-// float32.
+// Synthesis of a texture graph into an atlas in one pass on OpenGL. Solid points come from a point
+// map; a shader generated from the graph (procedural/glsl/graph.h) evaluates and encodes each
+// texel's colour: at its centre, as the mean over the texel by the nodes' own filters, or as the
+// weighted mean of several samples. Where OpenGL has float64 and IEEE 754 rounding, the bytes are
+// those of synthesize_graph_rgb8, _rgb16 and _rgbf in float32.
 #include <list>
 #include <map>
 #include <memory>
@@ -18,22 +17,24 @@
 
 namespace burl {
 
-/// Keeps programs and points between calls. The context it works in must outlive it.
+/// The synthesis of graphs in one context, which must outlive it. Programs and point maps are kept
+/// between calls.
 class GlGraphSynthesis {
   public:
     explicit GlGraphSynthesis(GlContext& context, const GlSynthesisLimits& limits = {});
 
-    /// Why a graph cannot be evaluated with a filter; empty where it can.
+    /// The reason why a graph cannot be evaluated with a filter; empty where it can.
     std::string problem(const TextureGraph& graph, const Filter& filter = {}) const;
 
-    /// As synthesize_graph_rgb8, _rgb16 or _rgbf. An image of the atlas's size is written over.
-    /// Throws Error: unsupported where problem() has something to say, runtime when memory runs
-    /// out.
+    /// Synthesises the texture as synthesize_graph_rgb8, _rgb16 or _rgbf do; an image of the
+    /// atlas's size is overwritten. 0 threads means all. Throws Error: unsupported where problem()
+    /// gives a reason, runtime when memory runs out.
     template <class Pixel>
     void synthesize(const SolidAtlas& solid, const TextureGraph& graph,
                     const Affine3& texture_from_atlas, int threads, Image<Pixel>& image,
                     const Filter& filter = {});
-    /// The atlas of the calls before is about to change or go away.
+    /// Drops everything about the atlas of earlier calls; must be called before it changes or is
+    /// destroyed.
     void forget_atlas();
 
     const GlWork& work() const { return work_; }
@@ -66,15 +67,15 @@ class GlGraphSynthesis {
     bool float64_;
     GlFullScreen full_screen_;
     GlTimer timer_;
-    std::map<std::string, GlProgram> programs_;  ///< by the text of the fragment shader
+    std::map<std::string, GlProgram> programs_;  ///< keyed by the text of the fragment shader
     std::optional<GlBufferTexture> codes8_;
-    GlColorTables colors_;  ///< for 16-bit codes
+    GlColorTables colors_;  ///< the tables of 16-bit codes
     std::vector<KeptImage> images_;
     const SolidAtlas* solid_ = nullptr;
     Affine3 texture_from_atlas_;
     std::optional<GlLatticeMapper> mapper_;
-    std::list<KeptPoints> points_;       ///< as many as the limit allows, and one
-    std::optional<GlTexelLines> lines_;  ///< of the atlas, once a filter needs them
+    std::list<KeptPoints> points_;       ///< up to the limit of bytes, and one more
+    std::optional<GlTexelLines> lines_;  ///< the atlas's spans, once a filter needs them
     GlRealUniforms reals_;
     GlReadBack read_back_;
     GlWork work_;

@@ -28,7 +28,7 @@ void set_quadric(const GlProgram& program, const Quadric& q) {
 
 }  // namespace
 
-/// What draws the maps.
+/// The spans and the programs that draw the maps.
 struct GlLatticeMapper::Drawing {
     GlSpans spans;
     GlProgram streams, points;

@@ -1,7 +1,7 @@
 #pragma once
-// Lattice maps (procedural/field/lattice_map.h) as textures, filled by the graphics processor from
-// the atlas's spans, or by the host and uploaded: the same bits either way. Shaders that evaluate
-// noise read them, so that they need neither float64 nor the atlas's triangles.
+// Lattice maps (procedural/field/lattice_map.h) as textures, drawn by OpenGL from the atlas's
+// spans, or filled by the host and uploaded, with the same bits. Shaders that evaluate noise read
+// them, so that they need neither float64 nor the atlas's triangles.
 #include <memory>
 #include <optional>
 
@@ -10,16 +10,16 @@
 
 namespace burl {
 
-/// Two RGBA32UI textures.
+/// A lattice map as two RGBA32UI textures, which shaders read with a usampler2D.
 class GlLatticeMap {
   public:
     explicit GlLatticeMap(GlTarget target) : target_(std::move(target)) {}
-    /// Cells along x, y, z and the upper half of the quadric; read with a usampler2D.
+    /// The cells along x, y, z and the upper half of the quadric.
     const GlTexture& cells() const { return target_.texture(0); }
-    /// Places in the cells along x, y, z and the lower half of the quadric.
+    /// The fractions within the cells along x, y, z and the lower half of the quadric.
     const GlTexture& places() const { return target_.texture(1); }
     GlSize size() const { return target_.size(); }
-    /// For reading back.
+    /// The target with both textures, for reading back.
     const GlTarget& target() const { return target_; }
 
   private:
@@ -32,34 +32,37 @@ class GlPointMap {
     explicit GlPointMap(GlTarget target) : target_(std::move(target)) {}
     const GlTexture& xy() const { return target_.texture(0); }
     const GlTexture& z_owner() const { return target_.texture(1); }
-    /// For reading back.
+    /// The target with both textures, for reading back.
     const GlTarget& target() const { return target_; }
 
   private:
     GlTarget target_;
 };
 
-/// Makes the lattice maps of one atlas in one texture's space. What it keeps, the maps of triangles
-/// and, where the graphics processor draws, their spans, serves all streams and all tiles.
+/// Makes the lattice maps of one atlas in one texture's space. The triangles' maps and, where
+/// OpenGL draws, the spans are kept for all streams and tiles.
 class GlLatticeMapper {
   public:
-    /// `solid` must outlive it, and `gl`. Throws Error(unsupported) for MapFill::gpu where OpenGL
-    /// has no float64. `threads` 0 means all.
+    /// A mapper of `solid` in texture coordinates; `solid` and `gl` must outlive it. 0 threads
+    /// means all. Throws Error(unsupported) for MapFill::gpu where OpenGL has no float64.
     GlLatticeMapper(const GladGLContext& gl, const SolidAtlas& solid,
                     const Affine3& texture_from_atlas, int threads = 0,
                     MapFill fill = MapFill::automatic);
-    /// Of `maps`, those of the atlas's triangles in the space wanted, as they are.
+    /// A mapper of the triangles' maps in the wanted space. Throws Error(unsupported) for
+    /// MapFill::gpu where OpenGL has no float64.
     GlLatticeMapper(const GladGLContext& gl, const SolidAtlas& solid, std::vector<TexelMap> maps,
                     int threads = 0, MapFill fill = MapFill::automatic);
     GlLatticeMapper(GlLatticeMapper&&) noexcept;
     ~GlLatticeMapper();
 
-    /// As fill_lattice_map, of the texels of `tile`, which lies in the atlas.
+    /// The lattice map of the texels of `tile`, which lies in the atlas, as fill_lattice_map
+    /// computes it.
     GlLatticeMap make(const std::optional<LatticeStreamKey>& stream,
                       const std::optional<Quadric>& quadric, const GlTile& tile) const;
-    /// As fill_point_map: with `in_lattice` for octaves that no stream serves.
+    /// The point map of the texels of `tile`, as fill_point_map computes it; `in_lattice` is for
+    /// octaves without a stream kernel.
     GlPointMap make_points(const Affine3& map, bool in_lattice, const GlTile& tile) const;
-    /// Whether the graphics processor fills them.
+    /// Whether OpenGL draws the maps.
     bool draws() const { return drawing_ != nullptr; }
 
   private:

@@ -1,6 +1,6 @@
 #pragma once
-// The lattice maps of the textures of one atlas, kept from one synthesis to the next: amplitudes,
-// seeds and colours leave them as they are, and making one takes longer than a synthesis from it.
+// A cache of the lattice maps of an atlas from one synthesis to the next: amplitudes, seeds and
+// colours leave them unchanged, and making a map takes longer than a synthesis from it.
 #include <memory>
 #include <optional>
 #include <vector>
@@ -9,25 +9,27 @@
 
 namespace burl {
 
+/// A cache of lattice maps and point maps, keyed by stream, quadric and tile.
 class GlMapCache {
   public:
-    /// Keeps at most `budget` bytes of maps, 32 a texel.
+    /// An empty cache of at most `budget` bytes, 32 per texel of a map.
     GlMapCache(const GladGLContext& gl, std::size_t budget) : gl_(&gl), budget_(budget) {}
 
-    /// Maps are of this atlas in this texture's space from now on. Others are dropped.
+    /// Sets the atlas and the texture's space of the following maps. Maps of others are dropped.
     void set_atlas(const SolidAtlas& solid, const Affine3& texture_from_atlas, int threads);
-    /// Drops everything: the atlas is about to change.
+    /// Drops all maps; must be called before the atlas changes.
     void forget_atlas();
 
-    /// As GlLatticeMapper::make, or the same map as before.
+    /// The map that GlLatticeMapper::make makes, from the cache where it is there.
     std::shared_ptr<const GlLatticeMap> map(const std::optional<LatticeStreamKey>& stream,
                                             const std::optional<Quadric>& quadric,
                                             const GlTile& tile);
-    /// As GlLatticeMapper::make_points for octaves that no stream serves, or the same as before.
+    /// The map that GlLatticeMapper::make_points makes for octaves without a stream kernel, from
+    /// the cache where it is there.
     std::shared_ptr<const GlPointMap> points(const Affine3& lattice_from_solid, const GlTile& tile);
-    /// Drops the maps that nobody asked for since the last call of this.
+    /// Drops the maps that were not used since the last call.
     void drop_unused();
-    /// Maps made, not found, in all.
+    /// The number of maps made so far, rather than found in the cache.
     int made() const { return made_; }
 
   private:

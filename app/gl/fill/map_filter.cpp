@@ -28,7 +28,7 @@ GlBufferTexture color_table(const GladGLContext& gl, std::span<const Vec3d> colo
     return {gl, GL_RGBA32UI, std::as_bytes(std::span<const TableTexel>(color_texels(colors)))};
 }
 
-/// An array of at least one texel.
+/// A buffer texture of at least one texel: `fill` where there are none.
 template <class Texel>
 GlBufferTexture table(const GladGLContext& gl, GLenum internal, std::vector<Texel> texels,
                       const Texel& fill) {
@@ -106,7 +106,7 @@ void GlMapFilter::set_tile(const GlTile& tile) {
     lines_.set_tile(tile);
 }
 
-/// Other quadrics' are dropped.
+/// The slope map of a tile, from the cache where it is there; those of other quadrics are dropped.
 std::shared_ptr<const GlTexture> GlMapFilter::slope_map(const GlTile& tile) {
     std::erase_if(kept_, [&](const SlopeMap& kept) {
         if (kept.quadric != quadric_) bytes_ -= sizeof(MapTexel) * kept.tile.texels();
@@ -221,7 +221,7 @@ void GlMapFilter::bind(const GlProgram& program, int first_unit) const {
     set("srgb8_buckets", srgb8_, first_unit + 2);
     if (pieces_) bind_pieces(program, first_unit + 3);
     if (table_) bind_table(program, first_unit + 3);
-    // Samplers of different kinds must name different units, whether they are read or not.
+    // Samplers of different types must name different units, whether they are read or not.
     program.set("octave_shares", first_unit + 4);
     program.set("lone_terms", first_unit + 5);
     if (!filter_.band_limit) return;
@@ -245,7 +245,7 @@ void GlMapFilter::draw(const GlFullScreen& full_screen, GlSize target, const GlP
     attach(depth_.get());
     gl_->Enable(GL_DEPTH_TEST);
     gl_->DepthFunc(GL_LESS);
-    gl_->Clear(GL_DEPTH_BUFFER_BIT);  // to 1
+    gl_->Clear(GL_DEPTH_BUFFER_BIT);  // the clear value is 1
     gl_->DepthRange(0.0, 0.0);
     straight.use();
     full_screen.draw();

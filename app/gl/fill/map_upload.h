@@ -1,5 +1,5 @@
 #pragma once
-// Maps of an atlas that the host fills, a strip of rows at a time: what is uploaded still lies in
+// Maps of an atlas filled by the host in strips of rows: each strip is uploaded while it lies in
 // the processor's cache, and the host never holds a whole map.
 #include <algorithm>
 
@@ -9,16 +9,16 @@
 
 namespace burl {
 
-/// A tile of an atlas as the host's fills take it.
+/// The tile as the texel area of the host's fills.
 inline TexelArea area_of(const GlTile& tile) {
     return {std::uint32_t(tile.origin.x), std::uint32_t(tile.origin.y), std::uint32_t(tile.size.x),
             std::uint32_t(tile.size.y)};
 }
 
-/// Texels of a strip: 2 MiB of a lattice map.
+/// The number of texels of a strip: 2 MiB of a lattice map.
 inline constexpr int strip_texels = 1 << 16;
 
-/// Calls visit(strip, its first row in the tile) for strips of rows that make up the tile.
+/// Calls visit(strip, its first row in the tile) for strips of whole rows that cover the tile.
 template <class Visit>
 void for_strips(const GlTile& tile, Visit visit) {
     const int rows = std::max(1, strip_texels / std::max(1, tile.size.x));
@@ -28,7 +28,7 @@ void for_strips(const GlTile& tile, Visit visit) {
               y);
 }
 
-/// Sets rows `first_row` on of a texture of a target, which has the texels' width and type.
+/// Uploads rows, from `first_row` on, of a target's texture with the image's width and type.
 template <class Texel>
 void upload(const GladGLContext& gl, const GlTarget& target, std::size_t number, int first_row,
             const Image<Texel>& texels) {

@@ -20,7 +20,7 @@ GLenum format_of_images(PassPrecision precision) {
     return GL_RGBA32F;
 }
 
-/// The pass of shaders/passes/NAME.frag.
+/// The name of the pass in shaders/passes/NAME.frag.
 std::string name_of(PassKind kind, bool integers) {
     switch (kind) {
         case PassKind::fill:
@@ -88,7 +88,7 @@ void GlMultipass::set_plan(const MultipassPlan& plan, GlSize size) {
     upload_tables();
 }
 
-/// The four tables as the channels of one row of texels.
+/// Uploads each set of four tables as the channels of one row of texels.
 void GlMultipass::upload_tables() {
     tables_.clear();
     for (const RandomTables& tables : plan_->tables) {
@@ -184,11 +184,12 @@ void GlMultipass::bind_sources(const GlProgram& program, const GlLatticeMap& map
     if (pass.table < tables_.size()) bind_texture(*gl_, tables_unit, tables_[pass.table]);
 }
 
-/// Into a spare image that takes the target's place: passes may read what they write. Under a mask
-/// the target keeps the other channels, and no pass reads that.
+/// Runs a pass into a spare image, which then replaces the target, since a pass may read the image
+/// it writes. A copy under a mask is drawn into the target itself and keeps its other channels.
 void GlMultipass::run(std::span<const GlLatticeMap* const> maps, const Pass& pass) {
     const bool integers = holds_integers(pass.target, precision_);
-    GlTarget &drawn = target(pass.target), &free = spare(integers);  // to make one binds textures
+    // Creating an image binds textures.
+    GlTarget &drawn = target(pass.target), &free = spare(integers);
     if (pass.kind == PassKind::fill) {
         const float one = precision_ == PassPrecision::fixed8 ? 255.0f : 1.0f;
         return drawn.clear(0, Vec4f(pass.bias / one));
@@ -215,7 +216,8 @@ void GlMultipass::run(std::span<const GlLatticeMap* const> maps, std::span<const
     check_gl(*gl_, "drawing the passes of noise");
 }
 
-/// 1 + 3/2^12 lies between 1 and 1 + 4/2^12, which is the nearer of these two half floats.
+/// Draws 1 + 3/2^12, which lies between the half floats 1 and 1 + 4/2^12 and is nearer to the
+/// latter.
 HalfRounding half_rounding(const GladGLContext& gl) {
     const GlTarget target(gl, {1, 1}, {GL_RGBA16F});
     const GlProgram program = make_full_screen_program(

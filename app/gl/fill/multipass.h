@@ -1,8 +1,8 @@
 #pragma once
-// Runs a multipass plan (procedural/passes/plan.h) on OpenGL: a draw over the whole image for
-// each pass, images being textures that the next pass reads. Where the papers blended into the
-// frame buffer and copied it to a texture, passes read both images and draw a third: so numbers are
-// rounded as shaders round, which IEEE 754 settles, and nothing is copied.
+// A multipass plan (procedural/passes/plan.h) on OpenGL: one draw over the whole image per pass, in
+// which images are textures that later passes read. The papers blended into the frame buffer and
+// copied it to a texture; here passes read both images and draw a third. So numbers are rounded as
+// shaders round, which IEEE 754 defines, and nothing is copied.
 #include <map>
 
 #include "app/gl/device/source.h"
@@ -12,18 +12,20 @@
 
 namespace burl {
 
+/// The images and programs of a multipass plan.
 class GlMultipass {
   public:
-    /// `float64`: where OpenGL has it, for the field's index. `gl` must outlive it.
+    /// `float64` is used, where OpenGL has it, for the field's index. `gl` must outlive it.
     GlMultipass(const GladGLContext& gl, bool float64);
 
-    /// What the calls below belong to, and their images' size. `plan` must outlive them.
+    /// Sets the plan of the following calls, which must outlive them, and the images' size.
     void set_plan(const MultipassPlan& plan, GlSize size);
-    /// The programs of all passes, which run() compiles otherwise as they come.
+    /// Compiles the programs of all passes; run() would compile each at its first use.
     void compile();
-    /// The parts of a shader that reads the images: multipass.glsl and what stands before it.
+    /// The parts of a shader that reads the images: multipass.glsl and the parts it needs.
     ShaderSource source() const;
-    /// One map for each stream, at least one; the first has the quadric. Throws Error as GlTarget.
+    /// Runs the passes. `maps` holds one lattice map per stream, at least one; the first has the
+    /// quadric. Throws Error as GlTarget does.
     void run(std::span<const GlLatticeMap* const> maps, std::span<const Pass> passes);
     const GlTarget& image(PassImage image) const { return images_.at(image); }
 
@@ -42,14 +44,14 @@ class GlMultipass {
     GlFullScreen full_screen_;
     const MultipassPlan* plan_ = nullptr;
     GlSize size_{0};
-    PassPrecision precision_ = PassPrecision::float32;  ///< of the images there are
+    PassPrecision precision_ = PassPrecision::float32;  ///< the precision of images_
     std::map<std::string, GlProgram> programs_;
     std::map<PassImage, GlTarget> images_;
     std::map<bool, GlTarget> spares_;
     std::vector<GlTexture> tables_;
 };
 
-/// How this OpenGL rounds what it draws into half floats.
+/// The rounding of this OpenGL where it draws into half floats.
 HalfRounding half_rounding(const GladGLContext& gl);
 
 }  // namespace burl

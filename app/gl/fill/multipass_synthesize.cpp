@@ -36,7 +36,7 @@ void GlMultipassSynthesis::make_plan(const SolidAtlas& solid, const Texture& tex
     plan_ = plan_multipass(options_, octaves_, constant, texture.colors.wrap);
 }
 
-/// A map for each group, the quadric in the first.
+/// The lattice maps of a tile, one per group, with the quadric in the first.
 GlMultipassSynthesis::Maps GlMultipassSynthesis::maps_of(const Quadric& quadric,
                                                          const GlTile& tile) {
     Maps maps;
@@ -74,7 +74,7 @@ void GlMultipassSynthesis::draw_colors(const GlTile& tile) {
     full_screen_.draw();
 }
 
-/// A tile of the picture, into target_.
+/// Draws a tile of the texture into target_.
 template <class Pixel>
 void GlMultipassSynthesis::draw(const Quadric& quadric, const GlTile& tile) {
     const Maps maps = timed(work_.map, [&] { return maps_of(quadric, tile); });

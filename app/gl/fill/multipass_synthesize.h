@@ -1,32 +1,36 @@
 #pragma once
-// Fills an atlas with a texture of the 1999 model by the papers' passes on OpenGL (Carr & Hart
-// 2001, section 5.2): lattice maps, then the passes of procedural/passes/plan.h octave by
-// octave, then the colour map. At 32f the colour map's index agrees with the host's to 2e-6 (of a
-// sum of amplitudes up to 1); 16f and 8 are what images of fewer bits leave of it.
+// Synthesis of a texture of the 1999 model into an atlas by the papers' passes on OpenGL (Carr &
+// Hart 2001, section 5.2): lattice maps, then the passes of procedural/passes/plan.h octave by
+// octave, then the colour map. At 32f the colour map's index agrees with the host's to 2e-6 (for a
+// sum of amplitudes up to 1); 16f and 8 are limited by the images' precision.
 #include "app/gl/fill/multipass.h"
 #include "app/gl/fill/synthesize.h"
 
 namespace burl {
 
-/// Keeps programs, tables, images and maps between calls. The context it works in must outlive it.
+/// The synthesis by passes in one context, which must outlive it. Programs, tables, images and maps
+/// are kept between calls.
 class GlMultipassSynthesis {
   public:
     GlMultipassSynthesis(GlContext& context, const MultipassOptions& options,
                          const GlSynthesisLimits& limits = {});
 
-    /// Why a texture cannot be made, as a clause; empty where it can.
+    /// The reason why a texture cannot be made, as a clause; empty where it can.
     std::string problem(const Texture& texture) const;
 
-    /// As GlSynthesis; for Pixel float the colour map's index, of the field, in [0,1].
+    /// Synthesises the texture as GlSynthesis does, without filters; for Pixel float, the index of
+    /// the colour map, in [0,1]. Throws Error(unsupported) where problem() gives a reason.
     template <class Pixel>
     void synthesize(const SolidAtlas& solid, const Texture& texture,
                     const Affine3& texture_from_atlas, int threads, Image<Pixel>& image);
-    /// The atlas of the calls before is about to change or go away.
+    /// Drops everything about the atlas of earlier calls; must be called before it changes or is
+    /// destroyed.
     void forget_atlas() { maps_.forget_atlas(); }
 
-    /// Passes are those of noise, index and colour; fills are not counted.
+    /// The work of the last synthesis. Its passes are those of noise, index and colour, without
+    /// fills.
     const GlWork& work() const { return work_; }
-    /// Those of the last synthesis, with what their coordinates' bits were.
+    /// The octaves of the last synthesis, with the bits of their coordinates.
     const std::vector<MultipassOctave>& octaves() const { return octaves_; }
     const MultipassOptions& options() const { return options_; }
     const GlContext& context() const { return *context_; }
@@ -57,7 +61,7 @@ class GlMultipassSynthesis {
     std::vector<OctaveGroup> groups_;
     std::vector<MultipassOctave> octaves_;
     MultipassPlan plan_;
-    std::map<std::string, GlProgram> programs_;  ///< of colours, by their text
+    std::map<std::string, GlProgram> programs_;  ///< the colour passes, keyed by their text
     const GlProgram* color_program_ = nullptr;
     std::optional<GlTarget> target_;
     GlReadBack read_back_;

@@ -85,7 +85,7 @@ class GlMultipassSynthesizer final : public TextureSynthesizer {
     }
 
   private:
-    /// Finest first, as they are added up.
+    /// The octaves of the last synthesis, finest first, in the order of their sum.
     Json octaves_json() const {
         const bool fixed = textures_.options().precision == PassPrecision::fixed8;
         Json octaves = Json::array();

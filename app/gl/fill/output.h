@@ -1,7 +1,7 @@
 #pragma once
-// What a kind of picture is drawn as on OpenGL, and read back as: the target's format and the last
-// part of the shader, which stands behind `real field(ivec2 texel)` and the colours' parts
-// (GlColorTables), or behind a colour in linear light and the encoder's.
+// The output of synthesis shaders by pixel type: the target's format, the last part of the shader,
+// and the conversion of texels read back. The last part follows `real field(ivec2 texel)` and the
+// colours' parts (GlColorTables), or a colour in linear light and the encoder's part.
 #include <type_traits>
 #include <vector>
 
@@ -15,9 +15,10 @@
 
 namespace burl {
 
-/// For Rgb8, Rgb16 and RgbF, and float, the field itself, 0 where no span shows anything. Of the
-/// shader's last part `color_text` draws `real3 color_at(ivec2 texel)`, in linear light, and
-/// `field_text` the field where that is something else.
+/// The output of pixels of the type Rgb8, Rgb16, RgbF, or float for the field itself (0 outside all
+/// spans). `color_text` is the last part of a shader that defines `real3 color_at(ivec2 texel)` in
+/// linear light; `field_text`, where it exists, that of a shader that defines `real field(ivec2
+/// texel)`.
 template <class Pixel>
 struct GlOutput;
 
@@ -81,8 +82,8 @@ struct GlOutput<float> {
     static float pixel(const Component* c) { return *c; }
 };
 
-/// The encoder's part of a shader that makes such pixels of `color`, an expression of `texel` in
-/// linear light, and the text above.
+/// Adds the encoder's part and the last part of a shader that writes `color`, an expression of
+/// `texel` in linear light.
 template <class Pixel>
 void add_color_output(GlColorTables& colors, ShaderSource& source, const char* color) {
     if constexpr (std::is_same_v<Pixel, Rgb8>)
@@ -93,7 +94,7 @@ void add_color_output(GlColorTables& colors, ShaderSource& source, const char* c
                              GlOutput<Pixel>::color_text);
 }
 
-/// The colours' parts of a shader that makes such pixels of the field, and the text above.
+/// Adds the colours' parts and the last part of a shader that writes the colours of the field.
 template <class Pixel>
 void add_output(GlColorTables& colors, ShaderSource& source) {
     if constexpr (std::is_same_v<Pixel, Rgb8>) colors.add_codes(source);
@@ -105,10 +106,10 @@ void add_output(GlColorTables& colors, ShaderSource& source) {
     }
 }
 
-/// Texture units that bind_output takes at most.
+/// The largest number of texture units that bind_output takes.
 inline constexpr int output_units = 3;
 
-/// The colours' tables and uniforms of such a program, which is in use.
+/// Binds the tables and uniforms of add_output() to a program in use.
 template <class Pixel>
 void bind_output(const GlColorTables& colors, const GlProgram& program, int first_unit) {
     if constexpr (std::is_same_v<Pixel, Rgb8>)
@@ -118,7 +119,8 @@ void bind_output(const GlColorTables& colors, const GlProgram& program, int firs
     if constexpr (std::is_same_v<Pixel, Rgb16>) colors.bind_srgb16(program, first_unit + 1);
 }
 
-/// The same of a program of add_color_output, and of add_linear where it reads that.
+/// Binds the tables of add_color_output() to a program in use, and those of add_linear() where
+/// `linear` is set.
 template <class Pixel>
 void bind_color_output(const GlColorTables& colors, const GlProgram& program, int first_unit,
                        bool linear) {
@@ -126,11 +128,12 @@ void bind_color_output(const GlColorTables& colors, const GlProgram& program, in
     if constexpr (std::is_same_v<Pixel, Rgb16>) colors.bind_srgb16(program, first_unit + 1);
 }
 
-/// Takes pictures from targets of GlOutput<Pixel>::internal, keeping the memory they go through.
+/// Reads pixels back from targets of GlOutput<Pixel>::internal through a buffer that is kept
+/// between calls.
 class GlReadBack {
   public:
-    /// The texels of `target` from its corner on become those of the image at `tile`. `threads` 0
-    /// means all.
+    /// Reads the texels of `target` from its corner on into the image at `tile`. 0 threads means
+    /// all.
     template <class Pixel>
     void read(const GlTarget& target, const GlTile& tile, int threads, Image<Pixel>& image) {
         using Output = GlOutput<Pixel>;

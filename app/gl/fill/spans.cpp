@@ -10,7 +10,7 @@ namespace burl {
 
 namespace {
 
-/// Texels of RGBA32UI that a map takes in memory.
+/// The number of RGBA32UI texels that a TexelMap takes in memory.
 constexpr std::size_t map_texels = 5;
 static_assert(sizeof(TexelMap) == map_texels * sizeof(glm::uvec4));
 static_assert(sizeof(Span) == sizeof(glm::uvec3));
@@ -32,7 +32,7 @@ GlBuffer make_array(const GladGLContext& gl, const std::vector<T>& elements) {
     return buffer;
 }
 
-/// Elements of the bound array buffer from number `first` on, one an instance.
+/// Sets an instanced attribute to the elements of the bound array buffer from `first` on.
 void set_attribute(const GladGLContext& gl, GLuint index, GLint components, std::size_t first) {
     const std::size_t stride = std::size_t(components) * sizeof(std::uint32_t);
     gl.EnableVertexAttribArray(index);

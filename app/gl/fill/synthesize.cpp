@@ -20,7 +20,7 @@ bool is_plain(const Filter& filter) {
     return filter.kind == FilterKind::none && !filter.band_limit;
 }
 
-/// Two textures a map, and the colours' tables.
+/// The texture units of a field without filter: two per map, and those of the colours' tables.
 int units_of(const FieldShape& shape) {
     return 2 * int(shape.maps() + shape.lone.size()) + output_units;
 }
@@ -44,7 +44,7 @@ GlSynthesis::GlSynthesis(GlContext& context, const GlSynthesisLimits& limits)
       maps_(*gl_, limits.map_budget),
       colors_(*gl_),
       reals_(*gl_, float64_) {
-    // On a graphics processor maps are drawn, and float64 is a matter of few texels.
+    // Graphics processors draw maps, so that float64 costs little there.
     if (float64_ && is_software(*gl_)) fixed_.emplace(*gl_, limits.tile, limits.map_budget);
 }
 
@@ -106,7 +106,8 @@ const GlTarget& GlSynthesis::target(GLenum internal, GlSize size) {
     return *target_;
 }
 
-/// A map for each group, the quadric in the first.
+/// The maps of a tile, one per group, with the quadric in the first; and those of octaves without a
+/// stream kernel.
 GlSynthesis::Maps GlSynthesis::maps_of(const FieldOctaves& octaves, const Quadric& quadric,
                                        const GlTile& tile) {
     Maps maps;
@@ -121,7 +122,7 @@ GlSynthesis::Maps GlSynthesis::maps_of(const FieldOctaves& octaves, const Quadri
     return maps;
 }
 
-/// The first unit that stays free.
+/// Binds the maps from unit 0 on and returns the first free unit.
 int GlSynthesis::bind_maps(const GlProgram& program, const Maps& maps) const {
     int unit = 0;
     const auto bind = [&](const char* name, std::size_t i, const GlTexture& texture) {
@@ -158,7 +159,7 @@ void GlSynthesis::set_field(const GlProgram& program, const FieldUniforms& unifo
     reals_.set(program, "lone_scales", uniforms.lone_scales);
 }
 
-/// What a program reads.
+/// Makes a program current and sets its textures and uniforms.
 template <class Pixel>
 void GlSynthesis::set_up(const FieldOctaves& octaves, const Maps& maps, const GlProgram& program,
                          bool filtered, bool means) {
@@ -173,7 +174,7 @@ void GlSynthesis::set_up(const FieldOctaves& octaves, const Maps& maps, const Gl
     set_field(program, octaves.uniforms());
 }
 
-/// A tile of the picture, into target().
+/// Draws a tile of the texture into target().
 template <class Pixel>
 void GlSynthesis::draw(const FieldOctaves& octaves, const Quadric& quadric,
                        const Programs& programs, const GlTile& tile, bool filtered) {
@@ -182,7 +183,7 @@ void GlSynthesis::draw(const FieldOctaves& octaves, const Quadric& quadric,
         return maps_of(octaves, quadric, tile);
     });
     const GlTarget& into = target(GlOutput<Pixel>::internal, tile.size);
-    // Bindings last: whatever makes a texture changes them.
+    // Bindings come last, since creating a texture changes them.
     if (programs.means) set_up<Pixel>(octaves, maps, *programs.means, filtered, true);
     if (programs.colors) set_up<Pixel>(octaves, maps, *programs.colors, filtered, false);
     into.bind({{0, 0}, tile.size});

@@ -1,8 +1,8 @@
 #pragma once
-// Fills an atlas with a texture of the 1999 model (Hart et al. 1999, eq. 1 and 2) in one pass on
-// OpenGL: the texels' lattice coordinates come from maps, the noise is evaluated in a generated
-// fragment shader (procedural/glsl/field.h), colours are looked up in the host's tables. Where
-// OpenGL has float64 and rounds as IEEE 754 says, the bytes are those of host synthesis with
+// Synthesis of a texture of the 1999 model (Hart et al. 1999, eq. 1 and 2) into an atlas in one
+// pass on OpenGL: lattice coordinates come from maps, a generated fragment shader
+// (procedural/glsl/field.h) evaluates the noise, and colours are looked up in the host's tables.
+// Where OpenGL has float64 and IEEE 754 rounding, the bytes are those of host synthesis with
 // Kernel::direct.
 #include <map>
 #include <memory>
@@ -17,57 +17,60 @@
 
 namespace burl {
 
-/// What the last synthesis did; seconds.
+/// The work of a synthesis; times in seconds of the host's clock unless stated otherwise.
 struct GlWork {
-    int passes = 0;         ///< draws
-    int maps = 0;           ///< lattice maps made, not kept from before
-    double map = 0.0;       ///< making them
-    double compile = 0.0;   ///< shaders, where they are new
-    double colors = 0.0;    ///< tables of the colour map, where it is new
-    double draw = 0.0;      ///< from the first draw until all is done, by the host's clock
-    double gpu = 0.0;       ///< the same by OpenGL's clock; 0: it has none
+    int passes = 0;         ///< the number of draws
+    int maps = 0;           ///< the number of lattice maps made, not found in the cache
+    double map = 0.0;       ///< making maps
+    double compile = 0.0;   ///< compiling shaders that are new
+    double colors = 0.0;    ///< making tables of a colour map that is new
+    double draw = 0.0;      ///< drawing, from the first draw until all commands are done
+    double gpu = 0.0;       ///< drawing by OpenGL's clock; 0 where it has none
     double transfer = 0.0;  ///< reading back and packing
 
     GlWork& operator+=(const GlWork& more);
 };
 
-/// Sizes of what is held at a time.
+/// Limits of memory and precision.
 struct GlSynthesisLimits {
-    int tile = 2048;                                ///< largest side of a tile, in texels
-    std::size_t map_budget = std::size_t(1) << 30;  ///< bytes of maps kept between calls
-    bool float64 = true;                            ///< where OpenGL has it
+    int tile = 2048;                                ///< the largest side of a tile, in texels
+    std::size_t map_budget = std::size_t(1) << 30;  ///< the most bytes of maps kept between calls
+    bool float64 = true;                            ///< whether to use float64 where OpenGL has it
 };
 
-/// Keeps programs, tables and maps between calls. The context it works in must outlive it.
+/// The synthesis in one context, which must outlive it. Programs, tables and maps are kept between
+/// calls.
 class GlSynthesis {
   public:
     explicit GlSynthesis(GlContext& context, const GlSynthesisLimits& limits = {});
 
-    /// Why a texture cannot be made so; empty where it can.
+    /// The reason why a texture cannot be made with a filter; empty where it can.
     std::string problem(const Texture& texture, const Filter& filter = {}) const;
 
-    /// As synthesize_rgb8, _rgb16 or _rgbf, for Pixel Rgb8, Rgb16 or RgbF, or as
-    /// synthesize_field, unfiltered, for float. An image of the atlas's size is written over.
-    /// Throws Error: unsupported where problem() has something to say, runtime when memory runs
-    /// out.
+    /// Synthesises the texture as synthesize_rgb8, _rgb16 or _rgbf do, for Pixel Rgb8, Rgb16 or
+    /// RgbF, or as synthesize_field does, unfiltered, for float. An image of the atlas's size is
+    /// overwritten. 0 threads means all. Throws Error: unsupported where problem() gives a reason,
+    /// runtime when memory runs out.
     template <class Pixel>
     void synthesize(const SolidAtlas& solid, const Texture& texture,
                     const Affine3& texture_from_atlas, int threads, Image<Pixel>& image,
                     const Filter& filter = {});
-    /// The atlas of the calls before is about to change or go away.
+    /// Drops everything about the atlas of earlier calls; must be called before it changes or is
+    /// destroyed.
     void forget_atlas();
 
     const GlWork& work() const { return work_; }
     const GlContext& context() const { return *context_; }
 
   private:
-    /// A tile's maps.
+    /// The maps of a tile.
     struct Maps {
         std::vector<std::shared_ptr<const GlLatticeMap>> lattices;
-        std::vector<std::shared_ptr<const GlPointMap>> points;  ///< of lone octaves
+        /// The point maps of octaves without a stream kernel.
+        std::vector<std::shared_ptr<const GlPointMap>> points;
     };
-    /// Of the draw of colours at the texels' centres, and of a filter's means: null where there is
-    /// none.
+    /// The programs for the draw of colours at the texels' centres, and for that of a filter's
+    /// means; null where there is no such draw.
     struct Programs {
         const GlProgram *colors = nullptr, *means = nullptr;
     };
@@ -94,9 +97,9 @@ class GlSynthesis {
     GlMapCache maps_;
     GlColorTables colors_;
     GlRealUniforms reals_;
-    std::optional<GlFixedSynthesis> fixed_;      ///< where OpenGL is software
-    std::optional<GlMapFilter> filter_;          ///< once there is one
-    std::map<std::string, GlProgram> programs_;  ///< by the text of the fragment shader
+    std::optional<GlFixedSynthesis> fixed_;      ///< exists where OpenGL is software
+    std::optional<GlMapFilter> filter_;          ///< created at the first filter
+    std::map<std::string, GlProgram> programs_;  ///< keyed by the text of the fragment shader
     std::optional<GlTarget> target_;
     GlReadBack read_back_;
     GlWork work_;

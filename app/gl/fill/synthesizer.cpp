@@ -46,7 +46,7 @@ class GlSynthesizer final : public TextureSynthesizer {
 
     std::vector<Image<RgbF>> levels(const MeshAtlas& atlas, const Image<RgbF>& texture,
                                     std::uint32_t count) override {
-        // Where tiles do not divide the side a level would need the whole texture at a time.
+        // A level would need the whole texture at a time where tiles do not divide its side.
         if (texture.width() > std::size_t(largest_tile) &&
             texture.width() % std::size_t(largest_tile) != 0)
             return block_levels(atlas, texture, count);
@@ -85,7 +85,7 @@ class GlSynthesizer final : public TextureSynthesizer {
     std::unique_ptr<GlContext> context_;
     GlSynthesis textures_;
     GlGraphSynthesis graphs_;
-    std::optional<GlBlockLevels> levels_;  ///< of the atlas at hand
+    std::optional<GlBlockLevels> levels_;  ///< the levels of the current atlas
     GlWork sum_;
     double level_seconds_ = 0.0;  ///< compiling, drawing and transfer
 };
@@ -126,7 +126,7 @@ std::unique_ptr<TextureSynthesizer> choose_synthesizer(SynthesisChoice choice,
         return seconds.other < seconds.host ? std::move(synthesizer) : nullptr;
     } catch (const Error& error) {
         if (error.code() == ExitCode::usage) throw;
-        return nullptr;  // no OpenGL here
+        return nullptr;  // OpenGL is not available
     }
 }
 

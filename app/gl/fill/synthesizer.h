@@ -1,5 +1,6 @@
 #pragma once
-// Textures of recipes through OpenGL, for the pipeline, and the choice between it and the host.
+// Synthesis of recipes' textures through OpenGL as a TextureSynthesizer of the pipeline, and the
+// choice between OpenGL and the host.
 #include <memory>
 #include <span>
 #include <string>
@@ -9,15 +10,17 @@
 
 namespace burl {
 
-/// Throws Error(unsupported) as create_gl_context does.
+/// Creates a synthesizer that owns the context.
 std::unique_ptr<TextureSynthesizer> make_gl_synthesizer(std::unique_ptr<GlContext> context);
 
-/// What `--synth` means: null is the host. `gl` is OpenGL and throws Error(unsupported) for a
-/// recipe that it cannot make, and as create_gl_context. `automatic` is OpenGL where a graphics
-/// processor is behind it, the recipes can be made, and the first of them is made faster there
-/// (measure_synthesis; its draws are in the report, too), and else the host: software OpenGL has
-/// the same processors as the host and is not asked (docs/opengl.md).
+/// The value of `--synth`. `gl` is OpenGL. `automatic` is OpenGL where it runs on a graphics
+/// processor, can make all recipes, and makes the first of them faster than the host
+/// (measure_synthesis, whose draws count in the report); otherwise it is the host. Software OpenGL
+/// runs on the same processors as the host and is never chosen (docs/opengl.md).
 enum class SynthesisChoice { host, gl, automatic };
+/// The synthesizer for these recipes; null means the host. Throws Error for `gl`: unsupported for a
+/// recipe that OpenGL cannot make, and as create_gl_context does; for `automatic` only
+/// Error(usage).
 std::unique_ptr<TextureSynthesizer> choose_synthesizer(SynthesisChoice choice,
                                                        const std::string& platform,
                                                        std::span<const Recipe> recipes);

@@ -1,6 +1,6 @@
 #pragma once
-// What shaders/maps/texel_line.glsl reads: the spans of an atlas's texels, and the maps of its
-// triangles.
+// The inputs of shaders/maps/texel_line.glsl: the span of each texel of an atlas, and the maps of
+// its triangles.
 #include <optional>
 #include <vector>
 
@@ -10,20 +10,23 @@
 
 namespace burl {
 
+/// The spans of texels, tile by tile, and the triangles' maps as textures.
 class GlTexelLines {
   public:
-    /// Texture units that bind() uses.
+    /// The number of texture units that bind() uses.
     static constexpr int units = 2;
 
-    /// Keeps at most `budget` bytes of spans between calls, 16 a texel, and those of one tile.
+    /// Keeps at most `budget` bytes of spans between calls, 16 per texel, and those of one tile
+    /// more.
     GlTexelLines(const GladGLContext& gl, std::size_t budget) : gl_(&gl), budget_(budget) {}
 
-    /// The atlas of the calls below, which must outlive them; `maps` are those of its triangles in
-    /// the space wanted. Throws Error(unsupported) for more of them than this OpenGL's arrays hold.
+    /// Sets the atlas of the following calls, which must outlive them; `maps` are those of its
+    /// triangles in the wanted space. Throws Error(unsupported) where they exceed OpenGL's buffer
+    /// textures.
     void set_atlas(const SolidAtlas& solid, std::span<const TexelMap> maps, int threads);
-    /// The tile of the draws below: makes its spans, or finds them.
+    /// Sets the tile of the following draws: makes its spans where they are not kept.
     void set_tile(const GlTile& tile);
-    /// For a program in use.
+    /// Binds the textures, from unit `first_unit` on, and sets the uniforms of a program in use.
     void bind(const GlProgram& program, int first_unit) const;
 
   private:
@@ -36,10 +39,10 @@ class GlTexelLines {
     const SolidAtlas* solid_ = nullptr;
     int threads_ = 0;
     std::optional<GlBufferTexture> maps_;
-    std::vector<Spans> spans_;  ///< the last one of the tile at hand
+    std::vector<Spans> spans_;  ///< the last one belongs to the current tile
 };
 
-/// What supersample.glsl reads, of a program in use.
+/// Sets the uniforms of supersample.glsl in a program in use.
 inline void bind_pattern(const GlProgram& program, const SamplePattern& pattern) {
     program.set("sample_count", pattern.samples());
     program.set("sample_cells", glm::ivec2(pattern.columns(), pattern.rows()));
