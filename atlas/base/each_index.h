@@ -1,5 +1,5 @@
 #pragma once
-// Loops whose rounds have nothing to do with one another, shared out among threads.
+// Parallel loops over indices whose iterations are independent of one another (oneTBB).
 #include <cstddef>
 
 #include <tbb/blocked_range.h>
@@ -7,8 +7,8 @@
 
 namespace burl {
 
-/// Calls work(i) for every i < count. What a call writes must be its own: then nothing depends on
-/// who does what.
+/// Calls work(i) once for every i < count, on several threads. Each call may write only data of its
+/// own; then the result does not depend on the number of threads.
 template <class Work>
 void for_each_index(std::size_t count, const Work& work) {
     constexpr std::size_t grain = 4096;

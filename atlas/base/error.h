@@ -16,11 +16,12 @@ enum class ExitCode : int {
     usage = 1,         ///< wrong command line
     io = 2,            ///< a file or folder could not be read or written
     invalid_file = 3,  ///< a file was read but its content is wrong
-    runtime = 4,       ///< anything else that failed
-    unsupported = 5,   ///< right, but this build or machine cannot do it
+    runtime = 4,       ///< any other failure
+    unsupported = 5,   ///< valid, but beyond this build or machine
     difference = 7,    ///< `burl diff` found more than the tolerance
 };
 
+/// An exit code with a sentence for the user, what().
 class Error : public std::runtime_error {
   public:
     Error(ExitCode code, const std::string& sentence) : std::runtime_error(sentence), code_(code) {}

@@ -14,8 +14,8 @@ struct Rgb {
     T r{}, g{}, b{};
     bool operator==(const Rgb&) const = default;
 };
-using Rgb8 = Rgb<std::uint8_t>;    ///< sRGB-encoded
-using Rgb16 = Rgb<std::uint16_t>;  ///< sRGB-encoded, full range 0..65535
+using Rgb8 = Rgb<std::uint8_t>;    ///< sRGB-encoded, 0..255
+using Rgb16 = Rgb<std::uint16_t>;  ///< sRGB-encoded, 0..65535
 using RgbF = Rgb<float>;           ///< linear light
 
 template <class T>

@@ -30,6 +30,7 @@ void narrow(const Vec3d& sum, RgbF& value) {
     value = {float(sum.x), float(sum.y), float(sum.z)};
 }
 
+/// Filter taps of new texel i of an axis with `size` old ones.
 MipTaps taps(std::size_t size, std::size_t i) {
     if (size == 1) return {};
     if (size % 2 == 0) return {2 * i, 2, {0.5, 0.5, 0.0}};
@@ -38,7 +39,7 @@ MipTaps taps(std::size_t size, std::size_t i) {
     return {2 * i, 3, {double(half - i) / n, double(half) / n, double(i + 1) / n}};
 }
 
-/// The next level of an image of `width` x `height` pixels at(x, y).
+/// The MIP level after an image of `width` x `height` pixels, which at(x, y) returns.
 template <class T, class At>
 Image<T> halve_at(std::size_t width, std::size_t height, const At& at) {
     const std::vector<MipTaps> columns = mip_taps(width), rows = mip_taps(height);

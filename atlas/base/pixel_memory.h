@@ -1,7 +1,8 @@
 #pragma once
-// Memory of images. A texture of 4096 x 4096 pixels comes in twelve thousand small pages, and to
-// clear them one by one takes a tenth of the time that it takes to fill them with marble; so big
-// images ask for huge pages, and none is set to values that are overwritten at once.
+// Memory of images. A texture of 4096 x 4096 pixels of 3 bytes spans twelve thousand pages of 4
+// KiB, and clearing them one by one takes a tenth of the time that filling the texture with marble
+// takes; so images of 4 MiB and more ask for huge pages, and no image is cleared that is
+// overwritten at once.
 #include <cstddef>
 #include <memory>
 #include <type_traits>
@@ -9,11 +10,13 @@
 
 namespace burl {
 
-/// Memory aligned to at least 64 bytes, its contents undefined. Throws std::bad_alloc.
+/// Memory aligned to at least 64 bytes, its contents undefined; aligned to 2 MiB from 4 MiB on.
+/// Throws std::bad_alloc.
 void* allocate_pixels(std::size_t bytes);
+/// Frees memory of allocate_pixels(); null is allowed.
 void free_pixels(void* pixels) noexcept;
 
-/// For containers: leaves elements unset that no value is given for.
+/// Allocator for containers of pixels: elements for which no value is given stay uninitialised.
 template <class T>
 struct PixelAllocator {
     using value_type = T;

@@ -13,7 +13,8 @@ using Vec4f = glm::vec4;
 using Mat3d = glm::dmat3;
 using Mat4d = glm::dmat4;
 
-/// The signed area of the parallelogram of two vectors of the plane.
+/// Signed area of the parallelogram that `a` and `b` span; positive where b lies counter-clockwise
+/// of a.
 inline double cross(const Vec2d& a, const Vec2d& b) {
     return a.x * b.y - a.y * b.x;
 }
@@ -23,7 +24,7 @@ struct Affine3 {
     Mat3d linear{1.0};
     Vec3d offset{0.0};
     Vec3d operator()(const Vec3d& p) const { return linear * p + offset; }
-    /// Composition: (*this) after `first`.
+    /// The composition p -> (*this)(first(p)).
     Affine3 after(const Affine3& first) const {
         return {linear * first.linear, linear * first.offset + offset};
     }

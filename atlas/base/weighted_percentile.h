@@ -5,13 +5,14 @@
 
 namespace burl {
 
+/// A value that holds on `area` of a surface; ordered by value.
 struct WeightedValue {
     double value = 0.0, area = 0.0;
     bool operator<(const WeightedValue& other) const { return value < other.value; }
 };
 
-/// Smallest value such that `share` (0..1) of `area`, the sum of all areas, has at most that value.
-/// `sorted` is in ascending order; 0 where it is empty.
+/// Smallest value v such that at least `share` (0..1) of `area`, the sum of all areas, has values
+/// of at most v. `sorted` is in ascending order; the result is 0 where it is empty.
 inline double weighted_percentile(std::span<const WeightedValue> sorted, double area,
                                   double share) {
     double below = 0.0;

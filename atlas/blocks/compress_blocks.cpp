@@ -14,7 +14,7 @@ namespace burl {
 
 namespace {
 
-constexpr std::size_t most_compared = 64;  ///< of blocks with alike means, the latest
+constexpr std::size_t most_compared = 64;  ///< latest blocks of a similar mean to compare with
 
 template <class T>
 constexpr double full_scale() {
@@ -27,7 +27,7 @@ std::array<double, 3> channels(const Rgb<T>& p) {
     return {double(p.r) / scale, double(p.g) / scale, double(p.b) / scale};
 }
 
-/// Sides and mean colour in cells of a width.
+/// A block's sides and its mean colour, quantised.
 using BlockKey = std::array<std::int64_t, 5>;
 
 struct BlockKeyHash {
@@ -39,14 +39,14 @@ struct BlockKeyHash {
     }
 };
 
-/// Finds a block seen before that looks the same.
+/// Finds, for each block, an earlier block that looks alike.
 template <class Pixel>
 class Alike {
   public:
     Alike(const Atlas& atlas, const Image<Pixel>& image, double most_error)
         : atlas_(atlas), image_(image), most_error_(most_error) {}
 
-    /// The number of the first block of those that look like this one, itself if there is none.
+    /// Number of the first block that looks like block i; i itself if there is none.
     std::uint32_t find(std::uint32_t i) {
         const BlockKey key = key_of(atlas_.blocks[i]);
         const int reach = most_error_ > 0.0 ? 1 : 0;
@@ -66,7 +66,7 @@ class Alike {
 
   private:
     BlockKey key_of(const Block& block) const;
-    /// Largest difference, or infinite when it is more than allowed.
+    /// Largest difference of a channel; infinite when it exceeds most_error_.
     double difference(const Block& a, const Block& b) const;
     std::int64_t find_in(const std::vector<std::uint32_t>& candidates, std::uint32_t i) {
         const std::size_t from = candidates.size() - std::min(candidates.size(), most_compared);
@@ -92,7 +92,8 @@ BlockKey Alike<Pixel>::key_of(const Block& block) const {
     for (std::uint32_t y = block.y; y < block.y + block.height; ++y)
         for (const Pixel& p : image_.row(y).subspan(block.x, block.width))
             for (std::size_t k = 0; k < 3; ++k) sums[k] += channels(p)[k];
-    // Means of blocks that are alike differ by the error at most, and by rounding: a little wider.
+    // Mean colours of alike blocks differ by at most the error plus rounding, so the step is a
+    // little wider.
     const double width = std::max(1.001 * most_error_, 0x1p-20);
     BlockKey key{block.width, block.height};
     const double texels = double(block.width) * block.height;

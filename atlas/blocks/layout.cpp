@@ -1,6 +1,6 @@
 // The three strip atlases of Carr & Hart 2001, sections 4.1 and 4.2: weigh the triangles, pair
 // neighbours, order pairs into strips, plan rows, and put every triangle's corners into its block.
-// The quad atlas is laid out by atlas/layout_quad.
+// The quad atlas is laid out by atlas/blocks/layout_quad.
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -20,7 +20,7 @@ namespace burl {
 
 namespace {
 
-/// How unlike partners and strip members may be; measured in docs/atlases.md.
+/// Largest ratios of weights of partners and within a strip; measured in docs/atlases.md.
 struct Likeness {
     double pair_ratio = 2.0, strip_ratio = 3.0;
 };
@@ -76,7 +76,7 @@ void place_corners(Atlas& atlas, std::span<const Cell> cells) {
     }
 }
 
-/// A strip is one chart; two strangers are two.
+/// Numbers the charts: a strip is one chart; two unrelated triangles in a block are two.
 void number_charts(Atlas& atlas) {
     for (const Block& block : atlas.blocks) {
         const std::uint32_t chart = block.joins_left ? atlas.chart_count - 1 : atlas.chart_count++;
@@ -165,8 +165,8 @@ Atlas layout_atlas(const Mesh& mesh, const Connectivity& connectivity,
 }
 
 std::uint32_t smallest_size(std::size_t triangles, const AtlasOptions& options) {
-    // One triangle alone takes one texel step each way: 2 x 2 texels with corners on centres. In a
-    // quad atlas one texel holds a triangle; patches give way to it.
+    // A single triangle takes one texel step each way: 2 x 2 texels with corners on centres. In a
+    // quad atlas one texel holds a triangle; a patch atlas that does not fit is replaced by it.
     const bool quad = options.kind == AtlasKind::quad || options.kind == AtlasKind::patch;
     const std::uint64_t cell = quad ? 1 : 1 + border_texels(options.overscan);
     auto side = static_cast<std::uint64_t>(std::sqrt(static_cast<double>(triangles)));

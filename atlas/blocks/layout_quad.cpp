@@ -16,16 +16,19 @@ namespace burl {
 
 namespace {
 
-// Slivers across a short edge make pairs worse than two singles; measured in docs/atlases.md.
+// Largest number of texels of a pair relative to that of two singles: slivers across a short edge
+// make pairs worse than two singles (measured in docs/atlases.md).
 constexpr double good_pair_cost = 1.5;
 constexpr double any_pair_cost = std::numeric_limits<double>::infinity();
 
-// Where the two maps of a pair bend by this much on the diagonal the bend is most of the error, in
-// blocks of this many texels (shorter leg); with overscan it goes, at the price of shorter legs.
+// Kink (QuadCell::kink) from which the bend on a pair's diagonal is most of the error, in blocks
+// whose shorter leg has at least `least_parted_leg` texels; overscan between the triangles removes
+// it, at the price of shorter legs.
 constexpr double noticed_kink = 0.2;
 constexpr std::uint32_t least_parted_leg = 20;
 
-/// Moves the two triangles of a pair apart where that is worth its columns.
+/// Moves the two triangles of a pair apart, with overscan between them, where they meet in a
+/// noticed kink and the columns cost at most a third of the block's width.
 void part_diagonal(Block& block, const QuadCell& cell, Overscan mode) {
     if (cell.kink < noticed_kink || std::min(block.leg_x, block.leg_y) < least_parted_leg) return;
     const std::uint32_t columns = block.leg_x + border_texels(mode);
@@ -75,7 +78,8 @@ void place_corners(Atlas& atlas, const Block& block) {
     if (block.upper >= 0) place(block.upper, block.upper_corner, places.upper);
 }
 
-/// Triangles that lie apart are charts of their own; those on one texel are one.
+/// Numbers the charts of a block's triangles: triangles moved apart are charts of their own; all
+/// triangles on a shared texel are one chart.
 void number_charts(Atlas& atlas, const Block& block) {
     if (!block.shares_texel) ++atlas.chart_count;
     atlas.charts[std::size_t(block.lower)] = atlas.chart_count - 1;

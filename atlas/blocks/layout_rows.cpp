@@ -1,6 +1,6 @@
-// Rows for sorted cells. One scale (texels per weight) is found by bisection, first so that rows
-// of square cells are N high together, then, with whole-texel heights fixed, so that the cells end
-// exactly where the last row does.
+// Row planning for sorted cells. A scale (texels per weight) is found by bisection: first such that
+// rows of square cells are N texels high together, then, with whole-texel heights fixed, such that
+// the cells end exactly where the last row does.
 #include "atlas/blocks/layout_rows.h"
 
 #include <algorithm>
@@ -15,6 +15,7 @@ namespace burl {
 
 namespace {
 
+/// Bisections of the scale: 2^-40 of its range is left.
 constexpr int bisection_steps = 40;
 
 class RowPlanner {
@@ -50,7 +51,7 @@ class RowPlanner {
     double total_weight_ = 0.0;
 };
 
-/// Columns of a cell beside its leg, with equal legs.
+/// Columns of cell i beside its horizontal leg, with equal legs.
 double RowPlanner::overhead(std::size_t i, bool first) const {
     const Cell& cell = cells_[i];
     if (cell.holds_strangers()) return border_ + overscan_columns(mode_, 8, 8);
@@ -69,7 +70,7 @@ double RowPlanner::largest_scale(Fits fits) const {
 }
 
 /// Rows of about equal total width when every cell is as wide as it is high. At scale 0 the cells
-/// are as narrow as can be and rows as full as can be.
+/// are as narrow and the rows as full as can be.
 std::vector<CellRow> RowPlanner::rows_of_square_cells(double scale) const {
     const double root_scale = std::sqrt(scale);
     double target = std::numeric_limits<double>::infinity();
@@ -101,7 +102,7 @@ std::vector<CellRow> RowPlanner::rows_of_square_cells(double scale) const {
     return rows;
 }
 
-/// Height with which the row's cells get their share of texels.
+/// Height in texels with which the row's cells get their share of texels.
 double RowPlanner::wanted_height(const CellRow& row, double scale) const {
     double weight = 0.0, columns = size_;
     for (std::size_t i = row.first; i < row.first + row.count; ++i) {
@@ -117,7 +118,7 @@ double RowPlanner::wanted_heights(std::span<const CellRow> rows, double scale) c
     return sum;
 }
 
-/// Whole heights that add up to N, by largest remainder.
+/// Sets whole heights that add up to N, by largest remainder.
 void RowPlanner::set_heights(std::vector<CellRow>& rows) const {
     const double scale =
         largest_scale([&](double s) { return wanted_heights(rows, s) <= double(size_); });
@@ -134,12 +135,12 @@ void RowPlanner::set_heights(std::vector<CellRow>& rows) const {
     }
 }
 
-/// The same rows with the cells moved along so that each row is filled at this scale; fewer cells
-/// than there are when they do not all fit.
+/// Rows of the given heights with the cells moved along so that each row is filled at this scale;
+/// the last row ends before the last cell when they do not all fit.
 std::vector<CellRow> RowPlanner::refilled(std::span<const CellRow> rows, double scale) const {
     std::vector<CellRow> filled(rows.begin(), rows.end());
     std::size_t i = 0;
-    double carry = 0.0;  // width by which the rows so far are over-full
+    double carry = 0.0;  // width by which the rows so far are overfull
     for (CellRow& row : filled) {
         const double leg_y = row.height - border_;
         double used = carry;

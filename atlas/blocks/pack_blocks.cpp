@@ -12,10 +12,10 @@ namespace burl {
 
 namespace {
 
-constexpr double dearer_per_doubling = 0.03;  // of the aspect: long textures are unwieldy
-constexpr int sizes = 15;                     // sides of 1 to 16384 texels
+constexpr double dearer_per_doubling = 0.03;  // relative cost per doubling of the aspect
+constexpr int sizes = 15;                     // log2 of sides: 1 to 16384 texels
 
-/// Free rectangles of one width of the texture, by the logarithms of their sides.
+/// The free rectangles of a texture of fixed width, by the logarithms of their sides.
 class Shelves {
   public:
     explicit Shelves(int log_width) : log_width_(log_width) {}
@@ -44,7 +44,7 @@ class Shelves {
     };
     std::vector<Corner>& free_at(int w, int h) { return free_[std::size_t(w * sizes + h)]; }
 
-    /// Logarithms of its sides, or -1.
+    /// Logarithms of the sides of the smallest free rectangle that holds the block, or -1.
     std::pair<int, int> smallest_free(const PackedBlock& block) {
         std::pair<int, int> best{-1, -1};
         for (int w = block.log_width; w <= log_width_; ++w)

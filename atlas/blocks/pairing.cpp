@@ -1,5 +1,5 @@
-// Matching of neighbouring triangles: greedy by a key (for strips likeness of weights and how long
-// the common edge is), then short alternating paths from the triangles left over (Berge's lemma,
+// Matching of neighbouring triangles: greedy by a key (for strips likeness of weights and length of
+// the common edge), then short alternating paths from the triangles left over (Berge's lemma,
 // without blossoms).
 #include "atlas/blocks/pairing.h"
 
@@ -44,15 +44,16 @@ class Matcher {
 
     std::span<const HalfEdge> opposite_;
     std::span<const std::uint32_t> keys_;
-    std::vector<HalfEdge> mate_edge_;     // per triangle its half-edge towards the mate
-    std::vector<HalfEdge> parent_;        // per even triangle the half-edge that found its mate
-    std::vector<std::int32_t> seen_;      // search number that visited the triangle
+    std::vector<HalfEdge> mate_edge_;     // each triangle's half-edge towards its mate
+    std::vector<HalfEdge> parent_;        // half-edge that found each even triangle's mate
+    std::vector<std::int32_t> seen_;      // number of the last search that visited each triangle
     std::vector<std::int32_t> frontier_;  // even triangles, breadth first
     std::int32_t search_ = 0;
 };
 
-// Even triangles are reached by an even number of steps: unmatched edge, matched edge, ... A
-// single beyond one of them ends a path on which all edges can change sides.
+// Searches an augmenting path from the single triangle `root` and flips it. Even triangles are
+// reached by an even number of steps: unmatched edge, matched edge, ... A single triangle beyond
+// one of them ends a path on which all edges can change sides.
 void Matcher::augment_from(std::int32_t root) {
     constexpr std::size_t most_visited = 256;
     ++search_;
@@ -102,7 +103,8 @@ double squared_length(const Mesh& mesh, HalfEdge h) {
     return glm::dot(d, d);
 }
 
-/// 0 for the best common edge: equal weights, the longest edge of both triangles.
+/// Cost of a pair across a common edge, 0 to 2: 0 for equal weights and the longest edge of both
+/// triangles.
 double dislike(const Mesh& mesh, std::span<const float> weights, HalfEdge h, HalfEdge o) {
     const double a = weights[std::size_t(h / 3)], b = weights[std::size_t(o / 3)];
     double longest = 0.0;

@@ -1,6 +1,7 @@
-// Exchanging the halves a and b changes the sum of squared distances to neighbours by a multiple
-// of (a - b) . (sum (low - m) - sum (high - m)), low and high being what lies beside the two places
-// and m = (a + b) / 2, so the sign of one scalar product decides.
+// The decision: exchanging the halves a and b of a node changes the sum of squared distances to
+// neighbours by a multiple of (a - b) . (sum (low - m) - sum (high - m)), where low and high are
+// the centres of the clusters beside the two places and m = (a + b) / 2, so the sign of one scalar
+// product decides.
 #include "atlas/blocks/quad_arrangement.h"
 
 #include <algorithm>
@@ -12,19 +13,20 @@ namespace burl {
 
 namespace {
 
-constexpr int swap_sweeps = 2;  // per level; later ones see what the neighbours have decided
+constexpr int swap_sweeps = 2;  // passes per level; the second sees the neighbours' decisions
 
-/// A node at its place on the current level of the tree, with what its neighbours want to know.
+/// A node at its place on the current level of the tree, with the data that its neighbours read.
 struct Spot {
     QuadSpot spot;
     bool leaf = false, upright = false;
-    bool exchanged = false;      ///< the second half comes first
-    Vec3d first{0.0}, second{};  ///< the halves' centres; of a leaf its own
+    bool exchanged = false;      ///< whether the second half comes first
+    Vec3d first{0.0}, second{};  ///< centres of the halves, of a leaf its own twice
 
-    /// Centre of the half that lies low or high.
+    /// Centre of the half at low or high coordinates.
     const Vec3d& centre(bool high) const { return high == exchanged ? first : second; }
 };
 
+/// All nodes of one depth of the tree, and the leaves above it, at their places.
 class Level {
   public:
     Level(std::span<const QuadNode> nodes, int log_size) : nodes_(nodes), spots_(1) {
@@ -39,7 +41,7 @@ class Level {
             for (Spot& spot : spots_)
                 if (!spot.leaf) decide(spot);
     }
-    /// Every node gives way to its halves.
+    /// The next level, on which every node is replaced by its halves.
     Level halved() const;
     std::vector<QuadSpot> spots() const {
         std::vector<QuadSpot> result;
@@ -77,7 +79,7 @@ QuadPlace half_place(QuadPlace at, bool upright, bool high) {
     return at;
 }
 
-/// The point a little outside the middle of a side.
+/// The point a quarter of a texel outside the middle of a side.
 Vec2d outside(const QuadPlace& at, QuadSide side) {
     constexpr double little = 0.25;
     const Vec2d low(at.x, at.y), size(width(at), height(at));
@@ -108,7 +110,7 @@ Spot Level::spot_of(const QuadSpot& spot) const {
     return result;
 }
 
-/// Centre of what lies at that point, beside that side.
+/// Centre of the cluster beyond the side at that point.
 const Vec3d& Level::beside(const Spot& s, QuadSide side, const Vec2d& at) const {
     const Spot& other = spots_[s.spot.beside[side]];
     return other.centre(!other.leaf && is_high(other.spot.at, other.upright, at));
@@ -122,7 +124,8 @@ void Level::decide(Spot& s) const {
     Vec3d pull{0.0};
     for (const QuadSide side : quad_sides) {
         if (s.spot.beside[side] == no_spot) continue;
-        const bool ends_here = (side == quad_below || side == quad_above) == up;  // one half does
+        // Only one half ends at such a side.
+        const bool ends_here = (side == quad_below || side == quad_above) == up;
         if (ends_here) {
             const double length = up ? width(at) : height(at);
             const Vec3d off = beside(s, side, outside(at, side)) - middle;
@@ -138,7 +141,8 @@ void Level::decide(Spot& s) const {
     s.exchanged = glm::dot(a - b, pull) < 0.0;
 }
 
-/// `begin`: where each spot's halves begin on the next level.
+/// The low or high half of a node, or the same leaf, on the next level; begin[i] is the number of
+/// the first half of spot i there.
 QuadSpot Level::half_of(const Spot& s, bool high, std::span<const std::uint32_t> begin) const {
     QuadSpot half = s.spot;
     if (!s.leaf) {

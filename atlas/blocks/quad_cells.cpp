@@ -1,6 +1,6 @@
-// The budget: with X = sum A |e_x|^2 and Y = sum A |e_y|^2 over a cell (A area, e legs on the mesh)
-// a block of n texels is best at width/height = sqrt(X/Y), where its squared error is in proportion
-// to X Y / (A n^2); a given number of texels then does best when n ~ (X Y / A)^(1/3).
+// The texel budget: with X = sum A |e_x|^2 and Y = sum A |e_y|^2 over a cell (A area, e legs on the
+// mesh) a block of n texels is best at width/height = sqrt(X/Y), where its squared error is in
+// proportion to X Y / (A n^2); a given number of texels then does best when n ~ (X Y / A)^(1/3).
 #include "atlas/blocks/quad_cells.h"
 
 #include <algorithm>
@@ -14,8 +14,9 @@ namespace burl {
 
 namespace {
 
+/// A triangle's squared edge lengths and its area, in scaled mesh units.
 struct CornerSides {
-    std::array<double, 3> squared{};  ///< edge k, corner k to corner k+1
+    std::array<double, 3> squared{};  ///< squared length of edge k, from corner k to corner k+1
     double area = 0.0;
 };
 
@@ -35,7 +36,8 @@ std::vector<CornerSides> sides_of_corners(const Mesh& mesh) {
     return sides;
 }
 
-/// Sums over the triangles of a block.
+/// Sums over the triangles of a block: area, X and Y of the budget, error coefficients (see
+/// QuadCell) and the longest squared edge.
 struct Extent {
     double area = 0.0, x = 0.0, y = 0.0, longest = 0.0;
     std::array<double, 3> error{};
@@ -53,7 +55,7 @@ struct Extent {
     double budget() const { return area > 0.0 ? std::cbrt(x * y / area) : 0.0; }
 };
 
-/// The corner between the two shorter edges: the cheapest right angle.
+/// The corner between the two shorter edges, where a right angle costs the fewest texels.
 std::size_t best_right_angle(const CornerSides& sides) {
     const auto longest = std::max_element(sides.squared.begin(), sides.squared.end());
     return std::size_t(longest - sides.squared.begin() + 2) % 3;
@@ -65,7 +67,8 @@ double single_budget(const CornerSides& sides) {
     return extent.budget();
 }
 
-/// Relative cost of a pair over two singles as a sorting key, 0 the best.
+/// Sorting key of a pair: its texel budget relative to two singles', low for good pairs; never_pair
+/// above `most_cost`.
 std::uint32_t pair_key(double pair, double singles, double most_cost) {
     const double ratio = singles > 0.0 ? pair / singles : 1.0;
     if (ratio > most_cost) return never_pair;
@@ -102,7 +105,7 @@ double demand(const Extent& extent, AtlasWeight weight) {
     return extent.budget();
 }
 
-/// Equal cells are equal whatever their shape.
+/// Best aspect of the block, 1/64 to 64; 1 for cells of equal weight, whatever their shape.
 double aspect(const Extent& extent, AtlasWeight weight) {
     constexpr double most = 64.0;
     if (weight == AtlasWeight::equal || !(extent.x > 0.0) || !(extent.y > 0.0)) return 1.0;
@@ -130,7 +133,7 @@ double kink(const Mesh& mesh, const QuadCell& cell, double scale) {
     return diagonal > 0.0 ? glm::length(off) / diagonal : 0.0;
 }
 
-/// A cell of one triangle or two by the half-edge of the lower one towards the other, -1: none.
+/// A cell as its lower triangle and that triangle's edge towards the other one, -1 without one.
 struct Pair {
     std::int32_t lower = -1;
     std::int8_t edge = -1;

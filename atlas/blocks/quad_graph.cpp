@@ -11,7 +11,7 @@ namespace burl {
 
 namespace {
 
-constexpr std::size_t few_cells = 24;  // what is coarser than these is the partitioner's business
+constexpr std::size_t few_cells = 24;  // up to here cells are halved by place
 constexpr double mean_edge_units = 64.0, most_edge_units = 64000.0;
 constexpr int seed = 1;
 
@@ -24,7 +24,7 @@ std::vector<std::int32_t> cells_of_triangles(std::span<const QuadCell> cells,
     return cell_of;
 }
 
-/// Per half-edge its length in whole units.
+/// Length of each half-edge in whole units (see QuadGraph).
 std::vector<std::int32_t> edge_units(const Mesh& mesh) {
     const double scale = unit_scale(mesh);
     std::vector<double> lengths;
@@ -44,7 +44,7 @@ std::vector<std::int32_t> edge_units(const Mesh& mesh) {
     return units;
 }
 
-/// Weights in at most 30 bits together.
+/// Weights of the items, scaled down so that their sum has about 30 bits.
 std::vector<std::int32_t> node_weights(std::span<const QuadItem> items) {
     std::uint64_t total = 0;
     for (const QuadItem& item : items) total += item.weight;

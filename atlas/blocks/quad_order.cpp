@@ -12,14 +12,14 @@ namespace {
 
 constexpr std::size_t few_blocks = 24;  // up to here all three axes are tried
 
-/// Texels that a block of the mean size has beyond its legs.
+/// Texels of a block of mean size beside its legs, along each side.
 double mean_border(std::size_t cells, const AtlasOptions& options) {
     const double side = options.size / std::sqrt(double(std::max<std::size_t>(cells, 1)));
     const auto block = static_cast<std::uint32_t>(std::max(1.0, side));
     return border_texels(options.overscan) + 2.0 * quad_gutter(options, block, block);
 }
 
-/// sqrt of texels per unit of demand, so that blocks sized for it, their borders included, fill the
+/// Square root of the texels per unit of demand with which blocks, their borders included, fill the
 /// texture: n border^2 + b border q + a q^2 = texels, with legs q sqrt(demand aspect^+-1).
 double texels_scale(std::span<const QuadCell> cells, double texels, double border) {
     double a = 0.0, b = 0.0;
@@ -46,9 +46,10 @@ struct ByKey {
     }
 };
 
+/// A cut of a sequence of items.
 struct Cut {
-    std::size_t count = 0;  ///< items before it
-    std::uint64_t off = 0;  ///< by how much twice the weight before it misses the whole
+    std::size_t count = 0;  ///< items before the cut
+    std::uint64_t off = 0;  ///< difference of twice the weight before it from the total weight
 };
 
 std::uint64_t total_weight(std::span<const QuadItem> items) {
@@ -56,7 +57,8 @@ std::uint64_t total_weight(std::span<const QuadItem> items) {
                            [](std::uint64_t sum, const QuadItem& i) { return sum + i.weight; });
 }
 
-/// Best cut with least <= count <= most of items in order; `before` weighs what lies before them.
+/// The most even cut with least <= count <= most of items in order; `before` is the weight of the
+/// items before them, `whole` the total weight.
 Cut best_cut(std::span<const QuadItem> items, std::size_t least, std::size_t most,
              std::uint64_t before, std::uint64_t whole) {
     Cut best{least, ~std::uint64_t{0}};
@@ -68,7 +70,7 @@ Cut best_cut(std::span<const QuadItem> items, std::size_t least, std::size_t mos
     return best;
 }
 
-/// Axes by how far the items spread along them, widest first.
+/// The axes in the order of the items' extent along them, widest first.
 std::array<std::size_t, 3> axes_by_spread(std::span<const QuadItem> items) {
     std::array<std::uint32_t, 3> low = items[0].key, high = low;
     for (const QuadItem& item : items)
@@ -83,7 +85,7 @@ std::array<std::size_t, 3> axes_by_spread(std::span<const QuadItem> items) {
     return axes;
 }
 
-/// The axis whose best cut is most even.
+/// Halves a few items along the axis whose best cut is most even.
 std::size_t halve_few(std::span<QuadItem> items, std::size_t least, std::size_t most) {
     const std::uint64_t whole = total_weight(items);
     const std::array<std::size_t, 3> axes = axes_by_spread(items);
@@ -99,7 +101,7 @@ std::size_t halve_few(std::span<QuadItem> items, std::size_t least, std::size_t 
     return best.count;
 }
 
-/// Weighted median along the axis of widest spread, by repeated selection.
+/// Halves many items at the weighted median along the axis of widest spread, by repeated selection.
 std::size_t halve_many(std::span<QuadItem> items, std::size_t least, std::size_t most) {
     const ByKey by_key{axes_by_spread(items)[0]};
     const std::uint64_t whole = total_weight(items);

@@ -1,6 +1,6 @@
-// Which way every node is halved comes from a dynamic programme over (node, log2 of its aspect):
-// the least sum of the blocks' predicted errors. A node's texels are known from its depth, so its
-// aspect gives its sides.
+// The direction in which every node is halved, by a dynamic programme over (node, log2 of its
+// aspect) for the least sum of the blocks' predicted errors. A node's texels are known from its
+// depth, so its aspect gives its sides.
 #include "atlas/blocks/quad_tree.h"
 
 #include <algorithm>
@@ -22,14 +22,15 @@ namespace {
 
 constexpr std::uint32_t most_log_side = 14;
 static_assert(max_atlas_size == 1u << most_log_side);
-constexpr std::size_t many_items = 4096;  // worth two threads
+constexpr std::size_t many_items = 4096;  // items from which a node's halves are built in parallel
 constexpr double infinite = std::numeric_limits<double>::infinity();
-// Within this factor a block may be turned for its neighbours' sake.
+// Ratio of errors within which a block may be turned for its neighbours' sake.
 constexpr double equal_errors = 1.02;
-// Long nodes are bad for levels above their blocks; 0.01 to 0.1 all do.
+// Relative cost of a node for each doubling of its aspect beyond 2: long nodes are bad for levels
+// above their blocks. Values of 0.01 to 0.1 all do.
 constexpr double squareness_penalty = 0.03;
 
-/// Least error of a node by log2(width / height).
+/// Least error of a node for each log2(width / height); infinite where that cannot occur.
 class Costs {
   public:
     Costs() { costs_.fill(infinite); }
@@ -43,13 +44,16 @@ class Costs {
     std::array<double, 2 * most_quad_aspect + 1> costs_;
 };
 
+/// The quadtree over the cells of an atlas.
 class Tree {
   public:
     Tree(std::span<const QuadCell> cells, std::vector<QuadItem> items, const AtlasOptions& options,
          const Halve& halve);
-    /// Halves the items down to single ones. `depth` bounds the aspects that can occur.
+    /// Builds the subtree of items [first, first + count) at `node`, down to single items, on
+    /// 2^log_texels texels; returns its least errors. `depth` bounds the aspects that can occur.
     Costs build(std::size_t node, std::size_t first, std::size_t count, int log_texels, int depth);
-    /// After build: the leaves, neighbours on the surface side by side where that is possible.
+    /// The leaves, neighbours on the surface side by side where possible; to be called after
+    /// build().
     std::vector<QuadLeaf> leaves(int log_size) const;
 
   private:
@@ -63,7 +67,8 @@ class Tree {
     std::vector<QuadItem> items_;
     const Halve& halve_;
     std::vector<QuadNode> nodes_;
-    /// 1 / leg^2 by log2 of the side along the leg and of the other side.
+    /// inverse_squares_[a][b] is 1 / leg^2 for a leg along a side of 2^a texels where the other
+    /// side has 2^b.
     std::array<std::array<double, most_log_side + 1>, most_log_side + 1> inverse_squares_{};
 };
 
@@ -71,7 +76,7 @@ Vec3d place_of(const QuadItem& item) {
     return {item.key[0], item.key[1], item.key[2]};
 }
 
-/// By weight; no item counts for nothing.
+/// Weighted mean of the items' places; each item counts for its weight plus one unit.
 Vec3d middle(std::span<const QuadItem> items) {
     Vec3d sum{0.0};
     double weight = 0.0;
@@ -90,7 +95,7 @@ Tree::Tree(std::span<const QuadCell> cells, std::vector<QuadItem> items,
         for (std::uint32_t other = 0; other <= most_log_side; ++other) {
             const double border = border_texels(options.overscan) +
                                   2.0 * quad_gutter(options, 1u << log, 1u << other);
-            // One texel on its own shows the middle.
+            // A side of one texel shows the middle of the cell.
             const double leg = std::max(0.5, double(1u << log) - border);
             inverse_squares_[log][other] = 1.0 / (leg * leg);
         }
@@ -115,7 +120,8 @@ Costs Tree::leaf_costs(std::size_t item, int log_texels, int reach) const {
     return costs;
 }
 
-/// As long as there are texels for all items none may lack one; else no texel may lack an item.
+/// Bounds of the first half of a node: as long as there are texels for all items none may lack one;
+/// else no texel may lack an item.
 HalfBounds half_bounds(std::size_t items, std::size_t texels) {
     const std::size_t half = texels / 2;
     if (items > texels) return {half, items - half};
@@ -157,7 +163,7 @@ Costs Tree::build(std::size_t node, std::size_t first, std::size_t count, int lo
     return costs;
 }
 
-/// Several items on one texel, the one nearest to their middle first.
+/// Puts several items on one texel, the item nearest to their weighted mean first.
 void Tree::place_together(std::span<const QuadItem> items, const QuadPlace& at,
                           QuadLeaf* leaves) const {
     const Vec3d centre = middle(items);

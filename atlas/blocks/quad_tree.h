@@ -13,22 +13,23 @@
 
 namespace burl {
 
-/// The block [x, x+width) x [y, y+height) of a cell. Turned: x legs stand upright.
+/// The block [x, x+width) x [y, y+height) of a cell.
 struct QuadLeaf {
     std::uint32_t cell = 0;
     std::uint32_t x = 0, y = 0, width = 0, height = 0;
-    bool turned = false;
-    bool shares_texel = false;  ///< on the one texel of a leaf before, which stands for both
-    bool exchanged = false;     ///< the lower triangle is the cell's upper one
-    bool may_turn = false;      ///< turned or not makes no difference
-    /// Numbers of the leaves at the middles of the sides, by QuadSide; no_spot where there is none
-    /// (and everywhere when leaves share texels).
+    bool turned = false;  ///< x legs of the triangles lie along y
+    /// The leaf lies on the one texel of an earlier leaf, which stands for both.
+    bool shares_texel = false;
+    bool exchanged = false;  ///< block's lower triangle is the cell's upper one
+    bool may_turn = false;   ///< `turned` makes little difference to the block's error
+    /// Numbers of the leaves beyond the middles of the sides, by QuadSide; no_spot where there is
+    /// none (and everywhere when leaves share texels).
     std::array<std::uint32_t, 4> beside{no_spot, no_spot, no_spot, no_spot};
 };
 
-/// Leaves in the tree's order; options.size is a power of two. When there are more cells than
-/// texels, all blocks are single texels, and cells that one of them stands for follow the one
-/// nearest to their middle.
+/// Leaves for all cells, in the tree's order; options.size is a power of two. When there are more
+/// cells than texels, all blocks are single texels, and the first leaf on a texel is the cell
+/// nearest to the centre of the cells there.
 std::vector<QuadLeaf> plan_quad_tree(std::span<const QuadCell> cells, const AtlasOptions& options,
                                      const Halve& halve);
 

@@ -9,13 +9,14 @@ namespace burl {
 
 namespace {
 
-constexpr int turn_sweeps = 3;  // later ones see how the neighbours have turned
+constexpr int turn_sweeps = 3;  // passes; the later ones see the neighbours' turns
 
-/// What a block's four sides show in the middle when nothing is turned, in the order of quarter
-/// turns: below, right, above, left.
+/// Surface points at the middles of a block's four sides when nothing is turned, in the order of
+/// quarter turns: below, right, above, left.
 using TurnSides = std::array<Vec3d, 4>;
 
-/// Corners go round the block from the low-x, low-y one by way of the high-x one.
+/// The side points of a cell, whose corners go round the block from the low-x, low-y one by way of
+/// the high-x one.
 TurnSides sides_of(const QuadCell& cell, const Mesh& mesh, double scale) {
     const auto corner = [&](std::int32_t face, std::size_t k) {
         return scale * mesh.positions[mesh.triangles[std::size_t(face)][k % 3]];
@@ -23,14 +24,15 @@ TurnSides sides_of(const QuadCell& cell, const Mesh& mesh, double scale) {
     const Vec3d p = corner(cell.lower, cell.lower_corner),
                 x = corner(cell.lower, cell.lower_corner + 1u),
                 y = corner(cell.lower, cell.lower_corner + 2u);
-    // A single's block shows the triangle turned by 180 degrees beside it.
+    // The block of a single triangle shows it a second time, turned by 180 degrees.
     const Vec3d q = cell.upper < 0 ? p : corner(cell.upper, cell.upper_corner);
     return {0.5 * (p + x), 0.5 * (x + q), 0.5 * (q + y), 0.5 * (y + p)};
 }
 
-/// After so many quarter turns, the way `QuadLeaf::turned` is one.
+/// Surface point on a side after so many quarter turns; QuadLeaf::turned is one of them,
+/// QuadLeaf::exchanged two.
 const Vec3d& shown(const TurnSides& sides, QuadSide side, std::size_t quarters) {
-    constexpr std::array<std::size_t, 4> order{3, 1, 0, 2};  // by QuadSide
+    constexpr std::array<std::size_t, 4> order{3, 1, 0, 2};  // index in TurnSides by QuadSide
     return sides[(order[side] + 4 - quarters) % 4];
 }
 
@@ -43,7 +45,8 @@ QuadSide facing(QuadSide side) {
     return opposite[side];
 }
 
-/// What lies beside the sides of a leaf, weighed by their length; 0 where nothing does.
+/// Surface points beside a leaf's sides by QuadSide, weighted by the sides' lengths; weight 0 where
+/// nothing lies beside.
 struct Beside {
     std::array<Vec3d, 4> places{};
     std::array<double, 4> weights{};
@@ -72,7 +75,7 @@ double unlikeness(const TurnSides& sides, std::size_t quarters, const Beside& be
     return sum;
 }
 
-/// The number of quarter turns, of those the leaf may take, that suits its neighbours best.
+/// The number of quarter turns, among those the leaf may take, that suits its neighbours best.
 std::size_t best_quarters(const QuadLeaf& leaf, bool pair, const TurnSides& sides,
                           const Beside& beside) {
     std::size_t best = quarters_of(leaf);

@@ -1,6 +1,6 @@
 #pragma once
-// How each block of the quad atlas is turned: by the half or quarter turns that cost nothing, so
-// that a block's sides show what is near to what the blocks beside them show.
+// Orientation of each block of the quad atlas: half or quarter turns that cost nothing are chosen
+// such that surface points on both sides of a border between blocks are near each other.
 #include <span>
 #include <vector>
 
@@ -9,8 +9,8 @@
 
 namespace burl {
 
-/// Sets `turned` where the leaf may, and `exchanged` of pairs. Every leaf is one texel or more of
-/// its own; places stay as they are.
+/// Sets `turned` of the leaves that may turn, and `exchanged` of pairs. Every leaf must have at
+/// least one texel of its own; places stay as they are.
 void turn_to_neighbours(std::span<QuadLeaf> leaves, std::span<const QuadCell> cells,
                         const Mesh& mesh);
 

@@ -12,7 +12,7 @@ namespace burl {
 
 namespace {
 
-/// Width of a cell at a scale: max(least, base + slope * scale * weight).
+/// Width of a cell as a function of the scale: max(least, base + slope * scale * weight).
 struct WidthLaw {
     double least = 0.0, base = 0.0, slope = 1.0, weight = 0.0;
     double operator()(double scale) const { return std::max(least, base + slope * scale * weight); }
@@ -29,7 +29,8 @@ std::vector<WidthLaw> width_laws(std::span<const Cell> row, Overscan mode, doubl
         if (weightless) law.weight = 1.0;
         if (cell.joins_previous && i > 0) law.base = 0.0;
         if (cell.holds_strangers()) {
-            // The overscan grows with the leg: 1 + 2 sx/sy columns (nearest: sx/sy).
+            // The overscan grows with the leg: 1 + 2 sx/sy columns for bilinear lookups, sx/sy for
+            // nearest ones.
             const bool bilinear = mode == Overscan::bilinear;
             law.base += bilinear ? 1.0 : 0.0;
             law.slope += (bilinear ? 2.0 : 1.0) / leg_y;
@@ -45,7 +46,7 @@ double total_width(std::span<const WidthLaw> laws, double scale) {
     return sum;
 }
 
-/// Real widths that add up to `width`.
+/// Real widths by these laws that add up to `width`.
 std::vector<double> real_widths(std::span<const WidthLaw> laws, double width) {
     double weight = 0.0;
     for (const WidthLaw& law : laws) weight = std::max(weight, law.weight);
@@ -60,10 +61,11 @@ std::vector<double> real_widths(std::span<const WidthLaw> laws, double width) {
     return widths;
 }
 
-/// Two strangers waste no column when their legs are equal: snap to that width while the cells
-/// that follow can make up for it.
+/// Snapping of widths: two unrelated triangles in a block waste no column when their legs are
+/// equal, so such a block takes the width for equal legs while the cells after it can make up for
+/// it.
 struct Snap {
-    std::uint32_t width = 0;  // of a block of strangers with equal legs
+    std::uint32_t width = 0;  // block of unrelated triangles with equal legs, texels
     double most_carry = 4.0;  // texels of the row that may be owed
     bool good(double wanted, double carry, double slack_after) const {
         return std::abs(wanted - width) <= 2.5 && std::abs(wanted + carry - width) <= most_carry &&
@@ -92,7 +94,7 @@ std::vector<std::uint32_t> row_widths(std::span<const Cell> row, Overscan mode, 
     const std::vector<double> wanted = real_widths(laws, width);
     const Snap snap{leg_y + border + overscan_columns(mode, leg_y, leg_y)};
     double slack = 0.0,
-           carry = 0.0;  // what later cells could give up; what is still to be handed out
+           carry = 0.0;  // width later cells can give up; width to hand out
     for (std::size_t i = 0; i < row.size(); ++i) slack += wanted[i] - laws[i].least;
     std::vector<std::uint32_t> widths;
     std::uint32_t left = width;

@@ -1,5 +1,5 @@
-// Strips of pairs (Carr & Hart 2001, section 4.1): which corner gets the right angle, which pairs
-// follow each other, and in what order the strips are laid.
+// Strips of pairs (Carr & Hart 2001, section 4.1): the corners of the right angles, the sequence of
+// pairs in a strip, and the order of the strips.
 #include "atlas/blocks/strips.h"
 
 #include <algorithm>
@@ -12,13 +12,14 @@ namespace {
 
 using HalfEdge = std::int32_t;
 
-/// A run of cells that stays together, with its sort key.
+/// A run of cells that stays together in the layout, with its sort key.
 struct Strip {
     std::size_t first = 0, count = 0;
     float mean_weight = 0.0f;
     std::int32_t lowest_face = 0;
 };
 
+/// Links pairs through opposite edges into strips.
 class StripBuilder {
   public:
     StripBuilder(std::span<const HalfEdge> opposite, std::span<const std::int8_t> partner_edges,
@@ -28,6 +29,7 @@ class StripBuilder {
           weights_(weights),
           placed_(weights.size(), false) {}
 
+    /// Whether the triangle is in a pair that has no strip yet.
     bool waits(std::int32_t t) const {
         return partner_edges_[std::size_t(t)] >= 0 && !placed_[std::size_t(t)];
     }
@@ -38,11 +40,12 @@ class StripBuilder {
     std::int32_t partner(std::int32_t t) const {
         return opposite_[std::size_t(3 * t + partner_edges_[std::size_t(t)])] / 3;
     }
-    /// The vertical leg, when the right angle is at the corner opposite the hypotenuse.
+    /// The half-edge of the vertical leg, when the right angle is at the corner opposite the
+    /// hypotenuse.
     HalfEdge vertical_leg(std::int32_t t) const {
         return 3 * t + (partner_edges_[std::size_t(t)] + 1) % 3;
     }
-    /// The triangle that can stand on the other side of t's vertical leg, or -1.
+    /// The triangle that can lie on the other side of t's vertical leg, or -1.
     std::int32_t beyond(std::int32_t t) const {
         const HalfEdge o = opposite_[std::size_t(vertical_leg(t))];
         if (o < 0 || !waits(o / 3) || vertical_leg(o / 3) != o) return -1;
@@ -59,7 +62,7 @@ class StripBuilder {
     std::vector<Strip> strips_;
 };
 
-/// The lower triangle of the first pair of t's strip; t itself when the strip is a ring.
+/// Lower triangle of the first pair of t's strip; t itself when the strip is a ring.
 std::int32_t StripBuilder::leftmost(std::int32_t t) const {
     std::int32_t lower = t;
     for (std::int32_t left = beyond(lower); left >= 0; left = beyond(lower)) {
@@ -100,7 +103,7 @@ void StripBuilder::add_strips_through(std::int32_t t, double most_ratio) {
     }
 }
 
-/// Non-increasing weight, then lower face.
+/// Layout order of strips: non-increasing weight, then lower face.
 bool before(const Strip& a, const Strip& b) {
     if (a.mean_weight != b.mean_weight) return a.mean_weight > b.mean_weight;
     return a.lowest_face < b.lowest_face;
@@ -126,7 +129,7 @@ std::vector<Cell> StripBuilder::sorted_with(std::vector<Cell> singles) {
     return sorted;
 }
 
-/// The corner across the longest edge; ties go to the first.
+/// The corner opposite the longest edge; ties go to the first.
 std::uint8_t widest_corner(const Mesh& mesh, std::int32_t t) {
     const Triangle& triangle = mesh.triangles[std::size_t(t)];
     std::uint8_t best = 0;
@@ -150,7 +153,8 @@ Cell lone_cell(std::int32_t t, std::uint8_t corner, float weight) {
     return cell;
 }
 
-/// Two unrelated triangles share a block unless the smaller would get far too much texture.
+/// Whether two unrelated triangles may share a block: weights that differ by more than a factor of
+/// 4 would give the smaller one far too much texture.
 bool can_share(float larger, float smaller) {
     constexpr float most_ratio = 4.0f;
     return smaller > 0.0f ? larger <= most_ratio * smaller : larger == 0.0f;

@@ -12,7 +12,7 @@ class RefinedPose {
         result_.name = pose.name;
         result_.positions.reserve(3 * triangles);
     }
-    /// Half-way between two corners of the mesh, or one of them.
+    /// Appends a corner half-way between two corners of the input mesh, or at one of them (a == b).
     void add(std::size_t a, std::size_t b) {
         const Vec3d &p = pose_.positions[a], &q = pose_.positions[b];
         result_.positions.push_back(a == b ? p : 0.5 * p + 0.5 * q);
@@ -27,7 +27,8 @@ class RefinedPose {
     MeshPose result_;
 };
 
-/// Which corner of the face is this point; of a face that has it twice the k-th if that is one.
+/// The input mesh's corner (3 face + k) at which the face has the point; the k-th if the face has
+/// the point twice and that corner is one of them.
 std::size_t corner_at(const Mesh& mesh, std::uint32_t face, std::uint32_t point, std::size_t k) {
     const Triangle& triangle = mesh.triangles[face];
     const std::size_t first = 3 * std::size_t{face};

@@ -1,5 +1,5 @@
-// Above the last pure level, colours times validity and validity are halved side by side and
-// divided at the end.
+// MIP levels with gutters kept out: above the last pure level, colours times validity and validity
+// are halved side by side and divided at the end.
 #include "atlas/build/block_levels.h"
 
 #include <algorithm>
@@ -25,7 +25,8 @@ std::uint32_t log2_floor(std::uint32_t n) {
     return static_cast<std::uint32_t>(std::bit_width(n)) - 1;
 }
 
-/// Texels that hold no surface at all keep the plain mean.
+/// The texelwise quotient of sums and weights; texels of weight 0, which hold no surface at all,
+/// keep the plain mean.
 Image<RgbF> divided(const Image<RgbF>& sums, const Image<float>& weights, Image<RgbF> plain) {
     for (std::size_t y = 0; y < plain.height(); ++y)
         for (std::size_t x = 0; x < plain.width(); ++x) {
@@ -36,8 +37,8 @@ Image<RgbF> divided(const Image<RgbF>& sums, const Image<float>& weights, Image<
     return plain;
 }
 
-/// The last level whose texels are gutter or surface and not both, up to which their means are
-/// those of the level itself.
+/// The last level whose texels are gutter or surface and not both; up to it, plain means of texels
+/// are means of surface alone.
 std::uint32_t last_unmixed_level(const PatchAtlas& atlas) {
     std::uint32_t ends = atlas.atlas.options.size;
     for (const PatchBlock& b : atlas.layout.blocks)
@@ -46,7 +47,8 @@ std::uint32_t last_unmixed_level(const PatchAtlas& atlas) {
     return static_cast<std::uint32_t>(std::countr_zero(ends));
 }
 
-/// Inner texels' means for those of the levels after `first` that are after `pure`, too.
+/// Replaces levels first + 1, first + 2, ... as far as they lie above `pure` by means over inner
+/// texels only. `image` is level `first`.
 void keep_gutters_out(const PatchAtlas& atlas, const Image<RgbF>& image, std::uint32_t first,
                       std::uint32_t pure, std::span<Image<RgbF>> levels) {
     Image<float> weights = inner_texels(atlas, first);
@@ -59,13 +61,14 @@ void keep_gutters_out(const PatchAtlas& atlas, const Image<RgbF>& image, std::ui
     }
 }
 
-/// Texels first, first + 1, ... of an axis by the share of them that lies in [begin, end).
+/// Texels first, first + 1, ... of an axis, each with the share of it that lies in an interval.
 struct Shares {
     std::size_t first = 0;
     std::vector<float> values;
 };
 
-/// `scale` texels of level 0, whose numbers begin and end are, make one here.
+/// Shares of a level's texels within the interval [begin, end) of level 0's; a texel of the level
+/// is `scale` texels of level 0 wide, and the level has `size` texels a side.
 Shares shares_within(std::uint32_t begin, std::uint32_t end, double scale, std::uint32_t size) {
     Shares shares;
     shares.first = std::size_t(double(begin) / scale);

@@ -9,10 +9,11 @@
 namespace burl {
 namespace {
 
-/// Fewer pieces are left to the layout, which knows their areas.
+/// Number of loose pieces up to which the layout, which knows their areas, decides whether they
+/// fit.
 constexpr std::uint32_t many_pieces = 64;
 
-/// Smallest size with so many texels.
+/// Smallest size with so many texels (a power of two for quad); 0 where it exceeds max_atlas_size.
 std::uint32_t size_for(double texels, AtlasKind kind) {
     auto size = static_cast<std::uint64_t>(std::ceil(std::sqrt(texels)));
     if (kind == AtlasKind::quad) size = std::bit_ceil(size);

@@ -11,7 +11,7 @@ namespace burl {
 
 namespace {
 
-/// Pairs in place of patches.
+/// A quad or area atlas in place of patches, for the reason `why`; see build_atlas().
 Atlas layout_pairs(const Mesh& mesh, const Connectivity& connectivity, const AtlasOptions& options,
                    const std::string& why) {
     const std::uint32_t size = options.size, square = std::bit_floor(size);

@@ -1,5 +1,5 @@
 #pragma once
-// Numbers out of binary files, in either byte order and at any alignment.
+// Numbers read from binary files, in either byte order and at any alignment.
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -7,7 +7,7 @@
 
 namespace burl {
 
-/// The number at `bytes`; `swapped` when the file's byte order is not this machine's.
+/// The number stored at `bytes`; `swapped` says that its byte order is not this machine's.
 template <typename Value>
 Value load(const char* bytes, bool swapped = false) {
     std::array<char, sizeof(Value)> raw;
@@ -16,6 +16,7 @@ Value load(const char* bytes, bool swapped = false) {
     return std::bit_cast<Value>(raw);
 }
 
+/// Whether this machine stores the highest byte of a number first.
 inline constexpr bool big_endian_machine = std::endian::native == std::endian::big;
 
 }  // namespace burl

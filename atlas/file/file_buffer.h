@@ -8,8 +8,9 @@
 
 namespace burl {
 
+/// The bytes of a file and the path that messages name it by.
 struct FileBuffer {
-    std::string path;  ///< as given, for messages
+    std::string path;  ///< path as given, for messages
     std::unique_ptr<char[]> bytes;
     std::size_t size = 0;
 

@@ -1,17 +1,17 @@
 #pragma once
-// What a file's name says about its format; upper and lower case are the same.
+// File formats told by a file's extension; upper and lower case are the same.
 #include <string>
 #include <vector>
 
 namespace burl {
 
-/// With its dot and in lower case (ASCII); empty where there is none.
+/// The path's extension with its dot, in lower case (ASCII); empty where there is none.
 std::string lower_extension(const std::string& path);
 
 /// Whether the name ends in .gltf or .glb.
 bool has_gltf_extension(const std::string& path);
 
-/// Of the meshes that can be read.
+/// Extensions of the mesh formats that read_mesh() takes, each with its dot, in lower case.
 std::vector<std::string> mesh_extensions();
 
 }  // namespace burl

@@ -1,5 +1,4 @@
-// The rare ways out of the text scanner: numbers from_chars refuses, and the sentences for bad
-// ones.
+// The rare paths of the text scanner: numbers that std::from_chars refuses, and error messages.
 #include "atlas/file/text_scanner.h"
 
 #include <cstdlib>
@@ -43,7 +42,8 @@ void TextScanner::fail_too_large(double value) const {
     fail(fmt::format("the coordinate {:g} is too large; coordinates may reach 1e100", value));
 }
 
-// from_chars reports an underflow (1e-400) as an error: that is a zero, not a bad file.
+// std::from_chars reports an underflow (1e-400) as an error, but such a number is a zero, not a bad
+// file.
 double TextScanner::slow_number(const char* what) {
     const std::string token(token_here());
     char* stop = nullptr;

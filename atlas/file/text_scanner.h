@@ -12,9 +12,11 @@
 
 namespace burl {
 
-/// Largest coordinate the readers take: beyond it squared areas would overflow a double.
+/// Largest absolute value of a coordinate that the readers take: beyond it squared areas would
+/// overflow a double.
 inline constexpr double largest_coordinate = 1e100;
 
+/// A place in a text that moves forward token by token, counting lines.
 class TextScanner {
   public:
     /// Scans `buffer` (which must outlive the scanner) from byte `begin`, counting lines from
@@ -30,7 +32,7 @@ class TextScanner {
 
     std::size_t line() const { return line_; }
     const std::string& path() const { return *path_; }
-    /// The byte this scanner stands at, from the start of the file.
+    /// Offset of the current byte from the start of the file.
     std::size_t offset() const { return static_cast<std::size_t>(at_ - start_); }
     std::size_t bytes_left() const { return static_cast<std::size_t>(end_ - at_); }
 
@@ -78,14 +80,16 @@ class TextScanner {
         return value;
     }
 
-    /// As number(), and refuses what no geometry can use (|x| > largest_coordinate).
+    /// The next number of this line as a coordinate. Throws Error in the cases of number(), and for
+    /// an absolute value above largest_coordinate, which no geometry can use.
     double coordinate() {
         const double value = number("a coordinate");
         if (!(std::abs(value) <= largest_coordinate)) fail_too_large(value);
         return value;
     }
 
-    /// The next whole number of this line, of any sign.
+    /// The next whole number of this line, of either sign. Throws Error when it is missing or no
+    /// whole number; `what` names it in the message.
     std::int64_t integer(const char* what) {
         if (!more_on_line()) fail_missing(what);
         std::int64_t value = 0;
@@ -96,14 +100,15 @@ class TextScanner {
         return value;
     }
 
-    /// Reads a whole number at the current byte without asking where it ends (OBJ's 1/2/3).
+    /// Reads a whole number at the current byte without checking where it ends (OBJ's 1/2/3);
+    /// false, without moving, where there is none.
     bool raw_integer(std::int64_t& value) {
         const auto [stop, error] = std::from_chars(at_, end_, value);
         if (error != std::errc{}) return false;
         at_ = stop;
         return true;
     }
-    /// Takes `c` if it is the next byte.
+    /// Moves past the next byte if it is `c`; returns whether it did.
     bool take(char c) {
         if (at_ == end_ || *at_ != c) return false;
         ++at_;
@@ -111,7 +116,7 @@ class TextScanner {
     }
     bool at_token_end() const { return at_ == end_ || ends_token(*at_); }
 
-    /// Throws Error invalid_file at this line.
+    /// Throws Error(invalid_file) with this line's number.
     [[noreturn]] void fail(const std::string& message) const;
 
   private:
@@ -123,7 +128,7 @@ class TextScanner {
         while (at_ != end_ && (is_blank(*at_) || (*at_ == '\\' && joined_line())))
             skip_inside_line();
     }
-    /// Moves one byte on, or over a joined line end.
+    /// Moves past one byte, or past a joined line end.
     void skip_inside_line() {
         if (*at_ == '\\' && joined_line()) {
             at_ += at_[1] == '\r' ? 3 : 2;
@@ -132,7 +137,7 @@ class TextScanner {
             ++at_;
         }
     }
-    /// Is the `\` here followed by a line end?
+    /// Whether a line end follows the `\` at the current byte, so that it joins two lines.
     bool joined_line() const {
         if (!continuation_) return false;
         const char* next = at_ + 1;
@@ -153,10 +158,12 @@ class TextScanner {
     bool continuation_;
 };
 
-/// First byte of the text after a UTF-8 mark. Throws Error for UTF-16 text, which no reader takes.
+/// Offset of the text's first byte, behind a UTF-8 byte order mark where there is one. Throws Error
+/// for UTF-16 text, which no reader takes.
 std::size_t text_begin(const FileBuffer& buffer);
 
-/// `token` cut and cleaned so that a message stays one printable line.
+/// The first `longest` bytes of `token` with '?' for every byte that is not printable ASCII, so
+/// that a message stays one line.
 std::string printable(std::string_view token, std::size_t longest = 40);
 
 }  // namespace burl

@@ -51,7 +51,7 @@ const unsigned char* view_data(const tinygltf::Model& model, int view) {
     return model.buffers[static_cast<std::size_t>(v.buffer)].data.data() + v.byteOffset;
 }
 
-/// How an accessor's elements lie in memory: matrix columns start at multiples of four bytes.
+/// The memory layout of an accessor's elements; matrix columns start at multiples of four bytes.
 struct Layout {
     Decoder decode;
     bool normalized;

@@ -1,6 +1,6 @@
 #pragma once
-// Values out of a glTF's accessors, whatever their component type, stride or sparse parts. Only for
-// models from load_gltf(), which has checked every bound.
+// Reads a glTF's accessors, whatever their component type, stride or sparse parts. The model must
+// come from load_gltf(), which has checked every bound.
 #include <cstdint>
 #include <vector>
 
@@ -10,9 +10,10 @@ class Model;
 
 namespace burl {
 
+/// The elements of an accessor, each of one or more components.
 struct AccessorValues {
-    std::size_t components = 0;  ///< per element: 1 to 16
-    std::vector<double> values;  ///< element after element; normalized integers in [0,1] or [-1,1]
+    std::size_t components = 0;  ///< components of an element: 1 to 16
+    std::vector<double> values;  ///< components; normalized integers in [0,1] or [-1,1]
 
     std::size_t count() const { return components == 0 ? 0 : values.size() / components; }
     const double* operator[](std::size_t i) const { return &values[components * i]; }
@@ -21,10 +22,11 @@ struct AccessorValues {
 /// All elements of an accessor as doubles, sparse replacements applied.
 AccessorValues read_accessor(const tinygltf::Model& model, int accessor);
 
-/// Does every index of the accessor's sparse part, if it has one, lie below its count?
+/// Whether every index of the accessor's sparse part lies below the accessor's count; true without
+/// a sparse part.
 bool sparse_indices_in_range(const tinygltf::Model& model, int accessor);
 
-/// A scalar integer accessor (vertex indices) as it is.
+/// The elements of a scalar integer accessor, such as vertex indices.
 std::vector<std::uint32_t> read_indices(const tinygltf::Model& model, int accessor);
 
 }  // namespace burl

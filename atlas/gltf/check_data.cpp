@@ -1,4 +1,5 @@
-// Bounds of everything a glTF keeps in buffers: no view leaves its buffer and no accessor its view.
+// Bounds checks of all that a glTF keeps in buffers: no view leaves its buffer and no accessor its
+// view.
 #include <algorithm>
 
 #include <fmt/format.h>
@@ -11,6 +12,7 @@ namespace {
 
 using Json = GltfChecker::Json;
 
+/// Length and stride of a bufferView in bytes; stride 0 means packed elements.
 struct View {
     std::uint64_t length = 0;
     std::uint64_t stride = 0;
@@ -51,7 +53,7 @@ std::uint64_t component_bytes(const GltfChecker& gltf, const Json& user, const s
     }
 }
 
-/// Bytes of one element; matrix columns start at multiples of four bytes.
+/// Number of bytes of one element; matrix columns start at multiples of four bytes.
 std::uint64_t element_bytes(const GltfChecker& gltf, const Json& accessor,
                             const std::string& where) {
     const std::uint64_t size = component_bytes(gltf, accessor, where);
@@ -68,7 +70,8 @@ std::uint64_t element_bytes(const GltfChecker& gltf, const Json& accessor,
     gltf.fail(where, "unknown 'type'");
 }
 
-/// `count` elements of `bytes` bytes from `offset` on must lie inside `view`.
+/// Checks that `count` elements of `bytes` bytes each, from byte `offset` of `view` on, lie inside
+/// it.
 void check_extent(const GltfChecker& gltf, const View& view, std::uint64_t offset,
                   std::uint64_t count, std::uint64_t bytes, const std::string& where) {
     const std::uint64_t stride = view.stride == 0 ? bytes : view.stride;

@@ -1,4 +1,5 @@
-// References between a glTF's objects: each names something that exists, and nodes form trees.
+// Checks of the references between a glTF's objects: each names something that exists, and nodes
+// form trees.
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -42,9 +43,10 @@ std::uint64_t accessor_count(const GltfChecker& gltf, std::size_t accessor) {
     return gltf.whole(gltf.list("accessors")[accessor], "count", place("accessors", accessor));
 }
 
-/// Adds up the elements that are asked for of accessors without data. They are zeros and cost
-/// nothing in the file, but each use of one may be read. Morph targets are not counted: they have
-/// as many elements as their mesh, and exporters leave out the data of those that move nothing.
+/// Counts the elements that are read from accessors without data, and refuses more than 2^20. They
+/// are zeros and cost nothing in the file, but each use of one may be read. Morph targets are not
+/// counted: they have as many elements as their mesh, and exporters leave out the data of those
+/// that move nothing.
 class ZerosAsked {
   public:
     explicit ZerosAsked(const GltfChecker& gltf) : gltf_(gltf) {}
@@ -65,7 +67,7 @@ class ZerosAsked {
     std::uint64_t elements_ = 0;
 };
 
-/// The index of an accessor, or -1 when absent.
+/// Checks the accessor that `key` names; its index, or -1 where `key` is absent.
 std::int64_t check_accessor_use(const GltfChecker& gltf, const Json& object, const char* key,
                                 const std::string& where, ZerosAsked& zeros) {
     const std::int64_t i = gltf.index_or_none(object, key, "accessors", where);
@@ -144,7 +146,8 @@ void check_node(const GltfChecker& gltf, const Json& node, const std::string& wh
     gltf.numbers(node, "weights", 0, where);
 }
 
-/// Each node has at most one parent, and walking down from the roots reaches every node.
+/// Checks that each node has at most one parent, and that walking down from the roots reaches every
+/// node.
 void check_trees(const GltfChecker& gltf) {
     const Json& nodes = gltf.list("nodes");
     std::vector<std::int64_t> parent(nodes.size(), -1);

@@ -1,4 +1,4 @@
-// Typed access to a glTF's JSON; see the header.
+// Typed and range-checked access to a glTF's JSON.
 #include "atlas/gltf/checker.h"
 
 #include <cmath>

@@ -9,9 +9,10 @@
 
 namespace burl {
 
+/// The JSON text and the binary chunk of a glTF file.
 struct GltfParts {
     std::string_view json;
-    std::uint64_t binary_bytes = 0;  ///< length of the GLB's binary chunk, 0 without one
+    std::uint64_t binary_bytes = 0;  ///< length of the GLB's binary chunk; 0 without one
     bool is_glb = false;
 };
 
@@ -19,14 +20,14 @@ struct GltfParts {
 /// lengths do not fit the file.
 GltfParts split_gltf(const FileBuffer& file);
 
+/// Whether the uri starts with "data:".
 bool is_data_uri(std::string_view uri);
 
-/// Bytes a base64 data uri decodes to; -1 when it is not one tinygltf can decode.
+/// Number of bytes that a base64 data uri decodes to; -1 for one that tinygltf cannot decode.
 std::int64_t data_uri_bytes(std::string_view uri);
 
-/// `uri` with %XX decoded, if it names a file in the folder or below: no scheme, no absolute path,
-/// no
-/// "..", no backslash. Empty otherwise.
+/// The uri with %XX decoded, if it names a file in the glTF's folder or below: no scheme, no
+/// absolute path, no "..", no backslash. Empty otherwise.
 std::string confined_file_name(std::string_view uri);
 
 }  // namespace burl

@@ -24,14 +24,15 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// tinygltf looks for files in the folder it is given and in the current one; with a folder that
-/// exists nowhere it can reach only what we answer for.
+/// Folder given to tinygltf, which looks for files there and in the current one. It exists nowhere,
+/// so that tinygltf reaches only files that the callbacks below answer for.
 const std::string virtual_folder = "burl-gltf:";
 
-/// The files a glTF names, read already, by tinygltf's name for them.
+/// Contents of the files that a glTF names, by the path under which tinygltf asks for them.
 using Files = std::map<std::string, std::vector<unsigned char>>;
 
-/// Deeper JSON than any exporter writes; tinygltf descends by recursion, so depth is stack.
+/// Deepest nesting of the JSON that is taken, more than any exporter writes: tinygltf descends by
+/// recursion, so depth is stack.
 constexpr int deepest_nesting = 256;
 
 void check_nesting(std::string_view json, const std::string& path) {
@@ -65,7 +66,8 @@ Json parse_json(const FileBuffer& file, const GltfParts& parts) {
     }
 }
 
-/// Extensions that add looks but leave the geometry as it is, and the one we decode.
+/// Whether a required extension can be read: one that changes only the look, not the geometry, or
+/// KHR_mesh_quantization, which read_accessor() decodes.
 bool understood(const std::string& extension) {
     static constexpr std::array prefixes{"KHR_materials_", "KHR_texture_", "EXT_texture_",
                                          "KHR_lights_", "KHR_xmp"};
@@ -162,7 +164,7 @@ bool read_whole_file(std::vector<unsigned char>* out, std::string*, const std::s
     return true;
 }
 
-/// Instead of decoding: keeps the encoded bytes.
+/// An image loader for tinygltf that keeps the encoded bytes instead of decoding them.
 bool keep_encoded(tinygltf::Image* image, const int, std::string*, std::string*, int, int,
                   const unsigned char* bytes, int size, void*) {
     image->image.assign(bytes, bytes + size);
@@ -191,7 +193,7 @@ tinygltf::Model parse_checked(const FileBuffer& file, const GltfParts& parts, Fi
                                                            parts.json.data(), size, virtual_folder);
     } catch (const std::bad_alloc&) {
         throw;
-    } catch (const std::exception& failure) {  // of the JSON library inside it
+    } catch (const std::exception& failure) {  // thrown by the JSON library inside it
         error = failure.what();
     }
     if (!loaded) {
@@ -212,8 +214,8 @@ std::int64_t largest_index(const tinygltf::Model& model, int accessor) {
     return indices.empty() ? 0 : *std::max_element(indices.begin(), indices.end());
 }
 
-/// What the JSON could not tell: that the buffers hold what they promise, and that indices found in
-/// them are in range.
+/// Checks what the JSON cannot tell: that the buffers hold what they promise, and that the indices
+/// found in them are in range.
 void check_contents(const tinygltf::Model& model, const std::string& path) {
     for (const tinygltf::BufferView& view : model.bufferViews)
         if (!view_fits(model, view)) throw invalid_file(path, 0, "a bufferView leaves its buffer");
@@ -221,7 +223,7 @@ void check_contents(const tinygltf::Model& model, const std::string& path) {
         if (!sparse_indices_in_range(model, static_cast<int>(i)))
             throw invalid_file(path, 0,
                                place("accessors", i) + ".sparse: an index is out of range");
-    std::vector<std::int64_t> largest(model.accessors.size(), -1);  // index found, -1: not yet read
+    std::vector<std::int64_t> largest(model.accessors.size(), -1);  // largest index, -1: unread
     for (std::size_t m = 0; m < model.meshes.size(); ++m)
         for (const tinygltf::Primitive& primitive : model.meshes[m].primitives) {
             if (primitive.indices < 0 || primitive.attributes.empty()) continue;

@@ -20,7 +20,8 @@ namespace burl {
 /// extension that would change the geometry (Draco, meshopt ...).
 tinygltf::Model load_gltf(const std::string& path);
 
-/// The same for a file in memory; files it names are looked for beside `file.path`.
+/// Loads a .gltf or .glb that is in memory, with the checks and errors of load_gltf(path); files
+/// that it names are looked for beside `file.path`.
 tinygltf::Model load_gltf(const FileBuffer& file);
 
 }  // namespace burl

@@ -16,7 +16,7 @@
 namespace burl {
 namespace {
 
-/// A node's transform in parts.
+/// A node's transform as translation, rotation (a quaternion x, y, z, w) and scale.
 struct NodeParts {
     std::vector<double> translation{0.0, 0.0, 0.0}, rotation{0.0, 0.0, 0.0, 1.0},
         scale{1.0, 1.0, 1.0};
@@ -50,7 +50,7 @@ std::vector<double> slerped(const double* from, const double* to, double share) 
     return {q.x, q.y, q.z, q.w};
 }
 
-/// The keys of one channel.
+/// The keyframes of one animation channel.
 class Keys {
   public:
     Keys(const tinygltf::Model& model, const tinygltf::AnimationSampler& sampler,
@@ -69,6 +69,7 @@ class Keys {
             throw invalid_file(path, 0, fmt::format("{}: the keys' times do not increase", where));
     }
 
+    /// The channel's value at a time, interpolated as its sampler says.
     std::vector<double> at(double seconds) const {
         const std::vector<double>& times = times_.values;
         const auto after = std::ranges::upper_bound(times, seconds);
@@ -84,13 +85,15 @@ class Keys {
     }
 
   private:
-    /// Cubic keys have a tangent on either side.
+    /// The value of key k. Keys of cubic splines store an in-tangent before it and an out-tangent
+    /// after it.
     const double* value(std::size_t k) const {
         return &values_.values[width_ * (cubic_ ? 3 * k + 1 : k)];
     }
     std::vector<double> key(std::size_t k) const { return {value(k), value(k) + width_}; }
 
-    /// Appendix C.5.
+    /// The cubic spline between keys k and k+1, which are `length` seconds apart, at t in [0, 1)
+    /// (specification, appendix C.5).
     std::vector<double> hermite(std::size_t k, double t, double length) const {
         const double *out = value(k) + width_, *in = value(k + 1) - width_;
         const double t2 = t * t, t3 = t2 * t;
@@ -123,7 +126,7 @@ std::string animation_name(const tinygltf::Model& model, std::size_t number) {
 }
 
 std::vector<double> animation_ends(const tinygltf::Model& model) {
-    std::map<int, double> last;  // of the accessors read so far
+    std::map<int, double> last;  // last key time of each accessor read so far
     const auto last_of = [&](int accessor) {
         const auto [entry, is_new] = last.try_emplace(accessor, 0.0);
         if (!is_new) return entry->second;

@@ -16,16 +16,18 @@
 namespace burl {
 namespace {
 
-constexpr int moments = 5;                ///< of an animation that are named
-constexpr std::size_t most_listed = 100;  ///< poses that a message names
+constexpr int moments = 5;                ///< moments that are listed of each animation
+constexpr std::size_t most_listed = 100;  ///< largest number of poses in a message
 const char* const nodes_name = "nodes";
 
+/// A time in seconds from the begin of an animation.
 struct Moment {
     std::size_t animation = 0;
     double seconds = 0.0;
 };
 
-/// "NAME@SECONDS".
+/// The moment that "NAME@SECONDS" names; nothing where there is no animation NAME or SECONDS is no
+/// number.
 std::optional<Moment> moment_of(const tinygltf::Model& model, const std::string& name) {
     const std::size_t at = name.rfind('@');
     if (at == std::string::npos) return {};

@@ -1,6 +1,6 @@
 #pragma once
-// Poses that a glTF brings itself: a morph target, a moment of an animation, or a skeleton as its
-// nodes stand.
+// The poses a glTF holds: a morph target, a moment of an animation, or a skeleton as its nodes
+// stand.
 #include <string>
 #include <vector>
 
@@ -8,21 +8,25 @@
 
 namespace burl {
 
+/// A pose: the state of the nodes, and a morph target or moving skins.
 struct GltfPose {
     GltfMotion nodes;
-    std::string target;    ///< a morph target, in full; empty: what the nodes' weights say
-    bool skinned = false;  ///< skins follow their joints
+    std::string target;    ///< morph target of full weight; empty: the nodes' weights
+    bool skinned = false;  ///< whether skins follow their joints
 
-    /// Per morph target of the mesh that `node` draws; empty: none moves it.
+    /// Weights of the morph targets of the mesh that `node` draws, 0 beyond the list's end; an
+    /// empty list means that no target moves it.
     std::vector<double> target_weights(const tinygltf::Model& model, int mesh, int node) const;
 };
 
-/// What find_pose knows: morph targets; "nodes" where there is a skin; "NAME@SECONDS" for each
-/// animation, five moments from its begin to its end. Each name once.
+/// Names that find_pose() finds: the morph targets' names; "nodes" where the file has a skin;
+/// "NAME@SECONDS" for five moments of each animation, evenly from 0 to its end. Each name occurs
+/// once.
 std::vector<std::string> pose_names(const tinygltf::Model& model);
 
-/// Of two that are called the same, the one that pose_names has first. Animations have a pose at
-/// every moment. Throws Error(usage) where there is no such pose, invalid_file for a bad animation.
+/// The pose called `name`; where several have that name, the one that pose_names() lists first. An
+/// animation has a pose at every moment, listed or not. Throws Error(usage) where there is no such
+/// pose, Error(invalid_file) for a bad animation.
 GltfPose find_pose(const tinygltf::Model& model, const std::string& name, const std::string& path);
 
 }  // namespace burl

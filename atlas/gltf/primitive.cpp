@@ -18,8 +18,8 @@ const Vec4f white(1.0f);
 constexpr std::array<std::uint16_t, 4> no_joints{};
 const Vec4f first_joint_only(1.0f, 0.0f, 0.0f, 0.0f);
 
-/// Takes normals to the scene: the inverse transposed up to a positive factor, also where `linear`
-/// is singular.
+/// The matrix that takes normals to the scene where `linear` takes points: the inverse transpose up
+/// to a positive factor, also where `linear` is singular.
 Mat3d normal_matrix(const Mat3d& linear) {
     const Mat3d cofactors(glm::cross(linear[1], linear[2]), glm::cross(linear[2], linear[0]),
                           glm::cross(linear[0], linear[1]));
@@ -38,7 +38,8 @@ Vec4f weights_of_sum_one(const double* w) {
     return sum > 0.0f && std::isfinite(sum) ? weights / sum : first_joint_only;
 }
 
-/// Points, lines, line loops and line strips of `vertices` vertices.
+/// Number of points or lines that `vertices` vertices draw in `mode`: points, lines, a line loop or
+/// a line strip.
 std::uint64_t drawn_elements(int mode, std::size_t vertices) {
     if (mode == TINYGLTF_MODE_LINE) return vertices / 2;
     if (mode == TINYGLTF_MODE_LINE_STRIP) return vertices - 1;
@@ -47,7 +48,7 @@ std::uint64_t drawn_elements(int mode, std::size_t vertices) {
 
 }  // namespace
 
-/// Those of one primitive.
+/// The vertices of one primitive, with the morph targets and the skin that move them.
 struct PrimitiveReader::Vertices {
     const tinygltf::Model& model;
     const tinygltf::Primitive& primitive;
@@ -55,7 +56,7 @@ struct PrimitiveReader::Vertices {
     Targets targets;
     VertexSkin skin;
 
-    /// An attribute, moved by the targets that have it, too.
+    /// The values of attribute `name`, with the weighted changes of all targets that have it added.
     AccessorValues read(const std::string& name) const {
         AccessorValues values = read_accessor(model, primitive.attributes.at(name));
         for (const WeightedTarget& target : targets) {
@@ -68,6 +69,8 @@ struct PrimitiveReader::Vertices {
         return values;
     }
 
+    /// Whether the normals are still the surface's: all targets that move the primitive have
+    /// normals, too.
     bool keeps_normals() const {
         return primitive.attributes.contains("NORMAL") &&
                std::ranges::all_of(targets, [](const WeightedTarget& target) {
@@ -80,7 +83,7 @@ PrimitiveReader::PrimitiveReader(const tinygltf::Model& model, const std::string
                                  MeshPlace place, PolygonSoup& soup)
     : model_(model), path_(path), place_(std::move(place)), soup_(soup) {}
 
-/// Those that move it.
+/// The morph targets of the primitive whose weight is not 0.
 PrimitiveReader::Targets PrimitiveReader::targets_of(const tinygltf::Primitive& primitive) const {
     Targets targets;
     const std::size_t count = std::min(place_.target_weights.size(), primitive.targets.size());
@@ -117,7 +120,8 @@ void PrimitiveReader::append(const tinygltf::Primitive& primitive, const std::st
     append_triangles(mode, indices);
 }
 
-/// The number of the primitive's first point in the soup.
+/// Appends the primitive's vertices, unless an earlier primitive shares them; the number of the
+/// first one in the soup.
 std::uint32_t PrimitiveReader::append_vertices(const tinygltf::Primitive& primitive,
                                                const std::string& where) {
     const std::size_t first = soup_.points.size();

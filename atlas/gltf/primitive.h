@@ -18,20 +18,22 @@ struct Primitive;
 
 namespace burl {
 
-/// Where vertices of one mesh in one place are.
+/// The placement of one mesh: how its vertices come to the scene.
 struct MeshPlace {
     Mat4d to_scene{1.0};
-    bool mirrored = false;  ///< triangles are turned over, so that their front stays the front
-    /// Per morph target, those left out are 0. Normals that a target leaves alone are left out, as
-    /// they are no longer the surface's.
+    bool mirrored = false;  ///< whether triangles are turned over, so that fronts stay fronts
+    /// Weights of the morph targets, 0 beyond the list's end. Normals of a primitive are left out
+    /// where a target with a weight has none for it, as they are no longer the surface's.
     std::vector<double> target_weights{};
-    std::vector<Mat4d> joints{};  ///< of its skin (joint_matrices), then `to_scene` does not count
+    /// Matrices of the skin's joints (joint_matrices()). A primitive with joint indices takes them
+    /// instead of `to_scene`.
+    std::vector<Mat4d> joints{};
 };
 
 /// Appends the primitives of one mesh in one place.
 class PrimitiveReader {
   public:
-    /// All but `place` must outlive the reader.
+    /// `model`, `path` and `soup` must outlive the reader.
     PrimitiveReader(const tinygltf::Model& model, const std::string& path, MeshPlace place,
                     PolygonSoup& soup);
 
@@ -40,11 +42,12 @@ class PrimitiveReader {
     /// are not finite.
     void append(const tinygltf::Primitive& primitive, const std::string& where);
 
-    /// Triangles with a repeated index that strips held, and that were left out.
+    /// Number of triangles of strips that were left out because they repeat an index.
     std::uint64_t stitches() const { return stitches_; }
 
   private:
     using Attributes = std::map<std::string, int>;
+    /// The attributes of a morph target and its weight.
     struct WeightedTarget {
         const Attributes* attributes;
         double weight;
@@ -71,7 +74,8 @@ class PrimitiveReader {
     std::uint64_t stitches_ = 0;
 };
 
-/// Gives the soup's last points the attributes they lack, where others have them. Call at the end.
+/// Gives the points read last the attributes that they lack and earlier ones have: default values.
+/// To be called when all primitives are appended.
 void fill_attributes(PolygonSoup& soup);
 
 }  // namespace burl

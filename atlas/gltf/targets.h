@@ -11,16 +11,17 @@ struct Mesh;
 
 namespace burl {
 
-/// Of the primitive that has most.
+/// Number of morph targets of the mesh: the largest of its primitives.
 std::size_t target_count(const tinygltf::Mesh& mesh);
 
-/// What each target of the mesh is called: `extras.targetNames`, else "0", "1", ...
+/// Names of the mesh's morph targets: `extras.targetNames`, else "0", "1", ...
 std::vector<std::string> target_names(const tinygltf::Mesh& mesh);
 
-/// Of all meshes of the file, each name once, in the order of their first mesh.
+/// Names of the morph targets of all meshes of the file, each once, in the order of their first
+/// mesh.
 std::vector<std::string> target_names(const tinygltf::Model& model);
 
-/// The number of the mesh's target of this name; nothing where it has none.
+/// Index of the mesh's morph target `name`; nothing where it has none.
 std::optional<std::size_t> find_target(const tinygltf::Mesh& mesh, const std::string& name);
 
 }  // namespace burl

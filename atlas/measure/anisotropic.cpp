@@ -11,13 +11,15 @@ namespace burl {
 
 namespace {
 
-/// A round Gaussian cut at gaussian_cut, summed across at `x` standard deviations from the middle.
+/// Weight of a probe `x` standard deviations from the middle: a round Gaussian cut at gaussian_cut,
+/// integrated across the line.
 double profile(double x) {
     const double rest = std::max(0.0, gaussian_cut * gaussian_cut - x * x);
     return std::exp(-0.5 * x * x) * std::erf(std::sqrt(0.5 * rest));
 }
 
-/// One probe for a round footprint, three or more for others: two would be all tail.
+/// Number of probes for a footprint's length over width: one for a round footprint, three or more
+/// for others, as two would both lie in its tails.
 int probe_count(double ratio) {
     if (ratio <= 1.0 + 1e-6) return 1;
     return int(std::clamp(std::ceil(ratio - 1e-6), 3.0, double(most_probes)));
@@ -33,7 +35,7 @@ Vec3d in_level(const MipChain<Vec3f>& chain, const Vec2d& at, std::size_t level)
 }  // namespace
 
 TexelFootprint texel_footprint(const Vec2d& a, const Vec2d& b) {
-    // Eigenvalues of the covariance a a^T + b b^T.
+    // The half axes are the square roots of the eigenvalues of the covariance a a^T + b b^T.
     const double xx = a.x * a.x + b.x * b.x, yy = a.y * a.y + b.y * b.y;
     const double xy = a.x * a.y + b.x * b.y;
     const double middle = 0.5 * (xx + yy), half = std::hypot(0.5 * (xx - yy), xy);
@@ -67,7 +69,7 @@ Vec3d anisotropic(const MipChain<Vec3f>& levels, const Vec2d& at, const TexelFoo
     const double minor = std::max(footprint.minor, major / most_probes);
     const double level = std::log2(2.0 * minor);
     const int count = probe_count(major / minor);
-    // What the probes must add to the width they have themselves.
+    // Spread that the probes add to the width that each of them has by itself.
     const Vec2d line = footprint.major * std::sqrt(std::max(0.0, 1.0 - std::pow(minor / major, 2)));
     Vec3d sum(0.0);
     double total = 0.0;

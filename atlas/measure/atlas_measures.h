@@ -1,6 +1,6 @@
 #pragma once
-// Everything `burl metrics` measures without looking at a texture's values, for our atlases and for
-// anyone's UVs.
+// All measures of `burl metrics` that need no texture's values, for Burl's atlases and for any
+// mesh's UVs.
 #include "atlas/measure/charts.h"
 #include "atlas/measure/metrics.h"
 #include "atlas/measure/shape.h"
@@ -8,6 +8,7 @@
 
 namespace burl {
 
+/// Use of the texture, charts, shapes of triangles and texels of one atlas.
 struct AtlasMeasures {
     AtlasMetrics use;
     ChartMetrics charts;
@@ -15,7 +16,7 @@ struct AtlasMeasures {
     TexelMetrics texels;
 };
 
-/// `solid` is the atlas's own rasterisation, in any space.
+/// All measures of an atlas; `solid` is the atlas's own rasterisation, in any space.
 AtlasMeasures measure_atlas(const Mesh& mesh, const Atlas& atlas, const SolidAtlas& solid,
                             std::span<const MeshEdge> edges);
 

@@ -15,7 +15,8 @@ struct BilinearTaps {
     std::array<double, 2> weight_x{}, weight_y{};
 };
 
-/// `at` in texels of an image of that size; texel (i,j) has its centre at (i+0.5, j+0.5).
+/// The taps of a lookup at `at`, in texels of an image of that size; texel (i,j) has its centre at
+/// (i+0.5, j+0.5).
 inline BilinearTaps bilinear_taps(const Vec2d& at, std::size_t width, std::size_t height) {
     BilinearTaps taps;
     const auto axis = [](double coordinate, std::size_t size, auto& index, auto& weight) {
@@ -30,6 +31,7 @@ inline BilinearTaps bilinear_taps(const Vec2d& at, std::size_t width, std::size_
     return taps;
 }
 
+/// The bilinearly filtered value at `at`, in texels of the image.
 inline Vec3d bilinear(const Image<Vec3f>& image, const Vec2d& at) {
     const BilinearTaps t = bilinear_taps(at, image.width(), image.height());
     Vec3d sum(0.0);

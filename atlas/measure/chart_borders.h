@@ -1,5 +1,5 @@
 #pragma once
-// Where charts end in the texture, for telling a seam's error from the rest.
+// The borders of charts in the texture, for telling a seam's error from the rest.
 #include <cstdint>
 #include <span>
 #include <utility>
@@ -24,9 +24,9 @@ class ChartBorders {
     void add(const Vec2d& a, const Vec2d& b);
     std::uint32_t cell(double x, double y) const;
 
-    double size_;  ///< texels
-    std::uint32_t cells_;
-    std::vector<Segment> segments_;                                 ///< pieces of at most one cell
+    double size_;                    ///< side of the texture in texels
+    std::uint32_t cells_;            ///< grid cells a side
+    std::vector<Segment> segments_;  ///< pieces of at most one cell
     std::vector<std::pair<std::uint32_t, std::uint32_t>> in_cell_;  ///< cell and segment, ascending
 };
 

@@ -10,7 +10,7 @@ namespace burl {
 
 namespace {
 
-/// Disjoint sets whose representative is the lowest member.
+/// Disjoint sets (union-find) whose representative is the lowest member.
 class Components {
   public:
     explicit Components(std::size_t count) : parent_(count) {

@@ -1,6 +1,7 @@
 #pragma once
 // Charts and seams: the connected pieces of surface in the texture (Levy, Petitjean, Ray, Maillot,
-// "Least Squares Conformal Maps", 2002, for the term), and how much of the mesh's edges they cut.
+// "Least Squares Conformal Maps", 2002, for the term), and the share of the mesh's edges that they
+// cut.
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -9,17 +10,20 @@
 
 namespace burl {
 
+/// Measures of an atlas's charts.
 struct ChartMetrics {
-    std::vector<std::uint32_t> of_triangle;  ///< chart number, 0-based, by first triangle
-    std::uint32_t count = 0;                 ///< all charts
+    std::vector<std::uint32_t> of_triangle;  ///< chart of each triangle, by first triangle
+    std::uint32_t count = 0;                 ///< number of charts
     std::uint32_t with_area = 0;             ///< charts with at least one triangle that has area
-    double seam_length = 0.0;    ///< length of interior edges whose places differ, mesh units
-    double seam_share = 0.0;     ///< of the length of all interior edges; 0 without any
-    double vertex_ratio = 0.0;   ///< vertices an exported mesh needs over the mesh's points
-    std::uint64_t vertices = 0;  ///< distinct pairs of point and place
+    /// Length, in mesh units, of the interior edges whose two sides have different places.
+    double seam_length = 0.0;
+    double seam_share = 0.0;     ///< seam_length over the length of all interior edges, or 0
+    double vertex_ratio = 0.0;   ///< vertices that an exported mesh needs over the mesh's points
+    std::uint64_t vertices = 0;  ///< vertices needed: distinct pairs of point and place
 };
 
-/// A chart is a component of triangles joined across edges with equal places in the texture.
+/// Measures the charts: a chart is a component of triangles joined across edges with equal places
+/// in the texture.
 ChartMetrics measure_charts(const Mesh& mesh, const Atlas& atlas, std::span<const MeshEdge> edges);
 
 }  // namespace burl

@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t seam_samples = 50000;
 constexpr std::uint64_t seam_seed = 3;
 
-/// Root mean square of the differences it was given.
+/// Accumulates the root mean square of colour differences.
 class MeanSquare {
   public:
     void add(const Vec3d& difference) {
@@ -53,7 +53,7 @@ MipChain<Vec3f> stored_chain(const Image<Vec3f>& image, const StoredValue& in_8b
     return chain;
 }
 
-/// One chain of levels, seen from the surface.
+/// Lookups of one chain of levels at points of the surface.
 struct Lookups {
     const Mesh& mesh;
     const Atlas& atlas;
@@ -100,7 +100,8 @@ void measure_seams(const Atlas& atlas, const Image<Vec3f>& image, const ChartBor
         errors.seam_points = double(seam.count()) / double(truth.points.size());
 }
 
-/// The levels' errors as floats; what is not of 8 bits.
+/// Measures the errors of all levels stored as floats, and everything else that does not depend on
+/// storage in 8 bits.
 void measure_levels(const Lookups& lookups, const TextureValues& texture,
                     std::span<const MeshEdge> edges, LookupErrors& errors) {
     const auto& [mesh, atlas, truth, chain] = lookups;

@@ -1,4 +1,5 @@
-// Coverage and relative scale (Carr & Hart 2001, section 3.3 and 3.4) and their companions.
+// Coverage and relative scale (Carr & Hart 2001, sections 3.3 and 3.4), and the measures that go
+// with them.
 #include "atlas/measure/metrics.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// A triangle's pieces tile it, so a point lies in the piece in which its least barycentric weight
-// is greatest; on a border between pieces rounding picks either.
+// The search for a point's piece: a triangle's pieces tile it, so a point lies in the piece in
+// which its least barycentric weight is greatest; on a border between pieces rounding picks either.
 #include "atlas/measure/refined_points.h"
 
 #include <algorithm>
@@ -7,7 +7,8 @@
 namespace burl {
 namespace {
 
-/// Weights of the triangle a patch vertex lies on: a corner's, or half of two.
+/// Barycentric weights, in the triangle it lies on, of a patch vertex: a corner, or half-way
+/// between two.
 Vec3d weights_in(const Triangle& triangle, const VertexOrigin& origin) {
     Vec3d weights(0.0);
     for (int k = 0; k < 3; ++k) {
@@ -17,7 +18,8 @@ Vec3d weights_in(const Triangle& triangle, const VertexOrigin& origin) {
     return weights;
 }
 
-/// Pieces of every input triangle, as runs of the refined mesh's triangles.
+/// Number of the refined mesh's first triangle for every input triangle, and one entry behind the
+/// last: the pieces of triangle t are first_pieces()[t] up to first_pieces()[t + 1].
 std::vector<std::uint32_t> first_pieces(const Mesh& input, const RefinedMesh& refined) {
     std::vector<std::uint32_t> counts(input.triangles.size() + 1, 1);
     counts[0] = 0;

@@ -6,7 +6,7 @@
 
 namespace burl {
 
-/// The same places on atlas.mesh(input); `points` are of `input`.
+/// The points, of `input`, as points of atlas.mesh(input) at the same places of the surface.
 std::vector<SurfacePoint> refined_points(const Mesh& input, const MeshAtlas& atlas,
                                          std::vector<SurfacePoint> points);
 

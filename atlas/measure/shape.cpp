@@ -15,8 +15,8 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// Twice the signed area; positive when the corners run from x to y, clockwise on a picture whose
-/// first row is on top.
+/// Twice the signed area in the texture; positive when the corners run from x to y, which is
+/// clockwise on a picture whose first row is on top.
 double cross(const std::array<Vec2d, 3>& c) {
     const Vec2d u = c[1] - c[0], v = c[2] - c[0];
     return u.x * v.y - u.y * v.x;
@@ -77,7 +77,8 @@ ShapeMetrics measure_shape(const Mesh& mesh, const Atlas& atlas,
                  : anisotropy({mesh.positions[a], mesh.positions[b], mesh.positions[c]}, corners);
         values.push_back({value, areas[t]});
         total += areas[t];
-        // Rows run downwards: counter-clockwise on the surface is counter-clockwise on the picture.
+        // Rows run downwards on a picture, so a triangle that is counter-clockwise on the surface
+        // and on the picture has a negative cross product.
         if (!gone && cross(corners) > 0.0) metrics.mirrored += areas[t];
     }
     metrics.flipped = count_flipped(atlas, charts, chart_count);

@@ -1,5 +1,6 @@
-// Samples lie in a uniform grid of cells as large as the kernel's radius, sorted by cell; a query
-// reads nine runs of three neighbouring cells each. Cells without a query point nearby get none.
+// Means by a uniform grid: samples lie in cells as large as the kernel's radius, sorted by cell; a
+// query reads nine runs of three neighbouring cells each. Cells without a query point nearby get no
+// samples.
 #include "atlas/measure/surface_mean.h"
 
 #include <algorithm>
@@ -17,9 +18,10 @@ namespace burl {
 namespace {
 
 constexpr double most_cells = 0x1p27;
-constexpr double piece = 1.5;  // sigmas
+constexpr double piece = 1.5;  // longest edge of a piece in sigmas
 
-/// Cells of a box, one layer of empty ones around it; numbered x first.
+/// A grid of cells over a box with one layer of empty cells around it, numbered x first; cells are
+/// enlarged until there are at most most_cells.
 class CellGrid {
   public:
     CellGrid(const Box3& box, double cell) : low_(box.low) {
@@ -41,7 +43,7 @@ class CellGrid {
                                               counts_[std::size_t(axis)] - 2.0);
         return std::uint32_t((i[2] * counts_[1] + i[1]) * counts_[0] + i[0]);
     }
-    /// Calls visit(cell) for the middle of each of the nine runs around a cell.
+    /// Calls visit(cell) for the middle cell of each of the nine runs of three around a cell.
     template <class Visit>
     void visit_runs(std::uint32_t cell, Visit&& visit) const {
         const auto row = std::int64_t(counts_[0]), layer = std::int64_t(counts_[0] * counts_[1]);
@@ -65,8 +67,9 @@ std::vector<char> cells_near(const CellGrid& grid, const Mesh& mesh,
     return near;
 }
 
+/// Samples sorted by cell, with the function's values there.
 struct IndexedSamples {
-    std::vector<std::uint32_t> cells;  ///< ascending
+    std::vector<std::uint32_t> cells;  ///< cell of each sample, ascending
     std::vector<SurfaceSample> samples;
     std::vector<Vec3d> values;
 };
@@ -90,14 +93,15 @@ IndexedSamples index_samples(const CellGrid& grid, std::vector<SurfaceSample> sa
     return index;
 }
 
+/// The Gaussian kernel over the samples.
 struct Kernel {
     const CellGrid& grid;
     const IndexedSamples& index;
     const std::vector<Vec3d>& normals;
     double sigma = 1.0;
-    double shorten = 0.0;  ///< 1 - 1 / stretch^2: what the long directions' squares lose
+    double shorten = 0.0;  ///< 1 - 1 / stretch^2: share that squares lose along the footprint
 
-    /// The mean, or `otherwise` where no sample is near.
+    /// The weighted mean at a point, or `otherwise` where no sample is near.
     Vec3d mean(const Vec3d& at, std::uint32_t triangle, const Vec3d& across,
                const Vec3d& otherwise) const {
         Vec3d sum(0.0);
@@ -132,7 +136,7 @@ std::vector<Vec3d> surface_means(const Mesh& mesh, const SolidColor& f,
     const CellGrid grid(bounding_box(mesh), gaussian_cut * stretch * sigma);
     const std::vector<char> near = cells_near(grid, mesh, points);
     const auto wanted = [&](const Vec3d& p) { return near[grid.cell_of(p)] != 0; };
-    // As many pieces to a long footprint as to a round one.
+    // A long footprint gets as many pieces as a round one.
     const double edge = std::min(piece * sigma, std::max(detail, std::sqrt(stretch) * sigma / 4.0));
     const IndexedSamples index = index_samples(grid, sample_surface(mesh, edge, seed, wanted), f);
     std::vector<Vec3d> normals(mesh.triangles.size());

@@ -12,7 +12,7 @@ namespace burl {
 
 namespace {
 
-constexpr double sliver = 0.05;  // of the edge's square: not cut any further
+constexpr double sliver = 0.05;  // area relative to edge^2 up to which pieces stay whole
 constexpr double most_pieces = 0x1p24;
 
 double area_of(const std::array<Vec3d, 3>& p) {
@@ -28,7 +28,7 @@ std::array<Vec3d, 3> points_of(const Mesh& mesh, std::size_t t) {
     return {mesh.positions[a], mesh.positions[b], mesh.positions[c]};
 }
 
-/// Cuts one triangle.
+/// Cuts triangles into pieces, one triangle after the other.
 class Cutter {
   public:
     Cutter(double edge, std::uint64_t seed, const std::function<bool(const Vec3d&)>& wanted,
@@ -73,7 +73,7 @@ class Cutter {
     std::uint64_t counter_ = 0;
 };
 
-/// `edge`, or longer where it would take too many pieces.
+/// The edge, lengthened where it would take more than most_pieces pieces.
 double affordable(const Mesh& mesh, double edge) {
     double area = 0.0;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) area += area_of(points_of(mesh, t));

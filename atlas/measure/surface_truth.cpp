@@ -40,7 +40,8 @@ LevelTruth level_truth(const Mesh& mesh, const SolidColor& f, std::span<const Su
     return truth;
 }
 
-/// A direction of the triangle's plane, evenly distributed.
+/// A direction of the triangle's plane at `turn` (0..1) of a full turn, and the direction at right
+/// angles to it.
 FootprintAxes random_axes(const Mesh& mesh, std::uint32_t triangle, double turn) {
     const Vec3d normal = face_normal(mesh, triangle);
     const auto& [a, b, c] = mesh.triangles[triangle];

@@ -1,4 +1,4 @@
-// Dilation is exact: nearest owned texel of each column first, then the best column of each row
+// Exact dilation: the nearest owned texel of each column first, then the best column of each row
 // (Felzenszwalb & Huttenlocher, "Distance Transforms of Sampled Functions", 2012, without the
 // envelope: gaps are short).
 #include "atlas/measure/texture_values.h"
@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::uint32_t no_row = std::numeric_limits<std::uint32_t>::max();
 
-constexpr std::int64_t continued_texels = 2;  // texels a map is continued by
+constexpr std::int64_t continued_texels = 2;  // largest number of texels that a map is continued by
 
 void fill_row(const SolidAtlas& solid, const SolidColor& f, std::size_t y, TextureValues& texture,
               Image<std::uint32_t>& maps) {
@@ -28,7 +28,8 @@ void fill_row(const SolidAtlas& solid, const SolidColor& f, std::size_t y, Textu
         }
 }
 
-/// Per texel the row of the nearest owned texel of its column, the upper of two.
+/// The row, for each texel, of the nearest owned texel of its column, the upper of two; no_row
+/// without one.
 Image<std::uint32_t> nearest_rows(const Image<std::uint32_t>& owner) {
     const std::size_t size = owner.width();
     Image<std::uint32_t> nearest(size, size, no_row);
@@ -48,7 +49,7 @@ Image<std::uint32_t> nearest_rows(const Image<std::uint32_t>& owner) {
     return nearest;
 }
 
-/// The owned texel nearest to (x, y), or no_row in the second.
+/// Column and row of the owned texel nearest to (x, y); the row is no_row without one.
 std::pair<std::size_t, std::uint32_t> nearest_owned(const Image<std::uint32_t>& rows, std::size_t x,
                                                     std::size_t y) {
     std::pair<std::size_t, std::uint32_t> best{x, no_row};
@@ -68,7 +69,7 @@ std::pair<std::size_t, std::uint32_t> nearest_owned(const Image<std::uint32_t>& 
     return best;
 }
 
-/// The owned texel's map at the texel nearest to (x, y) that it is continued to.
+/// The value of an owned texel's map at the texel nearest to `texel` to which the map is continued.
 Vec3f continued(const SolidAtlas& solid, const SolidColor& f, std::uint32_t map,
                 std::array<std::int64_t, 2> owned, std::array<std::int64_t, 2> texel) {
     for (std::size_t axis : {0u, 1u})

@@ -23,7 +23,8 @@ std::int32_t nearest_texel(double coordinate, std::uint32_t size) {
     return std::int32_t(std::clamp(std::floor(coordinate), 0.0, size - 1.0));
 }
 
-/// The triangle's affine map, anchored at the texel nearest to its first corner.
+/// The affine map of a triangle, anchored at the texel nearest to its first corner; constant for a
+/// triangle without area in the texture.
 TexelMap texel_map(const std::array<Vec2d, 3>& corners, const std::array<Vec3d, 3>& points,
                    std::uint32_t size) {
     TexelMap map;
@@ -56,7 +57,7 @@ Image<std::uint32_t> owners(const Atlas& atlas) {
     return owner;
 }
 
-/// Runs of equal owners as spans.
+/// Appends runs of equal owners as spans.
 void append_spans(std::span<const std::uint32_t> row, std::vector<Span>& spans) {
     for (std::uint32_t x = 0; x < row.size();) {
         std::uint32_t end = x + 1;

@@ -14,15 +14,15 @@ using OpenMesh::FaceHandle;
 using OpenMesh::HalfedgeHandle;
 using OpenMesh::VertexHandle;
 
-/// OpenMesh walks round a vertex for each face it adds there; a hub of a million faces would take
-/// hours. So after this many faces a point goes on with a fresh vertex.
+/// Number of faces after which a point goes on with a fresh vertex: OpenMesh walks round a vertex
+/// for each face it adds there, and a hub of a million faces would take hours.
 constexpr std::uint32_t most_faces_per_vertex = 4096;
 
 bool repeats_a_point(const Triangle& t) {
     return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
 }
 
-/// Complex edges are reported on OpenMesh's error stream; we count them instead.
+/// Silences OpenMesh's error stream, to which it reports complex edges; they are counted instead.
 void silence_openmesh() {
     static const bool silent = [] {
         ::omerr().disable();
@@ -50,6 +50,7 @@ class HalfEdgeBuilder {
     void neighbours_to(Connectivity& connectivity) const;
 
   private:
+    /// A half-edge vertex that stands for a mesh point, and the number of its faces.
     struct Place {
         VertexHandle handle;
         std::uint32_t faces = 0;
@@ -76,8 +77,8 @@ class HalfEdgeBuilder {
         return place.handle;
     }
     VertexHandle vertex(std::uint32_t point) { return counted(vertex_of_point_[point]); }
-    /// The point's vertex for faces that did not fit the first: sheets that meet others along a
-    /// complex edge, or lie on them, stay connected among themselves.
+    /// The point's second vertex, for faces that do not fit at its first one: sheets that meet
+    /// others along a complex edge, or lie on them, stay connected among themselves.
     VertexHandle second(std::uint32_t point) { return counted(second_vertex_of_point_[point]); }
 
     std::int32_t triangle_across(HalfedgeHandle edge) const {
@@ -106,7 +107,8 @@ void HalfEdgeBuilder::neighbours_to(Connectivity& connectivity) const {
     connectivity.interior_edges /= 2;  // counted from both sides
 }
 
-/// Components of triangles that meet along edges; those without area to connect are in none.
+/// Number of components of triangles connected across edges; triangles with a repeated point belong
+/// to none.
 std::uint64_t count_shells(const Mesh& mesh, const Connectivity& connectivity) {
     std::vector<bool> seen(mesh.triangles.size(), false);
     std::vector<std::uint32_t> open;

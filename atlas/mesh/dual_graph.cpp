@@ -16,7 +16,8 @@
 namespace burl {
 namespace {
 
-/// Whole-number weights: the mesh's area and the mean edge, each as many units.
+/// Scale of the whole-number weights: the nodes weigh `area_units` in sum, an edge of mean weight
+/// `edge_units`, and no edge more than `most_edge_units` (each plus 1).
 constexpr double area_units = 1 << 26, edge_units = 64.0, most_edge_units = 64000.0;
 
 Vec3d normal(const Mesh& mesh, std::uint32_t t) {
@@ -27,11 +28,11 @@ Vec3d normal(const Mesh& mesh, std::uint32_t t) {
     return length > 0.0 ? n / length : Vec3d(0.0);
 }
 
-/// METIS says on C's standard output when a division leaves a part without nodes, and has no option
-/// against it; the parts it gives are good all the same, but the program's own output is results
-/// alone. While one of these lives, what its thread prints there is dropped: the descriptor leads
-/// nowhere, and stdio's own lock lets other threads print before and after. At most one may live at
-/// a time.
+/// Drops what its thread prints to C's standard output while it lives. METIS prints there when a
+/// division leaves a part without nodes, and has no option against it; the parts it gives are good
+/// all the same, but the program's own output is results alone. The descriptor leads to /dev/null,
+/// and stdio's own lock lets other threads print before and after. At most one object may live at a
+/// time.
 class MutedStdout {
   public:
     MutedStdout() {
@@ -46,7 +47,8 @@ class MutedStdout {
     MutedStdout& operator=(const MutedStdout&) = delete;
 
   private:
-    /// After what was printed before; closes the descriptor. Nothing changes without one.
+    /// Flushes earlier output, lets standard output lead to what `descriptor` leads to, and closes
+    /// `descriptor`. Does nothing where it is negative.
     static void lead_to(int descriptor) {
         if (descriptor < 0) return;
         std::fflush(stdout);
@@ -54,11 +56,13 @@ class MutedStdout {
         ::close(descriptor);
     }
 
-    /// Negative where standard output is closed, or no descriptor is left: nothing is dropped then.
+    /// A copy of standard output's descriptor; negative where standard output is closed or no
+    /// descriptor is left, in which case nothing is dropped.
     const int real_ = ::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
 };
 
-/// One of METIS's partitioners, which all take the same arguments.
+/// The part of each node by `partitioner`, one of METIS's, which all take the same arguments; part
+/// 0 for all nodes where there is nothing to divide or METIS fails.
 std::vector<std::uint32_t> parts_of(const DualGraph& graph, std::uint32_t parts, int seed,
                                     decltype(&METIS_PartGraphKway) partitioner) {
     std::vector<std::uint32_t> result(graph.nodes(), 0);

@@ -14,12 +14,12 @@
 namespace burl {
 namespace {
 
-/// The soup cut into triangles; `source_corners` is empty when it was all triangles already.
+/// The soup cut into triangles; `source_corners` is empty where all its faces are triangles.
 struct Triangulation {
     std::vector<std::uint32_t> point_of_corner;
-    std::vector<std::uint32_t>
-        source_corners;                ///< per triangle corner, the soup corner it came from
-    std::vector<std::uint32_t> faces;  ///< per triangle, its face in the soup
+    /// The soup's corner of each triangle corner.
+    std::vector<std::uint32_t> source_corners;
+    std::vector<std::uint32_t> faces;  ///< soup's face of each triangle
 };
 
 void check_size(const PolygonSoup& soup, const std::string& path) {
@@ -69,7 +69,8 @@ Triangulation triangulate(PolygonSoup& soup, MeshNotes& notes) {
     return cut;
 }
 
-/// Per triangle corner: the value, or `missing`. Empty when the soup has no such attribute.
+/// The attribute's value at each triangle corner, `missing` where the soup gives that corner none.
+/// Empty where the soup has no such attribute.
 template <typename Value>
 std::vector<Value> to_corners(const SoupAttribute<Value>& attribute, const Triangulation& cut,
                               const Value& missing) {
@@ -95,8 +96,8 @@ CornerAttributes gather_attributes(const PolygonSoup& soup, const Triangulation&
     return corners;
 }
 
-/// The face's own unit normal, computed so that neither huge nor tiny meshes lose it; +z without
-/// area.
+/// Unit normal of triangle t, computed so that neither huge nor tiny meshes lose it; +z for a
+/// triangle without area.
 Vec3f face_normal(const Mesh& mesh, std::size_t t) {
     const auto& [a, b, c] = mesh.triangles[t];
     const double scale = longest_edge(mesh, t);
@@ -121,8 +122,8 @@ void make_normals_unit(Mesh& mesh) {
             fmt::format("{} corners have no normal; their face's own is used", replaced));
 }
 
-/// Binary files may hold NaN or infinite attributes; the geometry is sound, so they are only
-/// replaced.
+/// Replaces colours and texture coordinates that are NaN or infinite, as binary files may hold
+/// them, by 1 and 0; the geometry is sound, so the file is not refused.
 void make_attributes_finite(Mesh& mesh) {
     std::uint64_t replaced = 0;
     const auto check = [&](auto& values, int components, auto fallback) {
@@ -140,7 +141,7 @@ void make_attributes_finite(Mesh& mesh) {
             "{} colour or texture coordinate values are not finite; replaced", replaced));
 }
 
-/// Face ranges to triangle ranges; `faces` is ascending.
+/// Parts as ranges of triangles instead of faces; cut.faces is ascending.
 std::vector<Part> to_parts(std::vector<SoupPart>&& soup_parts, const Triangulation& cut,
                            const std::string& name) {
     if (soup_parts.empty()) {
@@ -162,7 +163,7 @@ std::vector<Part> to_parts(std::vector<SoupPart>&& soup_parts, const Triangulati
     return parts;
 }
 
-/// Longest side of the box of the points that `corners` use.
+/// Longest side of the bounding box of the points that `corners` use.
 double longest_side_of(const std::vector<Vec3d>& points,
                        const std::vector<std::uint32_t>& corners) {
     Box3 box{points[corners.front()], points[corners.front()]};
@@ -175,7 +176,7 @@ double longest_side_of(const std::vector<Vec3d>& points,
 
 void weld_into(Mesh& mesh, const std::vector<Vec3d>& points, std::vector<std::uint32_t>&& corners,
                double weld) {
-    // Nearer than the coordinates' own rounding is the same as equal.
+    // A distance below the coordinates' own rounding means exact welding.
     const double distance = weld > 0x1p-50 ? weld * longest_side_of(points, corners) : 0.0;
     WeldedPoints welded = weld_points(points, std::move(corners), distance);
     mesh.positions = std::move(welded.positions);

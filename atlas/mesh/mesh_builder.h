@@ -1,17 +1,19 @@
 #pragma once
-// From a file's polygons to the Mesh every stage works on: triangulate, weld, renumber, count.
+// Conversion of a file's polygons to the Mesh that every stage works on: triangulate, weld,
+// renumber, count.
 #include "atlas/mesh/mesh.h"
 #include "atlas/mesh/polygon_soup.h"
 #include "atlas/mesh/read_options.h"
 
 namespace burl {
 
-/// Area up to this times the squared longest side of the box counts as none: what double rounding
-/// can leave of a triangle on a line, far below any triangle a float file can hold on purpose.
+/// Largest area, as a share of the squared longest side of the bounding box, that counts as none:
+/// what double rounding can leave of a triangle on a line, far below any triangle a float file can
+/// hold on purpose.
 inline constexpr double zero_area = 0x1p-50;
 
-/// Per corner 3t+k of the triangles that build_mesh() makes, the soup's corner it is; empty where
-/// they are the soup's own in order. The soup must have faces.
+/// The soup's corner for each corner 3t+k of the triangles that build_mesh() makes; empty where
+/// these are the soup's own faces in order. The soup must have faces.
 std::vector<std::uint32_t> corners_of_triangles(PolygonSoup& soup);
 
 /// Makes the mesh: polygons triangulated, points welded and numbered by first use, every face kept

@@ -1,4 +1,4 @@
-// Sorts points into cells by counting.
+// Fills the grid by a counting sort over its cells.
 #include "atlas/mesh/point_grid.h"
 
 #include <cmath>

@@ -1,6 +1,6 @@
 #pragma once
-// Points of the plane in square cells, for "what lies near this box?" while points drop out: ear
-// clipping asks it for the corners that can keep an ear from being cut.
+// A uniform grid over points of the plane, for "what lies near this box?" while points drop out:
+// ear clipping asks it for the corners that can keep an ear from being cut.
 #include <cstdint>
 #include <vector>
 
@@ -8,20 +8,22 @@
 
 namespace burl {
 
+/// A grid of equal cells over the points' bounding box; members can be dropped, not added.
 class PointGrid {
   public:
     /// Fills the grid with `members`, indices into `points`; about one member per cell.
     void fill(const std::vector<Vec2d>& points, const std::vector<std::uint32_t>& members);
 
-    /// How many cells the box touches: what visiting it costs at least.
+    /// Number of cells that the box touches, a lower bound of the cost of visiting it.
     std::uint64_t cells_in(const Vec2d& low, const Vec2d& high) const {
         return std::uint64_t{column(high.x) - column(low.x) + 1} * (row(high.y) - row(low.y) + 1);
     }
 
+    /// A visitor's answer: the member stays, leaves the grid, or ends the visit.
     enum class Verdict { keep, drop, stop };
 
-    /// Calls visit(member) for the members in all cells the box touches, until it says stop; those
-    /// it says drop to are gone. Returns whether it stopped.
+    /// Calls visit(member) for the members of all cells that the box touches, until it answers
+    /// stop; members it answers drop to leave the grid. Returns whether it answered stop.
     template <typename Visit>
     bool visit(const Vec2d& low, const Vec2d& high, const Visit& visit) {
         const std::uint32_t x0 = column(low.x), x1 = column(high.x);

@@ -10,7 +10,7 @@
 namespace burl {
 namespace {
 
-/// Twice the signed area of abc, zero where rounding could have made its sign.
+/// Twice the signed area of triangle abc; zero where rounding could have made its sign.
 double orientation(const Vec2d& a, const Vec2d& b, const Vec2d& c) {
     const double left = (b.x - a.x) * (c.y - a.y);
     const double right = (b.y - a.y) * (c.x - a.x);
@@ -19,7 +19,7 @@ double orientation(const Vec2d& a, const Vec2d& b, const Vec2d& c) {
     return std::abs(area) <= bound * (std::abs(left) + std::abs(right)) ? 0.0 : area;
 }
 
-/// Newell's normal: robust for non-planar polygons and collinear corners.
+/// Newell's normal of a polygon: robust for non-planar polygons and collinear corners.
 Vec3d newell_normal(std::span<const Vec3d> corners) {
     Vec3d normal(0.0);
     for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -43,7 +43,7 @@ const std::vector<std::array<std::uint32_t, 3>>& PolygonTriangulator::operator()
     return triangles_;
 }
 
-/// Fills plane_, counter-clockwise; false when the polygon has no area to speak of.
+/// Fills plane_ with the projected corners, counter-clockwise; false where Newell's normal is zero.
 bool PolygonTriangulator::project(std::span<const Vec3d> corners) {
     const Vec3d normal = newell_normal(corners);
     const Vec3d size = glm::abs(normal);
@@ -56,10 +56,10 @@ bool PolygonTriangulator::project(std::span<const Vec3d> corners) {
     return true;
 }
 
-/// Every corner turns left and the outline goes round once.
+/// Whether every corner turns left and the outline goes round once.
 bool PolygonTriangulator::strictly_convex() const {
     const std::size_t count = plane_.size();
-    int changes = 0;  // of the x direction: two for one turn
+    int changes = 0;  // changes of the x direction: two for one turn
     bool rightward = plane_[0].x > plane_[count - 1].x;
     for (std::size_t i = 0; i < count; ++i) {
         const Vec2d& a = plane_[i];
@@ -78,8 +78,8 @@ void PolygonTriangulator::fan(std::uint32_t count) {
 }
 
 /// Cuts ears lap after lap until a triangle is left. A first lap tries every corner, the next ones
-/// only those beside a cut, whose angle changed; when these are used up, all are tried again, and
-/// when that gives nothing, with the next milder grade.
+/// only the corners beside a cut, whose angle changed; when these are used up, all are tried again,
+/// and when that gives nothing, with the next milder grade of strictness.
 void PolygonTriangulator::clip_ears() {
     const auto count = static_cast<std::uint32_t>(plane_.size());
     start_ring(count);
@@ -90,7 +90,7 @@ void PolygonTriangulator::clip_ears() {
     while (left_ > 3 && work_left_ > 0) {
         const std::uint32_t left_before = left_;
         run_lap(strictness);
-        if (left_ < left_at_last_fill / 2) {  // ears are larger now; so let the cells be
+        if (left_ < left_at_last_fill / 2) {  // ears are larger by now, so cells should be, too
             find_blockers();
             left_at_last_fill = left_;
         }
@@ -124,7 +124,7 @@ void PolygonTriangulator::start_ring(std::uint32_t count) {
     find_blockers();
 }
 
-/// The corners that are left, in order.
+/// The corners left in the ring, in order.
 std::vector<std::uint32_t> PolygonTriangulator::ring() const {
     std::vector<std::uint32_t> corners;
     corners.reserve(left_);
@@ -133,8 +133,8 @@ std::vector<std::uint32_t> PolygonTriangulator::ring() const {
     return corners;
 }
 
-/// Tries the corners of lap_ and leaves in it those to try next: the neighbours of the cut ones,
-/// which are passed over in this lap so that no fan of slivers grows round a corner.
+/// Tries the corners of lap_ and leaves in it the corners to try next: the neighbours of the cut
+/// ones, which are passed over in this lap so that no fan of slivers grows round a corner.
 void PolygonTriangulator::run_lap(int strictness) {
     following_.clear();
     for (const std::uint32_t tip : lap_) {
@@ -166,15 +166,16 @@ double PolygonTriangulator::turn(std::uint32_t corner) const {
     return orientation(plane_[previous_[corner]], plane_[corner], plane_[next_[corner]]);
 }
 
-/// Only corners that do not turn left can keep an ear from being cut (where another one lies in it,
-/// such a one does too), and cutting never makes new ones.
+/// Collects the corners that can keep an ear from being cut: reflex and straight ones. (Where
+/// another corner lies in an ear, one of them does, too, and cutting never makes new ones.)
 void PolygonTriangulator::find_blockers() {
     blockers_ = ring();
     std::erase_if(blockers_, [&](std::uint32_t corner) { return turn(corner) > 0.0; });
     blocker_grid_.fill(plane_, blockers_);
 }
 
-/// Grade 2: area and nothing in the closed triangle; 1: nothing strictly inside; 0: no area at all.
+/// Whether the triangle at `tip` may be cut off. Strictness 2 asks for area and no corner in the
+/// closed triangle, 1 for area and no corner strictly inside, 0 for no area at all.
 bool PolygonTriangulator::is_ear(std::uint32_t tip, int strictness) {
     const Vec2d &a = plane_[previous_[tip]], &b = plane_[tip], &c = plane_[next_[tip]];
     const double area = orientation(a, b, c);
@@ -191,7 +192,8 @@ bool PolygonTriangulator::is_ear(std::uint32_t tip, int strictness) {
     });
 }
 
-/// Does corner `other`, which does not turn left, keep the triangle at `tip` from being cut off?
+/// Whether corner `other`, which does not turn left, keeps the triangle at `tip` from being cut
+/// off.
 bool PolygonTriangulator::blocks(std::uint32_t other, std::uint32_t tip, int strictness) const {
     const Vec2d &a = plane_[previous_[tip]], &b = plane_[tip], &c = plane_[next_[tip]];
     const Vec2d& p = plane_[other];

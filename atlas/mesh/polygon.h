@@ -20,8 +20,8 @@ class PolygonTriangulator {
     /// is valid until the next call.
     const std::vector<std::array<std::uint32_t, 3>>& operator()(std::span<const Vec3d> corners);
 
-    /// Polygons so far that cross themselves, or exceed the work limit: some of their triangles may
-    /// overlap or be turned over.
+    /// Number of polygons so far that cross themselves or exceed the work limit: some of their
+    /// triangles may overlap or be turned over.
     std::uint64_t forced() const { return forced_; }
 
   private:
@@ -40,12 +40,12 @@ class PolygonTriangulator {
     void cut(std::uint32_t tip);
 
     std::vector<Vec2d> plane_;
-    std::vector<std::uint32_t> next_,
-        previous_;                        ///< ring of the corners left; a cut one is its own next
-    std::uint32_t start_ = 0, left_ = 0;  ///< a corner of the ring, and how many there are
-    std::vector<std::uint32_t> lap_, following_;  ///< corners to try now, and after that
-    std::vector<bool> touched_;                   ///< is in following_
-    std::vector<std::uint32_t> blockers_;         ///< corners that do not turn left
+    /// Linked ring of the corners left; a cut corner is its own next.
+    std::vector<std::uint32_t> next_, previous_;
+    std::uint32_t start_ = 0, left_ = 0;          ///< a corner of the ring, and the ring's length
+    std::vector<std::uint32_t> lap_, following_;  ///< corners to try in this lap and in the next
+    std::vector<bool> touched_;                   ///< whether a corner is in following_
+    std::vector<std::uint32_t> blockers_;         ///< reflex and straight corners
     PointGrid blocker_grid_;
     std::vector<std::array<std::uint32_t, 3>> triangles_;
     std::uint64_t work_left_ = 0;

@@ -1,14 +1,14 @@
 #pragma once
-// How a file becomes a mesh, where that is a user's choice.
+// A user's choices of how a file becomes a mesh.
 
 namespace burl {
 
 struct ReadOptions {
-    /// Points closer than this times the box's longest side are welded; 0 welds bitwise-equal
-    /// points (after -0 -> 0).
+    /// Welding distance as a share of the box's longest side: closer points are welded; 0 welds
+    /// points with the same bits (-0 counts as 0).
     double weld = 0.0;
-    /// Give each glTF instance triangles of its own, in scene space, instead of baking the first
-    /// one for all.
+    /// Whether each glTF instance gets triangles of its own, in scene space, instead of sharing
+    /// those of the first instance.
     bool unshare_instances = false;
 };
 

@@ -25,7 +25,7 @@ std::uint64_t hash_of(const Vec3d& p) {
     return mix(x + mix(y + mix(z)));
 }
 
-/// Ids by hash, linear probing, doubled when two thirds full.
+/// A hash table of ids with linear probing; it grows fourfold when two thirds full.
 class IdTable {
   public:
     /// Calls same(id) for each id stored under `hash`; returns the first that matches, or no_index.
@@ -66,6 +66,7 @@ class IdTable {
     std::size_t count_ = 0;
 };
 
+/// Welds points with the same bits.
 class ExactWelder {
   public:
     std::uint32_t id_of(const Vec3d& p, std::vector<Vec3d>& kept) {
@@ -82,6 +83,7 @@ class ExactWelder {
     IdTable table_;
 };
 
+/// Welds each point to the earliest kept point within `distance`.
 class TolerantWelder {
   public:
     TolerantWelder(const Vec3d& low, double distance)
@@ -133,7 +135,7 @@ void weld_with(Welder welder, const std::vector<Vec3d>& points, WeldedPoints& we
         }
         corner = id;
     }
-    welded.positions.shrink_to_fit();  // they grew one by one, and stay
+    welded.positions.shrink_to_fit();  // grown one by one, and kept from now on
     for (const std::uint32_t id : id_of_point) welded.unreferenced += id == no_index;
 }
 

@@ -8,11 +8,12 @@
 
 namespace burl {
 
+/// Points after welding, and the corners that use them.
 struct WeldedPoints {
     std::vector<Vec3d> positions;        ///< distinct points, numbered by first use in `corners`
-    std::vector<std::uint32_t> corners;  ///< as given, renumbered to `positions`
-    std::uint64_t unreferenced = 0;      ///< points no corner uses
-    std::uint64_t merged = 0;            ///< points some corner uses that fell on an earlier one
+    std::vector<std::uint32_t> corners;  ///< given corners, renumbered to `positions`
+    std::uint64_t unreferenced = 0;      ///< points that no corner uses
+    std::uint64_t merged = 0;            ///< used points that coincide with an earlier one
 };
 
 /// Welds `points` in the order `corners` uses them; each point goes to the earliest kept one with

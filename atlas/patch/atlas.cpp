@@ -1,3 +1,17 @@
+// The steps of the patch atlas, in order, with their files; docs/patch-atlas.md tells why.
+// 1. frame: the mesh is moved into a unit box, so that its scale and place change nothing.
+// 2. candidates: several divisions are judged in parallel, for a large mesh on a coarse copy
+//    (coarse_mesh, edge_collapse). Each division is a partition or follows creases (partition).
+// 3. maps: every region becomes a patch with a map from the unit square. Flat ones are projected
+//    (planar_map), others are cut to disks (cut) and mapped (rectangle_map: corner_search,
+//    chord_split, laplacian, stretch, rectangle_descent), large ones by way of a coarse patch
+//    (coarse_map, stretch_sweeps). A region that stretches too much is halved and mapped again.
+// 4. layout: the patches get texels (budget) and rectangles in the texture (tree, a treemap); the
+//    division of least cost is kept.
+// 5. refit() below: the maps descend on for the proportions that their blocks really got.
+// 6. refine: split chords are carried to the mesh that is exported; place_corners() below sets its
+//    corners and charts in the texture. fit_patches() is steps 1 to 5, place_patches() this one.
+// 7. raster: every texel gets its solid point, by spans of affine maps, and gutters are filled.
 #include "atlas/patch/atlas.h"
 
 #include <algorithm>
@@ -14,9 +28,9 @@ namespace burl {
 namespace {
 
 constexpr int refit_iterations = 20;
-constexpr double refit_gain = 1e-4;  ///< relative, per iteration: less is not worth another
+constexpr double refit_gain = 1e-4;  ///< relative gain per iteration, below which it ends
 
-/// Descends on for the proportions that the blocks really got.
+/// Descends on every rectangle map of the candidate for the proportions that its block really got.
 void refit(PatchCandidate& candidate, const std::stop_token& stop) {
     tbb::parallel_for(std::size_t(0), candidate.maps.patches.size(), [&](std::size_t i) {
         MappedPatch& mapped = candidate.maps.patches[i];
@@ -32,7 +46,8 @@ void refit(PatchCandidate& candidate, const std::stop_token& stop) {
     });
 }
 
-/// A patch's vertices as points of the refined mesh; hubs get numbers behind those.
+/// Numbers of patches' vertices as points of the refined mesh; hubs get numbers behind those
+/// points.
 class PointNumbers {
   public:
     PointNumbers(const PatchMaps& maps, const Refinement& refinement) {
@@ -57,11 +72,11 @@ class PointNumbers {
     std::uint32_t hubs() const { return next_ - first_hub_; }
 
   private:
-    std::vector<std::vector<std::uint32_t>> points_;  ///< per patch and vertex
+    std::vector<std::vector<std::uint32_t>> points_;  ///< number of each patch's vertices
     std::uint32_t first_hub_ = 0, next_ = 0;
 };
 
-/// Three of a planar patch's vertices far apart.
+/// Three vertices of a planar patch that are far apart.
 Triangle wide_triangle(const std::vector<Vec2d>& uv) {
     const auto farthest = [&](auto distance) {
         std::uint32_t best = 0;
@@ -89,7 +104,7 @@ PlacedTriangle placed(const MappedPatch& mapped, std::size_t p, const PatchBlock
     return triangle;
 }
 
-/// What is kept of the maps.
+/// Sets the atlas's patches and its number of hubs.
 void describe_patches(const PatchMaps& maps, const Refinement& refinement, PatchAtlas& result) {
     PointNumbers numbers(maps, refinement);
     result.patches.resize(maps.patches.size());
@@ -104,7 +119,7 @@ void describe_patches(const PatchMaps& maps, const Refinement& refinement, Patch
                 patch.fans.push_back(placed(mapped, p, block, mapped.patch.triangles[t], numbers));
     }
     result.hubs = numbers.hubs();
-    std::vector<std::uint32_t> first(maps.patches.size(), not_in_mesh);  // within the patch
+    std::vector<std::uint32_t> first(maps.patches.size(), not_in_mesh);  // lowest in_patch so far
     for (std::uint32_t t = 0; t < refinement.patch.size(); ++t) {
         const std::uint32_t p = refinement.patch[t];
         if (p == not_in_mesh || refinement.in_patch[t] >= first[p]) continue;
@@ -113,7 +128,8 @@ void describe_patches(const PatchMaps& maps, const Refinement& refinement, Patch
     }
 }
 
-/// Places the refined triangles' corners; those without a patch on a point that has a place.
+/// Sets corners and charts of the refined triangles; a triangle without a patch lies at its first
+/// point's place.
 void place_corners(const PatchMaps& maps, const Refinement& refinement, PatchAtlas& result) {
     const std::vector<Triangle>& triangles = refinement.refined.mesh.triangles;
     const std::size_t count = triangles.size();

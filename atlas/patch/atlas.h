@@ -1,7 +1,8 @@
 #pragma once
-// The patch atlas: few patches on full rectangles, so that a texture of it can be minified with
-// plain bilinear and trilinear lookups. Several partitions are tried and the one whose predicted
-// stretch is least is kept; then every map is fitted again to the proportions its block really got.
+// The patch atlas: few patches on full rectangles, so that its texture can be minified with plain
+// bilinear and trilinear lookups. Several partitions are tried and the one with the least predicted
+// stretch is kept; then every map is fitted again to the proportions that its block really got. The
+// top of atlas.cpp lists the steps in order.
 #include <optional>
 #include <span>
 #include <stop_token>
@@ -12,51 +13,53 @@
 
 namespace burl {
 
-/// Three points and their places in the texture, in texels.
+/// A triangle with its corners' places in the texture, in texels.
 struct PlacedTriangle {
-    Triangle points{};  ///< of the refined mesh, or behind them a hub (PatchAtlas::hubs)
+    Triangle points{};  ///< points of the refined mesh, or hubs numbered behind them
     std::array<Vec2d, 3> places{};
 };
 
-/// What rasterising needs of a patch besides its triangles.
+/// The data of a patch that rasterising needs besides the patch's triangles.
 struct PlacedPatch {
-    std::uint32_t triangle = 0;  ///< of the refined mesh: who texels without one belong to
-    std::optional<PlacedTriangle> plane{};  ///< of a planar patch: three points far apart
-    std::vector<PlacedTriangle> fans{};     ///< close holes; no part of the mesh
+    /// A triangle of the refined mesh, to which the block's texels belong that show none.
+    std::uint32_t triangle = 0;
+    /// Three points far apart, of a planar patch only.
+    std::optional<PlacedTriangle> plane{};
+    std::vector<PlacedTriangle> fans{};  ///< triangles that close holes; no part of the mesh
 };
 
-/// Kept are 90 bytes a triangle, corners of the charts (Atlas) being most of them.
+/// A patch atlas. It holds 90 bytes a triangle, most of them in the corners of the charts (Atlas).
 struct PatchAtlas {
-    RefinedMesh refined;  ///< what is exported: the mesh with the middles of chords
+    RefinedMesh refined;  ///< exported mesh: the mesh with the middles of chords
     Atlas atlas;          ///< corners and charts of the refined mesh's triangles; no blocks
     PatchLayout layout;
     std::vector<PlacedPatch> patches;
-    std::uint32_t hubs = 0;  ///< centres of closed holes: points with no number of their own
+    std::uint32_t hubs = 0;  ///< hubs: centres of closed holes, which are no mesh points
     PatchMapNotes notes;
-    std::size_t unmapped = 0;  ///< triangles no map was found for
-    int candidates = 0;        ///< divisions judged
+    std::size_t unmapped = 0;  ///< triangles for which no map was found
+    int candidates = 0;        ///< divisions into patches that were judged
 
-    /// A refined triangle's patch, or not_in_mesh for one that no map was found for: it has a chart
-    /// of its own, behind the patches'.
+    /// The patch of a triangle of the refined mesh; not_in_mesh for one without a map, which has a
+    /// chart of its own behind the patches' charts.
     std::uint32_t patch_of(std::size_t triangle) const {
         const std::uint32_t chart = atlas.charts[triangle];
         return chart < patches.size() ? chart : not_in_mesh;
     }
 };
 
-/// The division into patches that is best for the texture, each with the map that suits its block.
-/// Nothing when the texture cannot hold the patches, or when `stop` came first. Of the options,
-/// size and tries matter.
+/// The best division of the mesh into patches for the texture, each patch with the map that suits
+/// its block. Nothing when the texture cannot hold the patches, or when `stop` was requested first.
+/// Of the options, size and tries matter.
 std::optional<PatchCandidate> fit_patches(const Mesh& mesh, const Connectivity& connectivity,
                                           const AtlasOptions& options,
                                           const std::stop_token& stop = {});
 
-/// Places the triangles of the patches; those that no map was found for (they have no area) on a
-/// point of their own patch neighbours, or at texel (0,0).
+/// The atlas of the fitted patches. A triangle for which no map was found (it has no area) lies at
+/// the place of its first point in a patch, or, where that has none, at texel (0,0).
 PatchAtlas place_patches(const Mesh& mesh, const PatchCandidate& fitted,
                          const AtlasOptions& options);
 
-/// Both. Pure and deterministic.
+/// fit_patches(), then place_patches(). Pure and deterministic.
 std::optional<PatchAtlas> build_patch_atlas(const Mesh& mesh, const Connectivity& connectivity,
                                             const AtlasOptions& options = {},
                                             const std::stop_token& stop = {});

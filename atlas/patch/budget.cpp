@@ -8,14 +8,15 @@ namespace burl {
 namespace {
 
 constexpr double most_aspect = 16.0;
-constexpr int halvings = 40;  ///< of the interval that holds the common factor
+constexpr int halvings = 40;  ///< bisections of the interval that holds the common factor
 
-/// A patch's inner texels in some unit, and what shape they have.
+/// A patch's inner texels in some unit, and the root of their width over height.
 struct Inner {
     double texels = 0.0, root_aspect = 1.0;
 };
 
-/// Texels of a side that has so many inner steps: a block's gutter is at most a quarter of it.
+/// Texels of a block's side that has so many inner steps; the gutter is at most a quarter of the
+/// side.
 double side(double steps, double gutter) {
     return std::min(steps + 1.0 + 2.0 * gutter, 2.0 * (steps + 1.0));
 }

@@ -1,5 +1,5 @@
-// Candidates share nothing but the mesh and are judged in parallel; the first of equally good ones
-// wins.
+// Judging of candidates: they share nothing but the mesh and are judged in parallel; the first of
+// equally good ones wins.
 #include "atlas/patch/candidates.h"
 
 #include <algorithm>
@@ -12,37 +12,49 @@
 namespace burl {
 namespace {
 
+/// One partition to judge, with the limit of the distortion D beyond which its patches are slit or
+/// halved (PatchMapOptions::most_distortion).
 struct Try {
     PartitionOptions partition;
     double most_distortion = 1.4;
 };
 
-/// Numbers of patches, seeds and limits that do well on different meshes.
+/// The partitions in the order in which `tries` takes them, as {{number of patches, seed of METIS},
+/// limit of D}; docs/patch-atlas.md has the cost of each on eight meshes.
 constexpr std::array<Try, 6> tries_in_order{
     {{{6, 1}, 1.4}, {{5, 4}, 1.3}, {{6, 2}, 1.3}, {{4, 1}, 1.3}, {{8, 1}, 1.4}, {{4, 2}, 1.5}}};
+/// Angles between normals, in degrees, at which the mesh is divided along its creases.
 constexpr std::array<double, 2> crease_degrees{30.0, 15.0};
 
-constexpr double judging_gain = 0.003;  ///< descents of candidates stop early
-/// Predicted stretch does not see borders, which blur the upper levels: each patch counts this
-/// much.
+constexpr double judging_gain = 0.003;  ///< PatchMapOptions::least_gain while judging
+/// Relative cost of each patch (0.5 %): the predicted stretch does not see the patches' borders,
+/// which blur the upper MIP levels.
 constexpr double per_patch = 0.005;
+/// Number of trees that layout_patches() tries for a division when it is judged, and for each of
+/// the finalists.
 constexpr int judging_layouts = 16, last_layouts = 96;
-/// How many of the divisions judged are placed with care, and carried over from a coarse mesh.
+/// Number of finalists: the divisions of least cost, which are laid out again with `last_layouts`
+/// trees and, where they were judged on a coarse mesh, first carried over to the fine one and
+/// mapped there.
 constexpr std::size_t last_choices = 2;
-/// Partitions of a mesh with more triangles are judged on a coarse one with about so many.
+/// Number of triangles above which a mesh is judged by a coarse copy of it, and the copy's number
+/// of triangles.
 constexpr std::size_t judged_as_it_is = 80000, judged_triangles = 24000;
-/// How much more than on the coarse mesh a division may stretch on the fine one. Where that has
-/// very many triangles its detail stretches a map whatever the division, and halving would not
-/// help.
+/// Factors on the limit of D for a division that is carried over from the coarse mesh:
+/// `carried_slack` always, as the fine mesh's detail costs some distortion, and `detail_tolerance`
+/// (PatchMapOptions::tolerance) as well where the mesh has more than `much_detail` times the coarse
+/// one's triangles. So much detail stretches a map whatever the division, and halving patches would
+/// not help.
 constexpr double carried_slack = 1.1, detail_tolerance = 1.25;
-constexpr std::size_t much_detail = 16;  ///< times the triangles judged
+constexpr std::size_t much_detail = 16;  ///< ratio of fine to coarse triangles
 
-/// A division to judge: one of the tries, or along creases.
+/// A division to judge: a partition, or regions along creases.
 struct Plan {
     Try attempt;
-    Regions creases;  ///< empty for a partition
+    Regions creases;  ///< regions along creases; empty for a partition
 };
 
+/// A judged division with the partition that it came from.
 struct Judged {
     PatchCandidate candidate;
     Try attempt;
@@ -77,7 +89,8 @@ void lay_out(PatchCandidate& candidate, std::uint32_t size, int layouts) {
     candidate.layout = std::move(*layout);
 }
 
-/// Creases are worth a try where they divide the surface into some large parts.
+/// Whether regions along creases are worth judging: the largest has at most 60 % of the area, and
+/// at least four have more than 2 % each.
 bool divides_well(const Mesh& mesh, const Regions& regions) {
     double all = 0.0, largest = 0.0;
     std::vector<double> areas;
@@ -99,7 +112,8 @@ PatchMapOptions judging_options(const Try& attempt, const std::stop_token& stop)
             .stop = stop};
 }
 
-/// The tries asked for, then creases where they divide the mesh well.
+/// The divisions to judge: the first `tries` partitions, then those along creases that divide the
+/// mesh well and differ from one another.
 std::vector<Plan> plans(const Mesh& mesh, const Connectivity& connectivity, int tries) {
     std::vector<Plan> result;
     for (int i = 0; i < std::clamp(tries, 1, int(tries_in_order.size())); ++i)
@@ -125,7 +139,7 @@ PatchCandidate judge(const Mesh& mesh, const Connectivity& connectivity, const P
     return candidate;
 }
 
-/// The divisions of least cost, best first: at most `most`.
+/// Up to `most` divisions of least cost, best first.
 std::vector<Judged> best_of_all(const Mesh& mesh, const Connectivity& connectivity,
                                 std::uint32_t size, int tries, std::size_t most,
                                 const std::stop_token& stop) {
@@ -142,7 +156,7 @@ std::vector<Judged> best_of_all(const Mesh& mesh, const Connectivity& connectivi
     return judged;
 }
 
-/// The fine mesh's maps for the division that was best on the coarse one.
+/// The fine mesh's maps for a division that was judged on the coarse one.
 PatchMaps carry_over(const Mesh& mesh, const Connectivity& connectivity, const CoarseMesh& coarse,
                      const PatchCandidate& best, const Try& attempt, const std::stop_token& stop) {
     const auto& patches = best.maps.patches;
@@ -161,7 +175,7 @@ PatchMaps carry_over(const Mesh& mesh, const Connectivity& connectivity, const C
                        options);
 }
 
-/// The best divisions of the mesh itself, or those of a coarse one carried over.
+/// The finalists: the best divisions of the mesh itself, or those of a coarse mesh carried over.
 std::vector<PatchCandidate> best_divisions(const Mesh& mesh, const Connectivity& connectivity,
                                            std::uint32_t size, int tries,
                                            const std::stop_token& stop) {
@@ -174,7 +188,7 @@ std::vector<PatchCandidate> best_divisions(const Mesh& mesh, const Connectivity&
         judge_coarse ? best_of_all(coarse->mesh, coarse->connectivity, size, tries, most, stop)
                      : best_of_all(mesh, connectivity, size, tries, most, stop);
     std::vector<PatchCandidate> result(best.size());
-    // One after the other: fewer patches are in work at a time.
+    // Carried over one after the other, so that fewer patches are in memory at a time.
     for (std::size_t i = 0; i < best.size(); ++i) {
         result[i] = std::move(best[i].candidate);
         if (!judge_coarse || stop.stop_requested()) continue;

@@ -1,5 +1,6 @@
-// A triangle with one, two or three chords becomes two, three or four. Pieces are joined through
-// a table of the halves of each original edge, so no search for neighbours is needed.
+// Splitting by cases: a triangle with one, two or three chords becomes two, three or four. Pieces
+// are joined through a table of the halves of each original edge, so no search for neighbours is
+// needed.
 #include "atlas/patch/chord_split.h"
 
 #include <array>
@@ -8,8 +9,9 @@ namespace burl {
 namespace {
 
 constexpr std::uint32_t no_vertex = 0xffffffffu;
-/// A piece's edge: half j (0: the one at the edge's start) of the triangle's edge k is 2k+j; an
-/// edge within the triangle is -1 minus the number of the piece on its other side.
+/// A piece of a split triangle. Its edge is 2k+j for half j (0: the half at the edge's start) of
+/// the triangle's edge k, or -1 minus the number of the piece on the other side for an edge within
+/// the triangle.
 struct Piece {
     Triangle vertices;
     std::array<int, 3> edges;
@@ -19,8 +21,8 @@ constexpr int within(int piece) {
     return -1 - piece;
 }
 
-/// The pieces of a triangle whose edge k has the middle vertex m[k] or none. An edge without one is
-/// a single half 2k.
+/// The pieces of a triangle whose edge k has the middle vertex m[k] or no_vertex. An unsplit edge
+/// is a single half 2k.
 std::vector<Piece> pieces_of(const Triangle& t, const std::array<std::uint32_t, 3>& m) {
     const int count = (m[0] != no_vertex) + (m[1] != no_vertex) + (m[2] != no_vertex);
     if (count == 0) return {{t, {0, 2, 4}}};
@@ -42,7 +44,8 @@ std::vector<Piece> pieces_of(const Triangle& t, const std::array<std::uint32_t, 
             {{a, p, c}, {e0, within(1), e2}}};
 }
 
-/// Per half-edge the number of the vertex put into its middle.
+/// Puts a vertex into the middle of every chord; returns its number for each half-edge, or
+/// no_vertex.
 std::vector<std::uint32_t> middles(Patch& patch, std::span<const SideMask> sides) {
     std::vector<std::uint32_t> middle(3 * patch.triangles.size(), no_vertex);
     for (HalfEdge h = 0; h < middle.size(); ++h) {
@@ -71,7 +74,7 @@ std::uint32_t split_chords(Patch& patch, std::span<const SideMask> sides) {
     result.triangles.reserve(triangles);
     result.neighbours.reserve(triangles);
     result.faces.reserve(triangles);
-    std::vector<std::array<HalfEdge, 2>> halves(middle.size());  // in the result, by old half-edge
+    std::vector<std::array<HalfEdge, 2>> halves(middle.size());  // new half-edges by old one
     for (std::uint32_t t = 0; t < patch.triangles.size(); ++t) {
         const auto base = static_cast<std::int32_t>(result.triangles.size());
         for (const Piece& piece :

@@ -1,7 +1,7 @@
-// Vertices come back in the reverse order of their collapse. A ring lies round the place of the
-// neighbour its vertex was drawn into and sees it, so close enough to that place there is always a
-// point that the whole ring sees, too; the mean value coordinates of the surface (Floater, "Mean
-// value coordinates", 2003) are taken where they see it.
+// Undoing collapses: vertices come back in the reverse order of their collapse. A ring lies round
+// the place of the neighbour into which its vertex was collapsed and sees it, so close enough to
+// that place there is always a point that the whole ring sees, too; the mean value coordinates of
+// the surface (Floater, "Mean value coordinates", 2003) are taken where the ring sees their point.
 #include "atlas/patch/coarse_map.h"
 
 #include <algorithm>
@@ -13,17 +13,20 @@
 namespace burl {
 namespace {
 
+/// A coarse patch has a step_down-th of the triangles, but no fewer than least_triangles.
 constexpr std::size_t least_triangles = 8000, step_down = 4;
-/// Detail costs a map some distortion, and smoothing gains some.
+/// Factor on the wanted D that the coarse map may have: detail costs a map some distortion, and
+/// smoothing gains some.
 constexpr double carried_over = 1.1;
 constexpr int relaxation_sweeps = 40, most_halvings = 40;
 
-/// What a vertex's place is decided from.
+/// The ring of a vertex that comes back, with the places of the ring's vertices in the map.
 struct Ring {
     std::span<const std::uint32_t> vertices;
     std::span<const Vec2d> uv;
 
     Vec2d at(std::size_t i) const { return uv[vertices[i % vertices.size()]]; }
+    /// Whether q lies strictly to the left of every edge of the ring.
     bool sees(const Vec2d& q) const {
         for (std::size_t i = 0; i < vertices.size(); ++i)
             if (!(cross(at(i) - q, at(i + 1) - q) > 0.0)) return false;
@@ -31,7 +34,8 @@ struct Ring {
     }
 };
 
-/// Mean value coordinates of the vertex in its ring on the surface.
+/// The point that has in the map the mean value coordinates which the vertex has in its ring on the
+/// surface.
 Vec2d mean_value(const Patch& patch, std::uint32_t vertex, const Ring& ring) {
     const std::size_t n = ring.vertices.size();
     const auto spoke = [&](std::size_t i) {
@@ -53,7 +57,8 @@ Vec2d mean_value(const Patch& patch, std::uint32_t vertex, const Ring& ring) {
     return sum / all;
 }
 
-/// The ring sees its first vertex. So it does what is near it, to the left of both edges there.
+/// A point near the ring's first vertex that the whole ring sees: the ring sees that vertex, and so
+/// it sees points close to it to the left of both edges there. Nothing where rounding leaves none.
 std::optional<Vec2d> near_first(const Ring& ring) {
     const Vec2d here = ring.at(0);
     const Vec2d out = ring.at(1) - here, in = here - ring.at(ring.vertices.size() - 1);
@@ -71,7 +76,7 @@ std::uint32_t split_border_chords(Patch& patch) {
     return split_chords(patch, border);
 }
 
-/// The fine map for the coarse one, smoothed; false, and no change, where it flips.
+/// Sets the fine map from the coarse one, smoothed; false, and no change, where the fine map flips.
 bool carry_map(const Patch& patch, const CoarseMap& coarse, RectangleMap& map) {
     auto uv = carry_to_fine(patch, coarse.level, coarse.map.uv);
     if (!uv) return false;
@@ -92,7 +97,8 @@ std::optional<RectangleMap> map_coarsely(Patch& patch, const DescentOptions& opt
         coarsen_patch(fine, std::max(least_triangles, fine.triangles.size() / step_down));
     if (2 * coarse->level.patch.triangles.size() > fine.triangles.size())
         return map_onto_rectangle(patch, options);
-    // Between few inner and many border triangles the harmonic map tells little of the last one.
+    // In a coarse patch with few inner and many border triangles the harmonic map says little about
+    // the final one, so it must not end the search.
     DescentOptions patient = options;
     patient.wanted = std::numeric_limits<double>::infinity();
     auto of_coarse = map_patch(coarse->level.patch, patient);

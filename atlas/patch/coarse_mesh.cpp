@@ -1,5 +1,6 @@
-// A fine triangle starts at the heir of its own number and walks over neighbours to the coarse
-// triangle nearest to its centroid, so that it never jumps to another sheet.
+// The relation of fine to coarse triangles: a fine triangle starts at the heir of its own number
+// and walks over neighbours to the coarse triangle nearest to its centroid, so that it never jumps
+// to another sheet.
 #include "atlas/patch/coarse_mesh.h"
 
 #include <algorithm>

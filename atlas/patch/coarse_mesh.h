@@ -1,6 +1,6 @@
 #pragma once
-// A mesh with fewer triangles to try partitions on, and the way a division of it comes back to the
-// mesh it was made from.
+// A mesh with fewer triangles to try partitions on, and the way back of a division to the fine
+// mesh.
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -10,18 +10,19 @@
 
 namespace burl {
 
+/// A coarse mesh with its relation to the fine one.
 struct CoarseMesh {
     Mesh mesh;  ///< positions and triangles alone
     Connectivity connectivity;
-    std::vector<std::uint32_t> nearest;  ///< per triangle of the fine mesh: a coarse one near it
+    std::vector<std::uint32_t> nearest;  ///< coarse triangle near each fine one
 };
 
-/// Neighbours by the vertices of edges; an edge that does not have exactly one triangle on each
-/// side is a border.
+/// Connectivity by equal vertices of edges; an edge that does not have exactly one triangle on each
+/// side is a border. Sets the neighbours only.
 Connectivity connect_by_vertices(const std::vector<Triangle>& triangles);
 
-/// At most `triangles` triangles, or as many more as edge_collapse leaves. Pure, deterministic,
-/// linear.
+/// The mesh with at most `triangles` triangles, or as many more as collapse_edges() leaves. Pure,
+/// deterministic, linear.
 CoarseMesh coarsen(const Mesh& mesh, const Connectivity& connectivity, std::size_t triangles);
 
 }  // namespace burl

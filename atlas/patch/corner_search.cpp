@@ -1,5 +1,5 @@
-// Candidates are solved for in batches. First some of equal and unequal proportions all round the
-// outline, then each corner of the best is moved by 5 % and 2 % of it.
+// Candidates are solved for in batches: first some of equal and unequal proportions all round the
+// outline, then the best with each corner moved by 5 % and 2 % of the outline.
 #include "atlas/patch/corner_search.h"
 
 #include <algorithm>
@@ -14,9 +14,10 @@
 namespace burl {
 namespace {
 
-constexpr std::size_t first_candidates = 8;  ///< after which a hopeless search ends
+constexpr std::size_t first_candidates = 8;  ///< candidates after which a hopeless search ends
 
-/// Length of the loop up to each of its vertices, as a share of all; one entry more than vertices.
+/// Length of the loop up to each of its vertices, as a share of the whole; one entry more than
+/// vertices.
 std::vector<double> loop_positions(const Patch& patch) {
     std::vector<double> position{0.0};
     for (const HalfEdge h : patch.loops[0])
@@ -44,7 +45,7 @@ void place_on_sides(const Patch& patch, const Corners& corners, const std::vecto
         const double length = from_first(count);
         const Vec2d a(at[side][0], at[side][1]), b(at[side + 1][0], at[side + 1][1]);
         for (std::size_t i = 0; i < count; ++i) {
-            // A little of equal spacing keeps border vertices apart that coincide on the mesh.
+            // A small share of equal spacing keeps border vertices apart that coincide on the mesh.
             const double even = double(i) / double(count);
             const double t =
                 length > 0.0 ? 1e-6 * even + (1.0 - 1e-6) * from_first(i) / length : even;
@@ -60,7 +61,7 @@ Patch split_all(Patch patch) {
     return patch;
 }
 
-/// Finds the best corners among candidates and their neighbours.
+/// Finds the best corners among the first candidates and their neighbours.
 class CornerSearch {
   public:
     explicit CornerSearch(const Patch& patch)
@@ -116,7 +117,8 @@ class CornerSearch {
         return result;
     }
 
-    /// Moves every corner both ways, then all of them to where moving the one was better.
+    /// Judges the best corners with each single corner moved by `step` of the outline either way,
+    /// then with all corners moved at once to where the single moves were better.
     void move_corners(double step) {
         const Corners from = best_.corners;
         const double before = best_.distortion;
@@ -136,7 +138,8 @@ class CornerSearch {
     }
 
     /// The four border vertices where the surface's outline turns most, at least a twentieth of the
-    /// outline apart: a flat rectangle's own corners. Fewer than four: the same one several times.
+    /// outline apart: a flat rectangle's own corners. Where there are fewer than four, position 0
+    /// fills the rest.
     Corners sharpest() const {
         const auto& loop = patch_.loops[0];
         std::vector<double> angle(patch_.points.size(), 0.0);
@@ -171,7 +174,7 @@ class CornerSearch {
         return judge(std::span<Corners>(candidates));
     }
 
-    /// The distortion of each candidate; infinite where two corners are the same.
+    /// Distortions of the candidates; infinite where two corners are the same. Keeps the best.
     std::vector<double> judge(std::span<Corners> candidates) {
         std::vector<Corners> fresh;
         for (Corners& corners : candidates) {
@@ -201,7 +204,7 @@ class CornerSearch {
     WeightedEdges edges_;
     PatchLaplacian laplacian_;
     StretchMeasure measure_;
-    std::size_t vertices_;  ///< of the patch as it was
+    std::size_t vertices_;  ///< number of vertices of the unsplit patch
     std::map<Corners, double> known_;
     CornerChoice best_;
 };

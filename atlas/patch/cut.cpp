@@ -1,5 +1,5 @@
-// Cutting is forgetting that two triangles meet; the vertices along the path then part by
-// themselves (rebuild_vertices).
+// A cut removes the adjacency of two triangles; the vertices along the path then separate by
+// themselves (rebuild_vertices()).
 #include "atlas/patch/cut.h"
 
 #include <algorithm>
@@ -11,7 +11,7 @@ namespace {
 
 constexpr double unreached = std::numeric_limits<double>::infinity();
 
-/// Inner half-edges by the vertex they leave. Both directions of an inner edge are half-edges.
+/// Inner half-edges by the vertex they leave. Both directions of an inner edge are in the lists.
 class EdgesByVertex {
   public:
     explicit EdgesByVertex(const Patch& patch) : begin_(patch.points.size() + 1, 0) {
@@ -76,7 +76,7 @@ void cut(Patch& patch, HalfEdge h) {
     patch.neighbours[other / 3][other % 3] = -1;
 }
 
-/// Cuts along the path by which `vertex` was reached.
+/// Cuts along the path on which `vertex` was reached.
 void cut_back_from(Patch& patch, const Distances& distances, std::uint32_t vertex) {
     std::vector<HalfEdge> path;
     while (distances.value[vertex] > 0.0) {
@@ -107,7 +107,8 @@ void add_fan(Patch& patch, const std::vector<HalfEdge>& loop) {
         const HalfEdge h = loop[static_cast<std::size_t>(i)];
         patch.triangles.push_back({patch.end(h), patch.start(h), hub});
         patch.faces.push_back(not_in_mesh);
-        // Edge 1 runs from the loop edge's start to the hub: there lies the fan's triangle before.
+        // Edge 1 runs from the loop edge's start to the hub: the fan's previous triangle lies
+        // there.
         patch.neighbours.push_back({static_cast<std::int32_t>(h / 3),
                                     first + (i + count - 1) % count, first + (i + 1) % count});
         patch.neighbours[h / 3][h % 3] = first + i;

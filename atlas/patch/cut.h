@@ -1,5 +1,5 @@
 #pragma once
-// Ways to make a disk of a patch that is none, or a better one of a disk that maps badly, without
+// Cuts that make a disk of a patch that is none, or a better one of a disk that maps badly, without
 // dividing it: a tube cut open along a shortest path between its two ends is a natural rectangle, a
 // sock cut from its rim to its tip nearly one, and small holes of the mesh are closed by a fan that
 // takes part in the map but shows nothing. Paths are Dijkstra's over the patch's edges.
@@ -19,10 +19,10 @@ std::uint32_t slit_tube(Patch& patch, std::uint32_t most_cuts = 10);
 /// and nothing changed, when the patch has no inner vertex that the rim reaches.
 bool slit_sock(Patch& patch);
 
-/// Closes border loops that are holes of the mesh (every edge a border of the mesh, too) and no
-/// longer than `most` times the longest loop by a fan round their centroid. Its triangles and the
-/// new vertex are marked `not_in_mesh`. Every loop but the longest counts. Returns the number of
-/// holes closed. Call before any triangle is split.
+/// Closes border loops that are holes of the mesh by a fan round their centroid: loops other than
+/// the longest whose edges are all borders of the mesh, too, and whose length is at most `most`
+/// times the longest loop's. The fan's triangles and its centre are marked `not_in_mesh`. Returns
+/// the number of holes closed. To be called before any triangle is split.
 std::uint32_t fan_holes(Patch& patch, const Connectivity& connectivity, double most = 0.3);
 
 }  // namespace burl

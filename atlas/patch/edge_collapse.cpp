@@ -1,5 +1,5 @@
 // A round visits vertices by the area of their triangles, smallest first, and locks the ring of
-// every vertex that goes.
+// every vertex that is removed.
 #include "atlas/patch/edge_collapse.h"
 
 #include <algorithm>
@@ -10,16 +10,18 @@ namespace burl {
 namespace {
 
 constexpr std::size_t most_ring = 12;
-constexpr double least_cosine = 0.9;     ///< between a triangle before and after
-constexpr double most_area = 2.0;        ///< of a vertex's triangles, times the mean
-constexpr double least_progress = 0.03;  ///< of the triangles, per round
+constexpr double least_cosine = 0.9;     ///< cosine of the largest turn of a triangle
+constexpr double most_area = 2.0;        ///< area of a vertex, relative to the mean
+constexpr double least_progress = 0.03;  ///< smallest share of the triangles that a round removes
 
-/// 4 sqrt(3) area / sum of squared sides, with the normal of length twice the area.
+/// Quality of a triangle, 0 to 1 (equilateral): 4 sqrt(3) area / sum of squared sides. `normal` has
+/// the length of twice the area.
 double shape(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& normal) {
     const double sides = glm::dot(b - a, b - a) + glm::dot(c - b, c - b) + glm::dot(a - c, a - c);
     return sides > 0.0 ? 2.0 * std::sqrt(3.0) * glm::length(normal) / sides : 0.0;
 }
 
+/// Collapses a mesh round by round.
 class Collapser {
   public:
     Collapser(std::span<const Vec3d> points, std::span<const Triangle> triangles,
@@ -73,7 +75,7 @@ class Collapser {
         std::erase_if(alive_, [&](std::uint32_t t) { return result_.heir[t] != t; });
     }
 
-    /// Triangles of vertex v are of_vertex_[begin_[v]] up to of_vertex_[begin_[v + 1]].
+    /// Lists the triangles of each vertex v: of_vertex_[begin_[v]] up to of_vertex_[begin_[v + 1]].
     void list_triangles_of_vertices() {
         begin_.assign(points_.size() + 1, 0);
         for (const std::uint32_t t : alive_)
@@ -93,8 +95,8 @@ class Collapser {
         return glm::cross(points_[t[1]] - points_[t[0]], points_[t[2]] - points_[t[0]]);
     }
 
-    /// Orders the triangles round an inner vertex; false for a border vertex. Triangle i is (v,
-    /// ring_[i], ring_[i + 1]).
+    /// Orders the triangles round an inner vertex; false for a border vertex. Triangle star_[i] is
+    /// (v, ring_[i], ring_[i + 1]).
     bool walk_ring(std::uint32_t v) {
         const auto triangles = triangles_of(v);
         if (triangles.size() < 3 || triangles.size() > most_ring) return false;
@@ -118,7 +120,8 @@ class Collapser {
         return next == ring_[0];
     }
 
-    /// Whether only the two neighbours of ring_[i] in the ring are joined to it.
+    /// Whether, among the ring's vertices, ring_[i] is joined to its two neighbours in the ring
+    /// only.
     bool joined_rightly(std::size_t i) const {
         const std::size_t n = ring_.size();
         for (const std::uint32_t t : triangles_of(ring_[i]))
@@ -132,8 +135,8 @@ class Collapser {
         return true;
     }
 
-    /// The worst shape of the triangles that drawing the vertex into ring_[i] would leave; negative
-    /// where that turns one too far.
+    /// The worst quality of the triangles that collapsing the vertex into ring_[i] would leave;
+    /// negative where that turns one too far.
     double worst_shape(std::size_t i) const {
         const std::size_t n = ring_.size();
         double worst = 1.0;
@@ -164,7 +167,7 @@ class Collapser {
             }
         }
         if (best == n) return false;
-        // The two triangles at the neighbour go; those beside them inherit.
+        // The two triangles at the neighbour are removed; those beside them stand for them.
         result_.heir[star_[best]] = star_[(best + 1) % n];
         result_.heir[star_[(best + n - 1) % n]] = star_[(best + n - 2) % n];
         for (std::size_t j = 0; j < n; ++j) {
@@ -182,10 +185,13 @@ class Collapser {
     std::span<const Vec3d> points_;
     std::vector<Triangle> triangles_;
     std::vector<std::uint32_t> alive_;
-    std::vector<std::uint32_t> begin_, of_vertex_;  ///< as of the round's start
-    std::vector<bool> closed_;                      ///< per vertex: never one to draw others into
-    std::vector<bool> locked_;  ///< per vertex: its ring has lost a vertex in this round
-    std::vector<bool> grown_;   ///< per vertex: closed, or drawn into in this round
+    std::vector<std::uint32_t> begin_, of_vertex_;  ///< state at the round's start
+    /// Whether no vertex may be collapsed into the vertex, by the caller's choice.
+    std::vector<bool> closed_;
+    /// Whether the vertex's ring has lost a vertex in this round.
+    std::vector<bool> locked_;
+    /// Whether the vertex is closed, or another was collapsed into it in this round.
+    std::vector<bool> grown_;
     std::vector<std::uint32_t> ring_, star_;
     CollapsedMesh result_;
 };

@@ -7,7 +7,8 @@ namespace {
 
 constexpr double steps = 1 << 24;
 
-/// Mesh points, middles of two, and the centroids of closed holes.
+/// Sets the patch's points from their origins: mesh points, middles of two of them, and the
+/// centroids of closed holes.
 void place_vertices(Patch& patch, const Mesh& mesh) {
     const auto is_hub = [&](std::size_t v) { return patch.origins[v] == VertexOrigin{}; };
     for (std::size_t v = 0; v < patch.points.size(); ++v) {
@@ -31,8 +32,9 @@ void place_vertices(Patch& patch, const Mesh& mesh) {
         if (rim[v] > 0.0) patch.points[v] /= rim[v];
 }
 
-/// The rectangle round the patch along the map's directions. Where it has no height, as a triangle
-/// without area that only the unit frame's rounding gave some, places stay as the map has them.
+/// Projects a planar patch again into the rectangle round it along the map's directions. Where that
+/// has no height, as for a triangle without area that only the unit frame's rounding gave some, the
+/// map's places stay.
 void project_anew(MappedPatch& mapped) {
     PlanarMap& plane = *mapped.planar;
     const Vec3d u = glm::normalize(plane.along_u), v = glm::normalize(plane.along_v);

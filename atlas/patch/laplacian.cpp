@@ -1,5 +1,5 @@
-// The only source that includes Eigen, which compiles slowly. Order and factor depend on the
-// numbering alone, so the same patch gives the same bits.
+// The only source that includes Eigen, which compiles slowly. Elimination order and factor depend
+// on the numbering alone, so the same patch gives the same bits.
 #include "atlas/patch/laplacian.h"
 
 #include <algorithm>
@@ -13,6 +13,7 @@ namespace {
 
 using Matrix = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
 
+/// Fields that are solved for together.
 constexpr std::size_t fields_at_once = 4;
 
 /// Cotangent of the angle opposite half-edge h, clamped against triangles without area.
@@ -32,7 +33,9 @@ double edge_weight(const Patch& patch, HalfEdge h, HalfEdge other, EdgeWeights w
     return std::clamp(0.5 * sum, least_edge_weight, most_edge_weight);
 }
 
-/// Compressed columns of a symmetric matrix's upper half, diagonal included, rows as they come.
+/// The upper half of a symmetric matrix in compressed columns (CSC), diagonal included, with the
+/// rows of a column in arbitrary order: -weight for each edge between two rows, and `diagonal`.
+/// row[v] is the row of vertex v, -1 without one.
 Matrix upper_half(const std::vector<WeightedEdges::Edge>& edges, const std::vector<int>& row,
                   const std::vector<double>& diagonal) {
     const auto count = static_cast<int>(diagonal.size());
@@ -118,14 +121,14 @@ WeightedEdges weighted_edges(const Patch& patch, EdgeWeights weights,
 }
 
 struct PatchLaplacian::Factor {
-    std::vector<int> row;                              ///< per vertex, -1 where it is not free
-    std::vector<std::uint32_t> vertex;                 ///< per free vertex, in order of elimination
-    std::vector<std::pair<int, std::uint32_t>> fixed;  ///< free row, vertex that is not free
-    std::vector<double> fixed_weight;
+    std::vector<int> row;                              ///< row of each vertex, -1: not free
+    std::vector<std::uint32_t> vertex;                 ///< free vertices in order of elimination
+    std::vector<std::pair<int, std::uint32_t>> fixed;  ///< row of a free vertex, fixed vertex
+    std::vector<double> fixed_weight;                  ///< weights of the edges in `fixed`
     Eigen::SimplicialLLT<Matrix, Eigen::Upper, Eigen::NaturalOrdering<int>> solver;
     bool ok = true;
 
-    /// Notes the weights to vertices that are not free and returns the matrix of those that are.
+    /// Sets `fixed` and `fixed_weight` and returns the matrix of the free vertices.
     Matrix assemble(const std::vector<WeightedEdges::Edge>& edges) {
         fixed.clear();
         fixed_weight.clear();

@@ -1,5 +1,5 @@
-// A node's rectangle is divided in proportion to its halves' texels, in either direction and
-// rounded to either cell. Which of the four is best the tree's costs estimate; where only few
+// Division of a node's rectangle: in proportion to its halves' texels, in either direction and
+// rounded to either cell. The tree's costs estimate which of the four is best; where only few
 // patches are below, all are tried.
 #include "atlas/patch/layout.h"
 
@@ -13,17 +13,19 @@
 namespace burl {
 namespace {
 
+/// Number of patches in a node up to which every division is tried.
 constexpr std::size_t few_patches = 8;
 constexpr double no_room = std::numeric_limits<double>::infinity();
-/// Trees tried times patches: with many patches trees differ little.
+/// Limit of trees times patches: with many patches trees differ little.
 constexpr std::size_t most_leaves = 1024;
 
+/// A rectangle of cells.
 struct CellRectangle {
     std::uint32_t x = 0, y = 0, width = 0, height = 0;
     bool operator==(const CellRectangle&) const = default;
 };
 
-/// The tree's rectangles on the square's cells.
+/// The tree's nodes as rectangles on the square's cells.
 class Treemap {
   public:
     Treemap(std::span<const PatchDemand> patches, std::vector<PatchNode> nodes, std::uint32_t size,
@@ -35,7 +37,8 @@ class Treemap {
           cell_(cell_texels(gutter)),
           cells_(std::max(size / cell_, 1u)) {}
 
-    /// Sum of X/w^2 + Y/h^2 over the patches; infinite when they do not fit.
+    /// Sets the blocks; returns the sum of X/w^2 + Y/h^2 over the patches, infinite when they do
+    /// not fit.
     double place(std::vector<PatchBlock>& blocks) const {
         blocks.resize(patches_.size());
         return place(nodes_.back(), {0, 0, cells_, cells_}, blocks);
@@ -65,7 +68,7 @@ class Treemap {
                place(nodes_[node.second], division.second, blocks);
     }
 
-    /// The cost of the best divisions all the way down.
+    /// The cost of the best divisions of the node all the way down.
     double exact_cost(const PatchNode& node, const CellRectangle& r) const {
         if (std::size_t{r.width} * r.height < node.leaves) return no_room;
         return node.patch >= 0 ? leaf(node, r).cost : best_division(node, r).cost;
@@ -84,7 +87,7 @@ class Treemap {
         return best;
     }
 
-    /// Tries those that leave a cell for every patch.
+    /// Tries the divisions in one direction that leave a cell for every patch; updates `best`.
     void try_divisions(const PatchNode& node, const CellRectangle& r, bool across,
                        Division& best) const {
         const PatchNode &first = nodes_[node.first], &second = nodes_[node.second];
@@ -134,7 +137,8 @@ class Treemap {
     std::uint32_t size_, gutter_, cell_, cells_;
 };
 
-/// The centres turned at random (the first time not at all): another tree of the same patches.
+/// The patches' centres rotated at random by seed `turn` (0: not at all), for another tree of the
+/// same patches.
 std::vector<Vec3d> turned_centres(std::span<const PatchDemand> patches, int turn) {
     Mat3d rotation(1.0);
     if (turn > 0) {
@@ -150,14 +154,15 @@ std::vector<Vec3d> turned_centres(std::span<const PatchDemand> patches, int turn
     return centres;
 }
 
-/// The best of some trees with this gutter, its stretch the plain sum; infinite if none fits.
+/// The best layout of `tries` trees with this gutter. Its predicted_stretch is the plain sum of
+/// X/w^2 + Y/h^2, infinite if none fits.
 PatchLayout best_treemap(std::span<const PatchDemand> patches, std::uint32_t size,
                          std::uint32_t gutter, int tries) {
     PatchLayout best;
     best.gutter = gutter;
     best.predicted_stretch = no_room;
-    // With gutters in the budget small patches gain, without them large ones; either may pack
-    // better.
+    // Budgets that count gutters favour small patches, budgets without them large ones; either may
+    // pack better.
     const std::array<std::vector<PatchNode>, 2> leaves{
         patch_leaves(patches, block_texels(patches, size, gutter), gutter),
         patch_leaves(patches, block_texels(patches, size, 0), gutter)};

@@ -1,4 +1,5 @@
-// A region is a task, and so is every piece it is halved into. Tasks share nothing but the mesh.
+// Mapping in parallel: a region is a task, and so is every piece it is halved into. Tasks share
+// nothing but the mesh.
 #include "atlas/patch/maps.h"
 
 #include <algorithm>
@@ -13,10 +14,10 @@
 namespace burl {
 namespace {
 
-constexpr double planar_at_most = 1.6;     ///< D up to which a projection is considered
-constexpr double planar_at_once = 1.05;    ///< D up to which nothing else is tried
-constexpr double rectangle_better = 0.97;  ///< what the other map must reach of the planar D
-constexpr double sock_better = 0.97;       ///< what a slit must reach of the uncut D
+constexpr double planar_at_most = 1.6;     ///< D up to which a projection may be kept
+constexpr double planar_at_once = 1.05;    ///< D up to which a projection is kept untried
+constexpr double rectangle_better = 0.97;  ///< ratio to the planar D below which a map is preferred
+constexpr double sock_better = 0.97;       ///< ratio to the uncut D below which a slit is preferred
 
 void add(PatchMapNotes& sum, const PatchMapNotes& n) {
     sum.tubes_slit += n.tubes_slit;
@@ -27,6 +28,7 @@ void add(PatchMapNotes& sum, const PatchMapNotes& n) {
     sum.extra_vertices += n.extra_vertices;
 }
 
+/// Maps regions, halving those that stretch too much.
 class RegionMapper {
   public:
     RegionMapper(const Mesh& mesh, const Connectivity& connectivity, double mean_area,
@@ -65,7 +67,7 @@ class RegionMapper {
         return of_pieces;
     }
 
-    /// Maps the faces, or returns the pieces to map instead.
+    /// Maps the faces into `result`, or returns the pieces to map instead.
     Regions map_or_divide(const std::vector<std::uint32_t>& faces, PatchMaps& result) {
         std::vector<std::int32_t>& local = local_.local();
         Patch patch = extract_patch(mesh_, connectivity_, faces, local);
@@ -95,7 +97,7 @@ class RegionMapper {
         return {};
     }
 
-    /// Closes small holes and slits tubes; false if that does not make a disk.
+    /// Closes small holes and slits tubes; false if the patch is no disk then.
     bool make_disk(Patch& patch, PatchMapNotes& notes) const {
         const PatchTopology topology = topology_of(patch);
         if (topology.handles > 0 || topology.loops == 0) return false;
@@ -108,8 +110,9 @@ class RegionMapper {
         return map_patch(patch, {.least_gain = options_.least_gain, .wanted = limit});
     }
 
-    /// The map of a disk; where it stretches too much and the patch is still whole, which is then
-    /// made of the faces anew, with a slit.
+    /// The map of a disk. Where it stretches too much and nothing was closed or slit, `patch` is
+    /// extracted from the faces again and slit like a sock, and kept so if that lowers the
+    /// distortion.
     std::optional<RectangleMap> map_disk(Patch& patch, const std::vector<std::uint32_t>& faces,
                                          double limit, PatchMapNotes& notes) {
         auto map = map_wanted(patch, options_.tolerance * limit);
@@ -127,8 +130,8 @@ class RegionMapper {
         return slit_map;
     }
 
-    /// The distortion that is accepted: small patches are not worth halving unless they stretch so
-    /// much that they waste the share of a whole one.
+    /// The limit of D for a patch: small patches are not worth halving unless they stretch so much
+    /// that they waste the share of a whole one.
     double most_distortion(double area, std::size_t faces) const {
         if (faces <= 2) return std::numeric_limits<double>::infinity();
         if (!(area < 0.25 * mean_area_)) return options_.most_distortion;

@@ -1,5 +1,5 @@
-// Labels per triangle, tidied, split into connected regions and merged. Everything goes by
-// triangle number, so ties fall the same way every time.
+// Regions by labels: each triangle gets a label; labels are tidied, split into connected regions
+// and merged. Everything goes by triangle number, so ties fall the same way every time.
 #include "atlas/patch/partition.h"
 
 #include <algorithm>
@@ -15,11 +15,12 @@ namespace burl {
 namespace {
 
 constexpr int tidy_passes = 6;
-constexpr std::size_t few_faces = 60;  ///< below, regions are cut across their longest extent
+constexpr std::size_t few_faces = 60;  ///< number of faces below which regions are cut by extent
 
 using Labels = std::vector<std::uint32_t>;
 
-/// Gives a triangle that reaches into another region with two of its sides to that region.
+/// Gives each triangle that reaches into another region with two of its sides (an ear) to that
+/// region.
 void flip_ears(const Connectivity& connectivity, Labels& labels) {
     for (int pass = 0; pass < tidy_passes; ++pass) {
         bool changed = false;
@@ -41,7 +42,7 @@ void flip_ears(const Connectivity& connectivity, Labels& labels) {
     }
 }
 
-/// Numbers connected pieces of equal label, by their first triangle.
+/// Numbers of the connected pieces of equal label, ordered by their first triangle.
 Labels connected_pieces(const Connectivity& connectivity, const Labels& labels) {
     constexpr std::uint32_t none = 0xffffffffu;
     Labels piece(labels.size(), none);
@@ -76,7 +77,8 @@ Regions regions_of(const Labels& labels) {
     return regions;
 }
 
-/// Merges pieces that are too small, smallest first, until none with a neighbour is left.
+/// Merges pieces that are too small into the neighbour with most common border, smallest first,
+/// until no such piece with a neighbour is left.
 class Merger {
   public:
     Merger(const Mesh& mesh, const Connectivity& connectivity, Labels& pieces) : pieces_(pieces) {
@@ -158,7 +160,7 @@ Regions tidy_regions(const Mesh& mesh, const Connectivity& connectivity, Labels 
     return regions_of(pieces);
 }
 
-/// Two halves with as many triangles each, apart along the axis on which they extend most.
+/// Labels of two halves with as many triangles each, separated along the axis of largest extent.
 Labels halves_by_extent(const Mesh& mesh, std::span<const std::uint32_t> faces) {
     std::vector<Vec3d> centre;
     Vec3d low(std::numeric_limits<double>::max()), high = -low;
@@ -215,7 +217,7 @@ Regions regions_of_labels(const Mesh& mesh, const Connectivity& connectivity,
     flip_ears(connectivity, labels);
     Labels pieces = connected_pieces(connectivity, labels);
     Merger merger(mesh, connectivity, pieces);
-    std::map<std::uint32_t, std::uint32_t> largest;  // piece of each label
+    std::map<std::uint32_t, std::uint32_t> largest;  // largest piece of each label
     for (std::uint32_t t = 0; t < pieces.size(); ++t) {
         const auto [place, fresh] = largest.emplace(labels[t], pieces[t]);
         if (merger.area(pieces[t]) > merger.area(place->second)) place->second = pieces[t];
@@ -233,7 +235,7 @@ Regions bisect_region(const Mesh& mesh, const Connectivity& connectivity,
         half = partition_graph(dual_graph(mesh, connectivity, faces, local), 2, 1);
     if (std::adjacent_find(half.begin(), half.end(), std::not_equal_to<>()) == half.end())
         half = halves_by_extent(mesh, faces);
-    // Connectivity among the region's own triangles, for its pieces.
+    // The connectivity of the region's own triangles, with numbers within the region.
     Connectivity own;
     for (std::size_t i = 0; i < faces.size(); ++i) local[faces[i]] = static_cast<std::int32_t>(i);
     for (const std::uint32_t face : faces) {

@@ -1,6 +1,6 @@
 // Vertices are the classes of corners that meet across common edges (union-find), numbered by their
-// first corner. Each class is a fan or an umbrella round one point, so a vertex has at most one
-// border half-edge that leaves it, and loops can be followed without choices.
+// first corner. Each class is a fan or an umbrella round one point, so at most one border half-edge
+// leaves a vertex, and loops can be followed without choices.
 #include "atlas/patch/patch.h"
 
 #include <algorithm>
@@ -13,7 +13,7 @@ HalfEdge next_in_triangle(HalfEdge h) {
     return h - h % 3 + (h % 3 + 1) % 3;
 }
 
-/// Disjoint sets; the smallest member stands for its set.
+/// Disjoint sets (union-find); the smallest member stands for its set.
 class DisjointSets {
   public:
     explicit DisjointSets(std::size_t count) : parent_(count) {
@@ -43,14 +43,15 @@ DisjointSets corners_that_meet(const Patch& patch) {
     return sets;
 }
 
-/// The border half-edge that goes on where h ends: turn about its end through the triangles there.
+/// The border half-edge that starts where h ends, found by turning about that vertex through its
+/// triangles.
 HalfEdge next_on_border(const Patch& patch, HalfEdge h) {
     h = next_in_triangle(h);
     while (!patch.on_border(h)) h = next_in_triangle(patch.across(h));
     return h;
 }
 
-/// Numbers the vertices anew; per vertex what number it had.
+/// Renumbers the vertices; returns the former number of each.
 std::vector<std::uint32_t> number_vertices(Patch& patch) {
     DisjointSets sets = corners_that_meet(patch);
     std::vector<std::uint32_t> from;

@@ -1,6 +1,6 @@
-// The rectangle of least area has a side along an edge of the convex hull (Freeman & Shapira,
-// "Determining the minimum-area encasing rectangle for an arbitrary closed curve", 1975); every
-// hull edge is tried.
+// The rectangle of least area round a point set has a side along an edge of the convex hull
+// (Freeman & Shapira, "Determining the minimum-area encasing rectangle for an arbitrary closed
+// curve", 1975); every hull edge is tried.
 #include "atlas/patch/planar_map.h"
 
 #include <algorithm>
@@ -11,7 +11,7 @@ namespace {
 
 constexpr double least_flatness = 0.9999, most_thickness = 0.002;
 
-/// Convex hull, counter-clockwise, without points on its edges (monotone chain).
+/// The convex hull, counter-clockwise, without points on its edges (Andrew's monotone chain).
 std::vector<Vec2d> convex_hull(std::vector<Vec2d> points) {
     std::sort(points.begin(), points.end(),
               [](const Vec2d& a, const Vec2d& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
@@ -29,6 +29,8 @@ std::vector<Vec2d> convex_hull(std::vector<Vec2d> points) {
     return hull;
 }
 
+/// A rectangle with a side along the unit vector `axis`; its extent is in coordinates along the
+/// axis and to its left.
 struct Rectangle {
     Vec2d axis{1.0, 0.0}, low{0.0}, high{0.0};
     double area() const { return (high.x - low.x) * (high.y - low.y); }
@@ -67,7 +69,7 @@ Vec3d doubled_area(const Patch& patch, std::size_t t) {
                       patch.points[v[2]] - patch.points[v[0]]);
 }
 
-/// The plane's unit normal; nothing when the patch is not flat or folds over itself.
+/// The unit normal of the patch's plane; nothing when the patch is not flat or folds over itself.
 std::optional<Vec3d> plane_normal(const Patch& patch) {
     Vec3d sum(0.0);
     double area = 0.0;

@@ -1,7 +1,7 @@
 // Rasterising the patch atlas. A gutter texel's point is a sum of the points of inner texels; while
-// those keep their triangles it is again an affine function of the texel, so gutters are spans,
-// too. Blocks are gone through twice, to count and to fill: what is made is large, and then takes
-// no more room than it needs.
+// these keep their triangles it is again an affine function of the texel, so gutters are spans,
+// too. All blocks are visited twice, to count spans and to fill them: the result is large, and so
+// takes no more memory than it needs.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,7 +15,8 @@ namespace {
 
 constexpr std::uint32_t nobody = std::numeric_limits<std::uint32_t>::max();
 
-/// The affine map through three places, anchored at a texel of the block.
+/// The affine map that takes three places to points, anchored at a texel of the block; constant
+/// where the places are on a line.
 TexelMap affine_map(const std::array<Vec2d, 3>& places, const std::array<Vec3d, 3>& points,
                     const PatchBlock& block) {
     const Vec2d u = places[1] - places[0], v = places[2] - places[0];
@@ -37,20 +38,21 @@ TexelMap affine_map(const std::array<Vec2d, 3>& places, const std::array<Vec3d, 
     return map;
 }
 
-/// Inner texels a gutter texel is made of, with their factors.
+/// The inner texels (x, y) that a gutter texel is made of, with their factors.
 struct Sources {
     struct Term {
         double factor;
         std::int64_t x, y;
-        double sign_x, sign_y;  ///< how the source moves when the texel does
+        double sign_x, sign_y;  ///< step of the source for a step of the texel, 0 or +-1
     };
     std::array<Term, 4> terms;
     std::size_t count = 0;
 };
 
-/// One axis of the reflection: at a, or 2 at(edge) - at(mirrored).
+/// The reflection of a texel along one axis: its source texels are `at`, or 2 edge - mirrored
+/// outside of the inner ones.
 struct Reflection {
-    std::array<std::array<double, 3>, 2> terms;  ///< factor, position, sign
+    std::array<std::array<double, 3>, 2> terms;  ///< factor, source texel, step of the source
     std::size_t count;
 };
 
@@ -73,17 +75,18 @@ Sources sources_of(std::int64_t x, std::int64_t y, const PatchBlock& b) {
     return sources;
 }
 
-/// Whose texels a texel is made of; nobody where there are fewer than four.
+/// Numbers of the maps of the inner texels that a texel is made of; nobody where there are fewer
+/// than four.
 using Owners = std::array<std::uint32_t, 4>;
 
-/// Texels [x, x + count) of a row, all made of texels of the same owners.
+/// Texels [x, x + count) of a row, all made of inner texels of the same owners.
 struct Run {
     std::uint32_t x = 0, count = 0;
     Owners owners{nobody, nobody, nobody, nobody};
-    bool gutter = false;  ///< else the first owner's map is theirs
+    bool gutter = false;  ///< false: the first owner's map shows them
 };
 
-/// Calls visit(run) for texels [from, to) of a gutter's row y.
+/// Calls visit(run) for texels [from, to) of row y, all in the gutter.
 template <class Visit>
 void visit_gutter(const PatchBlock& b, const Image<std::uint32_t>& inner, std::uint32_t y,
                   std::uint32_t from, std::uint32_t to, const Visit& visit) {
@@ -104,7 +107,8 @@ void visit_gutter(const PatchBlock& b, const Image<std::uint32_t>& inner, std::u
     if (to > from) visit(run);
 }
 
-/// Calls visit(run) for the runs of the block's row y; `inner` are the owners of inner texels.
+/// Calls visit(run) for the runs of the block's row y; `inner` holds the owners of the inner
+/// texels.
 template <class Visit>
 void visit_row(const PatchBlock& b, const Image<std::uint32_t>& inner, std::uint32_t y,
                const Visit& visit) {
@@ -125,6 +129,7 @@ void visit_row(const PatchBlock& b, const Image<std::uint32_t>& inner, std::uint
     visit_gutter(b, inner, y, end, b.x + b.width, visit);
 }
 
+/// Makes the spans and maps of an atlas's blocks.
 class Rasterizer {
   public:
     Rasterizer(const PatchAtlas& atlas, std::span<const Vec3d> positions)
@@ -158,7 +163,7 @@ class Rasterizer {
                 triangles_[next[p]++] = t;
     }
 
-    /// Finds out where every row begins, and how many maps there are.
+    /// Sets the begins of all rows, and makes room for spans and maps.
     void count_spans() {
         std::vector<std::size_t> counts(solid_.size, 0);
         const auto mesh_maps = std::uint32_t(atlas_.atlas.corners.size());
@@ -205,14 +210,14 @@ class Rasterizer {
 
     void add_span(std::uint32_t y, const Span& span) { solid_.spans[filled_[y]++] = span; }
 
-    /// A map beyond the triangles' own, and the triangle it belongs to.
+    /// Adds a map beyond the triangles' own, which belongs to `triangle`; returns its number.
     std::uint32_t add_map(const TexelMap& map, std::uint32_t triangle) {
         solid_.maps.push_back(map);
         solid_.turned.push_back(triangle);
         return static_cast<std::uint32_t>(solid_.maps.size() - 1);
     }
 
-    /// Gives the triangles that close holes maps of their own; their hub is the hole's centroid.
+    /// Adds maps of the triangles that close the patch's holes; their hub is the hole's centroid.
     void map_fans(std::size_t p) {
         const PlacedPatch& patch = atlas_.patches[p];
         const std::size_t known = positions_.size();
@@ -234,7 +239,8 @@ class Rasterizer {
         }
     }
 
-    /// The map at each texel of the inner rectangle; those of the patch's fans begin at `fan_map`.
+    /// The number of the map at each texel of the inner rectangle; the maps of the patch's fans
+    /// begin at `fan_map`.
     Image<std::uint32_t> inner_owners(std::size_t p, std::uint32_t fan_map) const {
         const PatchBlock& b = atlas_.layout.blocks[p];
         const std::uint32_t columns = b.columns() + 1, rows = b.rows() + 1;
@@ -258,8 +264,8 @@ class Rasterizer {
         return owner;
     }
 
-    /// Centres on the border that rounding left to nobody take the nearest owner of their row, or
-    /// else that of the row before.
+    /// Gives texel centres on the border that rounding left to nobody to the nearest owner in their
+    /// row, or else to the owner in the row before or after.
     static void fill_missed(Image<std::uint32_t>& owner) {
         const auto fill = [](auto begin, auto end) {
             std::uint32_t last = nobody;
@@ -305,7 +311,7 @@ class Rasterizer {
         return add_map(map, solid_.triangle_of(run.owners[0]));
     }
 
-    /// One affine map for the whole block.
+    /// Adds one affine map for the whole block of a planar patch, and its spans.
     void fill_plane(std::size_t p) {
         const PlacedPatch& patch = atlas_.patches[p];
         const PatchBlock& block = atlas_.layout.blocks[p];
@@ -319,10 +325,10 @@ class Rasterizer {
 
     const PatchAtlas& atlas_;
     std::span<const Vec3d> positions_;
-    std::vector<Vec4d> hubs_;  ///< sums of the rim's points, and how many
+    std::vector<Vec4d> hubs_;  ///< sum of the points on each hub's rim (xyz), and their number (w)
     SolidAtlas solid_;
-    std::vector<std::size_t> filled_;               ///< per row: where its next span goes
-    std::vector<std::uint32_t> first_, triangles_;  ///< by patch
+    std::vector<std::size_t> filled_;               ///< place of the next span of each row
+    std::vector<std::uint32_t> first_, triangles_;  ///< triangles sorted by patch
 };
 
 }  // namespace

@@ -1,6 +1,7 @@
-// L-BFGS on the stretch of a rectangle map. Two Laplacian factors start the Hessian's inverse, one
-// per coordinate, because u and v are free on different sides; they are weighted by how far the
-// surface extends in that direction, which makes the first step right for any proportions.
+// L-BFGS on the stretch of a rectangle map. The first guess of the Hessian's inverse are two
+// Laplacian factors, one per coordinate, because u and v are free on different sides; they are
+// weighted by the surface's extent in that direction, which makes the first step right for any
+// proportions.
 #include <algorithm>
 #include <cmath>
 #include <deque>
@@ -11,8 +12,9 @@
 namespace burl {
 namespace {
 
+/// Number of steps from which L-BFGS estimates the Hessian.
 constexpr std::size_t memory = 6;
-constexpr double keep_from_collapse = 0.8;  ///< longest step, as a share of that to a collapse
+constexpr double keep_from_collapse = 0.8;  ///< longest step, relative to that to a collapse
 
 using Field = std::vector<Vec2d>;
 
@@ -32,6 +34,7 @@ std::vector<bool> free_vertices(const std::vector<SideMask>& sides, unsigned hel
     return is_free;
 }
 
+/// One descent on a map's energy.
 class Descent {
   public:
     Descent(const Patch& patch, const WeightedEdges& edges, RectangleMap& map,
@@ -71,12 +74,15 @@ class Descent {
     }
 
   private:
+    /// A step of the descent with the change of the gradient along it; inverse_product is 1 / (move
+    /// . change).
     struct Pair {
         Field move, change;
         double inverse_product;
     };
 
-    /// Gains only get smaller once the first iterations are over.
+    /// Whether the wanted energy is out of reach at the rate of the last gains, which only get
+    /// smaller once the first four iterations are over.
     static bool out_of_reach(double energy, double gain, int done, const DescentOptions& options) {
         return done >= 4 && energy - options.wanted > gain * (options.iterations - done);
     }
@@ -109,7 +115,7 @@ class Descent {
         for (std::size_t v = 0; v < field.size(); ++v) field[v].y = one[v] * aspect;
     }
 
-    /// The two-loop recursion.
+    /// The direction of descent by the two-loop recursion of L-BFGS.
     Field direction(const Field& gradient) const {
         Field d = gradient;
         std::vector<double> share(pairs_.size());
@@ -126,7 +132,8 @@ class Descent {
         return d;
     }
 
-    /// Backtracks until the energy falls enough; false, and nothing moved, if it never does.
+    /// Moves along d, halving the step until the energy falls enough (Armijo); false, with nothing
+    /// moved, if it never does.
     bool step_along(const Field& d, const Field& gradient) {
         const double slope = dot(d, gradient), before = energy(map_.stretch);
         if (!(slope < 0.0)) return false;
@@ -145,7 +152,7 @@ class Descent {
         return false;
     }
 
-    /// Nothing is known of the scale yet: at most a tenth of the rectangle.
+    /// The first step along d, while its scale is unknown: at most a tenth of the rectangle.
     static double first_step(const Field& d, double limit) {
         double longest = 0.0;
         for (const Vec2d& value : d)

@@ -1,5 +1,5 @@
-// From corners to a map: the corner search already solved for nearly the same patch, so the descent
-// starts from its harmonic map.
+// Mapping with chosen corners: the corner search has already solved for nearly the same patch, so
+// the descent starts from its harmonic map.
 #include "atlas/patch/rectangle_map.h"
 
 #include <cmath>
@@ -10,12 +10,12 @@
 namespace burl {
 namespace {
 
-/// A harmonic map with more than this times the distortion wanted is beyond what a descent repairs.
+/// Ratio of a harmonic map's D to the wanted one beyond which a descent does not repair it.
 constexpr double hopeless = 16.0;
-/// Of a relaxed map's distortion beyond 1 a descent leaves this share and more.
+/// Smallest share of a relaxed map's D - 1 that a descent leaves.
 constexpr double least_repair = 0.15;
 
-/// The map the search found, with the middles of the chosen corners' chords only.
+/// The map that the search found, with the middles of the chosen corners' chords only.
 RectangleMap map_of_choice(const Patch& patch, const CornerChoice& choice) {
     RectangleMap map;
     map.corners = choice.corners;
@@ -73,7 +73,7 @@ void relax(const Patch& patch, const WeightedEdges& cotangents, RectangleMap& ma
     std::vector<double> factor(patch.triangles.size(), 1.0);
     for (int round = 0; round < rounds; ++round) {
         const double aspect = map.stretch.best_aspect();
-        // The root of what D is of: the mean triangle's factor stays about 1.
+        // The square root of sqrt(XY) / A: with it the mean triangle's factor stays about 1.
         const double mean = std::sqrt(std::sqrt(map.stretch.x * map.stretch.y) / map.stretch.area);
         const std::vector<double> stretch = measure.of_triangles(map.uv, aspect);
         for (std::size_t t = 0; t < factor.size(); ++t) factor[t] *= mean / stretch[t];

@@ -1,5 +1,5 @@
-// A piece's corner is a corner of the mesh triangle or the middle of two of them; which one follows
-// from the vertex's origin.
+// Corners of pieces: a piece's corner is a corner of the mesh triangle or the middle of two of its
+// corners, as the vertex's origin says.
 #include "atlas/patch/refine.h"
 
 #include <algorithm>
@@ -10,7 +10,8 @@
 namespace burl {
 namespace {
 
-/// Corners i and j (0..2) of a triangle a vertex lies half-way between; i == j at a corner.
+/// Two corners i and j (0..2) of a triangle, half-way between which a vertex lies; i == j at a
+/// corner.
 struct CornerPair {
     std::size_t i = 0, j = 0;
 };
@@ -36,7 +37,8 @@ void append_corner(const CornerAttributes& from, std::size_t i, std::size_t j,
     if (!from.uvs.empty()) to.uvs.push_back(0.5 * from.uvs[i] + 0.5 * from.uvs[j]);
 }
 
-/// Up to eight bones of two corners: the four with most weight, their sum 1 again.
+/// Appends one corner's joints and weights: of the up to eight joints of two corners the four with
+/// most weight, their sum made 1 again.
 void append_bones(const CornerAttributes& from, std::size_t i, std::size_t j,
                   CornerAttributes& to) {
     if (from.joints.empty() || from.weights.empty()) return;
@@ -64,12 +66,12 @@ void append_bones(const CornerAttributes& from, std::size_t i, std::size_t j,
     to.weights.push_back(total > 0.0f ? weights / total : weights);
 }
 
-/// A triangle of a patch.
+/// Number of a patch and of a triangle in it.
 struct PatchPiece {
     std::uint32_t patch = 0, triangle = 0;
 };
 
-/// The pieces of every triangle of the mesh, by patch and number.
+/// The pieces of every triangle of the mesh, ordered by patch and number.
 class PiecesOfFaces {
   public:
     PiecesOfFaces(std::size_t faces, const PatchMaps& maps) : begin_(faces + 1, 0) {
@@ -82,7 +84,7 @@ class PiecesOfFaces {
         });
     }
 
-    /// Filling moved every face's begin on to its end.
+    /// The pieces of a face. The constructor's filling moved begin_[face] on to the face's end.
     std::span<const PatchPiece> of(std::uint32_t face) const {
         const std::uint32_t begin = face == 0 ? 0 : begin_[face - 1];
         return {pieces_.data() + begin, begin_[face] - begin};
@@ -102,6 +104,7 @@ class PiecesOfFaces {
     std::vector<PatchPiece> pieces_;
 };
 
+/// Appends the pieces of all triangles to a new mesh.
 class Refiner {
   public:
     Refiner(const Mesh& mesh, const PatchMaps& maps)
@@ -133,7 +136,7 @@ class Refiner {
                 result_.refined.cut_faces.push_back({face, std::uint32_t(pieces.size())});
         }
         first.back() = static_cast<std::uint32_t>(refined.triangles.size());
-        refined.positions.shrink_to_fit();  // a few more points may have doubled it
+        refined.positions.shrink_to_fit();  // a few more points may have doubled the capacity
         for (Part& part : refined.parts) {
             const std::uint32_t end = part.first_triangle + part.triangle_count;
             part.first_triangle = first[part.first_triangle];

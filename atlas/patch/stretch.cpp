@@ -1,5 +1,6 @@
-// With (u,v) of the corners q0, q1, q2 and det = twice the triangle's area in the unit square,
-// ds/du = (p1 (v2-v0) + p2 (v0-v1)) / det, ds/dv = (p1 (u0-u2) + p2 (u1-u0)) / det.
+// Derivatives of a triangle's map: with (u,v) of the corners q0, q1, q2 and det = twice the
+// triangle's area in the unit square, ds/du = (p1 (v2-v0) + p2 (v0-v1)) / det, ds/dv = (p1 (u0-u2)
+// + p2 (u1-u0)) / det.
 #include "atlas/patch/stretch.h"
 
 #include <algorithm>
@@ -8,7 +9,7 @@
 namespace burl {
 namespace {
 
-/// Triangles without area take part with this share of the mean triangle's weight, so that they
+/// Smallest weight of a triangle relative to the mean triangle's, so that triangles without area
 /// are kept from flipping, too.
 constexpr double least_weight = 1e-6;
 

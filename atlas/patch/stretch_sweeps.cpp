@@ -1,6 +1,7 @@
-// With q the vertex, a and b the other corners and G the Gram matrix of the surface's edges from q,
-// a triangle's energy is f / d^2: f = |G1 (b-q).y - G2 (a-q).y|^2 / aspect + the same in x times
-// aspect, a quadratic in q, and d = (a-q) x (b-q), which is linear in q.
+// The energy of a triangle as a function of one vertex: with q the vertex, a and b the other
+// corners and G the Gram matrix of the surface's edges from q, it is f / d^2, where f = |G1 (b-q).y
+// - G2 (a-q).y|^2 / aspect + |G1 (b-q).x - G2 (a-q).x|^2 aspect, a quadratic in q, and d = (a-q) x
+// (b-q), which is linear in q.
 #include "atlas/patch/stretch_sweeps.h"
 
 #include <cmath>
@@ -15,20 +16,21 @@ namespace {
 constexpr int most_step_halvings = 6;
 constexpr double least_gain = 0.01;
 
-/// A triangle from one of its corners: the other two, and the surface's edges to them.
+/// A triangle seen from one of its corners: the other two corners, and the surface's edges to them.
 struct Wedge {
     std::uint32_t a = 0, b = 0;
     double weight = 0.0;
     double aa = 0.0, ab = 0.0, bb = 0.0;  ///< dot products of the edges
 };
 
-/// Value, gradient and Hessian (xx, xy, yy).
+/// Value, gradient and Hessian (xx, xy, yy) of a vertex's energy.
 struct Local {
     double value = 0.0;
     Vec2d gradient{0.0};
     double xx = 0.0, xy = 0.0, yy = 0.0;
 };
 
+/// Moves the inner vertices of a map one after the other.
 class Sweeper {
   public:
     Sweeper(const Patch& patch, std::span<Vec2d> uv, double aspect)
@@ -80,7 +82,7 @@ class Sweeper {
         return {wedges_.data() + begin_[v], begin_[v + 1] - begin_[v]};
     }
 
-    /// f and d of a wedge with its tip at q.
+    /// The numbers f and d of a wedge with its corner at q.
     std::pair<double, double> quotient(const Wedge& w, const Vec2d& q) const {
         const Vec2d a = uv_[w.a] - q, b = uv_[w.b] - q;
         const double along_u = w.aa * b.y * b.y - 2.0 * w.ab * a.y * b.y + w.bb * a.y * a.y;
@@ -119,7 +121,7 @@ class Sweeper {
         return sum;
     }
 
-    /// True if that gained something worth another visit.
+    /// Moves the vertex by a Newton step; true if that gained enough for another visit.
     bool move(std::uint32_t v) {
         const Local here = local(v);
         const double determinant = here.xx * here.yy - here.xy * here.xy;
@@ -142,7 +144,7 @@ class Sweeper {
     double aspect_;
     std::vector<bool> inner_, awake_;
     std::vector<std::uint32_t> begin_;
-    std::vector<Wedge> wedges_;  ///< vertex v's from begin_[v] up to begin_[v + 1]
+    std::vector<Wedge> wedges_;  ///< vertex v has wedges_[begin_[v]] up to wedges_[begin_[v + 1]]
 };
 
 }  // namespace

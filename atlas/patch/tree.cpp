@@ -9,11 +9,13 @@ namespace burl {
 namespace {
 
 constexpr double most_log_aspect = 4.0, steps_per_octave = 4.0;
-/// Rounding to cells costs more in a narrow rectangle; the programme knows nothing of it.
+/// Relative cost per squared log2 of the aspect: rounding to cells, which the dynamic programme
+/// ignores, costs more in a narrow rectangle.
 constexpr double per_octave = 0.02;
-/// Estimates are never worse than for this share of the inner texels asked for.
+/// Smallest share of the inner texels asked for that an estimate assumes to be left.
 constexpr double least_inside = 1.0 / 64.0;
-/// From so many patches on the tree is kept from getting deep by lopsided halves.
+/// Number of patches above which a node's halves have at least a `most_lopsided`-th of them each,
+/// so that the tree does not get deep.
 constexpr std::size_t many_patches = 64, most_lopsided = 16;
 
 double at_log_aspect(const AspectCosts& costs, double log_aspect) {
@@ -24,12 +26,12 @@ double at_log_aspect(const AspectCosts& costs, double log_aspect) {
     return (1.0 - t) * costs[i] + t * costs[i + 1];
 }
 
-/// Width over height at entry i of the table, as a logarithm.
+/// The log2 of width over height at entry i of the table.
 double log_aspect_at(std::size_t i) {
     return double(i) / steps_per_octave - most_log_aspect;
 }
 
-/// Where to part sorted members so that their texels are halved best.
+/// Number of members in the first half, so that the sorted members' texels are halved best.
 std::size_t half_of(std::span<const std::uint32_t> members, std::span<const PatchNode> leaves,
                     double all) {
     const std::size_t least =
@@ -43,6 +45,7 @@ std::size_t half_of(std::span<const std::uint32_t> members, std::span<const Patc
     return half;
 }
 
+/// Builds the tree from the leaves up.
 class TreeBuilder {
   public:
     TreeBuilder(std::span<const PatchNode> leaves, std::span<const Vec3d> centres)
@@ -113,7 +116,7 @@ class TreeBuilder {
 }  // namespace
 
 double PatchNode::estimate(double width, double height) const {
-    // Gutters take a share of a side, so that they grow with the root of the area.
+    // Gutters take a share of a side, so their texels grow with the root of the area.
     const double area = width * height / texels;
     const double inside = area * texels - std::sqrt(area) * (texels - inner);
     const double log_aspect = std::log2(width / height);
@@ -123,7 +126,7 @@ double PatchNode::estimate(double width, double height) const {
 
 std::vector<PatchNode> patch_leaves(std::span<const PatchDemand> patches,
                                     std::span<const double> texels, std::uint32_t gutter) {
-    // A side's steps are never less than a half: what does not fit must not look infinitely bad,
+    // A side's steps are at least a half: a block that does not fit must not look infinitely bad,
     // for it may fit after all once sides are rounded to cells.
     const auto steps = [gutter](double side) {
         return std::max(side - 1.0 - 2.0 * std::min(double(gutter), 0.25 * side), 0.5);

@@ -1,5 +1,6 @@
-// glTF and GLB: every mesh the default scene draws, with its nodes' transforms baked in. The mesh's
-// first place gives the space of its points; further places become instances, or copies on request.
+// Reads glTF and GLB: every mesh the default scene draws, with its nodes' transforms baked in. The
+// mesh's first place gives the space of its points; further places become instances, or copies on
+// request.
 #include <tiny_gltf.h>
 
 #include <algorithm>
@@ -27,7 +28,7 @@ bool invertible(const Mat4d& matrix) {
     return glm::determinant(Mat3d(matrix)) != 0.0;
 }
 
-/// The zero box of a part without faces.
+/// Bounding box of the part's points; the zero box for a part without faces.
 Box3 box_of_part(const PolygonSoup& soup, const SoupPart& part) {
     if (part.face_count == 0) return {};
     const auto corners = std::span(soup.corners).subspan(3 * part.first_face, 3 * part.face_count);
@@ -39,7 +40,7 @@ Box3 box_of_part(const PolygonSoup& soup, const SoupPart& part) {
     return box;
 }
 
-/// Whether no corner of the moved box lies farther out than points may.
+/// Whether every corner of the box moved by `placement` is within largest_coordinate.
 bool lies_in_range(const Box3& box, const Mat4d& placement) {
     for (const double x : {box.low.x, box.high.x})
         for (const double y : {box.low.y, box.high.y})
@@ -56,9 +57,11 @@ std::string name_of(const tinygltf::Model& model, int mesh) {
     return name.empty() ? fmt::format("mesh {}", mesh) : name;
 }
 
+/// Reads the meshes that a scene draws, at rest or in a pose.
 class SceneReader {
   public:
-    /// `pose`: null, or where the scene's vertices are. Parts and instances are those at rest.
+    /// `pose` says where the scene's vertices are; null: at rest. Parts and instances are those at
+    /// rest.
     SceneReader(const tinygltf::Model& model, const std::string& path, const ReadOptions& options,
                 const GltfPose* pose = nullptr)
         : model_(model), path_(path), options_(options), pose_(pose) {
@@ -90,7 +93,7 @@ class SceneReader {
         if (placement.to_scene.size() > 1) check_instances(placement);
     }
 
-    /// Instances lie where points may.
+    /// Throws Error(invalid_file) where an instance of the last part leaves largest_coordinate.
     void check_instances(const GltfPlacement& placement) const {
         const SoupPart& part = soup_.parts.back();
         const Box3 box = box_of_part(soup_, part);
@@ -115,7 +118,7 @@ class SceneReader {
         return result;
     }
 
-    /// Appends one Part: the mesh, moved to the scene.
+    /// Appends the mesh, moved to the scene by node `number` of its placement, as one part.
     void read_copy(const GltfPlacement& placement, std::size_t number) {
         const tinygltf::Mesh& mesh = model_.meshes[static_cast<std::size_t>(placement.mesh)];
         const std::size_t first = soup_.face_count();
@@ -153,7 +156,7 @@ class SceneReader {
     const std::string& path_;
     const ReadOptions& options_;
     const GltfPose* pose_;
-    std::vector<Mat4d> posed_to_scene_;  ///< per node
+    std::vector<Mat4d> posed_to_scene_;  ///< transforms of the nodes to the scene, posed
     PolygonSoup soup_;
     std::uint32_t next_face_number_ = 0;
     std::uint64_t stitches_ = 0;

@@ -1,4 +1,4 @@
-// Wavefront OBJ, read for its surface: v (with colours), vt, vn and f. Faces may refer to vertices
+// Reads the surface of a Wavefront OBJ: v (with colours), vt, vn and f. Faces may refer to vertices
 // that come later in the file, so ranges are checked at the end; a second pass then finds the line.
 #include <algorithm>
 #include <array>
@@ -10,7 +10,7 @@
 namespace burl {
 namespace {
 
-/// The three lists a face corner points into.
+/// The three lists that a face corner indexes.
 enum Kind { position, texture, normal };
 constexpr std::array<const char*, 3> kind_names{"vertex", "texture coordinate", "normal"};
 constexpr std::array<const char*, 3> kind_plurals{"vertices", "texture coordinates", "normals"};
@@ -19,7 +19,8 @@ using Counts = std::array<std::size_t, 3>;
 
 class ObjParser {
   public:
-    /// `limits`: how many elements the file holds, or all ones while that is not known.
+    /// `limits` are the numbers of elements that the file holds, or no_index while they are
+    /// unknown.
     ObjParser(const FileBuffer& file, const Counts& limits)
         : in_(file, true, text_begin(file)), limits_(limits) {
         soup_.points.reserve(file.size / 80);
@@ -58,7 +59,7 @@ class ObjParser {
 
     TextScanner in_;
     Counts limits_;
-    Counts beyond_{};  ///< per kind, one more than the largest index used
+    Counts beyond_{};  ///< largest index used of each kind, plus 1
     PolygonSoup soup_;
     std::uint64_t unknown_lines_ = 0;
     std::size_t first_unknown_line_ = 0;
@@ -79,7 +80,7 @@ void ObjParser::parse_line() {
         parse_other(keyword);
 }
 
-// v x y z, v x y z w, v x y z r g b, v x y z w r g b
+// Parses v x y z, v x y z w, v x y z r g b or v x y z w r g b.
 void ObjParser::parse_vertex() {
     if (soup_.points.size() >= no_index - 1) in_.fail("too many vertices");
     Vec3d p;
@@ -125,7 +126,7 @@ void ObjParser::parse_face() {
     soup_.end_face(size);
 }
 
-// v, v/vt, v//vn or v/vt/vn
+// Parses v, v/vt, v//vn or v/vt/vn.
 void ObjParser::parse_corner() {
     std::int64_t index = 0;
     std::uint32_t uv = no_index, vn = no_index;
@@ -143,7 +144,8 @@ void ObjParser::parse_corner() {
     soup_.corners.push_back(point);
 }
 
-/// Keeps of_corner empty while no corner has had this attribute.
+/// Sets the attribute's index of the corner that is pushed next; of_corner stays empty until the
+/// first corner has this attribute.
 template <typename Value>
 void ObjParser::push_reference(SoupAttribute<Value>& attribute, std::uint32_t index) {
     if (index == no_index && attribute.of_corner.empty()) return;
@@ -151,7 +153,8 @@ void ObjParser::push_reference(SoupAttribute<Value>& attribute, std::uint32_t in
     attribute.of_corner.push_back(index);
 }
 
-/// From OBJ's numbering (1 first, -1 the latest) to ours. Throws when it can never be in range.
+/// Index from 0 for OBJ's numbering (1 is the first, -1 the latest). Throws Error when it can never
+/// be in range.
 std::uint32_t ObjParser::resolve(std::int64_t index, Kind kind) {
     const auto present = static_cast<std::int64_t>(count(kind));
     const std::int64_t from_zero = index > 0 ? index - 1 : present + index;
@@ -187,7 +190,7 @@ PolygonSoup ObjParser::finish() {
             fmt::format("{} lines with an unknown keyword ignored, the "
                         "first is line {}",
                         unknown_lines_, first_unknown_line_));
-    const auto settle = [&](auto& attribute) {  // unused lists go, used ones get their last entries
+    const auto settle = [&](auto& attribute) {  // drops unused lists, completes used ones
         if (attribute.of_corner.empty()) attribute.values.clear();
         if (!attribute.values.empty()) attribute.of_corner.resize(soup_.corners.size(), no_index);
     };

@@ -1,5 +1,5 @@
-// OFF and its relatives with colours (COFF), normals (NOFF), texture coordinates (STOFF) and any
-// mix of them, as Geomview writes them. Vertices and faces stand one per line.
+// Reads OFF and its relatives with colours (COFF), normals (NOFF), texture coordinates (STOFF) and
+// any mix of them, as Geomview writes them. Vertices and faces stand one per line.
 #include <array>
 
 #include "atlas/base/error.h"
@@ -43,7 +43,7 @@ bool starts_number(char c) {
     return (c >= '0' && c <= '9') || c == '+' || c == '-' || c == '.';
 }
 
-// [ST][C][N][4][n]OFF [BINARY]; old files leave the word out.
+// Parses [ST][C][N][4][n]OFF [BINARY]; old files leave the word out.
 void OffParser::parse_header() {
     TextScanner ahead = in_;
     std::string_view word = ahead.word();
@@ -115,7 +115,7 @@ void OffParser::parse_vertex(std::uint64_t number) {
     in_.next_line();
 }
 
-// r g b [a]; the alpha may be left out where no texture coordinate follows.
+// Parses r g b [a]; the alpha may be left out where no texture coordinate follows.
 void OffParser::parse_color() {
     std::array<double, 4> color{0.0, 0.0, 0.0, -1.0};
     for (std::size_t k = 0; k < 3; ++k) color[k] = in_.number("a colour");

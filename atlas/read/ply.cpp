@@ -1,5 +1,6 @@
-// PLY (Turk 1994): vertices with their attributes, faces and triangle strips, from any layout the
-// header declares. Vertex numbers are checked against the declared count, so faces may come first.
+// Reads PLY (Turk 1994): vertices with their attributes, faces and triangle strips, from any layout
+// the header declares. Vertex numbers are checked against the declared count, so faces may come
+// first.
 #include <algorithm>
 #include <array>
 
@@ -9,7 +10,7 @@
 namespace burl {
 namespace {
 
-/// Where a vertex's scalar properties go.
+/// Places of a vertex's scalar properties in the parser's row of values.
 enum Slot : std::size_t { px, py, pz, nx, ny, nz, red, green, blue, alpha, tu, tv, slot_count };
 constexpr std::size_t no_slot = slot_count;
 
@@ -28,7 +29,7 @@ const std::array<std::initializer_list<const char*>, slot_count> slot_names{{
     {"t", "v", "texture_v", "texture_t"},
 }};
 
-/// Full scale of a colour stored in `type`.
+/// Factor that takes a colour stored in `type` to a full scale of 1.
 double color_scale(PlyType type) {
     constexpr std::array<double, 8> scales{127.0,        255.0,        32767.0, 65535.0,
                                            2147483647.0, 4294967295.0, 1.0,     1.0};
@@ -83,10 +84,10 @@ class PlyParser {
     PolygonSoup soup_;
     std::uint64_t vertex_count_ = 0;
     bool has_normals_ = false, has_colors_ = false, has_uvs_ = false;
-    std::size_t face_begin_ = 0;        ///< first corner of the current face
-    std::vector<double> wedge_;         ///< texture coordinates of the current face
-    SoupAttribute<Vec2d> wedge_uvs_;    ///< per corner, where faces carry them
-    std::vector<std::uint32_t> strip_;  ///< corners since the last restart
+    std::size_t face_begin_ = 0;        ///< first corner of the current face in soup_.corners
+    std::vector<double> wedge_;         ///< texture coordinates s, t of the current face's corners
+    SoupAttribute<Vec2d> wedge_uvs_;    ///< texture coordinates of corners, where faces carry them
+    std::vector<std::uint32_t> strip_;  ///< strip's corners since the last restart
     std::uint64_t stitches_ = 0;
 };
 
@@ -231,7 +232,8 @@ void PlyParser<Body>::parse_strips(const PlyElement& element) {
     }
 }
 
-// -1 starts a new strip; every second triangle is wound the other way.
+// Appends the triangle that the corner completes; -1 starts a new strip. Every second triangle of a
+// strip is wound the other way.
 template <typename Body>
 void PlyParser<Body>::push_strip_corner(std::int64_t index) {
     if (index == -1) return strip_.clear();

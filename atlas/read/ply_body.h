@@ -1,6 +1,6 @@
 #pragma once
-// The two kinds of PLY body behind one interface, which the reader is a template over: rows of
-// numbers in ascii lines or in bytes of either order.
+// The two kinds of PLY body behind one interface, over which the reader is a template: rows of
+// numbers in ascii lines, or in bytes of either order.
 #include <cmath>
 
 #include "atlas/base/error.h"
@@ -10,12 +10,13 @@
 
 namespace burl {
 
+/// The rows of an ascii PLY, whose types do not matter: every number is a token.
 class PlyAsciiBody {
   public:
     PlyAsciiBody(const FileBuffer& file, const PlyHeader& header)
         : in_(file, false, header.body_offset, header.body_line) {}
 
-    /// Checks that `element` can fit into what is left of the file.
+    /// Checks that the rows of `element` can fit into the rest of the file.
     void begin_element(const PlyElement& element) {
         // Each value takes a digit and a separator; the last separator may be missing.
         const std::uint64_t least = 2 * element.properties.size();
@@ -37,7 +38,7 @@ class PlyAsciiBody {
     std::int64_t integer(PlyType) { return in_.integer("a whole number"); }
     std::uint64_t list_length(PlyType, PlyType) {
         const std::int64_t length = in_.integer("the length of a list");
-        // So that no caller reserves what the file cannot hold.
+        // A caller may reserve this length, so the file must be able to hold it.
         if (length < 0 || static_cast<std::uint64_t>(length) > in_.bytes_left() / 2 + 1)
             in_.fail(fmt::format("a list of {} values does not fit into the file", length));
         return static_cast<std::uint64_t>(length);
@@ -49,6 +50,7 @@ class PlyAsciiBody {
     const PlyElement* element_ = nullptr;
 };
 
+/// The rows of a binary PLY of either byte order.
 class PlyBinaryBody {
   public:
     PlyBinaryBody(const FileBuffer& file, const PlyHeader& header)

@@ -37,8 +37,8 @@ void check_faces(const PolygonSoup& rest, const PolygonSoup& pose, const FileBuf
     }
 }
 
-/// What is one point of the mesh's file must be in one place of the pose: where it is not, faces or
-/// corners come in another order.
+/// Throws Error(invalid_file) unless all corners at one point of the mesh's file are in one place
+/// of the pose: where they are not, faces or corners come in another order.
 void check_points(const PolygonSoup& rest, const PolygonSoup& pose, const FileBuffer& mesh,
                   const FileBuffer& posed) {
     std::vector<std::uint32_t> posed_as(rest.points.size(), no_index);
@@ -52,7 +52,7 @@ void check_points(const PolygonSoup& rest, const PolygonSoup& pose, const FileBu
     }
 }
 
-/// Per corner, zero where the soup has none.
+/// Normals of the triangles' corners, zero for a corner without one; empty where the soup has none.
 std::vector<Vec3f> corner_normals_of(const PolygonSoup& soup,
                                      const std::vector<std::uint32_t>& source_corners) {
     const SoupAttribute<Vec3f>& normals = soup.normals;
@@ -68,7 +68,8 @@ std::vector<Vec3f> corner_normals_of(const PolygonSoup& soup,
     return result;
 }
 
-/// The soups have the same faces. Polygons are cut as they are at rest.
+/// The posed places of the corners of the mesh's triangles. The soups have the same faces; polygons
+/// are cut as they are at rest.
 MeshPose corners_of(PolygonSoup& mesh, const PolygonSoup& posed) {
     const std::vector<std::uint32_t> source_corners = corners_of_triangles(mesh);
     const std::size_t count = source_corners.empty() ? mesh.corners.size() : source_corners.size();
@@ -105,7 +106,7 @@ MeshPose read_own_pose(const FileBuffer& mesh, const std::string& name,
                     fmt::format("{}: there is no pose \"{}\": only .gltf and .glb have any; "
                                 "name a file with the same faces",
                                 mesh.path, name));
-    const PolygonSoup posed = parse_gltf_pose(mesh, name, options);  // first: it may know no such
+    const PolygonSoup posed = parse_gltf_pose(mesh, name, options);  // first: it may throw
     PolygonSoup soup = parse_mesh(mesh, options);
     MeshPose pose = corners_of(soup, posed);
     pose.name = name;
@@ -128,7 +129,7 @@ PosedPoints posed_points(const Mesh& mesh, const MeshPose& pose) {
     points.positions.resize(count);
     points.rest.resize(count);
     for (std::uint32_t p = 0; p < count; ++p) points.rest[p] = p;
-    std::vector<std::uint32_t> next(count, no_index);  // the point's next one that has parted
+    std::vector<std::uint32_t> next(count, no_index);  // next point split off the same mesh point
     std::vector<bool> placed(count, false);
     for (std::size_t c = 0; c < 3 * mesh.triangles.size(); ++c) {
         const Vec3d& place = pose.positions[c];

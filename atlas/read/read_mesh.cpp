@@ -50,7 +50,7 @@ PolygonSoup parse_mesh(const FileBuffer& file, const ReadOptions& options) {
 }
 
 PolygonSoup parse_mesh(const std::string& path, const ReadOptions& options) {
-    parser_for(path);  // an unknown format is said before a missing file
+    parser_for(path);  // an unknown format is reported before a missing file
     return parse_mesh(with_memory_error(path, [&] { return read_file(path); }), options);
 }
 

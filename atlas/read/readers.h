@@ -1,7 +1,6 @@
 #pragma once
 // The readers behind read_mesh(), one per format. Each parses a whole file in memory and throws
-// Error(invalid_file) with the line (text) or the vertex's or face's number (binary) of what is
-// wrong.
+// Error(invalid_file) with the number of the wrong line (text), vertex or face (binary).
 #include "atlas/file/file_buffer.h"
 #include "atlas/mesh/polygon_soup.h"
 #include "atlas/read/read_mesh.h"
@@ -14,10 +13,10 @@ PolygonSoup parse_ply(const FileBuffer& file, const ReadOptions& options = {});
 PolygonSoup parse_stl(const FileBuffer& file, const ReadOptions& options = {});
 PolygonSoup parse_gltf(const FileBuffer& file, const ReadOptions& options = {});
 
-/// What a pose of its own (atlas/gltf/pose.h) makes of the file's meshes, in the same order of
-/// faces and corners; meshes that it does not move stay as they are. Normals that a morph target
-/// says nothing of are zero. Throws Error(usage), with the names there are, where there is no such
-/// pose.
+/// The file's meshes in one of the file's own poses (atlas/gltf/pose.h), with faces and corners in
+/// parse_gltf()'s order; meshes that the pose does not move stay as they are. Normals are zero
+/// where a morph target has none. Throws Error(usage), with the names of the existing poses, where
+/// there is no such pose.
 PolygonSoup parse_gltf_pose(const FileBuffer& file, const std::string& pose,
                             const ReadOptions& options);
 
@@ -25,7 +24,7 @@ PolygonSoup parse_gltf_pose(const FileBuffer& file, const std::string& pose,
 /// errors. build_mesh() is the second half.
 PolygonSoup parse_mesh(const std::string& path, const ReadOptions& options = {});
 
-/// The same for a file in memory, by the extension of `file.path`.
+/// Parses a file in memory by the extension of `file.path`, with read_mesh()'s errors.
 PolygonSoup parse_mesh(const FileBuffer& file, const ReadOptions& options = {});
 
 }  // namespace burl

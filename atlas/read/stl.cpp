@@ -1,6 +1,6 @@
-// STL, ascii and binary. A binary file may begin with "solid" like an ascii one, so its length,
-// which the triangle count fixes, decides first. Facet normals and attribute bytes are not kept:
-// normals are made again from the welded surface, as for any format without them.
+// Reads STL, ascii and binary. A binary file may begin with "solid" like an ascii one, so its
+// length, which the triangle count fixes, decides first. Facet normals and attribute bytes are not
+// kept: normals are made again from the welded surface, as for any format without them.
 #include <algorithm>
 #include <cmath>
 

@@ -7,9 +7,9 @@ namespace burl {
 
 namespace {
 
-// Graphics hardware snaps vertices to 1/256 pixel and then extrapolates the texture coordinate to
-// the pixel's centre: where n texels meet a pixel a lookup can leave its triangle by n/256 texel.
-// This covers 8 texels a pixel.
+// Distance by which corners are pulled in. Graphics hardware snaps vertices to 1/256 pixel and then
+// extrapolates the texture coordinate to the pixel's centre: where n texels meet a pixel a lookup
+// can leave its triangle by n/256 texel. This distance covers 8 texels a pixel.
 constexpr double pull_in_texels = 1.0 / 32.0;
 
 BlockCorners right_triangles(const Vec2d& low, const Vec2d& high, double shift) {
@@ -18,7 +18,7 @@ BlockCorners right_triangles(const Vec2d& low, const Vec2d& high, double shift) 
              Vec2d{high.x + shift, low.y}}};
 }
 
-/// Moves the three edges of a right triangle (right angle first) in by the same distance.
+/// The right triangle (right angle first) with its three edges moved in by pull_in_texels.
 std::array<Vec2d, 3> pulled_in(const std::array<Vec2d, 3>& triangle) {
     const Vec2d legs{triangle[1].x - triangle[0].x, triangle[2].y - triangle[0].y};
     const Vec2d size = glm::abs(legs);
@@ -49,8 +49,8 @@ BlockCorners upright_corners(const Block& block, Overscan mode, bool joins_right
     return corners;
 }
 
-/// Corners between texels in the direction in which the block is one texel wide, so that the
-/// texels lie on the middle line of what the block shows.
+/// Corners of a collapsed block, spread by half a texel to either side across the direction in
+/// which it is one texel wide, so that the texels lie on the middle line of what the block shows.
 BlockCorners spread_corners(const Block& block) {
     const Vec2d middle{block.x + 0.5, block.y + 0.5};
     const Vec2d thin{block.leg_x == 0 ? 1.0 : 0.0, block.leg_y == 0 ? 1.0 : 0.0};

@@ -1,5 +1,5 @@
-// With N old and n new texels a side, new texel i has its centre at (i + 1/2) N / n: all owners are
-// decided in integers.
+// Ownership of resized texels in integers: with N old and n new texels a side, new texel i has its
+// centre at (i + 1/2) N / n.
 #include "atlas/solid/level.h"
 
 #include <algorithm>
@@ -11,6 +11,7 @@ namespace {
 
 constexpr std::uint32_t unused = std::numeric_limits<std::uint32_t>::max();
 
+/// Resamples the spans of an atlas at the texel centres of a texture of another size.
 class Resizing {
   public:
     Resizing(const SolidAtlas& solid, std::uint32_t size)
@@ -28,7 +29,7 @@ class Resizing {
     }
 
   private:
-    /// The old texel that holds a new one's centre.
+    /// The old texel that holds the centre of new texel i.
     std::uint32_t old_texel(std::uint64_t i) const {
         return std::uint32_t((2 * i + 1) * old_ / (2 * new_));
     }
@@ -81,7 +82,7 @@ class Resizing {
 
     const SolidAtlas& solid_;
     std::uint64_t old_, new_;
-    std::vector<std::uint32_t> number_;  ///< the new map of an old one
+    std::vector<std::uint32_t> number_;  ///< new number of each old map, or unused
     SolidAtlas result_;
 };
 

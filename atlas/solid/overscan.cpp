@@ -9,9 +9,9 @@ namespace burl {
 
 namespace {
 
-// Legs (sx, sy) = g (p, q). A bilinear lookup in `lower` reads texel (i,j) iff i <= sx and
-// i sy + j sx < sx sy + sx + sy; `upper` reads the same set turned by 180 degrees. The two largest
-// counts of a row meet in some row unless g = 1 and q divides p - 1.
+// Overscan columns for bilinear lookups. With legs (sx, sy) = g (p, q), a lookup in `lower` reads
+// texel (i,j) iff i <= sx and i sy + j sx < sx sy + sx + sy; `upper` reads the same set turned by
+// 180 degrees. The two largest counts of a row meet in some row unless g = 1 and q divides p - 1.
 std::uint32_t bilinear_columns(std::uint32_t leg_x, std::uint32_t leg_y) {
     if (leg_y == 1) return leg_x + 1;
     const std::uint32_t g = std::gcd(leg_x, leg_y), p = leg_x / g, q = leg_y / g;
@@ -19,13 +19,14 @@ std::uint32_t bilinear_columns(std::uint32_t leg_x, std::uint32_t leg_y) {
     return 3 + 2 * (p - 1) / q - (rows_miss ? 1 : 0);
 }
 
-// A nearest lookup in `lower` reads texel (i,j) iff i sy + j sx < sx sy.
+// Overscan columns for nearest lookups: one in `lower` reads texel (i,j) iff i sy + j sx < sx sy.
 std::uint32_t nearest_columns(std::uint32_t leg_x, std::uint32_t leg_y) {
     const std::uint32_t g = std::gcd(leg_x, leg_y), p = leg_x / g, q = leg_y / g;
     return 1 + (p - 1 + q - 1) / q;
 }
 
-/// One texel wide or high: the texels lie on the middle line across both triangles.
+/// Columns of row j that `lower` owns in a block one texel wide or high, whose texels lie on the
+/// middle line across both triangles.
 std::int64_t collapsed_columns(const Block& block, std::int64_t j) {
     if (!block.shares_hypotenuse) return block.width;
     if (block.leg_y == 0) return std::int64_t{block.leg_x} / 2 + 1;
@@ -36,8 +37,9 @@ std::int64_t floor_divide(std::int64_t a, std::int64_t b) {
     return a >= 0 ? a / b : -((b - 1 - a) / b);
 }
 
-/// Columns of row j, counted from the block's side, of a bilinear block with a gutter: the diagonal
-/// goes on through it, and so does a single, which leaves as much beyond its hypotenuse.
+/// Columns of row j that `lower` owns in a bilinear block with a gutter, counted from the block's
+/// side. The diagonal goes on through the gutter, and so does a single triangle, which leaves as
+/// much beyond its hypotenuse.
 std::int64_t gutter_columns(const Block& block, std::int64_t j) {
     const std::int64_t sx = block.leg_x, sy = block.leg_y, g = block.gutter;
     if (block.shares_hypotenuse) return g + floor_divide(sx * (sy - (j - g)), sy) + 1;
@@ -49,7 +51,7 @@ std::int64_t gutter_columns(const Block& block, std::int64_t j) {
     return g + std::min(sx + g, floor_divide(sx * sy + beyond - (j - g) * sx - 1, sy)) + 1;
 }
 
-/// Columns of row j, counted from the texel at the right angle, whose texel `lower` owns.
+/// Columns of row j that `lower` owns, counted from the texel at the right angle.
 std::int64_t lower_columns(const Block& block, Overscan mode, std::int64_t j) {
     const std::int64_t sx = block.leg_x, sy = block.leg_y;
     if (block.collapsed()) return collapsed_columns(block, j);

@@ -1,5 +1,5 @@
 #pragma once
-// Who owns which texel of a block, and how many columns of overscan keep a lookup inside one
+// Ownership of a block's texels, and the number of overscan columns that keep a lookup inside one
 // triangle from reading the other (Carr & Hart 2001, section 4.1). The paper's single column is
 // right for nearest lookup and equal integer legs; the general counts are derived in
 // docs/atlases.md. Everything is decided in integers.
@@ -9,18 +9,21 @@
 
 namespace burl {
 
-/// Texels a leg needs beyond its length: 1 when corners lie on texel centres (bilinear), else 0.
+/// Texels that a block has beyond its leg's length: 1 when corners lie on texel centres (bilinear),
+/// else 0.
 std::uint32_t border_texels(Overscan mode);
 
-/// Fewest columns by which `upper` must be shifted so that no texel is read from both triangles of
-/// a block with these legs (texels, >= 1). Triangles that share their hypotenuse need none.
+/// Smallest number of columns by which `upper` must be shifted so that no texel is read from both
+/// triangles of a block with these legs (texels, >= 1). Triangles that share their hypotenuse need
+/// none.
 std::uint32_t overscan_columns(Overscan mode, std::uint32_t leg_x, std::uint32_t leg_y);
 
-/// Longest horizontal leg of two unrelated triangles in a block `width` columns wide; at least 1.
+/// Longest horizontal leg, in texels, of two unrelated triangles in a block `width` columns wide;
+/// at least 1.
 std::uint32_t longest_leg(Overscan mode, std::uint32_t width, std::uint32_t leg_y);
 
-/// Texels of the block's row j (0-based from block.y) that belong to `lower`: the block's first
-/// split columns, in a rising block its last. 0 <= split <= block.width.
+/// Number of texels of the block's row j (0-based from block.y) that belong to `lower`: the block's
+/// first columns, in a rising block its last. 0 <= split <= block.width.
 std::uint32_t split(const Block& block, Overscan mode, std::uint32_t j);
 
 }  // namespace burl

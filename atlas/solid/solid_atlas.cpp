@@ -21,7 +21,8 @@ std::int32_t anchor(double corner, std::uint32_t first, std::uint32_t count) {
     return static_cast<std::int32_t>(std::clamp(std::floor(corner), double(first), last));
 }
 
-/// The affine map that takes the triangle's corners in the texture to its points.
+/// The affine map that takes the triangle's corners in the texture to its points, anchored at a
+/// texel of its block.
 TexelMap texel_map(const std::array<Vec2d, 3>& corners, const std::array<Vec3d, 3>& points,
                    const Block& block) {
     const Vec2d u = corners[1] - corners[0], v = corners[2] - corners[0];
@@ -43,7 +44,7 @@ std::array<Vec2d, 3> rotated(const std::array<Vec2d, 3>& corners, std::size_t fi
     return result;
 }
 
-/// The map that shows the block turned by 180 degrees.
+/// The map that shows the block's triangle turned by 180 degrees about the block's centre.
 TexelMap turned_map(const TexelMap& map, const Block& block) {
     TexelMap turned = map;
     turned.step_x = -map.step_x;
@@ -53,13 +54,14 @@ TexelMap turned_map(const TexelMap& map, const Block& block) {
     return turned;
 }
 
-/// Whether it shows its one triangle turned, by a map of its own.
+/// Whether the block shows its one triangle a second time, turned by 180 degrees, by a map of its
+/// own.
 bool is_turned(const Block& block) {
     return block.fills_up && !block.collapsed();
 }
 
-/// Per block the number of the map that shows it turned, after those of the triangles; fills
-/// solid.turned and makes room for the maps.
+/// Number, after those of the triangles, of the map that shows each block turned; 0 for blocks
+/// without one. Fills solid.turned and makes room for the maps.
 std::vector<std::uint32_t> number_maps(SolidAtlas& solid, const Atlas& atlas,
                                        std::size_t triangles) {
     std::vector<std::uint32_t> rest(atlas.blocks.size());
@@ -72,7 +74,7 @@ std::vector<std::uint32_t> number_maps(SolidAtlas& solid, const Atlas& atlas,
     return rest;
 }
 
-/// The maps of a block; `rest` as of number_maps.
+/// Sets the maps of a block's triangles; `rest` is the block's number from number_maps().
 void make_maps(SolidAtlas& solid, const Mesh& mesh, const Atlas& atlas,
                std::span<const Vec3d> positions, const Block& block, std::uint32_t rest) {
     const auto make = [&](std::int32_t face, const std::array<Vec2d, 3>& corners) {
@@ -92,12 +94,13 @@ void make_maps(SolidAtlas& solid, const Mesh& mesh, const Atlas& atlas,
         solid.maps[rest] = turned_map(solid.maps[std::size_t(block.lower)], block);
 }
 
+/// Rows begin to end - 1 of the texture.
 struct Rows {
     std::size_t begin = 0, end = 0;
 };
 
-/// Calls visit(row, span) for every span of the block in these rows, the rest of a single by map
-/// `rest`.
+/// Calls visit(row, span) for every span of the block in these rows; texels of a single triangle's
+/// block that it does not own are shown by map `rest`.
 template <class Visit>
 void visit_spans(const Block& block, Overscan mode, std::uint32_t rest, const Rows& rows,
                  Visit visit) {
@@ -113,7 +116,8 @@ void visit_spans(const Block& block, Overscan mode, std::uint32_t rest, const Ro
     }
 }
 
-/// The texture in bands of rows, which are worked at apart, with the numbers of their blocks.
+/// The texture in bands of rows, which are worked at in parallel, with the numbers of the blocks in
+/// each.
 class Bands {
   public:
     explicit Bands(const Atlas& atlas)
@@ -134,7 +138,7 @@ class Bands {
     }
 
     std::size_t count() const { return begin_.size() - 1; }
-    /// From left to right, so that spans come sorted within each row.
+    /// Numbers of the band's blocks from left to right, so that spans come sorted within each row.
     std::span<std::uint32_t> blocks_of(std::size_t band) {
         return {blocks_.data() + begin_[band], blocks_.data() + begin_[band + 1]};
     }
@@ -158,7 +162,7 @@ class Bands {
     std::vector<std::uint32_t> blocks_;
 };
 
-/// Fills solid.row_begin and solid.spans; `rest` as of number_maps.
+/// Fills solid.row_begin and solid.spans; `rest` is the result of number_maps().
 void make_spans(SolidAtlas& solid, const Atlas& atlas, std::span<const std::uint32_t> rest) {
     Bands bands(atlas);
     const auto visit_all = [&](const auto& visit) {

@@ -1,7 +1,7 @@
 #pragma once
-// Scan conversion of a triangle in texel coordinates: where its slice around a texel row begins and
-// ends. Edges are cut from the same end whichever triangle asks, so neighbours get the same numbers
-// and leave neither gap nor overlap.
+// Scan conversion of a triangle in texel coordinates: the extent of its slice around a texel row.
+// Edges are cut from the same end whichever triangle asks, so neighbours get the same numbers and
+// leave neither gap nor overlap.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,6 +13,7 @@
 
 namespace burl {
 
+/// The numbers from `low` to `high`; empty at first.
 struct Interval {
     double low = std::numeric_limits<double>::infinity();
     double high = -std::numeric_limits<double>::infinity();
@@ -23,8 +24,8 @@ struct Interval {
     bool empty() const { return low > high; }
 };
 
-/// x-extent of the part of the triangle with low <= y <= high (low == high: of the cut); empty when
-/// there is none.
+/// Extent in x of the part of the triangle with low <= y <= high (of the cut line where low ==
+/// high); empty when there is none.
 inline Interval slice(const std::array<Vec2d, 3>& corners, double low, double high) {
     Interval x;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -54,11 +55,12 @@ void visit_slices(const std::array<Vec2d, 3>& corners, std::uint32_t size, doubl
     }
 }
 
-/// Texels [first, first + count) of a row of `size` whose centres lie within [low, high].
+/// Texels first to first + count - 1 of a row.
 struct TexelRun {
     std::uint32_t first = 0, count = 0;
 };
 
+/// The texels of a row of `size` whose centres lie within [low, high].
 inline TexelRun centres_within(double low, double high, std::uint32_t size) {
     const double first = std::max(0.0, std::ceil(low - 0.5));
     const double last = std::min(size - 1.0, std::floor(high - 0.5));

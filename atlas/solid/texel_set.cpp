@@ -6,7 +6,7 @@ namespace burl {
 
 namespace {
 
-/// The bits of cells of `side` bits that hold any.
+/// The word with all bits set of every cell of `side` bits that has a bit set.
 std::uint32_t filled_cells(std::uint32_t word, std::uint32_t side) {
     for (std::uint32_t k = 1; k < side; k *= 2) word |= word >> k;
     std::uint32_t first_bits = 0;

@@ -1,7 +1,7 @@
 #pragma once
-// Sets of texels of one square texture or level, a bit each, in tiles of 32 x 32: what a view looks
-// up, and so what has to be worked out for it (virtual texturing: Barrett, "Sparse Virtual
-// Textures", 2008; Mayer, "Virtual Texturing", 2010).
+// Sets of texels of one square texture or level, a bit each, in tiles of 32 x 32: the texels that a
+// view looks up, and so those that must be worked out for it (virtual texturing: Barrett, "Sparse
+// Virtual Textures", 2008; Mayer, "Virtual Texturing", 2010).
 #include <algorithm>
 #include <bit>
 #include <cstddef>
@@ -10,16 +10,17 @@
 
 namespace burl {
 
-inline constexpr std::uint32_t tile_side = 32;  ///< texels
+inline constexpr std::uint32_t tile_side = 32;  ///< side of a tile in texels
 
-/// Texels first to last - 1.
+/// Texels first to last - 1 of a row; empty where first == last.
 struct TexelRange {
     std::uint32_t first = 0, last = 0;
 };
 
+/// A set of texels as a bit mask.
 class TexelSet {
   public:
-    /// Empty, of `size` x `size` texels.
+    /// The empty set for a texture of `size` x `size` texels.
     explicit TexelSet(std::uint32_t size = 0)
         : size_(size),
           words_((size + tile_side - 1) / tile_side),
@@ -32,21 +33,22 @@ class TexelSet {
     void insert(std::uint32_t x, std::uint32_t y) {
         bits_[std::size_t{y} * words_ + x / tile_side] |= 1U << x % tile_side;
     }
-    /// Ranges must lie within the texture; one that ends where it begins is empty.
+    /// Adds the texels `xs` of row y, which must lie within the texture; `xs` may be empty.
     void insert(const TexelRange& xs, std::uint32_t y);
-    /// `other` is as large.
+    /// Adds the texels of `other`, a set for a texture of the same size.
     TexelSet& operator|=(const TexelSet& other);
     bool operator==(const TexelSet&) const = default;
 
+    /// Number of texels in the set.
     std::uint64_t count() const;
-    /// Of the tiles that hold any; those at the far borders may be smaller.
+    /// Number of tiles with a texel in the set; tiles at the far borders may be smaller.
     std::uint64_t count_tiles() const;
 
-    /// The texels of all cells of side x side texels (a power of two up to tile_side) that hold
-    /// any.
+    /// All texels of the cells of side x side texels (a power of two up to tile_side) that hold a
+    /// texel of the set.
     TexelSet whole_cells(std::uint32_t side) const;
-    /// Of a texture of `size` texels a side that halve() (mip_chain.h) makes this level of: the
-    /// texels that these are means of.
+    /// The texels of a texture of `size` texels a side that the set's texels are means of, where
+    /// halve() (mip_chain.h) makes this set's level of that texture.
     TexelSet beneath(std::uint32_t size) const;
 
     /// Calls visit(first, last) for the runs first to last - 1 of row y within `xs`, in order.
@@ -63,7 +65,7 @@ class TexelSet {
     const std::uint32_t* row(std::uint32_t y) const {
         return bits_.data() + std::size_t{y} * words_;
     }
-    /// The first texel in [x, last) that is in the set, or is not; else `last`.
+    /// The first texel in [x, last) of row y whose membership is `in`; `last` where there is none.
     std::uint32_t find(std::uint32_t y, std::uint32_t x, std::uint32_t last, bool in) const {
         while (x < last) {
             const std::uint32_t word = row(y)[x / tile_side];
@@ -74,7 +76,7 @@ class TexelSet {
         return last;
     }
 
-    std::uint32_t size_, words_;  ///< words a row
+    std::uint32_t size_, words_;  ///< texels a side, and words of 32 texels a row
     std::vector<std::uint32_t> bits_;
 };
 

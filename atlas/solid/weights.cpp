@@ -8,11 +8,13 @@ namespace burl {
 
 namespace {
 
+/// A triangle's area and the square of its longest edge.
 struct Shape {
     double area = 0.0, longest_squared = 0.0;
 };
 
-/// Area 0 when the triangle is lower than its coordinates can tell.
+/// Shape of a triangle scaled by `scale`; its area is 0 when the triangle is lower than its
+/// coordinates can tell.
 Shape shape(const Mesh& mesh, const Triangle& triangle, double scale) {
     constexpr double least_height = 1e-15;
     const auto& p = mesh.positions;
