@@ -1,4 +1,4 @@
-// Perlin's improved noise with its gradient, from the permutation that he published. After
+// Perlin's improved noise with its gradient, from the permutation that he published. Must follow
 // noise/perlin2002.glsl and noise/perlin_gradient.glsl.
 
 mat4 published_samples(uvec4 h, vec2 x, vec2 y, float z) {

@@ -1,4 +1,4 @@
-// The colour map's index of the field: quadric, constant and the sum of the octaves. After
+// The colour map's index of the field: quadric, constant and the sum of the octaves. Must follow
 // numbers/real.glsl, numbers/real_bits.glsl and color/index.glsl.
 uniform uvec2 constant, amplitude;
 out vec4 color;
