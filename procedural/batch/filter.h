@@ -7,7 +7,7 @@ enum class FilterKind {
     none,         ///< no filter: the colour at the texel's centre
     table_mip,    ///< the paper's MIP map of the colour table
     table_sat,    ///< the paper's summed-area table of the colour map
-    table_sat3,   ///< the paper's summed-area table over three periods instead of one
+    table_sat3,   ///< the paper's summed-area table, three times as long
     exact,        ///< the colour map's integral over a box as wide as the footprint
     trapezoid,    ///< the colour map's integral over both axes of the footprint
     trapezoid2,   ///< `trapezoid`, with f's mean and slopes from the texel's corners

@@ -16,7 +16,7 @@ struct PointMap {
     Image<MapTexel> z_owner;  ///< z, the number of the texel's map (Span::map) and 0
 };
 
-/// A texel's solid point is the atlas's base + local, in float32.
+/// Offsets in float32: a texel's solid point is local plus a base point (maps/point_map.h).
 struct SolidMap {
     Image<Vec4f> local;  ///< x, y, z and 1 in spans; all 0 elsewhere
     Image<std::uint32_t> owners;

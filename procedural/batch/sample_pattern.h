@@ -38,9 +38,9 @@ class SamplePattern {
 };
 
 /// pbrt's Gaussian weight up to a factor: exp(1/2 - 2 (u^2 + v^2)), u and v in texels, in [-1/2,
-/// 1/2], to a relative error of 2e-15. By Taylor's series about the middle of the exponent's range,
-/// because no two mathematical libraries share an exponential; supersample.glsl has the same
-/// operations.
+/// 1/2], to a relative error of 2e-15. It is computed by Taylor's series about the middle of the
+/// exponent's range, because no two mathematical libraries share an exponential; supersample.glsl
+/// has the same operations.
 inline double gaussian_weight(double u, double v) {
     constexpr double factorials[] = {1.0,       1.0,        2.0,         6.0,         24.0,
                                      120.0,     720.0,      5040.0,      40320.0,     362880.0,

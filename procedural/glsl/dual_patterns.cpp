@@ -59,7 +59,7 @@ GlslNode wood_grain(const GlslNodeCall& call) {
 
 enum class Antialiasing { none, closed_form, supersample, trapezoid };
 
-/// The mean of white minus black stripes along axis i.
+/// The mean of black minus white stripes along axis i.
 std::string board_stripes(const GlslNodeCall& call, Antialiasing antialiasing, std::size_t i) {
     GlslDuals& text = *call.text;
     const std::string x = call.axis(i);

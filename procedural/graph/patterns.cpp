@@ -60,8 +60,8 @@ class Checkers {
         return 0.5 - 0.5 * sign;
     }
 
-    /// The weight from the product, over the axes, of the mean of (white minus black) stripes over
-    /// a box whose half width is the longer of the axis' two steps, as in pbrt.
+    /// The weight by the product of the axes' mean stripes (1 in even cells, -1 in odd ones), each
+    /// over a box whose half width is the longer of the axis' two steps, as in pbrt.
     Dual closed_form(const std::array<Dual, 3>& p, std::size_t i) const {
         Dual sign = 1.0;
         for (std::size_t axis = 0; axis < N; ++axis) {
@@ -79,9 +79,10 @@ class Checkers {
         return {Wrap::repeat, {{0.0, black}, {0.5, black}, {0.5, white}, {1.0, white}}};
     }
 
-    /// The weight from the product, over the axes, of the mean stripes, each averaged exactly over
-    /// both of the axis' moves across the sample. It is right where the sample holds edges of one
-    /// axis only, and where each of the sample's sides moves along one axis.
+    /// The weight by the product of the axes' mean stripes (1 in even cells, -1 in odd ones), each
+    /// averaged exactly over both of the axis' moves across the sample. It is right where the
+    /// sample holds edges of one axis only, and where each of the sample's sides moves along one
+    /// axis.
     Dual trapezoid(const std::array<Dual, 3>& p, std::size_t i) const {
         Dual sign = 1.0;
         for (std::size_t axis = 0; axis < N; ++axis) {

@@ -59,8 +59,8 @@ constexpr double stream_unit(NoiseKind kind) {
 void add_octave_direct(NoiseKind kind, Fade fade, const StreamOctave& octave,
                        const LatticeStream& stream, std::size_t count, float* sums);
 
-/// sums[j] += weight * noise[j], up to the end of a vector; equals add_octave_direct for `noise`
-/// that it gave with weight 1.
+/// sums[j] += weight * noise[j], up to the end of a vector: the sums of add_octave_direct with
+/// `weight`, where `noise` holds those with weight 1, begun at 0.
 void add_scaled(float weight, const float* noise, std::size_t count, float* sums);
 
 /// values[j] += scale * sums[j].

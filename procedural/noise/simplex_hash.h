@@ -47,9 +47,9 @@ constexpr ByteTable role_table() {
     return table;
 }
 
-/// Entry role_table's entry | (hash & 4): the mask of those of the hash's bits 3, 4 and 5, moved to
-/// 0, 1 and 2, that are set before the parity of all three gives the sign; 128 for a component that
-/// is 0.
+/// Entry role | (hash & 4), where `role` is an entry of role_table: the mask of those of the hash's
+/// bits 3, 4 and 5, moved to 0, 1 and 2, that are set before the parity of all three gives the sign;
+/// 128 for a component that is 0.
 constexpr ByteTable sign_bits() {
     ByteTable table{};
     for (std::uint8_t i = 0; i < 16; ++i) {
@@ -63,7 +63,8 @@ constexpr ByteTable sign_bits() {
     return table;
 }
 
-/// Entry sign_bits' entry | (hash >> 3 & 7): the top byte of the float 2 or -2.
+/// Entry bits | (hash >> 3 & 7), where `bits` is an entry of sign_bits: the top byte of the float 2
+/// or -2.
 constexpr ByteTable sign_table() {
     ByteTable table{};
     for (std::uint8_t i = 0; i < 8; ++i) table[i] = (i ^ i >> 1 ^ i >> 2) & 1 ? 0xc0 : 0x40;

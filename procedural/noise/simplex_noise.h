@@ -103,7 +103,7 @@ struct SimplexPlace {
     std::array<std::int64_t, N>
         /// Lowest corner of the point's skewed cube, in skewed coordinates.
         corner{};
-    std::array<double, N> offset{};  ///< the point less that corner, in unskewed coordinates
+    std::array<double, N> offset{};  ///< the point less `corner`, unskewed
 };
 
 /// The place of a point in the skewed lattice. The whole part of the coordinates is skewed apart
