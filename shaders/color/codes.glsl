@@ -1,7 +1,7 @@
 // 8-bit sRGB codes of field values, those of ColorTable8 in procedural/color/table.h, from the
-// tables of procedural/glsl/colors.h. Must follow numbers/real_bits.glsl and color/index.glsl.
-// COLOR_ENTRIES is the number of entries as a float, COLOR_STEPS the largest number of steps in
-// one.
+// tables of procedural/glsl/colors.h. This part must follow numbers/real_bits.glsl and
+// color/index.glsl. COLOR_ENTRIES is the number of entries as a float, COLOR_STEPS the largest
+// number of steps in one.
 uniform usamplerBuffer color_entries;
 #if COLOR_STEPS > 1
 uniform usamplerBuffer color_first, color_steps;

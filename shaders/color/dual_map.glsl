@@ -1,5 +1,5 @@
 // Colour maps averaged over a footprint, as in procedural/color/map_pieces.h and map_filter.cpp.
-// Must follow numbers/dual.glsl and the arrays of pieces and breaks, which
+// This part must follow numbers/dual.glsl and the arrays of pieces and breaks, which
 // procedural/glsl/map_tables.cpp writes.
 
 // A colour map: its pieces and breaks in the arrays, and its mean over a period.
@@ -167,7 +167,7 @@ DualColor dual_color(PieceMap map, real4 f, real u, real v, bool both_axes) {
                      dual_chain(f, color.b, derivative.b));
 }
 
-// The mean of white minus black along one axis of a checkerboard over both of its moves, by the map
+// The mean of black minus white along one axis of a checkerboard over both of its moves, by the map
 // of black and white stripes over half of x.
 real4 stripes_over_both(PieceMap map, real4 x, real u, real v) {
     PieceWidths widths = widths_of(real(0.5) * u, real(0.5) * v);

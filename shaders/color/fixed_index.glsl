@@ -1,6 +1,6 @@
 // A colour map's index in fixed point (procedural/fixed/index.h) and its 8-bit colours
-// (procedural/fixed/colors.h), from maps in the order of procedural/maps/site_map.h. Must follow
-// noise/stream_noise.glsl. ENTRY_MARGIN is FixedColors::margin, COLOR_REPEATS 1 or 0.
+// (procedural/fixed/colors.h), from maps in the order of procedural/maps/site_map.h. This part must
+// follow noise/stream_noise.glsl. ENTRY_MARGIN is FixedColors::margin, COLOR_REPEATS 1 or 0.
 uniform usamplerBuffer color_entries;
 flat in uvec4 octave_pairs[OCTAVE_PAIRS], term_words[TERMS], index_words, entry_words;
 

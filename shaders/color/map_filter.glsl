@@ -1,7 +1,7 @@
 // The colour map's mean over a footprint, in linear light, as the sum of the shares of the map's
 // breaks: the closed forms of procedural/color/map_filter_kernels.cpp in their sequence of
-// operations. A break adds its jump and its kink times its shares (jump, kink). Must follow
-// color/box_width.glsl; COLOR_REPEATS (color/index.glsl) chooses the basis.
+// operations. A break adds its jump and its kink times its shares (jump, kink). This part must
+// follow color/box_width.glsl; COLOR_REPEATS (color/index.glsl) chooses the basis.
 
 // A basis has the antiderivatives of a unit jump and a unit kink at `position`, up to terms that
 // differences cancel.

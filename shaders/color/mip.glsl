@@ -1,5 +1,5 @@
 // The colour map's mean from tables of halved resolutions (Hart et al. 1999, section 3.3.1):
-// procedural/color/mip.h in its sequence of operations. Must follow color/index.glsl,
+// procedural/color/mip.h in its sequence of operations. This part must follow color/index.glsl,
 // color/table.glsl and numbers/elementary.glsl. The first table has 2^COLOR_MIP_FINEST entries;
 // each further table has half as many, down to one.
 real3 at_level(int level, real index) {

@@ -1,5 +1,5 @@
 // The colour map's mean from a summed-area table (Hart et al. 1999, section 3.3.2):
-// procedural/color/sums.h in its sequence of operations. Must follow color/index.glsl and
+// procedural/color/sums.h in its sequence of operations. This part must follow color/index.glsl and
 // color/table.glsl.
 uniform real sums_first;  // entry up to which the table's first element is the sum
 uniform int sums_count;

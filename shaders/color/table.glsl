@@ -1,4 +1,4 @@
-// Colours in linear light by number, two texels each. Must follow numbers/real_bits.glsl.
+// Colours in linear light by number, two texels each. This part must follow numbers/real_bits.glsl.
 uniform usamplerBuffer color_table;
 uniform real3 background;  // colour of texels that no span shows
 

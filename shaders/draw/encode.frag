@@ -1,6 +1,6 @@
 #version 330 core
 // Linear light as drawn, rows top first, to sRGB codes for the screen, with `side`^2 samples a
-// pixel. Must follow color/srgb_encode.glsl.
+// pixel. This part must follow color/srgb_encode.glsl.
 uniform sampler2D samples;
 uniform int side;
 

@@ -1,8 +1,8 @@
 // Base colour in linear light, under a headlight: ambient + (1 - ambient) |n.v| as in
 // app/scene/shading.h, with n bumped by a normal map as in procedural/fill/tangent_frame.h. The
 // target is linear float, which the host encodes to sRGB after averaging, except with ENCODED,
-// where a sample is a pixel of the screen. Must follow maps/footprint.glsl, maps/level_size.glsl
-// and color/srgb_encode.glsl.
+// where a sample is a pixel of the screen. This part must follow maps/footprint.glsl,
+// maps/level_size.glsl and color/srgb_encode.glsl.
 in vec3 eye_position;
 in vec3 eye_normal;
 in vec3 local_normal;

@@ -1,6 +1,6 @@
 // The lookup of a sample in a texture, for the host to mark texels by (app/gl/draw/view_texels.h):
 // its place, its squared width and its triangle's number from 1 on; 0 where the sample does not
-// show the texture. Must follow maps/footprint.glsl.
+// show the texture. This part must follow maps/footprint.glsl.
 in vec2 texture_uv;
 
 uniform vec2 texture_size;

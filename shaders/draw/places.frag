@@ -1,6 +1,6 @@
 #version 330 core
 // The object's pixels from the lookups that draw/mesh.frag stores with PLACES, equal to those that
-// draw/mesh.frag itself draws. Must follow color/srgb_encode.glsl.
+// draw/mesh.frag itself draws. This part must follow color/srgb_encode.glsl.
 uniform sampler2D places;
 uniform sampler2D base_color;
 

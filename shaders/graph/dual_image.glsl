@@ -1,5 +1,6 @@
 // An image over a footprint, between its levels or by an elliptically weighted average, with its
-// derivatives by s and t, as in procedural/graph/mip_image.cpp. Must follow color/dual_map.glsl.
+// derivatives by s and t, as in procedural/graph/mip_image.cpp. This part must follow
+// color/dual_map.glsl.
 
 struct ImageSample {
     real3 color, by_s, by_t;

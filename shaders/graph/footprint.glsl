@@ -1,5 +1,5 @@
-// A texture graph's colour over the texel's footprint, as in procedural/fill/graph_texels.h. Must
-// follow texture_color and maps/texel_line.glsl.
+// A texture graph's colour over the texel's footprint, as in procedural/fill/graph_texels.h. This
+// part must follow texture_color and maps/texel_line.glsl.
 uniform real3 texture_from_atlas[4];  // three columns and the offset
 
 real3 footprint_color(ivec2 texel) {

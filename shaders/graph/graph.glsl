@@ -1,5 +1,5 @@
 // The operations of texture graphs that GLSL has no operator for, as in
-// procedural/graph/value_kernels.cpp, value_program.cpp and mip_image.cpp. Must follow
+// procedural/graph/value_kernels.cpp, value_program.cpp and mip_image.cpp. This part must follow
 // noise/lattice.glsl and maps/level_size.glsl.
 
 real odd_cell(real x) {

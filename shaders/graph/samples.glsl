@@ -1,5 +1,5 @@
 // A texture graph's colour as the weighted mean of several samples in the texel, as in
-// procedural/fill/graph_points.h. Must follow texture_color, maps/texel_line.glsl and
+// procedural/fill/graph_points.h. This part must follow texture_color, maps/texel_line.glsl and
 // maps/supersample.glsl.
 uniform real3 texture_from_atlas[4];  // three columns and the offset
 

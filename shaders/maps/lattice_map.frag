@@ -1,5 +1,5 @@
-// A texel of a lattice map (procedural/field/lattice_map.h), with the host's bits. Must follow
-// maps/line.glsl.
+// A texel of a lattice map (procedural/field/lattice_map.h), with the host's bits. This part must
+// follow maps/line.glsl.
 uniform double period;
 
 flat in uvec4 cells;

@@ -1,6 +1,6 @@
 // The spans of a lattice map (procedural/field/lattice_map.h): the numbers, constant along a span,
 // of the coordinates that fill_stream computes and of the parabola that make_parabolas computes.
-// Must follow maps/span.glsl.
+// This part must follow maps/span.glsl.
 uniform dmat3 lattice_linear;
 uniform dvec3 lattice_offset;
 uniform double coordinate_limit;    // a coordinate that reaches this size is 0 on the span

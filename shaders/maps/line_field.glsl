@@ -1,5 +1,5 @@
 // Quadric and lattice coordinates at points of a texel's line (maps/texel_line.glsl), with the
-// arithmetic of the host's kernels. Must follow noise/stream_noise.glsl.
+// arithmetic of the host's kernels. This part must follow noise/stream_noise.glsl.
 uniform real quadric[10];  // coefficients a to j of procedural/model/texture.h
 
 // The quadric at p, as evaluate_quadric computes it.

@@ -1,4 +1,4 @@
-// A texel's point from a point map (procedural/batch/point_map.h). Must follow
+// A texel's point from a point map (procedural/batch/point_map.h). This part must follow
 // numbers/real_bits.glsl.
 uniform usampler2D point_xy, point_z_owner;
 

@@ -1,5 +1,5 @@
 // Stratified sample points in a texel and their weights, those of procedural/batch/sample_pattern.h
-// to the bit. Must follow noise/lattice.glsl.
+// to the bit. This part must follow noise/lattice.glsl.
 uniform int sample_count;
 uniform ivec2 sample_cells;  // columns and rows that the texel is cut into
 

@@ -1,5 +1,6 @@
 // The noises without interpolation: one random number for each lattice cell, and for each cell of a
-// lattice 2^16 times as fine (procedural/noise/random_cells.h). Must follow noise/lattice.glsl.
+// lattice 2^16 times as fine (procedural/noise/random_cells.h). This part must follow
+// noise/lattice.glsl.
 
 float cell_noise(uint seed, uvec3 cell) {
     return lattice_value(lattice_bits(cell, seed));

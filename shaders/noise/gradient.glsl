@@ -1,6 +1,6 @@
 // The common part of noises with gradients: a noise is a vec4 of its value and its derivatives
 // along the lattice's x, y and z, blended and added up as in procedural/kernels/point_noise-inl.h,
-// noise/interpolated_noise.h and kernels/noise_sum.cpp. Must follow noise/lattice.glsl.
+// noise/interpolated_noise.h and kernels/noise_sum.cpp. This part must follow noise/lattice.glsl.
 
 // The slopes of the fades v per cell, for t = twice the place.
 vec4 linear_fade_slope(vec4 t) {

@@ -1,6 +1,7 @@
 // The common part of noises on the lattice: hash, sites, periods and fades of
 // procedural/numbers/lattice_hash.h, noise/lattice_site.h, kernels/point_sites-inl.h and
-// kernels/noise_corners-inl.h, in their sequence of operations. Must follow numbers/real.glsl.
+// kernels/noise_corners-inl.h, in their sequence of operations. This part must follow
+// numbers/real.glsl.
 //
 // A point reaches a noise in one of two forms, as on the host:
 // - split: split_points(p, limit), then cells_of(split, k) and places_of(split, k) after k

@@ -1,6 +1,7 @@
 // Perlin's improved noise with gradient numbers from the lattice hash
 // (procedural/noise/perlin_noise.h, kernels/point_noise-inl.h); quintic weights v. `low` and `high`
-// are the coordinates of the cell's lower and upper lattice planes. Must follow noise/lattice.glsl.
+// are the coordinates of the cell's lower and upper lattice planes. This part must follow
+// noise/lattice.glsl.
 
 float negated_if(uint odd, float x) {
     return uintBitsToFloat(floatBitsToUint(x) ^ odd << 31);

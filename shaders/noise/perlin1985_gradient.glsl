@@ -1,4 +1,4 @@
-// Perlin's noise of 1985 with its gradient. Must follow noise/perlin1985.glsl and
+// Perlin's noise of 1985 with its gradient. This part must follow noise/perlin1985.glsl and
 // noise/gradient.glsl.
 
 vec4 classic_sample(uint number, vec3 d) {

@@ -1,5 +1,5 @@
 // Perlin's improved noise with the permutation that he published (procedural/noise/perlin_noise.h,
-// kernels/point_noise-inl.h). Must follow noise/perlin.glsl and the table `uint
+// kernels/point_noise-inl.h). This part must follow noise/perlin.glsl and the table `uint
 // published_number(uint)`, which procedural/glsl/noise.cpp writes.
 
 // The numbers of a square's four corners, to which the next coordinate is added.

@@ -1,5 +1,5 @@
-// Perlin's improved noise with its gradient, from the lattice hash. Must follow noise/perlin.glsl
-// and noise/gradient.glsl.
+// Perlin's improved noise with its gradient, from the lattice hash. This part must follow
+// noise/perlin.glsl and noise/gradient.glsl.
 
 // The slope of a number below 16 at offset d, and its gradient.
 vec4 perlin_corner_sample(uint number, vec3 d) {

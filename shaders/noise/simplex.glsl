@@ -1,6 +1,6 @@
 // Simplex noise at points, in three dimensions (Perlin 2001, appendix B) and four
 // (procedural/noise/simplex_noise.h). The simplex is found in `real`, the kernels are added in
-// float32. Must follow noise/lattice.glsl.
+// float32. This part must follow noise/lattice.glsl.
 
 // The appendix's shuffle: the sum of eight patterns, each chosen by a bit of each coordinate; its
 // lower six bits name a gradient.

@@ -1,4 +1,5 @@
-// Simplex noise with its gradient. Must follow noise/simplex.glsl and noise/gradient.glsl.
+// Simplex noise with its gradient. This part must follow noise/simplex.glsl and
+// noise/gradient.glsl.
 
 // A corner's kernel t^4 (g . d) and its gradient t^4 g - 8 t^3 (g . d) d, t = radius2 - d . d.
 vec4 simplex_kernel_sample(vec3 g, vec3 d, float radius2) {

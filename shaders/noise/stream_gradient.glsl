@@ -1,6 +1,7 @@
 // The noises of noise/stream_noise.glsl with their gradients in the octave's own lattice, as in
 // procedural/kernels/noise_gradient-inl.h and simplex_kernel.cpp, to the bit: the noise and its
-// derivatives along x, y and z, all divided by stream_unit. Must follow noise/stream_noise.glsl.
+// derivatives along x, y and z, all divided by stream_unit. This part must follow
+// noise/stream_noise.glsl.
 
 // The slopes of the fades per cell, from centred_places.
 vec3 fade_slope_linear(vec3 s) {

@@ -1,6 +1,6 @@
 // The octaves that have a stream kernel on the host (procedural/kernels/stream_noise-inl.h,
 // simplex_kernel.cpp), from the same fixed-point coordinates in the same sequence of operations:
-// with IEEE arithmetic the same bits. Noise is divided by stream_unit(kind). Must follow
+// with IEEE arithmetic the same bits. Noise is divided by stream_unit(kind). This part must follow
 // numbers/real.glsl and noise/lattice.glsl.
 
 // A texel in the lattice of an octave: cells modulo 2^32, places in the cells in units of 2^-32.

@@ -1,6 +1,6 @@
 // Value noise (procedural/noise/value_noise.h, kernels/point_noise-inl.h): numbers at lattice
 // points, interpolated with weights v from a fade. `low` and `high` are the coordinates of the
-// cell's lower and upper lattice planes. Must follow noise/lattice.glsl.
+// cell's lower and upper lattice planes. This part must follow noise/lattice.glsl.
 
 // 2^23 times the lattice values of hashes before mixing.
 vec4 value_corners(uvec4 h) {

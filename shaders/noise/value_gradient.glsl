@@ -1,4 +1,4 @@
-// Value noise with its gradient. Must follow noise/value.glsl and noise/gradient.glsl.
+// Value noise with its gradient. This part must follow noise/value.glsl and noise/gradient.glsl.
 
 // The samples at a square's corners, whose gradients are 0.
 mat4 value_samples(uvec4 h) {

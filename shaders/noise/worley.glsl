@@ -1,7 +1,7 @@
 // Worley's cellular noise: the exact distance to the nearest of random points, one in each cell, in
 // three and four dimensions (procedural/noise/worley_noise.h). A loop begins beyond its end where
 // no point can be nearer: graphics processors and llvmpipe then skip it, where they would execute a
-// branch for all. Must follow noise/lattice.glsl.
+// branch for all. This part must follow noise/lattice.glsl.
 
 // Squared distances of the two nearest feature points so far, and the vectors from them to the
 // point.

@@ -1,6 +1,6 @@
 // Numbers with their gradients with respect to the solid point, as in procedural/numbers/dual.h and
-// procedural/graph/box_means.h: a real4 of the value and its derivatives along s, t and r. Must
-// follow graph/graph.glsl.
+// procedural/graph/box_means.h: a real4 of the value and its derivatives along s, t and r. This
+// part must follow graph/graph.glsl.
 
 real4 dual(real constant) {
     return real4(constant, real3(0.0));
@@ -152,7 +152,7 @@ real4 box_sin(real4 x, real width) {
     return dual_chain(x, value, derivative);
 }
 
-// The mean of white minus black along one axis of a checkerboard over a box, whose half width is
+// The mean of black minus white along one axis of a checkerboard over a box, whose half width is
 // the longer of the moves u and v; 0 where that is above 1.
 real4 stripes_over_box(real4 x, real u, real v) {
     exact real reach = max(abs(u), abs(v));

@@ -1,6 +1,6 @@
 // Sine, angle, logarithm and power from additions, multiplications, one division or square root, as
 // in procedural/numbers/elementary-inl.h: in double with the same bits, in float by shorter series
-// with the errors stated here. Must follow numbers/real.glsl.
+// with the errors stated here. This part must follow numbers/real.glsl.
 
 #if REAL_IS_DOUBLE
 

@@ -1,4 +1,4 @@
-// Float64 numbers that textures hold as two words. Must follow numbers/real.glsl.
+// Float64 numbers that textures hold as two words. This part must follow numbers/real.glsl.
 #if REAL_IS_DOUBLE
 real real_from_bits(uint low, uint high) {
     return packDouble2x32(uvec2(low, high));

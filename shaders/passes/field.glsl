@@ -1,4 +1,4 @@
-// The field value that the index image stands for. Must follow numbers/real.glsl and
+// The field value that the index image stands for. This part must follow numbers/real.glsl and
 // passes/multipass.glsl.
 real field(ivec2 texel) {
     float t = numbers(first).x;
