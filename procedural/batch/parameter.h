@@ -25,7 +25,7 @@ struct Parameter {
     std::size_t count = 1;         ///< length of an array of `numbers`
     std::string_view unit;
     std::string_view default_value;  ///< JSON; empty where the key may be absent or is required
-    std::string_view choices;  ///< words of a `choice`, separated by "|"
+    std::string_view choices;        ///< words of a `choice`, separated by "|"
     std::string_view tip;
 };
 

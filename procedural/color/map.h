@@ -17,8 +17,7 @@ enum class Wrap { repeat, clamp };
 /// A colour at a position of the map.
 struct ColorStop {
     /// A position in [0, 1], non-decreasing along the map; two equal positions make a jump.
-    double position =
-        0.0;
+    double position = 0.0;
     Rgb8 color;  ///< sRGB-encoded
     bool operator==(const ColorStop&) const = default;
 };

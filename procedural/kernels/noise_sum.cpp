@@ -78,8 +78,7 @@ HWY_ATTR void AddUpOf(const NoiseSum& sum, const Noise& noise, const PointArrays
     for (std::size_t j = 0; j < count; j += hn::Lanes(Floats())) {
         Float total = hn::Zero(Floats());
         // The finest octaves come first, so that small numbers are added before large ones.
-        for (std::size_t g = groups.size();
-             g-- > 0;)
+        for (std::size_t g = groups.size(); g-- > 0;)
             total = GroupSum<shape>(sum, groups[g], noise, points, j, total);
         hn::Store(total, Floats(), totals + j);
     }

@@ -48,8 +48,8 @@ constexpr ByteTable role_table() {
 }
 
 /// Entry role | (hash & 4), where `role` is an entry of role_table: the mask of those of the hash's
-/// bits 3, 4 and 5, moved to 0, 1 and 2, that are set before the parity of all three gives the sign;
-/// 128 for a component that is 0.
+/// bits 3, 4 and 5, moved to 0, 1 and 2, that are set before the parity of all three gives the
+/// sign; 128 for a component that is 0.
 constexpr ByteTable sign_bits() {
     ByteTable table{};
     for (std::uint8_t i = 0; i < 16; ++i) {
