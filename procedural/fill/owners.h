@@ -21,7 +21,7 @@ class FrameOwners {
   private:
     const SolidAtlas& solid_;
     const Atlas& atlas_;
-    Image<std::uint32_t> owners_;  ///< by texel; empty where every span shows one triangle
+    Image<std::uint32_t> owners_;  ///< owners by texel; empty if spans tell all of them
 };
 
 }  // namespace burl

@@ -39,7 +39,7 @@ std::vector<TableTexel> color_texels(std::span<const Vec3d> colors);
 /// The tables of shaders/color/srgb16.glsl.
 struct SrgbThresholds {
     static constexpr std::uint32_t buckets = 1u << 16;
-    std::vector<std::uint32_t> first;  ///< at most the least code of each bucket of the root
+    std::vector<std::uint32_t> first;  ///< codes to search from, by bucket of the root
     /// The least linear light of the code after each; infinity for the last.
     std::vector<glm::uvec2> thresholds;
 };

@@ -1,7 +1,7 @@
 #pragma once
 // Arithmetic on arrays of float64, one operation over a whole batch at a time: texture graphs are
-// evaluated by it where only values are needed (value_program.h). Vectorised as in texel_batch.h,
-// with the same bits on every instruction set.
+// evaluated by it where only values are needed (value_program.h). Kernels are vectorised as in
+// texel_batch.h, with the same bits on every instruction set.
 #include <array>
 #include <cstddef>
 #include <cstdint>

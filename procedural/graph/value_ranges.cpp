@@ -131,7 +131,7 @@ ValueRange range_of(const ColorPieces& work) {
             double bound = 0.0;
             for (std::size_t k = work.degree + 1; k-- > 0;)
                 bound = std::abs(work.table[i * work.stride() + 1 + c * (work.degree + 1) + k]) +
-                        // No piece begins before -1.
+                        // Pieces begin at -1 or later.
                         2.0 * bound;
             most = std::max(most, bound);
         }

@@ -1,6 +1,6 @@
 // Lines of texels in the lattice, from which 32.32 fixed-point coordinates are computed: lines of
-// pieces or of spans, several to a vector. Included once per instruction set (hence the toggled
-// guard), after hwy/foreach_target.h.
+// pieces or of spans, several to a vector. The file is included once per instruction set (hence the
+// toggled guard), after hwy/foreach_target.h.
 #if defined(BURL_FIXED_LINES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef BURL_FIXED_LINES_INL_H
 #undef BURL_FIXED_LINES_INL_H

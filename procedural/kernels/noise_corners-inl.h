@@ -1,5 +1,6 @@
 // Corners and fades of lattice noise as noise.h defines it, for the kernels of values and those of
-// slopes. Included once per instruction set (hence the toggled guard), after hwy/foreach_target.h.
+// slopes. The file is included once per instruction set (hence the toggled guard), after
+// hwy/foreach_target.h.
 #if defined(BURL_NOISE_CORNERS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef BURL_NOISE_CORNERS_INL_H
 #undef BURL_NOISE_CORNERS_INL_H

@@ -1,6 +1,6 @@
 // Lattice noise with its gradient for every instruction set, for the kernels `direct` and `share`.
-// The derivatives follow DNoise (Perlin 1985). Included once per instruction set (hence the toggled
-// guard), after hwy/foreach_target.h.
+// The derivatives follow DNoise (Perlin 1985). The file is included once per instruction set (hence
+// the toggled guard), after hwy/foreach_target.h.
 #if defined(BURL_NOISE_GRADIENT_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef BURL_NOISE_GRADIENT_INL_H
 #undef BURL_NOISE_GRADIENT_INL_H

@@ -2,8 +2,8 @@
 // Sums of octaves of one noise at arbitrary points, as texture graphs need them behind warps and
 // round mappings. The coordinates come as float64 arrays and are split, once for all octaves that
 // double one another, into fixed-point numbers of 32 bits of cell and 32 bits of place, so that an
-// octave's error does not grow with the distance from the origin. Vectorised as in texel_batch.h,
-// with the same bits on every instruction set.
+// octave's error does not grow with the distance from the origin. Kernels are vectorised as in
+// texel_batch.h, with the same bits on every instruction set.
 #include <algorithm>
 #include <array>
 #include <cstddef>

@@ -1,5 +1,5 @@
-// Numbers of several pieces gathered into vectors, for every instruction set. Included once per
-// instruction set (hence the toggled guard), after hwy/foreach_target.h.
+// Numbers of several pieces gathered into vectors, for every instruction set. The file is included
+// once per instruction set (hence the toggled guard), after hwy/foreach_target.h.
 #if defined(BURL_PIECE_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef BURL_PIECE_LANES_INL_H
 #undef BURL_PIECE_LANES_INL_H

@@ -1,6 +1,6 @@
 // Lattice noise as noise.h defines it at vectors of points, with or without gradient, for every
-// instruction set: from LatticeHash, and from the tables of 1985 and 2002. Included once per
-// instruction set (hence the toggled guard), after hwy/foreach_target.h.
+// instruction set: from LatticeHash, and from the tables of 1985 and 2002. The file is included
+// once per instruction set (hence the toggled guard), after hwy/foreach_target.h.
 #if defined(BURL_POINT_NOISE_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef BURL_POINT_NOISE_INL_H
 #undef BURL_POINT_NOISE_INL_H

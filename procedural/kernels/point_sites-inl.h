@@ -1,5 +1,5 @@
-// Cells and places of points given as float64 coordinates, for every instruction set. Included once
-// per instruction set (hence the toggled guard), after hwy/foreach_target.h.
+// Cells and places of points given as float64 coordinates, for every instruction set. The file is
+// included once per instruction set (hence the toggled guard), after hwy/foreach_target.h.
 #if defined(BURL_POINT_SITES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef BURL_POINT_SITES_INL_H
 #undef BURL_POINT_SITES_INL_H

@@ -1,5 +1,5 @@
-// Simplices and their corners for the noise of simplex_noise.h, for every instruction set. Included
-// once per instruction set (hence the toggled guard), after hwy/foreach_target.h.
+// Simplices and their corners for the noise of simplex_noise.h, for every instruction set. The file
+// is included once per instruction set (hence the toggled guard), after hwy/foreach_target.h.
 #if defined(BURL_SIMPLEX_CORNERS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef BURL_SIMPLEX_CORNERS_INL_H
 #undef BURL_SIMPLEX_CORNERS_INL_H

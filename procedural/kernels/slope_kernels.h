@@ -2,7 +2,7 @@
 // Noise together with its gradient (Hart et al. 1999, eq. 10, and DNoise, Perlin 1985), on streams
 // of texels: filters need the change of f along a texel's two sides. The gradients of all octaves
 // of a stream are added up in its lattice coordinates, and only their sum is multiplied by the
-// sides. Vectorised as in texel_batch.h, with the same bits on every instruction set.
+// sides. Kernels are vectorised as in texel_batch.h, with the same bits on every instruction set.
 #include "procedural/kernels/stream_kernels.h"
 #include "procedural/model/octaves.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 // Octaves that double one another's lattice coordinates, on streams of texels: the coordinates are
-// computed once, in fixed point, where doubling is a shift that loses nothing. Vectorised as in
-// texel_batch.h, with the same bits on every instruction set.
+// computed once, in fixed point, where doubling is a shift that loses nothing. Kernels are
+// vectorised as in texel_batch.h, with the same bits on every instruction set.
 #include <cstdint>
 #include <span>
 

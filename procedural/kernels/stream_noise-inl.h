@@ -1,6 +1,6 @@
 // Lattice noise as noise.h defines it at the texels of a stream, for every instruction set: the
 // common part of the direct kernel and the sharing one, in the fewest operations that keep a
-// float's accuracy. Included once per instruction set (hence the toggled guard), after
+// float's accuracy. The file is included once per instruction set (hence the toggled guard), after
 // hwy/foreach_target.h.
 #if defined(BURL_STREAM_NOISE_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef BURL_STREAM_NOISE_INL_H

@@ -1,5 +1,5 @@
-// Coordinates in 32.32 fixed point from vectors of doubles. Included once per instruction set
-// (hence the toggled guard), after hwy/foreach_target.h.
+// Coordinates in 32.32 fixed point from vectors of doubles. The file is included once per
+// instruction set (hence the toggled guard), after hwy/foreach_target.h.
 #if defined(BURL_FIXED_POINT_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef BURL_FIXED_POINT_INL_H
 #undef BURL_FIXED_POINT_INL_H

@@ -1,5 +1,5 @@
-// Positions of the lanes in which a vector's mask holds. Included once per instruction set (hence
-// the toggled guard), after hwy/foreach_target.h.
+// Positions of the lanes in which a vector's mask holds. The file is included once per instruction
+// set (hence the toggled guard), after hwy/foreach_target.h.
 #if defined(BURL_SET_BITS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef BURL_SET_BITS_INL_H
 #undef BURL_SET_BITS_INL_H

@@ -1,5 +1,5 @@
 // Names of the vectors that kernels work on, the constant that rounds doubles to integers, and the
-// numbers of lanes. Included once per instruction set (hence the toggled guard), after
+// numbers of lanes. The file is included once per instruction set (hence the toggled guard), after
 // hwy/foreach_target.h.
 #if defined(BURL_VECTOR_TYPES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef BURL_VECTOR_TYPES_INL_H
