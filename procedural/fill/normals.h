@@ -19,8 +19,8 @@ struct ShadingFrames {
     const Mesh& mesh;  ///< mesh whose triangles the atlas places
     const Atlas& atlas;
     std::span<const Vec3d> positions;  ///< the mesh's points in the SolidAtlas's space
-    std::span<const Vec3f> normals;    ///< directions in that space, as are the tangents
-    std::span<const Vec4f> tangents;
+    std::span<const Vec3f> normals;    ///< normals in the SolidAtlas's space
+    std::span<const Vec4f> tangents;   ///< tangents in the SolidAtlas's space
 };
 
 /// The normal map of a bump, which must not be empty. With filter `none` a texel has the normal at

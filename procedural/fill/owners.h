@@ -1,6 +1,6 @@
 #pragma once
-// The triangle whose shading frame a texel has where its span does not tell: a planar patch of a
-// patch atlas has one span per row whatever its triangles, and a closed hole has no triangle.
+// The triangle whose shading frame a texel has where its span has no single triangle: a planar
+// patch of a patch atlas has one span per row whatever its triangles, and a closed hole has none.
 #include <cstdint>
 
 #include "atlas/base/image.h"
@@ -21,7 +21,7 @@ class FrameOwners {
   private:
     const SolidAtlas& solid_;
     const Atlas& atlas_;
-    Image<std::uint32_t> owners_;  ///< owners by texel; empty if spans tell all of them
+    Image<std::uint32_t> owners_;  ///< owners; empty if each span has one triangle
 };
 
 }  // namespace burl

@@ -6,7 +6,7 @@ uniform dvec3 lattice_offset;
 uniform double coordinate_limit;    // a coordinate that reaches this size is 0 on the span
 uniform double period, per_period;  // period of the cells, and 1 / period; 0 for 2^32
 uniform dmat3 quadric;              // the quadric's symmetric matrix
-uniform dvec3 quadric_slope;        // its coefficients d, g and i
+uniform dvec3 quadric_slope;        // the quadric's coefficients d, g and i
 uniform double quadric_constant;
 
 // Halves of float64 numbers. Along an axis, texel j has the bits of from + j step, plus the cell;
