@@ -1,7 +1,7 @@
 #pragma once
-// Work that a texture can do without: what may be left out, each kind by a name so that tests and
-// measurements can forbid it, and counts of what was done and what was spared. No result depends on
-// it (docs/economy.md says where a bound stands for equality).
+// Work that a texture can do without: every kind has a name, by which tests and measurements forbid
+// leaving it out, and counts of what was done and what was skipped. Skipping changes no byte of a
+// result, except for the band limit, which a recipe asks for (docs/economy.md).
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -10,20 +10,20 @@
 
 namespace burl {
 
-/// Work that is left out where nobody would see its result.
+/// Kinds of work that are left out because the result does not need them.
 enum class Skip : unsigned {
-    stages,          ///< stages of the pipeline whose inputs did not change
-    zero_terms,      ///< octaves without amplitude, quadric coefficients of zero
-    constants,       ///< parts of a graph that do not depend on the point
-    subtrees,        ///< parts of a graph that occur again
-    band_limit,      ///< octaves that a texel cannot show
-    early_exit,      ///< octaves that cannot leave an interval of one colour any more
-    constant_tiles,  ///< runs of texels that all have one colour, by interval arithmetic
+    stages,          ///< pipeline stages whose inputs did not change
+    zero_terms,      ///< octaves of amplitude 0 and quadric coefficients of 0
+    constants,       ///< parts of a graph that do not depend on the point: evaluated once
+    subtrees,        ///< common subexpressions of a graph: evaluated once
+    band_limit,      ///< octaves too fine for a texel to show
+    early_exit,      ///< octaves that cannot move a value out of an interval of one colour any more
+    constant_tiles,  ///< runs of texels of one colour, found by interval arithmetic
     unread_texels,   ///< texels that no lookup reads
-    covered_layers,  ///< layers under an opaque one
-    kept_terms,      ///< octaves and fields that an edit leaves as they are
-    unseen_tiles,    ///< tiles and levels that a view does not show
-    up_to_date,      ///< outputs whose inputs did not change
+    covered_layers,  ///< layers covered by an opaque one
+    kept_terms,      ///< octaves and fields that an edit leaves unchanged
+    unseen_tiles,    ///< tiles and MIP levels that a view does not show
+    up_to_date,      ///< output files whose inputs did not change
 };
 
 inline constexpr std::array<std::string_view, 12> skip_names = {
@@ -31,7 +31,7 @@ inline constexpr std::array<std::string_view, 12> skip_names = {
     "band-limit",     "early-exit", "constant-tiles", "unread-texels",
     "covered-layers", "kept-terms", "unseen-tiles",   "up-to-date"};
 
-/// Which kinds are allowed; all, to begin with.
+/// The set of kinds of work that may be left out: all of them until one is forbidden.
 class Skips {
   public:
     bool allows(Skip skip) const { return (forbidden_ >> unsigned(skip) & 1U) == 0; }
@@ -42,9 +42,10 @@ class Skips {
     std::uint32_t forbidden_ = 0;
 };
 
-/// What syntheses did and what they left out, by the reason; skipped[k] is Skip(k)'s.
+/// Counts of the work that syntheses did and left out; element k of an array counts the work left
+/// out for the reason Skip(k).
 struct SynthesisWork {
-    std::uint64_t texels = 0;   ///< whose colour was worked out
+    std::uint64_t texels = 0;   ///< texels whose colour was computed
     std::uint64_t octaves = 0;  ///< octaves evaluated, one per texel and octave
     std::array<std::uint64_t, skip_names.size()> texels_skipped{};
     std::array<std::uint64_t, skip_names.size()> octaves_skipped{};
@@ -63,8 +64,9 @@ struct SynthesisWork {
     bool operator==(const SynthesisWork&) const = default;
 };
 
-/// What a synthesis may leave out, and where it adds what it did; null: nowhere. Once `stop` is
-/// asked for, which another thread may do, it returns soon, and its result is worth nothing.
+/// The work that a synthesis may leave out, the counts that it adds to (`work`; null: none), and a
+/// request to stop. Once another thread requests it, the synthesis returns soon and its result must
+/// not be used.
 struct Economy {
     Skips skips{};
     SynthesisWork* work = nullptr;

@@ -1,23 +1,24 @@
 #pragma once
-// How a texel's footprint is averaged (Hart et al. 1999, section 3; docs/filtering.md). A plain
+// The average over a texel's footprint (Hart et al. 1999, section 3; docs/filtering.md): a plain
 // comparable value, part of the recipe.
 namespace burl {
 
 enum class FilterKind {
-    none,         ///< the colour at the texel's centre
-    table_mip,    ///< the paper's tables of halved resolution
-    table_sat,    ///< the paper's summed-area table
-    table_sat3,   ///< the same, three times as long
-    exact,        ///< the map's integral over a box as wide as the footprint
-    trapezoid,    ///< the map's integral over both axes of the footprint
-    trapezoid2,   ///< the same, f's mean and slopes from the texel's corners
+    none,         ///< no filter: the colour at the texel's centre
+    table_mip,    ///< the paper's MIP map of the colour table
+    table_sat,    ///< the paper's summed-area table of the colour map
+    table_sat3,   ///< the paper's summed-area table, three times as long
+    exact,        ///< the colour map's integral over a box as wide as the footprint
+    trapezoid,    ///< the colour map's integral over both axes of the footprint
+    trapezoid2,   ///< `trapezoid`, with f's mean and slopes from the texel's corners
     supersample,  ///< stratified samples with Gaussian weights
 };
 
 struct Filter {
     FilterKind kind = FilterKind::none;
-    int samples = 16;         ///< of supersample: 1 to 1024; squares are stratified best
-    bool band_limit = false;  ///< leave out octaves finer than a texel, with a fade
+    /// Samples per texel of `supersample`, 1 to 1024; square numbers are stratified best.
+    int samples = 16;
+    bool band_limit = false;  ///< fades out octaves that are finer than a texel
     bool operator==(const Filter&) const = default;
 };
 

@@ -1,7 +1,8 @@
 #pragma once
-// How lattice noise comes to the texels. `direct` and `share` give the same bits, `scanline` rounds
-// otherwise, within the same bound; `automatic` is the fastest of them: whether a span is scanned
-// depends on that span alone, the rest is settled batch by batch.
+// Kernels: the ways to evaluate lattice noise for spans of texels. `direct` and `share` give the
+// same bits; `scanline` rounds otherwise, within the same error bound. `automatic` takes the
+// fastest of them: whether a span is scanned depends on that span alone, `direct` or `share` is
+// chosen batch by batch.
 #include <array>
 #include <string_view>
 
@@ -11,7 +12,7 @@ enum class Kernel {
     automatic,
     direct,    ///< every texel hashes the eight corners of its own cell
     share,     ///< texels in a row that lie in one cell share its corners
-    scanline,  ///< polynomials of the texel's number between lattice planes
+    scanline,  ///< between lattice planes the noise is a polynomial of the texel's number
 };
 
 struct NamedKernel {

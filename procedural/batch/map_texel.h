@@ -1,17 +1,18 @@
 #pragma once
-// The pieces that all images are made of which a graphics processor evaluates a texture from.
+// Rectangles of texels, and the texels of the images that a graphics processor evaluates a texture
+// from.
 #include <cstdint>
 
 #include "atlas/base/vec.h"
 
 namespace burl {
 
-/// Texels of an atlas: columns x to x + width - 1 of rows y to y + height - 1.
+/// A rectangle of texels of an atlas: columns x to x + width - 1 of rows y to y + height - 1.
 struct TexelArea {
     std::uint32_t x = 0, y = 0, width = 0, height = 0;
 };
 
-/// Four words, whatever the image keeps in them.
+/// A texel of four 32-bit words, whose meaning is up to the image.
 using MapTexel = glm::uvec4;
 
 }  // namespace burl

@@ -1,24 +1,24 @@
 #pragma once
-// The points that an atlas's texels show, as images: in float64 for octaves that no stream serves,
-// and as float32 offsets from one base with each texel's owner, the solid map of an atlas (Carr &
-// Hart 2001, section 5.1) that a shader textures from elsewhere.
+// The solid points of an atlas's texels as images: in float64 for octaves that have no vectorised
+// kernel, and as float32 offsets from one base with each texel's owner, the solid map of an atlas
+// (Carr & Hart 2001, section 5.1), from which a shader elsewhere textures it.
 #include "atlas/base/image.h"
 #include "procedural/batch/map_texel.h"
 
 namespace burl {
 
-/// Of texels outside every span.
+/// The owner of texels outside every span.
 inline constexpr std::uint32_t no_owner = 0xffffffffu;
 
-/// Points as halves of float64 numbers, the lower first; not numbers outside every span.
+/// Points in float64, each number as two 32-bit halves, the lower first; NaN outside every span.
 struct PointMap {
     Image<MapTexel> xy;
     Image<MapTexel> z_owner;  ///< z, the number of the texel's map (Span::map) and 0
 };
 
-/// Every texel's point is base + local.
+/// Offsets in float32: a texel's solid point is local plus a base point (maps/point_map.h).
 struct SolidMap {
-    Image<Vec4f> local;  ///< x, y, z; w is 1 in spans, all is 0 elsewhere
+    Image<Vec4f> local;  ///< x, y, z and 1 in spans; all 0 elsewhere
     Image<std::uint32_t> owners;
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-// The rows of an image shared out among threads.
+// Loops over the rows of an image, shared out among threads.
 #include <algorithm>
 #include <cstddef>
 #include <stop_token>
@@ -14,10 +14,10 @@ namespace burl {
 
 using RowRange = tbb::blocked_range<std::size_t>;
 
-/// Calls work(rows) for ranges that make up rows 0 to size - 1, `size` texels each, about `texels`
-/// texels a range or more: that decides only who works, not what comes out. `threads` 0 means all.
-/// Where somebody may ask to stop, ranges are about that long, and those that have not begun when
-/// it happens are left out: what comes out is then worth nothing.
+/// Calls work(rows) for ranges that make up rows 0 to size - 1, `size` texels each, with at least
+/// about `texels` texels to a range. The ranges decide only which thread works, never the result.
+/// `threads` 0 means all. Where `stop` can be requested, ranges are about `texels` long, and those
+/// that have not begun when it is are left out, so that the result must not be used.
 template <class Work>
 void for_row_ranges(std::size_t size, std::size_t texels, int threads, const Work& work,
                     const std::stop_token& stop = {}) {
@@ -33,8 +33,8 @@ void for_row_ranges(std::size_t size, std::size_t texels, int threads, const Wor
     arena.execute([&] { tbb::parallel_for(rows, unless_stopped, tbb::simple_partitioner()); });
 }
 
-/// Groups of so many rows that they have about so many texels or more: what is decided for a batch
-/// of texels of one group does not depend on who else works.
+/// Groups of consecutive rows with at least about `texels` texels each. Groups do not depend on the
+/// number of threads, so decisions that are taken per batch of one group do not, either.
 struct RowGroups {
     std::size_t size = 0, rows = 1;
     RowGroups(std::size_t rows_in_all, std::size_t texels)

@@ -1,6 +1,6 @@
 #pragma once
-// Stratified places in a texel for supersampling, with the weights of pbrt's checkerboard (Gaussian
-// of the distance from the centre). They depend on the texel and nothing else.
+// Stratified sample points in a texel for supersampling, with the weights of pbrt's checkerboard
+// (Gaussian of the distance from the centre). The points depend on the texel's coordinates alone.
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
@@ -12,8 +12,8 @@ namespace burl {
 
 class SamplePattern {
   public:
-    /// The texel is cut into columns x rows = samples cells, as nearly square as that number
-    /// allows, each with one sample anywhere in it.
+    /// Cuts the texel into columns x rows = samples cells, as nearly square as that number allows,
+    /// with one random sample in each.
     explicit SamplePattern(int samples) : columns_(1), rows_(samples) {
         for (int c = 1; c * c <= samples; ++c)
             if (samples % c == 0) columns_ = c, rows_ = samples / c;
@@ -23,7 +23,8 @@ class SamplePattern {
     int columns() const { return columns_; }
     int rows() const { return rows_; }
 
-    /// Sample i of texel (x, y): offsets from its centre along u and v, in texels, in [-1/2, 1/2].
+    /// Sample i of texel (x, y): its offsets from the centre along u and v, in texels, in [-1/2,
+    /// 1/2].
     std::pair<float, float> operator()(int i, std::uint32_t x, std::uint32_t y) const {
         const std::uint32_t bits = LatticeHash::bits(x, y, std::uint32_t(i), 0x5eed);
         const double jitter_u = double(bits >> 16) * 0x1p-16 + 0x1p-17;
@@ -36,9 +37,10 @@ class SamplePattern {
     int columns_, rows_;
 };
 
-/// exp(1/2 - 2 (u^2 + v^2)), u and v in texels, in [-1/2, 1/2], to within 2e-15 of itself: pbrt's
-/// weight up to a factor, by Taylor's series about the middle of what it is taken of. No two
-/// mathematical libraries share an exponential; supersample.glsl has the same operations.
+/// pbrt's Gaussian weight up to a factor: exp(1/2 - 2 (u^2 + v^2)), u and v in texels, in [-1/2,
+/// 1/2], to a relative error of 2e-15. It is computed by Taylor's series about the middle of the
+/// exponent's range, because no two mathematical libraries share an exponential; supersample.glsl
+/// has the same operations.
 inline double gaussian_weight(double u, double v) {
     constexpr double factorials[] = {1.0,       1.0,        2.0,         6.0,         24.0,
                                      120.0,     720.0,      5040.0,      40320.0,     362880.0,

@@ -1,5 +1,5 @@
 #pragma once
-// Adds up what the threads of a synthesis did: whole numbers, so that nobody's order counts.
+// A sum of SynthesisWork over threads: whole numbers, whose sum does not depend on the order.
 #include <mutex>
 
 #include "procedural/batch/economy.h"
@@ -8,7 +8,7 @@ namespace burl {
 
 class WorkSum {
   public:
-    /// Adds to `total`; null: nobody wants to know.
+    /// The sum is added to `total`, which may be null.
     explicit WorkSum(SynthesisWork* total) : total_(total) {}
 
     void add(const SynthesisWork& work) {

@@ -1,8 +1,8 @@
 #pragma once
-// Value noise within one lattice cell as what it is: the cell's eight numbers make it linear in
+// Value noise within one lattice cell as a polynomial: the cell's eight numbers make it linear in
 // each of three fade weights ("Bresenham Noise", eq. 12, here about the cell's middle), and along a
 // straight line each weight is a polynomial of the texel's number, of degree 1, 3 or 5. So the
-// noise is one of degree 3 (eq. 15), 9 or 15.
+// noise is a polynomial of degree 3 (eq. 15), 9 or 15.
 #include <algorithm>
 
 #include "atlas/base/vec.h"
@@ -13,14 +13,16 @@
 
 namespace burl {
 
+/// The degree of a fade as a polynomial.
 constexpr std::size_t fade_degree(Fade fade) {
     return fade == Fade::linear ? 1 : fade == Fade::smooth ? 3 : 5;
 }
 
-/// Coefficient c belongs to the product of the weights v (fade.h) of those axes whose bit is set.
+/// The coefficients of a cell's noise: coefficient c belongs to the product of the weights v
+/// (fade.h) of those axes whose bit is set in c.
 using CellBlend = std::array<double, 8>;
 
-/// Of the cell whose lower corner is given.
+/// The coefficients of the cell whose lower corner is `cell`.
 inline CellBlend cell_blend(const std::array<std::int64_t, 3>& cell, std::uint32_t seed,
                             const Period<3>& period = {}) {
     const LatticeSite<double, 3> site{cell, {}, period};
@@ -49,7 +51,7 @@ inline double blend_at(const CellBlend& n, Fade fade, const Vec3d& place) {
     return low + high * z;
 }
 
-/// A fade weight at place u + j du as a polynomial of j: its Taylor series, which ends.
+/// The fade weight at place u + j du as a polynomial of j: its Taylor series, which is finite.
 template <Fade fade>
 Powers<fade_degree(fade)> weight_along(double u, double du) {
     const double t = u + u, s = du + du, tt = t * t, ss = s * s;
@@ -63,7 +65,7 @@ Powers<fade_degree(fade)> weight_along(double u, double du) {
                 ss * ss * (1.875 * t),         ss * ss * s * 0.375};
 }
 
-/// low + high * factor.
+/// The polynomial low + high * factor.
 template <std::size_t A, std::size_t B>
 std::array<double, A + B - 1> blended(const std::array<double, A>& low,
                                       const std::array<double, A>& high,
@@ -75,7 +77,7 @@ std::array<double, A + B - 1> blended(const std::array<double, A>& low,
     return sum;
 }
 
-/// The noise at place + j step as a polynomial of j. Valid as long as the line stays in the cell.
+/// The noise at place + j step as a polynomial of j, valid while the line stays in the cell.
 template <Fade fade>
 Powers<3 * fade_degree(fade)> noise_along(const CellBlend& n, const Vec3d& place,
                                           const Vec3d& step) {

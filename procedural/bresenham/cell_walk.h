@@ -1,6 +1,6 @@
 #pragma once
-// Which lattice cells a scan line passes through, texel by texel: the line drawing of Bresenham and
-// the grid traversal of Amanatides & Woo (1987), as "Bresenham Noise" uses them to know when its
+// The lattice cells that a scan line passes through, texel by texel: the line drawing of Bresenham
+// and the grid traversal of Amanatides & Woo (1987), by which "Bresenham Noise" knows when its
 // differences must be computed anew. Planes are counted in whole numbers, and a cell follows from
 // the planes between which its texels lie: a coordinate that rounding moved across a plane can
 // neither give a whole stretch the wrong cell nor skip one. The stretches depend on the line alone,
@@ -21,17 +21,17 @@ struct CellStretch {
     std::array<std::int64_t, 3> cell{};
 };
 
-/// One coordinate of a line: start + j * step at texel j >= 0.
+/// The walk of one coordinate of a line, start + j * step at texel j >= 0, from cell to cell.
 class AxisWalk {
   public:
     AxisWalk() = default;
     AxisWalk(double start, double step) : start_(start), step_(step) {
-        // A step too small to change a double that has left 0 crosses no plane.
+        // A step too small to change a double other than 0 crosses no plane.
         if (std::abs(step) < std::numeric_limits<double>::min()) step_ = 0.0;
         direction_ = step_ < 0.0 ? -1 : 1;
     }
 
-    /// Sets cell and the texels between which the line is in it.
+    /// Sets the cell of a texel, and the range of texels in which the line stays in it.
     void locate(std::int64_t texel) {
         cell_ = std::int64_t(std::floor(start_ + double(texel) * step_));
         if (step_ == 0.0) return;
@@ -43,7 +43,7 @@ class AxisWalk {
         last_ = std::max(entry(cell_ + direction_), texel + 1);
     }
 
-    /// On to the cell of texel last().
+    /// Advances to the cell of texel last().
     void advance() {
         first_ = last_;
         cell_ += direction_;

@@ -1,9 +1,9 @@
 #pragma once
-// Running a polynomial through the whole numbers with additions alone, as Kameya & Hart's
-// "Bresenham Noise" runs its cubic (eq. 16 to 22), for any degree. The first differences come from
-// the polynomial's coefficients by Stirling numbers of the second kind, never from samples:
-// differences of d + 1 neighbouring samples are what rounding left of them, and the sums amplify
-// it.
+// Evaluation of a polynomial at consecutive whole numbers by additions alone, as Kameya & Hart's
+// "Bresenham Noise" evaluates its cubic (eq. 16 to 22), for any degree. The first differences come
+// from the polynomial's coefficients by Stirling numbers of the second kind, never from samples:
+// differences of d + 1 neighbouring samples consist mostly of the samples' rounding, which the sums
+// amplify.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -19,8 +19,8 @@ namespace burl {
 template <std::size_t degree>
 using Powers = std::array<double, degree + 1>;
 
-/// Calls f(0), f(1) ... f(count - 1) with constants: short loops that compilers leave rolled up
-/// take up to twice as long.
+/// Calls f(0), f(1) ... f(count - 1) with constant arguments: short loops that compilers do not
+/// unroll take up to twice as long.
 template <std::size_t count, class Function>
 constexpr void unrolled(Function&& f) {
     [&]<std::size_t... i>(std::index_sequence<i...>) {
@@ -31,7 +31,7 @@ constexpr void unrolled(Function&& f) {
 
 /// The differences at 0 of a polynomial: p(j) = sum_m D_m binomial(j, m), eq. (21). Dividing by x,
 /// then the quotient by x - 1, and so on leaves the remainders that are the coefficients in
-/// Newton's basis x (x - 1) ... (x - m + 1); all in all D_m = m! sum_k S(k, m) c_k with Stirling's
+/// Newton's basis x (x - 1) ... (x - m + 1); altogether D_m = m! sum_k S(k, m) c_k with Stirling's
 /// numbers.
 template <std::size_t size>
 constexpr std::array<double, size> differences_at_zero(std::array<double, size> p) {
@@ -47,9 +47,9 @@ constexpr std::array<double, size> differences_at_zero(std::array<double, size> 
     return p;
 }
 
-/// The value and its differences at one whole number after the other. Number is float, double or
-/// std::int64_t, which counts in units of 2^-`fraction_bits`: |value| must then stay below
-/// 2^(63 - fraction_bits), |differences| too at the start.
+/// The value and the differences of a polynomial, advanced from one whole number to the next.
+/// Number is float, double or std::int64_t. The last counts in units of 2^-`fraction_bits`: |value|
+/// must then stay below 2^(63 - fraction_bits), as must the |differences| at the start.
 template <class Number, std::size_t degree>
 class ForwardDifferences {
   public:
@@ -62,14 +62,15 @@ class ForwardDifferences {
         if constexpr (fixed) return unit_ * double(std::int64_t(order_[0]));
         return double(order_[0]);
     }
-    /// On to the next whole number: `degree` additions, eq. (22).
+    /// Advances to the next whole number by `degree` additions, eq. (22).
     void step() {
         for (std::size_t m = 0; m < degree; ++m) order_[m] += order_[m + 1];
     }
 
   private:
     static constexpr bool fixed = std::integral<Number>;
-    /// Sums of unsigned integers wrap, so it does not matter whether a high difference overflows.
+    /// The type of stored numbers. Unsigned sums wrap, so it does not matter whether a high
+    /// difference overflows.
     using Stored = std::conditional_t<fixed, std::uint64_t, Number>;
 
     Stored encoded(double x) const {

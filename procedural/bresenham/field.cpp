@@ -12,7 +12,7 @@ namespace burl {
 
 namespace {
 
-/// An octave and the cell it is in.
+/// An octave and the cell that the line is in.
 struct OctaveWalk {
     OctaveWalk(const Octave& of, const LatticeLine& solid)
         : octave(&of), line(lattice_line(of.lattice_from_solid, solid)), walk(line) {
@@ -38,16 +38,17 @@ struct OctaveWalk {
     CellBlend blend{};
 };
 
+/// The field along a line of solid points.
 struct FieldLine {
     const Quadric& quadric;
     LatticeLine solid;
-    double constant = 0.0;  ///< what the octaves' ranges add
+    double constant = 0.0;  ///< sum of the octaves' offsets
     std::vector<OctaveWalk> octaves;
 
     Vec3d point(std::int64_t texel) const { return solid.start + double(texel) * solid.step; }
 };
 
-/// Of all octaves together.
+/// The texels in which no octave changes its cell.
 CellStretch common_stretch(const FieldLine& field) {
     CellStretch common{0, std::int64_t(1) << 62, {}};
     for (const OctaveWalk& octave : field.octaves) {
@@ -57,6 +58,7 @@ CellStretch common_stretch(const FieldLine& field) {
     return common;
 }
 
+/// The field at a texel, evaluated without differences.
 double direct_value(const FieldLine& field, std::int64_t texel) {
     double f = evaluate_quadric(field.quadric, field.point(texel)) + field.constant;
     for (const OctaveWalk& octave : field.octaves) f += octave.value(texel);
@@ -94,7 +96,7 @@ Powers<degree> field_along(const FieldLine& field, std::int64_t origin) {
     return f;
 }
 
-/// What no |f| of the `texels` from `origin` on exceeds: value noise stays within its lattice's.
+/// A bound of |f| on the `texels` texels from `origin` on: value noise is at most 1.
 double largest_value(const FieldLine& field, std::int64_t origin, double texels) {
     const Vec3d s = field.point(origin), &step = field.solid.step;
     const Vec3d turn = half_gradient_change(field.quadric, step);
@@ -105,7 +107,7 @@ double largest_value(const FieldLine& field, std::int64_t origin, double texels)
     return largest;
 }
 
-/// So many that neither a value nor a first difference overflows.
+/// The number of fraction bits with which neither a value nor a first difference overflows.
 template <std::size_t degree>
 int fitting_bits(double largest, const Powers<degree>& differences) {
     for (const double d : differences) largest = std::max(largest, std::abs(d));

@@ -16,29 +16,31 @@
 
 namespace burl {
 
-/// Why f has no polynomial along a line, as the end of a sentence; empty if it has one: plain value
-/// noise in every octave.
+/// The reason why f has no polynomial along a line, as the end of a sentence; empty if every octave
+/// is plain value noise, which has one.
 std::string no_forward_form(std::span<const Octave> octaves);
 
-/// values[j] = f(start + (first + j) step) for j = 0 ... line.count - 1; no_forward_form must be
-/// empty. A texel's value does not depend on where the line is cut, only on start and step. With
-/// the default longest_run, f errs by at most 4e-6, 4e-12 and 4e-8 times 1 + Q for noise whose
-/// amplitudes add up to 2, Q the sizes of the quadric's terms on the line, added up.
+/// values[j] = f(start + (first + j) step) for j = 0 ... solid.count - 1; no_forward_form must
+/// return an empty string. A texel's value does not depend on where the line is cut, only on start
+/// and step. With the default longest_run, f errs by at most 4e-6 in float32, 4e-12 in float64 and
+/// 4e-8 in fixed64, times 1 + Q, for noise whose amplitudes add up to 2; Q is the sum of the sizes
+/// of the quadric's terms on the line.
 ForwardCounts forward_field(const Quadric& quadric, std::span<const Octave> octaves,
                             const LatticeLine& solid, const ForwardOptions& options,
                             double* values);
 
-/// The same f from the quadric and every octave by themselves (add_forward_noise), added up.
+/// The values of forward_field, from differences of the quadric and of every octave by itself
+/// (add_forward_noise), added up.
 ForwardCounts forward_octaves(const Quadric& quadric, std::span<const Octave> octaves,
                               const LatticeLine& solid, const ForwardOptions& options,
                               double* values);
 
-/// Cell crossings per texel, of all octaves together, up to which forward_field is the faster of
-/// the two: below, its runs are long enough to pay for polynomials of everything
-/// (docs/bresenham.md).
+/// The number of cell crossings per texel, of all octaves together, up to which forward_field is
+/// faster than forward_octaves: its runs are then long enough to pay for polynomials of the whole
+/// function (docs/bresenham.md).
 inline constexpr double whole_function_crossings = 0.1;
 
-/// The faster of the two for the line's step.
+/// The values by the faster of forward_field and forward_octaves for the line's step.
 ForwardCounts forward_values(const Quadric& quadric, std::span<const Octave> octaves,
                              const LatticeLine& solid, const ForwardOptions& options,
                              double* values);

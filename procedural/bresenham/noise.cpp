@@ -9,11 +9,11 @@ namespace burl {
 
 namespace {
 
-/// The texels of one line and where their noise goes.
+/// The texels of one line and the array that their noise is added to.
 struct Target {
     LatticeLine line;
     double scale = 1.0;
-    double* sums = nullptr;  ///< of texel `begin`
+    double* sums = nullptr;  ///< element 0 belongs to texel `begin`
     std::int64_t begin = 0, end = 0;
 
     void add(std::int64_t texel, double n) const { sums[texel - begin] += scale * n; }
@@ -75,8 +75,8 @@ ForwardCounts& ForwardCounts::operator+=(const ForwardCounts& more) {
 std::int64_t longest_run(std::size_t degree, ForwardPrecision precision, double cells_per_texel) {
     switch (precision) {
         case ForwardPrecision::float32:
-            // Sums drift by up to half a last place a texel; of a high degree, differences that
-            // cancel each other grow with the way through the cell, too.
+            // Sums drift by up to half a last place per texel. In a high degree, differences that
+            // cancel each other also grow on the way through the cell.
             if (degree == 3) return 64;
             return std::int64_t(std::clamp(0.6 / cells_per_texel, 1.0, 64.0));
         case ForwardPrecision::float64:

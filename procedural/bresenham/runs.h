@@ -1,6 +1,7 @@
 #pragma once
-// How the texels of a scan line are shared out among sets of forward differences. Sets begin at
-// places that depend on the line alone, so that it may be cut anywhere without a trace.
+// The partition of a scan line's texels into runs, each with a set of forward differences of its
+// own. Runs begin at texels that depend on the line alone, so that it may be cut anywhere without a
+// trace.
 #include <algorithm>
 #include <cstdint>
 
@@ -9,7 +10,7 @@
 
 namespace burl {
 
-/// Texels first to last - 1 lie in one cell; begin to end - 1 are wanted.
+/// Texels first to last - 1 lie in one cell; texels begin to end - 1 are wanted.
 struct TexelRange {
     std::int64_t first = 0, last = 0, begin = 0, end = 0;
 
@@ -17,8 +18,8 @@ struct TexelRange {
     std::int64_t wanted_last() const { return std::min(last, end); }
 };
 
-/// Calls run(origin, last) for every set of differences that reaches wanted texels: computed at
-/// texel `origin`, at most `longest` texels. Returns how many there are.
+/// Calls run(origin, last) for every run that reaches wanted texels: its differences are computed
+/// at texel `origin`, and it has at most `longest` texels. Returns the number of runs.
 template <class Run>
 std::int64_t for_each_run(const TexelRange& texels, std::int64_t longest, Run&& run) {
     const std::int64_t wanted = texels.wanted_first(), last = texels.wanted_last();
@@ -30,7 +31,8 @@ std::int64_t for_each_run(const TexelRange& texels, std::int64_t longest, Run&& 
     return runs;
 }
 
-/// Calls put(texel, value) for the texels from `begin` on up to last - 1.
+/// Calls put(texel, value) for the texels from `begin` on up to last - 1; `differences` are those
+/// at texel `origin`.
 template <class Number, std::size_t degree, class Put>
 void run_differences(ForwardDifferences<Number, degree> differences, std::int64_t origin,
                      std::int64_t last, std::int64_t begin, Put&& put) {
@@ -42,7 +44,7 @@ void run_differences(ForwardDifferences<Number, degree> differences, std::int64_
     }
 }
 
-/// Place of a texel from the middle of its cell.
+/// The place of a texel, measured from the middle of its cell.
 inline Vec3d cell_place(const LatticeLine& line, const std::array<std::int64_t, 3>& cell,
                         std::int64_t texel) {
     Vec3d u = line.start + double(texel) * line.step;

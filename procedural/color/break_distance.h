@@ -1,6 +1,6 @@
 #pragma once
-// Where the colour map is straight: a footprint without a break inside has the colour at its
-// middle, so that most texels of a smooth texture need no filter at all.
+// The distance from an index to the nearest break of the colour map: a footprint without a break
+// inside has the colour at its middle, so that most texels of a smooth texture need no filter.
 #include <cstdint>
 #include <vector>
 
@@ -18,11 +18,11 @@ class BreakDistance {
     bool straight(std::uint32_t entry, double half) const {
         return half < double(distances_[entry]);
     }
-    /// Of all entries, rounded down by 1e-6.
+    /// The distances of all entries to the nearest break, rounded down by a relative 1e-6.
     const float* data() const { return distances_.data(); }
 
   private:
-    std::vector<float> distances_;  ///< entry_count + 1: index 1 has one of its own
+    std::vector<float> distances_;  ///< entry_count + 1 distances: index 1 has an entry of its own
 };
 
 }  // namespace burl

@@ -16,7 +16,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 std::vector<IndexInterval> constant_intervals(const ColorMap& colors) {
     const PreparedColorMap map(colors);
     const bool clamps = map.wrap() == Wrap::clamp;
-    const double after = clamps ? 2.0 : 1.0;  // index 1 is one of its own with `clamp`
+    const double after = clamps ? 2.0 : 1.0;  // index 1 is a point of its own with `clamp`
     std::vector<IndexInterval> intervals;
     std::vector<Vec3d> of;
     for (std::size_t i = 0; i + 1 < map.segments(); ++i) {

@@ -1,4 +1,4 @@
-// One object per texture; what a filter precomputes is made once.
+// A filter's tables are computed once, when the object of a texture's map is made.
 #include "procedural/color/filtered_colors.h"
 
 namespace burl {

@@ -11,14 +11,16 @@ namespace burl {
 
 class FilteredColors {
   public:
-    /// none and supersample, which need no averages of the map, count as exact.
+    /// Prepares the averages of a filter kind; `none` and `supersample` need no averages and count
+    /// as `exact`.
     FilteredColors(const ColorMap& map, FilterKind kind);
 
-    /// Mean of the map, linear light, where f changes by `slope_u` and `slope_v` across the texel.
-    /// Filters of one width take the box of the same variance, sqrt(slope_u^2 + slope_v^2).
+    /// The mean of the map, in linear light, where f changes by `slope_u` and `slope_v` across the
+    /// texel. Filters of one width take the box of the same variance, sqrt(slope_u^2 + slope_v^2)
+    /// wide.
     Vec3d operator()(double f, double slope_u, double slope_v) const;
 
-    /// Whether it is the map's exact mean, and so the colour itself where the map is straight.
+    /// Whether the mean is the map's exact one, and so the colour itself where the map is straight.
     bool exact() const { return std::holds_alternative<MapPieces>(map_); }
     Wrap wrap() const { return wrap_; }
 

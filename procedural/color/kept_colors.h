@@ -1,6 +1,6 @@
 #pragma once
-// A colour map prepared for look-ups, kept while only the field changes: an 8-bit table takes as
-// long as a tenth of a million texels.
+// Cache of one prepared colour map per pixel type, for edits that change only the field: making an
+// 8-bit table takes as long as a tenth of a million texels.
 #include <optional>
 #include <tuple>
 
@@ -10,7 +10,8 @@ namespace burl {
 
 class KeptColors {
   public:
-    /// Those of the map; the last ones of such pixels, if they are that. Good until the next call.
+    /// The prepared colours of the map: the cached ones if the last call for this pixel type had
+    /// the same map. The reference is valid until the next call.
     template <class Pixel>
     const PointColors<Pixel>& of(const ColorMap& map) {
         auto& [last, colors] = std::get<Entry<Pixel>>(entries_);

@@ -19,11 +19,11 @@ namespace HWY_NAMESPACE {
 
 static_assert(sizeof(ColorCode) == 4 && sizeof(Rgb8) == 3);
 
-/// map_index.
+/// The colour map's index of f, as map_index gives it.
 HWY_ATTR HWY_INLINE Double MapIndex(Wrap wrap, Double f) {
     const Doubles d;
     const auto zero = hn::Zero(d), one = hn::Set(d, 1.0);
-    // Both forms give 0 for NaN: comparisons with it are false.
+    // Both wraps give 0 for NaN, because comparisons with NaN are false.
     const auto part = hn::Sub(f, hn::Floor(f));
     const auto positive = hn::IfThenElseZero(hn::Gt(f, zero), f);
     return wrap == Wrap::repeat ? hn::IfThenElseZero(hn::Lt(part, one), part)
@@ -34,7 +34,7 @@ HWY_ATTR void IndexColors(Wrap wrap, const double* f, std::size_t count, std::ui
                           std::int32_t* entries) {
     const Doubles d;
     const auto scale = hn::Set(d, double(entry_count));
-    // To the end of a vector of floats: a table is looked up for all of them.
+    // The loop runs to the end of a vector of floats, because tables are looked up for all of it.
     const std::size_t lanes = hn::Lanes(Floats()), end = (count + lanes - 1) / lanes * lanes;
     for (std::size_t j = 0; j < end; j += hn::Lanes(d)) {
         const auto entry = hn::Mul(MapIndex(wrap, hn::LoadU(d, f + j)), scale);
@@ -66,7 +66,7 @@ HWY_ATTR void PackPixels(const ColorCode* codes, std::size_t count, Rgb8* pixels
     HWY_ALIGN static constexpr std::uint8_t order[] = {0,  1,  2,  4,  5, 6, 8, 9,
                                                        10, 12, 13, 14, 0, 0, 0, 0};
     const auto colors = hn::Load(d, order);
-    // Sixteen bytes at a time, of which the next twelve overwrite four.
+    // Sixteen bytes at a time; the next store overwrites the last four.
     for (; j + 6 <= count; j += 4) {
         const auto four = hn::LoadU(d, reinterpret_cast<const std::uint8_t*>(codes + j));
         hn::StoreU(hn::TableLookupBytes(four, colors), d,

@@ -1,6 +1,7 @@
-// Narrow footprints: the piece at the low end goes on as a straight line, whose mean is its value
-// in the middle, and every break inside adds a smoothed step and a smoothed ramp; nothing cancels.
-// Broad ones: differences of the map's antiderivatives, whatever the number of breaks.
+// Narrow footprints: the piece at the low end is extended as a straight line, whose mean is its
+// value in the middle, and every break inside adds a smoothed step and a smoothed ramp, so that
+// nothing cancels. Broad footprints: differences of the map's antiderivatives, whatever the number
+// of breaks.
 #include "procedural/color/map_filter.h"
 
 #include <algorithm>
@@ -10,18 +11,19 @@ namespace burl {
 
 namespace {
 
-/// Footprints up to this width are summed break by break.
+/// The width, wide + narrow, below which a footprint is summed break by break.
 constexpr double narrow_support = 0x1p-6;
-/// Second axes narrower than this part of the first are summed break by break up to a support of 2;
-/// beyond, narrower than its square, they are left out, for an error of 1e-7 of a jump.
+/// The ratio narrow / wide below which a footprint is summed break by break up to a support of 2.
+/// Beyond a support of 2, a ratio below least_ratio^2 counts as 0, for an error of 1e-7 of a jump.
 constexpr double least_ratio = 1e-3;
 
-/// x+ smoothed: the means over the footprint of the unit step and of the ramp max(x, 0).
+/// The means over a footprint of the unit step at 0 and of the ramp max(x, 0).
 struct Smoothed {
     double step = 0.0, ramp = 0.0;
 };
 
-/// For x in [-sum/2, 0]; both are exact to rounding however unequal the widths are.
+/// The means for x in [-sum/2, 0], sum = wide + narrow, both exact to rounding however unequal the
+/// widths are.
 Smoothed smoothed_below(double x, const FilterWidths& w) {
     const double sum = 0.5 * (w.wide + w.narrow), difference = 0.5 * (w.wide - w.narrow);
     if (x <= -sum) return {};
@@ -40,8 +42,8 @@ Smoothed smoothed(double x, const FilterWidths& widths) {
     return {1.0 - mirrored.step, x + mirrored.ramp};
 }
 
-/// Mean over a footprint with breaks of its own: the line at its low end and what breaks add. Which
-/// breaks lie to the right of the low end is decided on the very number that chose the piece.
+/// The mean over a footprint with breaks inside: the line at its low end plus the breaks' shares.
+/// The breaks to the right of the low end are found by the very number that chose the piece.
 Vec3d sum_over_breaks(const MapPieces& map, double t, const FilterWidths& widths) {
     const double half = 0.5 * (widths.wide + widths.narrow), low = t - half;
     const bool repeat = map.wrap() == Wrap::repeat;
@@ -59,14 +61,15 @@ Vec3d sum_over_breaks(const MapPieces& map, double t, const FilterWidths& widths
     return result;
 }
 
-/// Whether to go break by break: where differences of antiderivatives would cancel.
+/// Whether to sum break by break, which is where differences of antiderivatives would cancel.
 bool break_by_break(const FilterWidths& w) {
     const double support = w.wide + w.narrow;
     return support < narrow_support || (w.narrow < least_ratio * w.wide && support < 2.0);
 }
 
-/// f and widths as the formulas want them: with `repeat` f less whole periods, so that adding half
-/// a width rounds nothing off it; with `clamp` no wider than 2^40, which is as good as infinite.
+/// f and widths in the range of the formulas: with `repeat` f less whole periods, so that adding
+/// half a width rounds nothing off it; with `clamp` no wider than 2^40, which is as good as
+/// infinite.
 struct Footprint {
     double f = 0.0;
     FilterWidths widths;
@@ -78,7 +81,7 @@ Footprint reduced(const MapPieces& map, double f, const FilterWidths& widths) {
     return {f * scale, {widths.wide * scale, widths.narrow * scale}};
 }
 
-/// With `clamp`, whether a footprint lies in one of the constant ends.
+/// Whether a footprint lies in one of the constant ends of a `clamp` map.
 bool beyond_ends(const MapPieces& map, const Footprint& at) {
     const double half = 0.5 * (at.widths.wide + at.widths.narrow);
     return map.wrap() == Wrap::clamp && (at.f - half >= 1.0 || at.f + half <= 0.0);

@@ -18,16 +18,17 @@ HWY_ATTR HWY_INLINE Double Number(double x) {
     return hn::Set(Doubles(), x);
 }
 
-/// What a break adds to the mean: `jump` times its jump plus `kink` times its kink.
+/// A break's shares in the mean: the mean gets `jump` times its jump plus `kink` times its kink.
 struct Shares {
     Double jump, kink;
 };
 
 // A basis gives, at x, the antiderivatives of a unit jump and of a unit kink at the break
-// `position`, up to what the filters' differences take out. Order 1 integrates once, 2 twice.
+// `position`, up to terms that the filters' differences cancel: First is the first antiderivative,
+// Second the second.
 
-/// Zero-mean and periodic: -B_k(u) / k! of the distance u from the break in [0,1), which is y + 1/2
-/// here. B_k are Bernoulli's polynomials; their constants are left out.
+/// The basis of periodic maps, of zero mean: -B_k(u) / k!, where B_k is Bernoulli's polynomial
+/// without its constant and u in [0, 1) the distance from the break, here y + 1/2.
 struct PeriodicBasis {
     Double middle;
     HWY_ATTR explicit PeriodicBasis(double position) : middle(Number(position + 0.5)) {}
@@ -48,12 +49,12 @@ struct PeriodicBasis {
         return {jumps ? Cubic(y, square) : hn::Zero(Doubles()),
                 kinks ? hn::Mul(square, quartic) : hn::Zero(Doubles())};
     }
-    /// The map itself.
+    /// The unit jump and the unit kink themselves.
     HWY_ATTR HWY_INLINE Shares Value(Double x) const {
         const Double y = Distance(x), square = hn::Mul(y, y);
         return {hn::Neg(y), hn::Sub(Number(1.0 / 24.0), hn::Mul(square, Number(0.5)))};
     }
-    /// Distance to the nearest break, with a sign that says on which side of it x lies.
+    /// The distance to the nearest break, negative where x lies to its left.
     HWY_ATTR HWY_INLINE Double Side(Double x) const {
         const Double y = Distance(x);
         return hn::CopySign(hn::Sub(Number(0.5), hn::Abs(y)), hn::Neg(y));
@@ -65,8 +66,8 @@ struct PeriodicBasis {
     }
 };
 
-/// Powers of what lies beyond the break. Beyond 1, where all kinks have cancelled, theirs go on
-/// without the highest power.
+/// The basis of clamped maps: powers of x - position, or 0 to the left of the break. Beyond x = 1,
+/// where all kinks of a map cancel, those of the kink go on without the highest power.
 struct ClampedBasis {
     Double position;
     HWY_ATTR explicit ClampedBasis(double at) : position(Number(at)) {}
@@ -99,7 +100,7 @@ struct ClampedBasis {
 
 // A shape gives a break's shares in the mean over a footprint.
 
-/// Everything about a footprint that does not depend on the break.
+/// A vector of footprints: the numbers that do not depend on the break.
 struct Footprints {
     Double f, wide, narrow;
 };
@@ -108,6 +109,7 @@ HWY_ATTR HWY_INLINE Shares Minus(const Shares& a, const Shares& b) {
     return {hn::Sub(a.jump, b.jump), hn::Sub(a.kink, b.kink)};
 }
 
+/// Footprints of one axis: differences of first antiderivatives over the width.
 struct BoxShape {
     Double low, high, scale;
     HWY_ATTR explicit BoxShape(const Footprints& at) {
@@ -123,6 +125,7 @@ struct BoxShape {
     }
 };
 
+/// Footprints of two axes: second differences of second antiderivatives over both widths.
 struct TrapezoidShape {
     Double outer_low, outer_high, inner_low, inner_high, scale;
     HWY_ATTR explicit TrapezoidShape(const Footprints& at) {
@@ -145,7 +148,7 @@ struct TrapezoidShape {
     }
 };
 
-/// The map at f, and what a break inside the footprint takes off it or adds: the smoothed step and
+/// The map at f, plus the correction of every break inside the footprint: the smoothed step and
 /// ramp (map_filter.cpp) less the sharp ones, both even in the distance but for the step's sign.
 struct NarrowShape {
     Double f, half, flat, wide, slant, top, scale;

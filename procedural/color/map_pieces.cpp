@@ -1,4 +1,4 @@
-// Everything is worked out once per map, in double.
+// The pieces, breaks and antiderivatives are computed once per map, in double.
 #include "procedural/color/map_pieces.h"
 
 #include <algorithm>
@@ -11,12 +11,12 @@ namespace burl {
 
 namespace {
 
-/// Stops closer than this, which f in float32 cannot tell apart, make a jump: the slope between
-/// them would be lost in what it is added to, or infinite.
+/// The distance below which two stops make a jump: float32 values of f cannot tell them apart, and
+/// the slope between them would be lost in the sum, or infinite.
 constexpr double closest_stops = 0x1p-20;
 
-/// The stops with one more on either side, so that [0,1] is covered: the next period's, or the end
-/// colours again.
+/// The map's stops plus one at either side, so that [0, 1] is covered: the next period's stop with
+/// `repeat`, the end colour again with `clamp`.
 std::vector<ColorStop> covering_stops(const ColorMap& map) {
     std::vector<ColorStop> stops = map.stops;
     if (stops.empty()) stops.push_back({});
@@ -73,7 +73,8 @@ void MapPieces::take_mean_out() {
 }
 
 void MapPieces::integrate() {
-    Vec3d drift(0.0);  // the first antiderivative's own mean
+    // The mean of the first antiderivative.
+    Vec3d drift(0.0);
     for (const int pass : {0, 1}) {
         Vec3d first = -drift, second(0.0);
         for (std::size_t i = 0; i < pieces_.size(); ++i) {

@@ -4,7 +4,7 @@
 
 namespace burl {
 
-/// Linear RGB control points, to be brightened by 1.5.
+/// Control points in linear RGB, before the multiplication by marble_brightness.
 inline constexpr std::array<std::array<double, 3>, 9> marble_colors{{{.58, .58, .6},
                                                                      {.58, .58, .6},
                                                                      {.58, .58, .6},
@@ -14,7 +14,9 @@ inline constexpr std::array<std::array<double, 3>, 9> marble_colors{{{.58, .58, 
                                                                      {.58, .58, .6},
                                                                      {.2, .2, .33},
                                                                      {.58, .58, .6}}};
+/// The factor on the control points' colours.
 inline constexpr double marble_brightness = 1.5;
+/// The number of the spline's segments.
 inline constexpr std::size_t marble_segments = marble_colors.size() - 3;
 
 }  // namespace burl

@@ -1,4 +1,5 @@
-// Entries of the full table are the map's means over themselves, so that every table's are.
+// Entries of the full table are the map's means over the entries' intervals; therefore those of
+// every halved table are, too.
 #include "procedural/color/mip.h"
 
 #include <algorithm>

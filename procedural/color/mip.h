@@ -1,7 +1,7 @@
 #pragma once
 // The 1999 paper's first filter (Hart et al., section 3.3.1): tables of the colour map at halved
-// resolutions, looked up at the one whose entries are as wide as the footprint. Kept for comparison
-// with the exact filter.
+// resolutions, looked up in the one whose entries are as wide as the footprint. The program keeps
+// it for comparison with the exact filter.
 #include <vector>
 
 #include "atlas/base/vec.h"
@@ -15,12 +15,13 @@ class ColorMip {
 
     explicit ColorMip(const ColorMap& map);
 
-    /// c(f) averaged over about `width`, linear light: linear interpolation in the two tables with
-    /// entries just narrower and just wider, and between these. (The paper's clut_i[f/i] means
-    /// f / 2^i.) A footprint beyond an end of a `clamp` map counts as lying at the end.
+    /// c(f) averaged over about `width`, in linear light: linear interpolation in the two tables
+    /// whose entries are just narrower and just wider, and between the two results. (The paper's
+    /// clut_i[f/i] means f / 2^i.) A footprint beyond an end of a `clamp` map counts as lying at
+    /// the end.
     Vec3d operator()(double f, double width) const;
 
-    /// 2^finest, ..., 1 entries; entry i from i to i + 1.
+    /// Tables of 2^finest, ..., 1 entries; entry i is the mean from i to i + 1, in entries.
     const std::vector<std::vector<Vec3d>>& levels() const { return levels_; }
 
   private:

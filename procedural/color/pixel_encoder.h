@@ -1,6 +1,6 @@
 #pragma once
-// Linear light to a pixel of any of the image formats: sRGB codes of 8 or 16 bits, or floats as
-// they are.
+// The conversion of linear light to a pixel of any of the image formats: sRGB codes of 8 or 16
+// bits, or floats of linear light.
 #include "atlas/base/image.h"
 #include "atlas/base/vec.h"
 #include "procedural/color/srgb.h"

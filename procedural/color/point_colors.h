@@ -1,31 +1,32 @@
 #pragma once
-// The colours of field values as they are, unfiltered, for runs of texels at once: in 8 bits by
-// table and vectorised, otherwise texel by texel.
+// The unfiltered colours of field values, for runs of texels: 8-bit pixels by a table and
+// vectorised, other pixels texel by texel.
 #include "procedural/batch/texel_batch.h"
 #include "procedural/color/pixel_encoder.h"
 #include "procedural/color/table.h"
 
 namespace burl {
 
-/// What a thread works with, for up to batch_capacity texels.
+/// A thread's buffers for the look-ups of up to batch_capacity texels.
 struct ColorBuffers {
     alignas(64) std::int32_t places[batch_capacity + batch_padding];
     alignas(64) ColorCode codes[batch_capacity + batch_padding];
     std::uint32_t later[batch_capacity + 2 * batch_padding];
 };
 
-/// pixels() needs look_up() of the same f and buffers before it, which reads f up to the end of a
-/// vector of floats.
+/// The colours of a map as pixels. A call of pixels() needs a call of look_up() with the same f and
+/// buffers before it; look_up() reads f up to the end of a vector of floats.
 template <class Pixel>
 class PointColors {
   public:
     explicit PointColors(const ColorMap& map) : map_(map) {}
     void look_up(const double*, std::size_t, ColorBuffers&) const {}
-    /// The colours of f[at..at+count).
+    /// Writes the colours of f[at..at+count) to pixels[0..count).
     void pixels(const double* f, std::size_t at, std::size_t count, const ColorBuffers&,
                 Pixel* pixels) const {
         for (std::size_t j = 0; j < count; ++j) pixels[j] = (*this)(f[at + j]);
     }
+    /// The colour of one field value.
     Pixel operator()(double f) const { return encode_(map_(f)); }
 
   private:
@@ -41,13 +42,13 @@ class PointColors<Rgb8> {
         index(f, count, buffers.places);
         look_up(buffers.places, f, count, buffers);
     }
-    /// The table's places of f, which the map's colours do not change; written up to the end of a
-    /// vector of floats.
+    /// The table's places of f, which do not depend on the map's colours; written up to the end of
+    /// a vector of floats.
     void index(const double* f, std::size_t count, std::int32_t* places) const {
         index_colors(table_.wrap(), f, count, ColorTable8::places, places);
     }
-    /// As look_up(f, ...), from places that begin on a line of the cache; f, which takes twice
-    /// their memory, is read only where they do not say the colour.
+    /// Looks colours up by places, which must be aligned to 64 bytes; f, which takes twice their
+    /// memory, is read only where a place does not decide the colour.
     void look_up(const std::int32_t* places, const double* f, std::size_t count,
                  ColorBuffers& buffers) const {
         table_.look_up(places, f, count, buffers.codes, buffers.later);

@@ -19,7 +19,8 @@ template <class Code>
 SrgbEncoder<Code>::SrgbEncoder() : thresholds_(max_code + 1), first_code_(bucket_count) {
     for (std::uint32_t c = 0; c < max_code; ++c) thresholds_[c] = srgb_decode((c + 0.5) / max_code);
     thresholds_[max_code] = std::numeric_limits<double>::infinity();
-    // `bucket` never decreases, so a threshold in an earlier bucket is below everything here.
+    // `bucket` never decreases, so a threshold in an earlier bucket is below every value in this
+    // one.
     std::uint32_t code = 0;
     for (std::uint32_t b = 0; b < bucket_count; ++b) {
         while (code < max_code && bucket(thresholds_[code]) < b) ++code;

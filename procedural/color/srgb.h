@@ -11,18 +11,18 @@
 
 namespace burl {
 
-/// Linear light of an encoded value, both in [0,1].
+/// Linear light of an encoded value, both in [0, 1].
 double srgb_decode(double encoded);
 
-/// Linear light of a colour, channels in [0,1].
+/// Linear light of a colour, channels in [0, 1].
 Vec3d linear_light(const Rgb8& color);
 
-/// Encoded value of linear light, both in [0,1].
+/// The encoded value of linear light, both in [0, 1].
 double srgb_encode(double linear);
 
-/// Rounds linear light to the nearest sRGB code 0..max (Code: std::uint8_t or std::uint16_t)
+/// Rounds linear light to the nearest sRGB code 0..max_code (Code: std::uint8_t or std::uint16_t)
 /// without a power: it searches the thresholds between codes, starting from a table indexed by the
-/// square root. Values outside [0,1] give the end codes, NaN gives 0.
+/// square root. Values below 0 and NaN give 0, values above 1 give max_code.
 template <class Code>
 class SrgbEncoder {
   public:
@@ -47,8 +47,8 @@ class SrgbEncoder {
         return std::uint32_t(std::sqrt(linear) * bucket_count);
     }
 
-    std::vector<double> thresholds_;  ///< [c]: from here on the code is at least c + 1
-    std::vector<Code> first_code_;    ///< per bucket: the lowest code found in it
+    std::vector<double> thresholds_;  ///< least linear light of the code after each
+    std::vector<Code> first_code_;    ///< the lowest code in every bucket
 };
 
 }  // namespace burl

@@ -1,5 +1,5 @@
-// Buckets are found by a float's square root, which may be off by one at their ends: each starts
-// with the code of a point a little below it.
+// Buckets are found by a float's square root, which may be off by one at their ends: therefore the
+// first code of a bucket is that of a point a little below it.
 #include "procedural/color/srgb_kernels.h"
 
 #include <algorithm>
@@ -35,7 +35,8 @@ HWY_ATTR void EncodeSrgb(const SrgbStreamEncoder::Bucket* buckets, const double*
         const auto x = hn::Min(hn::IfThenElseZero(hn::Gt(v, zero), v), one);  // NaN: 0
         const auto root = hn::Sqrt(hn::DemoteTo(floats, x));
         const auto bucket = hn::PromoteTo(longs, hn::ConvertTo(ints, hn::Mul(root, scale)));
-        const auto at = hn::Add(bucket, bucket);  // a bucket is two numbers
+        // A bucket is two doubles.
+        const auto at = hn::Add(bucket, bucket);
         const auto threshold = hn::GatherIndex(d, table, at);
         const auto first = hn::GatherIndex(d, table + 1, at);
         const auto code = hn::Add(first, hn::IfThenElseZero(hn::Ge(x, threshold), one));

@@ -1,5 +1,5 @@
 #pragma once
-// PixelEncoder for streams of colours that lie channel by channel.
+// PixelEncoder for streams of colours whose channels are separate arrays.
 #include "procedural/color/map_filter_kernels.h"
 #include "procedural/color/pixel_encoder.h"
 #include "procedural/color/srgb_kernels.h"
@@ -9,7 +9,7 @@ namespace burl {
 template <class Pixel>
 class StreamEncoder {
   public:
-    /// emit(i, pixel) for the first `count` colours.
+    /// Calls emit(i, pixel) for the first `count` colours.
     template <class Emit>
     void operator()(const FootprintStream& stream, std::size_t count, const Emit& emit) const {
         for (std::size_t i = 0; i < count; ++i)

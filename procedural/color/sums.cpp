@@ -1,5 +1,5 @@
-// The table holds as many entries as the map's range or three times as many; what lies outside it
-// goes on with the ends' colours or with whole periods.
+// The table holds as many entries as the map's range or three times as many; beyond the table, the
+// sum goes on with the ends' colours or with whole periods.
 #include "procedural/color/sums.h"
 
 #include <algorithm>

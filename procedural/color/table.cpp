@@ -8,7 +8,7 @@ namespace burl {
 PreparedColorMap::PreparedColorMap(const ColorMap& map) : wrap_(map.wrap) {
     std::vector<ColorStop> stops = map.stops;
     if (stops.empty()) stops.push_back({});
-    // One stop more on either side of [0,1]: the neighbouring period's, or the end colour again.
+    // One stop more on either side of [0, 1]: the neighbouring period's, or the end colour again.
     ColorStop low = stops.front(), high = stops.back();
     if (wrap_ == Wrap::repeat) std::swap(low, high);
     low.position = wrap_ == Wrap::repeat ? low.position - 1.0 : -1.0;
@@ -27,8 +27,9 @@ PreparedColorMap::PreparedColorMap(const ColorMap& map) : wrap_(map.wrap) {
 
 namespace {
 
-/// The least double in (low, high] for which `reached` holds; it does for high, not for low, and
-/// for everything above one for which it does. `guess` is near.
+/// The least double in (low, high] for which `reached` holds. `reached` must hold for high, not for
+/// low, and for every number above one for which it holds. The search starts within `margin` of
+/// `guess`.
 template <class Predicate>
 double least(double low, double high, double guess, double margin, Predicate&& reached) {
     if (guess - margin > low && !reached(guess - margin)) low = guess - margin;
@@ -46,7 +47,7 @@ struct Change {
     std::uint8_t code;
 };
 
-/// The changes of one channel within ]begin, end[ of a segment, where it is monotone.
+/// Appends the changes of one channel within ]begin, end[ of a segment, where it is monotone.
 void add_changes(const PreparedColorMap& map, const SrgbEncoder<std::uint8_t>& encode,
                  std::size_t segment, double begin, double end, glm::length_t axis,
                  std::vector<Change>& changes) {
@@ -110,7 +111,7 @@ void ColorTable8::fill_entries() {
     entries_.resize(count + 1);
     std::uint32_t begin = 0;
     for (std::uint32_t s = 0; begin <= count; ++s) {
-        // Those that begin before the next step; it may lie within the last of them.
+        // The entries that begin before the next step, which may lie within the last of them.
         const double next = steps_[s + 1].index * count;
         const auto end = std::max(begin, std::uint32_t(std::min(std::ceil(next), count + 1.0)));
         if (begin == end) continue;
@@ -121,7 +122,8 @@ void ColorTable8::fill_entries() {
     }
 }
 
-/// The number of a new block: an entry's, up to whose begin `step` is the last.
+/// Appends the block of parts of a table entry and returns the block's number; `step` is the last
+/// step at or before the entry's begin.
 std::uint32_t ColorTable8::add_parts(std::uint32_t entry, std::uint32_t step) {
     constexpr std::uint32_t count = 1u << part_bits;
     const auto number = std::uint32_t(parts_.size()) / count;

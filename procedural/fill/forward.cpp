@@ -12,7 +12,7 @@ namespace burl {
 
 namespace {
 
-/// pixel(f) for every texel that a span owns.
+/// An image of pixel(f) for every texel in a span, and of `background` elsewhere.
 template <class Pixel, class Shade>
 Image<Pixel> fill(const SolidAtlas& solid, const Texture& texture, const Affine3& map,
                   ForwardPrecision precision, int threads, const Economy& economy,
@@ -29,7 +29,8 @@ Image<Pixel> fill(const SolidAtlas& solid, const Texture& texture, const Affine3
         for (std::size_t y = image.first + rows.begin(); y != image.first + rows.end(); ++y)
             for (const Span& span : solid.row(y)) {
                 const TexelMap& texel = solid.maps[span.map];
-                const WholeSpan whole = solid.whole(span);  // differences add up from its start
+                // Differences add up from the whole span's start.
+                const WholeSpan whole = solid.whole(span);
                 const LatticeLine line{map(texel(whole.x, std::int64_t(y))),
                                        map.linear * texel.step_x, 0.0, whole.count};
                 forward_values(texture.quadric, octaves, line, {.precision = precision}, f.data());

@@ -1,5 +1,5 @@
 #pragma once
-// Fills an atlas with the texture by forward differences along the scan lines of its spans, as
+// Synthesis of a texture by forward differences along the scan lines of an atlas's spans, as
 // "Bresenham Noise" (Kameya & Hart) fills polygons: the kernel `forward`.
 #include "atlas/base/image.h"
 #include "atlas/solid/solid_atlas.h"
@@ -10,17 +10,17 @@
 
 namespace burl {
 
-/// As synthesize_rgb8 and its like (synthesize.h) without a filter, for Rgb8, Rgb16 and RgbF; f
-/// errs as forward_field.h says of the precision. no_forward_form (there) must hold nothing against
-/// the texture's octaves. The bytes do not depend on the thread count. `economy` counts. Gives the
-/// `rows` alone.
+/// The rows `rows` of a texture without a filter, as Rgb8, Rgb16 or RgbF. f errs as
+/// bresenham/field.h says of the precision; no_forward_form of the texture's octaves must be empty.
+/// The bytes do not depend on the thread count. `threads` 0 means all. `economy` counts the work.
+/// Texels outside every span get the colour of field 0.
 template <class Pixel>
 Image<Pixel> synthesize_forward(const SolidAtlas& solid, const Texture& texture,
                                 const Affine3& texture_from_atlas, ForwardPrecision precision,
                                 int threads, const Economy& economy = {},
                                 const RowWindow& rows = {});
 
-/// The field itself; 0 outside every span.
+/// The field in float64; 0 outside every span.
 Image<double> forward_field_of_atlas(const SolidAtlas& solid, const Texture& texture,
                                      const Affine3& texture_from_atlas, ForwardPrecision precision,
                                      int threads);

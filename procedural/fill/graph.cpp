@@ -8,8 +8,8 @@ namespace burl {
 
 namespace {
 
-/// What synthesising the texels of some rows takes. (The evaluator's octaves are counted as a value
-/// program has them.)
+/// The work of the texels of some rows by the evaluator; octaves are those of the value program of
+/// the same graph.
 SynthesisWork work_of(const SolidAtlas& solid, const RowWindow& rows, const ValueProgram& program,
                       const Filter& filter) {
     const std::uint64_t samples =

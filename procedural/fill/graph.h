@@ -1,6 +1,6 @@
 #pragma once
-// Fills an atlas with a texture graph on the host: rows in parallel, texels packed into batches. In
-// float32 point samples go through value programs (graph_values.h); in float64, the reference, and
+// Synthesis of a texture graph on the host: rows in parallel, texels packed into batches. In
+// float32 point samples go through value programs (graph/values.h); in float64, the reference, and
 // where nodes filter, through the graph evaluator with its gradients. The bytes do not depend on
 // the thread count.
 #include "atlas/base/image.h"
@@ -13,11 +13,12 @@
 
 namespace burl {
 
-/// `texture_from_atlas` maps the SolidAtlas's space to the texture's solid coordinates (the
-/// recipe's scale). With filter `none` texels are point samples, with `supersample` means of such,
-/// with any other kind the nodes filter over them (docs/nodes.md). `threads` 0 means all.
-/// `precision` is float32 or float64. `economy` says what may be left out, which no byte shows, and
-/// counts. Texels outside every span get the colour at the origin.
+/// The texture of a graph as an image. `texture_from_atlas` maps the SolidAtlas's space to the
+/// texture's solid coordinates (the recipe's scale). With filter `none` texels are point samples,
+/// with `supersample` means of point samples, with any other kind the nodes filter over them
+/// (docs/nodes.md). `threads` 0 means all. `precision` is float32 or float64. `economy` decides
+/// which work is left out, which changes no byte, and counts work. Texels outside every span get
+/// the colour at the origin.
 Image<Rgb8> synthesize_graph_rgb8(const SolidAtlas& solid, const TextureGraph& graph,
                                   const Affine3& texture_from_atlas, const Filter& filter,
                                   int threads, PrecisionKind precision = PrecisionKind::float32,
@@ -26,7 +27,7 @@ Image<Rgb16> synthesize_graph_rgb16(const SolidAtlas& solid, const TextureGraph&
                                     const Affine3& texture_from_atlas, const Filter& filter,
                                     int threads, PrecisionKind precision = PrecisionKind::float32,
                                     const Economy& economy = {});
-/// Or only some rows of it.
+/// The rows `rows` of the texture of a graph, in linear light.
 Image<RgbF> synthesize_graph_rgbf(const SolidAtlas& solid, const TextureGraph& graph,
                                   const Affine3& texture_from_atlas, const Filter& filter,
                                   int threads, PrecisionKind precision = PrecisionKind::float32,

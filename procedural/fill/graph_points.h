@@ -20,7 +20,7 @@
 
 namespace burl {
 
-/// Colours, channel by channel, as pixels.
+/// Stores colours, given channel by channel, as pixels.
 template <class Pixel>
 class BatchEncoder {
   public:
@@ -45,7 +45,7 @@ class BatchEncoder<Rgb8> {
     SrgbStreamEncoder encode_;
 };
 
-/// The texels of one thread.
+/// The batch of texels of one thread.
 template <class Pixel>
 class PointQueue {
   public:
@@ -59,7 +59,8 @@ class PointQueue {
           scratch_(graph.make_scratch()),
           sums_(supersampled_ ? 4 : 0) {}
 
-    /// A span's texels; each is worked out from the span's start, so batches leave no trace.
+    /// Adds a span's texels. Their points are computed from the span's start, so the bytes do not
+    /// depend on batches.
     void add(const Piece& span) {
         for (std::size_t done = 0; done < span.solid.count;) {
             Piece piece = span;
@@ -73,6 +74,7 @@ class PointQueue {
         }
     }
 
+    /// Evaluates the batch and stores its pixels.
     void flush() {
         if (count_ == 0) return;
         scratch_.work.texels += count_;
@@ -86,7 +88,7 @@ class PointQueue {
         count_ = 0;
     }
 
-    /// Of the texels flushed.
+    /// The work of the texels flushed.
     const SynthesisWork& work() const { return scratch_.work; }
 
   private:
@@ -101,7 +103,7 @@ class PointQueue {
         return graph_(count_, scratch_);
     }
 
-    /// Colours and, last, weights of all samples, added up.
+    /// The weighted means of all samples' colours.
     std::array<const double*, 3> mean_colors() {
         for (auto& sum : sums_) std::fill_n(sum.values, count_, 0.0);
         for (int i = 0; i < pattern_.samples(); ++i) {
@@ -143,7 +145,7 @@ class PointQueue {
     Pixel pixels_[value_batch];
 };
 
-/// Texels of these rows that lie in no span.
+/// The number of texels of these rows that lie in no span.
 inline std::uint64_t texels_outside(const SolidAtlas& solid, const RowWindow& rows) {
     std::uint64_t count = std::uint64_t(solid.size) * rows.count();
     for (std::size_t y = rows.first; y < rows.end; ++y)
@@ -151,7 +153,8 @@ inline std::uint64_t texels_outside(const SolidAtlas& solid, const RowWindow& ro
     return count;
 }
 
-/// Fills the rows' texels that lie in spans, as fill_texels (synthesize_graph_texels.h) does.
+/// Fills the rows' texels that lie in spans by point samples of a value program; rows are filled in
+/// parallel.
 template <class Pixel>
 void fill_points(const SolidAtlas& solid, const Affine3& map, const GraphValues& graph,
                  const Filter& filter, int threads, const Economy& economy,

@@ -1,6 +1,6 @@
 #pragma once
 // Texels of an atlas through a graph's evaluator, in batches, each as one sample or several by the
-// filter that was asked for (docs/nodes.md): what baking colours and baking normals share.
+// filter (docs/nodes.md): the common part of baking colours and baking normals.
 #include <utility>
 #include <vector>
 
@@ -15,8 +15,9 @@
 
 namespace burl {
 
-/// The texels of one thread. `shade(texel, u, v, sample)` makes a vector of what the graph gives at
-/// (u, v) texels from the texel's centre; `encode` makes the pixel of the samples' weighted mean.
+/// The batch of texels of one thread. `shade(texel, u, v, sample)` makes a vector of the graph's
+/// sample at (u, v) texels from the texel's centre; `encode` makes the pixel of the samples'
+/// weighted mean.
 template <class Pixel, class Shade, class Encode>
 class TexelQueue {
   public:
@@ -40,6 +41,7 @@ class TexelQueue {
         if (points_.size() >= graph_batch_size) flush();
     }
 
+    /// Evaluates the batch and stores its pixels.
     void flush() {
         samples_.resize(points_.size());
         evaluate_(points_, footprints_, scratch_, samples_);
@@ -82,8 +84,8 @@ class TexelQueue {
     std::vector<GraphSample> samples_;
 };
 
-/// Fills the rows' texels that lie in spans, rows in parallel; the bytes do not depend on
-/// `threads` (0: all). `map` takes the SolidAtlas's space to the texture's.
+/// Fills the rows' texels that lie in spans, rows in parallel; the bytes do not depend on `threads`
+/// (0: all). `map` takes the SolidAtlas's space to the texture's.
 template <class Pixel, class Shade, class Encode>
 void fill_texels(const SolidAtlas& solid, const Affine3& map, const GraphEvaluator& evaluate,
                  const Filter& filter, const Shade& shade, const Encode& encode, int threads,

@@ -8,8 +8,8 @@ namespace burl {
 
 namespace {
 
-/// Barycentric weights of the place in triangle abc below or above p, kept inside the triangle:
-/// texels of gutters and overscan lie beyond it. Equal ones for a triangle without area.
+/// Barycentric weights of p's projection onto triangle abc, clamped to the triangle, because texels
+/// of gutters and overscan lie beyond it. Equal weights for a triangle without area.
 Vec3d inside_weights(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& p) {
     const Vec3d u = b - a, v = c - a, normal = glm::cross(u, v);
     const double area2 = glm::dot(normal, normal);
@@ -20,6 +20,7 @@ Vec3d inside_weights(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d
     return kept / (kept.x + kept.y + kept.z);
 }
 
+/// The shader of normal maps: the bumped normal at a sample.
 class BumpShade {
   public:
     BumpShade(const SolidAtlas& solid, const ShadingFrames& frames, const Bump& bump,
@@ -64,7 +65,7 @@ class BumpShade {
     const Affine3& map_;
 };
 
-/// Means of unit vectors are shorter than they, or nothing.
+/// The mean of unit vectors scaled to length 1; (0, 0, 1) for a mean of 0.
 Vec3d unit(const Vec3d& mean) {
     const double length = glm::length(mean);
     return length > 0.0 ? mean / length : Vec3d(0.0, 0.0, 1.0);

@@ -1,6 +1,6 @@
 #pragma once
-// Fills an atlas with a normal map of the recipe's bumps: per texel the bumped normal, in the frame
-// that a viewer will have there or in the object's space. All in float64.
+// Synthesis of a normal map of the recipe's bumps: per texel the bumped normal, in the tangent
+// frame that a viewer has there or in the object's space. All arithmetic is float64.
 #include <span>
 
 #include "atlas/base/image.h"
@@ -12,22 +12,22 @@
 
 namespace burl {
 
-/// The surface as a viewer shades it: per triangle corner (3t+k) a unit normal, and for
-/// tangent-space maps a unit tangent with the bitangent's sign (procedural/fill/tangent_frame.h);
-/// empty tangents: a map in object space.
+/// The surface as a viewer shades it: per triangle corner (element 3t+k) a unit normal, and for
+/// tangent-space maps a unit tangent with the bitangent's sign (fill/tangent_frame.h). Without
+/// tangents the map is in object space.
 struct ShadingFrames {
-    const Mesh& mesh;  ///< whose triangles the atlas places
+    const Mesh& mesh;  ///< mesh whose triangles the atlas places
     const Atlas& atlas;
-    std::span<const Vec3d> positions;  ///< its points in the SolidAtlas's space
-    std::span<const Vec3f> normals;    ///< in directions of that space, as the tangents
-    std::span<const Vec4f> tangents;
+    std::span<const Vec3d> positions;  ///< the mesh's points in the SolidAtlas's space
+    std::span<const Vec3f> normals;    ///< normals in the SolidAtlas's space
+    std::span<const Vec4f> tangents;   ///< tangents in the SolidAtlas's space
 };
 
-/// What the texels are filtered from: with filter `none` the normal at their centre, with
-/// `supersample` the mean of normals, else that of the height as its nodes filter it over the
-/// texel. `texture_from_atlas` as in synthesize_graph.h; bump must not be empty. Texels outside
-/// every span, and those of triangles without a frame, are (0, 0, 1). `threads` 0 means all.
-/// For Rgb8 and Rgb16, linear codes, and RgbF, components from -1 to 1.
+/// The normal map of a bump, which must not be empty. With filter `none` a texel has the normal at
+/// its centre, with `supersample` the mean of normals, otherwise the normal of the height as its
+/// nodes filter it over the texel. `texture_from_atlas` maps the SolidAtlas's space to the
+/// texture's. Texels outside every span, and of triangles without a frame, are (0, 0, 1). `threads`
+/// 0 means all. Rgb8 and Rgb16 hold linear codes, RgbF components from -1 to 1.
 template <class Pixel>
 Image<Pixel> synthesize_normals(const SolidAtlas& solid, const ShadingFrames& frames,
                                 const Bump& bump, const Affine3& texture_from_atlas,

@@ -9,9 +9,10 @@ namespace burl {
 namespace {
 
 constexpr std::uint32_t nobody = std::numeric_limits<std::uint32_t>::max();
-constexpr double near = 1.5;  // texels: what a bilinear lookup inside a triangle reads
+// The distance in texels that a bilinear lookup inside a triangle can reach.
+constexpr double near = 1.5;
 
-/// Gives texels that nobody has yet to the triangles that their centres lie within `reach` of.
+/// Gives texels without an owner to the triangles that their centres lie within `reach` texels of.
 void claim(const Atlas& atlas, double reach, Image<std::uint32_t>& owners) {
     const auto size = std::uint32_t(owners.width());
     for (std::uint32_t t = 0; t < atlas.corners.size(); ++t)

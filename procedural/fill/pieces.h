@@ -10,11 +10,11 @@
 
 namespace burl {
 
-/// Texels' maps followed by another map, each worked out when it is asked for: a list of them is as
+/// The maps of texels followed by another map, each computed on access: a list of them would be as
 /// large as the atlas's own.
 class MovedMaps {
   public:
-    /// `maps` must outlive it.
+    /// The maps `maps` followed by `map`; `maps` must outlive the object.
     MovedMaps(std::span<const TexelMap> maps, const Affine3& map) : maps_(maps), map_(map) {}
 
     TexelMap operator[](std::size_t i) const {
@@ -22,7 +22,7 @@ class MovedMaps {
         return {map_(m.origin), map_.linear * m.step_x, map_.linear * m.step_y, m.anchor_x,
                 m.anchor_y};
     }
-    /// What the i-th one is worked out from.
+    /// The map from which element i is computed.
     const TexelMap& source(std::size_t i) const { return maps_[i]; }
 
   private:
@@ -30,7 +30,7 @@ class MovedMaps {
     Affine3 map_;
 };
 
-/// All of them, for those who ask for each more than a few times.
+/// The list of all moved maps, for callers that read each of them many times.
 inline std::vector<TexelMap> moved_maps(const std::vector<TexelMap>& maps, const Affine3& map,
                                         int threads) {
     std::vector<TexelMap> result(maps.size());
@@ -41,14 +41,14 @@ inline std::vector<TexelMap> moved_maps(const std::vector<TexelMap>& maps, const
     return result;
 }
 
-/// Texels of a row's spans.
+/// The number of texels in a row's spans.
 inline std::size_t texels_of(std::span<const Span> spans) {
     std::size_t count = 0;
     for (const Span& span : spans) count += span.count;
     return count;
 }
 
-/// What no span owns is background.
+/// Fills the texels of a row that no span owns.
 template <class Pixel>
 void fill_gaps(std::span<const Span> spans, const Pixel& background, std::span<Pixel> row) {
     auto owned = row.begin();
@@ -59,8 +59,8 @@ void fill_gaps(std::span<const Span> spans, const Pixel& background, std::span<P
     std::fill(owned, row.end(), background);
 }
 
-/// Neighbouring spans show triangles from all over the mesh, whose maps the processor cannot guess:
-/// they are called for this many spans ahead.
+/// The number of spans ahead for which maps are prefetched: neighbouring spans show triangles from
+/// all over the mesh, which hardware does not prefetch.
 inline constexpr std::ptrdiff_t map_prefetch = 8;
 
 inline void prefetch(const TexelMap& map) {
@@ -69,7 +69,7 @@ inline void prefetch(const TexelMap& map) {
     __builtin_prefetch(bytes + sizeof(TexelMap) - 1);
 }
 
-/// What the i-th map is read from.
+/// The map in memory from which element i is read.
 inline const TexelMap& stored(std::span<const TexelMap> maps, std::size_t i) {
     return maps[i];
 }
@@ -77,11 +77,12 @@ inline const TexelMap& stored(const MovedMaps& maps, std::size_t i) {
     return maps.source(i);
 }
 
-/// Adds `count` texels of the span from number `first` on; `start` is that of number 0.
+/// Adds `count` texels of the span from number `first` on to the batch; `start` is the solid point
+/// of texel 0 of the span.
 inline void add_piece(const WholeSpan& span, const TexelMap& texel, const Vec3d& start,
                       std::size_t y, std::size_t first, std::size_t count, FieldBatch& batch) {
-    // Filled in place, and not by emplace_back(): that clears it by `rep stos`, a quarter of the
-    // time of all this, as are copies of vectors just written.
+    // The piece is filled in place and not by emplace_back(), which clears it by `rep stos`, a
+    // quarter of this function's time, as are copies of vectors just written.
     static constexpr Piece blank;
     batch.pieces.push_back(blank);
     Piece& piece = batch.pieces.back();
@@ -96,8 +97,8 @@ inline void add_piece(const WholeSpan& span, const TexelMap& texel, const Vec3d&
     batch.count += count;
 }
 
-/// Adds row y's texels, whose maps are `maps`: a list or MovedMaps. Calls full(), which must empty
-/// the batch, whenever nothing more goes in.
+/// Adds row y's texels to the batch; `maps` is a list or MovedMaps. Calls full(), which must empty
+/// the batch, whenever the batch is full.
 template <class Maps, class Full>
 void add_row(const SolidAtlas& solid, const Maps& maps, std::size_t y, FieldBatch& batch,
              const Full& full) {
@@ -118,8 +119,8 @@ void add_row(const SolidAtlas& solid, const Maps& maps, std::size_t y, FieldBatc
     }
 }
 
-/// Adds up to a batch of blocks of texels that follow one another in the atlas, one in 64 or fewer,
-/// spread evenly; none if there are few.
+/// Adds up to a batch of blocks of texels, spread evenly over the atlas, at most one texel in 64;
+/// none if the atlas has few texels.
 template <class Maps>
 void add_pilot(const SolidAtlas& solid, const Maps& maps, FieldBatch& batch) {
     std::size_t texels = 0;

@@ -9,7 +9,7 @@ namespace burl {
 
 namespace {
 
-/// The span that shows a texel, null where none does.
+/// The span that shows a texel; null where none does.
 const Span* span_at(const SolidAtlas& solid, const glm::uvec2& texel) {
     const auto spans = solid.row(texel.y);
     const auto after = std::ranges::upper_bound(spans, texel.x, {}, &Span::x);

@@ -13,8 +13,8 @@ namespace burl {
 
 namespace {
 
-/// Pieces from `begin` on that follow one another in a row of the image: where they end, and the
-/// number of their texels.
+/// The run of pieces from `begin` on that follow one another in a row of the image: the end of the
+/// run, and the number of its texels.
 std::pair<std::size_t, std::size_t> run_of(std::span<const Piece> pieces, std::size_t begin) {
     std::size_t end = begin + 1, count = pieces[begin].solid.count;
     while (end < pieces.size() && pieces[end].y == pieces[begin].y &&
@@ -33,6 +33,7 @@ struct Band {
     std::span<Pixel> row(std::size_t y) const { return image.row(y - first); }
 };
 
+/// Evaluates and colours the batch, and stores its pixels.
 template <class Shader>
 void flush(ShadedBatch& batch, const FieldSampler& sampler, const Shader& shader,
            const Band<typename Shader::Pixel>& band) {
@@ -54,6 +55,7 @@ void flush(ShadedBatch& batch, const FieldSampler& sampler, const Shader& shader
     batch.count = 0;
 }
 
+/// Fills the rows of some groups and returns the work done.
 template <class Shader>
 SynthesisWork synthesize_rows(const SolidAtlas& solid, const MovedMaps& maps,
                               const FieldSampler& sampler, const Shader& shader, const Skips& skips,
@@ -80,8 +82,8 @@ SynthesisWork synthesize_rows(const SolidAtlas& solid, const MovedMaps& maps,
     return work += batch->corners.batch->streams.work;
 }
 
-/// A texture ready to be worked out, some groups of rows at a time. With `exits`, the shader's
-/// colour map, the field where it is not seen need not be right.
+/// A texture prepared for synthesis of some groups of rows at a time. `exits` is the shader's
+/// colour map, or null: where given, octaves may be left out where they do not change the colour.
 template <class Shader>
 class RowSynthesis {
   public:
@@ -102,7 +104,7 @@ class RowSynthesis {
         sampler_.plan_exit(*exits, *pilot);
     }
 
-    /// Fills the rows of groups [begin, end), the first of which is the image's first.
+    /// Fills the rows of groups [begin, end); row 0 of the image is the first of them.
     void fill(std::size_t begin, std::size_t end, int threads, Image<Pixel>& image) const {
         WorkSum work(economy_.work);
         const Band<Pixel> band{image, groups.begin(begin)};
@@ -135,7 +137,8 @@ Image<typename Shader::Pixel> synthesize(const SolidAtlas& solid, const Texture&
     return image;
 }
 
-/// use(shader, exits) with what makes the filter's colours.
+/// Returns use(shader, exits) with the shader of the filter and, where it allows early exits, the
+/// colour map.
 template <class Pixel, class Use>
 auto with_colors(const ColorMap& colors, const Filter& filter, const Use& use) {
     constexpr const ColorMap* none = nullptr;

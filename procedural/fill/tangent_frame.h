@@ -1,6 +1,7 @@
 #pragma once
-// Tangent space as glTF 2.0 defines it (specification 3.7.2.1 and 3.9.3): normal maps give normals
-// by their share of a tangent (image to the right), a bitangent (image up) and the vertex normal.
+// Tangent space as glTF 2.0 defines it (specification 3.7.2.1 and 3.9.3): a normal map stores the
+// components of a normal along a tangent (image to the right), a bitangent (image up) and the
+// vertex normal.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,23 +11,24 @@
 
 namespace burl {
 
-/// Unit vectors but for the bitangent, which is shorter where the others are not perpendicular.
+/// A tangent frame: unit vectors except for the bitangent, which is shorter where the other two are
+/// not perpendicular.
 struct TangentFrame {
     Vec3d tangent{0.0}, bitangent{0.0}, normal{0.0};
 };
 
-/// Of a point inside a triangle, from its vertices' interpolated vectors: each is made unit length
-/// by itself, and the bitangent is cross(normal, tangent) * w. `w` is 1, or -1 on mirrored charts.
-/// shaders/draw/mesh.frag repeats this.
+/// The frame of a point inside a triangle, from its vertices' interpolated vectors: tangent and
+/// normal are normalised each by itself, and the bitangent is cross(normal, tangent) * w. `w` is 1,
+/// or -1 on mirrored charts. shaders/draw/mesh.frag has the same arithmetic.
 inline TangentFrame tangent_frame(const Vec3d& normal, const Vec3d& tangent, double w) {
     TangentFrame frame{glm::normalize(tangent), {}, glm::normalize(normal)};
     frame.bitangent = w * glm::cross(frame.normal, frame.tangent);
     return frame;
 }
 
-/// The unit vector c that a viewer takes to the direction of `v`: c.x tangent + c.y bitangent + c.z
-/// normal. c.z is at least 0, as the format has it; (0, 0, 1) in a frame that is flat, and exactly
-/// where v is the normal.
+/// The unit vector c from which a viewer gets the direction of `v`: c.x tangent + c.y bitangent +
+/// c.z normal. c.z is at least 0, as the format requires; c is (0, 0, 1) in a degenerate frame, and
+/// exactly where v is the normal.
 inline Vec3d in_frame(const TangentFrame& frame, const Vec3d& v) {
     if (v == frame.normal) return {0.0, 0.0, 1.0};
     const double height = glm::dot(frame.bitangent, frame.bitangent);
@@ -40,7 +42,7 @@ inline Vec3d in_frame(const TangentFrame& frame, const Vec3d& v) {
     return kept / length;
 }
 
-/// The direction that a viewer makes of c.
+/// The direction that a viewer gets from c.
 inline Vec3d from_frame(const TangentFrame& frame, const Vec3d& c) {
     return glm::normalize(c.x * frame.tangent + c.y * frame.bitangent + c.z * frame.normal);
 }
@@ -56,7 +58,7 @@ Rgb<Code> encode_normal(const Vec3d& n) {
     return {code(n.x), code(n.y), code(n.z)};
 }
 
-/// What viewers read: 2 code / largest - 1 for every component, made unit length.
+/// The normal that viewers read: 2 code / largest - 1 for every component, normalised.
 template <class Code>
 Vec3d decode_normal(const Rgb<Code>& codes) {
     const double largest = double(std::numeric_limits<Code>::max());

@@ -1,7 +1,8 @@
 #pragma once
-// How batches of texels become colours, one class per way: at the texel's centre, averaged over the
-// texel by the colour map's integral, or from several places in it (docs/filtering.md). What f is
-// and what is made of it are two steps, so that f can be kept from one colour map to the next.
+// Shaders of batches of texels, one class per filter: the colour at the texel's centre, averaged
+// over the texel by the colour map's integral, or from several samples in it (docs/filtering.md).
+// Evaluating f and colouring it are two steps, so that f can be cached from one colour map to the
+// next.
 #include <algorithm>
 #include <optional>
 #include <tuple>
@@ -18,23 +19,23 @@
 
 namespace burl {
 
-/// A batch of texels and what its shader works with.
+/// A batch of texels with the buffers of its shader.
 struct ShadedBatch : FieldBatch {
     ColorBuffers point_colors;
-    std::vector<double> weights;  ///< sums over several samples of a texel
+    std::vector<double> weights;  ///< per texel: sum of the samples' weights
     std::vector<Vec3d> colors;
 
     CornerBuffers corners;
     FilterBuffers filter;
     ExitBuffers exit;
-    bool filtered[batch_capacity];  ///< whether `means` counts
+    bool filtered[batch_capacity];  ///< per texel: whether `means` has its colour
     std::tuple<std::vector<Rgb16>, std::vector<RgbF>> means;
 };
 
-// Shaders: sample() evaluates a batch, shade() colours it, pixel() gives one of its texels, or
+// A shader's sample() evaluates a batch, shade() colours it, and pixel() gives one of its texels or
 // pixels() a run of them.
 
-/// The field itself.
+/// The shader that stores the field.
 class FieldCopy {
   public:
     using Pixel = float;
@@ -44,7 +45,7 @@ class FieldCopy {
     float background(double f) const { return float(f); }
 };
 
-/// Colours at texel centres, worked out where they are asked for.
+/// Colours at texel centres, computed in pixels().
 template <class P>
 class PointColor {
   public:
@@ -72,7 +73,7 @@ class PointColor {
     PointColors<P> colors_;
 };
 
-/// In 8 bits, by table.
+/// Colours at texel centres in 8 bits, by table.
 template <>
 class PointColor<Rgb8> {
   public:
@@ -84,7 +85,7 @@ class PointColor<Rgb8> {
     void shade(ShadedBatch& batch) const {
         colors_.look_up(batch.field, batch.count, batch.point_colors);
     }
-    /// Instead of the colour at its centre.
+    /// Replaces the colour of texel `at`.
     static void set(ShadedBatch& batch, std::size_t at, Rgb8 pixel) {
         batch.point_colors.codes[at].color = pixel;
     }
@@ -97,7 +98,7 @@ class PointColor<Rgb8> {
     PointColors<Rgb8> colors_;
 };
 
-/// The map averaged over what f takes on in a texel, to first order. `Point` colours the texels
+/// The map averaged over the values of f in a texel, to first order. `Point` colours the texels
 /// over which the map is straight.
 template <class Point>
 class FilteredColor {
@@ -140,13 +141,13 @@ class FilteredColor {
 
     FilterKind kind_;
     FilteredColors filtered_;
-    std::optional<StreamFilter> stream_;  ///< of the exact filters
+    std::optional<StreamFilter> stream_;  ///< present for the exact filters
     Point point_;
     PixelEncoder<Pixel> encode_;
     StreamEncoder<Pixel> encode_means_;
 };
 
-/// Colours of several places in the texel, weighted.
+/// Weighted means of the colours of several samples in the texel.
 template <class P>
 class SupersampledColor {
   public:
@@ -154,7 +155,7 @@ class SupersampledColor {
     SupersampledColor(const ColorMap& map, int samples)
         : pattern_(samples), map_(map), point_(map) {}
 
-    /// Colours, too: the places of the samples are known only here.
+    /// Evaluates the samples, colours included, because their places are known only here.
     void sample(const FieldSampler& sampler, ShadedBatch& batch) const {
         batch.colors.assign(batch.count, Vec3d(0.0));
         batch.weights.assign(batch.count, 0.0);

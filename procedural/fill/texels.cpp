@@ -16,7 +16,7 @@ namespace burl {
 
 namespace {
 
-/// f in float64.
+/// The field f in float64.
 class ExactField {
   public:
     ExactField(const Texture& texture, bool band_limit)
@@ -29,7 +29,8 @@ class ExactField {
     FieldSample sample(const Vec3d& s) const { return sample_field<double>(quadric_, octaves_, s); }
 
     bool band_limited() const { return !means_.empty(); }
-    /// The field with what texels of this size show of every octave, and the mean of the rest.
+    /// The field as texels of these sides show it: each octave times its visible share, plus its
+    /// mean times the rest.
     ExactField seen_by(const Footprint& steps) const {
         ExactField field = *this;
         field.octaves_.clear();
@@ -50,29 +51,31 @@ class ExactField {
   private:
     Quadric quadric_;
     std::vector<Octave> octaves_;
-    std::vector<double> means_;  ///< of octaves that may be left out
+    std::vector<double> means_;  ///< the octaves' means, with a band limit
 };
 
+/// The field as texels of these sides show it: unchanged in fixed point.
 const FixedField& seen_by(const FixedField& field, const Footprint&, std::optional<FixedField>&) {
     return field;
 }
 
+/// The field as texels of these sides show it; `limited` holds it where it differs.
 const ExactField& seen_by(const ExactField& field, const Footprint& steps,
                           std::optional<ExactField>& limited) {
     return field.band_limited() ? limited.emplace(field.seen_by(steps)) : field;
 }
 
-/// Where the texels are, and how they are gone through.
+/// The texels to fill, and how the loop over them runs.
 struct Task {
     const SolidAtlas& solid;
     const Affine3& map;
     int threads = 0;
     const Economy& economy;
     RowWindow rows;
-    std::uint64_t octaves = 0;  ///< evaluated per texel, for the economy's count
+    std::uint64_t octaves = 0;  ///< evaluations of octaves per texel, for the economy's counts
 };
 
-/// pixel(field, texel) for every texel that a span owns.
+/// An image of pixel(field, texel) for every texel in a span, and of `background` elsewhere.
 template <class Pixel, class Field, class Shade>
 Image<Pixel> fill(const Task& task, const Field& whole, const Pixel& background,
                   const Shade& pixel) {
@@ -102,7 +105,7 @@ Image<Pixel> fill(const Task& task, const Field& whole, const Pixel& background,
     return rows_of_image;
 }
 
-/// Colours of several places in the texel, weighted.
+/// The weighted mean of the colours of several samples in the texel.
 template <class Field>
 Vec3d supersampled(const PreparedColorMap& map, const SamplePattern& pattern, const Field& field,
                    const TexelPlace& texel) {
@@ -117,20 +120,20 @@ Vec3d supersampled(const PreparedColorMap& map, const SamplePattern& pattern, co
     return sum / weights;
 }
 
-/// What a filter knows of f over a texel: where its values lie and by how much they spread along
-/// each side.
+/// The values of f over a texel as a filter sees them: their middle and their spread along each
+/// side.
 struct Spread {
     double middle = 0.0, u = 0.0, v = 0.0;
 };
 
-/// To first order, from value and gradient at the centre.
+/// The spread to first order, from value and gradient at the centre.
 Spread central_spread(const ExactField& field, const TexelPlace& texel) {
     const FieldSample sample = field.sample(texel.point);
     return {sample.value, glm::dot(sample.gradient, texel.steps.u),
             glm::dot(sample.gradient, texel.steps.v)};
 }
 
-/// To second order, from the values at centre and corners (corner_samples.h).
+/// The spread to second order, from the values at centre and corners (field/corner_samples.h).
 Spread corner_spread(const ExactField& field, const TexelPlace& texel) {
     const auto [u, v] = texel.steps;
     const double f = field(texel.point);
@@ -173,7 +176,7 @@ Image<Pixel> filtered_colors(const Task& task, const ColorMap& colors, const Fil
 
 }  // namespace
 
-/// How often every octave is evaluated per texel.
+/// The number of times that every octave is evaluated per texel.
 std::uint64_t evaluations(const Filter& filter) {
     if (filter.kind == FilterKind::supersample) return std::uint64_t(filter.samples);
     return filter.kind == FilterKind::trapezoid2 ? 5 : 1;

@@ -6,10 +6,11 @@ namespace burl {
 
 namespace {
 
-/// 64 KiB to 1 MiB: short tables stay in a cache, long steps leave more undecided.
+/// The binary logarithms of the least and the largest number of entries (64 KiB and 1 MiB): short
+/// tables stay in a cache, long entries leave more colours undecided.
 constexpr int least_bits = 12, most_bits = 16;
 
-/// From this index on the code is another one.
+/// A change of the colour code: from `index` on it is `code`.
 struct Change {
     double index = 0.0;
     std::uint32_t code = 0;
@@ -19,8 +20,8 @@ std::uint32_t code_of(const Rgb8& color) {
     return std::uint32_t(color.r) | std::uint32_t(color.g) << 8 | std::uint32_t(color.b) << 16;
 }
 
-/// By rising index; the first holds before all others. An index that repeats sees the changes of
-/// the periods beside its own.
+/// The changes by rising index; the first holds before all others. With `repeat` the list includes
+/// the changes of the neighbouring periods.
 std::vector<Change> changes_of(const ColorTable8& table) {
     const auto steps = table.steps().first(table.steps().size() - 1);
     std::vector<Change> changes{{-2.0, code_of(steps.front().color)}};
@@ -35,7 +36,7 @@ std::vector<Change> changes_of(const ColorTable8& table) {
     return changes;
 }
 
-/// What an entry needs of the changes; `first` is the last of them below it.
+/// The table entry number `entry`; `first` is advanced to the last change below it.
 glm::uvec4 entry_of(std::span<const Change> changes, std::size_t& first, std::uint32_t entry,
                     int bits) {
     const double per_index = std::ldexp(1.0, bits + 15);

@@ -1,4 +1,4 @@
-// Integers are held in 64 bits, of which products of two values of the format need at most 62.
+// Integers are held in 64 bits; products of two values of the format need at most 62.
 #include "procedural/fixed/field.h"
 
 #include <algorithm>
@@ -39,11 +39,12 @@ FixedInteger FixedField::stopped(FixedInteger units) const {
 }
 
 FixedInteger FixedField::stopped(double units) const {
-    if (std::isnan(units)) return 0;  // infinite terms that cancel
+    // Infinite terms may cancel to NaN.
+    if (std::isnan(units)) return 0;
     return stopped(FixedInteger(std::clamp(std::floor(units), -0x1p40, 0x1p40)));
 }
 
-/// s . (Q s + 2 (D, G, I)), Q the quadric's symmetric 3 x 3 part.
+/// The quadric without its constant: s . (Q s + 2 (D, G, I)), Q its symmetric 3 x 3 part.
 FixedInteger FixedField::quadric(const Point3& s) const {
     const Vec3d linear(units(quadric_.d), units(quadric_.g), units(quadric_.i));
     const Vec3d turned = half_gradient_change(quadric_, as_vector(s)) + 2.0 * linear;

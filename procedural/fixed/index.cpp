@@ -7,21 +7,22 @@ namespace burl {
 
 namespace {
 
-/// Beyond it float64 itself loses units of the index.
+/// The size of the quadric from which float64 itself loses units of the index.
 constexpr double largest_base = 0x1p16;
-/// Of the index, beyond which too many texels would stay undecided.
+/// The error of the index above which too many texels would stay undecided.
 constexpr double largest_error = 0x1p-22;
 
 bool has_hash(const Octave& octave) {
     return has_kernel(octave) && octave.noise.kind != NoiseKind::simplex;
 }
 
-/// Modulo 2^32.
+/// The index in units of 2^-fraction_bits, rounded down, modulo 2^32.
 std::uint32_t units_of(double index, int fraction_bits) {
     return std::uint32_t(std::int64_t(std::floor(std::ldexp(index, fraction_bits))));
 }
 
-/// Of |sum|: value noise is a mean of numbers in [-1,1], Perlin's one of at most 2.
+/// A bound of a group's |sum|: value noise is a mean of numbers in [-1, 1], Perlin's of numbers of
+/// at most 2.
 double largest_sum(const OctaveGroup& group) {
     double weights = 0.0;
     for (const StreamOctave& octave : group.octaves) weights += std::abs(double(octave.weight));
@@ -29,7 +30,7 @@ double largest_sum(const OctaveGroup& group) {
     return 1.001 * noise * weights / stream_unit(group.kind);
 }
 
-/// Of the index, what all groups add at most.
+/// A bound of the change of the index by all groups together.
 double largest_change(std::span<const OctaveGroup> groups) {
     double change = 0.0;
     for (const OctaveGroup& group : groups)
@@ -37,12 +38,13 @@ double largest_change(std::span<const OctaveGroup> groups) {
     return change;
 }
 
+/// The fixed-point term of a group.
 FixedTerm fixed_term(const OctaveGroup& group, int fraction_bits) {
     int exponent = 0;
     std::frexp(largest_sum(group), &exponent);
     FixedTerm term;
     term.whole = float(std::ldexp(1.0, 31 - exponent));
-    // Of the upper half, one unit is 2^32 of the product's.
+    // A unit of the product's upper half is 2^32 units of the product.
     const double units =
         std::ldexp(group.scale * stream_unit(group.kind) / double(term.whole), fraction_bits + 32);
     std::frexp(units, &exponent);
@@ -51,16 +53,18 @@ FixedTerm fixed_term(const OctaveGroup& group, int fraction_bits) {
     return term;
 }
 
-/// The sum is off by less than one of 2^31, the factor by half of one of 2^30 or more, and the
-/// upper half is cut off: 2 units of 2^shift. The base is, too; the constant's and float64's own
-/// roundings stay below a unit.
+/// A bound of the error of the index in units. Per term: the sum is off by less than one of 2^31,
+/// the factor by half of one of 2^30 or more, and the lower half is dropped, 2 units of 2^shift
+/// together. The base is rounded down, too; the constant's and float64's own roundings stay below a
+/// unit.
 double fixed_error(std::span<const FixedTerm> terms) {
     double error = 5.0;
     for (const FixedTerm& term : terms) error += 2.0 * std::ldexp(1.0, term.shift);
     return error;
 }
 
-/// Room for what lies outside [0,1], in powers of two so that amplitudes move it seldom.
+/// Sets the range and the fraction bits of an index that is not repeated, so that indices outside
+/// [0, 1] fit; by powers of two, so that amplitudes change it seldom.
 void make_room(FixedIndex& field, double change) {
     const double reach = std::exp2(std::ceil(std::log2(std::max(change, 1.0))));
     field.lowest = -reach - 1.0, field.highest = reach + 2.0;

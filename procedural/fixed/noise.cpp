@@ -12,7 +12,7 @@ namespace {
 
 using Integer = FixedInteger;
 
-/// i modulo 2^I, in [-2^(I-1), 2^(I-1)): as a lattice index the same point as in float64 there.
+/// i modulo 2^I, in [-2^(I-1), 2^(I-1)): within that range the lattice index of float64.
 Integer wrapped_cell(Integer i, const FixedFormat& format) {
     const Integer period = Integer(1) << format.integer_bits, half = period / 2;
     return positive_remainder(i + half, period) - half;
@@ -33,7 +33,7 @@ Integer fixed_fade(Fade fade, Integer x, unsigned bits) {
     return x;
 }
 
-/// A corner's random number, or the height of its slope at the offset.
+/// A corner's random number, or the height of its slope at the offset, in units of 2^-bits.
 Integer corner_height(const NoiseSpec& noise, unsigned bits,
                       const std::array<std::uint32_t, 3>& index,
                       const std::array<Integer, 3>& offset) {
@@ -63,7 +63,8 @@ FixedInteger fixed_coordinate(double x, const FixedFormat& format) {
 FixedInteger wrapped_units(double units, const FixedFormat& format) {
     const double range = std::ldexp(1.0, int(format.integer_bits + format.fraction_bits));
     const double rest = std::fmod(std::floor(units), range);
-    if (!(std::abs(rest) < range)) return 0;  // not finite
+    // A number that is not finite counts as 0.
+    if (!(std::abs(rest) < range)) return 0;
     if (rest >= 0.5 * range) return Integer(rest - range);
     return Integer(rest < -0.5 * range ? rest + range : rest);
 }

@@ -9,7 +9,7 @@ namespace burl {
 
 namespace {
 
-/// "begin = ...;", "c0 = real3(...);" and so on, what piece i has, each on a line of its own.
+/// The lines of piece i of a function: "begin = ...;", "c0 = real3(...);" and so on.
 std::string piece_lines(const ColorPieces& pieces, std::size_t i, GlslReal real) {
     const std::size_t coefficients = pieces.degree + 1;
     const double* piece = &pieces.table[i * pieces.stride()];
@@ -23,8 +23,8 @@ std::string piece_lines(const ColorPieces& pieces, std::size_t i, GlslReal real)
     return lines;
 }
 
-/// Lines that find the last piece that begins up to t. (Not one comparison inside the other:
-/// llvmpipe goes wrong where more than 80 are.)
+/// The lines that find the last piece that begins at or before t. (Comparisons are not nested:
+/// llvmpipe fails where more than 80 are.)
 std::string compared_lines(const ColorPieces& pieces, GlslReal real) {
     std::string text = piece_lines(pieces, 0, real);
     for (std::size_t i = 1; i < pieces.begins.size(); ++i)
@@ -33,14 +33,14 @@ std::string compared_lines(const ColorPieces& pieces, GlslReal real) {
     return text;
 }
 
-/// Where the pieces begin, then what compared_lines writes out of each.
+/// The table of the pieces: the begins of all, then the numbers of each.
 GlslTable piece_table(const std::string& name, const ColorPieces& pieces) {
     GlslTable table{name + "_pieces", pieces.begins};
     std::ranges::copy(pieces.table, std::back_inserter(table.numbers));
     return table;
 }
 
-/// Lines that look it up in the table.
+/// The lines that look a piece up in the table by bisection.
 std::string halved_lines(const std::string& table, const ColorPieces& pieces) {
     const std::size_t count = pieces.begins.size(), coefficients = pieces.degree + 1;
     std::string text = fmt::format(

@@ -1,6 +1,6 @@
 #pragma once
-// Piecewise polynomial colours (value_kernels.h) as GLSL functions: few pieces are told apart by
-// comparisons with constants, many are found in a table by halving.
+// Piecewise polynomial colours (graph/value_kernels.h) as GLSL functions: few pieces are found by
+// comparisons with constants, many by bisection in a table.
 #include <optional>
 #include <string>
 #include <string_view>
@@ -10,10 +10,11 @@
 
 namespace burl {
 
-/// Pieces that are told apart by comparisons, each of which costs every texel its time.
+/// The largest number of pieces that are found by comparisons, each of which costs every texel
+/// time.
 inline constexpr std::size_t most_compared_pieces = 256;
 
-/// `real3 NAME(real x)` and the table that it reads.
+/// A function `real3 NAME(real x)` and the table that it reads.
 struct GlslColorPieces {
     std::string text;
     std::optional<GlslTable> table{};

@@ -20,7 +20,8 @@ std::uint32_t code_of(const Rgb8& color) {
     return std::uint32_t(color.r) | std::uint32_t(color.g) << 8 | std::uint32_t(color.b) << 16;
 }
 
-/// Within one of `count` entries, not at its begin, rounded up to a power of two.
+/// The largest number of steps within one of `count` entries, not at its begin, rounded up to a
+/// power of two.
 std::uint32_t most_steps(std::span<const ColorTable8::Step> steps, std::uint32_t count) {
     std::uint32_t most = 1, entry = 0, in_entry = 0;
     for (const ColorTable8::Step& step : steps.first(steps.size() - 1)) {
@@ -82,7 +83,8 @@ SrgbThresholds srgb_thresholds() {
     SrgbThresholds result;
     for (std::uint32_t code = 0; code <= encode.max_code; ++code)
         result.thresholds.push_back(halves(encode.threshold(std::uint16_t(code))));
-    // A float's square root may be a little too large: buckets begin with a code before their own.
+    // A float's square root may be a little too large, so a bucket's code is that of a point below
+    // it.
     for (std::uint32_t i = 0; i <= SrgbThresholds::buckets; ++i) {
         const double root = std::max(i - 0.1, 0.0) / SrgbThresholds::buckets;
         result.first.push_back(encode(root * root));

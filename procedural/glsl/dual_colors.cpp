@@ -1,4 +1,5 @@
-// Colours averaged over a footprint, as graph_colors.cpp and graph_noise.cpp have them.
+// The nodes of colours averaged over a footprint, as graph/colors.cpp and graph/noise.cpp define
+// them.
 #include <fmt/format.h>
 
 #include "procedural/color/marble_spline.h"
@@ -8,7 +9,7 @@ namespace burl {
 
 namespace {
 
-/// The channels of a variable of type DualColor, opaque.
+/// The channels of a variable of type DualColor, with alpha 1.
 GlslNode opaque(const GlslNodeCall& call, const std::string& color) {
     return {{fmt::format("{}.r", color), fmt::format("{}.g", color), fmt::format("{}.b", color),
              call.text->constant(1.0)}};
@@ -48,7 +49,7 @@ GlslNode uv(const GlslNodeCall& call) {
     return {{u, fraction(1), text.constant(0.0), text.constant(1.0)}};
 }
 
-/// "real3[9](...)": the control points, brightened.
+/// The text "real3[9](...)" of the control points times the brightness.
 std::string marble_points(const GlslDuals& text) {
     std::string list;
     for (const auto& color : marble_colors)
@@ -73,7 +74,7 @@ GlslNode marble(const GlslNodeCall& call) {
                                                   call.parameter("spline") == 1.0)));
 }
 
-/// "real2(...)": how the first two coordinates move along a step.
+/// The text "real2(...)" of the change of the first two coordinates along a step.
 std::string moved(const GlslNodeCall& call, char step) {
     return fmt::format("real2({}, {})", call.text->along(call.axis(0), step),
                        call.text->along(call.axis(1), step));

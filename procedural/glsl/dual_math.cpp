@@ -1,5 +1,5 @@
-// Numbers, weighted sums and mappings with their gradients, as graph_math.cpp and
-// graph_mappings.cpp have them.
+// The nodes of numbers, weighted sums and mappings with their gradients, as graph/math.cpp and
+// graph/mappings.cpp define them.
 #include <numbers>
 
 #include <fmt/format.h>
@@ -33,7 +33,7 @@ GlslNode add(const GlslNodeCall& call) {
     return call.number(fmt::format("{} + {}", call.input(0), call.input(1)));
 }
 
-/// "FUNCTION(input 0)" or "FUNCTION(input 0, input 1)".
+/// The node "FUNCTION(input 0)", or "FUNCTION(input 0, input 1)" if `two`.
 GlslNode apply(const GlslNodeCall& call, const char* function, bool two = false) {
     return call.number(two ? fmt::format("{}({}, {})", function, call.input(0), call.input(1))
                            : fmt::format("{}({})", function, call.input(0)));
@@ -69,7 +69,7 @@ GlslNode power(const GlslNodeCall& call) {
     return call.number(fmt::format("dual_power({}, {})", call.input(0), call.text->number(e)));
 }
 
-/// Its own gradient is given as 0.
+/// The slope of the input along a direction; the gradient of the slope itself counts as 0.
 GlslNode slope(const GlslNodeCall& call) {
     const Vec3d d = call.vector("direction");
     return call.number(fmt::format("dual(dot_of(real3({}, {}, {}), {}.yzw))",

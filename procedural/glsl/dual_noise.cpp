@@ -1,4 +1,4 @@
-// The irregular textures with their gradients, as graph_noise.cpp has them in float32.
+// The nodes of irregular textures with their gradients, as graph/noise.cpp defines them in float32.
 #include <fmt/format.h>
 
 #include "procedural/field/lattice_sums.h"
@@ -11,7 +11,7 @@ namespace burl {
 
 namespace {
 
-/// sum_k gain^k shape(n_{seed+k}(lacunarity^k p)).
+/// The sum sum_k gain^k shape(n_{seed+k}(lacunarity^k p)) and its fade.
 struct OctaveSum {
     NoiseSum sum;
     GlslFade fade{};
@@ -35,7 +35,7 @@ OctaveSum octave_sum(const GlslNodeCall& call, OctaveShape shape, double octaves
     return result;
 }
 
-/// The point times factors.
+/// The node's point times `factors`, coordinate by coordinate.
 std::array<std::string, 3> scaled(const GlslNodeCall& call, const Vec3d& factors) {
     std::array<std::string, 3> point = call.point();
     for (std::size_t i = 0; i < 3; ++i) {
@@ -111,7 +111,7 @@ GlslNode warp(const GlslNodeCall& call) {
     return result;
 }
 
-/// "real3(...)": the lattice's point of one whose coordinates have those names.
+/// The text "real3(...)" of the node's point in a lattice.
 std::string lattice_point(const GlslNodeCall& call, const Affine3& lattice) {
     const Mat3d rows = glm::transpose(lattice.linear);
     std::array<std::string, 3> sums;
@@ -129,12 +129,13 @@ std::string lattice_point(const GlslNodeCall& call, const Affine3& lattice) {
     return fmt::format("real3({}, {}, {})", sums[0], sums[1], sums[2]);
 }
 
-/// "real3(x, y, z)".
+/// The text "real3(x, y, z)" of a constant vector.
 std::string real3(const GlslDuals& text, const Vec3d& v) {
     return fmt::format("real3({}, {}, {})", text.number(v.x), text.number(v.y), text.number(v.z));
 }
 
-/// q at the point: its value, and adds its gradient to the variable.
+/// The expression of the quadric at the point; writes a line that adds its gradient to the variable
+/// `gradient`.
 std::string quadric_at(const GlslNodeCall& call, const Quadric& q, const std::string& gradient) {
     GlslDuals& text = *call.text;
     if (q == Quadric{}) return text.number(0.0);
@@ -151,22 +152,24 @@ std::string quadric_at(const GlslNodeCall& call, const Quadric& q, const std::st
                        glsl_operand(text.number(q.j)));
 }
 
-/// A variable of an octave's point in its lattice.
+/// The name of a variable with the point in an octave's lattice.
 std::string lattice_variable(const GlslNodeCall& call, const Affine3& lattice) {
     return call.text->variable("exact real3", lattice_point(call, lattice));
 }
 
-/// The lattice's gradient of the vec4 `n` as one of the point.
+/// The gradient in the vec4 `n` with respect to lattice coordinates, transformed to the node's
+/// point.
 std::string point_gradient(const GlslDuals& text, const std::string& n, const Mat3d& m) {
     return fmt::format("lattice_gradient({}, {}, {}, {})", n, real3(text, m[0]), real3(text, m[1]),
                        real3(text, m[2]));
 }
 
-/// Variables of a field's value and gradient with respect to the node's point.
+/// The names of variables of a field's value and its gradient with respect to the node's point.
 struct FieldText {
     std::string value, gradient;
 };
 
+/// Writes the lines that add all octaves.
 void add_octaves(const GlslNodeCall& call, std::span<const Octave> octaves, const FieldText& f) {
     GlslDuals& text = *call.text;
     for (const LatticeSum& part : lattice_sums(octaves)) {
@@ -178,7 +181,7 @@ void add_octaves(const GlslNodeCall& call, std::span<const Octave> octaves, cons
     }
 }
 
-/// The point's two moves across the footprint, through a linear map.
+/// The change of the point along a step of the footprint, through a linear map.
 std::string moved_by(const GlslNodeCall& call, const Mat3d& linear, char step) {
     const Mat3d rows = glm::transpose(linear);
     const std::string by =
@@ -188,8 +191,8 @@ std::string moved_by(const GlslNodeCall& call, const Mat3d& linear, char step) {
                        real3(*call.text, rows[1]), real3(*call.text, rows[2]), by);
 }
 
-/// Octaves without what the footprint cannot show; their means stay. (The host has these in
-/// float64.)
+/// Writes the lines that add the octaves as far as the footprint shows them; their means replace
+/// the rest. (The host evaluates these octaves in float64.)
 void add_faded_octaves(const GlslNodeCall& call, std::span<const Octave> octaves,
                        const FieldText& f) {
     GlslDuals& text = *call.text;

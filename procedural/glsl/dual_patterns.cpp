@@ -1,5 +1,5 @@
-// The regular patterns with their gradients, and over a footprint their means, as
-// graph_patterns.cpp has them.
+// The nodes of regular patterns with their gradients and, over a footprint, their means, as
+// graph/patterns.cpp defines them.
 #include <numbers>
 
 #include <fmt/format.h>
@@ -10,7 +10,7 @@ namespace burl {
 
 namespace {
 
-/// "FUNCTION(x, width)" of a new variable x.
+/// The text "FUNCTION(x, width)" of a new variable x.
 std::string over_box(const GlslNodeCall& call, const char* function, const std::string& x) {
     const std::string at = call.text->dual(x);
     return fmt::format("{}({}, {})", function, at, call.text->box_width(at));
@@ -59,7 +59,7 @@ GlslNode wood_grain(const GlslNodeCall& call) {
 
 enum class Antialiasing { none, closed_form, supersample, trapezoid };
 
-/// Black minus white of one axis.
+/// The mean of black minus white stripes along axis i.
 std::string board_stripes(const GlslNodeCall& call, Antialiasing antialiasing, std::size_t i) {
     GlslDuals& text = *call.text;
     const std::string x = call.axis(i);
@@ -73,8 +73,8 @@ std::string board_stripes(const GlslNodeCall& call, Antialiasing antialiasing, s
     return fmt::format("stripes_over_both({}, {})", text.filtering()->maps.add(stripes), steps);
 }
 
-/// A checkerboard in the first coordinates of the point. Without a footprint all kinds of `aa` are
-/// the board itself.
+/// A checkerboard in the first `axes` coordinates of the point. Without a footprint all kinds of
+/// `aa` are the board itself.
 GlslNode checkers(const GlslNodeCall& call, std::size_t axes) {
     GlslDuals& text = *call.text;
     const auto antialiasing = Antialiasing(int(call.parameter("aa")));

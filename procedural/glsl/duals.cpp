@@ -33,7 +33,7 @@ std::string GlslDuals::box_width(const std::string& x) const {
     return fmt::format("length_of({}, {})", along(x, 'u'), along(x, 'v'));
 }
 
-/// The name of a float: how many octaves the footprint shows.
+/// The name of a float variable with the number of octaves that the footprint shows.
 std::string GlslDuals::visible(std::size_t octaves, double lacunarity,
                                const std::array<std::string, 3>& point) {
     return variable(
@@ -108,7 +108,7 @@ GlslNode written(const GlslNodeCall& call) {
     return {{call.text->constant(0.0)}};
 }
 
-/// Which nodes the last one needs, itself among them.
+/// A flag per node: whether the last node needs it.
 std::vector<bool> needed_nodes(const TextureGraph& graph) {
     std::vector<bool> needed(graph.nodes.size(), false);
     needed.back() = true;
@@ -120,7 +120,7 @@ std::vector<bool> needed_nodes(const TextureGraph& graph) {
     return needed;
 }
 
-/// The nodes, one after the other; the last one's channels.
+/// Writes the nodes, one after the other, and returns the last one's channels.
 GlslNode write_nodes(const TextureGraph& graph, GlslDuals& text) {
     const auto solid = [&](const char* axis, const std::array<double, 3>& slope) {
         return text.dual(fmt::format("real4(solid.{}, {}, {}, {})", axis, text.number(slope[0]),

@@ -1,6 +1,6 @@
 #pragma once
-// Texture graphs as GLSL with gradients, node by node as the graph evaluator walks them
-// (graph_evaluator.h): every channel of every node is a variable of type real4, a value and its
+// Texture graphs as GLSL with gradients, node by node in the graph evaluator's order
+// (graph/evaluator.h): every channel of every node is a variable of type real4, a value and its
 // derivatives with respect to the solid point (shaders/graph/dual.glsl).
 #include <optional>
 
@@ -10,12 +10,12 @@
 
 namespace burl {
 
-/// How octaves that a footprint does not show fade: pbrt's rule, leaving their mean behind.
+/// The fade of octaves that a footprint does not show: pbrt's rule, with their mean in their place.
 struct GlslFade {
     double lacunarity = 2.0, mean = 0.0;
 };
 
-/// What nodes need to average over the footprint (step_u, step_v).
+/// The filter and the colour maps of nodes that average over the footprint (step_u, step_v).
 struct GlslFiltering {
     Filter filter;
     GlslMapTables maps;
@@ -24,32 +24,34 @@ struct GlslFiltering {
 /// The text of one function's body, line by line.
 class GlslDuals {
   public:
-    /// No `filtering`: point samples.
+    /// The text of a function whose nodes are point samples if `filtering` is null.
     GlslDuals(GlslFunctions& functions, GlslFiltering* filtering)
         : functions_(functions), sums_(functions), filtering_(filtering) {}
 
     GlslFunctions& functions() { return functions_; }
     GlslFiltering* filtering() { return filtering_; }
     std::string number(double value) const { return functions_.number(value); }
-    /// "dual(value)".
+    /// The text "dual(value)".
     std::string constant(double value) const;
 
+    /// Appends a line to the body.
     void line(const std::string& text);
-    /// A new variable of that value; its name.
+    /// Appends a line that declares a new variable, and returns the variable's name.
     std::string dual(const std::string& expression) { return variable("exact real4", expression); }
     std::string real(const std::string& expression) { return variable("exact real", expression); }
     std::string variable(const std::string& type, const std::string& expression);
     std::string new_name(std::string_view stem);
 
-    /// How much x changes across the footprint along its two steps.
+    /// The change of x along a step of the footprint, 'u' or 'v'.
     std::string along(const std::string& x, char step) const;
-    /// Width of the box with the variance of x over the footprint.
+    /// The width of the box that has the variance of x over the footprint.
     std::string box_width(const std::string& x) const;
 
-    /// A sum of octaves at a point, with its gradient. No `fade`: all of them, always.
+    /// A sum of octaves at a point, with its gradient. Without `fade` all octaves show.
     std::string octaves(const NoiseSum& sum, const std::array<std::string, 3>& point,
                         const std::optional<GlslFade>& fade);
-    /// The same at a point of type real3 that is no node's: a vec4 with derivatives along it.
+    /// A sum of octaves at a point of type real3 that is no node's: a vec4 of the value and its
+    /// derivatives along the point's coordinates.
     std::string lattice_octaves(const NoiseSum& sum, const std::string& point);
 
     const std::string& lines() const { return lines_; }
@@ -65,12 +67,12 @@ class GlslDuals {
     std::size_t variables_ = 0;
 };
 
-/// What a node became: names of its channels or of a point's coordinates.
+/// The names of a written node's channels, or of its point's coordinates.
 struct GlslNode {
     std::vector<std::string> channels;
 };
 
-/// One node to be written, and what it may use.
+/// A node to be written, with its inputs and its point.
 struct GlslNodeCall {
     const TextureGraph* graph = nullptr;
     const GraphNode* node = nullptr;
@@ -85,13 +87,13 @@ struct GlslNodeCall {
     const std::string& axis(std::size_t i) const { return place->channels[i]; }
     std::array<std::string, 3> point() const { return {axis(0), axis(1), axis(2)}; }
 
-    /// d . point + offset.
+    /// The expression of d . point + offset.
     std::string along(const Vec3d& d, double offset = 0.0) const;
-    /// One number.
+    /// A node whose result is a number.
     GlslNode number(const std::string& expression) const { return {{text->dual(expression)}}; }
-    /// Input 0 where the weight is 0, input 1 where it is 1.
+    /// A node whose result is input 0 where the weight is 0, input 1 where it is 1.
     GlslNode blend(const std::string& weight) const;
-    /// `expression(c)` for each channel.
+    /// A node whose channel c is `expression(c)`.
     template <class Expression>
     GlslNode channels(const Expression& expression) const {
         GlslNode result;
@@ -101,30 +103,31 @@ struct GlslNodeCall {
     }
 };
 
+/// A node type's name and the function that writes its nodes.
 struct NamedGlslNode {
     std::string_view node;
     GlslNode (*write)(const GlslNodeCall& call) = nullptr;
 };
 
-/// glsl_dual_math.cpp: numbers, weighted sums and mappings.
+/// The nodes of numbers, weighted sums and mappings (dual_math.cpp).
 std::span<const NamedGlslNode> glsl_math_nodes();
-/// glsl_dual_patterns.cpp
+/// The nodes of regular patterns (dual_patterns.cpp).
 std::span<const NamedGlslNode> glsl_pattern_nodes();
-/// glsl_dual_noise.cpp
+/// The nodes of irregular textures (dual_noise.cpp).
 std::span<const NamedGlslNode> glsl_noise_nodes();
-/// glsl_dual_colors.cpp: nodes that give colours alone, where there is a footprint.
+/// The nodes whose results are colours, for shaders with a footprint (dual_colors.cpp).
 std::span<const NamedGlslNode> glsl_color_nodes();
 
 /// The fractal sum of a node's parameters at `factors` times its point, with its gradient.
 std::string glsl_octaves_at(const GlslNodeCall& call, const Vec3d& factors);
 
-/// `real4 NAME(real3 solid)`: a graph's number at a point, with its gradient, as the evaluator has
-/// it in float32 without a footprint.
+/// The function `real4 NAME(real3 solid)`: a graph's number at a point with its gradient, equal to
+/// the evaluator's in float32 without a footprint.
 std::string glsl_gradient_function(const TextureGraph& graph, const std::string& name,
                                    GlslFunctions& functions);
 
-/// `real3 NAME(real3 solid, real3 step_u, real3 step_v)`: a graph's colour over the footprint with
-/// these steps, linear light over black.
+/// The function `real3 NAME(real3 solid, real3 step_u, real3 step_v)`: a graph's colour over the
+/// footprint with these steps, in linear light over black.
 std::string glsl_filtered_function(const TextureGraph& graph, const std::string& name,
                                    GlslFunctions& functions, GlslFiltering& filtering);
 

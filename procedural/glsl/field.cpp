@@ -10,7 +10,7 @@ namespace burl {
 
 namespace {
 
-/// What the seed of an octave becomes before a texel is known.
+/// The seed of an octave with the part of the hash that does not depend on the texel.
 std::array<std::uint32_t, 3> prepared_seed(NoiseKind kind, std::uint32_t seed) {
     if (kind != NoiseKind::simplex) return {seed * LatticeHash::prime_seed, 0, 0};
     return {LatticeHash::shift(seed, 0), LatticeHash::shift(seed, 1), LatticeHash::shift(seed, 2)};
@@ -20,7 +20,7 @@ std::string_view stream_fade_name(Fade fade) {
     return fade == Fade::linear ? "linear" : fade == Fade::smooth ? "smooth" : "quintic";
 }
 
-/// A group's sum, added to f. Its octaves are numbered from `first` on.
+/// The lines that add a group's sum to f; its octaves are numbered from `first` on.
 std::string group_text(const FieldShape::Group& group, std::size_t number, std::size_t first) {
     std::string text;
     if (number > 0)
@@ -48,6 +48,7 @@ bool has_simplex(const FieldShape& shape) {
            shape.groups.end();
 }
 
+/// The lines that add octave i of those without a stream kernel to f.
 std::string lone_text(std::size_t i) {
     return fmt::format(
         "    uvec4 xy{0} = texelFetch(lone_xy[{0}], texel, 0);\n"

@@ -1,5 +1,5 @@
-// A break's numbers are uniforms, so that colours move without a new shader; which breaks jump and
-// which kink is in the text.
+// A break's numbers are uniforms, so that colours change without a new shader; the text depends on
+// which breaks jump and which kink.
 #include "procedural/glsl/filter.h"
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace burl {
 
 namespace {
 
-/// Noise and gradient of a group's octave k, which is number `octave` of all.
+/// The expression of noise and gradient of octave k of a group, which is number `octave` of all.
 std::string octave_sample(const FieldShape::Group& group, std::size_t number, std::size_t k,
                           std::size_t octave) {
     const std::string site =
@@ -29,7 +29,8 @@ std::string octave_sample(const FieldShape::Group& group, std::size_t number, st
     return fmt::format("stream_{}_gradient({}, seeds[{}].x)", name, site, octave);
 }
 
-/// A group's sum and gradient, added to f and the slopes. Its octaves are numbered from `first` on.
+/// The lines that add a group's sum and gradient to f and the slopes; its octaves are numbered from
+/// `first` on.
 std::string group_text(const FieldShape::Group& group, std::size_t number, std::size_t first,
                        bool fading) {
     std::string text;
@@ -56,7 +57,7 @@ std::string group_text(const FieldShape::Group& group, std::size_t number, std::
                       number, 2 * number, 2 * number + 1);
 }
 
-/// The noises of lone octaves with their gradients, lone_sampleI.
+/// The functions lone_sampleI: the noises of lone octaves with their gradients.
 std::string lone_functions(const FieldShape& shape) {
     std::string text;
     for (std::size_t i = 0; i < shape.lone.size(); ++i)
@@ -64,7 +65,8 @@ std::string lone_functions(const FieldShape& shape) {
     return text;
 }
 
-/// What octave i, which has no stream kernel, adds to f and the slopes on the texel's `line`.
+/// The lines that add octave i of those without a stream kernel to f and the slopes, on the texel's
+/// `line`.
 std::string lone_text(std::size_t i, std::size_t count, OctaveShape shape, bool fading) {
     const char* shaped = shape == OctaveShape::plain      ? "plain_sample"
                          : shape == OctaveShape::absolute ? "absolute_sample"
@@ -87,7 +89,7 @@ std::string lone_text(std::size_t i, std::size_t count, OctaveShape shape, bool 
     return text;
 }
 
-/// What a field with slopes stands behind.
+/// The parts that must precede a field with slopes.
 std::vector<GlslPart> slope_parts(const FieldShape& shape) {
     std::vector<NoiseSpec> noises;
     for (const FieldShape::Lone& lone : shape.lone) noises.push_back(lone.noise);
@@ -102,7 +104,7 @@ std::vector<GlslPart> slope_parts(const FieldShape& shape) {
     return parts;
 }
 
-/// `real3 NAME_mean(Footprint at)`.
+/// The function `real3 NAME_mean(Footprint at)`.
 std::string mean_text(const FilterShape& shape, std::string_view name) {
     std::string text = fmt::format(
         "real3 {}_mean(Footprint at) {{\n"

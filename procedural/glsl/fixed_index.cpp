@@ -19,13 +19,13 @@ const char* noise_name(const FieldShape::Group& group) {
                                         : "stream_value_quintic";
 }
 
-/// Component 0 or 1 of octave i's pair.
+/// The expression of component 0 or 1 of octave i's pair.
 std::string octave_word(std::size_t i, std::size_t word) {
     return fmt::format("octave_pairs[{}].{}", i / 2, "xyzw"[2 * (i % 2) + word]);
 }
 
-/// A group's sum, from the finest octave to the coarsest, added to the index. Its octaves are
-/// numbered from `first` on.
+/// The lines that add a group's sum, from the finest octave to the coarsest, to the index; its
+/// octaves are numbered from `first` on.
 std::string index_group_text(const FieldShape::Group& group, std::size_t number,
                              std::size_t first) {
     std::string text =
@@ -39,7 +39,7 @@ std::string index_group_text(const FieldShape::Group& group, std::size_t number,
     return text + fmt::format("    index += fixed_term(sum{0}, term_words[{0}]);\n", number);
 }
 
-/// Seeds and weights in turn.
+/// The seeds and weights of all octaves in turn, four words to a texel.
 std::vector<glm::uvec4> octave_words(std::span<const OctaveGroup> groups) {
     std::vector<std::uint32_t> words;
     for (const OctaveGroup& group : groups)
@@ -54,7 +54,8 @@ std::vector<glm::uvec4> octave_words(std::span<const OctaveGroup> groups) {
     return texels;
 }
 
-/// Above 1 by more than is undecided about it; an index that repeats has none.
+/// The largest value that a clamped index is limited to: above 1 by more than its tolerance. 0 for
+/// an index that repeats.
 std::uint32_t largest_index(const FixedIndex& index, const FixedColors& colors,
                             std::uint32_t tolerance) {
     if (index.repeats) return 0;

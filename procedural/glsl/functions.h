@@ -1,6 +1,6 @@
 #pragma once
-// What stands before a shader's texture function, each once: octaves of noise, shapes, constant
-// arrays, images, and whatever functions its parts add.
+// The definitions before a shader's texture function, each written once: octaves of noise, shapes,
+// constant arrays, images, and functions that its parts add.
 #include <set>
 #include <span>
 #include <utility>
@@ -18,27 +18,28 @@ class GlslFunctions {
     GlslReal real() const { return real_; }
     std::string number(double value) const { return glsl_number(value, real_); }
 
-    /// Text that the functions behind it may use.
+    /// Adds text that definitions after it may use.
     void add(const std::string& text) { text_ += text; }
-    /// The same, and its table.
+    /// Adds the function of colour pieces and its table.
     void add(GlslColorPieces pieces);
-    /// "STEM0", "STEM1" and so on.
+    /// A new name: "STEM0", "STEM1" and so on.
     std::string new_name(std::string_view stem);
 
-    /// The name of a function for octaves of that noise: glsl_split_noise where it has a kernel,
-    /// else glsl_site_noise; `sloped`: glsl_split_sample or glsl_site_sample.
+    /// The name of a function for octaves of a noise: glsl_split_noise where it has a kernel,
+    /// otherwise glsl_site_noise; with `sloped` glsl_split_sample or glsl_site_sample.
     std::string octave(const NoiseSpec& noise, bool sloped = false);
-    /// The call that shapes an octave's value.
+    /// The expression that shapes an octave's value.
     std::string shaped(OctaveShape shape, const std::string& value);
-    /// A number of octave k: an element of a constant array, or the number itself where there is
-    /// one octave.
+    /// The expression of a number of octave k: an element of a constant array, or the number itself
+    /// where there is one octave.
     std::string of_octave(const char* type, const std::vector<std::string>& values);
+    /// The expression of the seed of octave k.
     std::string seed_of_octave(std::span<const SumOctave> octaves);
-    /// The name of its sampler.
+    /// The name of an image's sampler.
     std::string image(const std::shared_ptr<const MipImage>& pixels);
 
-    /// Everything, the files it needs before it and `body` after it; `more` parts behind the files
-    /// of values.
+    /// The whole texture: the files that the definitions need, the parts `more`, the definitions,
+    /// and `body`.
     GlslTexture texture(const std::string& body, std::span<const GlslPart> more) const;
 
   private:
@@ -56,7 +57,7 @@ class GlslFunctions {
     std::vector<GlslTable> tables_;
     std::vector<Octave> octaves_;
     std::set<OctaveShape> shapes_;
-    std::vector<std::pair<std::string, std::string>> arrays_;  ///< text and name
+    std::vector<std::pair<std::string, std::string>> arrays_;  ///< pairs of text and name
 };
 
 }  // namespace burl

@@ -14,14 +14,14 @@ namespace burl {
 
 namespace {
 
-/// What functions with gradients need besides those of values.
+/// The parts that functions with gradients need besides those of values.
 std::vector<GlslPart> gradient_parts(const ValueProgram& program) {
     for (const ValueStep& step : program.steps())
         if (std::holds_alternative<GraphSlope>(step.work)) return {{"graph/dual.glsl"}};
     return {};
 }
 
-/// Walks the program: one value per step, under the name of the node it was added for.
+/// Writes a value program: a variable per step, with a comment that names the step's node.
 class GraphWriter {
   public:
     GraphWriter(const TextureGraph& graph, GlslReal real)
@@ -61,11 +61,12 @@ class GraphWriter {
     GlslFunctions functions_;
     GlslSteps steps_;
     std::string lines_;
-    std::vector<std::string> names_;  ///< what the program's arrays hold at the current step
+    std::vector<std::string> names_;  ///< expressions of the registers at the current step
     std::uint32_t node_ = 0;
 };
 
-/// Why colour maps with gradients, which are written out, are too large; empty where none is.
+/// The reason why colour maps with gradients, whose stops are written out, are too large; empty
+/// where none is.
 std::string too_many_stops(const TextureGraph& graph) {
     for (const Texture& texture : graph.textures)
         if (texture.colors.stops.size() > most_sloped_stops)

@@ -10,7 +10,8 @@ namespace burl {
 
 namespace {
 
-/// `float group_sumN(StreamSite site, int shares)`: the group's octaves, numbered from `first` on.
+/// The function `float group_sumN(StreamSite site, int shares)`: the sum of the group's octaves,
+/// numbered from `first` on.
 std::string sum_text(const FieldShape::Group& group, std::size_t number, std::size_t first,
                      bool fading) {
     std::string text = fmt::format(
@@ -25,7 +26,7 @@ std::string sum_text(const FieldShape::Group& group, std::size_t number, std::si
     return text + "    return sum;\n}\n";
 }
 
-/// What octave i, which has no stream kernel, adds to f at pI.
+/// The lines that add octave i of those without a stream kernel, at pI, to f.
 std::string lone_text(std::size_t i, std::size_t count, bool fading) {
     const std::string noise = fmt::format(
         "real(lone_shape{0}(lone_noise{0}(lone_seeds[{0}], p{0}, lone_times[{0}])))", i);
@@ -37,9 +38,9 @@ std::string lone_text(std::size_t i, std::size_t count, bool fading) {
         i, count, noise);
 }
 
-/// `real field_of(real q, StreamSite site0, ..., real3 p0, ..., int owner)`: f from the quadric's
-/// value, the sites in the groups' lattices and the points in those of the octaves without a
-/// stream.
+/// The function `real field_of(real q, StreamSite site0, ..., real3 p0, ..., int owner)`: f from
+/// the quadric's value, the sites in the groups' lattices and the points in the lattices of octaves
+/// without a stream kernel.
 std::string field_of_text(const FieldShape& shape, bool fading) {
     std::string sums, parameters, body;
     std::size_t octaves = 0;
@@ -63,7 +64,7 @@ std::string field_of_text(const FieldShape& shape, bool fading) {
                       parameters, body);
 }
 
-/// The parts that a field on a texel's line stands behind, and itself.
+/// The parts of a field on a texel's line, those that must precede it included.
 std::vector<GlslPart> field_parts(const FieldShape& shape, bool fading) {
     std::vector<GlslPart> parts = glsl_noises_of(shape);
     if (shape.groups.empty()) parts.push_back({"noise/stream_noise.glsl"});
@@ -74,12 +75,12 @@ std::vector<GlslPart> field_parts(const FieldShape& shape, bool fading) {
     return parts;
 }
 
-/// "lattices[4 i], lattices[4 i + 1], lattices[4 i + 2]".
+/// The text "lattices[4 i], lattices[4 i + 1], lattices[4 i + 2]".
 std::string columns(std::string_view lattices, std::size_t i) {
     return fmt::format("{0}[{1}], {0}[{2}], {0}[{3}]", lattices, 4 * i, 4 * i + 1, 4 * i + 2);
 }
 
-/// Lines that declare the texel's site at its centre in a group's lattice.
+/// The lines that declare the site of the texel's centre in group i's lattice.
 std::string site_text(std::size_t i) {
     return fmt::format(
         "    StreamSite site{0} = StreamSite(texelFetch(map_cells[{0}], texel, 0).xyz,\n"
@@ -87,7 +88,7 @@ std::string site_text(std::size_t i) {
         i);
 }
 
-/// Lines that declare its sides there.
+/// The lines that declare the texel's sides in group i's lattice.
 std::string side_text(std::size_t i) {
     return fmt::format(
         "    real3 u{0} = lattice_side(along({1}, line.step)),\n"
@@ -95,6 +96,7 @@ std::string side_text(std::size_t i) {
         i, columns("lattices", i));
 }
 
+/// The function `real3 mean_color(ivec2 texel)`.
 std::string mean_color_text(const FieldShape& shape) {
     std::string before, arguments;
     for (std::size_t i = 0; i < shape.groups.size(); ++i) {
@@ -127,7 +129,7 @@ real3 mean_color(ivec2 texel) {{
                        before, arguments);
 }
 
-/// `real field_on(TexelLine line, real x)`, f at texel x of a row of corners.
+/// The function `real field_on(TexelLine line, real x)`, f at texel x of a row of corners.
 std::string corner_text(const FieldShape& shape) {
     std::string before, arguments;
     for (std::size_t i = 0; i < shape.groups.size(); ++i) {
@@ -149,6 +151,7 @@ std::string corner_text(const FieldShape& shape) {
         before, arguments);
 }
 
+/// The function `real field_and_slopes(ivec2 texel, out vec2 slopes)` from centre and corners.
 std::string corner_slopes_text(const FieldShape& shape) {
     std::string before, arguments;
     for (std::size_t i = 0; i < shape.groups.size(); ++i) {

@@ -11,7 +11,7 @@ std::string real3(const Vec3d& v, GlslReal real) {
                        glsl_number(v.z, real));
 }
 
-/// "const TYPE NAME[n] = TYPE[n](...);" of what `number(item)` gives.
+/// The text "const TYPE NAME[n] = TYPE[n](...);" with number(item) for each item.
 template <class Item, class Number>
 std::string array(const char* type, const char* name, const std::vector<Item>& items,
                   const Number& number) {

@@ -1,5 +1,5 @@
 #pragma once
-// The pieces and breaks of a shader's colour maps (map_pieces.h) as constant arrays, for
+// The pieces and breaks of a shader's colour maps (color/map_pieces.h) as constant arrays, for
 // shaders/graph/dual_map.glsl.
 #include "procedural/color/map_pieces.h"
 #include "procedural/glsl/text.h"
@@ -10,9 +10,9 @@ class GlslMapTables {
   public:
     explicit GlslMapTables(GlslReal real) : real_(real) {}
 
-    /// An expression of type PieceMap.
+    /// Adds a map and returns the expression, of type PieceMap, that stands for it.
     std::string add(const ColorMap& map);
-    /// The arrays, none of them empty.
+    /// The declarations of the arrays, none of them empty.
     std::string text() const;
 
   private:

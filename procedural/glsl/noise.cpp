@@ -12,7 +12,7 @@ namespace burl {
 
 namespace {
 
-/// `uint NAME(uint i)`: number i modulo 256 of the table, of which four share a word.
+/// The function `uint NAME(uint i)`: element i modulo 256 of a table of bytes, four to a word.
 template <class Table>
 std::string byte_table(std::string_view name, const Table& table) {
     std::string text = fmt::format("const uint {}_words[64] = uint[64](", name);
@@ -34,7 +34,7 @@ std::string published_tables() {
     return byte_table("published_number", published_permutation);
 }
 
-/// The gradients as float32 numbers that read back the same.
+/// The tables of 1985; gradients have the digits that float32 needs to be read back unchanged.
 std::string classic_tables_text() {
     const ClassicTables& tables = classic_tables();
     std::string text = byte_table("classic_number", tables.p);
@@ -51,6 +51,7 @@ std::string classic_tables_text() {
            "}\n";
 }
 
+/// The parts of a kind of noise.
 std::vector<GlslPart> parts_of(NoiseKind kind) {
     switch (kind) {
         case NoiseKind::value:
@@ -74,7 +75,7 @@ std::vector<GlslPart> parts_of(NoiseKind kind) {
     return {};
 }
 
-/// What stands behind parts_of and noise/gradient.glsl.
+/// The parts of a kind's gradients; they follow parts_of and noise/gradient.glsl.
 std::vector<GlslPart> gradient_parts_of(NoiseKind kind) {
     switch (kind) {
         case NoiseKind::value:
@@ -108,7 +109,7 @@ std::string_view feature_name(WorleyFeature feature) {
                                           : "worley_f2_f1";
 }
 
-/// What a function gives: a float, or a vec4 of the noise and its gradient.
+/// The form of a function's result: a float, or a vec4 of the noise and its gradient.
 struct Form {
     std::string_view type, suffix;
     bool sloped = false;
@@ -124,7 +125,8 @@ std::string fades(Fade fade, bool timed, const Form& form) {
     return text;
 }
 
-/// Of the lattice planes `low` and `high` and the place, of three coordinates or four.
+/// The expression of an interpolated noise from the lattice planes `low` and `high` and the place,
+/// of three coordinates or four.
 std::string interpolated(const NoiseSpec& noise, bool timed, const Form& form) {
     switch (noise.kind) {
         case NoiseKind::value:
@@ -140,12 +142,13 @@ std::string interpolated(const NoiseSpec& noise, bool timed, const Form& form) {
     }
 }
 
-/// Random numbers have no slope where they have one.
+/// A random number in the form asked for; its gradient is 0 wherever it exists.
 std::string flat(const std::string& number, const Form& form) {
     return form.sloped ? fmt::format("vec4({}, 0.0, 0.0, 0.0)", number) : number;
 }
 
-/// Of the site, its cell in 32 bits, and if timed the fourth coordinate's cell_w and place_w.
+/// The expression of a noise that is not interpolated, from the site, its cell in 32 bits and, if
+/// timed, the fourth coordinate's cell_w and place_w.
 std::string from_cells(const NoiseSpec& noise, bool timed, const Form& form) {
     switch (noise.kind) {
         case NoiseKind::simplex:
@@ -165,7 +168,7 @@ std::string from_cells(const NoiseSpec& noise, bool timed, const Form& form) {
     }
 }
 
-/// The periods, and for simplex noise in three dimensions the one after which its hash repeats.
+/// The noise's periods; for simplex noise in three dimensions without one, that of its hash.
 Period<4> cell_periods(const NoiseSpec& noise) {
     Period<4> period = noise.period;
     if (noise.kind == NoiseKind::simplex && !noise.time)
@@ -178,11 +181,13 @@ Period<4> cell_periods(const NoiseSpec& noise) {
 
 namespace {
 
+/// Appends the parts that are not in the list yet.
 void add_new(std::vector<GlslPart>& parts, std::vector<GlslPart> more) {
     for (GlslPart& part : more)
         if (std::ranges::find(parts, part) == parts.end()) parts.push_back(std::move(part));
 }
 
+/// The function of an interpolated noise at a cell and a place.
 std::string split_function(const NoiseSpec& noise, std::string_view name, const Form& form) {
     return fmt::format(
         "{} {}(uint seed, uvec3 cell, vec3 place) {{\n"
@@ -192,6 +197,7 @@ std::string split_function(const NoiseSpec& noise, std::string_view name, const 
         form.type, name, interpolated(noise, false, form));
 }
 
+/// The function of any noise at a point.
 std::string site_function(const NoiseSpec& noise, std::string_view name, const Form& form) {
     const bool timed = noise.time.has_value();
     const Period<4> period = cell_periods(noise);

@@ -8,7 +8,7 @@ namespace burl {
 
 namespace {
 
-/// "real3(x, y, z)", times the frequency.
+/// The text "real3(x, y, z)" of a point, times the frequency if there is one.
 std::string scaled_point(const GlslNoiseSums::Point& point, const std::string& frequency) {
     const std::string text = point == GlslNoiseSums::Point{"solid.x", "solid.y", "solid.z"}
                                  ? "solid"
@@ -16,8 +16,8 @@ std::string scaled_point(const GlslNoiseSums::Point& point, const std::string& f
     return frequency.empty() ? text : fmt::format("{} * {}", frequency, text);
 }
 
-/// A loop over the octaves, from the finest, whose amplitude is the least, to the coarsest or
-/// `ascending`; one octave needs none.
+/// A loop over the octaves, from the finest, whose amplitude is the least, to the coarsest, or
+/// `ascending` from the coarsest; the line alone for one octave.
 std::string loop(std::size_t octaves, const std::string& line, bool ascending = false) {
     if (octaves == 1) return "    " + line;
     const std::string head = ascending ? fmt::format("for (int k = 0; k < {}; ++k)", octaves)
@@ -40,7 +40,7 @@ std::string float_number(double x) {
     return glsl_number(x, GlslReal::float32);
 }
 
-/// What `number(octave)` gives for each.
+/// The texts number(octave) of all octaves.
 template <class Number>
 std::vector<std::string> of_each(std::span<const SumOctave> octaves, const Number& number) {
     std::vector<std::string> texts;
@@ -50,27 +50,27 @@ std::vector<std::string> of_each(std::span<const SumOctave> octaves, const Numbe
 
 }  // namespace
 
-/// Octaves of a sum, and how their noise becomes part of it.
+/// Some octaves of a sum, and the way in which their noise becomes part of it.
 struct GlslNoiseSums::Octaves {
     const NoiseSum& sum;
     std::span<const SumOctave> octaves;
-    std::size_t first = 0;  ///< number of the first one in the sum
+    std::size_t first = 0;  ///< number of the first octave in the sum
     bool sloped = false;
-    std::string kept{};  ///< of slopes
+    std::string kept{};  ///< name of the number of octaves that show, for sums with gradients
     double mean = 0.0;
 
     Octaves part(const OctaveRun& run) const {
         return {sum, octaves.subspan(run.begin, run.end - run.begin), run.begin, sloped, kept,
                 mean};
     }
-    /// k's number in the sum.
+    /// The expression of octave k's number in the sum.
     std::string number() const {
         const char* k = octaves.size() > 1 ? "k" : "0";
         return first == 0 ? k : fmt::format("{} + {}", first, k);
     }
 };
 
-/// "total = total + weight * shape(octave);" of octave k of those that double one another.
+/// The line "total = total + weight * shape(octave);" of octave k of a run.
 std::string GlslNoiseSums::sum_line(const Octaves& all, const std::string& split,
                                     const std::string& total) {
     const bool several = all.octaves.size() > 1;
@@ -95,7 +95,7 @@ std::string GlslNoiseSums::sum_line(const Octaves& all, const std::string& split
                        float_number(all.kept.empty() ? 0.0 : all.mean));
 }
 
-/// Octaves that double one another, from one split point.
+/// The lines of octaves that double one another, from one split point.
 std::string GlslNoiseSums::doubling_lines(const Octaves& octaves, const Point& point,
                                           const std::string& total) {
     const double frequency = octaves.octaves[0].frequency;
@@ -109,7 +109,7 @@ std::string GlslNoiseSums::doubling_lines(const Octaves& octaves, const Point& p
     return lines + loop(octaves.octaves.size(), sum_line(octaves, split->second, total));
 }
 
-/// Octaves in a loop, each from a split point of its own.
+/// The lines of octaves in a loop, each from a split point of its own.
 std::string GlslNoiseSums::apart_lines(const Octaves& all, const Point& point,
                                        const std::string& total) {
     const std::string frequency = functions_.of_octave(
@@ -132,7 +132,7 @@ std::string GlslNoiseSums::split_lines(const Octaves& all, const Point& point,
     return lines;
 }
 
-/// Octave k at a site of its own.
+/// The expression of octave k at a site of its own.
 std::string GlslNoiseSums::site_noise(const NoiseSum& sum, const Point& point, bool sloped) {
     const bool as_it_is = sum.octaves.size() == 1 && sum.octaves[0].frequency == 1.0;
     const std::string frequency =

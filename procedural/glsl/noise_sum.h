@@ -1,6 +1,7 @@
 #pragma once
-// Sums of octaves as GLSL, of values or with gradients: where coordinates are split once for
-// several octaves, as noise_sum.h does where it has a kernel, and octave by octave elsewhere.
+// Sums of octaves as GLSL, of values or with gradients. Where the noise has a kernel, coordinates
+// are split once for several octaves, as in kernels/noise_sum.h; elsewhere they are split octave by
+// octave.
 #include <array>
 #include <map>
 
@@ -8,26 +9,27 @@
 
 namespace burl {
 
-/// Lines of a function's body and what they give.
+/// The lines of a sum in a function's body, and the expression of its result.
 struct GlslSum {
     std::string lines;
-    std::string result;  ///< an expression
+    std::string result;
 };
 
 /// The sums of one function's body.
 class GlslNoiseSums {
   public:
-    /// Coordinates of a point, operands of type `real`.
+    /// The coordinates of a point: operands of type `real`.
     using Point = std::vector<std::string>;
 
     explicit GlslNoiseSums(GlslFunctions& functions) : functions_(functions) {}
 
-    /// add_up: of type `real`. `total` is the name of a variable that the lines may define. The sum
-    /// has an octave at least.
+    /// The sum add_up as an expression of type `real`. `total` is the name of a variable that the
+    /// lines may define. The sum must have an octave.
     GlslSum values(const NoiseSum& sum, const Point& point, const std::string& total);
 
-    /// add_up_slopes: a vec4 of the sum and its derivatives along the point's coordinates. `kept`
-    /// names a float, how many octaves show; empty: all. The offset is left out.
+    /// The sum add_up_slopes as a vec4 of the sum, without its offset, and its derivatives along
+    /// the point's coordinates. `kept` names a float with the number of octaves that show; empty:
+    /// all show.
     GlslSum slopes(const NoiseSum& sum, const Point& point, const std::string& kept, double mean,
                    const std::string& total);
 
@@ -42,7 +44,7 @@ class GlslNoiseSums {
     std::string site_noise(const NoiseSum& sum, const Point& point, bool sloped);
 
     GlslFunctions& functions_;
-    std::map<std::string, std::string> splits_;  ///< variables of split points, by what they split
+    std::map<std::string, std::string> splits_;  ///< variables of split points by expression
 };
 
 }  // namespace burl

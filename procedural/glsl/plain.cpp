@@ -13,7 +13,7 @@ bool in_name(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
 }
 
-/// Calls visit(name, begin, end) for the words that begin with no digit, in order.
+/// Calls visit(name, begin, end) for the words that do not begin with a digit, in order.
 template <class Visit>
 void for_names(std::string_view text, Visit visit) {
     for (std::size_t begin = 0; begin < text.size();) {
@@ -29,7 +29,7 @@ void for_names(std::string_view text, Visit visit) {
     }
 }
 
-/// Calls visit(line), each with its end.
+/// Calls visit(line) for every line, its line feed included.
 template <class Visit>
 void for_lines(std::string_view text, Visit visit) {
     while (!text.empty()) {
@@ -39,6 +39,7 @@ void for_lines(std::string_view text, Visit visit) {
     }
 }
 
+/// The text with only the second branch of every #if REAL_IS_DOUBLE.
 std::string float_branches(std::string_view text) {
     std::string kept;
     bool conditional = false, dropped = false;
@@ -62,7 +63,8 @@ struct Replacement {
 constexpr std::array replacements{Replacement{"real", "float"}, Replacement{"real2", "vec2"},
                                   Replacement{"real3", "vec3"}, Replacement{"real4", "vec4"}};
 
-/// Length of "(0.5)" at the start of the text; 0 where something else stands in parentheses.
+/// The length of a number in parentheses, such as "(0.5)", at the start of the text; 0 if there is
+/// none.
 std::size_t bracketed_number(std::string_view text) {
     if (!text.starts_with('(')) return 0;
     std::size_t end = 1;
@@ -99,10 +101,10 @@ std::string glsl_in_float(std::string_view text) {
 
 namespace {
 
-/// A function, struct, uniform, macro or list of constants.
+/// A definition of a function, struct, uniform, macro or constants.
 struct Definition {
-    std::string text;  ///< with comments
-    std::string code;  ///< without
+    std::string text;  ///< text with comments
+    std::string code;  ///< text without comments
     bool needed = false;
 };
 
@@ -118,7 +120,8 @@ std::vector<Definition> definitions_of(std::string_view text) {
         const std::string_view code = without_comment(line);
         const std::size_t last = code.find_last_not_of(" \n");
         if (last == std::string_view::npos && line.size() == 1 && open.code.empty()) {
-            open = {};  // a blank line: the comment before it belongs to no definition
+            // After a blank line the comment before it belongs to no definition.
+            open = {};
             return;
         }
         open.text += line;
@@ -133,8 +136,8 @@ std::vector<Definition> definitions_of(std::string_view text) {
     return all;
 }
 
-/// Whether the definition is that of the name: up to its body, or its value, the name stands there
-/// and is no type of a parameter.
+/// Whether the definition is that of the name: the name stands before its body or value and is not
+/// the type of a parameter.
 bool defines(const Definition& definition, std::string_view name) {
     const std::string_view code = definition.code;
     if (code.starts_with("struct"))

@@ -120,7 +120,7 @@ GlslStep GlslSteps::step(const ImageLookup& lookup, const Inputs& inputs) {
                              inputs[0], inputs[1], int(lookup.wrap)));
 }
 
-/// The graph becomes a function of its own, with gradients.
+/// Writes the graph as a function of its own, with gradients.
 GlslStep GlslSteps::step(const GraphSlope& slope, const Inputs&) {
     const auto same = [&](const auto& known) {
         return known.first->graph() == slope.graph->graph();

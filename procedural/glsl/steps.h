@@ -1,12 +1,12 @@
 #pragma once
 // The steps of a value program as GLSL: lines of the function that evaluates it, and functions that
-// stand before it.
+// precede it.
 #include "procedural/glsl/noise_sum.h"
 #include "procedural/graph/value_program.h"
 
 namespace burl {
 
-/// What a step became. Constants need no line: their output is the number itself.
+/// A step as text. Constants need no line: their output is the number itself.
 struct GlslStep {
     std::string lines;
     std::vector<std::string> outputs;  ///< expressions of type real
@@ -16,7 +16,7 @@ class GlslSteps {
   public:
     GlslSteps(const ValueProgram& program, GlslFunctions& functions);
 
-    /// `inputs` are operands.
+    /// Writes a step; `inputs` are operands.
     GlslStep write(const ValueWork& work, const std::vector<std::string>& inputs);
 
   private:
@@ -31,13 +31,14 @@ class GlslSteps {
 
     std::string number(double value) const { return functions_.number(value); }
     std::string expression(const ValueOperation& operation, const Inputs& in) const;
-    /// "real vN = expression;"
+    /// The step "real vN = expression;".
     GlslStep value(const std::string& expression);
+    /// The step "real3 colorN = expression;".
     GlslStep color(const std::string& expression);
 
     GlslFunctions& functions_;
     GlslNoiseSums sums_;
-    bool has_angles_ = false;  ///< which alone tell signs of zeros apart
+    bool has_angles_ = false;  ///< only angles depend on signs of zeros
     std::size_t values_ = 0;
     std::vector<std::pair<std::shared_ptr<const GraphEvaluator>, std::string>> graphs_;
 };

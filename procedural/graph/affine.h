@@ -4,7 +4,7 @@
 
 namespace burl {
 
-/// matrix (translate + rotate_z rotate_y rotate_x scale p).
+/// The map p -> matrix (translate + rotate_z rotate_y rotate_x scale p).
 Affine3 transform_map(const NodeCall& call);
 
 }  // namespace burl

@@ -1,6 +1,6 @@
 #pragma once
-// The arrays a texture graph is evaluated in: 256 points at a time, every channel of every node an
-// array of values and three of slopes, and what a node's function is called with.
+// The arrays in which a texture graph is evaluated, 256 points at a time: every channel of every
+// node is an array of values and three of slopes. Node functions get them in a NodeCall.
 #include <array>
 #include <cstddef>
 #include <span>
@@ -16,8 +16,10 @@
 
 namespace burl {
 
+/// The largest number of points in a batch of a graph.
 inline constexpr std::size_t graph_batch_size = 256;
 
+/// One channel of a node at the points of a batch: values and gradients.
 struct alignas(64) Channel {
     std::array<double, graph_batch_size> value{};
     std::array<std::array<double, graph_batch_size>, 3> slope{};
@@ -31,69 +33,74 @@ struct alignas(64) Channel {
     }
 };
 
-/// What is worked out once per graph for one node.
+/// The data of one node that is prepared once per graph.
 struct PreparedNode {
-    std::vector<Octave> octaves;         ///< field
-    std::vector<double> means;           ///< field: of each octave, where octaves fade
-    std::vector<LatticeSum> sums;        ///< field: the octaves, where none fades
-    std::vector<MapPieces> pieces;       ///< color_map: one
-    std::vector<FilteredColors> colors;  ///< color_map: one
+    std::vector<Octave> octaves;  ///< the octaves of a field
+    /// The means of the octaves of a field, where octaves fade.
+    std::vector<double> means;
+    std::vector<LatticeSum> sums;        ///< the octaves of a field in sums, where none fades
+    std::vector<MapPieces> pieces;       ///< the map of a color_map, one element
+    std::vector<FilteredColors> colors;  ///< the filtered map of a color_map, one element
 };
 
+/// A point whose coordinates have gradients.
 struct DualPoint {
     Dual x, y, z;
 };
 
+/// The arguments of a node's function for one batch.
 struct NodeCall {
     const GraphNode* node = nullptr;
     const TextureGraph* graph = nullptr;
     const PreparedNode* prepared = nullptr;
-    bool float32 = false;  ///< whether noise may be float32
+    bool float32 = false;  ///< whether noise is evaluated in float32
     std::array<std::span<const Channel>, 4> inputs;
+    /// The point at which the node is evaluated: three channels.
     std::span<const Channel> place;
-    std::span<const Footprint> footprints;  ///< as many as there are points
+    std::span<const Footprint> footprints;  ///< one per point
     std::span<Channel> out;
 
     std::size_t count() const { return footprints.size(); }
-    /// A parameter by its key; `component` of several numbers.
+    /// A parameter by its key; `component` selects one of several numbers.
     double parameter(std::string_view key, std::size_t component = 0) const;
     Vec3d vector(std::string_view key) const;
 
     DualPoint point(std::size_t i) const {
         return {place[0].get(i), place[1].get(i), place[2].get(i)};
     }
-    /// Channel c of input k; a number where a colour is wanted is an opaque grey.
+    /// Channel c of input k at point i; a number where a colour is wanted is an opaque grey.
     Dual input(std::size_t k, std::size_t i, std::size_t c = 0) const {
         if (c < inputs[k].size()) return inputs[k][c].get(i);
         return c < 3 ? inputs[k][0].get(i) : Dual(1.0);
     }
-    /// How much x changes across the sample along its two axes.
+    /// The change of x across the sample along the footprint's side u.
     double along_u(const Dual& x, std::size_t i) const {
         return glm::dot(x.slope, footprints[i].u);
     }
+    /// The change of x across the sample along the footprint's side v.
     double along_v(const Dual& x, std::size_t i) const {
         return glm::dot(x.slope, footprints[i].v);
     }
-    /// Width of the box with the variance of x over the sample.
+    /// The width of the box that has the variance of x over the sample.
     double box_width(const Dual& x, std::size_t i) const {
         return length_of(along_u(x, i), along_v(x, i));
     }
 };
 
-/// out[c][i] = function(i, c) for every point and channel.
+/// Sets out[c][i] = function(i, c) for every point and channel.
 template <class Function>
 void for_each_channel(const NodeCall& call, Function&& function) {
     for (std::size_t c = 0; c < call.out.size(); ++c)
         for (std::size_t i = 0; i < call.count(); ++i) call.out[c].set(i, function(i, c));
 }
 
-/// A number per point: out[i] = function(i).
+/// Sets a number per point: out[i] = function(i).
 template <class Function>
 void for_each_point(const NodeCall& call, Function&& function) {
     for (std::size_t i = 0; i < call.count(); ++i) call.out[0].set(i, function(i));
 }
 
-/// Input 0 where weight(i) is 0, input 1 where it is 1, mixed between.
+/// Blends inputs 0 and 1: input 0 where weight(i) is 0, input 1 where it is 1.
 template <class Weight>
 void blend_inputs(const NodeCall& call, Weight&& weight) {
     for (std::size_t i = 0; i < call.count(); ++i) {
@@ -103,7 +110,7 @@ void blend_inputs(const NodeCall& call, Weight&& weight) {
     }
 }
 
-/// Moves the point: out = function(point).
+/// Moves the points: out = function(i, point).
 template <class Function>
 void map_points(const NodeCall& call, Function&& function) {
     for (std::size_t i = 0; i < call.count(); ++i) {

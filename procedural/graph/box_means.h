@@ -1,14 +1,14 @@
 #pragma once
-// Means of the jumping functions that patterns are made of over a box of values [x - w/2, x + w/2]:
-// exact antialiasing wherever x is locally linear (Hart et al. 1999, eq. (9), with a pattern in the
-// colour map's place). All closed forms in float64; w = 0 gives the function itself.
+// Means of the discontinuous functions that patterns are made of over a box of values [x - w/2, x +
+// w/2]: exact antialiasing wherever x is locally linear (Hart et al. 1999, eq. (9), with a pattern
+// in the colour map's place). All are closed forms in float64; w = 0 gives the function itself.
 #include <cmath>
 
 #include "procedural/numbers/dual.h"
 
 namespace burl {
 
-/// Boxes wider than this are as good as infinite.
+/// The width from which a box counts as infinite.
 inline constexpr double widest_box = 0x1p30;
 
 /// 1 where floor(x) is odd, else 0.
@@ -17,13 +17,13 @@ inline double odd_cell(double x) {
     return half == std::floor(half) ? 0.0 : 1.0;
 }
 
-/// Share of odd cells in the box, in [0,1]. Error at most 1e-15 / w + 1e-16 (what lies below x is
-/// subtracted from what lies below x + w).
+/// The share of odd cells in the box, in [0, 1]. The error is at most 1e-15 / w + 1e-16, because
+/// the share below x - w/2 is subtracted from that below x + w/2.
 inline Dual box_odd(const Dual& x, double width) {
     if (!(width < widest_box)) return 0.5;
     const double low = x.value - 0.5 * width, high = x.value + 0.5 * width;
     if (std::floor(low) == std::floor(high)) return odd_cell(x.value);
-    // Odd share of [0, u], u from the start of the even cell at or below `low`.
+    // `below` is the length of odd cells in [0, u]; u counts from the even cell at or below `low`.
     const double start = 2.0 * std::floor(0.5 * low);
     const auto below = [](double u) {
         return std::floor(0.5 * u) + 2.0 * std::max(0.5 * u - std::floor(0.5 * u) - 0.5, 0.0);
@@ -32,7 +32,7 @@ inline Dual box_odd(const Dual& x, double width) {
                  (odd_cell(high) - odd_cell(low)) / width);
 }
 
-/// Mean of x - floor(x) over the box.
+/// The mean of x - floor(x) over the box.
 inline Dual box_fract(const Dual& x, double width) {
     if (!(width < widest_box)) return 0.5;
     const double low = x.value - 0.5 * width, high = x.value + 0.5 * width;
@@ -42,13 +42,13 @@ inline Dual box_fract(const Dual& x, double width) {
     return chain(x, 0.5 * (cells + (to - from) * (to + from)) / width, (to - from) / width);
 }
 
-/// Share of the box that is not negative.
+/// The share of the box that is not negative.
 inline Dual box_step(const Dual& x, double width) {
     if (std::abs(x.value) >= 0.5 * width || !(width > 0.0)) return x.value >= 0.0 ? 1.0 : 0.0;
     return chain(x, 0.5 + x.value / width, 1.0 / width);
 }
 
-/// Mean of sin(x) over the box.
+/// The mean of sin(x) over the box.
 inline Dual box_sin(const Dual& x, double width) {
     const double half = 0.5 * width;
     if (!(half < widest_box)) return 0.0;

@@ -1,5 +1,5 @@
-// Colours: the map of the 1999 model over any number, filtered exactly by the number's gradient,
-// and Porter and Duff's "over" (1984).
+// Nodes of colours: the map of the 1999 model over any number, filtered exactly by the number's
+// gradient, and Porter and Duff's "over" (1984).
 #include "procedural/graph/nodes.h"
 
 namespace burl::nodes {

@@ -46,7 +46,8 @@ std::span<Channel> GraphEvaluator::channels(Scratch& scratch, std::size_t node) 
 }
 
 void GraphEvaluator::evaluate_batch(std::span<const Footprint> footprints, Scratch& scratch) const {
-    for (std::size_t n = 1; n < graph_.nodes.size(); ++n) {  // node 0 is the solid point
+    // Node 0 is the solid point.
+    for (std::size_t n = 1; n < graph_.nodes.size(); ++n) {
         const GraphNode& node = graph_.nodes[n];
         NodeCall call;
         call.node = &node;

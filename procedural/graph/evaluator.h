@@ -1,7 +1,8 @@
 #pragma once
-// Evaluates a texture graph in batches: node after node, each over the arrays of all points, with
-// forward-mode derivatives. All of it in float64, which is the reference, or with sums of noise by
-// the vectorised kernels in float32; a point's result does not depend on what else is in its batch.
+// Evaluation of a texture graph in batches: node after node, each over the arrays of all points,
+// with forward-mode derivatives. Everything is float64, which is the reference, or sums of noise
+// are evaluated by the vectorised kernels in float32. A point's result does not depend on the other
+// points of its batch.
 #include <memory>
 #include <span>
 #include <vector>
@@ -10,8 +11,8 @@
 
 namespace burl {
 
-/// Value and gradient with respect to the solid point: of a number one channel, of a colour red,
-/// green, blue (linear light, multiplied by alpha) and alpha.
+/// The result of a graph with its gradient with respect to the solid point: one channel for a
+/// number; red, green, blue (linear light, multiplied by alpha) and alpha for a colour.
 struct GraphSample {
     std::array<Dual, 4> channels;
     Wire wire = Wire::number;
@@ -25,12 +26,12 @@ struct GraphSample {
 
 class GraphEvaluator {
   public:
-    /// The arrays of one thread; any number of batches.
+    /// The arrays of one thread, reusable for any number of batches.
     using Scratch = std::vector<Channel>;
 
-    /// The graph must be valid (graph_from_json makes only such) and not empty. `filter` decides
-    /// how color_map and field average over footprints (docs/nodes.md). `precision` is that of sums
-    /// of noise, float64 or float32.
+    /// The graph must be valid (graph_from_json makes only valid ones) and not empty. `filter`
+    /// decides how color_map and field average over footprints (docs/nodes.md). `precision`,
+    /// float64 or float32, is that of sums of noise.
     explicit GraphEvaluator(const TextureGraph& graph,
                             const Filter& filter = {FilterKind::trapezoid},
                             PrecisionKind precision = PrecisionKind::float64);
@@ -38,12 +39,12 @@ class GraphEvaluator {
     Scratch make_scratch() const { return Scratch(channel_count_); }
     const TextureGraph& graph() const { return graph_; }
 
-    /// samples[i] = the result at points[i] for footprints[i], or for point samples where no
-    /// footprints are given. Any number of points.
+    /// samples[i] = the result at points[i] over footprints[i], or at points where no footprints
+    /// are given; any number of points.
     void operator()(std::span<const Vec3d> points, std::span<const Footprint> footprints,
                     Scratch& scratch, std::span<GraphSample> samples) const;
 
-    /// One point.
+    /// The result at one point.
     GraphSample operator()(const Vec3d& point, const Footprint& footprint = {}) const;
 
   private:

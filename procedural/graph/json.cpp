@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The recipe's texture itself may leave its kind out.
+/// The type of a JSON node; the recipe's texture itself may leave its kind out, which is color_map.
 const NodeType& node_type(const Json& json) {
     return *find_node(json.contains("node") ? json["node"].get<std::string>() : "color_map");
 }
@@ -25,7 +25,7 @@ std::uint32_t index_of(const NodeType& type) {
     return std::uint32_t(&type - graph_table().data());
 }
 
-/// The words of a choice are numbered in the table's order.
+/// The index of `word` among the words of a choice, which are separated by "|".
 double choice_index(std::string_view choices, std::string_view word) {
     double index = 0.0;
     for (std::size_t begin = 0; begin <= choices.size(); ++index) {
@@ -36,14 +36,17 @@ double choice_index(std::string_view choices, std::string_view word) {
     return 0.0;
 }
 
+/// The word of a choice at `index`.
 std::string_view choice_word(std::string_view choices, double index) {
     std::size_t begin = 0;
     for (; index > 0.0; --index) begin = choices.find('|', begin) + 1;
     return choices.substr(begin, std::min(choices.find('|', begin), choices.size()) - begin);
 }
 
+/// Appends a parameter's numbers to `all`: an infinity for null, nothing for text.
 void append_parameter(const Parameter& parameter, const Json& value, std::vector<double>& all) {
-    if (parameter.type == ParameterType::text) return;  // not a number
+    // A text parameter is stored with the node's image.
+    if (parameter.type == ParameterType::text) return;
     if (value.is_null())
         all.push_back(std::numeric_limits<double>::infinity());
     else if (parameter.type == ParameterType::choice)
@@ -61,7 +64,7 @@ Json parameter_json(const Parameter& parameter, const double* values) {
     return std::vector<double>(values, values + parameter.count);
 }
 
-/// Adds nodes inputs first.
+/// Builds a graph from JSON, with every node after its inputs.
 class GraphReader {
   public:
     explicit GraphReader(const ImageReader& read_image) : read_image_(read_image) {}
@@ -94,7 +97,7 @@ class GraphReader {
         return push(std::move(node));
     }
 
-    /// What only the 1999 model's two nodes have besides inputs and parameters.
+    /// Reads the texture of the nodes color_map and field; no_texture for other types.
     std::uint32_t read_texture(const NodeType& type, const Json& json) {
         if (type.name != "color_map" && type.name != "field") return no_texture;
         Json model = json;
@@ -105,6 +108,7 @@ class GraphReader {
         return std::uint32_t(graph_.textures.size() - 1);
     }
 
+    /// Reads the image of the node image; no_texture for other types.
     std::uint32_t read_image(const NodeType& type, const Json& json) {
         if (type.name != "image") return no_texture;
         const std::string file = json["file"].get<std::string>();
@@ -116,6 +120,7 @@ class GraphReader {
         return std::uint32_t(graph_.images.size() - 1);
     }
 
+    /// The type of a node's result, given its inputs.
     Wire wire_of(const NodeType& type, const std::vector<std::uint32_t>& inputs) const {
         if (type.result == NodeResult::number) return Wire::number;
         if (type.result == NodeResult::color) return Wire::color;
@@ -153,12 +158,13 @@ class GraphReader {
     TextureGraph graph_;
 };
 
+/// Writes a graph as JSON.
 class GraphWriter {
   public:
     explicit GraphWriter(const TextureGraph& graph) : graph_(graph) {}
 
-    /// A node as an input of one that is evaluated at `place`: the points between are the nodes
-    /// that wrap it.
+    /// The JSON of a node as an input of one that is evaluated at `place`: the nodes that make the
+    /// points in between are wrapped around it.
     Json write(std::uint32_t index, std::uint32_t place) const {
         const GraphNode& node = graph_.nodes[index];
         Json json = write_inner(node);
@@ -214,7 +220,7 @@ class GraphWriter {
     const TextureGraph& graph_;
 };
 
-/// An object whose node is `name`, or whose node is left out.
+/// Whether `json` is an object whose node is `name` or left out.
 bool is_node(const Json& json, std::string_view name) {
     if (!json.is_object()) return false;
     return !json.contains("node") || json["node"] == name;

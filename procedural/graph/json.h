@@ -16,12 +16,12 @@ namespace burl {
 /// reads.
 bool is_graph(const nlohmann::ordered_json& texture);
 
-/// Reads an image by the name a recipe gives it; nodes of one image may share its pyramid.
+/// Reads an image by the name that a recipe gives it; nodes of one image may share its MIP map.
 using ImageReader =
     std::function<std::shared_ptr<const MipImage>(const std::string& file, ImageWrap wrap)>;
 
 /// Reads a recipe's "texture", which must have been checked: nodes, keys, types, ranges, depth.
-/// `read_image` must be given where it has images; what it throws goes on.
+/// `read_image` must be given if the texture has images; its exceptions pass through.
 TextureGraph graph_from_json(const nlohmann::ordered_json& texture,
                              const ImageReader& read_image = {});
 

@@ -85,7 +85,8 @@ Lowering lowering_of(std::string_view name) {
 }  // namespace
 
 GraphValues::GraphValues(const TextureGraph& graph, const Skips* skips) : program_(skips) {
-    std::vector<LoweredNode> lowered(1);  // the solid point
+    // The first element is the solid point.
+    std::vector<LoweredNode> lowered(1);
     for (std::size_t n = 1; n < graph.nodes.size(); ++n) {
         const GraphNode& node = graph.nodes[n];
         LoweringCall call;
@@ -100,7 +101,8 @@ GraphValues::GraphValues(const TextureGraph& graph, const Skips* skips) : progra
     }
     std::vector<Register> results = lowered.back().channels;
     if (results.size() == 1) results.resize(3, results.front());
-    results.resize(3);  // over black
+    // Colours are over black, so alpha is dropped.
+    results.resize(3);
     results_ = program_.finish(results);
 }
 

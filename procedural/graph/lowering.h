@@ -1,6 +1,6 @@
 #pragma once
-// From a graph's nodes to the operations of a value program, node by node: patterns become
-// arithmetic, affine maps of the point are multiplied out before anything is computed.
+// The translation of a graph's nodes into the operations of a value program, node by node: patterns
+// become arithmetic, and affine maps of the point are multiplied out beforehand.
 #include <string_view>
 
 #include "procedural/graph/table.h"
@@ -8,19 +8,19 @@
 
 namespace burl {
 
-/// The point nodes are evaluated at: an affine image of three registers.
+/// The point at which nodes are evaluated: an affine image of three registers.
 struct LoweredPlace {
     std::array<Register, 3> base{0, 1, 2};
     Affine3 map;
 };
 
-/// What a node became: its channels, or a place.
+/// The result of a lowered node: its channels, or a place.
 struct LoweredNode {
     std::vector<Register> channels;
     LoweredPlace place;
 };
 
-/// One node to be lowered, and what it may use.
+/// A node to be lowered, with its inputs, its place and the program that it is added to.
 struct LoweringCall {
     const TextureGraph* graph = nullptr;
     const GraphNode* node = nullptr;
@@ -34,35 +34,37 @@ struct LoweringCall {
 
     /// Channel c of input k; a number where a colour is wanted is an opaque grey.
     Register input(std::size_t k, std::size_t c = 0) const;
-    /// d . point + offset.
+    /// The register of d . point + offset.
     Register along(const Vec3d& d, double offset = 0.0) const;
-    /// The point's coordinate.
+    /// The register of the point's coordinate i.
     Register axis(int i) const;
     std::vector<Register> point() const { return {axis(0), axis(1), axis(2)}; }
 
-    // Sums and products, left out where a constant makes them idle.
+    // Sums and products of registers; an operation that a constant makes redundant is left out.
     Register add(Register a, Register b) const;
     Register multiply(Register a, Register b) const;
-    /// p a + q.
+    /// The register of p a + q.
     Register linear(double p, Register a, double q = 0.0) const;
+    /// The register of (1 - w) a + w b.
     Register lerp(Register w, Register a, Register b) const;
 
-    /// What the node gives: a number, or input 0 where weight is 0 and input 1 where it is 1.
+    /// A node whose result is a number.
     LoweredNode number(Register r) const { return {{r}, {}}; }
+    /// A node whose result is input 0 where `weight` is 0 and input 1 where it is 1.
     LoweredNode blend(Register weight) const;
 };
 
 using Lowering = LoweredNode (*)(const LoweringCall&);
 
-/// Lowers a node of that type; null for constants and nodes that only others know.
+/// A node type's name and the function that lowers its nodes.
 struct NamedLowering {
     std::string_view node;
     Lowering lower = nullptr;
 };
 
-/// graph_lowering_noise.cpp: the irregular textures.
+/// The lowerings of the irregular textures (lowering_noise.cpp).
 std::span<const NamedLowering> noise_lowerings();
-/// graph_lowering_patterns.cpp: numbers, patterns, colours and mappings.
+/// The lowerings of numbers, patterns, colours and mappings (lowering_patterns.cpp).
 std::span<const NamedLowering> pattern_lowerings();
 
 }  // namespace burl

@@ -1,5 +1,5 @@
-// The irregular textures as sums of octaves and arithmetic; what they mean is in graph_noise.cpp.
-// Without a footprint no octave fades.
+// The irregular textures as sums of octaves and arithmetic; noise.cpp has the same nodes with
+// gradients. There is no footprint, so no octave fades.
 #include <cmath>
 
 #include "procedural/color/marble_spline.h"
@@ -11,7 +11,7 @@ namespace burl {
 
 namespace {
 
-/// sum_k gain^k shape(n_{seed+k}(scale lacunarity^k p)).
+/// The sum sum_k gain^k shape(n_{seed+k}(scale lacunarity^k p)).
 NoiseSum octave_sum(const LoweringCall& call, OctaveShape shape, double octaves, double scale) {
     NoiseSum sum{noise_of(call), shape, {}, 0.0};
     std::uint32_t seed = sum.noise.seed;
@@ -48,11 +48,12 @@ LoweredNode windy(const LoweringCall& call) {
                                      octaves_at_point(call, OctaveShape::plain)));
 }
 
-/// Weights of four neighbouring control points, by powers of u in [0,1]: Bernstein's, and those of
-/// the uniform cubic B-spline.
+/// Weights of four neighbouring control points, one row each, as coefficients of powers of u in [0,
+/// 1]: Bernstein's, and six times those of the uniform cubic B-spline.
 constexpr double bezier[4][4] = {{1, -3, 3, -1}, {0, 3, -6, 3}, {0, 0, 3, -3}, {0, 0, 0, 1}};
 constexpr double bspline[4][4] = {{1, -3, 3, -1}, {4, 0, -6, 3}, {1, 3, 3, -3}, {0, 0, 0, 1}};
 
+/// The marble spline as polynomials of t in [0, 1].
 ColorPieces marble_spline(bool smooth) {
     ColorPieces pieces;
     pieces.degree = 3;
@@ -126,7 +127,7 @@ LoweredNode warp(const LoweringCall& call) {
     return result;
 }
 
-/// q at the place: the quadratic part by Horner's rule, and nothing of it where it is 0.
+/// The quadric at the place plus `constant`; without a quadratic part it is one affine operation.
 Register quadric_at(const LoweringCall& call, const Quadric& q, double constant) {
     const Register ends = call.along(2.0 * Vec3d(q.d, q.g, q.i), q.j + constant);
     if (q.a == 0 && q.b == 0 && q.c == 0 && q.e == 0 && q.f == 0 && q.h == 0) return ends;

@@ -1,6 +1,6 @@
-// Numbers, patterns, colours and mappings as operations; what they mean is in graph_math.cpp,
-// graph_patterns.cpp, graph_colors.cpp and graph_mappings.cpp. Without a footprint every pattern is
-// its own function.
+// Numbers, patterns, colours and mappings as operations; math.cpp, patterns.cpp, colors.cpp and
+// mappings.cpp have the same nodes with gradients. There is no footprint, so every pattern is its
+// own function.
 #include <numbers>
 
 #include "procedural/color/srgb.h"
@@ -52,7 +52,7 @@ LoweredNode power(const LoweringCall& call) {
         call.program->add(ValueOp::power, {call.input(0)}, {call.parameter("exponent")}));
 }
 
-/// The only node that asks for a gradient: its input is left to the evaluator that has them.
+/// The only node that needs a gradient: its input is evaluated by a GraphEvaluator.
 LoweredNode slope(const LoweringCall& call) {
     TextureGraph input = *call.graph;
     input.nodes.resize(call.node->inputs[0] + 1);
@@ -89,6 +89,7 @@ LoweredNode bilerp(const LoweringCall& call) {
     return result;
 }
 
+/// A colour map as linear pieces.
 ColorPieces pieces_of(const ColorMap& colors) {
     const PreparedColorMap map(colors);
     ColorPieces pieces;
@@ -137,7 +138,8 @@ LoweredNode uv(const LoweringCall& call) {
     return {{fract(0), fract(1), call.program->constant(0.0), call.program->constant(1.0)}, {}};
 }
 
-/// 1 in the odd cells of the first `axes` coordinates: 1/2 - 1/2 prod (1 - 2 odd).
+/// The checkerboard of the first `axes` coordinates, 1 in its odd cells: 1/2 - 1/2 prod (1 - 2
+/// odd).
 LoweredNode checkers(const LoweringCall& call, int axes) {
     Register sign = call.program->constant(1.0);
     for (int i = 0; i < axes; ++i) {
@@ -173,11 +175,12 @@ LoweredNode sine(const LoweringCall& call) {
     return call.blend(call.linear(0.5, call.program->add(ValueOp::sine, {angle}), 0.5));
 }
 
+/// The distance of the point from the r axis.
 Register off_axis(const LoweringCall& call) {
     return call.program->add(ValueOp::length, {call.axis(0), call.axis(1)});
 }
 
-/// Of the point about the r axis.
+/// The angle of the point about the r axis.
 Register angle(const LoweringCall& call) {
     return call.program->add(ValueOp::angle, {call.axis(1), call.axis(0)});
 }
@@ -198,6 +201,7 @@ LoweredNode wood_grain(const LoweringCall& call) {
     return call.blend(program.add(ramped ? ValueOp::fract : ValueOp::odd, {x}));
 }
 
+/// A node whose result is the place moved by `map`.
 LoweredNode moved(const LoweringCall& call, const Affine3& map) {
     return {{}, {call.place.base, map.after(call.place.map)}};
 }

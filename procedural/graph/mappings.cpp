@@ -1,6 +1,6 @@
-// Where other nodes are evaluated: pbrt's texture mappings and affine maps. Slopes follow by the
-// chain rule, so that they go on across the seams of the round mappings, which finite differences
-// (the slides' way) have to repair.
+// The nodes that move the point at which other nodes are evaluated: pbrt's texture mappings and
+// affine maps. Slopes follow by the chain rule, so they are continuous across the seams of the
+// round mappings, which finite differences (the slides' way) have to repair.
 #include <numbers>
 
 #include "procedural/graph/affine.h"

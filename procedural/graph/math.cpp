@@ -1,5 +1,5 @@
-// Numbers and arithmetic; the weighted sums of pbrt's scale, mix and bilerp textures, which leave
-// filtering to their inputs.
+// The nodes of numbers and arithmetic, and the weighted sums of pbrt's scale, mix and bilerp
+// textures, which leave filtering to their inputs.
 #include "procedural/color/srgb.h"
 #include "procedural/graph/nodes.h"
 
@@ -7,13 +7,13 @@ namespace burl::nodes {
 
 namespace {
 
-/// A function of one number.
+/// Applies a function of one number to the input at every point.
 template <class Function>
 void map_number(const NodeCall& call, Function&& function) {
     for_each_point(call, [&](std::size_t i) { return function(call.input(0, i)); });
 }
 
-/// A function of two numbers.
+/// Applies a function of two numbers to the inputs at every point.
 template <class Function>
 void map_numbers(const NodeCall& call, Function&& function) {
     for_each_point(call,

@@ -13,10 +13,10 @@ namespace burl {
 
 namespace {
 
-/// Beyond this a coordinate holds no useful fraction of a texel.
+/// The size from which a coordinate has no useful fraction of a texel.
 constexpr double farthest = 0x1p40;
 
-/// Index within [0, size), or -1 where the wrap gives black.
+/// The index of texel x within [0, size), or -1 where the wrap gives black.
 std::ptrdiff_t wrapped(double x, std::size_t size, ImageWrap wrap) {
     const double n = double(size);
     if (wrap == ImageWrap::clamp) return std::ptrdiff_t(std::clamp(x, 0.0, n - 1.0));
@@ -32,12 +32,13 @@ double lanczos(double x) {
     return std::sin(2.0 * y) / (2.0 * y) * std::sin(y) / y;
 }
 
-/// Four source texels of a target texel and their weights, which add up to one.
+/// The four source texels of a target texel, and their weights, which add up to one.
 struct Taps {
     std::array<std::ptrdiff_t, 4> index{};
     std::array<double, 4> weight{};
 };
 
+/// The taps that resample a row of `from` texels to `to` texels.
 std::vector<Taps> lanczos_taps(std::size_t from, std::size_t to, ImageWrap wrap) {
     std::vector<Taps> all(to);
     for (std::size_t i = 0; i < to; ++i) {
@@ -68,7 +69,8 @@ RgbF mixed(const Taps& taps, const auto& texel_at) {
             float(std::max(sum[2], 0.0))};
 }
 
-/// Along rows, then along columns; a side that is a power of two stays as it is.
+/// The image resampled along rows, then along columns; a side that is a power of two stays as it
+/// is.
 Image<RgbF> with_power_of_two_sides(Image<RgbF> image, ImageWrap wrap) {
     const std::size_t width = std::bit_ceil(image.width()), height = std::bit_ceil(image.height());
     if (width != image.width()) {
@@ -90,7 +92,7 @@ Image<RgbF> with_power_of_two_sides(Image<RgbF> image, ImageWrap wrap) {
     return image;
 }
 
-/// Means of 2 x 2 texels, or of two where one side is 1 already.
+/// The means of 2 x 2 texels, or of two where one side is 1 already.
 Image<RgbF> halved(const Image<RgbF>& image) {
     const std::size_t dx = image.width() > 1, dy = image.height() > 1;
     Image<RgbF> result(image.width() >> dx, image.height() >> dy);
@@ -105,6 +107,7 @@ Image<RgbF> halved(const Image<RgbF>& image) {
     return result;
 }
 
+/// The image in linear light.
 Image<RgbF> decoded(const Image<Rgb8>& image) {
     std::array<float, 256> linear{};
     for (std::size_t code = 0; code < 256; ++code)
@@ -118,7 +121,7 @@ Image<RgbF> decoded(const Image<Rgb8>& image) {
     return result;
 }
 
-/// (1 - w) a + w b.
+/// The blend (1 - w) a + w b.
 ImageSample blend(const ImageSample& a, const ImageSample& b, double w) {
     return {(1.0 - w) * a.color + w * b.color, (1.0 - w) * a.by_s + w * b.by_s,
             (1.0 - w) * a.by_t + w * b.by_t};
@@ -187,7 +190,7 @@ ImageSample MipImage::ellipse(std::size_t level, double s, double t, const Vec2d
     const Vec2d size(double(levels_[level].width()), double(levels_[level].height()));
     const double x = s * size.x - 0.5, y = t * size.y - 0.5;
     const Vec2d p = first * size, q = second * size;
-    // r^2 = a dx^2 + b dx dy + c dy^2 over the ellipse of the two steps, one texel wider.
+    // r^2 = a dx^2 + b dx dy + c dy^2, which is 1 on the ellipse of the two steps, one texel wider.
     double a = p.y * p.y + q.y * q.y + 1.0, b = -2.0 * (p.x * p.y + q.x * q.y),
            c = p.x * p.x + q.x * q.x + 1.0;
     const double scale = 1.0 / (a * c - 0.25 * b * b);

@@ -1,12 +1,12 @@
 #pragma once
-// The noise that a node's parameters name, for every evaluation of graphs.
+// The noise that a node's parameters choose, for every evaluation of graphs.
 #include <cmath>
 
 #include "procedural/noise/spec.h"
 
 namespace burl {
 
-/// Of the parameters kind, seed, time and time_period; `Call` has parameter(key).
+/// The noise of the parameters kind, seed, time and time_period; `Call` has parameter(key).
 template <class Call>
 NoiseSpec noise_of(const Call& call) {
     NoiseSpec noise;

@@ -1,11 +1,11 @@
 #pragma once
-// The functions behind the nodes of graph_table.h, one per node, by family: each fills its output
-// channels from its inputs, its point and the samples' footprints. docs/nodes.md defines them.
+// The functions of the nodes of table.h, one per node, by family: each fills its output channels
+// from its inputs, its point and the samples' footprints. docs/nodes.md defines them.
 #include "procedural/graph/batch.h"
 
 namespace burl::nodes {
 
-// graph_math.cpp: numbers, and what weighs inputs against each other
+// math.cpp: numbers, arithmetic and weighted sums of inputs
 void constant(const NodeCall& call);
 void coordinate(const NodeCall& call);
 void add(const NodeCall& call);
@@ -23,7 +23,7 @@ void scale(const NodeCall& call);
 void mix(const NodeCall& call);
 void bilerp(const NodeCall& call);
 
-// graph_patterns.cpp
+// patterns.cpp
 void uv(const NodeCall& call);
 void checkerboard(const NodeCall& call);
 void checkerboard_3d(const NodeCall& call);
@@ -33,7 +33,7 @@ void sine(const NodeCall& call);
 void rings(const NodeCall& call);
 void wood_grain(const NodeCall& call);
 
-// graph_noise.cpp
+// noise.cpp
 void field(const NodeCall& call);
 void fbm(const NodeCall& call);
 void wrinkled(const NodeCall& call);
@@ -43,14 +43,14 @@ void bumps(const NodeCall& call);
 void dots(const NodeCall& call);
 void warp(const NodeCall& call);
 
-// graph_colors.cpp
+// colors.cpp
 void color_map(const NodeCall& call);
 void layer_over(const NodeCall& call);
 
-// graph_image.cpp
+// image.cpp
 void image(const NodeCall& call);
 
-// graph_mappings.cpp
+// mappings.cpp
 void transform(const NodeCall& call);
 void map_uv(const NodeCall& call);
 void map_spherical(const NodeCall& call);

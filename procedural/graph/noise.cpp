@@ -1,5 +1,5 @@
-// The irregular textures: the field of the 1999 model, and those of pbrt after Chuang's slides
-// (2008). Octaves that a sample cannot show fade out by pbrt's rule.
+// The nodes of irregular textures: the field of the 1999 model, and those of pbrt after Chuang's
+// slides (2008). Octaves that a sample cannot show fade out by pbrt's rule.
 #include "procedural/color/marble_spline.h"
 #include "procedural/graph/box_means.h"
 #include "procedural/graph/node_noise.h"
@@ -13,7 +13,7 @@ namespace {
 
 using Sample = NoiseSample<double, 3>;
 
-/// n(p) with p's slopes carried through.
+/// n(p) with its slope by the chain rule.
 Dual noise_at(const NoiseSpec& noise, const DualPoint& p) {
     const Sample n = sample_noise<double, 3>(noise, {p.x.value, p.y.value, p.z.value});
     return {n.value,
@@ -24,7 +24,7 @@ DualPoint scaled(double factor, const DualPoint& p) {
     return {factor * p.x, factor * p.y, factor * p.z};
 }
 
-/// sum_k gain^k n_{seed+k}(lacunarity^k p), or of |n|.
+/// The sum sum_k gain^k n_{seed+k}(lacunarity^k p), with |n| for n if `absolute`.
 struct OctaveSum {
     NoiseSpec noise;
     double octaves = 1.0, lacunarity = 2.0, gain = 0.5;
@@ -35,22 +35,23 @@ struct OctaveSum {
                 call.parameter("gain"), absolute_values};
     }
 
-    /// What stands for an octave that does not show.
+    /// The mean of n or |n|, which replaces an octave that does not show.
     double mean() const {
         return absolute ? mean_absolute(noise.kind, noise.time.has_value())
                         : mean_value(noise.kind, noise.time.has_value());
     }
 
-    /// pbrt's n = clamp(-1 - log2(step^2) / 2, 0, octaves), for any lacunarity: octave k stays
-    /// while the sample covers less than half a cell of it.
+    /// The number of octaves that a sample shows whose point moves by `step`: pbrt's n = clamp(-1 -
+    /// log2(step^2) / 2, 0, octaves), for any lacunarity. Octave k shows while the sample covers
+    /// less than half a cell of it.
     double visible(double step) const {
         const double grows = std::log2(lacunarity);
         if (!(step > 0.0) || !(grows > 0.0)) return octaves;
         return std::clamp((-1.0 - binary_log(step)) / grows, 0.0, octaves);
     }
 
-    /// `step`: length by which p moves across the sample. The last visible octave fades by
-    /// smoothstep(0.3, 0.7); of |n|, what has faded leaves its mean behind.
+    /// The sum at p in a sample across which p moves by `step`. The last visible octave fades by
+    /// smoothstep(0.3, 0.7); the faded part of |n| is replaced by its mean.
     Dual operator()(const DualPoint& p, double step) const {
         const double kept = visible(step);
         Dual sum;
@@ -70,24 +71,24 @@ struct OctaveSum {
     }
 };
 
-/// How far the point moves for a step in the solid.
+/// The move of the point for a step in the solid.
 Vec3d moved_along(const DualPoint& p, const Vec3d& step) {
     return {glm::dot(p.x.slope, step), glm::dot(p.y.slope, step), glm::dot(p.z.slope, step)};
 }
 
-/// The longer of the point's two moves across the sample.
+/// The length of the longer of the point's two moves across sample i.
 double step_of(const NodeCall& call, const DualPoint& p, std::size_t i) {
     return std::max(glm::length(moved_along(p, call.footprints[i].u)),
                     glm::length(moved_along(p, call.footprints[i].v)));
 }
 
-/// Value and gradient of sums in float32 at all points of a batch.
+/// Values and gradients of float32 sums at all points of a batch.
 struct SlopeBatch32 {
     alignas(64) float value[graph_batch_size];
     alignas(64) float slope[3][graph_batch_size];
 
     SlopeArrays arrays() { return {value, {slope[0], slope[1], slope[2]}}; }
-    /// The sum at p, which was point i.
+    /// The sum at p, point i of the batch.
     Dual at(std::size_t i, const DualPoint& p) const {
         return {double(value[i]), double(slope[0][i]) * p.x.slope +
                                       double(slope[1][i]) * p.y.slope +
@@ -95,8 +96,8 @@ struct SlopeBatch32 {
     }
 };
 
-/// A sum of octaves at `scale` times a batch's points: point by point in float64, or all at once in
-/// float32.
+/// A sum of octaves at `scale` times a batch's points: point by point in float64, or for the whole
+/// batch in float32.
 class PointSums {
   public:
     PointSums(const NodeCall& call, const OctaveSum& sum, const Vec3d& scale = Vec3d(1.0),
@@ -139,7 +140,7 @@ class PointSums {
             kept[i] = float(visible);
             all = all && visible >= sum_.octaves;
         }
-        // Whole vectors are read, and what lies behind the points does not count.
+        // The kernel reads whole vectors, so the elements up to the end of the last one are set.
         for (std::size_t i = call_.count(); i < graph_batch_size && i % batch_padding != 0; ++i)
             points[0][i] = points[1][i] = points[2][i] = 0.0, kept[i] = 0.0f;
         add_up_slopes(octaves(), {points[0], points[1], points[2]}, call_.count(),
@@ -153,12 +154,13 @@ class PointSums {
     SlopeBatch32 batch_;
 };
 
-/// q at p.
+/// The quadric and its gradient at p.
 FieldSample quadric_at(const Quadric& quadric, const DualPoint& p) {
     return sample_field<double>(quadric, {}, {p.x.value, p.y.value, p.z.value});
 }
 
-/// A field's sums in float32 at a batch's points: value, and gradient with respect to the points.
+/// A field's values at a batch's points, and gradients with respect to the points, with sums of
+/// noise in float32.
 std::vector<FieldSample> field_sums(const NodeCall& call) {
     std::vector<FieldSample> fields(call.count());
     for (const auto& [lattice, sum] : call.prepared->sums) {
@@ -173,7 +175,8 @@ std::vector<FieldSample> field_sums(const NodeCall& call) {
         for (std::size_t i = 0; i < call.count(); ++i) {
             const Vec3d slope(batch.slope[0][i], batch.slope[1][i], batch.slope[2][i]);
             fields[i].value += double(batch.value[i]);
-            fields[i].gradient += slope * lattice.linear;  // the transposed map
+            // Gradients go back by the transposed map.
+            fields[i].gradient += slope * lattice.linear;
         }
     }
     double offsets = 0.0;
@@ -187,7 +190,7 @@ std::vector<FieldSample> field_sums(const NodeCall& call) {
     return fields;
 }
 
-/// The field at p without the octaves that the sample cannot show; their means stay.
+/// The field at p without the octaves that sample i cannot show, whose means replace them.
 FieldSample faded_field(const NodeCall& call, const Quadric& quadric, const DualPoint& p,
                         std::size_t i) {
     const Vec3d s(p.x.value, p.y.value, p.z.value);
@@ -205,8 +208,9 @@ FieldSample faded_field(const NodeCall& call, const Quadric& quadric, const Dual
     return f;
 }
 
-/// Weights of four neighbouring control points at u in [0,1]: Bernstein's (pbrt, which jumps from
-/// one four to the next) or those of the uniform cubic B-spline (which does not).
+/// The weights of four neighbouring control points at u in [0, 1]: Bernstein's (pbrt's, whose
+/// spline jumps from one four points to the next) or those of the uniform cubic B-spline (`smooth`,
+/// without jumps).
 std::array<Dual, 4> spline_weights(bool smooth, const Dual& u) {
     const Dual v = 1.0 - u;
     if (!smooth) return {v * v * v, 3.0 * u * v * v, 3.0 * u * u * v, u * u * u};
@@ -215,7 +219,7 @@ std::array<Dual, 4> spline_weights(bool smooth, const Dual& u) {
     return {1.0 / 6.0 * a, 1.0 / 6.0 * b, 1.0 / 6.0 * c, 1.0 / 6.0 * d};
 }
 
-/// The colour at t in [0,1].
+/// The colour of the marble spline at t in [0, 1].
 std::array<Dual, 3> marble_color(bool smooth, const Dual& t) {
     constexpr double segments = double(marble_segments);
     const double first = std::clamp(std::floor(t.value * segments), 0.0, segments - 1.0);

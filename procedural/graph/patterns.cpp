@@ -1,5 +1,6 @@
-// The regular patterns of Chuang's slides on pbrt's textures (2008): all are jumps of something
-// smooth, so their means over a sample follow from its gradient (box_means.h).
+// The nodes of the regular patterns of Chuang's slides on pbrt's textures (2008): all are
+// discontinuous functions of smooth ones, so their means over a sample follow from the gradient
+// (box_means.h).
 #include <bit>
 #include <numbers>
 #include <optional>
@@ -13,15 +14,18 @@ namespace burl::nodes {
 
 namespace {
 
-constexpr int strata = 4;  // a side, as in pbrt
+// The strata along a side, as in pbrt.
+constexpr int strata = 4;
 
 enum class Antialiasing { none, closed_form, supersample, trapezoid };
 
-/// A number in [0,1) from a point and a stratum of the sample: the same in every run and thread.
+/// A random number in [0, 1) from a point and a stratum of the sample: the same in every run and
+/// thread.
 double jitter(const DualPoint& p, std::uint32_t stratum) {
     std::uint32_t h = 0x9e3779b1u * (stratum + 1);
     for (const Dual* x : {&p.x, &p.y, &p.z}) {
-        const auto bits = std::bit_cast<std::uint64_t>(x->value + 0.0);  // -0 is 0
+        // Adding 0 makes -0 equal to 0.
+        const auto bits = std::bit_cast<std::uint64_t>(x->value + 0.0);
         for (const std::uint32_t half : {std::uint32_t(bits), std::uint32_t(bits >> 32)}) {
             h = (h ^ half) * 0x7feb352du;
             h ^= h >> 15;
@@ -31,7 +35,7 @@ double jitter(const DualPoint& p, std::uint32_t stratum) {
     return 0x1p-32 * (h ^ (h >> 16));
 }
 
-/// A checkerboard in the first N coordinates of the point: its weight of input 1.
+/// A checkerboard in the first N coordinates of the point: the weight of input 1.
 template <std::size_t N>
 class Checkers {
   public:
@@ -56,8 +60,8 @@ class Checkers {
         return 0.5 - 0.5 * sign;
     }
 
-    /// The product of what the axes' own stripes leave of black minus white. The box's half width
-    /// is the longer of the two steps, as in pbrt.
+    /// The weight by the product of the axes' mean stripes (1 in even cells, -1 in odd ones), each
+    /// over a box whose half width is the longer of the axis' two steps, as in pbrt.
     Dual closed_form(const std::array<Dual, 3>& p, std::size_t i) const {
         Dual sign = 1.0;
         for (std::size_t axis = 0; axis < N; ++axis) {
@@ -69,15 +73,16 @@ class Checkers {
         return 0.5 - 0.5 * sign;
     }
 
-    /// An even and an odd cell as a colour map over half the coordinate.
+    /// An even and an odd cell as a colour map with period 1 in half the coordinate.
     static ColorMap two_stripes() {
         const Rgb8 black{0, 0, 0}, white{255, 255, 255};
         return {Wrap::repeat, {{0.0, black}, {0.5, black}, {0.5, white}, {1.0, white}}};
     }
 
-    /// The same product, each axis averaged over both of its moves across the sample, exactly:
-    /// right wherever the sample holds edges of one axis only, and where each side of it moves
-    /// along one.
+    /// The weight by the product of the axes' mean stripes (1 in even cells, -1 in odd ones), each
+    /// averaged exactly over both of the axis' moves across the sample. It is right where the
+    /// sample holds edges of one axis only, and where each of the sample's sides moves along one
+    /// axis.
     Dual trapezoid(const std::array<Dual, 3>& p, std::size_t i) const {
         Dual sign = 1.0;
         for (std::size_t axis = 0; axis < N; ++axis) {

@@ -1,6 +1,7 @@
 #pragma once
-// The nodes a texture graph can have: names, inputs, parameters with their ranges, meaning and
-// source. Parsing, checking, `burl list nodes`, --set and docs/nodes.md follow this one table.
+// The table of the nodes that a texture graph can have: names, inputs, parameters with their
+// ranges, meaning and source. Parsing, checking, `burl list nodes`, --set and docs/nodes.md follow
+// it.
 #include <array>
 #include <span>
 #include <string_view>
@@ -10,18 +11,20 @@
 
 namespace burl {
 
+/// An input of a node type.
 struct NodeInput {
     std::string_view key;
-    Wire wire = Wire::number;   ///< color: a number counts as an opaque grey
-    bool sets_wire = false;     ///< of nodes that give what this input gives: a number or a colour
-    std::string_view fallback;  ///< as JSON; empty where the input is required
+    Wire wire = Wire::number;   ///< a number counts as an opaque grey for `color`
+    bool sets_wire = false;     ///< whether a colour here makes the result a colour
+    std::string_view fallback;  ///< the default as JSON; empty where the input is required
     std::string_view tip;
 };
 
-/// What a node gives: one wire, a colour if any input that sets it is one, or (`inner`) what its
-/// input gives, evaluated at the point the node makes.
+/// The result of a node: a number, a colour, a colour if any input that sets the type is one
+/// (`inputs`), or the result of its input evaluated at the point that the node makes (`inner`).
 enum class NodeResult { number, color, inputs, inner };
 
+/// A type of node: an entry of the table.
 struct NodeType {
     std::string_view name;
     NodeResult result = NodeResult::number;
@@ -31,14 +34,16 @@ struct NodeType {
     std::array<Parameter, 10> parameter_list{};
 
     std::span<const NodeInput> inputs() const;
-    /// `path` is the key alone. A default of null: left out, stored as infinity.
+    /// The parameters; `path` is the key alone. A parameter whose default is null may be left out
+    /// and is then stored as infinity.
     std::span<const Parameter> parameters() const;
     const NodeInput* input(std::string_view key) const;
 };
 
+/// The table of all types of nodes.
 std::span<const NodeType> graph_table();
 
-/// The entry of a name; null if there is none.
+/// The type of that name; null if there is none.
 const NodeType* find_node(std::string_view name);
 
 inline const NodeType& type_of(const GraphNode& node) {

@@ -10,15 +10,17 @@ namespace burl {
 
 namespace {
 
+/// The largest number of guards: their set is a 64-bit word.
 constexpr std::size_t most_guards = 64;
 
-/// Input `input` of a step does not count where `weight` is `value`.
+/// An input of a step that is multiplied by 0 where `weight` is `value`.
 struct IdleInput {
     Register weight = 0;
     double value = 0.0;
     std::size_t step = 0, input = 0;
 };
 
+/// Appends the inputs of a step that a weight can make idle.
 void find_idle(const ValueStep& step, std::size_t number, std::vector<IdleInput>& idle) {
     const auto* operation = std::get_if<ValueOperation>(&step.work);
     if (!operation) return;
@@ -41,13 +43,14 @@ void find_idle(const ValueStep& step, std::size_t number, std::vector<IdleInput>
     }
 }
 
-/// What is worth looking at a weight for.
+/// Whether a step costs so much that testing a weight to skip it pays.
 bool is_dear(const ValueStep& step) {
     return std::holds_alternative<NoiseSum>(step.work) ||
            std::holds_alternative<ImageLookup>(step.work) ||
            std::holds_alternative<GraphSlope>(step.work);
 }
 
+/// Finds the guards of a program and puts its steps in an order in which they work.
 class GuardFinder {
   public:
     GuardFinder(std::vector<ValueStep>& steps, std::size_t fixed, std::size_t arrays,
@@ -75,7 +78,7 @@ class GuardFinder {
     }
 
   private:
-    /// Steps that nothing needs but these inputs.
+    /// The steps that are read, directly or not, by these inputs only.
     std::vector<bool> needed_only_by(std::span<const IdleInput> inputs) const {
         std::vector<bool> read(arrays_, false), idle(steps_.size(), false);
         for (const Register r : results_) read[r] = true;
@@ -93,6 +96,8 @@ class GuardFinder {
         return idle;
     }
 
+    /// Adds a guard for inputs of one weight and value, if all are finite and it skips costly
+    /// steps.
     void consider(std::span<const IdleInput> inputs) {
         const bool all_finite = std::ranges::all_of(inputs, [&](const IdleInput& input) {
             return ranges_[steps_[input.step].inputs[input.input]].finite();
@@ -103,7 +108,7 @@ class GuardFinder {
         for (std::size_t i = fixed_; i < steps_.size(); ++i)
             dear = dear || (idle[i] && is_dear(steps_[i]));
         if (!dear || !nests(inputs.front().weight, idle)) return;
-        // What is guarded comes just before the first step that reads it, and so after the weight.
+        // Guarded steps come just before the first step that reads them, and so after the weight.
         const auto reader = std::ranges::find_if(order_, [&](std::size_t step) {
             return std::ranges::find(inputs, step, &IdleInput::step) != inputs.end();
         });
@@ -119,8 +124,8 @@ class GuardFinder {
         return std::ranges::find(steps_[step].outputs, r) != steps_[step].outputs.end();
     }
 
-    /// Whether a guard can go together with those before it: a weight that is guarded itself may
-    /// guard only what its own guard does.
+    /// Whether a guard is compatible with those before it: a weight that is guarded itself may
+    /// guard only steps that its own guard guards, too.
     bool nests(Register weight, const std::vector<bool>& idle) const {
         std::uint64_t guards_of_weight = 0;
         std::vector<Register> written;
@@ -143,6 +148,7 @@ class GuardFinder {
         return true;
     }
 
+    /// Applies the order to the steps, and sorts guards by their first step.
     void put_in_order() {
         std::vector<ValueStep> steps;
         std::vector<std::uint64_t> of_step;
@@ -166,7 +172,7 @@ class GuardFinder {
     std::vector<ValueStep>& steps_;
     std::size_t fixed_, arrays_;
     std::span<const Register> results_;
-    std::vector<std::size_t> order_;  ///< of the steps, by their old numbers
+    std::vector<std::size_t> order_;  ///< numbers of the steps before reordering
     std::vector<ValueRange> ranges_;
     ValueGuards guards_;
 };

@@ -36,7 +36,7 @@ HWY_ATTR HWY_INLINE Double Lerp(Double w, Double a, Double b) {
     return hn::Add(hn::Mul(hn::Sub(hn::Set(Doubles(), 1.0), w), a), hn::Mul(w, b));
 }
 
-/// out[j] = function(j).
+/// Stores out[j] = function(j), whole vectors.
 template <class Function>
 HWY_ATTR HWY_INLINE void Fill(std::size_t count, double* out, const Function& function) {
     const Doubles d;
@@ -47,7 +47,8 @@ HWY_ATTR void Apply(const ValueOperation& operation, const Inputs& in, std::size
                     double* out) {
     const Doubles d;
     const auto [p, q, r, s] = operation.parameters;
-    const double first = p, second = q;  // lambdas capture no structured bindings
+    // Copies, because lambdas capture no structured bindings.
+    const double first = p, second = q;
     const Double vp = hn::Set(d, p), vq = hn::Set(d, q), vr = hn::Set(d, r), vs = hn::Set(d, s);
     const auto a = [&](std::size_t j) HWY_ATTR { return hn::Load(d, in[0] + j); };
     const auto b = [&](std::size_t j) HWY_ATTR { return hn::Load(d, in[1] + j); };
@@ -124,14 +125,15 @@ HWY_ATTR void Apply(const ValueOperation& operation, const Inputs& in, std::size
     }
 }
 
-/// x in [0,1] as the map takes it; 0 where it is not finite.
+/// x repeated or clamped to [0, 1]; 0 where x is not finite.
 HWY_ATTR HWY_INLINE Double MapArgument(ColorPieces::Argument argument, Double x) {
     const Doubles d;
     const Double zero = hn::Zero(d), one = hn::Set(d, 1.0);
     const Double finite = hn::IfThenElseZero(hn::Eq(hn::Sub(x, x), zero), x);
     if (argument == ColorPieces::Argument::clamp) return hn::Min(hn::Max(finite, zero), one);
     const Double part = hn::Sub(finite, hn::Floor(finite));
-    return hn::IfThenElseZero(hn::Lt(part, one), part);  // just below a whole number: the next one
+    // Just below a whole number the fraction rounds to 1, which is the next period's 0.
+    return hn::IfThenElseZero(hn::Lt(part, one), part);
 }
 
 template <std::size_t degree>

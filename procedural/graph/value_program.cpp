@@ -12,7 +12,7 @@ namespace burl {
 
 namespace {
 
-/// The arrays of a step.
+/// The input and output arrays of a step.
 struct StepArrays {
     std::array<const double*, 4> inputs{};
     std::array<double*, 3> outputs{};
@@ -32,7 +32,7 @@ void run_work(const ColorPieces& work, const StepArrays& arrays, GraphEvaluator:
     look_up(work, arrays.inputs[0], arrays.count, arrays.outputs);
 }
 
-/// As the node `dots` has it, without a footprint: square (i, j) has three numbers of `cell` noise.
+/// The node `dots` without a footprint: square (i, j) has three numbers of `cell` noise.
 void run_work(const DotsWeight& work, const StepArrays& arrays, GraphEvaluator::Scratch&) {
     const Period<2> period{work.period_u, work.period_v};
     const double shift = 0.5 - work.radius;
@@ -139,7 +139,8 @@ void ValueProgram::put_fixed_first() {
     fixed_steps_ = fix_ ? std::size_t(rest - steps_.begin()) : 0;
 }
 
-/// An array is free after the last step that reads it; those of fixed steps stay.
+/// Assigns registers to arrays, of which each is free after the last step that reads it; arrays of
+/// fixed steps and results are never free.
 void ValueProgram::share_arrays(std::vector<Register>& results) {
     constexpr auto always = std::numeric_limits<std::size_t>::max();
     std::vector<std::size_t> last(registers_, 0);
@@ -198,7 +199,7 @@ void run_step(const ValueStep& step, std::size_t count, ValueProgram::Scratch& s
     std::visit([&](const auto& work) { run_work(work, arrays, graph); }, step.work);
 }
 
-/// Whether the points are where guards were made for.
+/// Whether the points are so near that the guards hold.
 bool are_near(std::size_t count, ValueProgram::Scratch& scratch) {
     bool near = true;
     for (Register axis = 0; axis < 3; ++axis)
@@ -219,7 +220,7 @@ std::size_t ValueProgram::octaves() const {
     return count;
 }
 
-/// Octaves a point would take besides if equal work were done again.
+/// The octaves that a point would take besides if common subexpressions were evaluated again.
 std::size_t ValueProgram::octaves_of_shared() const {
     std::size_t count = 0;
     for (std::size_t i = fixed_steps_; i < steps_.size(); ++i)

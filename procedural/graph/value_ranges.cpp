@@ -13,7 +13,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr ValueRange unknown{-infinity, infinity};
 
-/// What rounding can do to numbers computed a few steps from the bounds.
+/// The range widened by the rounding of numbers computed a few steps from the bounds.
 ValueRange widened(double low, double high) {
     if (!(std::isfinite(low) && std::isfinite(high))) return unknown;
     const double margin = 1e-12 * std::max(std::abs(low), std::abs(high));
@@ -39,7 +39,7 @@ double size(const ValueRange& a) {
     return std::max(std::abs(a.low), std::abs(a.high));
 }
 
-/// Of what is 0 below the range, 1 above it and anything of [0,1] within.
+/// The range of a step that is 0 up to `low`, 1 from `high` on and in [0, 1] between.
 ValueRange step_range(const ValueRange& a, double low, double high) {
     return {a.low >= high ? 1.0 : 0.0, a.high <= low && low < high ? 0.0 : 1.0};
 }
@@ -49,7 +49,7 @@ ValueRange ratio(const ValueRange& a, const ValueRange& b) {
     return product(a, widened(1.0 / b.high, 1.0 / b.low));
 }
 
-/// Of numbers whose size is at most the range's, to a power.
+/// The range of a power of numbers in `a`, by the largest size of those.
 ValueRange power(const ValueRange& a, double exponent) {
     if (!a.finite()) return unknown;
     const double most = 1.0 + std::pow(std::max(1.0, size(a)), exponent);
@@ -108,7 +108,7 @@ ValueRange range_of(const ValueOperation& work, std::span<const ValueRange> in) 
     return unknown;
 }
 
-/// Noise of points that are no numbers is none either.
+/// The range of a sum of noise; unknown where the points may not be finite.
 ValueRange range_of(const NoiseSum& work, std::span<const ValueRange> in) {
     if (!std::ranges::all_of(in, &ValueRange::finite)) return unknown;
     const NoiseBounds n = shaped(work.shape, noise_bounds(work.noise));
@@ -123,7 +123,7 @@ ValueRange range_of(const NoiseSum& work, std::span<const ValueRange> in) {
     return widened(range.low, range.high);
 }
 
-/// Of all pieces. Arguments are in [0,1].
+/// The range of all pieces for arguments in [0, 1].
 ValueRange range_of(const ColorPieces& work) {
     double most = 0.0;
     for (std::size_t i = 0; i < work.begins.size(); ++i)
@@ -131,7 +131,8 @@ ValueRange range_of(const ColorPieces& work) {
             double bound = 0.0;
             for (std::size_t k = work.degree + 1; k-- > 0;)
                 bound = std::abs(work.table[i * work.stride() + 1 + c * (work.degree + 1) + k]) +
-                        2.0 * bound;  // no piece begins before -1
+                        // Pieces begin at -1 or later.
+                        2.0 * bound;
             most = std::max(most, bound);
         }
     return widened(-most, most);

@@ -1,7 +1,8 @@
 #pragma once
-// A texture graph at points, without gradients and with noise in float32: what bakes and pictures
-// in precision float32 take where no filter wants footprints. Everything else is float64, so that
-// what jumps (docs/nodes.md) jumps where the float64 evaluation has it, up to the noise's error.
+// The values of a texture graph at points, without gradients and with noise in float32: bakes and
+// pictures in precision float32 use them where the filter needs no footprints. Everything else is
+// float64, so that jumps (docs/nodes.md) lie where the float64 evaluation has them, up to the
+// noise's error.
 #include "procedural/graph/value_program.h"
 
 namespace burl {
@@ -10,17 +11,18 @@ class GraphValues {
   public:
     using Scratch = ValueProgram::Scratch;
 
-    /// The graph must be valid (graph_from_json makes only such) and not empty. `skips` as a
-    /// ValueProgram takes them.
+    /// The graph must be valid (graph_from_json makes only valid ones) and not empty. `skips` is
+    /// passed to ValueProgram.
     explicit GraphValues(const TextureGraph& graph, const Skips* skips = nullptr);
 
     Scratch make_scratch() const { return program_.make_scratch(); }
 
-    /// GraphSample::color()'s channels at the points whose coordinates lie in scratch[0], [1] and
-    /// [2]; `count` up to value_batch. A point's bits do not depend on what else is in its batch.
+    /// The channels of GraphSample::color() at the points whose coordinates lie in scratch[0], [1]
+    /// and [2]; `count` is at most value_batch. A point's bits do not depend on the other points of
+    /// its batch.
     std::array<const double*, 3> operator()(std::size_t count, Scratch& scratch) const;
 
-    /// One point.
+    /// The colour at one point.
     Vec3d operator()(const Vec3d& point, Scratch& scratch) const;
 
     const ValueProgram& program() const { return program_; }

@@ -1,6 +1,6 @@
-// Lines of texels in the lattice, as 32.32 fixed-point coordinates are worked out from them: lines
-// of pieces or of spans, several to a vector. Included once per instruction set (hence the toggled
-// guard), after hwy/foreach_target.h.
+// Lines of texels in the lattice, from which 32.32 fixed-point coordinates are computed: lines of
+// pieces or of spans, several to a vector. The file is included once per instruction set (hence the
+// toggled guard), after hwy/foreach_target.h.
 #if defined(BURL_FIXED_LINES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef BURL_FIXED_LINES_INL_H
 #undef BURL_FIXED_LINES_INL_H
@@ -21,26 +21,27 @@ HWY_BEFORE_NAMESPACE();
 namespace burl {
 namespace HWY_NAMESPACE {
 
-/// Lines that stay this close to the cell of their start can be worked out that way.
+/// The extent in cells below which a line is computed in fixed point from the cell of its start.
 constexpr double fixed_reach = 0x1p18;
-/// And those that stay this close to 0 from there instead of from a cell: the same bits, sooner.
+/// The largest distance from 0, in cells, of lines that are computed in fixed point from 0 instead
+/// of from a cell: the same bits in fewer operations.
 constexpr double origin_reach = 0x1p19;
 
-/// Up to `capacity` lines in the lattice: on an axis texel x of its line has the fixed-point bits
-/// of from + x * step, plus offset; where all are near 0, without it.
+/// At most `capacity` lines in the lattice: along an axis, the coordinate of texel x is the bits of
+/// from + x * step, plus `offset` (without it where all lines are near 0).
 struct FixedLines {
     static constexpr std::size_t capacity = 64;
     alignas(64) double from[3][capacity], step[3][capacity];
     alignas(64) std::uint64_t offset[3][capacity];
-    alignas(64) double length[capacity + 8];  ///< of the whole line, in texels
-    alignas(64) double planes[capacity];      ///< of the lattice crossed per texel
-    alignas(64) double hard[capacity];        ///< 1: out of reach of these numbers
+    alignas(64) double length[capacity + 8];  ///< texels of the whole line
+    alignas(64) double planes[capacity];      ///< lattice planes crossed per texel
+    alignas(64) double hard[capacity];        ///< 1 for a line out of reach of fixed point, else 0
 };
 
-/// What lines have to stay within.
+/// The limits on the coordinates of lines.
 struct LineLimits {
-    double coordinate;  ///< beyond it they are at 0
-    double period;      ///< of the cells; 0 is 2^32
+    double coordinate;  ///< a coordinate that reaches this size is 0 on the whole line
+    double period;      ///< period of the cells; 0 for 2^32
 };
 
 /// x less the multiple of the period nearest to it, exactly.
@@ -51,7 +52,7 @@ HWY_ATTR HWY_INLINE Double Wrapped(Double x, double period) {
     return hn::Sub(x, hn::Mul(periods, hn::Set(d, period)));
 }
 
-/// Where lines come from: pieces,
+/// A source of lines: pieces.
 struct PieceSource {
     std::span<const Piece> pieces;
 
@@ -76,15 +77,15 @@ struct SpanLanes {
     }
 };
 
-/// or spans.
+/// A source of lines: spans.
 struct SpanSource {
     const SpanLines& lines;
 
     std::size_t size() const { return lines.spans; }
     double Length(std::size_t i) const { return double(lines.counts[i]); }
     LatticeLine Line(std::size_t i, std::size_t at) const { return lines.line(i, at); }
-    /// A line of the cache of what is needed soon, and one of spans that follow: their numbers come
-    /// from beyond the caches, where nobody else foresees them.
+    /// Prefetches a cache line of `lines.needed` and one of the spans further on, which come from
+    /// memory and which hardware does not prefetch.
     HWY_ATTR HWY_INLINE void Prefetch(std::size_t i, std::size_t at) const {
         constexpr std::size_t ahead = 160;
         if (lines.needed) hwy::Prefetch(lines.needed + at);
@@ -94,7 +95,7 @@ struct SpanSource {
     HWY_ATTR HWY_INLINE SpanLanes Lanes(std::size_t i) const { return {lines, i}; }
 };
 
-/// A line's start for FixedLines.
+/// Stores the start of lines along an axis for FixedLines.
 template <bool near_origin>
 HWY_ATTR HWY_INLINE void StoreStart(Double start, int axis, std::size_t i, FixedLines& lines) {
     const Doubles d;
@@ -109,8 +110,8 @@ HWY_ATTR HWY_INLINE void StoreStart(Double start, int axis, std::size_t i, Fixed
     }
 }
 
-/// Lines from number `begin` on. Whether none of them is hard and, if that is asked for, all are
-/// near 0.
+/// Maps `count` lines from number `begin` on into the lattice. Returns whether no line is hard and,
+/// with near_origin, all are near 0.
 template <bool near_origin, class Source>
 HWY_ATTR bool MapLines(const Affine3& map, const LineLimits& limits, const Source& source,
                        std::size_t begin, std::size_t count, FixedLines& lines) {
@@ -144,7 +145,7 @@ HWY_ATTR bool MapLines(const Affine3& map, const LineLimits& limits, const Sourc
     return hn::AllTrue(d, hn::Eq(all_hard, hn::Zero(d)));
 }
 
-/// An axis of a line, in every lane.
+/// One axis of one line, in every lane.
 template <bool near_origin>
 struct FixedAxis {
     Double from, step;
@@ -159,7 +160,7 @@ struct FixedAxis {
         const Long sum = hn::BitCast(Longs(), hn::Add(from, hn::Mul(x, step)));
         return near_origin ? sum : hn::Add(sum, offset);
     }
-    /// A vector of floats of texels, half at x, half at x + lanes.
+    /// Stores a vector of floats' worth of texels: half of them at x, half at x + lanes.
     HWY_ATTR HWY_INLINE void Store(Double x, Double lanes, std::uint32_t* cells,
                                    std::uint32_t* places) const {
         const Halves at(At(x), At(hn::Add(x, lanes)));

@@ -1,6 +1,6 @@
-// Corners and fades of lattice noise for every instruction set: what the kernels of values and
-// those of slopes share. Included once per instruction set (hence the toggled guard), after
-// hwy/foreach_target.h; the noises are those of noise.h.
+// Corners and fades of lattice noise as noise.h defines it, for the kernels of values and those of
+// slopes. The file is included once per instruction set (hence the toggled guard), after
+// hwy/foreach_target.h.
 #if defined(BURL_NOISE_CORNERS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef BURL_NOISE_CORNERS_INL_H
 #undef BURL_NOISE_CORNERS_INL_H
@@ -17,7 +17,7 @@
 #define BURL_PERLIN_GRADIENTS
 namespace burl {
 
-/// The components of the 16 gradients, by axis.
+/// The 16 gradients of Perlin's noise as one array per axis.
 struct PerlinGradients {
     alignas(64) float components[3][16] = {};
     constexpr PerlinGradients() {
@@ -35,9 +35,9 @@ HWY_BEFORE_NAMESPACE();
 namespace burl {
 namespace HWY_NAMESPACE {
 
-// Fades as v = 2 w - 1 in [-1,1] of t = 2 u in [-1,1], u the place, and dv/dt. Written as t plus a
-// correction that vanishes towards the ends they lose less than x^2 (3 - 2x) and x^3 (10 + x (6x -
-// 15)) do.
+// Fades v = 2 w - 1 in [-1, 1] as functions of t = 2 u in [-1, 1], where w is the upper corner's
+// weight and u the place, and their slopes dv/dt. Written as t plus a correction that vanishes
+// towards the ends they lose less than x^2 (3 - 2x) and x^3 (10 + x (6x - 15)) do.
 struct LinearFade {
     HWY_ATTR Float operator()(Float t) const { return t; }
     HWY_ATTR Float Slope(Float) const { return hn::Set(Floats(), 1.0f); }
@@ -67,7 +67,7 @@ struct QuinticFade {  // t (15 - 10 t^2 + 3 t^4) / 8
     }
 };
 
-/// Twice the interpolation between a and b at v in [-1,1]: (a + b) + v (b - a). The sum and the
+/// Twice the interpolation between a and b at v in [-1, 1]: (a + b) + v (b - a). The sum and the
 /// difference of two 24-bit lattice values are exact.
 HWY_ATTR HWY_INLINE Float TwiceLerp(Float v, Float a, Float b) {
     return hn::Add(hn::Add(a, b), hn::Mul(v, hn::Sub(b, a)));
@@ -81,7 +81,7 @@ HWY_ATTR HWY_INLINE Bit Mix(Bit h) {
     return hn::Mul(h, hn::Set(d, LatticeHash::multiplier_2));
 }
 
-/// Hash of the cells' lowest corners, not mixed yet. Those of the other corners are prime_x,
+/// The hash of the cells' lowest corners before mixing. The other corners' hashes are prime_x,
 /// prime_y and prime_z higher.
 HWY_ATTR HWY_INLINE Bit CellHash(Bit seed, Bit x, Bit y, Bit z) {
     const Bits d;
@@ -90,7 +90,7 @@ HWY_ATTR HWY_INLINE Bit CellHash(Bit seed, Bit x, Bit y, Bit z) {
     return hn::Add(hn::Add(hx, hn::Mul(y, hn::Set(d, LatticeHash::prime_y))), hz);
 }
 
-/// 2^23 times the lattice value.
+/// A corner of value noise: 2^23 times the lattice value.
 struct ValueCorner {
     HWY_ATTR HWY_INLINE Float operator()(Bit h, Float, Float, Float) const {
         return hn::ConvertTo(Floats(), hn::ShiftRight<8>(hn::BitCast(Ints(), h)));
@@ -98,7 +98,7 @@ struct ValueCorner {
 };
 
 #if HWY_TARGET <= HWY_AVX3  // sixteen lanes: the gradients' components fit a vector
-/// The gradient with its number in the upper four bits of h.
+/// The gradient whose number is in the upper four bits of h.
 struct PerlinGradient {
     Float along[3];
 
@@ -114,11 +114,12 @@ struct PerlinGradient {
 };
 #endif
 
-/// gradient_dot with the gradient's number in the upper four bits of h.
+/// A corner of Perlin's noise: g . (x, y, z) for the gradient g whose number is in the upper four
+/// bits of h.
 struct PerlinCorner {
 #if HWY_TARGET <= HWY_AVX3
     HWY_ATTR HWY_INLINE Float operator()(Bit h, Float x, Float y, Float z) const {
-        // A component that is 0 adds a zero, which changes no bits but a zero's sign.
+        // A component that is 0 adds a zero, which changes no bit but the sign of a zero.
         const PerlinGradient g(h);
         return hn::Add(hn::Add(hn::Mul(g.along[0], x), hn::Mul(g.along[1], y)),
                        hn::Mul(g.along[2], z));
@@ -144,7 +145,7 @@ struct PerlinCorner {
 #endif
 };
 
-/// Eight times the interpolated corners of a vector of texels.
+/// Eight times the interpolation of the corners, for a vector of texels.
 template <class Corner, class FadeFunction>
 HWY_ATTR HWY_INLINE Float EightfoldNoise(Bit h00, Float x, Float y, Float z) {
     const Floats d;
@@ -172,7 +173,7 @@ HWY_ATTR HWY_INLINE Float EightfoldNoise(Bit h00, Float x, Float y, Float z) {
     return TwiceLerp(fz, low, plane(hn::Set(bits, LatticeHash::prime_z), z1));
 }
 
-/// Calls visit<Corner, FadeFunction>() with those of the noise.
+/// Calls visit<Corner, FadeFunction>() with the corner and fade of the noise.
 template <class Visit>
 HWY_ATTR void with_noise(NoiseKind kind, Fade fade, Visit&& visit) {
     if (kind == NoiseKind::perlin) return visit.template operator()<PerlinCorner, QuinticFade>();

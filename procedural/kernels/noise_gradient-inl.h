@@ -1,6 +1,6 @@
-// Lattice noise with its gradient for every instruction set, for the direct kernel and the
-// sharing one. After DNoise (Perlin 1985). Included once per instruction set (hence the toggled
-// guard), after hwy/foreach_target.h.
+// Lattice noise with its gradient for every instruction set, for the kernels `direct` and `share`.
+// The derivatives follow DNoise (Perlin 1985). The file is included once per instruction set (hence
+// the toggled guard), after hwy/foreach_target.h.
 #if defined(BURL_NOISE_GRADIENT_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef BURL_NOISE_GRADIENT_INL_H
 #undef BURL_NOISE_GRADIENT_INL_H
@@ -15,8 +15,8 @@ HWY_BEFORE_NAMESPACE();
 namespace burl {
 namespace HWY_NAMESPACE {
 
-/// Adds the gradient of Perlin's corner with the number in the upper four bits of h, each component
-/// 1, -1 or 0, times `weight`: from the axes from which PerlinCorner takes its terms.
+/// Adds `weight` times the gradient whose number is in the upper four bits of h to sum[0..3); its
+/// components are 1, -1 or 0, on the axes from which PerlinCorner takes its terms.
 #if HWY_TARGET <= HWY_AVX3
 HWY_ATTR HWY_INLINE void AddCornerGradient(Bit h, Float weight, Float* sum) {
     const PerlinGradient gradient(h);
@@ -45,13 +45,13 @@ HWY_ATTR HWY_INLINE void AddCornerGradient(Bit h, Float weight, Float* sum) {
 }
 #endif
 
-/// Noise of a vector of texels over stream_unit, with NoiseOf's bits, and its derivatives along the
-/// axes of the octave's lattice.
+/// The noise of a vector of texels divided by stream_unit, with the bits of NoiseOf, and its
+/// derivatives along the axes of the octave's lattice.
 struct NoiseGradient {
     Float noise, along[3];
 };
 
-/// What the fades change by per cell; t is twice the place.
+/// The slope of the fade v per cell at 2^-32 s from the cell's middle.
 template <class FadeFunction>
 HWY_ATTR HWY_INLINE Float FadeSlope(Float s) {
     const Float slope = FadeFunction().Slope(TwicePlace(s));
@@ -73,13 +73,14 @@ HWY_ATTR HWY_INLINE NoiseGradient GradientOf(const StreamPlaces<FadeFunction>& a
              hn::Mul(FadeSlope<FadeFunction>(at.s[2]), hn::Sub(above, below))}};
 }
 
-/// What a plane of Perlin's corners adds: four times its interpolation, what that changes by with
-/// the fades along x and y, and four times the interpolated gradients of the corners.
+/// The share of one plane of Perlin's corners: four times its interpolation, and the derivatives of
+/// that by the fades along x and y.
 struct PerlinPlane {
     Float value, along_x, along_y;
 };
 
-/// `weight`: of the plane. Adds the corners' gradients to `own`.
+/// The share of the plane at distance `dz`; adds the corners' gradients, weighted by the fades and
+/// by `weight`, the plane's, to own[0..3).
 template <class FadeFunction>
 HWY_ATTR HWY_INLINE PerlinPlane PlaneOf(const StreamPlaces<FadeFunction>& at, const PlaneHashes& h,
                                         Float dz, Float weight, Float* own) {
@@ -109,7 +110,7 @@ HWY_ATTR HWY_INLINE NoiseGradient GradientOf(const StreamPlaces<FadeFunction>& a
     Float own[3] = {hn::Zero(d), hn::Zero(d), hn::Zero(d)};
     const PerlinPlane below = PlaneOf(at, low, hn::Add(z, one), hn::Sub(one, fz), own);
     const PerlinPlane above = PlaneOf(at, high, hn::Sub(z, one), hn::Add(one, fz), own);
-    // Twice the corners' gradients, for slopes are at twice the distance.
+    // Twice the corners' gradients, because the slopes are taken at twice the distance.
     const auto along = [&](int axis, Float change) HWY_ATTR {
         return hn::Add(hn::Mul(FadeSlope<FadeFunction>(at.s[axis]), change),
                        hn::Add(own[axis], own[axis]));
@@ -120,7 +121,8 @@ HWY_ATTR HWY_INLINE NoiseGradient GradientOf(const StreamPlaces<FadeFunction>& a
              along(2, hn::Sub(above.value, below.value))}};
 }
 
-/// Adds a vector of texels from number j on, in the stream's own coordinates.
+/// Adds the weighted noise and gradient of a vector of texels from number j on, the gradient in the
+/// stream's coordinates.
 HWY_ATTR HWY_INLINE void AddGradient(const StreamOctave& octave, const NoiseGradient& n,
                                      std::size_t j, float* sums, GradientSums& gradients) {
     const Floats d;

@@ -20,7 +20,7 @@ HWY_BEFORE_NAMESPACE();
 namespace burl {
 namespace HWY_NAMESPACE {
 
-/// n, |n| or (1 - |n|)^2.
+/// The shaped noise: n, |n| or (1 - |n|)^2.
 template <OctaveShape shape>
 HWY_ATTR HWY_INLINE Float Shaped(Float n) {
     if (shape == OctaveShape::plain) return n;
@@ -30,7 +30,7 @@ HWY_ATTR HWY_INLINE Float Shaped(Float n) {
     return hn::Mul(rest, rest);
 }
 
-/// The sites of a group's octaves.
+/// The sites of a vector of points for all octaves of a run.
 struct SharedSites {
     PointAxis axes[3];
 
@@ -58,7 +58,8 @@ HWY_ATTR HWY_INLINE Float GroupSum(const NoiseSum& sum, const OctaveRun& group, 
         total = hn::Add(total, hn::Mul(hn::Set(Floats(), float(octave.weight)), Shaped<shape>(n)));
     };
     const double limit = std::ldexp(lattice_limit, -last);
-    if (AnyBeyond(points, j, frequency, limit)) {  // the finest octaves' coordinates count as 0
+    // The finest octaves' coordinates count as 0.
+    if (AnyBeyond(points, j, frequency, limit)) {
         for (int k = last; k >= 0; --k)
             add(k, SharedSites(points, j, frequency, std::ldexp(lattice_limit, -k)));
         return total;
@@ -76,8 +77,8 @@ HWY_ATTR void AddUpOf(const NoiseSum& sum, const Noise& noise, const PointArrays
     HWY_ALIGN float totals[batch_capacity + batch_padding];
     for (std::size_t j = 0; j < count; j += hn::Lanes(Floats())) {
         Float total = hn::Zero(Floats());
-        for (std::size_t g = groups.size();
-             g-- > 0;)  // the finest first: small numbers before large
+        // The finest octaves come first, so that small numbers are added before large ones.
+        for (std::size_t g = groups.size(); g-- > 0;)
             total = GroupSum<shape>(sum, groups[g], noise, points, j, total);
         hn::Store(total, Floats(), totals + j);
     }
@@ -87,12 +88,12 @@ HWY_ATTR void AddUpOf(const NoiseSum& sum, const Noise& noise, const PointArrays
                   out + j);
 }
 
-/// Sums of a vector of points.
+/// The sums of a vector of points.
 struct VectorSums {
     Float value, slope[3];
 };
 
-/// What an octave adds: where only a share of it shows, the rest is its mean.
+/// Adds an octave of which `share` is visible; `mean` stands for the rest.
 template <OctaveShape shape>
 HWY_ATTR HWY_INLINE void AddShaped(const SumOctave& octave, VectorSample n, float unit, Float share,
                                    double mean, VectorSums& sums) {
@@ -111,7 +112,7 @@ HWY_ATTR HWY_INLINE void AddShaped(const SumOctave& octave, VectorSample n, floa
         sums.slope[axis] = hn::Add(sums.slope[axis], hn::Mul(factor, n.slope[axis]));
 }
 
-/// smoothstep(0.3, 0.7, kept - k).
+/// visible_share for a vector of points: smoothstep(0.3, 0.7, kept - k).
 HWY_ATTR HWY_INLINE Float ShareOf(Float kept, std::size_t k) {
     const Floats d;
     const Float away = hn::Sub(kept, hn::Set(d, float(k) + 0.3f));
@@ -196,7 +197,7 @@ HWY_AFTER_NAMESPACE();
 namespace burl {
 
 std::vector<OctaveRun> octave_runs(std::span<const SumOctave> octaves) {
-    // A place then has 25 bits left, as many as float32 holds.
+    // A place keeps 25 bits after 7 doublings, as many as float32 holds with its sign.
     constexpr std::size_t most_shared_octaves = 8;
     std::vector<OctaveRun> runs;
     for (std::size_t k = 0; k < octaves.size(); ++k) {
@@ -217,7 +218,7 @@ bool has_point_kernel(const NoiseSpec& noise) {
 
 namespace {
 
-/// Point by point, in float32.
+/// add_up for noises without a kernel: point by point, noise in float32, sums in float64.
 void add_up_points(const NoiseSum& sum, const PointArrays& points, std::size_t count, double* out) {
     std::fill_n(out, count, sum.offset);
     NoiseSpec noise = sum.noise;
@@ -233,7 +234,7 @@ void add_up_points(const NoiseSum& sum, const PointArrays& points, std::size_t c
     }
 }
 
-/// The same with slopes, at one point.
+/// add_up_slopes for noises without a kernel, at one point.
 void add_up_slopes_at(const NoiseSum& sum, const Point<3>& p, const VisibleOctaves& visible,
                       std::size_t j, const SlopeArrays& out) {
     NoiseSample<double, 3> total{sum.offset, {}};

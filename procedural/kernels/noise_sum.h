@@ -1,9 +1,9 @@
 #pragma once
-// Sums of octaves of one noise at points that lie anywhere, as texture graphs need them behind
-// warps and round mappings: the coordinates come as float64 arrays and are split, once for all
-// octaves that double one another, into fixed-point numbers of 32 bits of cell and 32 of place, so
-// that an octave's error does not grow with the distance from the origin. Vectorised as in
-// texel_batch.h and with the same bits on every instruction set.
+// Sums of octaves of one noise at arbitrary points, as texture graphs need them behind warps and
+// round mappings. The coordinates come as float64 arrays and are split, once for all octaves that
+// double one another, into fixed-point numbers of 32 bits of cell and 32 bits of place, so that an
+// octave's error does not grow with the distance from the origin. Kernels are vectorised as in
+// texel_batch.h, with the same bits on every instruction set.
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -16,18 +16,19 @@
 
 namespace burl {
 
-/// Whether a vectorised kernel knows the noise; what it does not know is summed point by point.
+/// Whether a vectorised kernel evaluates the noise; other noises are summed point by point.
 bool has_point_kernel(const NoiseSpec& noise);
 
+/// One octave of a NoiseSum.
 struct SumOctave {
     std::uint32_t seed = 0;
     double frequency = 1.0, weight = 1.0;
     bool operator==(const SumOctave&) const = default;
 };
 
-/// offset + sum_k weight_k shape(n_k(frequency_k p)), where n_k has octave k's seed; `noise.seed`
-/// does not count. Against float64 it errs by at most 5e-7 sum_k |weight_k| (1e-6 where ridged) and
-/// what coordinates in float64 lose; 8e-7 for perlin1985 and perlin2002.
+/// The sum offset + sum_k weight_k shape(n_k(frequency_k p)), where n_k has the seed of octave k;
+/// `noise.seed` is ignored. Against float64 it errs by at most 5e-7 sum_k |weight_k| (1e-6 where
+/// ridged; 8e-7 for perlin1985 and perlin2002), besides the rounding of coordinates in float64.
 struct NoiseSum {
     NoiseSpec noise;
     OctaveShape shape = OctaveShape::plain;
@@ -36,32 +37,32 @@ struct NoiseSum {
     bool operator==(const NoiseSum&) const = default;
 };
 
-/// Octaves [begin, end) of which each doubles the frequency of the one before: coordinates are
-/// split once for all of them.
+/// Octaves [begin, end), each of twice the frequency of the octave before: coordinates are split
+/// once for all of them.
 struct OctaveRun {
     std::size_t begin = 0, end = 0;
 };
 
-/// All octaves, in order.
+/// The runs that all octaves form, in order.
 std::vector<OctaveRun> octave_runs(std::span<const SumOctave> octaves);
 
-/// x, y and z of points, aligned to 64 bytes and batch_padding longer than the count.
+/// The arrays of x, y and z of points, aligned to 64 bytes and batch_padding longer than the count.
 using PointArrays = std::array<const double*, 3>;
 
-/// out[j] = the sum at point j; at most batch_capacity points.
+/// out[j] = the sum at point j, for at most batch_capacity points.
 void add_up(const NoiseSum& sum, const PointArrays& points, std::size_t count, double* out);
 
-/// Share of octave k that a sample shows of which `kept` octaves are visible, the last one fading:
+/// The share of octave k in a sample that shows `kept` octaves, the last of them fading:
 /// smoothstep(0.3, 0.7, kept - k).
 inline double visible_share(double kept, std::size_t k) {
     const double u = std::clamp((kept - double(k) - 0.3) * 2.5, 0.0, 1.0);
     return u * u * (3.0 - 2.0 * u);
 }
 
-/// What of the octaves shows, point by point.
+/// The number of octaves that each point shows, and what replaces the others.
 struct VisibleOctaves {
-    const float* kept = nullptr;  ///< null: all of them
-    double mean = 0.0;            ///< of shape(n), which stands for what does not show
+    const float* kept = nullptr;  ///< one number per point; null where all octaves show
+    double mean = 0.0;            ///< mean of shape(n), which replaces octaves that do not show
 };
 
 /// Arrays of value and gradient with respect to the points, aligned and padded as the points.
@@ -70,9 +71,9 @@ struct SlopeArrays {
     std::array<float*, 3> slope{};
 };
 
-/// The sum and its gradient, all in float32: besides add_up's error the value has that of rounding
-/// to float32. A gradient's component errs by at most 4e-6 sum_k |weight_k frequency_k| (1e-5 where
-/// ridged); at a kink it is that of one side.
+/// The sum and its gradient in float32. The value has add_up's error and that of rounding to
+/// float32; a gradient's component errs by at most 4e-6 sum_k |weight_k frequency_k| (1e-5 where
+/// ridged) and at a kink is the slope of one side.
 void add_up_slopes(const NoiseSum& sum, const PointArrays& points, std::size_t count,
                    const VisibleOctaves& visible, const SlopeArrays& out);
 

@@ -17,22 +17,23 @@ HWY_BEFORE_NAMESPACE();
 namespace burl {
 namespace HWY_NAMESPACE {
 
-/// Adds to coordinates from number `at` on, cells and places apart.
+/// Adds cells and places (the carry included) to the coordinates from texel `at` on.
 HWY_ATTR HWY_INLINE void AddTo(Bit cells, Bit places, std::uint32_t* to_cells,
                                std::uint32_t* to_places) {
     const Bits d;
     const Bit before = hn::LoadU(d, to_places), after = hn::Add(before, places);
-    const Bit carry = hn::VecFromMask(d, hn::Lt(after, before));  // -1 or 0
+    const Bit carry = hn::VecFromMask(d, hn::Lt(after, before));  // -1 with a carry, else 0
     hn::StoreU(after, d, to_places);
     hn::StoreU(hn::Sub(hn::Add(hn::LoadU(d, to_cells), cells), carry), d, to_cells);
 }
 
-/// Moves `count` texels from number `at` on along an axis, on which their sides are u and v.
+/// Moves `count` texels from number `at` on along an axis, by their offsets times the components u
+/// and v of their sides.
 HWY_ATTR HWY_INLINE void MoveTexels(const TexelOffsets& offsets, std::size_t at, std::size_t count,
                                     double u, double v, std::uint32_t* cells,
                                     std::uint32_t* places) {
     const Doubles d;
-    // By how much; what follows is another piece's.
+    // The move of a vector of texels from j on; 0 beyond the piece, where another piece's follow.
     const auto moved = [&](std::size_t j) HWY_ATTR {
         const auto offset = [&](const float* values) HWY_ATTR {
             return hn::PromoteTo(d, hn::LoadU(HalfFloats(), values + at + j));

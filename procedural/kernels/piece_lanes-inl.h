@@ -1,5 +1,5 @@
-// The same number of several pieces in one vector, for every instruction set. Included once per
-// instruction set (hence the toggled guard), after hwy/foreach_target.h.
+// Numbers of several pieces gathered into vectors, for every instruction set. The file is included
+// once per instruction set (hence the toggled guard), after hwy/foreach_target.h.
 #if defined(BURL_PIECE_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef BURL_PIECE_LANES_INL_H
 #undef BURL_PIECE_LANES_INL_H
@@ -17,10 +17,10 @@ HWY_BEFORE_NAMESPACE();
 namespace burl {
 namespace HWY_NAMESPACE {
 
-/// Start and step of the pieces' lines from number i on, and their steps to the next row, one piece
-/// a lane. Lanes beyond the last piece repeat it.
+/// Start and step of the lines of the pieces from number i on, and their steps to the next row, one
+/// piece per lane. Lanes beyond the last piece repeat it.
 struct PieceLanes {
-    hn::Vec<Doubles> x, y, z, u, v, w;  ///< start and step
+    hn::Vec<Doubles> x, y, z, u, v, w;  ///< start and step of the line
     hn::Vec<Doubles> down_x, down_y, down_z;
 
     HWY_ATTR HWY_INLINE PieceLanes(std::span<const Piece> pieces, std::size_t i) {
@@ -45,7 +45,7 @@ struct PieceLanes {
     }
 };
 
-/// a x + b y + c z.
+/// The dot product a x + b y + c z.
 HWY_ATTR HWY_INLINE Double Dot(Double a, Double b, Double c, Double x, Double y, Double z) {
     return hn::Add(hn::Add(hn::Mul(a, x), hn::Mul(b, y)), hn::Mul(c, z));
 }
@@ -54,12 +54,14 @@ HWY_ATTR HWY_INLINE Double Dot(double a, double b, double c, Double x, Double y,
     return Dot(hn::Set(d, a), hn::Set(d, b), hn::Set(d, c), x, y, z);
 }
 
-/// Sides of up to `capacity` pieces' texels in a lattice, by axis.
+/// The sides of up to `capacity` pieces' texels in a lattice, one array per axis: u to the next
+/// column, v to the next row.
 struct PieceSides {
     static constexpr std::size_t capacity = 64;
     alignas(64) double u[3][capacity], v[3][capacity];
 
-    /// Times `scale`. What is half of lattice_limit or more (or NaN) before that counts as 0.
+    /// Fills the sides of `pieces` times `scale`. A component of half of lattice_limit or more (or
+    /// NaN) before scaling counts as 0.
     HWY_ATTR void Map(const Affine3& map, double scale, std::span<const Piece> pieces) {
         const Doubles d;
         const auto limit = hn::Set(d, 0.5 * lattice_limit), scales = hn::Set(d, scale);

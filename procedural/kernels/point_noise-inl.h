@@ -1,6 +1,6 @@
-// Lattice noise at vectors of points, alone or with its gradient, for every instruction set: from
-// our hash, and from the tables of 1985 and 2002. Included once per instruction set (hence the
-// toggled guard), after hwy/foreach_target.h; the noises are those of noise.h.
+// Lattice noise as noise.h defines it at vectors of points, with or without gradient, for every
+// instruction set: from LatticeHash, and from the tables of 1985 and 2002. The file is included
+// once per instruction set (hence the toggled guard), after hwy/foreach_target.h.
 #if defined(BURL_POINT_NOISE_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef BURL_POINT_NOISE_INL_H
 #undef BURL_POINT_NOISE_INL_H
@@ -16,7 +16,7 @@
 #define BURL_PERMUTATION_NUMBERS
 namespace burl {
 
-/// The published permutation as numbers that vectors can gather.
+/// The published permutation as 32-bit integers, which vectors can gather.
 inline constexpr auto permutation_numbers = [] {
     std::array<std::int32_t, 256> numbers{};
     for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = published_permutation[i];
@@ -30,11 +30,13 @@ HWY_BEFORE_NAMESPACE();
 namespace burl {
 namespace HWY_NAMESPACE {
 
+/// Cells and places, in [-1/2, 1/2] about the cells' middles, of a vector of points.
 struct VectorSite {
     Bit cell[3];
     Float place[3];
 };
 
+/// Noise and its gradient at a vector of points.
 struct VectorSample {
     Float value, slope[3];
 };
@@ -53,8 +55,9 @@ struct CornerOffsets {
     static HWY_ATTR HWY_INLINE Float Upper(Float u) { return hn::Sub(u, hn::Set(Floats(), 0.5f)); }
 };
 
-/// a and b blended with the fade v, twice: slopes of the axes that have any so far, and the axis'
-/// own.
+/// Twice the blend of a and b with the fade v: the values, the gradients as far as they are not 0
+/// (with `sloping` all components, else those along axes already blended), and the slope along
+/// `axis`.
 template <int axis, bool sloping>
 HWY_ATTR HWY_INLINE VectorSample TwiceBlend(Float v, Float v_slope, const VectorSample& a,
                                             const VectorSample& b) {
@@ -67,7 +70,7 @@ HWY_ATTR HWY_INLINE VectorSample TwiceBlend(Float v, Float v_slope, const Vector
     return r;
 }
 
-/// Eight times the noise and its gradient, from `corner(x, y, z)`, each 0 or 1.
+/// Eight times the noise and its gradient, from corner(x, y, z), whose arguments are 0 or 1.
 template <class FadeFunction, bool sloping, class Corner>
 HWY_ATTR HWY_INLINE VectorSample EightfoldSample(const VectorSite& at, const Corner& corner) {
     const FadeFunction fade;
@@ -76,7 +79,8 @@ HWY_ATTR HWY_INLINE VectorSample EightfoldSample(const VectorSite& at, const Cor
     for (int axis = 0; axis < 3; ++axis) {
         const Float t = hn::Add(v[axis], v[axis]);
         v[axis] = fade(t);
-        slope[axis] = hn::Add(fade.Slope(t), fade.Slope(t));  // t is twice the place
+        // The slope per cell is twice the slope by t, because t is twice the place.
+        slope[axis] = hn::Add(fade.Slope(t), fade.Slope(t));
     }
     const auto edge = [&](int y, int z) HWY_ATTR {
         return TwiceBlend<0, sloping>(v[0], slope[0], corner(0, y, z), corner(1, y, z));
@@ -87,7 +91,7 @@ HWY_ATTR HWY_INLINE VectorSample EightfoldSample(const VectorSite& at, const Cor
     return TwiceBlend<2, sloping>(v[2], slope[2], plane(0), plane(1));
 }
 
-/// The slope g through a corner at an offset.
+/// The slope (gx, gy, gz) through a corner, at offset (x, y, z) from it.
 HWY_ATTR HWY_INLINE VectorSample SlopeSample(Float gx, Float gy, Float gz, Float x, Float y,
                                              Float z) {
     return {hn::Add(hn::Add(hn::Mul(gx, x), hn::Mul(gy, y)), hn::Mul(gz, z)), {gx, gy, gz}};
@@ -109,8 +113,9 @@ HWY_ATTR HWY_INLINE VectorSample SampleOf(PerlinCorner corner, Bit h, Float x, F
     return {corner(h, x, y, z), {gx, gy, gz}};
 }
 
-// Noises give 1 / unit times the noise of a vector of sites, by seed.
+// A noise gives, by seed, 1 / unit times its value, or value and gradient, at a vector of sites.
 
+/// Noise whose corners come from LatticeHash; 2^-exponent is its unit.
 template <class Corner, class FadeFunction, int exponent>
 struct HashedNoise {
     static constexpr double unit = exponent == 3 ? 0x1p-3 : 0x1p-26;
@@ -136,8 +141,8 @@ struct HashedNoise {
     }
 };
 
-/// Corners' random numbers come from tables of 256: `Tables` has Hash(h) for the first two axes and
-/// Corner(h, x, y, z).
+/// Noise whose corners come from tables of 256 numbers: `Tables` has Hash(h) for the first two axes
+/// and Corner(h, x, y, z) for the corner's sample.
 template <class Tables, class FadeFunction>
 struct TableNoise {
     static constexpr double unit = 0x1p-3;
@@ -169,6 +174,7 @@ HWY_ATTR HWY_INLINE hn::Vec<Ints> LowByte(Bit h) {
     return hn::BitCast(Ints(), hn::And(h, hn::Set(Bits(), 255)));
 }
 
+/// The tables of 2002: the published permutation and the edges of a cube.
 struct PublishedTables {
     HWY_ATTR HWY_INLINE Bit Hash(Bit h) const {
         return hn::BitCast(Bits(), hn::GatherIndex(Ints(), permutation_numbers.data(), LowByte(h)));
@@ -178,6 +184,7 @@ struct PublishedTables {
     }
 };
 
+/// The tables of 1985: ClassicTables' permutation and gradients.
 struct Tables1985 {
     const std::int32_t* permutation = nullptr;
     const float* gradients = nullptr;
@@ -193,7 +200,7 @@ struct Tables1985 {
     }
 };
 
-/// Calls visit(noise) with the kind's.
+/// Calls visit(noise) with the kernel of the noise, which has_point_kernel must allow.
 template <class Visit>
 HWY_ATTR void WithPointNoise(const NoiseSpec& noise, const Visit& visit) {
     if (noise.kind == NoiseKind::perlin2002)

@@ -1,5 +1,5 @@
-// Cells and places of points given as float64 coordinates, for every instruction set. Included once
-// per instruction set (hence the toggled guard), after hwy/foreach_target.h.
+// Cells and places of points given as float64 coordinates, for every instruction set. The file is
+// included once per instruction set (hence the toggled guard), after hwy/foreach_target.h.
 #if defined(BURL_POINT_SITES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef BURL_POINT_SITES_INL_H
 #undef BURL_POINT_SITES_INL_H
@@ -18,12 +18,12 @@ namespace HWY_NAMESPACE {
 struct PointAxis {
     Bit cell, part;  ///< upper and lower 32 bits
 
-    /// After doublings, at most 31.
+    /// The cells after so many doublings of the coordinate, at most 31.
     HWY_ATTR HWY_INLINE Bit Cells(int doublings) const {
         const Bit carried = hn::ShiftRightSame(hn::ShiftRight<1>(part), 31 - doublings);
         return hn::Or(hn::ShiftLeftSame(cell, doublings), carried);
     }
-    /// From the cells' middles, in [-1/2, 1/2].
+    /// Offsets from the cells' middles after so many doublings, in [-1/2, 1/2].
     HWY_ATTR HWY_INLINE Float Places(int doublings) const {
         const Bit place = hn::ShiftLeftSame(part, doublings);
         const auto centred = hn::BitCast(Ints(), hn::Xor(place, hn::Set(Bits(), 0x80000000u)));
@@ -31,14 +31,16 @@ struct PointAxis {
     }
 };
 
-/// frequency * x of a vector of points; what reaches `limit` or is not a number counts as 0.
+/// The coordinates frequency * x of a vector of points; those of size `limit` or more, and NaN,
+/// count as 0.
 HWY_ATTR HWY_INLINE PointAxis SplitPoints(const double* x, double frequency, double limit) {
     const Doubles d;
     const Double half = hn::Set(d, 0.5);
     const auto fixed = [&](const double* at) HWY_ATTR {
         const Double y = hn::Mul(hn::Set(d, frequency), hn::Load(d, at));
         const Double near = hn::IfThenElseZero(hn::Lt(hn::Abs(y), hn::Set(d, limit)), y);
-        // From the middle of a cell; a sum again: place 1/2 carries into the next cell.
+        // The split is taken from the middle of a cell; the half cell is added back with a carry,
+        // so that place 1/2 goes into the next cell.
         return hn::Add(FixedPoint(hn::Sub(near, half)), hn::Set(Longs(), std::uint64_t(1) << 31));
     };
 #if HWY_TARGET == HWY_SCALAR
@@ -50,7 +52,7 @@ HWY_ATTR HWY_INLINE PointAxis SplitPoints(const double* x, double frequency, dou
     return {at.upper, at.lower};
 }
 
-/// Whether any of a vector of points has a coordinate that frequency takes to `limit` or further.
+/// Whether any of a vector of points has a coordinate that, times `frequency`, reaches `limit`.
 HWY_ATTR HWY_INLINE bool AnyBeyond(const std::array<const double*, 3>& points, std::size_t j,
                                    double frequency, double limit) {
     const Doubles d;

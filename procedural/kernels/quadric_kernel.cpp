@@ -23,7 +23,7 @@ HWY_ATTR void MakeParabolas(const Quadric& q, double constant, std::span<const P
     HWY_ALIGN double c0[most], c1[most], c2[most];
     for (std::size_t i = 0; i < pieces.size(); i += hn::Lanes(d)) {
         const PieceLanes p(pieces, i);
-        // Q s without its last row, eq. (11), its linear part apart.
+        // The rows of Q s without the last one, eq. (11), their linear part apart.
         const auto hx = Dot(q.a, q.b, q.c, p.x, p.y, p.z), hy = Dot(q.b, q.e, q.f, p.x, p.y, p.z),
                    hz = Dot(q.c, q.f, q.h, p.x, p.y, p.z);
         const auto lx = hn::Set(d, q.d), ly = hn::Set(d, q.g), lz = hn::Set(d, q.i);

@@ -18,8 +18,8 @@ HWY_BEFORE_NAMESPACE();
 namespace burl {
 namespace HWY_NAMESPACE {
 
-/// Not 0 where a texel does not lie in the cell of the texel before it, after doublings, for texels
-/// j and on.
+/// Numbers, for the texels from j on, that are not 0 where a texel does not lie, after `doublings`,
+/// in the cell of the texel before it.
 HWY_ATTR HWY_INLINE Bit Differing(const LatticeStream& stream, int doublings, std::size_t j) {
     const Bits d;
     const auto difference = [&](const std::uint32_t* numbers) HWY_ATTR {
@@ -33,8 +33,9 @@ HWY_ATTR HWY_INLINE Bit Differing(const LatticeStream& stream, int doublings, st
     return hn::Or(cells, hn::ShiftRightSame(places, 32 - doublings));
 }
 
-/// run[j] = how many texels up to j do not lie in the cell of the texel before; positions[i] =
-/// which. Their number. (Garbage beyond `count` makes runs, too, that nobody reads.)
+/// run[j] = the number of borders at texels 1..j, where a texel does not lie in the cell of the
+/// texel before; positions[i] = the first texel of run i. Returns the number of runs. (Runs of
+/// garbage beyond `count` are never read.)
 HWY_ATTR std::size_t FindBorders(const LatticeStream& stream, int doublings, std::size_t count,
                                  std::uint32_t* positions, std::uint32_t* run) {
     const Bits d;
@@ -58,12 +59,12 @@ HWY_ATTR void FindRuns(const LatticeStream& stream, int doublings, std::size_t c
             runs.first.cells[axis][i] = stream.cells[axis][positions[i]];
             runs.first.places[axis][i] = stream.places[axis][positions[i]];
         }
-    // What is read beyond the end belongs to the last run.
+    // The elements that kernels read beyond the end belong to the last run.
     std::fill_n(runs.run + count, hn::Lanes(Bits()), std::uint32_t(runs.count - 1));
 }
 
-/// What the texels of a run share: for value noise the PlaneValues of both planes, for Perlin's the
-/// corners' hashes.
+/// The numbers that the texels of a run share: for value noise the PlaneValues of both planes, for
+/// Perlin's noise the corners' hashes.
 struct SharedCorners {
     alignas(64) std::uint32_t bits[8][batch_capacity + 2 * batch_padding];
 };
@@ -96,8 +97,8 @@ HWY_ATTR void ShareCorners(const StreamOctave& octave, const CellRuns& runs,
     }
 }
 
-/// visit(low, high) with the two planes of a vector of texels, of which `take(k)` gives number k of
-/// SharedCorners.
+/// Calls visit(low, high) with the two planes of corners of a vector of texels; `take(k)` gives
+/// element k of their SharedCorners.
 template <class Corner, class Take, class Visit>
 HWY_ATTR HWY_INLINE auto WithPlanes(const Take& take, const Visit& visit) {
     if constexpr (std::is_same_v<Corner, ValueCorner>) {
@@ -115,13 +116,14 @@ HWY_ATTR HWY_INLINE auto WithPlanes(const Take& take, const Visit& visit) {
     }
 }
 
-/// Vectors of texels of one run only take its numbers as they are. Where that is rare, asking costs
-/// more than it gains, since nobody can foretell the answer.
+/// Whether runs are so long that testing a vector of texels for being of one run, which saves the
+/// look-ups, pays: where most vectors are not, the test costs more than it gains, because its
+/// branch cannot be predicted.
 constexpr bool few_borders(const CellRuns& runs, std::size_t count, std::size_t lanes) {
     return 4 * runs.count * lanes < count;
 }
 
-/// add(j, places, take) for every vector of texels.
+/// Calls add(j, places, take) for every vector of texels.
 template <class FadeFunction, bool ask, class Add>
 HWY_ATTR HWY_INLINE void ForEachVector(const StreamOctave& octave, const LatticeStream& stream,
                                        const CellRuns& runs, const SharedCorners& shared,

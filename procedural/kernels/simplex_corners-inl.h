@@ -1,5 +1,5 @@
-// Simplices and their corners for every instruction set. Included once per instruction set (hence
-// the toggled guard), after hwy/foreach_target.h; the noise is that of simplex_noise.h.
+// Simplices and their corners for the noise of simplex_noise.h, for every instruction set. The file
+// is included once per instruction set (hence the toggled guard), after hwy/foreach_target.h.
 #if defined(BURL_SIMPLEX_CORNERS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef BURL_SIMPLEX_CORNERS_INL_H
 #undef BURL_SIMPLEX_CORNERS_INL_H
@@ -17,7 +17,7 @@ namespace HWY_NAMESPACE {
 using Bytes = hn::Repartition<std::uint8_t, Bits>;
 using IntMask = hn::Mask<Ints>;
 
-/// x + step where `mask` is set.
+/// x + step where `mask` is set, else x.
 HWY_ATTR HWY_INLINE Bit AddIf(IntMask mask, Bit x, std::uint32_t step) {
     return hn::IfThenElse(hn::RebindMask(Bits(), mask), hn::Add(x, hn::Set(Bits(), step)), x);
 }
@@ -25,14 +25,14 @@ HWY_ATTR HWY_INLINE Float AddIf(IntMask mask, Float x, float step) {
     return hn::IfThenElse(hn::RebindMask(Floats(), mask), hn::Add(x, hn::Set(Floats(), step)), x);
 }
 
-/// n = 3 quotient + 0, 1 or 2, modulo 2^32.
+/// n divided by 3, modulo 2^32: n = 3 quotient + 0, 1 or 2, and the masks of rests 1 and 2.
 struct Thirds {
     Bit quotient;
     IntMask one, two;
 };
 
-/// Of -2^31 < n < 2^31 - 2. With the inverse of 3 modulo 2^32, n * inverse = quotient + rest *
-/// inverse, where the three rests make numbers that lie far apart.
+/// The division by 3 of -2^31 < n < 2^31 - 2. With the inverse of 3 modulo 2^32, n * inverse =
+/// quotient + rest * inverse, where the three rests make numbers that lie far apart.
 HWY_ATTR HWY_INLINE Thirds ThirdsOf(Bit n) {
     constexpr std::uint32_t inverse = 0xaaaaaaabu;
     const Bit product = hn::Mul(n, hn::Set(Bits(), inverse));
@@ -42,23 +42,24 @@ HWY_ATTR HWY_INLINE Thirds ThirdsOf(Bit n) {
     return {AddIf(two, AddIf(one, product, 0u - inverse), 0u - 2 * inverse), one, two};
 }
 
-/// Where a vector of texels lies in the skewed lattice.
+/// The places of a vector of texels in the skewed lattice.
 struct SimplexSites {
-    Bit corner[3];              ///< lowest corner of the skewed cube
-    Float offset[3];            ///< of the texel from it, unskewed
-    IntMask first[3], last[3];  ///< on which axis the way to the highest corner starts and ends
+    Bit corner[3];              ///< lowest corner of the skewed cube, less 1
+    Float offset[3];            ///< the texel less the cube's lowest corner, unskewed
+    IntMask first[3], last[3];  ///< axis of the walk's first and last step
 };
 
-/// Whole numbers decide: a texel at a multiple of 2^-29 gets the simplex of exact arithmetic, like
-/// simplex_place. Others are moved down to one.
+/// The sites of texels at cells and places (in units of 2^-32 cells). Whole numbers decide the
+/// simplex: a texel at a multiple of 2^-29 gets that of exact arithmetic, like simplex_place; other
+/// texels are moved down to such a multiple.
 HWY_ATTR HWY_INLINE SimplexSites SitesOf(const Bit* cell, const Bit* place) {
     const Floats d;
     const Bits bits;
     constexpr std::uint32_t one = 1u << 29;
     const Bit p[3] = {hn::ShiftRight<3>(place[0]), hn::ShiftRight<3>(place[1]),
                       hn::ShiftRight<3>(place[2])};
-    // A third of the coordinates' sum, which skews them. It is 1 too small: so small sums have
-    // signs.
+    // The skew is a third of the coordinates' sum; it is 1 too small, so that small sums are
+    // negative numbers.
     const Thirds cells = ThirdsOf(hn::Add(hn::Add(cell[0], cell[1]), cell[2]));
     const Bit places = hn::Add(hn::Add(p[0], p[1]), hn::Add(p[2], hn::Set(bits, 0u - 3 * one)));
     const Bit skew = ThirdsOf(AddIf(cells.two, AddIf(cells.one, places, one), 2 * one)).quotient;
@@ -73,11 +74,11 @@ HWY_ATTR HWY_INLINE SimplexSites SitesOf(const Bit* cell, const Bit* place) {
             hn::BitCast(Ints(), hn::Xor(hn::ShiftLeft<3>(skewed), hn::Set(bits, 0x80000000u)));
         y[axis] = hn::Mul(hn::ConvertTo(d, way[axis]), hn::Set(d, 0x1p-32f));
     }
-    // y is the place in the skewed cube, from its middle; unskewing takes a sixth of the sum away.
+    // y is the place in the skewed cube, from its middle; unskewing subtracts a sixth of the sum.
     const Float sum = hn::Add(hn::Add(y[0], y[1]), y[2]);
     const Float back = hn::Sub(hn::Set(d, 0.25f), hn::Mul(sum, hn::Set(d, 1.0f / 6.0f)));
     for (int axis = 0; axis < 3; ++axis) sites.offset[axis] = hn::Add(y[axis], back);
-    // The largest offset goes first; of equals the one along the lower axis, as the appendix has
+    // The largest offset goes first; of equal ones that along the lower axis, as the appendix has
     // it.
     const auto x_below_y = hn::Lt(way[0], way[1]), x_below_z = hn::Lt(way[0], way[2]),
                y_below_z = hn::Lt(way[1], way[2]);
@@ -92,7 +93,7 @@ HWY_ATTR HWY_INLINE SimplexSites SitesOf(const Bit* cell, const Bit* place) {
 
 #if HWY_TARGET == HWY_SCALAR
 
-/// What a coordinate of a corner does to its hash.
+/// A corner's coordinate as its hash takes it.
 using AxisHash = Bit;
 
 template <std::size_t axis>
@@ -111,14 +112,15 @@ HWY_ATTR HWY_INLINE Bit GradientCode(AxisHash x, AxisHash y, AxisHash z) {
 
 #else
 
-/// table[byte] for every byte: 0 where its bit 7 is set, else its lower four bits count.
+/// table[byte] for every byte: 0 where its bit 7 is set; otherwise its lower four bits are the
+/// index.
 HWY_ATTR HWY_INLINE Bit LookUp(const ByteTable& table, Bit bytes) {
     const Bytes d8;
     return hn::BitCast(
         Bits(), hn::TableLookupBytes(hn::LoadDup128(d8, table.data()), hn::BitCast(d8, bytes)));
 }
 
-/// Byte i becomes the former byte (i & keep) ^ flip.
+/// Byte i of the result is byte (i & keep) ^ flip of x.
 template <std::size_t keep, std::size_t flip>
 HWY_ATTR HWY_INLINE Bit Reorder(Bit x) {
     HWY_ALIGN static constexpr ByteTable order = byte_order(keep, flip);
@@ -132,7 +134,8 @@ HWY_ATTR HWY_INLINE Bit AddBytes(Bit x, Bit y) {
     return hn::BitCast(Bits(), hn::Add(hn::BitCast(d8, x), hn::BitCast(d8, y)));
 }
 
-/// What the coordinate of a corner gives to the numbers of its patterns 0 to 3 and 4 to 7.
+/// The bits that a corner's coordinate along an axis contributes to the numbers of the patterns 0
+/// to 3 and 4 to 7.
 struct AxisHash {
     Bit low, high;
 };
@@ -158,7 +161,7 @@ HWY_ATTR HWY_INLINE Bit GradientCode(AxisHash x, AxisHash y, AxisHash z) {
     const Bit low = LookUp(patterns, hn::Or(hn::Or(x.low, y.low), z.low));
     const Bit high = LookUp(patterns, hn::Or(hn::Or(x.high, y.high), z.high));
     const Bit four = AddBytes(low, high), two = AddBytes(four, Reorder<15, 2>(four));
-    const Bit hash = AddBytes(two, Reorder<15, 1>(two));  // in every byte
+    const Bit hash = AddBytes(two, Reorder<15, 1>(two));  // the hash in every byte
     const Bit role =
         LookUp(roles, hn::Or(hn::And(hash, hn::Set(d, 0x03030303u)), hn::Set(d, 0x0c080400u)));
     const Bit sign = LookUp(signs, hn::Or(role, hn::And(hash, hn::Set(d, 0x04040404u))));
@@ -168,7 +171,7 @@ HWY_ATTR HWY_INLINE Bit GradientCode(AxisHash x, AxisHash y, AxisHash z) {
 
 #endif
 
-/// The gradient of a code, each component 2, 0 or -2: of which floats hold all but the top byte 0.
+/// Twice the gradient of a code, components 2, 0 or -2, whose floats are 0 but for the top byte.
 HWY_ATTR HWY_INLINE void DecodeGradient(Bit code, Float* g) {
     const Floats d;
     const Bit top = hn::Set(Bits(), 0xff000000u);
@@ -177,15 +180,16 @@ HWY_ATTR HWY_INLINE void DecodeGradient(Bit code, Float* g) {
     g[2] = hn::BitCast(d, hn::ShiftLeft<16>(code));
 }
 
-/// Calls visit(g, d) for the corners of the simplices from the lowest to the highest: gradient (of
-/// components 2, 0 and -2) and the texel's offset. `shift` is what a seed adds to a corner.
+/// Calls visit(g, d) for the corners of the simplices from the lowest to the highest: twice the
+/// gradient (components 2, 0 and -2) and the texel's offset. `shift` is added to the corners'
+/// coordinates.
 template <class Visit>
 HWY_ATTR HWY_INLINE void ForEachCorner(const SimplexSites& sites, const std::uint32_t* shift,
                                        const Visit& visit) {
     const Floats d;
     const Bits bits;
     const Bit next = hn::Set(bits, 1u);
-    // The skew was 1 too small.
+    // The 1 makes up for the skew, which SitesOf leaves 1 too small.
     const Bit x = hn::Add(sites.corner[0], hn::Set(bits, shift[0] + 1)),
               y = hn::Add(sites.corner[1], hn::Set(bits, shift[1] + 1)),
               z = hn::Add(sites.corner[2], hn::Set(bits, shift[2] + 1));

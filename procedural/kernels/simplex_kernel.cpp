@@ -26,7 +26,7 @@ HWY_ATTR HWY_INLINE SimplexSites SitesAt(const LatticeStream& stream, int doubli
     return SitesOf(cell, place);
 }
 
-/// What a seed adds to the corners of cubes.
+/// The shift of the corners of cubes by a seed, along each axis.
 struct SeedShift {
     std::uint32_t along[3];
 
@@ -35,8 +35,8 @@ struct SeedShift {
                 LatticeHash::shift(seed, 2)} {}
 };
 
-/// radius^2 less the squared distance, where positive. The sum of squares comes first: it is small
-/// where the kernel is large.
+/// radius^2 less the squared distance, or 0 where that is negative. The squares are summed first,
+/// because their sum is small where the kernel is large.
 HWY_ATTR HWY_INLINE Float Height(Float radius, const Float* offset) {
     return hn::Max(hn::Sub(radius, Dot(offset, offset)), hn::Zero(Floats()));
 }

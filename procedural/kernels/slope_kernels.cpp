@@ -41,7 +41,7 @@ HWY_ATTR void AddOctaveAndGradient(NoiseKind kind, Fade fade, const StreamOctave
     });
 }
 
-/// slope[j] += the gradients from texel `at` on along a side.
+/// slope[j] += the gradient of texel at + j times the side (x, y, z), for `count` texels.
 HWY_ATTR HWY_INLINE void AddSlope(const GradientSums& gradients, std::size_t at, std::size_t count,
                                   float x, float y, float z, float* slope) {
     const Floats d;
@@ -51,7 +51,7 @@ HWY_ATTR HWY_INLINE void AddSlope(const GradientSums& gradients, std::size_t at,
         const Float xy =
             hn::Add(hn::Mul(hn::LoadU(d, gx + at + j), sx), hn::Mul(hn::LoadU(d, gy + at + j), sy));
         Float change = hn::Add(xy, hn::Mul(hn::LoadU(d, gz + at + j), sz));
-        // What follows is another piece's.
+        // The texels beyond `count` are another piece's.
         if (count - j < hn::Lanes(d)) change = hn::IfThenElseZero(FirstLanes(count - j), change);
         hn::StoreU(hn::Add(hn::LoadU(d, slope + j), change), d, slope + j);
     }
@@ -76,14 +76,15 @@ HWY_ATTR void AddSlopes(const Affine3& map, double scale, std::span<const Piece>
     }
 }
 
-/// Slopes of the pieces' first lines: u at the start, its change per texel; v likewise.
+/// The slopes of the quadric along the lines of pieces: lines[0] is the slope along u at the line's
+/// start, lines[1] its change per texel; lines[2] and lines[3] are those along v.
 HWY_ATTR void MakeSlopeLines(const Quadric& q, std::span<const Piece> pieces,
                              double (*lines)[PieceSides::capacity]) {
     const Doubles d;
     const auto two = hn::Set(d, 2.0);
     for (std::size_t i = 0; i < pieces.size(); i += hn::Lanes(d)) {
         const PieceLanes p(pieces, i);
-        // Half the gradient at the start, and what a step adds to it.
+        // Half the gradient at the start, and its change along a step.
         const auto gx = hn::Add(Dot(q.a, q.b, q.c, p.x, p.y, p.z), hn::Set(d, q.d)),
                    gy = hn::Add(Dot(q.b, q.e, q.f, p.x, p.y, p.z), hn::Set(d, q.g)),
                    gz = hn::Add(Dot(q.c, q.f, q.h, p.x, p.y, p.z), hn::Set(d, q.i));

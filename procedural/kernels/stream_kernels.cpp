@@ -34,7 +34,7 @@ HWY_ATTR HWY_INLINE void FillLine(const FixedLines& lines, std::size_t i, double
     }
 }
 
-/// For lines that FillLine cannot hold: far from the origin, or crossing very many cells.
+/// Fills a line that FillLine cannot: one far from the origin, or one that crosses very many cells.
 void FillHardLine(const Affine3& map, const LatticeLine& line, double length,
                   const LineLimits& limits, std::size_t at, LatticeStream& stream) {
     for (int axis = 0; axis < 3; ++axis) {
@@ -46,7 +46,8 @@ void FillHardLine(const Affine3& map, const LatticeLine& line, double length,
             const double x = near ? start + (line.first + double(j)) * step : 0.0;
             const double cell = std::floor(x), period = limits.period;
             const double wrapped = period > 0.0 ? cell - period * std::floor(cell / period) : cell;
-            // A sum: just below a cell's border x - cell rounds to 1, the next cell's place 0.
+            // A sum, because just below a cell's border x - cell rounds to 1: place 0 of the next
+            // cell.
             stream.set(
                 axis, at + j,
                 (std::uint64_t(std::int64_t(wrapped)) << 32) + std::uint64_t((x - cell) * 0x1p32));
@@ -54,14 +55,15 @@ void FillHardLine(const Affine3& map, const LatticeLine& line, double length,
     }
 }
 
-/// What FillLines fills.
+/// The stream that lines are appended to, with counts.
 struct StreamEnd {
     LatticeStream& stream;
+    /// Texels that the stream has so far.
     std::size_t texels = 0;
-    double planes = 0.0;  ///< crossed by them
+    double planes = 0.0;  ///< lattice planes that those texels cross
 };
 
-/// `count` lines from number `begin` on.
+/// Appends `count` lines from number `begin` on.
 template <bool near_origin, class Source>
 HWY_ATTR void FillLines(const Affine3& map, const LineLimits& limits, const Source& source,
                         std::size_t begin, std::size_t count, const FixedLines& lines,

@@ -1,7 +1,7 @@
-// Lattice noise at the texels of a stream, for every instruction set: what the direct kernel and
-// the sharing one have in common, in the fewest operations that keep a float's accuracy. Included
-// once per instruction set (hence the toggled guard), after hwy/foreach_target.h; the noises are
-// those of noise.h.
+// Lattice noise as noise.h defines it at the texels of a stream, for every instruction set: the
+// common part of the direct kernel and the sharing one, in the fewest operations that keep a
+// float's accuracy. The file is included once per instruction set (hence the toggled guard), after
+// hwy/foreach_target.h.
 #if defined(BURL_STREAM_NOISE_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef BURL_STREAM_NOISE_INL_H
 #undef BURL_STREAM_NOISE_INL_H
@@ -18,12 +18,12 @@ HWY_BEFORE_NAMESPACE();
 namespace burl {
 namespace HWY_NAMESPACE {
 
-/// Twice the place in cells: t in [-1,1].
+/// Twice the place about the cell's middle, t in [-1, 1], from s = 2^32 times the place.
 HWY_ATTR HWY_INLINE Float TwicePlace(Float s) {
     return hn::Mul(s, hn::Set(Floats(), 0x1p-31f));
 }
 
-/// Fades v = 2 w - 1 of PlacesOf.
+/// The fade v = 2 w - 1, w being the upper corner's weight, from s as PlacesOf gives it.
 HWY_ATTR HWY_INLINE Float FadeOf(LinearFade, Float s) {
     return TwicePlace(s);
 }
@@ -39,14 +39,14 @@ HWY_ATTR HWY_INLINE Float FadeOf(QuinticFade, Float s) {  // t (15/8 - t^2 (5/4 
     return hn::Mul(t, hn::Sub(hn::Set(d, 1.875f), hn::Mul(square, rest)));
 }
 
-/// Four lattice values of a plane as coefficients of 1, v_x, v_y and v_x v_y in four times their
-/// interpolation, and that.
+/// Four times the interpolation of a plane's four lattice values, as coefficients of 1, v_x, v_y
+/// and v_x v_y.
 struct PlaneValues {
     Float one, x, y, xy;
 
     HWY_ATTR HWY_INLINE PlaneValues(Float one_, Float x_, Float y_, Float xy_)
         : one(one_), x(x_), y(y_), xy(xy_) {}
-    /// Of the values at (0,0), (1,0), (0,1) and (1,1).
+    /// The coefficients for the values at (0,0), (1,0), (0,1) and (1,1).
     static HWY_ATTR HWY_INLINE PlaneValues Of(Float a, Float b, Float e, Float f) {
         const Float low = hn::Add(a, b), high = hn::Add(e, f);
         const Float low_x = hn::Sub(b, a), high_x = hn::Sub(f, e);
@@ -58,13 +58,13 @@ struct PlaneValues {
     }
 };
 
-/// 2^31 times the lattice value of a hash: its upper 24 bits, left where they are.
+/// 2^31 times the lattice value of a hash: its upper 24 bits, without a shift.
 HWY_ATTR HWY_INLINE Float ValueOf(Bit h) {
     const Bit upper = hn::And(h, hn::Set(Bits(), 0xffffff00u));
     return hn::ConvertTo(Floats(), hn::BitCast(Ints(), upper));
 }
 
-/// Hashes of a plane's four corners, from that of the lowest before mixing.
+/// The hashes of a plane's four corners, mixed; h is that of the lowest corner before mixing.
 struct PlaneHashes {
     Bit a, b, e, f;
 
@@ -86,7 +86,8 @@ HWY_ATTR HWY_INLINE Bit NextPlane(Bit h) {
     return hn::Add(h, hn::Set(Bits(), LatticeHash::prime_z));
 }
 
-/// Places of a vector of texels on the three axes, and their fades.
+/// The places of a vector of texels on the three axes (2^32 times the offset from the cell's
+/// middle), and their fades.
 template <class FadeFunction>
 struct StreamPlaces {
     Float s[3], fade[3];
@@ -100,14 +101,15 @@ struct StreamPlaces {
     }
 };
 
-/// Noise over stream_unit, from the two planes of corners; for value noise from PlaneValues.
+/// Value noise divided by stream_unit, from the values of the two planes of corners.
 template <class FadeFunction>
 HWY_ATTR HWY_INLINE Float NoiseOf(const StreamPlaces<FadeFunction>& at, const PlaneValues& low,
                                   const PlaneValues& high) {
     return TwiceLerp(at.fade[2], low(at.fade[0], at.fade[1]), high(at.fade[0], at.fade[1]));
 }
 
-/// For Perlin's from the corners' hashes: slopes through the corners at twice the distance.
+/// Perlin's noise divided by stream_unit, from the hashes of the two planes of corners: slopes
+/// through the corners at twice the distance.
 template <class FadeFunction>
 HWY_ATTR HWY_INLINE Float NoiseOf(const StreamPlaces<FadeFunction>& at, const PlaneHashes& low,
                                   const PlaneHashes& high) {
@@ -126,7 +128,7 @@ HWY_ATTR HWY_INLINE Float NoiseOf(const StreamPlaces<FadeFunction>& at, const Pl
     return TwiceLerp(at.fade[2], plane(low, hn::Add(z, one)), plane(high, hn::Sub(z, one)));
 }
 
-/// visit(low, high) with the two planes of corners of a vector of texels, from its CellHash.
+/// Calls visit(low, high) with the two planes of corners of a vector of texels, from its CellHash.
 template <class Corner, class Visit>
 HWY_ATTR HWY_INLINE auto WithPlanesOf(Bit h, const Visit& visit) {
     const PlaneHashes low(h), high(NextPlane(h));

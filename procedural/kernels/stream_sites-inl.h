@@ -1,5 +1,5 @@
-// Cells and places of a stream's texels for every instruction set. Included once per instruction
-// set (hence the toggled guard), after hwy/foreach_target.h.
+// Cells and places of a stream's texels, for every instruction set. The file is included once per
+// instruction set (hence the toggled guard), after hwy/foreach_target.h.
 #if defined(BURL_STREAM_SITES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef BURL_STREAM_SITES_INL_H
 #undef BURL_STREAM_SITES_INL_H
@@ -14,7 +14,7 @@ HWY_BEFORE_NAMESPACE();
 namespace burl {
 namespace HWY_NAMESPACE {
 
-/// Cells of a vector of texels after doublings.
+/// The cells of a vector of texels from number j on, after doublings.
 HWY_ATTR HWY_INLINE Bit CellsOf(const LatticeStream& stream, int axis, std::size_t j,
                                 int doublings) {
     const Bit cells = hn::Load(Bits(), stream.cells[axis] + j);
@@ -23,14 +23,14 @@ HWY_ATTR HWY_INLINE Bit CellsOf(const LatticeStream& stream, int axis, std::size
     return hn::Or(hn::ShiftLeftSame(cells, doublings), hn::ShiftRightSame(places, 32 - doublings));
 }
 
-/// Places of a vector of texels after doublings (of whatever stream has places), in units of 2^-32
-/// cells.
+/// The places of a vector of texels from number j on, after doublings, in units of 2^-32 cells;
+/// `Stream` is any type that has places.
 template <class Stream>
 HWY_ATTR HWY_INLINE Bit PlaceBitsOf(const Stream& stream, int axis, std::size_t j, int doublings) {
     return hn::ShiftLeftSame(hn::Load(Bits(), stream.places[axis] + j), doublings);
 }
 
-/// 2^32 times the distance from the cell's middle, rounded to float.
+/// 2^32 times the offset from the cell's middle, rounded to float, for texels from number j on.
 template <class Stream>
 HWY_ATTR HWY_INLINE Float PlacesOf(const Stream& stream, int axis, std::size_t j, int doublings) {
     const Bit places = PlaceBitsOf(stream, axis, j, doublings);

@@ -11,7 +11,7 @@ namespace burl {
 
 namespace {
 
-/// A thread's part of the images.
+/// The rows of the images that one thread fills.
 class LatticeMapRows {
   public:
     LatticeMapRows(const std::optional<LatticeStreamKey>& stream,
@@ -71,7 +71,7 @@ class LatticeMapRows {
                     MapTexel(0, 0, 0, std::uint32_t(no_quadric)));
     }
 
-    /// Texels `done` to end - 1 of the span.
+    /// Adds texels `done` to end - 1 of the span.
     void add(const WholeSpan& span, const TexelMap& texel, std::size_t y, std::size_t done,
              std::size_t end) {
         const Vec3d start = texel(span.x, std::int64_t(y));

@@ -11,7 +11,7 @@ namespace burl {
 
 namespace {
 
-/// The points that the span's texels show.
+/// The line of solid points that the span's texels show.
 LatticeLine solid_line(const Span& span, const TexelMap& texel, std::size_t y) {
     return {texel(span.x, std::int64_t(y)), texel.step_x, 0.0, span.count};
 }
@@ -24,8 +24,8 @@ Vec3d point_on(const LatticeLine& line, std::uint32_t column) {
     return line.start + double(column) * line.step;
 }
 
-/// Calls visit(x, y, column) for the span's texels in the area, counted from the area's corner and
-/// from the span's start.
+/// Calls visit(x, y, column) for the span's texels in the area: x and y count from the area's
+/// corner, `column` from the span's start.
 template <class Visit>
 void for_texels(const Span& span, std::size_t y, const TexelArea& area, Visit visit) {
     const std::uint32_t begin = std::max(span.x, area.x),
@@ -33,7 +33,7 @@ void for_texels(const Span& span, std::size_t y, const TexelArea& area, Visit vi
     for (std::uint32_t x = begin; x < end; ++x) visit(x - area.x, y - area.y, x - span.x);
 }
 
-/// Calls visit(y) for the area's rows, several at once.
+/// Calls visit(y) for the area's rows, several at a time in parallel.
 template <class Visit>
 void for_rows(const TexelArea& area, int threads, Visit visit) {
     for_row_ranges(area.height, std::size_t{1} << 13, threads, [&](const RowRange& rows) {
@@ -41,6 +41,7 @@ void for_rows(const TexelArea& area, int threads, Visit visit) {
     });
 }
 
+/// Two doubles as halves, the lower first.
 MapTexel halves(double a, double b) {
     const auto u = std::bit_cast<std::uint64_t>(a), v = std::bit_cast<std::uint64_t>(b);
     return {std::uint32_t(u), std::uint32_t(u >> 32), std::uint32_t(v), std::uint32_t(v >> 32)};

@@ -22,6 +22,7 @@ void for_texels(const TexelArea& area, int threads, const Visit& visit) {
     });
 }
 
+/// The bits of the quadric's float64 value at texel i.
 std::uint64_t quadric_bits(const LatticeMap& map, std::size_t i) {
     return std::uint64_t(map.cells.pixels()[i].w) << 32 | map.places.pixels()[i].w;
 }

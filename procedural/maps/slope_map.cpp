@@ -13,7 +13,7 @@ namespace burl {
 
 namespace {
 
-/// A thread's part of the image.
+/// The rows of the image that one thread fills.
 class SlopeMapRows {
   public:
     SlopeMapRows(const Quadric& quadric, const TexelArea& area, Image<MapTexel>& image)
@@ -57,11 +57,11 @@ class SlopeMapRows {
     const Quadric& quadric_;
     const TexelArea& area_;
     Image<MapTexel>& image_;
-    std::vector<std::uint32_t> owners_;  ///< of the pieces
+    std::vector<std::uint32_t> owners_;  ///< map numbers of the pieces
     std::unique_ptr<FieldBatch> batch_ = std::make_unique_for_overwrite<FieldBatch>();
 };
 
-/// As PieceSides::Map, from which these are not to differ.
+/// The side in the group's lattice, by the arithmetic of PieceSides::Map, whose bits it must have.
 Vec4f side(const Mat3d& linear, double scale, const Vec3d& step) {
     Vec4f result(0.0f);
     for (int axis = 0; axis < 3; ++axis) {

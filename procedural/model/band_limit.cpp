@@ -1,4 +1,4 @@
-// Means are counted once per texture.
+// Means of octaves are computed once per texture.
 #include "procedural/model/band_limit.h"
 
 #include "procedural/noise/noise.h"
@@ -12,7 +12,7 @@ double octave_mean(const Octave& octave) {
     double sum = 0.0;
     for (int i = 0; i < side * side * side; ++i) {
         const double x = i % side, y = i / side % side, z = i / (side * side);
-        // Multiples of three irrational numbers, so that places are spread over the cell.
+        // Multiples of three irrational numbers spread the points over the cells.
         const Point<3> p{x + std::fmod(0.5 + i * 0.8191725134, 1.0),
                          y + std::fmod(0.5 + i * 0.6710436067, 1.0),
                          z + std::fmod(0.5 + i * 0.5497004779, 1.0)};

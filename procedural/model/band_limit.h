@@ -1,6 +1,7 @@
 #pragma once
-// Leaving out the octaves that a texel cannot show, with a fade (pbrt's rule for its fractal sums:
-// n = clamp(-1 - log2(len2) / 2, 0, max) octaves, the last faded by smoothstep(0.3, 0.7)).
+// The band limit: a texel leaves out octaves that it cannot show, with a fade (pbrt's rule for its
+// fractal sums: n = clamp(-1 - log2(len2) / 2, 0, max) octaves, the last faded by smoothstep(0.3,
+// 0.7)).
 #include <algorithm>
 #include <cmath>
 
@@ -9,11 +10,11 @@
 
 namespace burl {
 
-/// Weight in [0,1] of an octave in whose lattice coordinates the texel's longer side has this
-/// square: 1 while the side is up to a quarter of a cell, 0 from half a cell on, and where it is
-/// not a number.
+/// The weight in [0, 1] of an octave, given the square of the footprint's longer side in cells of
+/// the octave's lattice: 1 while the side is up to a quarter of a cell, 0 from half a cell on and
+/// for NaN.
 inline double band_weight(double squared) {
-    // Without a logarithm where x is beyond [0, 1], with a margin.
+    // The logarithm is left out where x is outside [0, 1] by a margin.
     if (squared < 0.09) return 1.0;
     if (!(squared < 0.17)) return 0.0;
     const double octaves_left = -1.0 - 0.5 * std::log2(squared);
@@ -21,17 +22,17 @@ inline double band_weight(double squared) {
     return x * x * (3.0 - 2.0 * x);
 }
 
-/// Square of the longer one.
+/// The square of the length of the longer vector.
 inline double longer_squared(const Vec3d& along_u, const Vec3d& along_v) {
     return std::max(glm::dot(along_u, along_u), glm::dot(along_v, along_v));
 }
 
-/// Of an octave in whose lattice coordinates the texel's sides are these.
+/// The weight of an octave, given the footprint's sides in its lattice coordinates.
 inline double band_weight(const Vec3d& along_u, const Vec3d& along_v) {
     return band_weight(longer_squared(along_u, along_v));
 }
 
-/// Mean of an octave's noise, offset left out, from 12^3 points in as many cells, none of them a
+/// The mean of an octave without its offset, from 12^3 points in as many cells, none of them a
 /// lattice point. Signed noises have the mean 0 by their symmetry.
 double octave_mean(const Octave& octave);
 

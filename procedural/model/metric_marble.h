@@ -1,5 +1,5 @@
 #pragma once
-// The texture atlases are measured with: marble of Perlin's improved noise with his published
+// The texture that atlases are measured with: marble of Perlin's improved noise with his published
 // permutation ("Improving Noise", 2002), so that other programs can measure the same. One linear
 // channel, no filter, no rounding.
 #include "atlas/base/vec.h"

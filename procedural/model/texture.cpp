@@ -9,7 +9,7 @@ namespace burl {
 
 namespace {
 
-/// F s + phase of a term, before any octave scales F.
+/// The map F s + phase of a term, for its first octave.
 Affine3 first_octave_map(const NoiseTerm& term) {
     Affine3 map;
     if (!term.matrix) {
@@ -26,12 +26,14 @@ Affine3 first_octave_map(const NoiseTerm& term) {
     return map;
 }
 
+/// The range of a term that gives none: the unit range for noise that is not negative by itself and
+/// for value noise, the signed range for the others.
 NoiseRange natural_range(const NoiseTerm& term) {
     const bool positive = is_distance(term.kind) || term.shape != OctaveShape::plain;
     return positive || term.kind == NoiseKind::value ? NoiseRange::unit : NoiseRange::bipolar;
 }
 
-/// Octave with amplitude a of a term, without its noise.
+/// An octave with amplitude `a` of a term, without its noise.
 Octave scaled_octave(const NoiseTerm& term, double a) {
     const bool unit = term.range.value_or(natural_range(term)) == NoiseRange::unit;
     const bool positive = is_distance(term.kind) || term.shape != OctaveShape::plain;
@@ -56,7 +58,7 @@ Period<4> octave_period(const NoiseTerm& term, double frequency) {
     return period;
 }
 
-/// Those whose amplitude is zero, or the others.
+/// Appends a term's octaves whose amplitude is zero (`idle`) or those whose amplitude is not.
 void append_octaves(const NoiseTerm& term, bool idle, std::vector<Octave>& octaves) {
     const Affine3 first = first_octave_map(term);
     double amplitude = term.amplitude, frequency = 1.0;

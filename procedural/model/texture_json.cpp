@@ -32,14 +32,14 @@ std::string_view name_of(const Names<T, N>& names, T value) {
     return "";
 }
 
-/// Sets `target` where the key is there.
+/// Sets `target` to the key's value, if the key is there.
 template <class T>
 void read(const Json& json, const char* key, T& target) {
     if (json.contains(key)) target = json[key].get<T>();
 }
 
 void read(const Json& json, const char* key, std::uint32_t& target) {
-    // Also written as 4.0 or 1e3.
+    // Whole numbers may be written as 4.0 or 1e3.
     if (json.contains(key)) target = std::uint32_t(json[key].get<double>());
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// How large noise can get (docs/noise.md, "Ranges and errors").
+// Ranges of the kinds of noise (docs/noise.md, "Ranges and errors").
 #include <algorithm>
 #include <cmath>
 
@@ -8,12 +8,12 @@
 
 namespace burl {
 
-/// low <= n <= high, up to the noise's error in float32.
+/// The range of a noise: low <= n <= high, up to the noise's error in float32.
 struct NoiseBounds {
     double low = -1.0, high = 1.0;
 };
 
-/// Of noise in three dimensions, or four where it has a time.
+/// The range of a noise in three dimensions, or in four where it has a time.
 inline NoiseBounds noise_bounds(const NoiseSpec& noise) {
     const bool timed = noise.time.has_value();
     const auto around_zero = [](double size) { return NoiseBounds{-size, size}; };
@@ -35,7 +35,7 @@ inline NoiseBounds noise_bounds(const NoiseSpec& noise) {
     return {};
 }
 
-/// Of what a shape makes of it.
+/// The range of shape(n) for noise in the range `n`.
 inline NoiseBounds shaped(OctaveShape shape, const NoiseBounds& n) {
     if (shape == OctaveShape::plain) return n;
     const double size = std::max(std::abs(n.low), std::abs(n.high));

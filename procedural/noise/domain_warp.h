@@ -1,7 +1,7 @@
 #pragma once
-// Domain warping: a noise looked up where other noises have moved the point to (Perlin's
-// "perturbed" textures of 1985 taken to the lattice coordinates themselves). The gradient follows
-// by the chain rule.
+// Domain warping: a noise evaluated at a point that other noises have moved (Perlin's "perturbed"
+// textures of 1985 applied to the lattice coordinates themselves). The gradient follows by the
+// chain rule.
 #include "procedural/noise/lattice_site.h"
 
 namespace burl {

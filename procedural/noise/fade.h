@@ -6,13 +6,13 @@
 
 namespace burl {
 
-/// v = 2 w - 1 in [-1,1] for the upper corner's weight w, and its slope dv/du.
+/// The weight w of the upper corner as v = 2 w - 1 in [-1, 1], and the slope dv/du.
 template <class Real>
 struct FadeWeight {
     Real v = 0, slope = 0;
 };
 
-/// At place u = x - 1/2 in [-1/2, 1/2].
+/// The weight at u = x - 1/2 in [-1/2, 1/2], x being the place in the cell.
 template <class Real>
 FadeWeight<Real> fade_weight(Fade fade, Real u) {
     const Real t = u + u, square = t * t;

@@ -10,11 +10,12 @@ namespace burl {
 
 enum class OctaveShape { plain, absolute, ridged };
 
+/// A sum of octaves: octave k has frequency lacunarity^k and amplitude gain^k.
 struct FractalSum {
     OctaveShape shape = OctaveShape::plain;
     std::uint32_t octaves = 1;
     double lacunarity = 2.0, gain = 0.5;
-    bool normalized = false;  ///< divided by the sum of the weights: the range of one octave
+    bool normalized = false;  ///< divides by octave_weights: the range of one octave
     bool operator==(const FractalSum&) const = default;
 };
 
@@ -25,7 +26,7 @@ inline double octave_weights(double gain, std::uint32_t octaves) {
     return sum;
 }
 
-/// n, |n| or (1 - |n|)^2.
+/// The shaped noise: n, |n| or (1 - |n|)^2.
 template <class Real>
 Real shaped(OctaveShape shape, Real n) {
     if (shape == OctaveShape::plain) return n;
@@ -33,7 +34,7 @@ Real shaped(OctaveShape shape, Real n) {
     return shape == OctaveShape::absolute ? size : (Real(1) - size) * (Real(1) - size);
 }
 
-/// The same with its gradient; at n = 0, where |n| has a kink, the slope is 0.
+/// The shaped noise with its gradient; at n = 0, where |n| has a kink, the slope is 0.
 template <class Real, std::size_t N>
 NoiseSample<Real, N> shaped(OctaveShape shape, NoiseSample<Real, N> n) {
     if (shape == OctaveShape::plain) return n;
@@ -44,8 +45,9 @@ NoiseSample<Real, N> shaped(OctaveShape shape, NoiseSample<Real, N> n) {
     return n;
 }
 
-/// sum_k gain^k shape(noise(k, lacunarity^k p)), where noise(k, p) is octave k's own. In float32 it
-/// errs by at most the sum of the octaves' errors, and 1.2e-7 of the sum of their sizes.
+/// sum_k gain^k shape(noise(k, lacunarity^k p)), where noise(k, p) is the noise of octave k. The
+/// float32 error is at most the sum of the octaves' errors plus 1.2e-7 times the sum of their
+/// sizes.
 template <class Real, std::size_t N, class Noise>
 NoiseSample<Real, N> fractal_sum(const FractalSum& fractal, const Point<N>& p, Noise&& noise) {
     NoiseSample<Real, N> sum;

@@ -1,7 +1,8 @@
 #pragma once
-// What value noise and all of Perlin's noises on the cubic lattice share: every corner of the cell
-// gives a number, a constant or the height of a slope through the corner, and faded weights blend
-// the numbers (Perlin 1985, "An Image Synthesizer"). The gradient comes by the product rule.
+// Interpolation on the cubic lattice, which value noise and all of Perlin's lattice noises share:
+// every corner of the cell gives a number, a constant or the height of a slope through the corner,
+// and faded weights blend the numbers (Perlin 1985, "An Image Synthesizer"). The gradient comes by
+// the product rule.
 #include <utility>
 
 #include "procedural/noise/fade.h"
@@ -9,13 +10,13 @@
 
 namespace burl {
 
-/// Half of (a + b) + v (b - a).
+/// ((a + b) + v (b - a)) / 2: the blend of a and b for v = 2 w - 1, w being the weight of b.
 template <class Real>
 Real half_lerp(Real v, Real a, Real b) {
     return Real(0.5) * ((a + b) + v * (b - a));
 }
 
-/// a and b blended, where the weight varies along `axis`.
+/// The blend of a and b by a weight that varies along `axis`, with its gradient if they have one.
 template <class Real, std::size_t N>
 NoiseValue<Real, N> blend(const NoiseValue<Real, N>& a, const NoiseValue<Real, N>& b, std::size_t,
                           const FadeWeight<Real>& weight) {
@@ -32,8 +33,9 @@ NoiseSample<Real, N> blend(const NoiseSample<Real, N>& a, const NoiseSample<Real
     return sum;
 }
 
-/// `corner(index, offset)` gives the sample (NoiseSample or NoiseValue) of a lattice point's own
-/// function at the offset from it; index and offset are arrays of N.
+/// The noise at a site, blended from its cell's 2^N corners. `corner(index, offset)` gives the
+/// sample (NoiseSample or NoiseValue) that the lattice point `index` has at `offset` from it; index
+/// and offset are arrays of N.
 template <class Real, std::size_t N, class Corner>
 auto interpolate_corners(const LatticeSite<Real, N>& site, Fade fade, Corner&& corner) {
     using Sample = decltype(corner(std::array<std::uint32_t, N>{}, site.place));
@@ -51,7 +53,7 @@ auto interpolate_corners(const LatticeSite<Real, N>& site, Fade fade, Corner&& c
         }
         samples[c] = corner(index, offset);
     };
-    // Unrolled, so that corners share what depends on some of their coordinates.
+    // Unrolled, so that corners share the work that depends on some of their coordinates only.
     [&]<std::size_t... c>(std::index_sequence<c...>) {
         (set_corner(c), ...);
     }
@@ -64,7 +66,7 @@ auto interpolate_corners(const LatticeSite<Real, N>& site, Fade fade, Corner&& c
     return samples[0];
 }
 
-/// g . d, and g for its gradient: the slope through a lattice point at offset d from it.
+/// The slope g . d through a lattice point, at offset d from it, and its gradient g.
 template <class Real, std::size_t N>
 void set_slope(const std::array<Real, N>& g, const std::array<Real, N>& d,
                NoiseValue<Real, N>& sample) {

@@ -1,5 +1,5 @@
 #pragma once
-// A scan line of the solid in the lattice coordinates of an octave.
+// Scan lines of the solid in the lattice coordinates of an octave.
 #include <algorithm>
 #include <cmath>
 
@@ -8,8 +8,8 @@
 
 namespace burl {
 
-/// A coordinate that leaves the lattice stays at its origin: on the whole line of `length` texels,
-/// if it is longer than this part of it.
+/// The line `solid` in lattice coordinates. A coordinate that leaves the lattice anywhere on the
+/// whole span of `length` texels (or on `solid`, where that is longer) is 0 on all of it.
 inline LatticeLine lattice_line(const Affine3& lattice_from_solid, const LatticeLine& solid,
                                 double length = 0.0) {
     LatticeLine line{lattice_from_solid(solid.start), lattice_from_solid.linear * solid.step,
@@ -22,7 +22,7 @@ inline LatticeLine lattice_line(const Affine3& lattice_from_solid, const Lattice
     return line;
 }
 
-/// Cells per texel along the axis on which the line moves fastest.
+/// The largest component of the line's step, in cells per texel.
 inline double fastest_step(const LatticeLine& line) {
     return std::max({std::abs(line.step.x), std::abs(line.step.y), std::abs(line.step.z)});
 }

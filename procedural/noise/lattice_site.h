@@ -10,6 +10,7 @@
 
 namespace burl {
 
+/// A point in lattice coordinates, in units of cells.
 template <std::size_t N>
 using Point = std::array<double, N>;
 
@@ -20,37 +21,39 @@ struct NoiseSample {
     std::array<Real, N> gradient{};
 };
 
-/// The value alone, by the same arithmetic, where nobody asks for the gradient.
+/// A noise's value without its gradient, by the arithmetic of NoiseSample's value.
 template <class Real, std::size_t N>
 struct NoiseValue {
     Real value = 0;
 };
 
-/// From here on a double holds no useful fraction: a coordinate of this size or more (or NaN)
+/// The size from which a double has no useful fraction: a coordinate of this size or more (or NaN)
 /// counts as 0 in every path.
 inline constexpr double lattice_limit = 0x1p51;
 
-/// i modulo n, in [0, n).
+/// The remainder of i modulo n, in [0, n).
 constexpr std::int64_t positive_remainder(std::int64_t i, std::int64_t n) {
     const std::int64_t rest = i % n;
     return rest < 0 ? rest + n : rest;
 }
 
+/// A point split into lattice cell and place within the cell.
 template <class Real, std::size_t N>
 struct LatticeSite {
-    std::array<std::int64_t, N> cell{};  ///< floor of the coordinate; within [0, period) if any
-    std::array<Real, N> place{};         ///< from the cell's middle, in [-1/2, 1/2]
+    std::array<std::int64_t, N> cell{};  ///< floor of the coordinate, modulo the period
+    std::array<Real, N> place{};         ///< offset from the cell's middle, in [-1/2, 1/2]
     Period<N> period{};
 
-    /// Coordinate of the lattice point `offset` cells up, modulo the period or else 2^32.
+    /// Coordinate of the lattice point `offset` cells up, modulo the period, or modulo 2^32 without
+    /// one.
     std::uint32_t index(std::size_t axis, int offset) const {
         const std::int64_t i = cell[axis] + offset;
         return std::uint32_t(period[axis] == 0 ? i : positive_remainder(i, period[axis]));
     }
 };
 
-/// With a period, points a whole number of periods apart have the same site, bit for bit, where
-/// float64 holds both.
+/// The site of a point. Points a whole number of periods apart have the same site, bit for bit,
+/// where float64 holds both.
 template <class Real, std::size_t N>
 LatticeSite<Real, N> lattice_site(const Point<N>& p, const Period<N>& period = {}) {
     LatticeSite<Real, N> site;

@@ -1,18 +1,19 @@
 #pragma once
-// What a noise is on average, which stands for octaves too fine for a sample: leaving |n| out
-// altogether would darken the distance.
+// The mean of a noise, which stands for octaves too fine for a sample: leaving |n| out altogether
+// would darken the distance.
 #include "procedural/noise/spec.h"
 
 namespace burl {
 
-/// Mean of n over uniform points in three dimensions, or `timed` in four (Worley's F1), to within
-/// 1e-3.
+/// The mean of n over uniform points in three dimensions, in four if `timed` (Worley's: of F1), to
+/// within 1e-3.
 constexpr double mean_value(NoiseKind kind, bool timed = false) {
     if (kind != NoiseKind::worley) return 0.0;
     return timed ? 0.5901 : 0.5205;
 }
 
-/// Mean of |n|, to within 1e-3 (measured over 2e6 points); value noise with the smooth fade.
+/// The mean of |n| over uniform points, to within 1e-3 (measured over 2e6 points); value noise is
+/// taken with the smooth fade.
 constexpr double mean_absolute(NoiseKind kind, bool timed = false) {
     switch (kind) {
         case NoiseKind::value:

@@ -1,5 +1,5 @@
 #pragma once
-// The words for noises in recipes, on the command line and in `burl list noises`.
+// The names of noises in recipes, on the command line and in `burl list noises`.
 #include <array>
 #include <string_view>
 
@@ -8,6 +8,7 @@
 
 namespace burl {
 
+/// A value with its name and, for `burl list`, a line of explanation.
 template <class T>
 struct Named {
     std::string_view name;

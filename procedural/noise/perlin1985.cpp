@@ -26,16 +26,17 @@ class LibraryRandom {
 
   private:
     std::array<std::uint32_t, 31> state_{};
-    std::size_t at_ = 3;  ///< of x_{i-31}, which x_i replaces; x_{i-3} lies three before it
+    std::size_t at_ = 3;  ///< index of x_{i-31}, which x_i replaces; x_{i-3} lies three before it
 };
 
-/// Uniform in [-1, 1), in steps of 1/256.
+/// Fills v with numbers uniform in [-1, 1), in steps of 1/256.
 template <std::size_t N>
 void draw(LibraryRandom& random, std::array<float, N>& v) {
     for (float& x : v) x = float(int(random() % 512) - 256) / 256.0f;
 }
 
-/// Squares are added in float32 and the root is rounded to it, as the appendix has it.
+/// Scales v to length 1, as the appendix does: squares are added in float32, and the root is
+/// rounded to float32.
 template <std::size_t N>
 void normalize(std::array<float, N>& v) {
     float squares = 0.0f;

@@ -1,22 +1,23 @@
 #pragma once
 // Perlin's original gradient noise (1985) in the form of appendix A of his 2001 course notes on
 // noise hardware: the s-curve 3x^2 - 2x^3, gradients from a table of 256, in one to three
-// dimensions. The tables are those its init() fills by the C library's random() as GNU libc has it,
-// with its default seed, so that values can be compared with programs that run the original.
+// dimensions. The tables are those that the appendix's init() fills by the C library's random() of
+// GNU libc with its default seed, so that values can be compared with programs that run the
+// original.
 #include "procedural/noise/interpolated_noise.h"
 #include "procedural/numbers/lattice_hash.h"
 
 namespace burl {
 
-/// The tables of appendix A: permutation p, and per dimension 256 gradients, unit vectors except in
-/// one dimension, where they are in [-1, 1).
+/// The tables of appendix A: the permutation p, and per dimension 256 gradients, which are unit
+/// vectors in two and three dimensions and numbers in [-1, 1) in one.
 struct ClassicTables {
     std::array<std::uint32_t, 256> p{};
     std::array<std::array<float, 1>, 256> g1{};
     std::array<std::array<float, 2>, 256> g2{};
     std::array<std::array<float, 3>, 256> g3{};
 
-    /// As filled from random() seeded with `seed`.
+    /// Fills the tables from random() seeded with `seed`.
     explicit ClassicTables(std::uint32_t seed);
 
     const auto& gradients(std::array<float, 1>*) const { return g1; }
@@ -27,9 +28,10 @@ struct ClassicTables {
 /// The tables with the default seed, 1.
 const ClassicTables& classic_tables();
 
-/// Noise that repeats after 256 cells, 0 at lattice points. `seed` moves the lattice (0: as in the
-/// appendix, for coordinates above -4096). |n| <= 0.5 in one dimension, 0.7072 in two, 0.8661 in
-/// three. In float32 the value errs by at most 5e-7 and a gradient's component by 3e-6.
+/// Perlin's noise of 1985, which repeats after 256 cells and is 0 at lattice points. `seed` moves
+/// the lattice; seed 0 is the appendix's noise for coordinates above -4096. |n| <= 0.5 in one
+/// dimension, 0.7072 in two, 0.8661 in three. In float32 the value errs by at most 5e-7 and a
+/// gradient's component by 3e-6.
 template <template <class, std::size_t> class Sample, class Real, std::size_t N>
 Sample<Real, N> perlin1985_noise(const Point<N>& p, std::uint32_t seed,
                                  const Period<N>& period = {}) {

@@ -1,19 +1,21 @@
 #pragma once
 // Perlin's improved gradient noise ("Improving Noise", 2002): quintic weights, and gradients to the
 // edges' midpoints of a cube, in three dimensions and, by the same rule, four. The random number of
-// a lattice point comes from our hash (kind `perlin`) or from Perlin's published permutation (kind
-// `perlin2002`, which repeats after 256 cells).
+// a lattice point comes from LatticeHash (kind `perlin`) or from Perlin's published permutation
+// (kind `perlin2002`, which repeats after 256 cells).
 #include "procedural/noise/interpolated_noise.h"
 #include "procedural/noise/published_permutation.h"
 #include "procedural/numbers/lattice_hash.h"
 
 namespace burl {
 
-/// Bits of a gradient's number: 16 numbers for the 12 edges of a cube, 32 edges of a hypercube.
+/// The bits of a gradient's number: 16 numbers for the 12 edges of a cube, 32 for the 32 edges of a
+/// hypercube.
 template <std::size_t N>
 inline constexpr unsigned gradient_bits = N == 3 ? 4 : 5;
 
-/// The gradient of a number below 16: four edges twice, numbered as in the 2002 paper.
+/// The gradient of a number below 16: the 12 edges, four of them twice, numbered as in the 2002
+/// paper.
 template <class Real>
 constexpr std::array<Real, 3> perlin_gradient(std::uint32_t number, std::array<Real, 3>*) {
     const std::size_t first = number < 8 ? 0 : 1;
@@ -24,8 +26,8 @@ constexpr std::array<Real, 3> perlin_gradient(std::uint32_t number, std::array<R
     return g;
 }
 
-/// The gradient of a number below 32: the upper two bits name the axis left out, the lower three
-/// are the signs of the others.
+/// The gradient of a number below 32: the upper two bits name the axis whose component is 0, the
+/// lower three are the signs of the others.
 template <class Real>
 constexpr std::array<Real, 4> perlin_gradient(std::uint32_t number, std::array<Real, 4>*) {
     std::array<Real, 4> g{};
@@ -38,12 +40,13 @@ constexpr std::array<Real, 4> perlin_gradient(std::uint32_t number, std::array<R
     return g;
 }
 
+/// The gradient of a number below 2^gradient_bits<N>, in N dimensions.
 template <class Real, std::size_t N>
 constexpr std::array<Real, N> perlin_gradient(std::uint32_t number) {
     return perlin_gradient<Real>(number, static_cast<std::array<Real, N>*>(nullptr));
 }
 
-/// The slope's height at offset d without building the gradient: for the many values of bakes.
+/// g . d for the gradient g of `number`, computed without building g: bakes take many such values.
 template <class Real>
 void set_perlin_slope(std::uint32_t number, const std::array<Real, 3>& d,
                       NoiseValue<Real, 3>& sample) {
@@ -52,14 +55,15 @@ void set_perlin_slope(std::uint32_t number, const std::array<Real, 3>& d,
     sample.value = (number & 1 ? -a : a) + (number & 2 ? -b : b);
 }
 
+/// g . d, and g itself where the sample has a gradient, for the gradient g of `number`.
 template <class Real, std::size_t N, class Sample>
 void set_perlin_slope(std::uint32_t number, const std::array<Real, N>& d, Sample& sample) {
     set_slope(perlin_gradient<Real, N>(number), d, sample);
 }
 
-/// Perlin noise where `number(index)` is the gradient's number at a lattice point. 0 at lattice
-/// points. |n| <= 1.0364 in three dimensions, 1.5366 in four. In float32 the value errs by at most
-/// 5e-7 and a gradient's component by 3e-6.
+/// Perlin's noise of 2002, where `number(index)` is the gradient's number at a lattice point. The
+/// noise is 0 at lattice points; |n| <= 1.0364 in three dimensions, 1.5366 in four. In float32 the
+/// value errs by at most 5e-7 and a gradient's component by 3e-6.
 template <template <class, std::size_t> class Sample, class Real, std::size_t N, class Number>
 Sample<Real, N> perlin_noise(const Point<N>& p, const Period<N>& period, Number&& number) {
     return interpolate_corners(
@@ -71,14 +75,14 @@ Sample<Real, N> perlin_noise(const Point<N>& p, const Period<N>& period, Number&
         });
 }
 
-/// The gradient number of our hash: its upper bits.
+/// The gradient number of kind `perlin`: the upper bits of LatticeHash.
 template <std::size_t N>
 std::uint32_t lattice_gradient(const std::array<std::uint32_t, N>& index, std::uint32_t seed) {
     return LatticeHash::bits(index, seed) >> (32 - gradient_bits<N>);
 }
 
-/// The gradient number of the published permutation P: P[P[P[i] + j] + k], lower bits. A seed moves
-/// the lattice.
+/// The gradient number of kind `perlin2002`: the lower bits of P[P[P[i] + j] + k], P being the
+/// published permutation. A seed moves the lattice.
 template <std::size_t N>
 std::uint32_t published_gradient(const std::array<std::uint32_t, N>& index, std::uint32_t seed) {
     std::uint32_t h = 0;

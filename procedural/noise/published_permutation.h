@@ -22,6 +22,7 @@ inline constexpr std::array<std::uint8_t, 256> published_permutation{
     115, 121, 50,  45,  127, 4,   150, 254, 138, 236, 205, 93,  222, 114, 67,  29,  24,  72,  243,
     141, 128, 195, 78,  66,  215, 61,  156, 180};
 
+/// The permutation's element i modulo 256.
 constexpr std::uint32_t permuted(std::uint32_t i) {
     return published_permutation[i & 255];
 }

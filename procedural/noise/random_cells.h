@@ -1,12 +1,12 @@
 #pragma once
-// The two noises without interpolation: `cell`, one random number for each lattice cell, and
-// `white`, the same on a lattice 2^16 times as fine, so in effect a new number for every point that
-// is asked for. Both have gradient 0 wherever they have one, and float32 gives float64's numbers.
+// The two noises without interpolation: `cell`, one random number per lattice cell, and `white`,
+// one per cell of a lattice 2^16 times as fine, so in effect a new number for every point that is
+// asked for. The gradient of both is 0 wherever it exists, and float32 gives float64's numbers.
 #include "procedural/noise/value_noise.h"
 
 namespace burl {
 
-/// The lattice value of the cell's lowest corner, in [-1, 1).
+/// Cell noise: the lattice value of the cell's lowest corner, in [-1, 1).
 template <class Real, std::size_t N>
 NoiseSample<Real, N> cell_noise(const Point<N>& p, std::uint32_t seed,
                                 const Period<N>& period = {}) {
@@ -16,11 +16,11 @@ NoiseSample<Real, N> cell_noise(const Point<N>& p, std::uint32_t seed,
     return {lattice_value<Real>(index, seed), {}};
 }
 
-/// Cells of white noise per lattice cell and axis.
+/// The cells of white noise per lattice cell along an axis.
 inline constexpr std::uint32_t white_cells = 65536;
 
-/// In [-1, 1), of mean 0 and variance 1/3, uncorrelated between points 2^-16 cells apart. Repeats
-/// after 65536 cells.
+/// White noise in [-1, 1), of mean 0 and variance 1/3, uncorrelated between points 2^-16 cells
+/// apart. It repeats after 65536 lattice cells.
 template <class Real, std::size_t N>
 NoiseSample<Real, N> white_noise(const Point<N>& p, std::uint32_t seed,
                                  const Period<N>& period = {}) {

@@ -1,7 +1,7 @@
 #pragma once
-// Tables with which a byte shuffle of 16 entries works out the bit-pattern hash of simplex noise
+// Tables with which a byte shuffle of 16 entries computes the bit-pattern hash of simplex noise
 // (Perlin 2001, appendix B, shuffle) and the gradient that it names, for all lanes of a vector at
-// once: the sum of eight patterns, each chosen by three bits, has no arithmetic that would do it.
+// once: the sum of eight patterns, each chosen by three bits, has no closed form in arithmetic.
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -12,8 +12,8 @@ namespace burl {
 
 using ByteTable = std::array<std::uint8_t, 16>;
 
-/// By 1 << bit: what bit number 4 * half + bit of the coordinate along `axis` adds to the number of
-/// its pattern. The coordinates take turns at being the highest.
+/// Entry 1 << bit: the weight that bit 4 * half + bit of the coordinate along `axis` has in the
+/// number of its pattern. From bit to bit the weights 4, 2 and 1 rotate among the coordinates.
 constexpr ByteTable pattern_bits(std::size_t axis, std::size_t half) {
     ByteTable table{};
     for (std::size_t bit = 0; bit < 4; ++bit)
@@ -21,18 +21,19 @@ constexpr ByteTable pattern_bits(std::size_t axis, std::size_t half) {
     return table;
 }
 
+/// The appendix's eight bit patterns as a table of 16 bytes.
 constexpr ByteTable pattern_table() {
     ByteTable table{};
     for (std::size_t i = 0; i < bit_patterns.size(); ++i) table[i] = bit_patterns[i];
     return table;
 }
 
-/// What a component of a gradient is: the appendix's p, q and r, or none.
+/// The role of an axis in a gradient, by the appendix's p, q and r; `none` for a byte without an
+/// axis.
 enum class SimplexRole : std::uint8_t { p, q, r, none };
 
-/// By the lower two bits of the hash and four times the byte of a lane, whose bytes 3, 2 and 1 hold
-/// the components along x, y and z: the component's role, and 8 where the gradient is that of a
-/// corner of the cube.
+/// Entry (hash & 3) | byte << 2, where bytes 3, 2 and 1 of a lane are the components along x, y and
+/// z: the component's SimplexRole, plus 8 where the gradient points to a corner of the cube.
 constexpr ByteTable role_table() {
     ByteTable table{};
     for (std::size_t turn = 0; turn < 4; ++turn) {
@@ -46,8 +47,9 @@ constexpr ByteTable role_table() {
     return table;
 }
 
-/// By that and bit 2 of the hash: which of the hash's bits 3, 4 and 5, moved to 0, 1 and 2, must be
-/// set before their parity is the sign; 128 for a component that is 0.
+/// Entry role | (hash & 4), where `role` is an entry of role_table: the mask of those of the hash's
+/// bits 3, 4 and 5, moved to 0, 1 and 2, that are set before the parity of all three gives the
+/// sign; 128 for a component that is 0.
 constexpr ByteTable sign_bits() {
     ByteTable table{};
     for (std::uint8_t i = 0; i < 16; ++i) {
@@ -61,22 +63,23 @@ constexpr ByteTable sign_bits() {
     return table;
 }
 
-/// By those bits: the top byte of the float 2 or -2.
+/// Entry bits | (hash >> 3 & 7), where `bits` is an entry of sign_bits: the top byte of the float 2
+/// or -2.
 constexpr ByteTable sign_table() {
     ByteTable table{};
     for (std::uint8_t i = 0; i < 8; ++i) table[i] = (i ^ i >> 1 ^ i >> 2) & 1 ? 0xc0 : 0x40;
     return table;
 }
 
-/// For a shuffle after which byte i is the former byte (i & keep) ^ flip.
+/// The shuffle after which byte i is the former byte (i & keep) ^ flip.
 constexpr ByteTable byte_order(std::size_t keep, std::size_t flip) {
     ByteTable table{};
     for (std::size_t i = 0; i < 16; ++i) table[i] = std::uint8_t((i & keep) ^ flip);
     return table;
 }
 
-/// What the tables make of a hash: the top bytes of the floats that are twice the components along
-/// x, y and z, in bytes 3, 2 and 1.
+/// The gradient of a hash by the tables above: the top bytes of the floats that are twice its
+/// components along x, y and z, in bytes 3, 2 and 1; 0 for a component that is 0.
 constexpr std::uint32_t simplex_code(std::uint32_t hash) {
     std::uint32_t code = 0;
     for (std::uint32_t byte = 1; byte < 4; ++byte) {

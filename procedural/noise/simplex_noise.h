@@ -1,9 +1,9 @@
 #pragma once
-// Perlin's simplex noise of 2001 ("Noise Hardware", course notes, appendix B): one cubic lattice
+// Perlin's simplex noise of 2001 ("Noise Hardware", course notes, appendix B): the cubic lattice
 // skewed along its diagonal and cut into simplices, whose corners contribute spherical kernels,
-// with gradients from a bit-pattern hash of the lattice coordinates (which repeats after 256). In
-// three dimensions exactly the appendix; two and four follow its section on higher dimensions,
-// which leaves hash, gradients, radius and amplitude open.
+// with gradients from a bit-pattern hash of the lattice coordinates (which repeats after 256). The
+// noise of three dimensions is exactly the appendix's; that of two and four follows its section on
+// higher dimensions, which leaves hash, gradients, radius and amplitude open.
 #include <numeric>
 #include <utility>
 
@@ -12,7 +12,7 @@
 
 namespace burl {
 
-/// The appendix's bit patterns, by one bit of each coordinate.
+/// The appendix's bit patterns; the index has one bit of each coordinate.
 inline constexpr std::array<std::uint8_t, 8> bit_patterns{0x15, 0x38, 0x32, 0x2c,
                                                           0x0d, 0x13, 0x07, 0x2a};
 
@@ -27,9 +27,11 @@ constexpr std::uint32_t bit_pattern_sum(std::uint32_t i, std::uint32_t j, std::u
     return sum;
 }
 
-/// What a dimension decides. The skew (sqrt(n+1) - 1) / n takes x to x + skew * sum(x); `stretch`
-/// sqrt(n+1) is the factor that it has along the diagonal. The radius is the largest at which no
-/// kernel reaches beyond the simplices round its corner; the amplitude makes |n| <= 1 almost tight.
+/// The constants of simplex noise in N dimensions. The skew (sqrt(N+1) - 1) / N takes x to x + skew
+/// * sum(x); `stretch`, sqrt(N+1), is its factor along the diagonal. The kernel's squared radius
+/// `radius2` is the largest at which no kernel reaches beyond the simplices round its corner (but
+/// in three dimensions the appendix's); `amplitude` makes |n| <= 1 almost tight in two and four
+/// dimensions and is the appendix's in three.
 template <std::size_t N>
 struct SimplexShape;
 
@@ -39,7 +41,7 @@ struct SimplexShape<2> {
     static std::uint32_t hash(const std::array<std::uint32_t, 2>& i, std::uint32_t seed) {
         return LatticeHash::bits(i, seed) >> 26;
     }
-    /// Along both axes or one of them; components are 0 or 1 as in the appendix.
+    /// A gradient along both axes or one of them; components are 0 or +-1, as in the appendix.
     template <class Real>
     static std::array<Real, 2> gradient(std::uint32_t h) {
         const Real x = h & 32 ? Real(1) : Real(-1), y = h & 16 ? Real(1) : Real(-1);
@@ -51,14 +53,14 @@ struct SimplexShape<2> {
 template <>
 struct SimplexShape<3> {
     static constexpr double stretch = 2.0, radius2 = 0.6, amplitude = 8.0;
-    /// A seed moves the patterns.
+    /// The appendix's hash; a seed moves the lattice of the patterns.
     static std::uint32_t hash(const std::array<std::uint32_t, 3>& i, std::uint32_t seed) {
         return bit_pattern_sum(i[0] + LatticeHash::shift(seed, 0),
                                i[1] + LatticeHash::shift(seed, 1),
                                i[2] + LatticeHash::shift(seed, 2));
     }
-    /// The lower three bits rotate the axes and choose a corner or an edge of the cube, the upper
-    /// three the signs.
+    /// The appendix's gradient: the lower three bits rotate the axes and choose a corner or an edge
+    /// of the cube, the upper three are the signs.
     template <class Real>
     static std::array<Real, 3> gradient(std::uint32_t h) {
         const bool b5 = h & 32, b4 = h & 16, b3 = h & 8, b2 = h & 4;
@@ -80,7 +82,8 @@ struct SimplexShape<4> {
     static std::uint32_t hash(const std::array<std::uint32_t, 4>& i, std::uint32_t seed) {
         return LatticeHash::bits(i, seed) >> 26;
     }
-    /// The edges of a hypercube, as in the improved noise: one component is 0.
+    /// A gradient to the edges' midpoints of a hypercube, as in the improved noise: one component
+    /// is 0.
     template <class Real>
     static std::array<Real, 4> gradient(std::uint32_t h) {
         std::array<Real, 4> g{};
@@ -94,22 +97,23 @@ struct SimplexShape<4> {
     }
 };
 
-/// Where a point lies in the skewed lattice.
+/// A point in the skewed lattice.
 template <std::size_t N>
 struct SimplexPlace {
     std::array<std::int64_t, N>
-        corner{};                    ///< lowest corner of the skewed cube, in skewed coordinates
-    std::array<double, N> offset{};  ///< of the point from it, unskewed
+        /// Lowest corner of the point's skewed cube, in skewed coordinates.
+        corner{};
+    std::array<double, N> offset{};  ///< the point less `corner`, unskewed
 };
 
-/// The whole part of the coordinates is skewed apart from their fractions, which stay small
-/// numbers. In three dimensions, where the skew is 1/3, a point that is a multiple of 2^-48 gets
-/// exactly its own cube and order of offsets.
+/// The place of a point in the skewed lattice. The whole part of the coordinates is skewed apart
+/// from their fractions, which stay small numbers. In three dimensions, where the skew is 1/3, a
+/// point that is a multiple of 2^-48 gets exactly its own cube and order of offsets.
 template <std::size_t N>
 SimplexPlace<N> simplex_place(const LatticeSite<double, N>& site) {
     constexpr double stretch = SimplexShape<N>::stretch, skew = (stretch - 1.0) / double(N);
     const std::int64_t cells = std::accumulate(site.cell.begin(), site.cell.end(), std::int64_t(0));
-    // skew * cells as a whole number and a rest in [0,1).
+    // skew * cells as a whole number and a rest in [0, 1).
     const auto rest3 = positive_remainder(cells, 3);
     const double product = skew * double(cells);
     const std::int64_t whole = N == 3 ? (cells - rest3) / 3 : std::int64_t(std::floor(product));
@@ -134,8 +138,8 @@ SimplexPlace<N> simplex_place(const LatticeSite<double, N>& site) {
     return result;
 }
 
-/// The same lattice point modulo the period, in skewed coordinates. Six times the unskewed
-/// coordinates are whole numbers; each is taken modulo six periods.
+/// A lattice point modulo the period, in skewed coordinates. Six times the unskewed coordinates are
+/// whole numbers; each is taken modulo six periods.
 inline std::array<std::int64_t, 3> wrap_simplex(std::array<std::int64_t, 3> corner,
                                                 const Period<3>& period) {
     const std::int64_t sum = corner[0] + corner[1] + corner[2];
@@ -166,11 +170,12 @@ void add_kernel(const std::array<Real, N>& g, const std::array<Real, N>& d, Real
         sum.gradient[axis] += t4 * g[axis] - Real(8) * t3 * slope * d[axis];
 }
 
-/// |n| <= 0.348 in three dimensions, 1 in two and four. `radius2` in three is 0.6 in the appendix,
-/// where the noise jumps by up to 2e-3 across borders of simplices; with 0.5 it is continuous, at
-/// the same amplitude, |n| <= 0.129. Seed 0 is the appendix. `period` in three dimensions only,
-/// multiples of 3. The simplex is found in float64; from there on float32 errs by at most 5e-7 in
-/// the value and 3e-6 in a gradient's component, and three times that in two and four dimensions.
+/// Simplex noise at p: |n| <= 0.348 in three dimensions, 1 in two and four. `radius2` in three is
+/// 0.6 in the appendix, where the noise jumps by up to 2e-3 across borders of simplices; with 0.5
+/// it is continuous, at the same amplitude, |n| <= 0.129. Seed 0 is the appendix's noise. `period`
+/// works in three dimensions only, in multiples of 3. The simplex is found in float64; from there
+/// on float32 errs by at most 5e-7 in the value and 3e-6 in a gradient's component, and three times
+/// that in two and four dimensions.
 template <class Real, std::size_t N>
 NoiseSample<Real, N> simplex_noise(const Point<N>& p, std::uint32_t seed,
                                    double radius2 = SimplexShape<N>::radius2,

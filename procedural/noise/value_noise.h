@@ -7,8 +7,8 @@
 
 namespace burl {
 
-/// The number at a lattice point: the hash's upper 24 bits as a two's complement integer over 2^23,
-/// so one of 2^24 equally spaced numbers in [-1, 1), exact in float32.
+/// The random number of a lattice point: the hash's upper 24 bits as a two's complement integer
+/// over 2^23, so one of 2^24 equally spaced numbers in [-1, 1), exact in float32.
 template <class Real = double, std::size_t N>
 Real lattice_value(const std::array<std::uint32_t, N>& index, std::uint32_t seed) {
     return Real(0x1p-23) * Real(std::int32_t(LatticeHash::bits(index, seed)) >> 8);
@@ -18,7 +18,8 @@ inline double lattice_value(std::uint32_t i, std::uint32_t j, std::uint32_t k, s
     return lattice_value(std::array{i, j, k}, seed);
 }
 
-/// In [-1, 1). In float32 the value errs by at most 2.5e-7 and a gradient's component by 1e-6.
+/// Value noise in [-1, 1). In float32 the value errs by at most 2.5e-7 and a gradient's component
+/// by 1e-6.
 template <template <class, std::size_t> class Sample, class Real, std::size_t N>
 Sample<Real, N> value_noise(const Point<N>& p, Fade fade, std::uint32_t seed,
                             const Period<N>& period = {}) {

@@ -1,7 +1,8 @@
 #pragma once
 // Worley's cellular noise ("A Cellular Texture Basis Function", 1996) with one feature point in
-// every cell, uniform within it: distances to the nearest points in cells. The search is exact: it
-// visits all cells that could hold one of the two nearest, which are never farther than two away.
+// every cell, uniform within it: distances, in cells, to the nearest feature points. The search is
+// exact: it visits all cells that could hold one of the two nearest, which are at most two cells
+// away along each axis.
 #include <algorithm>
 #include <cstdlib>
 
@@ -10,14 +11,14 @@
 
 namespace burl {
 
-/// Squared distances of the two nearest feature points, and the ways from them to the point.
+/// Squared distances of the two nearest feature points, and the vectors from them to the point.
 template <class Real, std::size_t N>
 struct NearestFeatures {
     Real square1 = Real(1e6), square2 = Real(1e6);
     std::array<Real, N> way1{}, way2{};
 };
 
-/// A feature point's place in its cell, [0,1) in steps of 2^-24.
+/// A feature point's place in its cell: [0, 1) in steps of 2^-24 along each axis.
 template <class Real, std::size_t N>
 std::array<Real, N> feature_place(const std::array<std::uint32_t, N>& index, std::uint32_t seed) {
     const std::uint32_t h = LatticeHash::bits(index, seed);
@@ -28,7 +29,7 @@ std::array<Real, N> feature_place(const std::array<std::uint32_t, N>& index, std
     return place;
 }
 
-/// Squared distance from a place about the cell's middle to the cell that lies `steps` away.
+/// The squared distance from a place about the cell's middle to the cell that lies `steps` away.
 template <class Real, std::size_t N>
 Real square_to_cell(const std::array<Real, N>& place, const std::array<int, N>& steps) {
     Real square = 0;
@@ -39,6 +40,7 @@ Real square_to_cell(const std::array<Real, N>& place, const std::array<int, N>& 
     return square;
 }
 
+/// Updates the two nearest features by that of the cell `steps` away, unless the cell is too far.
 template <class Real, std::size_t N>
 void visit_feature(const LatticeSite<Real, N>& site, const std::array<int, N>& steps,
                    std::uint32_t seed, NearestFeatures<Real, N>& nearest) {
@@ -60,7 +62,7 @@ void visit_feature(const LatticeSite<Real, N>& site, const std::array<int, N>& s
     }
 }
 
-/// The next of the (2 reach + 1)^N steps in [-reach, reach]^N; false after the last.
+/// Advances to the next of the (2 reach + 1)^N steps in [-reach, reach]^N; false after the last.
 template <std::size_t N>
 bool next_steps(std::array<int, N>& steps, int reach) {
     for (int& step : steps) {
@@ -70,7 +72,8 @@ bool next_steps(std::array<int, N>& steps, int reach) {
     return false;
 }
 
-/// Nearer cells first, so that most of the farther ones need no look at their points.
+/// The two feature points nearest to a site. Nearer cells come first, so that most of the farther
+/// ones are left out by their distance.
 template <class Real, std::size_t N>
 NearestFeatures<Real, N> nearest_features(const LatticeSite<Real, N>& site, std::uint32_t seed) {
     NearestFeatures<Real, N> nearest;
@@ -88,10 +91,10 @@ NearestFeatures<Real, N> nearest_features(const LatticeSite<Real, N>& site, std:
     return nearest;
 }
 
-/// Distance F1 or F2, or F2 - F1; 0 <= F1 <= F2 <= sqrt(3) in three dimensions (at most 2 in four).
-/// The gradient jumps where the nearest point changes, and is 0 at a feature point. In float32 the
-/// value errs by at most 5e-7; a gradient's component, where no two points are equally near, by
-/// 5e-7 / F.
+/// Worley's noise: the distance F1 or F2, or F2 - F1; 0 <= F1 <= F2 <= sqrt(3) in three dimensions
+/// (at most 2 in four). The gradient jumps where the nearest point changes, and is 0 at a feature
+/// point. In float32 the value errs by at most 5e-7; a gradient's component, where no two points
+/// are equally near, by 5e-7 / F.
 template <class Real, std::size_t N>
 NoiseSample<Real, N> worley_noise(const Point<N>& p, WorleyFeature feature, std::uint32_t seed,
                                   const Period<N>& period = {}) {

@@ -1,7 +1,7 @@
 #pragma once
-// The binary logarithm of one number, by the series that vectors and shaders have, too
-// (elementary-inl.h, shaders/numbers/elementary.glsl): the same bits from all, which the
-// mathematical library's does not give.
+// The binary logarithm of one number, by the series that the vector and the shader versions use,
+// too (elementary-inl.h, shaders/numbers/elementary.glsl): all three give the same bits, unlike the
+// mathematical libraries' logarithms.
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -9,8 +9,8 @@
 
 namespace burl {
 
-/// log2(x) of a normal number x > 0, to within 1e-13 + 2^-52 |log2(x)|; 1024 or more where x is not
-/// finite.
+/// log2(x) of a normal number x > 0, to within 1e-13 + 2^-52 |log2(x)|; 1024 or more where x is
+/// infinite or NaN.
 inline double binary_log(double x) {
     constexpr double series[] = {1.0,      1.0 / 3,  1.0 / 5,  1.0 / 7, 1.0 / 9,
                                  1.0 / 11, 1.0 / 13, 1.0 / 15, 1.0 / 17};

@@ -1,8 +1,8 @@
-// Sine, angle and power as range reductions and polynomials in additions, multiplications, one
-// division or square root, all of which IEEE 754 rounds: the same bits on every instruction set,
-// which no two mathematical libraries share. Coefficients are Taylor's, so any second
-// implementation can write them down (docs/numerics.md). Included once per instruction set (hence
-// the toggled guard), after hwy/foreach_target.h.
+// Sine, angle, logarithm and powers of vectors of doubles as range reductions and polynomials in
+// additions, multiplications, one division or square root, all of which IEEE 754 rounds: the same
+// bits on every instruction set, which mathematical libraries do not give. Coefficients are
+// Taylor's, so any second implementation can write them down (docs/numerics.md). The file is
+// included once per instruction set (hence the toggled guard), after hwy/foreach_target.h.
 #if defined(BURL_ELEMENTARY_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef BURL_ELEMENTARY_INL_H
 #undef BURL_ELEMENTARY_INL_H
@@ -18,7 +18,7 @@ HWY_BEFORE_NAMESPACE();
 namespace burl {
 namespace HWY_NAMESPACE {
 
-/// coefficients[0] + x (coefficients[1] + x (...)).
+/// The polynomial coefficients[0] + x (coefficients[1] + x (...)).
 template <std::size_t N>
 HWY_ATTR HWY_INLINE Double Polynomial(const double (&coefficients)[N], Double x) {
     const Doubles d;
@@ -31,8 +31,8 @@ HWY_ATTR HWY_INLINE Double Polynomial(const double (&coefficients)[N], Double x)
 /// sin(x), x in radians, to within 1e-13 + 2^-50 |x|; 0 from |x| = 2^50 on.
 HWY_ATTR HWY_INLINE Double Sine(Double x) {
     const Doubles d;
-    // pi as a sum of which the first two parts have 24 bits: multiples of them up to 2^29 are
-    // exact.
+    // pi as a sum of three parts. The first two have 24 bits, so that multiples of them up to 2^29
+    // are exact.
     constexpr double pi_1 = 4 * 7.85398125648498535156e-1, pi_2 = 4 * 3.77489470793079817668e-8,
                      pi_3 = 4 * 2.69515142907905952645e-15;
     static constexpr double series[] = {1.0,
@@ -57,7 +57,7 @@ HWY_ATTR HWY_INLINE Double Sine(Double x) {
     return hn::Xor(hn::Mul(rest, Polynomial(series, hn::Mul(rest, rest))), odd);
 }
 
-/// The angle of (x, y) in [-pi, pi], to within 1e-13; 0 at the origin.
+/// The angle of (x, y) in [-pi, pi] radians, to within 1e-13; 0 at the origin.
 HWY_ATTR HWY_INLINE Double Angle(Double y, Double x) {
     const Doubles d;
     constexpr double pi = 3.141592653589793, eighth = 0.41421356237309503;  // tan(pi / 8)
@@ -67,7 +67,7 @@ HWY_ATTR HWY_INLINE Double Angle(Double y, Double x) {
     const auto steep = hn::Gt(ay, ax);
     const Double high = hn::IfThenElse(steep, ay, ax), low = hn::IfThenElse(steep, ax, ay);
     const Double q = hn::IfThenElseZero(hn::Gt(high, zero), hn::Div(low, high));
-    // The nearest of three angles, 0, pi / 8 and pi / 4, and what is left to it.
+    // The nearest of the angles 0, pi / 8 and pi / 4, to which the series adds the rest.
     const auto first = hn::Gt(q, hn::Set(d, 0.19891236737965801)),
                second = hn::Gt(q, hn::Set(d, 0.66817863791929891));
     const Double t =
@@ -89,7 +89,7 @@ HWY_ATTR HWY_INLINE Double Log2(Double x) {
     static constexpr double series[] = {1.0,      1.0 / 3,  1.0 / 5,  1.0 / 7, 1.0 / 9,
                                         1.0 / 11, 1.0 / 13, 1.0 / 15, 1.0 / 17};
     const auto all = hn::BitCast(bits, x);
-    // An integer below 2^52 in the low bits of 2^52 makes that number.
+    // An integer below 2^52, written into the low bits of the double 2^52, makes 2^52 plus it.
     const auto exponent_bits =
         hn::Or(hn::ShiftRight<52>(all), hn::BitCast(bits, hn::Set(d, 0x1p52)));
     Double exponent = hn::Sub(hn::BitCast(d, exponent_bits), hn::Set(d, 0x1p52 + 1023.0));
@@ -104,7 +104,7 @@ HWY_ATTR HWY_INLINE Double Log2(Double x) {
     return hn::Add(exponent, log);
 }
 
-/// 2^x, to within 1e-13 of itself; 0 below -1022, infinite from 1023.5 on.
+/// 2^x to a relative error of 1e-13; 0 below -1022, infinite from 1023.5 on.
 HWY_ATTR HWY_INLINE Double Exp2(Double x) {
     const Doubles d;
     const hn::RebindToUnsigned<Doubles> bits;
@@ -122,8 +122,8 @@ HWY_ATTR HWY_INLINE Double Exp2(Double x) {
     return hn::IfThenElse(high, hn::Inf(d), hn::IfThenZeroElse(low, power));
 }
 
-/// x^e for e >= 0, to within 1e-13 (1 + |e log2(x)|) of itself; a negative x counts as 0 unless e
-/// is whole, and so does x below 2^-1022 then.
+/// x^e for e >= 0, to a relative error of 1e-13 (1 + |e log2(x)|). Where e is not whole, the result
+/// is 0 for x below 2^-1022, negative x included.
 HWY_ATTR HWY_INLINE Double Power(Double x, double e) {
     const Doubles d;
     const auto whole = std::size_t(e);

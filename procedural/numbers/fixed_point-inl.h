@@ -1,4 +1,4 @@
-// Coordinates in 32.32 fixed point from doubles, for every instruction set. Included once per
+// Coordinates in 32.32 fixed point from vectors of doubles. The file is included once per
 // instruction set (hence the toggled guard), after hwy/foreach_target.h.
 #if defined(BURL_FIXED_POINT_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef BURL_FIXED_POINT_INL_H
@@ -18,13 +18,15 @@ namespace HWY_NAMESPACE {
 using Longs = hn::RebindToUnsigned<Doubles>;
 using Long = hn::Vec<Longs>;
 
-/// Between 2^20 and 2^21 doubles are 2^-32 apart: a sum with this one is a fixed-point number.
+/// Doubles between 2^20 and 2^21 are 2^-32 apart, so the low bits of fixed_magic + y are y in units
+/// of 2^-32.
 constexpr double fixed_magic = 0x1.8p20;
 constexpr auto fixed_zero = std::bit_cast<std::uint64_t>(fixed_magic);
 
-/// |y| < 2^51 as the integer nearest to it, and the rest in [-1/2, 1/2].
+/// The integer nearest to y, |y| < 2^51, and the rest of y.
 struct NearestInteger {
-    Long integer;  ///< in the upper 32 bits
+    Long integer;  ///< the integer modulo 2^32 in the upper 32 bits; the lower 32 are 0
+    /// y less the integer, in [-1/2, 1/2].
     Double rest;
 
     HWY_ATTR HWY_INLINE explicit NearestInteger(Double y) {
@@ -34,7 +36,7 @@ struct NearestInteger {
     }
 };
 
-/// |y| < 2^51 in units of 2^-32.
+/// y, |y| < 2^51, in units of 2^-32, modulo 2^64.
 HWY_ATTR HWY_INLINE Long FixedPoint(Double y) {
     const NearestInteger nearest(y);
     const Double sum = hn::Add(nearest.rest, hn::Set(Doubles(), fixed_magic));
@@ -42,8 +44,8 @@ HWY_ATTR HWY_INLINE Long FixedPoint(Double y) {
                    hn::Sub(hn::BitCast(Longs(), sum), hn::Set(Longs(), fixed_zero)));
 }
 
-/// The upper and lower halves of a vector of floats' worth of numbers: `low` is its first half
-/// (with SCALAR all of it).
+/// The upper and lower 32 bits of 64-bit integers, as many as a vector of floats has lanes: those
+/// of `low`, then those of `high` (with SCALAR only those of `low`).
 struct Halves {
     Bit upper, lower;
 

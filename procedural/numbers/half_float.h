@@ -1,6 +1,6 @@
 #pragma once
-// What a 16-bit floating-point image makes of a float32 (IEEE 754 binary16: 11 significant bits).
-// OpenGL leaves the rounding to the implementation.
+// The rounding of float32 to the half floats (IEEE 754 binary16, 11 significant bits) of a 16-bit
+// image; OpenGL leaves the direction to the implementation.
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -9,9 +9,11 @@ namespace burl {
 
 enum class HalfRounding { nearest_even, toward_zero };
 
-/// The neighbouring half float, as a float32; |x| must be less than 65504.
+/// The half float next to x in the direction of `rounding`, as a float32; |x| must be less than
+/// 65504.
 inline float half_rounded(float x, HalfRounding rounding) {
-    if (std::abs(x) < 0x1p-14f) {  // here halves are 2^-24 apart; exact but for the rounding
+    // Below 2^-14 half floats are 2^-24 apart, and scaling by 2^24 is exact.
+    if (std::abs(x) < 0x1p-14f) {
         const float units = x * 0x1p24f;
         return 0x1p-24f *
                (rounding == HalfRounding::toward_zero ? std::trunc(units) : std::nearbyint(units));

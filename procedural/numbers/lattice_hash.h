@@ -1,9 +1,9 @@
 #pragma once
-// The random numbers at lattice points, from arithmetic instead of Perlin's tables: a sum of prime
+// Random numbers at lattice points, from arithmetic instead of Perlin's tables: a sum of prime
 // multiples of the coordinates (a sum, because exclusive-or makes more than half the points of a
 // block about the origin share their value with another), then Wellons' two-multiply mixer
-// "lowbias32" without its last xorshift, which would only reach bits that are not used. All in
-// 32-bit unsigned integers, so a shader computes the same bits.
+// "lowbias32" without its last xorshift, which reaches only bits that are not used. All arithmetic
+// is in 32-bit unsigned integers, so a shader computes the same bits.
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -16,6 +16,7 @@ struct LatticeHash {
                                    prime_seed = 0x9e3779b1u;
     static constexpr std::uint32_t multiplier_1 = 0x7feb352du, multiplier_2 = 0x846ca68bu;
 
+    /// Wellons' mixer: 32 bits to 32 bits, of which the high ones are the better mixed.
     static constexpr std::uint32_t mix(std::uint32_t h) {
         h ^= h >> 16;
         h *= multiplier_1;
@@ -23,8 +24,8 @@ struct LatticeHash {
         return h * multiplier_2;
     }
 
-    /// Random bits of a lattice point of up to four coordinates, those left out being 0; the high
-    /// bits are the good ones.
+    /// Random bits of a lattice point of up to four coordinates, missing ones being 0; the high
+    /// bits are the better mixed.
     template <std::size_t N>
     static constexpr std::uint32_t bits(const std::array<std::uint32_t, N>& index,
                                         std::uint32_t seed) {
@@ -40,8 +41,8 @@ struct LatticeHash {
         return bits(std::array{i, j, k}, seed);
     }
 
-    /// Where a seed moves a noise whose random numbers are a fixed table of period 256: 0..255;
-    /// seed 0 leaves it in its place.
+    /// The shift in cells, 0..255 and 0 for seed 0, by which a seed moves a noise whose random
+    /// numbers are a fixed table of period 256.
     static constexpr std::uint32_t shift(std::uint32_t seed, std::size_t axis) {
         return seed == 0 ? 0 : mix(seed * prime_seed + std::uint32_t(axis) * prime_x) >> 24;
     }

@@ -1,5 +1,5 @@
-// The positions of what holds in a vector, for every instruction set. Included once per
-// instruction set (hence the toggled guard), after hwy/foreach_target.h.
+// Positions of the lanes in which a vector's mask holds. The file is included once per instruction
+// set (hence the toggled guard), after hwy/foreach_target.h.
 #if defined(BURL_SET_BITS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef BURL_SET_BITS_INL_H
 #undef BURL_SET_BITS_INL_H
@@ -17,7 +17,7 @@
 #define BURL_SET_BITS_TABLE
 namespace burl {
 
-/// The numbers of the set bits of a byte, in order.
+/// set_bits[byte]: the positions of the byte's set bits, ascending.
 inline constexpr auto set_bits = [] {
     std::array<std::array<std::uint8_t, 8>, 256> table{};
     for (std::size_t byte = 0; byte < table.size(); ++byte)
@@ -26,7 +26,7 @@ inline constexpr auto set_bits = [] {
     return table;
 }();
 
-/// How many bits of a byte are set up to each, itself included.
+/// bits_up_to[byte][i]: the number of set bits among bits 0..i of the byte.
 inline constexpr auto bits_up_to = [] {
     std::array<std::array<std::uint8_t, 8>, 256> table{};
     for (std::size_t byte = 0; byte < table.size(); ++byte)
@@ -35,7 +35,8 @@ inline constexpr auto bits_up_to = [] {
     return table;
 }();
 
-/// How many of `found` positions, which rise, are below `count`: the last vector reaches beyond.
+/// The number of the `found` ascending positions that are below `count`: the last vector of a
+/// search reaches beyond it.
 inline std::size_t found_below(std::size_t count, const std::uint32_t* positions,
                                std::size_t found) {
     while (found > 0 && positions[found - 1] >= count) --found;
@@ -49,7 +50,7 @@ HWY_BEFORE_NAMESPACE();
 namespace burl {
 namespace HWY_NAMESPACE {
 
-/// Eight numbers of a table of bytes, each plus `first`.
+/// numbers[k] = table[byte][k] + first for k = 0..7, or for as many as the vector has lanes.
 template <class Table>
 HWY_ATTR HWY_INLINE void StoreEight(const Table& table, std::uint8_t byte, std::size_t lanes,
                                     std::uint32_t first, std::uint32_t* numbers) {
@@ -61,7 +62,7 @@ HWY_ATTR HWY_INLINE void StoreEight(const Table& table, std::uint8_t byte, std::
     }
 }
 
-/// The lanes in which a mask holds, eight to a byte.
+/// The bits of a mask, eight lanes to a byte.
 struct MaskBytes {
     std::uint8_t bytes[8] = {};
 
@@ -71,9 +72,9 @@ struct MaskBytes {
     }
 };
 
-/// positions[0..result) = `first` + the numbers of the lanes where the mask holds, in order. Writes
-/// up to 16 elements whatever the result. (Where no instruction does it, Highway 1.0.3's Compress
-/// copies its table on every call with g++ 12.)
+/// Stores `first` + the number of every lane where the mask holds, ascending, and returns how many
+/// there are. Writes up to 16 elements whatever the result. (Where no instruction does it, Highway
+/// 1.0.3's Compress copies its table on every call with g++ 12.)
 template <class Mask>
 HWY_ATTR HWY_INLINE std::size_t SetPositions(Mask mask, std::uint32_t first,
                                              std::uint32_t* positions) {
@@ -98,7 +99,7 @@ HWY_ATTR HWY_INLINE std::size_t SetPositions(Mask mask, std::uint32_t first,
 #endif
 }
 
-/// counts[i] = `before` + in how many lanes up to i the mask holds, for all lanes.
+/// counts[i] = `before` + the number of lanes 0..i in which the mask holds, for all lanes.
 HWY_ATTR HWY_INLINE void CountUpTo(const MaskBytes& mask, std::uint32_t before,
                                    std::uint32_t* counts) {
     const std::size_t lanes = hn::Lanes(Bits());

@@ -5,10 +5,10 @@
 
 namespace burl {
 
-/// Floats in its vectors.
+/// The number of floats in the instruction set's vectors.
 std::size_t simd_lanes();
 
-/// Its name, such as "AVX3".
+/// Highway's name of the instruction set, such as "AVX3".
 std::string simd_level();
 
 }  // namespace burl

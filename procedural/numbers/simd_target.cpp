@@ -6,10 +6,10 @@ namespace burl {
 
 namespace {
 
-/// visit(target) for every target there is, the best first.
+/// Calls visit(target) for every target that is compiled in and supported, the best first.
 template <class Visit>
 void for_each_target(const Visit& visit) {
-    // A target's bit is the lower the better it is.
+    // The better a target, the lower its bit.
     for (std::int64_t left = hwy::SupportedTargets() & HWY_TARGETS; left != 0; left &= left - 1)
         visit(left & -left);
 }

@@ -1,20 +1,21 @@
 #pragma once
-// Which instruction set the kernels run on (Highway, chosen at run time), and how a test or a
-// measurement holds them to another: results must not depend on it.
+// The instruction set that the kernels run on (Highway, chosen at run time), and how a test or a
+// measurement holds them to another one: results must not depend on it.
 #include <cstdint>
 #include <string>
 #include <vector>
 
 namespace burl {
 
-/// Names of all that the kernels were compiled for and this machine has, the best first.
+/// Names of the instruction sets that the kernels were compiled for and this machine has, the best
+/// first.
 std::vector<std::string> simd_targets();
 
-/// All kernels of the process use this one of them from here on.
+/// Makes all kernels of the process use the instruction set of this name from here on.
 void use_simd_target(const std::string& name);
 
-/// Holds the kernels of the whole process to one of them while it lives: for tests and benchmarks,
-/// where nothing else synthesises meanwhile.
+/// Holds the kernels of the whole process to one instruction set while it lives: for tests and
+/// benchmarks, where no other thread synthesises meanwhile.
 class OnlySimdTarget {
   public:
     explicit OnlySimdTarget(const std::string& name);

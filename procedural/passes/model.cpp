@@ -11,16 +11,17 @@ namespace burl {
 
 namespace {
 
-/// As shaders have it: numbers below the normal ones count as 0.
+/// x, or 0 where it is subnormal, as in shaders.
 float flushed(float x) {
     return std::abs(x) < std::numeric_limits<float>::min() ? 0.0f : x;
 }
 
-/// To the nearest whole number, halves up.
+/// The whole number nearest to x, halves rounded up.
 float whole(float x) {
     return std::floor(x + 0.5f);
 }
 
+/// x in 32.32 fixed point.
 std::uint64_t fixed_point(double x) {
     const double cell = std::floor(x);
     return (std::uint64_t(std::int64_t(cell)) << 32) + std::uint64_t((x - cell) * 0x1p32);
@@ -79,7 +80,7 @@ void MultipassModel::run_numbers(const Pass& pass) {
     images_[pass.target] = std::move(result);
 }
 
-/// 32.32 fixed point, after doublings.
+/// The lattice coordinate of a texel after the pass's doublings, in 32.32 fixed point.
 std::uint64_t MultipassModel::coordinate(const Pass& pass, std::size_t texel, unsigned axis) const {
     const LatticeMap& map = maps_[pass.stream];
     const int at = int(axis);

@@ -1,7 +1,7 @@
 #pragma once
-// Runs a multipass plan on the host, texel by texel and pass by pass, rounding wherever an image
-// stores: the reference that OpenGL's images are held to (equal bits for float32 where OpenGL's
-// arithmetic is IEEE 754's, one unit of the last place otherwise).
+// Evaluation of a multipass plan on the host, texel by texel and pass by pass, rounding wherever an
+// image stores: the reference of OpenGL's images (equal bits for float32 where OpenGL's arithmetic
+// is IEEE 754's, one unit of the last place otherwise).
 #include <map>
 
 #include "procedural/field/lattice_map.h"
@@ -10,18 +10,18 @@
 
 namespace burl {
 
-/// Integers of fixed8 are in PassTexel, too, and its numbers are 0..255.
+/// The numbers of a texel. With fixed8 they are whole numbers 0..255 and include integer images.
 using PassTexel = std::array<float, 3>;
 using PassIntegers = std::array<std::uint32_t, 3>;
 
 class MultipassModel {
   public:
-    /// Both must outlive it; one lattice map for each stream, of one size, at least one. The first
-    /// has the quadric.
+    /// A model of a plan for lattice maps, one per stream and at least one, all of one size; the
+    /// quadric comes from the first. Plan and maps must outlive the model.
     MultipassModel(const MultipassPlan& plan, std::span<const LatticeMap> maps,
                    HalfRounding rounding = HalfRounding::nearest_even);
 
-    /// In the order given; what they read must have been written.
+    /// Runs passes in order; images must have been written before a pass reads them.
     void run(std::span<const Pass> passes);
     void run() { run(plan_.passes); }
 
@@ -54,7 +54,7 @@ class MultipassModel {
     std::map<PassImage, std::vector<PassIntegers>> integers_;
 };
 
-/// A plane of lattice coordinates as a lattice map, its quadric 0: texel (x,y) shows
+/// A plane of lattice coordinates as a lattice map with quadric 0: texel (x, y) shows
 /// lattice_from_texel(x + 1/2, y + 1/2, 0). The papers' figures are such slices.
 LatticeMap lattice_slice(std::size_t width, std::size_t height, const Affine3& lattice_from_texel);
 

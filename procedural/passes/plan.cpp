@@ -10,7 +10,7 @@ namespace {
 
 using enum PassImage;
 
-/// The passes of octaves, one after the other; count them in docs/opengl.md.
+/// The passes of octaves, one after the other; docs/opengl.md counts them.
 class Planner {
   public:
     explicit Planner(MultipassPlan& plan)
@@ -61,7 +61,7 @@ class Planner {
         bits_ = bit_randomizer(octave_.seed, octave_.bits.integer);
         if (plan_.options.equalize) plan_.tables.push_back({{{}, {}, {}, equal_table(bits_)}});
     }
-    /// A number of the tables as images hold it.
+    /// A number of a table in the form that images hold; `last` marks the fourth table.
     float held(float number, bool last) const {
         if (last) return fixed_ ? 128.0f * number + 127.5f : number;
         return fixed_ ? number : number / 255.0f;
@@ -74,8 +74,8 @@ class Planner {
         add(PassKind::places, weights);
     }
 
-    /// solid_int = solid_map >> b_f, weight = solid_map - (solid_int << b_f), scaled up to 1 by
-    /// PixelTransfer, or shifted left bit by bit by register combiners.
+    /// The papers' solid_int = solid_map >> b_f and weight = solid_map - (solid_int << b_f), scaled
+    /// up to 1 by PixelTransfer, or shifted left bit by bit by register combiners.
     void split_fixed() {
         const unsigned whole = octave_.bits.integer, part = octave_.bits.fraction();
         const bool by_bits = plan_.options.randomizer == Randomizer::bits;
@@ -95,7 +95,7 @@ class Planner {
         else
             transfer(weights, weights, 255.0f / ones, 0.0f);
     }
-    /// Half, rounded down, as often as there are bits, or all at once.
+    /// Divides by 2^bits and rounds down: bit by bit, or at once.
     void shift_right(PassImage target, PassImage first, unsigned bits, bool by_bits) {
         if (!by_bits) {
             const float scale = std::ldexp(1.0f, -int(bits));
@@ -110,8 +110,8 @@ class Planner {
             add(PassKind::shift_left, target, bit == 0 ? first : target);
     }
 
-    /// 3u^2 - 2u^3 = 4 u u (3/4 - u/2): what the last factor is, and the product up to the last
-    /// step, lies in [0,1].
+    /// The fade 3u^2 - 2u^3 = 4 u u (3/4 - u/2): the last factor, and the product before the last
+    /// step, lie in [0, 1].
     void s_curve() {
         transfer(ramp, weights, -0.5f, fixed_ ? 191.25f : 0.75f);
         add(PassKind::multiply, ramp, ramp, weights);
@@ -189,7 +189,7 @@ class Planner {
     BitRandomizer bits_;
 };
 
-/// NaN, and what the lattice does not reach, as 0.
+/// x, or 0 where it is NaN or beyond the lattice.
 double in_reach(double x) {
     return std::abs(x) < lattice_limit ? x : 0.0;
 }

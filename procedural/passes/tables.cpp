@@ -10,11 +10,12 @@ namespace burl {
 
 namespace {
 
-/// Random number `i` of table `table`.
+/// Random bits for entry `i` of table `table`.
 std::uint32_t random_bits(std::uint32_t seed, std::uint32_t table, std::uint32_t i) {
     return LatticeHash::bits(i, table, 0x7ab1e5u, seed);
 }
 
+/// The luminance, 0..255, of one side of a pair of colours.
 float random_luminance(std::uint32_t seed, std::uint32_t pair, std::uint32_t side) {
     return float(LatticeHash::bits(pair, side, 0xb175u, seed) >> 24);
 }
@@ -23,7 +24,7 @@ BitColors random_colors(std::uint32_t seed, std::uint32_t pair) {
     return {{random_luminance(seed, pair, 0), random_luminance(seed, pair, 1)}};
 }
 
-/// Blends by the highest of eight bits.
+/// Blends one of the colours over `under`, chosen by the highest of eight bits.
 std::uint32_t blended_by(std::uint32_t bits, const BitColors& colors, std::uint32_t under) {
     return blended(under, std::uint32_t(colors.luminance[bits >> 7 & 1]));
 }

@@ -1,5 +1,6 @@
 // The colour map's index of a field value, as map_index in procedural/color/table.h: modulo one in
-// [0,1), or clamped to [0,1]; of what is no number 0. After numbers/real.glsl. COLOR_REPEATS is 1 or 0.
+// [0, 1), or clamped to [0, 1]; 0 for NaN. This part must follow numbers/real.glsl. COLOR_REPEATS
+// is 1 or 0.
 #if COLOR_REPEATS
 real color_index(real f) {
     exact real part = f - floor(f);

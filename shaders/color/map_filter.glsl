@@ -1,11 +1,13 @@
-// The colour map's mean over a footprint, in linear light, from what the map's breaks do: the
-// closed forms of procedural/color/map_filter_kernels.cpp in their sequence of operations. A break's
-// shares are (jump, kink): its jump and its kink times these are added up. After color/box_width.glsl;
-// COLOR_REPEATS (color/index.glsl) chooses the basis.
+// The colour map's mean over a footprint, in linear light, as the sum of the shares of the map's
+// breaks: the closed forms of procedural/color/map_filter_kernels.cpp in their sequence of
+// operations. A break adds its jump and its kink times its shares (jump, kink). This part must
+// follow color/box_width.glsl; COLOR_REPEATS (color/index.glsl) chooses the basis.
 
-// Antiderivatives of a unit jump and a unit kink at `position`, up to what differences take out.
+// A basis has the antiderivatives of a unit jump and a unit kink at `position`, up to terms that
+// differences cancel.
 #if COLOR_REPEATS
-// -B_k(u) / k! of the distance u = y + 1/2 from the break, B_k being Bernoulli's polynomials.
+// The periodic basis: -B_k(u) / k! of the distance u = y + 1/2 from the break, B_k being
+// Bernoulli's polynomials.
 real break_distance(real x, real position) {
     exact real z = x - (position + real(0.5));
     exact real y = z - roundEven(z);
@@ -26,21 +28,21 @@ real2 break_second(real x, real position) {
     exact real quartic = square * (real(1.0) / real(48.0) - square * (real(1.0) / real(24.0)));
     return real2(break_cubic(y, square), quartic);
 }
-// The map itself.
+// The unit jump and the unit kink themselves.
 real2 break_value(real x, real position) {
     real y = break_distance(x, position);
     exact real kink = real(1.0) / real(24.0) - (y * y) * real(0.5);
     return real2(-y, kink);
 }
-// Distance to the break, negative to its left.
+// The distance to the nearest break, negative where x lies to its left.
 real break_side(real x, real position) {
     real y = break_distance(x, position);
     exact real size = real(0.5) - abs(y);
     return y < real(0.0) ? size : -size;
 }
 #else
-// Powers of what lies beyond the break; beyond 1, where all kinks have cancelled, without the
-// highest.
+// The clamped basis: powers of x - position to the right of the break. Beyond 1, where all kinks of
+// a map cancel, the kink's powers go on without the highest.
 real2 break_first(real x, real position) {
     exact real all = max(x - position, real(0.0));
     exact real within = max(min(x, real(1.0)) - position, real(0.0));
@@ -67,7 +69,8 @@ real break_side(real x, real position) {
 }
 #endif
 
-// Where f's values lie over a texel: `wide` >= `narrow` >= 0 along its sides.
+// The values of f over a texel: their middle and their changes along the texel's sides, `wide` >=
+// `narrow` >= 0.
 struct Footprint {
     real f, wide, narrow;
 };
@@ -97,8 +100,8 @@ real trapezoid_scale(Footprint at) {
     return scale;
 }
 
-// The map at f, and what a break inside the footprint takes off it or adds: the smoothed step and
-// ramp less the sharp ones.
+// The map at f, plus the correction of a break inside the footprint: the smoothed step and ramp
+// less the sharp ones.
 real2 narrow_shares(Footprint at, real position) {
     exact real support = (at.wide + at.narrow) * real(0.5),
                flat_part = (at.wide - at.narrow) * real(0.5);
@@ -125,7 +128,8 @@ real narrow_scale(Footprint at) {
 
 // ---- Which form suits a footprint (procedural/field/stream_filter.cpp) ----
 
-// `both_axes` false: the box of the same variance. Nothing where anything is not finite.
+// The footprint of a texel; the box of the same variance unless `both_axes`. Its sides are 0 where
+// f or a slope is not finite.
 Footprint footprint_of(real f, vec2 slopes, bool both_axes) {
     real u = abs(real(slopes.x)), v = abs(real(slopes.y));
     real wide = max(u, v), narrow = min(u, v);
@@ -135,7 +139,8 @@ Footprint footprint_of(real f, vec2 slopes, bool both_axes) {
     return Footprint(f, box_width(wide, narrow), real(0.0));
 }
 
-// 1 narrow, 2 box, 3 trapezoid. In float32 differences of broad forms cancel more.
+// The method for a footprint: 1 narrow, 2 box, 3 trapezoid. In float32, differences of the broad
+// methods cancel more, so the narrow one goes further.
 #if REAL_IS_DOUBLE
 #define NARROW_SUPPORT 0.015625
 #else
@@ -148,7 +153,8 @@ int method_for(Footprint at) {
     return at.narrow < at.wide / real(1000.0) && support < real(0.5) ? 1 : 3;
 }
 
-// f so that adding half a width rounds nothing off it; widths no wider than is as good as infinite.
+// The footprint in the range of the formulas: f so that adding half a width rounds nothing off it,
+// and widths up to the one that is as good as infinite.
 Footprint reduced(Footprint at) {
 #if COLOR_REPEATS
     const real widest = real(1073741824.0);  // 2^30

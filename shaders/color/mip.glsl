@@ -1,6 +1,7 @@
-// The colour map's mean from tables of halved resolutions (Hart et al. 1999, section 3.3.1): procedural/color/mip.h in
-// its sequence of operations. After color/index.glsl, color/table.glsl and numbers/elementary.glsl. COLOR_MIP_FINEST: the first
-// table has 2 to this power entries; half of them each follow, down to one.
+// The colour map's mean from tables of halved resolutions (Hart et al. 1999, section 3.3.1):
+// procedural/color/mip.h in its sequence of operations. This part must follow color/index.glsl,
+// color/table.glsl and numbers/elementary.glsl. The first table has 2^COLOR_MIP_FINEST entries;
+// each further table has half as many, down to one.
 real3 at_level(int level, real index) {
     int count = (1 << COLOR_MIP_FINEST) >> level, first = (2 << COLOR_MIP_FINEST) - 2 * count;
     exact real x = index * real(count) - real(0.5);

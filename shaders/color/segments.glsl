@@ -1,5 +1,6 @@
 // Linear light of field values, that of PreparedColorMap in procedural/color/table.h, from the
-// table of procedural/glsl/colors.h. After numbers/real_bits.glsl and color/index.glsl.
+// table of procedural/glsl/colors.h. This part must follow numbers/real_bits.glsl and
+// color/index.glsl.
 uniform usamplerBuffer color_segments;
 uniform int color_segment_count;
 

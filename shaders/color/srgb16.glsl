@@ -1,5 +1,6 @@
-// 16-bit sRGB codes of linear light, those of SrgbEncoder in procedural/color/srgb.h, from the thresholds
-// between codes. After numbers/real_bits.glsl. SRGB_BUCKETS is the number of buckets as a float.
+// 16-bit sRGB codes of linear light, those of SrgbEncoder in procedural/color/srgb.h, from the
+// thresholds between codes. This part must follow numbers/real_bits.glsl. SRGB_BUCKETS is the
+// number of buckets as a float.
 uniform usamplerBuffer srgb_first, srgb_thresholds;
 
 uint srgb16(real linear) {

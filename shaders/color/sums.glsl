@@ -1,8 +1,9 @@
-// The colour map's mean from a summed-area table (Hart et al. 1999, section 3.3.2): procedural/color/sums.h in its
-// sequence of operations. After color/index.glsl and color/table.glsl.
-uniform real sums_first;       // the table's first sum is up to here, in entries
+// The colour map's mean from a summed-area table (Hart et al. 1999, section 3.3.2):
+// procedural/color/sums.h in its sequence of operations. This part must follow color/index.glsl and
+// color/table.glsl.
+uniform real sums_first;  // entry up to which the table's first element is the sum
 uniform int sums_count;
-uniform real3 sums_ends[2];    // entries before the first and from the last on, where the map is clamped
+uniform real3 sums_ends[2];  // entries before the table and behind it, where the map is clamped
 const real map_entries = real(1024.0);
 
 real3 stored_sum(real x) {

@@ -1,6 +1,6 @@
-// Colours in linear light by number, two texels each. After numbers/real_bits.glsl.
+// Colours in linear light by number, two texels each. This part must follow numbers/real_bits.glsl.
 uniform usamplerBuffer color_table;
-uniform real3 background;  // the colour of what no span shows
+uniform real3 background;  // colour of texels that no span shows
 
 real3 table_color(int i) {
     uvec4 xy = texelFetch(color_table, 2 * i), z = texelFetch(color_table, 2 * i + 1);

@@ -1,6 +1,6 @@
 #version 330 core
-// Needs color/srgb_encode.glsl.
-// Linear light as drawn, rows top first, to sRGB codes for the screen; `side`^2 samples a pixel.
+// Linear light as drawn, rows top first, to sRGB codes for the screen, with `side`^2 samples a
+// pixel. This part must follow color/srgb_encode.glsl.
 uniform sampler2D samples;
 uniform int side;
 

@@ -1,5 +1,5 @@
 #version 330 core
-// Colours as they are: both the vertices' and the textures' are sRGB codes, blended as such.
+// Dear ImGui's colours: the vertices' and the textures' are both sRGB codes, blended as such.
 in vec2 texture_uv;
 in vec4 vertex_color;
 

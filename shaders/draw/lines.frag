@@ -1,5 +1,5 @@
 #version 330 core
-// One colour, in linear light; alpha covers what lies below.
+// A line in one colour, in linear light; alpha covers the pixels below.
 uniform vec4 color;
 
 out vec4 fragment;

@@ -1,16 +1,17 @@
 #version 330 core
-// A line as a rectangle of even width on the screen, a little nearer than the surface it lies on.
+// A line as a rectangle of constant width on the screen, a little nearer than the surface it lies
+// on.
 layout(location = 0) in vec3 from;
 layout(location = 1) in vec3 to;
-layout(location = 2) in vec3 from_change;  // on the way to a target
+layout(location = 2) in vec3 from_change;  // change of `from` on the way to a morph target
 layout(location = 3) in vec3 to_change;
 
 uniform mat4 clip_from_unit;
-uniform vec2 size;    // of the target, in samples
-uniform float width;  // in samples
-uniform float share;  // of that way
+uniform vec2 size;    // size of the target in samples
+uniform float width;  // width of the line in samples
+uniform float share;  // share of the way to the morph target
 
-// The end itself or, where it lies before the near plane, where the line meets that.
+// The end itself or, where it lies before the near plane, the line's intersection with that plane.
 vec4 before_the_eye(vec4 end, vec4 other) {
     float here = end.z + end.w, there = other.z + other.w;
     return here < 0.0 && there > 0.0 ? mix(end, other, here / (here - there)) : end;

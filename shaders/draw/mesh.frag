@@ -1,8 +1,8 @@
-// Needs maps/footprint.glsl, maps/level_size.glsl and color/srgb_encode.glsl.
 // Base colour in linear light, under a headlight: ambient + (1 - ambient) |n.v| as in
-// app/scene/shading.h, with n bumped by a normal map as in procedural/fill/tangent_frame.h. The target is
-// linear float; sRGB encoding happens after averaging, on the host, but where ENCODED says that a
-// sample is a pixel of the screen.
+// app/scene/shading.h, with n bumped by a normal map as in procedural/fill/tangent_frame.h. The
+// target is linear float, which the host encodes to sRGB after averaging, except with ENCODED,
+// where a sample is a pixel of the screen. This part must follow maps/footprint.glsl,
+// maps/level_size.glsl and color/srgb_encode.glsl.
 in vec3 eye_position;
 in vec3 eye_normal;
 in vec3 local_normal;
@@ -11,9 +11,10 @@ in vec2 texture_uv;
 in vec4 vertex_color;
 flat in vec4 texture_block;  // low u, low v, high u, high v
 
-// A software OpenGL takes every branch, whichever way a uniform decides; so these are macros:
-// ENCODED: see above. LIT, BUMPED: by a normal map. LEVELS: lookups choose a level. IN_BLOCKS: they
-// keep to the block. PLACES: instead of a colour where and how it is looked up: u, v, level, light.
+// Macros, because software OpenGL executes every branch even of a uniform condition. ENCODED: the
+// colour is encoded to sRGB. LIT: the headlight shades it. BUMPED: a normal map bumps the normal.
+// LEVELS: lookups choose a MIP level. IN_BLOCKS: lookups stay in the block. PLACES: the fragment is
+// u, v, level and light instead of a colour.
 uniform sampler2D base_color;
 uniform sampler2D normal_map;
 uniform float normal_scale;
@@ -23,8 +24,8 @@ uniform float ambient;
 
 out vec4 fragment;
 
-// Bilinear in one level, half of its texels off the block's border; of a block under one texel the
-// middle.
+// Bilinear lookup in one level, at least half a texel inside the block's border; in the middle of a
+// block smaller than a texel.
 vec4 block_level(sampler2D map, float level) {
     vec2 half_texel = 0.5 / vec2(level_size(map, int(level)));
     vec2 middle = 0.5 * (texture_block.xy + texture_block.zw);
@@ -33,7 +34,7 @@ vec4 block_level(sampler2D map, float level) {
     return textureLod(map, clamp(texture_uv, low, high), level);
 }
 
-// Trilinear, of a level that is not negative.
+// Trilinear lookup between two levels, for a level that is not negative.
 vec4 block_lookup(sampler2D map, float level) {
     vec2 size = vec2(textureSize(map, 0));
     float last = floor(log2(max(size.x, size.y)));
@@ -42,8 +43,8 @@ vec4 block_lookup(sampler2D map, float level) {
                fract(level));
 }
 
-// The level is chosen here, as the specification has it, and not by the sampler, which may be half
-// a level off: which texels are read is known beforehand (app/gl/draw/view_texels.h).
+// The MIP level by the specification's formula and not by the sampler, which may be half a level
+// off: the host must know the texels that are read (app/gl/draw/view_texels.h).
 float level_of(sampler2D map) {
     float footprint = footprint_squared(texture_uv, vec2(textureSize(map, 0)));
     return 0.5 * log2(max(footprint, 1.0));
@@ -55,7 +56,7 @@ vec4 lookup(sampler2D map) {
     return IN_BLOCKS ? block_lookup(map, level) : textureLod(map, texture_uv, level);
 }
 
-// In eye space, of any length.
+// The shading normal in eye space, of any length.
 vec3 shading_normal() {
     if (!BUMPED) return eye_normal;
     vec3 normal = normalize(local_normal), tangent = normalize(local_tangent.xyz);
@@ -64,7 +65,7 @@ vec3 shading_normal() {
     return normal_from_local * (share.x * tangent + share.y * bitangent + share.z * normal);
 }
 
-// Lit on the side that the surface itself shows.
+// The headlight's share of light, on the side that the surface itself shows.
 float headlight() {
     vec3 normal = shading_normal();
     float lengths = length(normal) * length(eye_position);

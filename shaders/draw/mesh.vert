@@ -1,7 +1,7 @@
 #version 330 core
-// Draws a scene's surface: positions to clip space, the rest to the fragment shader in eye space;
-// the frame of normal maps stays in the surface's own. A share of the way to its target is added
-// first; of surfaces without any that is 0.
+// A scene's surface: positions to clip space, the rest to the fragment shader in eye space; the
+// frame of normal maps stays in the surface's own space. A share of the way to the morph target is
+// added first; surfaces without a target have changes of 0.
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in vec2 uv;

@@ -1,6 +1,6 @@
-// What a sample looks up of a texture, for the host to mark texels by (app/gl/draw/view_texels.h): where,
-// how wide, and in which triangle, counted from 1 on; 0 where nothing of the texture is seen.
-// Needs maps/footprint.glsl.
+// The lookup of a sample in a texture, for the host to mark texels by (app/gl/draw/view_texels.h):
+// its place, its squared width and its triangle's number from 1 on; 0 where the sample does not
+// show the texture. This part must follow maps/footprint.glsl.
 in vec2 texture_uv;
 
 uniform vec2 texture_size;

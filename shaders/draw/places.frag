@@ -1,7 +1,6 @@
 #version 330 core
-// Needs color/srgb_encode.glsl.
-// The object's pixels from the places that they look their texture up at (draw/mesh.frag, PLACES), as
-// draw/mesh.frag itself draws them.
+// The object's pixels from the lookups that draw/mesh.frag stores with PLACES, equal to those that
+// draw/mesh.frag itself draws. This part must follow color/srgb_encode.glsl.
 uniform sampler2D places;
 uniform sampler2D base_color;
 

@@ -1,10 +1,11 @@
 #version 330 core
-// A texture and its levels as they lie: texels as squares where they are larger than a pixel, and
-// of a finer level that is coarser than asked for where they are smaller. Rows top first.
+// A texture and its levels as the atlas view shows them: texels as squares where they are larger
+// than a pixel, otherwise a level as coarse as the pixels, but no finer than `level`. Rows top
+// first.
 uniform sampler2D image;  // decoded to linear light by its format
-uniform vec2 uv_low;      // of the target's corner
+uniform vec2 uv_low;      // uv of the target's corner
 uniform vec2 uv_per_pixel;
-uniform int level;  // the finest that is shown
+uniform int level;  // finest level that is shown
 
 out vec4 fragment;
 
@@ -20,7 +21,7 @@ void main() {
         return;
     }
     ivec2 size = textureSize(image, 0);
-    float width = log2(uv_per_pixel.x * float(size.x));  // of a pixel, as a level
+    float width = log2(uv_per_pixel.x * float(size.x));  // width of a pixel, as a level
     vec3 color = width > float(level)
                      ? textureLod(image, uv, width).rgb
                      : texelFetch(image, ivec2(uv * vec2(textureSize(image, level))), level).rgb;

@@ -1,12 +1,12 @@
-// Numbers with their gradients with respect to the solid point, as procedural/numbers/dual.h and
-// box_means.h have them: a real4 of the value and its derivatives along s, t and r. After
-// graph/graph.glsl.
+// Numbers with their gradients with respect to the solid point, as in procedural/numbers/dual.h and
+// procedural/graph/box_means.h: a real4 of the value and its derivatives along s, t and r. This
+// part must follow graph/graph.glsl.
 
 real4 dual(real constant) {
     return real4(constant, real3(0.0));
 }
 
-// In the host's order of additions.
+// The dot product in the host's order of additions.
 real dot_of(real3 a, real3 b) {
     exact real sum = a.x * b.x + a.y * b.y + a.z * b.z;
     return sum;
@@ -17,14 +17,16 @@ real4 dual_product(real4 a, real4 b) {
     return product;
 }
 
-// f(x) with slope f'(x); a derivative that is not finite counts as 0.
+// The dual f(x) for f(x) = `value` and f'(x) = `derivative`; a derivative that is not finite counts
+// as 0.
 real4 dual_chain(real4 x, real value, real derivative) {
     exact real zero = derivative - derivative;
     exact real3 slope = derivative * x.yzw;
     return real4(value, zero == real(0.0) ? slope : real3(0.0));
 }
 
-// pi / 2, and -2 / ln 2. (Literals without LF are float32 numbers: constants that those do not hold are quotients.)
+// pi / 2, and -2 / ln 2. (Literals without LF are float32 numbers; constants that float32 does not
+// hold are written as quotients elsewhere.)
 #if REAL_IS_DOUBLE
 const double quarter_turn = 1.5707963267948966LF, gaussian_falloff = -2.8853900817779268LF;
 #else
@@ -78,7 +80,7 @@ real4 dual_length(real4 x, real4 y) {
     return far > real(0.0) ? result : dual(far);
 }
 
-// Its slope goes on across the seam; at the origin it is 0.
+// The angle of (x, y). Its slope is continuous across the seam, and 0 at the origin.
 real4 dual_angle(real4 y, real4 x) {
     real far = length_of(x.x, y.x);
     exact real4 result = real4(angle(unsigned_zero(y.x), x.x),
@@ -92,7 +94,7 @@ real4 dual_lerp(real4 w, real4 a, real4 b) {
     return sum;
 }
 
-// A noise of the point (x, y, z) with its derivatives along these.
+// A noise at the point (x, y, z) as a dual, from its derivatives along the point's coordinates.
 real4 dual_at(vec4 n, real4 x, real4 y, real4 z) {
     exact real3 slope = real(n.y) * x.yzw + real(n.z) * y.yzw + real(n.w) * z.yzw;
     return real4(real(n.x), slope);
@@ -106,7 +108,7 @@ real4 dual_at(real value, real3 gradient, real4 x, real4 y, real4 z) {
 
 const real widest_box = real(1073741824.0);  // 2^30
 
-// Odd share of [0, u].
+// The length of odd cells in [0, u].
 real odd_below(real u) {
     exact real pairs = floor(real(0.5) * u);
     exact real below = pairs + real(2.0) * max(real(0.5) * u - pairs - real(0.5), real(0.0));
@@ -133,7 +135,7 @@ real4 box_fract(real4 x, real width) {
     return dual_chain(x, mean, derivative);
 }
 
-// Share of the box that is not negative.
+// The share of the box that is not negative.
 real4 box_step(real4 x, real width) {
     if (abs(x.x) >= real(0.5) * width || !(width > real(0.0)))
         return dual(x.x >= real(0.0) ? real(1.0) : real(0.0));
@@ -150,14 +152,14 @@ real4 box_sin(real4 x, real width) {
     return dual_chain(x, value, derivative);
 }
 
-// What a checkerboard's axis leaves of black minus white over a box, whose half width is the longer
-// of the moves u and v; 0 where that is above 1.
+// The mean of black minus white along one axis of a checkerboard over a box, whose half width is
+// the longer of the moves u and v; 0 where that is above 1.
 real4 stripes_over_box(real4 x, real u, real v) {
     exact real reach = max(abs(u), abs(v));
     exact real4 stripes = dual(real(1.0)) - real(2.0) * box_odd(x, real(2.0) * reach);
     return reach <= real(1.0) ? stripes : dual(real(0.0));
 }
-// How far the point lies inside a disk of the node `dots`.
+// The distance of the point from the border of a disk of the node `dots`, positive inside.
 real4 dot_inside(real4 x, real4 y, DotDisk disk, real radius) {
     exact real4 dx = real4(disk.dx, x.yzw), dy = real4(disk.dy, y.yzw);
     exact real4 inside = dual(radius) - dual_length(dx, dy);
@@ -166,7 +168,8 @@ real4 dot_inside(real4 x, real4 y, DotDisk disk, real radius) {
 
 // ---- Fields: noise in a lattice, a quadric ----
 
-// A gradient of the lattice, whose map from the solid has these columns, as one of the solid.
+// A gradient in a lattice, whose map from the solid has the columns a, b and c, as one in the
+// solid.
 real3 lattice_gradient(vec4 n, real3 a, real3 b, real3 c) {
     real3 along = real3(n.yzw);
     return real3(dot_of(a, along), dot_of(b, along), dot_of(c, along));
@@ -178,7 +181,7 @@ real3 half_gradient(real3 a, real3 b, real3 c, real3 linear, real3 at) {
     return half_of;
 }
 
-// z over a distance, and 0 where that is 0.
+// z divided by a distance, and 0 where that is 0.
 real4 dual_ratio(real4 z, real4 distance_of) {
     exact real inverse = real(1.0) / distance_of.x;
     exact real derivative = real(-1.0) / (distance_of.x * distance_of.x);
@@ -186,8 +189,8 @@ real4 dual_ratio(real4 z, real4 distance_of) {
     return distance_of.x > real(0.0) ? ratio : dual(real(0.0));
 }
 
-// How many octaves show where the point (x, y, z) moves across the footprint by its two steps:
-// pbrt's -1 - log2(step), for a lacunarity of 2^grows.
+// The number of octaves that show where the point (x, y, z) moves across the footprint by its two
+// steps: pbrt's -1 - log2(step), for a lacunarity of 2^grows.
 real visible_octaves(real4 x, real4 y, real4 z, real3 step_u, real3 step_v, real grows,
                      real octaves) {
     real3 u = real3(dot_of(x.yzw, step_u), dot_of(y.yzw, step_u), dot_of(z.yzw, step_u)),

@@ -1,5 +1,6 @@
 // An image over a footprint, between its levels or by an elliptically weighted average, with its
-// derivatives by s and t, as procedural/graph/mip_image.cpp has it. After graph/dual_map.glsl.
+// derivatives by s and t, as in procedural/graph/mip_image.cpp. This part must follow
+// graph/dual_map.glsl.
 
 struct ImageSample {
     real3 color, by_s, by_t;
@@ -9,7 +10,7 @@ ImageSample flat_sample(real3 color) {
     return ImageSample(color, real3(0.0), real3(0.0));
 }
 
-// The only texel, or that at the origin.
+// The texel at the origin, which is a level's only one in the coarsest level.
 ImageSample first_texel(sampler2D image, int level, int wrap) {
     return flat_sample(image_texel(image, level, real(0.0), real(0.0), wrap));
 }
@@ -31,7 +32,7 @@ ImageSample bilinear_sample(sampler2D image, int level, real s, real t, int wrap
     return ImageSample(color, by_s, by_t);
 }
 
-// (1 - w) a + w b.
+// The blend (1 - w) a + w b.
 ImageSample blended(ImageSample a, ImageSample b, real w) {
     exact real rest = real(1.0) - w;
     exact real3 color = rest * a.color + w * b.color, by_s = rest * a.by_s + w * b.by_s,
@@ -57,7 +58,7 @@ ImageSample ellipse_sample(sampler2D image, int level, real s, real t, real2 fir
     real2 size = real2(level_size(image, level));
     exact real x = s * size.x - real(0.5), y = t * size.y - real(0.5);
     exact real2 p = first * size, q = second * size;
-    // r^2 = a dx^2 + b dx dy + c dy^2 over the ellipse of the two steps, one texel wider.
+    // r^2 = a dx^2 + b dx dy + c dy^2, which is 1 on the ellipse of the two steps, one texel wider.
     exact real a = p.y * p.y + q.y * q.y + real(1.0), b = real(-2.0) * (p.x * p.y + q.x * q.y),
                c = p.x * p.x + q.x * q.x + real(1.0);
     exact real scale = real(1.0) / (a * c - real(0.25) * b * b);
@@ -115,13 +116,14 @@ ImageSample ewa_sample(sampler2D image, int levels, real s, real t, real2 first,
                    ellipse_sample(image, below + 1, s, t, wide, narrow, wrap), above);
 }
 
-// Of the coordinates' duals.
+// The image's colour with its gradient, from the coordinates' gradients by the chain rule.
 DualColor dual_image(ImageSample at, real4 s, real4 t) {
     exact real3 r = at.by_s.r * s.yzw + at.by_t.r * t.yzw,
                 g = at.by_s.g * s.yzw + at.by_t.g * t.yzw,
                 b = at.by_s.b * s.yzw + at.by_t.b * t.yzw;
     return DualColor(real4(at.color.r, r), real4(at.color.g, g), real4(at.color.b, b));
 }
+// The width of a trilinear lookup: twice the longest component of the two steps.
 real trilinear_width(real2 u, real2 v) {
     return real(2.0) * max(max(abs(u.x), abs(u.y)), max(abs(v.x), abs(v.y)));
 }

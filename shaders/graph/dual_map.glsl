@@ -1,7 +1,8 @@
-// Colour maps averaged over a footprint, as procedural/color/map_pieces.h and map_filter.cpp have it.
-// After graph/dual.glsl and the arrays of pieces and breaks, which procedural/glsl/map_tables.cpp writes.
+// Colour maps averaged over a footprint, as in procedural/color/map_pieces.h and map_filter.cpp.
+// This part must follow graph/dual.glsl and the arrays of pieces and breaks, which
+// procedural/glsl/map_tables.cpp writes.
 
-// Which pieces and breaks of the arrays are a map's; its mean over a period.
+// A colour map: its pieces and breaks in the arrays, and its mean over a period.
 struct PieceMap {
     int first, count, first_break, breaks;
     bool repeats;
@@ -18,7 +19,7 @@ int piece_at(PieceMap map, real t) {
     return i;
 }
 
-// Linear light of the piece that holds f, at g.
+// Linear light of the piece that holds f, evaluated at g.
 real3 extended_color(PieceMap map, real f, real g) {
     real t = piece_index(map, f);
     int i = piece_at(map, t);
@@ -26,7 +27,7 @@ real3 extended_color(PieceMap map, real f, real g) {
                         (t - piece_starts[i] + (g - f)) * piece_slopes[i];
     return color;
 }
-// The antiderivatives of the map less its mean.
+// The first antiderivative of the map less its mean.
 real3 first_integral(PieceMap map, real f) {
     real t = piece_index(map, f);
     int i = piece_at(map, t);
@@ -34,6 +35,7 @@ real3 first_integral(PieceMap map, real f) {
     exact real3 sum = piece_firsts[i] + x * (piece_colors[i] + x / real(2.0) * piece_slopes[i]);
     return sum;
 }
+// The second antiderivative of the map less its mean.
 real3 second_integral(PieceMap map, real f) {
     real t = piece_index(map, f);
     int i = piece_at(map, t);
@@ -54,7 +56,7 @@ PieceWidths widths_of(real along_u, real along_v) {
     real u = abs(along_u), v = abs(along_v);
     return PieceWidths(max(u, v), min(u, v));
 }
-// Side of the box of the same variance.
+// The side of the box of the same variance, as widths of one axis.
 PieceWidths box_of(PieceWidths widths) {
     exact real ratio = widths.narrow / widths.wide;
     exact real box = widths.wide * sqrt(real(1.0) + ratio * ratio);
@@ -63,7 +65,7 @@ PieceWidths box_of(PieceWidths widths) {
 
 // ---- Narrow footprints: the line at the low end, and what breaks add ----
 
-// Means of the unit step and of the ramp max(x, 0), x in [-sum / 2, 0].
+// The means of the unit step at 0 and of the ramp max(x, 0), for x in [-sum / 2, 0].
 real2 smoothed_below(real x, PieceWidths w) {
     exact real sum = real(0.5) * (w.wide + w.narrow), difference = real(0.5) * (w.wide - w.narrow);
     if (x <= -sum) return real2(0.0);
@@ -77,6 +79,7 @@ real2 smoothed_below(real x, PieceWidths w) {
         x * (real(0.5) + x / (real(2.0) * w.wide));
     return real2(inner, inner_ramp);
 }
+// The means of the unit step at 0 and of the ramp max(x, 0), for any x.
 real2 smoothed_break(real x, PieceWidths w) {
     real2 below = smoothed_below(-abs(x), w);
     exact real2 mirrored = real2(real(1.0) - below.x, x + below.y);
@@ -104,7 +107,7 @@ real3 sum_over_breaks(PieceMap map, real t, PieceWidths w) {
     return sum;
 }
 
-// ---- Broad ones: differences of antiderivatives, which cancel more in float32 ----
+// ---- Broad footprints: differences of antiderivatives, which cancel more in float32 ----
 
 #if REAL_IS_DOUBLE
 const real narrow_support = 0.015625LF;
@@ -112,7 +115,7 @@ const real narrow_support = 0.015625LF;
 const real narrow_support = 2.0;
 #endif
 
-// Mean of c(f + wide U + narrow V), U and V even in [-1/2, 1/2].
+// The mean of c(f + wide U + narrow V), U and V uniform in [-1/2, 1/2].
 real3 mean_color(PieceMap map, real f, PieceWidths widths) {
     exact real zero = (f - f) + (widths.wide - widths.wide);
     if (zero != real(0.0)) return extended_color(map, real(0.0), real(0.0));
@@ -147,7 +150,8 @@ struct DualColor {
     real4 r, g, b;
 };
 
-// The map over f, which changes by u and v across the footprint; `both_axes` false: over a box.
+// The map averaged over f, which changes by u and v across the footprint; over a box unless
+// `both_axes`.
 DualColor dual_color(PieceMap map, real4 f, real u, real v, bool both_axes) {
     exact real zero = f.x - f.x;
     real x = zero == real(0.0) ? f.x : real(0.0), width = length_of(u, v);
@@ -163,8 +167,8 @@ DualColor dual_color(PieceMap map, real4 f, real u, real v, bool both_axes) {
                      dual_chain(f, color.b, derivative.b));
 }
 
-// What a checkerboard's axis leaves of black minus white over both of its moves, by the map of
-// black and white stripes over half of x.
+// The mean of black minus white along one axis of a checkerboard over both of its moves, by the map
+// of black and white stripes over half of x.
 real4 stripes_over_both(PieceMap map, real4 x, real u, real v) {
     PieceWidths widths = widths_of(real(0.5) * u, real(0.5) * v);
     exact real width = real(2.0) * (widths.wide + widths.narrow), half_of = real(0.5) * x.x;
@@ -186,7 +190,7 @@ uvec2 jitter_bits(real x) {
 }
 #endif
 
-// A number in [0,1) from a point and a stratum of the footprint.
+// A random number in [0, 1) from a point and a stratum of the footprint.
 real stratum_jitter(real3 p, uint stratum) {
     uint h = prime_seed * (stratum + 1u);
     for (int axis = 0; axis < 3; ++axis) {
@@ -200,8 +204,8 @@ real stratum_jitter(real3 p, uint stratum) {
     return real(h ^ h >> 16) * real(2.3283064365386962890625e-10);  // 2^-32
 }
 
-// 4 x 4 strata of a checkerboard in `axes` coordinates, which move by u and v across the
-// footprint, weighed by a Gaussian.
+// The mean of a checkerboard in `axes` coordinates, which move by u and v across the footprint,
+// over 4 x 4 strata weighted by a Gaussian.
 real supersampled_board(real3 p, real3 u, real3 v, int axes) {
     exact real sum = real(0.0), weights = real(0.0);
     for (uint stratum = 0u; stratum < 16u; ++stratum) {
@@ -221,7 +225,7 @@ real supersampled_board(real3 p, real3 u, real3 v, int axes) {
     return sum / weights;
 }
 
-// The spline of marble over t in [0,1]: Bernstein's weights of four neighbouring points, or those
+// The spline of marble over t in [0, 1]: Bernstein's weights of four neighbouring points, or those
 // of the uniform cubic B-spline.
 DualColor dual_spline(real4 t, real3 points[9], bool b_spline) {
     exact real at = floor(t.x * real(6.0));
@@ -254,7 +258,8 @@ DualColor dual_spline(real4 t, real3 points[9], bool b_spline) {
 
 // ---- Octaves that a footprint cannot show ----
 
-// Share of an octave in whose lattice the footprint's sides are these (procedural/model/band_limit.h).
+// The share of an octave that shows where the footprint's sides in its lattice are u and v
+// (procedural/model/band_limit.h).
 real band_weight(real3 u, real3 v) {
     real squared = max(dot_of(u, u), dot_of(v, v));
     if (squared < real(9.0) / real(100.0)) return real(1.0);

@@ -1,6 +1,6 @@
-// A texture graph's colour over the texel's footprint, as procedural/fill/graph_texels.h has
-// it. After texture_color and maps/texel_line.glsl.
-uniform real3 texture_from_atlas[4];  // columns and offset
+// A texture graph's colour over the texel's footprint, as in procedural/fill/graph_texels.h. This
+// part must follow texture_color and maps/texel_line.glsl.
+uniform real3 texture_from_atlas[4];  // three columns and the offset
 
 real3 footprint_color(ivec2 texel) {
     uint owner = texelFetch(span_map, texel, 0).x;

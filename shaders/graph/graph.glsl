@@ -1,6 +1,6 @@
-// The operations of texture graphs that GLSL has no operator for, as procedural/graph/value_kernels.cpp,
-// value_program.cpp and mip_image.cpp have them. After noise/lattice.glsl and
-// maps/level_size.glsl.
+// The operations of texture graphs that GLSL has no operator for, as in
+// procedural/graph/value_kernels.cpp, value_program.cpp and mip_image.cpp. This part must follow
+// noise/lattice.glsl and maps/level_size.glsl.
 
 real odd_cell(real x) {
     exact real pairs = floor(x) * real(0.5);
@@ -12,7 +12,7 @@ real fraction_of(real x) {
     return fraction;
 }
 
-// A sum's, which compilers forget where they leave out "+ 0.0".
+// x with +0 for -0, as sums have it; compilers that leave out "+ 0.0" would keep -0.
 real unsigned_zero(real x) {
     return x == real(0.0) ? abs(x) : x;
 }
@@ -31,7 +31,8 @@ real blend(real weight, real a, real b) {
     return sum;
 }
 
-// 0 up to low, 1 from high on, 3u^2 - 2u^3 between; a step where high <= low.
+// The smooth step: 0 up to low, 1 from high on, 3u^2 - 2u^3 between; a step at `high` where high <=
+// low.
 real smooth_step(real low, real high, real x) {
     if (!(high > low)) return x >= high ? real(1.0) : real(0.0);
     exact real u = (x - low) / (high - low);
@@ -39,19 +40,21 @@ real smooth_step(real low, real high, real x) {
     return x >= high ? real(1.0) : x <= low ? real(0.0) : curve;
 }
 
-// What is not finite counts as 0.
+// x, or 0 where x is not finite.
 real finite_or_zero(real x) {
     exact real zero = x - x;
     return zero == real(0.0) ? x : real(0.0);
 }
 
-// A colour map's argument in [0,1].
+// A colour map's argument clamped to [0, 1].
 real clamped_index(real x) {
     return min(max(finite_or_zero(x), real(0.0)), real(1.0));
 }
+// A colour map's argument modulo 1.
 real repeated_index(real x) {
     real part = fraction_of(finite_or_zero(x));
-    return part < real(1.0) ? part : real(0.0);  // just below a whole number: the next one
+    // Just below a whole number the fraction rounds to 1, which is the next period's 0.
+    return part < real(1.0) ? part : real(0.0);
 }
 
 // The disk of the unit square around (x, y), if it has one: (dx, dy) is the point from its middle.
@@ -60,14 +63,14 @@ struct DotDisk {
     real dx, dy;
 };
 
-// The random number in [-1,1) of the square that lies so many squares across and down from this one.
+// The random number in [-1, 1) of the square that lies `across` and `down` squares from this one.
 real dot_number(uvec2 square, int across, int down, uint seed, uvec2 period) {
     uint i = lattice_index(square.x, across, period.x), j = lattice_index(square.y, down, period.y);
     return real(lattice_value(lattice_bits(uvec3(i, j, 0u), seed)));
 }
 
-// Half of the squares have a disk; square (i, j) draws three random numbers. `period` in squares,
-// 0: none.
+// The disk of the square around (x, y): half of the squares have one, and square (i, j) draws three
+// random numbers. `period` is in squares, 0 for none.
 DotDisk dot_disk(real x, real y, uint seed, uvec2 period, real radius) {
     exact real shift = real(0.5) - radius;
     exact real3 corner = real3(x + real(0.5), y + real(0.5), real(0.0));
@@ -78,7 +81,7 @@ DotDisk dot_disk(real x, real y, uint seed, uvec2 period, real radius) {
     return DotDisk(chance >= real(0.0), dx, dy);
 }
 
-// 1 inside a disk.
+// The weight of `inside` in the node `dots`: 1 in a disk, else 0.
 real dot_weight(real x, real y, uint seed, uvec2 period, real radius) {
     DotDisk disk = dot_disk(x, y, seed, period, radius);
     exact real squares = disk.dx * disk.dx + disk.dy * disk.dy;
@@ -86,7 +89,8 @@ real dot_weight(real x, real y, uint seed, uvec2 period, real radius) {
     return disk.there && inside >= real(0.0) ? real(1.0) : real(0.0);
 }
 
-// Beyond an image lies itself again (0), black (1) or its border (2).
+// The index of texel x of `size`; beyond an image lies the image again (wrap 0), black (1, index
+// -1) or its border (2).
 int image_index(real x, int size, int wrap) {
     real n = real(size);
     if (wrap == 2) return int(min(max(x, real(0.0)), n - real(1.0)));
@@ -95,7 +99,7 @@ int image_index(real x, int size, int wrap) {
     return int(inside);
 }
 
-// From here on a coordinate holds no useful fraction of a texel.
+// The size from which a coordinate has no useful fraction of a texel.
 const real farthest_image = real(1099511627776.0);  // 2^40
 
 real3 image_texel(sampler2D image, int level, real x, real y, int wrap) {
@@ -105,7 +109,7 @@ real3 image_texel(sampler2D image, int level, real x, real y, int wrap) {
     return real3(texelFetch(image, texel, level).rgb);
 }
 
-// Bilinear, in linear light; (0,0) where a coordinate holds no useful fraction of a texel.
+// Bilinear lookup in linear light; texel (0, 0) where a coordinate is farthest_image or more.
 real3 image_color(sampler2D image, real s, real t, int wrap) {
     if (!(abs(s) < farthest_image && abs(t) < farthest_image))
         return image_texel(image, 0, real(0.0), real(0.0), wrap);

@@ -1,6 +1,7 @@
-// A texture graph's colour as the weighted mean of several places in the texel, as
-// procedural/fill/graph_points.h has it. After texture_color, maps/texel_line.glsl and maps/supersample.glsl.
-uniform real3 texture_from_atlas[4];  // columns and offset
+// A texture graph's colour as the weighted mean of several samples in the texel, as in
+// procedural/fill/graph_points.h. This part must follow texture_color, maps/texel_line.glsl and
+// maps/supersample.glsl.
+uniform real3 texture_from_atlas[4];  // three columns and the offset
 
 real3 mean_color(ivec2 texel) {
     TexelLine line;

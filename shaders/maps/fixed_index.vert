@@ -1,10 +1,10 @@
 #version 330 core
-// One triangle over the whole target, as maps/full_screen.vert. What a fragment needs of the uniforms goes through flat
-// varyings: of those llvmpipe reads one number for all the texels it works on, of uniforms one for each. OCTAVE_PAIRS
-// and TERMS are the arrays' lengths.
-uniform uvec4 octaves[OCTAVE_PAIRS];  // of two octaves each: seed and the bits of the weight, twice
-uniform uvec4 terms[TERMS];           // of FixedTerm: the bits of whole, factor, shift
-uniform uvec4 index;                  // constant, largest index, columns of the maps' squares, colour of gaps
+// One triangle over the whole target, as in maps/full_screen.vert. The uniforms go to the fragments
+// through flat varyings, of which llvmpipe reads one number for all the texels it works on; of
+// uniforms it reads one for each texel. OCTAVE_PAIRS and TERMS are the arrays' lengths.
+uniform uvec4 octaves[OCTAVE_PAIRS];  // two octaves each: seed and the bits of the weight, twice
+uniform uvec4 terms[TERMS];           // a FixedTerm each: the bits of `whole`, factor, shift
+uniform uvec4 index;                  // constant, largest index, width of the maps in squares, colour of gaps
 uniform uvec4 entry;                  // shifts that leave an entry's number and a place in it; tolerance
 
 flat out uvec4 octave_pairs[OCTAVE_PAIRS], term_words[TERMS], index_words, entry_words;

@@ -1,4 +1,5 @@
-// A texel of a lattice map (procedural/field/lattice_map.h), with the host's bits. After maps/line.glsl.
+// A texel of a lattice map (procedural/field/lattice_map.h), with the host's bits. This part must
+// follow maps/line.glsl.
 uniform double period;
 
 flat in uvec4 cells;
@@ -6,16 +7,16 @@ flat in uvec4 parabola;
 flat in uvec2 parabola_turn;
 
 layout(location = 0) out uvec4 map_cells;   // cells along x, y and z, upper half of q
-layout(location = 1) out uvec4 map_places;  // places in them in units of 2^-32 cells, lower half of q
+layout(location = 1) out uvec4 map_places;  // places in the cells in units of 2^-32, lower half of q
 
-// Cell and place of a coordinate that is no fixed-point number yet.
+// Cell and place of a coordinate that is not in fixed point yet.
 uvec2 split(double x) {
     double cell = floor(x);
     precise double wrapped = cell;
     if (period > 0.0lf) wrapped = cell - period * floor(cell / period);
-    precise double shifted = wrapped + 6755399441055744.0lf;        // 1.5 2^52
-    precise double place = floor((x - cell) * 4294967296.0lf);      // 2^32 where x - cell rounds to 1
-    precise double shifted_place = place + 4503599627370496.0lf;    // 2^52
+    precise double shifted = wrapped + 6755399441055744.0lf;      // 1.5 2^52
+    precise double place = floor((x - cell) * 4294967296.0lf);    // 2^32 where x - cell rounds to 1
+    precise double shifted_place = place + 4503599627370496.0lf;  // 2^52
     return uvec2(unpackDouble2x32(shifted).x + uint(place >= 4294967296.0lf), unpackDouble2x32(shifted_place).x);
 }
 

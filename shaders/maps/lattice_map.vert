@@ -1,17 +1,18 @@
-// Lines of a lattice map (procedural/field/lattice_map.h): what stays the same along a span of the coordinates that
-// fill_stream and of the parabola that make_parabolas works out. After maps/span.glsl.
+// The spans of a lattice map (procedural/field/lattice_map.h): the numbers, constant along a span,
+// of the coordinates that fill_stream computes and of the parabola that make_parabolas computes.
+// This part must follow maps/span.glsl.
 uniform dmat3 lattice_linear;
 uniform dvec3 lattice_offset;
-uniform double coordinate_limit;    // beyond it coordinates stay at 0
-uniform double period, per_period;  // of the cells, and 1 / period; 0: 2^32
-uniform dmat3 quadric;              // its symmetric matrix
-uniform dvec3 quadric_slope;        // d, g, i
+uniform double coordinate_limit;    // a coordinate that reaches this size is 0 on the span
+uniform double period, per_period;  // period of the cells, and 1 / period; 0 for 2^32
+uniform dmat3 quadric;              // the quadric's symmetric matrix
+uniform dvec3 quadric_slope;        // the quadric's coefficients d, g and i
 uniform double quadric_constant;
 
-// Halves of float64 numbers: on an axis texel j has the bits of from + j step, plus the cell. On hard lines, which
-// these do not hold, it is at from + j step itself.
+// Halves of float64 numbers. Along an axis, texel j has the bits of from + j step, plus the cell;
+// on hard lines, for which fixed point has no room, its coordinate is from + j step itself.
 flat out uvec4 x_line, y_line, z_line;  // from, step
-flat out uvec4 cells;                   // along x, y and z, and whether the line is hard
+flat out uvec4 cells;                   // cells along x, y and z, and whether the line is hard
 flat out uvec4 parabola;                // c0, c1
 flat out uvec2 parabola_turn;           // c2
 

@@ -1,20 +1,20 @@
-// One texel of a MIP level from the two or three texels each way of the level before it that it
-// covers, with the host's weights in the host's order (atlas/base/mip_chain.cpp): sums in float64, results
-// rounded once. With gutters (GUTTERS) two chains run side by side, means of all texels and sums of those
-// that show surface (colour times share, share); a level whose gutters count shows the one, later ones the
-// other.
+// A texel of a MIP level as the mean of the two or three texels each way of the level before it
+// that it covers, with the host's weights in the host's order (atlas/base/mip_chain.cpp): sums in
+// float64, results rounded once. With GUTTERS there are two chains: means of all texels, and sums
+// of the texels that show surface (colour times share, share). `level` is the mean in a level whose
+// gutters count, and the mean of the surface alone in later levels.
 uniform sampler2D before;          // means of the level before, or the texture itself
-uniform sampler2D surface_before;  // its sums, or of the texture itself the share in .r
-uniform bool first;                // the level before is the texture itself
+uniform sampler2D surface_before;  // surface sums of the level before, or the share in .r of the texture itself
+uniform bool first;                // whether the level before is the texture itself
 uniform bool gutters_count;
 #if !EVEN
-uniform ivec2 taps;  // old texels that a new one covers: 1, 2 or 3 each way
+uniform ivec2 taps;  // texels of the level before that a new one covers: 1, 2 or 3 each way
 #endif
 layout(location = 0) out vec4 mean;
 layout(location = 1) out vec4 surface;
 layout(location = 2) out vec4 level;
 
-// Weights, three for each new texel of an axis; of two even axes (EVEN) all are quarters.
+// Weights, three for each new texel of an axis; where both axes are even (EVEN), all are quarters.
 #if EVEN
 #elif BURL_FLOAT64
 uniform usamplerBuffer columns, rows;

@@ -1,4 +1,4 @@
-// Where a texel lies on its span's line, in a fragment shader drawn by spans (maps/span.glsl).
+// A texel's point on its span's line, in a fragment shader drawn by spans (maps/span.glsl).
 flat in int first_column;
 flat in uint owner;
 flat in uvec4 x_line, y_line, z_line;  // halves of float64 numbers: start and step

@@ -1,7 +1,8 @@
-// The line of points that a span's texels show, mapped. After maps/span.glsl; maps/line.glsl reads it.
+// The line of points that a span's texels show, mapped. This part must follow maps/span.glsl;
+// maps/line.glsl reads it.
 uniform dmat3 line_linear;
 uniform dvec3 line_offset;
-uniform double line_limit;  // on an axis on which the line reaches so far it stays at 0; 0: no limit
+uniform double line_limit;  // a coordinate that reaches this size on the span is 0 on all of it; 0: no limit
 
 flat out uvec4 x_line, y_line, z_line;
 

@@ -1,8 +1,8 @@
-// Quadric and lattice coordinates at points of a texel's line (maps/texel_line.glsl), as the host's kernels work them out.
-// After noise/stream_noise.glsl.
-uniform real quadric[10];  // a to j of procedural/model/texture.h
+// Quadric and lattice coordinates at points of a texel's line (maps/texel_line.glsl), with the
+// arithmetic of the host's kernels. This part must follow noise/stream_noise.glsl.
+uniform real quadric[10];  // coefficients a to j of procedural/model/texture.h
 
-// evaluate_quadric.
+// The quadric at p, as evaluate_quadric computes it.
 real quadric_at(real3 p) {
     exact real3 half_gradient =
         real3(quadric[0] * p.x + quadric[1] * p.y + quadric[2] * p.z + quadric[3],
@@ -13,15 +13,16 @@ real quadric_at(real3 p) {
     return q;
 }
 
-// A texel's side in a lattice; half of lattice_limit or more (or NaN) counts as 0.
+// A texel's side in a lattice; components of half of lattice_limit or more (or NaN) count as 0.
 real3 lattice_side(real3 side) {
     return real3(abs(side.x) < real(0.5) * lattice_limit ? side.x : real(0.0),
                  abs(side.y) < real(0.5) * lattice_limit ? side.y : real(0.0),
                  abs(side.z) < real(0.5) * lattice_limit ? side.z : real(0.0));
 }
 
-// Of an octave without a stream (procedural/field/sampler.cpp): where the line of all the span's texels reaches the
-// limit it stays at 0, and so does a step to the next row.
+// The line of an octave without a stream kernel (procedural/field/sampler.cpp): a coordinate that
+// reaches the limit on any of the span's texels is 0 on all of them, and so is a step to the next
+// row that reaches it.
 TexelLine in_lattice(TexelLine line) {
     exact real3 reach = abs(line.start) + line.count * abs(line.step);
     for (int axis = 0; axis < 3; ++axis) {
@@ -45,14 +46,14 @@ uvec2 fixed_point(real x) {
 #endif
 }
 
-// A site moved by less than 2^51 cells.
+// A site moved by `by`, less than 2^51 cells along each axis.
 StreamSite moved(StreamSite site, real3 by) {
     uvec2 x = fixed_point(by.x), y = fixed_point(by.y), z = fixed_point(by.z);
     uvec3 place = site.place + uvec3(x.y, y.y, z.y);
     return StreamSite(site.cell + uvec3(x.x, y.x, z.x) + uvec3(lessThan(place, site.place)), place);
 }
 
-// Along u and v, in texels.
+// A site moved by an offset along u and v, in texels.
 StreamSite moved(StreamSite site, real3 u, real3 v, real2 offset) {
     exact real3 by = offset.x * u + offset.y * v;
     return moved(site, by);
@@ -71,7 +72,7 @@ real3 curved(real3 v) {
     return product;
 }
 
-// The quadric at start + x step as procedural/kernels/quadric_kernel.cpp has it: a parabola.
+// The quadric at start + x step by the parabola of procedural/kernels/quadric_kernel.cpp.
 real parabola_at(real3 start, real3 step, real x) {
     real3 half_gradient = curved(start), linear = real3(quadric[3], quadric[6], quadric[8]);
     exact real3 twice = half_gradient + real(2.0) * linear, once = half_gradient + linear;
@@ -83,7 +84,8 @@ real parabola_at(real3 start, real3 step, real x) {
 }
 
 #if REAL_IS_DOUBLE
-// Cell and place of a coordinate out of reach of fixed point, as FillHardLine of procedural/kernels/stream_kernels.cpp.
+// Cell and place of a coordinate out of reach of fixed point, as in FillHardLine of
+// procedural/kernels/stream_kernels.cpp.
 uvec2 split(double x, double period) {
     double cell = floor(x);
     exact double wrapped = cell;
@@ -94,8 +96,9 @@ uvec2 split(double x, double period) {
 }
 #endif
 
-// Texel x of a line that is `count` texels long and mapped to a lattice, as fill_stream has it. `limits`: beyond the
-// first the line stays at 0; the second is the period of the cells, 0 being 2^32.
+// The site of texel x of a line that is `count` texels long and mapped to a lattice, as fill_stream
+// computes it. A coordinate that reaches limits.x on the line is 0 on all of it; limits.y is the
+// period of the cells, 0 for 2^32.
 StreamSite stream_site(TexelLine line, real x, real2 limits) {
 #if REAL_IS_DOUBLE
     exact dvec3 extent = line.count * abs(line.step), reach = abs(line.start) + extent;
@@ -111,7 +114,7 @@ StreamSite stream_site(TexelLine line, real x, real2 limits) {
             exact double wrapped = start - periods * limits.y;
             start = wrapped;
         }
-        exact double shifted = start + 6755399441055744.0lf;  // 1.5 2^52
+        exact double shifted = start + 6755399441055744.0lf;                           // 1.5 2^52
         exact double from = (start - (shifted - 6755399441055744.0lf)) + 1572864.0lf;  // 1.5 2^20
         exact double fixed_point_sum = from + x * line.step[axis];
         uvec2 bits = unpackDouble2x32(fixed_point_sum);
@@ -126,8 +129,8 @@ StreamSite stream_site(TexelLine line, real x, real2 limits) {
 #endif
 }
 
-// The row of a texel's corners `side` rows below its centre: one longer than the span, from half a step before it on
-// (procedural/field/corner_samples.cpp).
+// The row of a texel's corners `side` rows below its centre: one texel longer than the span, from
+// half a step before it on (procedural/field/corner_samples.cpp).
 TexelLine corner_line(TexelLine line, real side) {
     exact real3 start = line.start - real(0.5) * line.step + side * line.down;
     return TexelLine(start, line.step, line.down, line.column, line.count + real(1.0), line.owner);

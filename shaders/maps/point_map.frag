@@ -1,4 +1,4 @@
-// A texel of a point map (procedural/batch/point_map.h). After maps/line.glsl.
+// A texel of a point map (procedural/batch/point_map.h). This part must follow maps/line.glsl.
 layout(location = 0) out uvec4 map_xy;
 layout(location = 1) out uvec4 map_z_owner;
 

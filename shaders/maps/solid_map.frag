@@ -1,4 +1,4 @@
-// A texel of a solid map (procedural/batch/point_map.h). After maps/line.glsl.
+// A texel of a solid map (procedural/batch/point_map.h). This part must follow maps/line.glsl.
 uniform dvec3 base;
 
 layout(location = 0) out vec4 map_local;

@@ -1,9 +1,10 @@
-// Stratified places in a texel and their weights, those of procedural/batch/sample_pattern.h, to the bit. After
-// noise/lattice.glsl.
+// Stratified sample points in a texel and their weights, those of procedural/batch/sample_pattern.h
+// to the bit. This part must follow noise/lattice.glsl.
 uniform int sample_count;
 uniform ivec2 sample_cells;  // columns and rows that the texel is cut into
 
-// Of sample i of a texel of the atlas: from its centre along u and v, in texels, in [-1/2,1/2].
+// The offset of sample i of a texel of the atlas from its centre, along u and v, in texels, in
+// [-1/2, 1/2].
 real2 sample_offset(int i, ivec2 texel) {
     uint bits = lattice_bits(uvec3(uint(texel.x), uint(texel.y), uint(i)), 0x5eedu);
     exact real2 jitter = real2(real(bits >> 16), real(bits & 0xffffu)) * real(1.52587890625e-05) +

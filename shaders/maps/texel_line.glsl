@@ -1,8 +1,9 @@
-// The span of an atlas that a texel lies in (atlas/solid/solid_atlas.h), and the line of solid points that the span shows:
-// for shaders that look beside the texels' centres. After numbers/real_bits.glsl.
-uniform usampler2D span_map;        // procedural/maps/span_map.h
+// The span of an atlas that a texel lies in (atlas/solid/solid_atlas.h), and the line of solid
+// points that the span shows, for shaders that evaluate points beside the texels' centres. This
+// part must follow numbers/real_bits.glsl.
+uniform usampler2D span_map;        // the map of procedural/maps/span_map.h
 uniform usamplerBuffer texel_maps;  // TexelMap as it lies in memory, five texels each
-uniform ivec2 tile_origin;          // of the target in the atlas
+uniform ivec2 tile_origin;          // corner of the target in the atlas
 
 // A triangle's TexelMap (atlas/solid/solid_atlas.h).
 struct TexelMapping {
@@ -21,21 +22,21 @@ TexelMapping texel_mapping(int owner) {
         ivec2(m4.zw));
 }
 
-// Of a texel of the atlas: TexelMap::operator().
+// The solid point of a texel of the atlas, as TexelMap::operator() computes it.
 real3 texel_point(TexelMapping map, ivec2 texel) {
     real across = real(texel.x - map.corner.x), up = real(texel.y - map.corner.y);
     exact real3 point = map.origin + across * map.step + up * map.down;
     return point;
 }
 
-// Texel j of the span shows start + j step, the one below it down more.
+// A span's line: texel j shows start + j step, the texel below it that plus `down`.
 struct TexelLine {
     real3 start, step, down;
-    real column, count;  // the texel's own j; texels of the span
+    real column, count;  // number j of the texel; number of texels of the span
     int owner;           // number of the triangle's map
 };
 
-// False where no span shows anything.
+// The line of a texel's span; false where no span shows anything.
 bool texel_line(ivec2 texel, out TexelLine line) {
     uvec4 span = texelFetch(span_map, texel, 0);
     bool shown = span.x != 0xffffffffu;
@@ -47,25 +48,25 @@ bool texel_line(ivec2 texel, out TexelLine line) {
     return shown;
 }
 
-// At an offset from the texel's centre, in texels.
+// The point at an offset from the texel's centre, in texels.
 real3 line_point(TexelLine line, real2 offset) {
     exact real3 point = line.start + (line.column + offset.x) * line.step + offset.y * line.down;
     return point;
 }
 
-// Of texel x of the line, which need not be a whole number.
+// The point of texel x of the line; x need not be a whole number.
 real3 point_on(TexelLine line, real x) {
     exact real3 point = line.start + x * line.step;
     return point;
 }
 
-// A linear map's columns times v.
+// The linear map with columns x, y and z, applied to v.
 real3 along(real3 x, real3 y, real3 z, real3 v) {
     exact real3 sum = x * v.x + y * v.y + z * v.z;
     return sum;
 }
 
-// Through an affine map, given by its columns and its offset.
+// The line mapped by the affine map with columns x, y and z and an offset.
 TexelLine mapped(TexelLine line, real3 x, real3 y, real3 z, real3 offset) {
     exact real3 start = along(x, y, z, line.start) + offset;
     return TexelLine(start, along(x, y, z, line.step), along(x, y, z, line.down), line.column, line.count, line.owner);

@@ -1,5 +1,6 @@
 // The noises without interpolation: one random number for each lattice cell, and for each cell of a
-// lattice 2^16 times as fine (procedural/noise/random_cells.h). After noise/lattice.glsl.
+// lattice 2^16 times as fine (procedural/noise/random_cells.h). This part must follow
+// noise/lattice.glsl.
 
 float cell_noise(uint seed, uvec3 cell) {
     return lattice_value(lattice_bits(cell, seed));
@@ -12,7 +13,7 @@ float cell_noise(uint seed, uvec4 cell) {
 uint white_cell(uint cell, real place) {
     exact real fraction = place + real(0.5);
     return 65536u * cell +
-           uint(float(floor(fraction * real(65536.0))));  // float holds it: at most 65536
+           uint(float(floor(fraction * real(65536.0))));  // exact in float, because it is at most 65536
 }
 uvec3 white_cell(uvec3 cell, real3 place) {
     return uvec3(white_cell(cell.x, place.x), white_cell(cell.y, place.y),

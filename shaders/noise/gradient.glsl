@@ -1,8 +1,8 @@
-// What all noises with gradients share: a noise is a vec4 of its value and its derivatives along
-// the lattice's x, y and z, blended and added up as procedural/kernels/point_noise-inl.h,
-// interpolated_noise.h and noise_sum.cpp do it. After noise/lattice.glsl.
+// The common part of noises with gradients: a noise is a vec4 of its value and its derivatives
+// along the lattice's x, y and z, blended and added up as in procedural/kernels/point_noise-inl.h,
+// noise/interpolated_noise.h and kernels/noise_sum.cpp. This part must follow noise/lattice.glsl.
 
-// What the fades v change by per cell, of t = twice the place.
+// The slopes of the fades v per cell, for t = twice the place.
 vec4 linear_fade_slope(vec4 t) {
     return vec4(2.0);
 }
@@ -16,24 +16,24 @@ vec4 quintic_fade_slope(vec4 t) {
     return slope;
 }
 
-// Twice a and b blended; `slope` is the fade's, in the component of its axis.
+// Twice the blend of a and b; `slope` is the fade's slope, in the component of its axis.
 vec4 twice_blend(float v, vec4 slope, vec4 a, vec4 b) {
     exact vec4 twice = ((a + b) + v * (b - a)) + slope * (b.x - a.x);
     return twice;
 }
-// Of the corners 00, 10, 01 and 11 of a square, four times.
+// Four times the blend of the corners 00, 10, 01 and 11 of a square.
 vec4 twice_blend(vec3 v, vec3 slope, mat4 corners) {
     vec4 along_x = vec4(0.0, slope.x, 0.0, 0.0);
     return twice_blend(v.y, vec4(0.0, 0.0, slope.y, 0.0),
                        twice_blend(v.x, along_x, corners[0], corners[1]),
                        twice_blend(v.x, along_x, corners[2], corners[3]));
 }
-// Of a cube's lower and upper plane, eight times.
+// Eight times the blend of a cube's lower and upper plane.
 vec4 twice_blend(vec3 v, vec3 slope, mat4 low, mat4 high) {
     return twice_blend(v.z, vec4(0.0, 0.0, 0.0, slope.z), twice_blend(v, slope, low),
                        twice_blend(v, slope, high));
 }
-// Along time, whose slope nobody asks for.
+// Twice the blend along time, without a slope along it.
 vec4 twice_blend(float v, vec4 a, vec4 b) {
     exact vec4 twice = (a + b) + v * (b - a);
     return twice;
@@ -41,14 +41,14 @@ vec4 twice_blend(float v, vec4 a, vec4 b) {
 
 // ---- Octaves: n, |n| or (1 - |n|)^2, of which `share` shows; the rest is its mean ----
 
-// Share of octave k that shows where `kept` octaves are visible.
+// The share of octave k that shows where `kept` octaves are visible.
 float visible_share(float kept, float k) {
     exact float u = min(max((kept - (k + 0.3)) * 2.5, 0.0), 1.0);
     exact float share = (u * u) * (3.0 - (u + u));
     return share;
 }
 
-// The same in `real`.
+// visible_share in `real`.
 real visible_part(float kept, real k) {
     exact real away = (real(kept) - k - real(3.0) / real(10.0)) * real(2.5);
     exact real u = min(max(away, real(0.0)), real(1.0));
@@ -56,7 +56,7 @@ real visible_part(float kept, real k) {
     return part;
 }
 
-// At split points, in float32. `steepness` is weight times frequency.
+// An octave at a split point, weighted in float32. `steepness` is weight times frequency.
 vec4 weighed_octave(vec4 n, float shaped, float weight, float steepness, float share, float mean) {
     exact vec4 octave =
         vec4(weight * (share * shaped + (1.0 - share) * mean), steepness * n.yzw);
@@ -75,7 +75,7 @@ vec4 ridged_octave(vec4 n, float weight, float steepness, float share, float mea
     return weighed_octave(n, rest * rest, weight, ridge, share, mean);
 }
 
-// At sites: shaped in float32, added up in `real`.
+// Octaves at sites are shaped in float32 and added up in `real`.
 vec4 plain_sample(vec4 n) {
     return n;
 }

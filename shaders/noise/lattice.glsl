@@ -1,12 +1,13 @@
-// What every noise on the lattice shares: the hash, sites, periods and fades of
-// procedural/numbers/lattice_hash.h, lattice_site.h, point_sites-inl.h and noise_corners-inl.h, in their
-// sequence of operations. After numbers/real.glsl.
+// The common part of noises on the lattice: hash, sites, periods and fades of
+// procedural/numbers/lattice_hash.h, noise/lattice_site.h, kernels/point_sites-inl.h and
+// kernels/noise_corners-inl.h, in their sequence of operations. This part must follow
+// numbers/real.glsl.
 //
 // A point reaches a noise in one of two forms, as on the host:
 // - split: split_points(p, limit), then cells_of(split, k) and places_of(split, k) after k
-//   doublings: the cell modulo 2^32, and the place in it from its middle, in [-1/2,1/2] (for sums
+//   doublings: the cell modulo 2^32, and the place in it from its middle, in [-1/2, 1/2] (for sums
 //   of interpolated noise without period and time);
-// - as a site, lattice_site(p, period), period 0 being none: for everything else.
+// - as a site, lattice_site(p, period), period 0 being none, for all other noise.
 
 const uint prime_x = 0x8da6b343u, prime_y = 0xd8163841u, prime_z = 0xcb1ab31fu,
            prime_w = 0xc2b2ae3du, prime_seed = 0x9e3779b1u;
@@ -19,7 +20,7 @@ uint mix_bits(uint h) {
     return h * 0x846ca68bu;
 }
 
-// Where a seed moves a noise whose random numbers are a table of period 256.
+// The shift in cells by which a seed moves a noise whose random numbers are a table of period 256.
 uvec3 lattice_shift(uint seed) {
     if (seed == 0u) return uvec3(0u);
     uint h = seed * prime_seed;
@@ -39,7 +40,7 @@ uint low_bits(real whole) {
 #endif
 }
 
-// The same where |whole| < 2^53.
+// The lower 32 bits of a whole number, |whole| < 2^53.
 uint low_bits_of_sum(real whole) {
 #if REAL_IS_DOUBLE
     exact double rest = whole - 4294967296.0 * floor(whole * 2.3283064365386962890625e-10);
@@ -49,7 +50,7 @@ uint low_bits_of_sum(real whole) {
 #endif
 }
 
-// A whole number modulo n > 0, in [0,n).
+// A whole number modulo n > 0, in [0, n).
 real whole_remainder(real whole, real n) {
     exact real rest = whole - n * floor(whole / n);
     if (rest < real(0.0)) rest += n;
@@ -60,7 +61,7 @@ real whole_remainder(real whole, real n) {
 // ---- Split points ----
 
 struct SplitPoint {
-    uvec3 cell, part;  // in units of 2^-32 cells: upper and lower 32 bits
+    uvec3 cell, part;  // upper and lower 32 bits, in units of 2^-32 cells
 };
 
 void split_coordinate(real x, real limit, out uint cell, out uint part) {
@@ -77,7 +78,8 @@ void split_coordinate(real x, real limit, out uint cell, out uint part) {
     cell = low_bits(whole) + (part == 0u && place > real(0.0) ? 1u : 0u);
 }
 
-// What reaches `limit` counts as 0: lattice_limit, halved for each of the doublings to come.
+// The split of a point. Coordinates that reach `limit` count as 0; it is lattice_limit, halved for
+// each of the doublings to come.
 SplitPoint split_points(real3 p, real limit) {
     SplitPoint split;
     split_coordinate(p.x, limit, split.cell.x, split.part.x);
@@ -86,10 +88,11 @@ SplitPoint split_points(real3 p, real limit) {
     return split;
 }
 
-// After at most 31 doublings.
+// The cells after at most 31 doublings.
 uvec3 cells_of(SplitPoint split, int doublings) {
     return split.cell << doublings | split.part >> 1 >> 31 - doublings;
 }
+// The places from the cells' middles after at most 31 doublings, in [-1/2, 1/2].
 vec3 places_of(SplitPoint split, int doublings) {
     return vec3(ivec3(split.part << doublings ^ 0x80000000u)) *
            2.3283064365386962890625e-10;  // 2^-32
@@ -99,7 +102,7 @@ vec3 places_of(SplitPoint split, int doublings) {
 
 struct LatticeSite {
     real3 cell;   // whole numbers; within [0, period) if there is one
-    real3 place;  // from the cell's middle, in [-1/2,1/2]
+    real3 place;  // offset from the cell's middle, in [-1/2, 1/2]
 };
 
 void site_along(real x, uint period, out real cell, out real place) {
@@ -123,7 +126,8 @@ uvec3 cell_bits(LatticeSite site) {
     return uvec3(low_bits(site.cell.x), low_bits(site.cell.y), low_bits(site.cell.z));
 }
 
-// Coordinate of the lattice point `steps` (-2 to 2) cells up, modulo the period if there is one.
+// The coordinate of the lattice point `steps` (-2 to 2) cells up, modulo the period if there is
+// one.
 uint lattice_index(uint cell, int steps, uint period) {
     uint i = cell + uint(steps);
     return period == 0u ? i : (i + 2u * period) % period;
@@ -145,14 +149,14 @@ uint lattice_bits(uvec4 index, uint seed) {
                     index.w * prime_w);
 }
 
-// The hash's upper 24 bits as a number in [-1,1).
+// The hash's upper 24 bits as a number in [-1, 1).
 float lattice_value(uint h) {
     return float(int(h) >> 8) * 1.1920928955078125e-7;  // 2^-23
 }
 
 // ---- Blending ----
 
-// Weights v = 2 w - 1 in [-1,1] of t = twice the place, by axis.
+// The weights v = 2 w - 1 in [-1, 1] for t = twice the place, by axis.
 vec4 linear_fade(vec4 t) {
     return t;
 }
@@ -171,7 +175,7 @@ float twice_lerp(float v, float a, float b) {
     exact float twice = (a + b) + v * (b - a);
     return twice;
 }
-// Between the corners 00, 10, 01 and 11 of a square, four times.
+// Four times the interpolation between the corners 00, 10, 01 and 11 of a square.
 float twice_lerp(vec2 v, vec4 corners) {
     return twice_lerp(v.y, twice_lerp(v.x, corners.x, corners.y),
                       twice_lerp(v.x, corners.z, corners.w));

@@ -1,19 +1,20 @@
-// Perlin's improved noise with gradient numbers from our hash (procedural/noise/perlin_noise.h,
-// point_noise-inl.h); quintic weights v. `low` and `high` are the coordinates of the cell's lower
-// and upper lattice planes. After noise/lattice.glsl.
+// Perlin's improved noise with gradient numbers from the lattice hash
+// (procedural/noise/perlin_noise.h, kernels/point_noise-inl.h); quintic weights v. `low` and `high`
+// are the coordinates of the cell's lower and upper lattice planes. This part must follow
+// noise/lattice.glsl.
 
 float negated_if(uint odd, float x) {
     return uintBitsToFloat(floatBitsToUint(x) ^ odd << 31);
 }
 
-// Height of the slope of a number below 16 at offset d.
+// The height, at offset d, of the slope of a number below 16.
 float perlin_slope(uint number, vec3 d) {
     float a = number < 8u ? d.x : d.y;
     float b = number < 4u ? d.y : (number & 13u) == 12u ? d.x : d.z;
     exact float height = negated_if(number, a) + negated_if(number >> 1, b);
     return height;
 }
-// Of a number below 32.
+// The height, at offset d, of the slope of a number below 32.
 float perlin_slope(uint number, vec4 d) {
     uint without = number >> 3;
     float a = without == 0u ? d.y : d.x, b = without < 2u ? d.z : d.y,
@@ -23,13 +24,15 @@ float perlin_slope(uint number, vec4 d) {
     return height;
 }
 
-// Of hashes that are not mixed yet, at x (low, high), y (low, high) and z.
+// The heights at a square's corners, from hashes before mixing, at x (low, high), y (low, high) and
+// z.
 vec4 perlin_corners(uvec4 h, vec2 x, vec2 y, float z) {
     return vec4(perlin_slope(mix_bits(h.x) >> 28, vec3(x.x, y.x, z)),
                 perlin_slope(mix_bits(h.y) >> 28, vec3(x.y, y.x, z)),
                 perlin_slope(mix_bits(h.z) >> 28, vec3(x.x, y.y, z)),
                 perlin_slope(mix_bits(h.w) >> 28, vec3(x.y, y.y, z)));
 }
+// The heights at a square's corners in four dimensions, at x (low, high), y (low, high), z and w.
 vec4 perlin_corners(uvec4 h, vec2 x, vec2 y, vec2 zw) {
     return vec4(perlin_slope(mix_bits(h.x) >> 27, vec4(x.x, y.x, zw)),
                 perlin_slope(mix_bits(h.y) >> 27, vec4(x.y, y.x, zw)),

@@ -1,6 +1,6 @@
-// Perlin's noise of 1985 (procedural/noise/perlin1985.h, point_noise-inl.h). After noise/lattice.glsl and
-// the tables, `uint classic_number(uint)` and `vec3 classic_gradient(uint)`, which
-// procedural/glsl/noise.cpp writes.
+// Perlin's noise of 1985 (procedural/noise/perlin1985.h, kernels/point_noise-inl.h). This part must
+// follow noise/lattice.glsl and the tables `uint classic_number(uint)` and `vec3
+// classic_gradient(uint)`, which procedural/glsl/noise.cpp writes.
 
 float classic_slope(uint number, vec3 d) {
     return exact_dot(classic_gradient(number), d);

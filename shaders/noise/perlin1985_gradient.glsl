@@ -1,4 +1,5 @@
-// Perlin's noise of 1985 with its gradient. After noise/perlin1985.glsl and noise/gradient.glsl.
+// Perlin's noise of 1985 with its gradient. This part must follow noise/perlin1985.glsl and
+// noise/gradient.glsl.
 
 vec4 classic_sample(uint number, vec3 d) {
     vec3 g = classic_gradient(number);

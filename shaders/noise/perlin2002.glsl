@@ -1,8 +1,8 @@
 // Perlin's improved noise with the permutation that he published (procedural/noise/perlin_noise.h,
-// point_noise-inl.h). After noise/perlin.glsl and the table, `uint published_number(uint)`, which
-// procedural/glsl/noise.cpp writes.
+// kernels/point_noise-inl.h). This part must follow noise/perlin.glsl and the table `uint
+// published_number(uint)`, which procedural/glsl/noise.cpp writes.
 
-// Numbers of the four corners of a square, to which the next coordinate is added.
+// The numbers of a square's four corners, to which the next coordinate is added.
 uvec4 published_square(uvec2 x, uvec2 y) {
     uvec2 p = uvec2(published_number(x.x), published_number(x.y));
     return uvec4(published_number(p.x + y.x), published_number(p.y + y.x),

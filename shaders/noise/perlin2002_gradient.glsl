@@ -1,5 +1,5 @@
-// Perlin's improved noise with its gradient, from the permutation that he published. After
-// noise/perlin2002.glsl and noise/perlin_gradient.glsl.
+// Perlin's improved noise with its gradient, from the permutation that he published. This part must
+// follow noise/perlin2002.glsl and noise/perlin_gradient.glsl.
 
 mat4 published_samples(uvec4 h, vec2 x, vec2 y, float z) {
     return perlin_samples(published_numbers(h) & 15u, x, y, z);

@@ -1,5 +1,5 @@
-// Perlin's improved noise with its gradient, from our hash. After noise/perlin.glsl and
-// noise/gradient.glsl.
+// Perlin's improved noise with its gradient, from the lattice hash. This part must follow
+// noise/perlin.glsl and noise/gradient.glsl.
 
 // The slope of a number below 16 at offset d, and its gradient.
 vec4 perlin_corner_sample(uint number, vec3 d) {
@@ -9,7 +9,7 @@ vec4 perlin_corner_sample(uint number, vec3 d) {
                          : vec3(b_on_x ? b : 0.0, a, b_on_x ? 0.0 : b);
     return vec4(perlin_slope(number, d), g);
 }
-// Of a number below 32; the gradient without its last component.
+// The slope of a number below 32 at offset d, and its gradient without the last component.
 vec4 perlin_corner_sample(uint number, vec4 d) {
     uint without = number >> 3;
     float a = negated_if(number, 1.0), b = negated_if(number >> 1, 1.0),
@@ -21,7 +21,7 @@ vec4 perlin_corner_sample(uint number, vec4 d) {
     return vec4(perlin_slope(number, d), g);
 }
 
-// Of a square's numbers, at x (low, high), y (low, high) and z.
+// The samples at a square's corners, by their numbers, at x (low, high), y (low, high) and z.
 mat4 perlin_samples(uvec4 number, vec2 x, vec2 y, float z) {
     return mat4(perlin_corner_sample(number.x, vec3(x.x, y.x, z)),
                 perlin_corner_sample(number.y, vec3(x.y, y.x, z)),
@@ -35,7 +35,7 @@ mat4 perlin_samples(uvec4 number, vec2 x, vec2 y, vec2 zw) {
                 perlin_corner_sample(number.w, vec4(x.y, y.y, zw)));
 }
 
-// The numbers of hashes that are not mixed yet: their upper bits.
+// The gradient numbers of hashes before mixing: the upper bits of the mixed ones.
 uvec4 hashed_numbers(uvec4 h, uint shift) {
     return uvec4(mix_bits(h.x), mix_bits(h.y), mix_bits(h.z), mix_bits(h.w)) >> shift;
 }

@@ -1,11 +1,11 @@
 // Simplex noise at points, in three dimensions (Perlin 2001, appendix B) and four
-// (procedural/noise/simplex_noise.h). The simplex is found in `real`, the kernels are added in float32.
-// After noise/lattice.glsl.
+// (procedural/noise/simplex_noise.h). The simplex is found in `real`, the kernels are added in
+// float32. This part must follow noise/lattice.glsl.
 
 // The appendix's shuffle: the sum of eight patterns, each chosen by a bit of each coordinate; its
-// lower six bits count.
+// lower six bits name a gradient.
 uint bit_pattern_sum(uvec3 index) {
-    // Bits that come first, second and third in their pattern's number.
+    // The bits that are first, second and third in the number of their pattern.
     uvec3 a = index & 0x49u, b = index & 0x92u, c = index & 0x24u;
     uint first = a.x | b.y | c.z, second = a.y | b.z | c.x, third = a.z | b.x | c.y;
     uint sum = 0u;
@@ -16,7 +16,7 @@ uint bit_pattern_sum(uvec3 index) {
     return sum;
 }
 
-// Of the sum's lower six bits.
+// The gradient that the sum's lower six bits name.
 vec3 bit_pattern_gradient(uint h) {
     uint turn = h & 3u, b2 = h >> 2 & 1u, b3 = h >> 3 & 1u, b4 = h >> 4 & 1u, b5 = h >> 5 & 1u;
     float p = (b5 ^ b3) == 0u ? -1.0 : 1.0;
@@ -25,7 +25,7 @@ vec3 bit_pattern_gradient(uint h) {
     return turn == 1u ? vec3(p, q, r) : turn == 2u ? vec3(r, p, q) : vec3(q, r, p);
 }
 
-// An edge of a hypercube.
+// The gradient of a hash: the middle of an edge of a hypercube.
 vec4 hypercube_gradient(uint h) {
     uint without = h & 3u;
     vec3 g = vec3((uvec3(h) >> uvec3(3u, 4u, 5u) & 1u)) * 2.0 - 1.0;
@@ -49,8 +49,8 @@ float simplex_kernel(vec4 g, vec4 d, float radius2) {
     return t < 0.0 ? 0.0 : kernel;
 }
 
-// Which step of the walk from the lowest corner to the highest goes along each axis: the largest
-// offset first, of equals that along the lower axis.
+// The number of the step, of the walk from the lowest corner to the highest, that goes along each
+// axis: the largest offset comes first, of equal ones that along the lower axis.
 ivec3 walk_order(real3 d) {
     int yx = int(d.y > d.x), zx = int(d.z > d.x), zy = int(d.z > d.y);
     return ivec3(yx + zx, 1 - yx + zy, 2 - zx - zy);
@@ -72,8 +72,8 @@ uvec3 wrap_simplex(real3 corner, real3 period) {
     return uvec3(low_bits(corner.x), low_bits(corner.y), low_bits(corner.z));
 }
 
-// The corners of the simplex that holds a point, one after the other: the lattice point in skewed
-// coordinates, the point's offset from it, and which step goes along each axis.
+// A corner of the simplex that holds a point: the lattice point in skewed coordinates, the point's
+// offset from it, and the number of the step that goes along each axis.
 struct SimplexWalk {
     real3 corner;
     vec3 offset;
@@ -93,7 +93,7 @@ SimplexWalk simplex_walk(LatticeSite site) {
     return SimplexWalk(site.cell + whole + steps, vec3(offset), walk_order(offset));
 }
 
-// Step i.
+// Takes step i of the walk to the next corner.
 void step_walk(inout SimplexWalk walk, int i) {
     vec3 along = vec3(equal(walk.order, ivec3(i)));
     walk.corner += real3(along);
@@ -101,8 +101,8 @@ void step_walk(inout SimplexWalk walk, int i) {
     walk.offset = offset;
 }
 
-// Of the corner. `period` of each axis: a multiple of 3; 768, after which the hash repeats, where
-// the noise has none. The site is in it.
+// The gradient of the walk's corner. `period` is a multiple of 3 on each axis: 768, after which the
+// hash repeats, for noise without a period. The site must lie within it.
 vec3 walk_gradient(SimplexWalk walk, uvec3 period, uvec3 shift) {
     uvec3 index = wrap_simplex(walk.corner, real3(period)) + shift;
     return bit_pattern_gradient(bit_pattern_sum(index));
@@ -125,7 +125,7 @@ const double hypercube_stretch = 2.2360679774997896LF;  // sqrt 5
 const float hypercube_stretch = 2.2360679774997896;
 #endif
 
-// The same in four dimensions.
+// A corner of the simplex that holds a point in four dimensions, as SimplexWalk.
 struct HypercubeWalk {
     real4 corner;
     vec4 offset;

@@ -1,4 +1,5 @@
-// Simplex noise with its gradient. After noise/simplex.glsl and noise/gradient.glsl.
+// Simplex noise with its gradient. This part must follow noise/simplex.glsl and
+// noise/gradient.glsl.
 
 // A corner's kernel t^4 (g . d) and its gradient t^4 g - 8 t^3 (g . d) d, t = radius2 - d . d.
 vec4 simplex_kernel_sample(vec3 g, vec3 d, float radius2) {
@@ -8,7 +9,7 @@ vec4 simplex_kernel_sample(vec3 g, vec3 d, float radius2) {
     exact vec4 kernel = vec4(t4 * slope, t4 * g - (8.0 * t3 * slope) * d);
     return t < 0.0 ? vec4(0.0) : kernel;
 }
-// In four dimensions, without the last component of the gradient.
+// A corner's kernel in four dimensions and its gradient without the last component.
 vec4 simplex_kernel_sample(vec4 g, vec4 d, float radius2) {
     exact float t = radius2 - d.x * d.x - d.y * d.y - d.z * d.z - d.w * d.w;
     exact float slope = g.x * d.x + g.y * d.y + g.z * d.z + g.w * d.w;

@@ -1,8 +1,9 @@
-// The noises of noise/stream_noise.glsl with their gradients in the octave's own lattice, as
-// procedural/kernels/noise_gradient-inl.h and simplex_kernel.cpp have them, to the bit: the noise, over
-// stream_unit, then its derivatives along x, y and z. After noise/stream_noise.glsl.
+// The noises of noise/stream_noise.glsl with their gradients in the octave's own lattice, as in
+// procedural/kernels/noise_gradient-inl.h and simplex_kernel.cpp, to the bit: the noise and its
+// derivatives along x, y and z, all divided by stream_unit. This part must follow
+// noise/stream_noise.glsl.
 
-// What the fades change by per cell, of centred_places.
+// The slopes of the fades per cell, from centred_places.
 vec3 fade_slope_linear(vec3 s) {
     return vec3(2.0);
 }
@@ -20,7 +21,7 @@ vec3 fade_slope_quintic(vec3 s) {
 
 // ---- Value noise ----
 
-// Coefficients of 1, v_x, v_y and v_x v_y in four times a plane's interpolation.
+// The coefficients of 1, v_x, v_y and v_x v_y in four times a plane's interpolation.
 vec4 value_coefficients(uint h) {
     vec4 n = vec4(ivec4(plane_hashes(h) & 0xffffff00u));
     float low = n.x + n.y, high = n.z + n.w, low_x = n.y - n.x, high_x = n.w - n.z;
@@ -58,7 +59,7 @@ vec4 stream_value_quintic_gradient(StreamSite site, uint seed) {
 
 // ---- Perlin noise ----
 
-// The gradient with the number in the upper four bits of h.
+// The gradient whose number is in the upper four bits of h.
 vec3 perlin_gradient(uint h) {
     uint number = h >> 28;
     float a = with_sign(1.0, h << 3), b = with_sign(1.0, h << 2);
@@ -67,8 +68,8 @@ vec3 perlin_gradient(uint h) {
                 number < 4u || second_is_x ? 0.0 : b);
 }
 
-// Four times a plane's interpolation, and what that changes by with the fades along x and y.
-// `weight` is the plane's; the corners' gradients are added to `own`.
+// Four times a plane's interpolation, and its derivatives by the fades along x and y. `weight` is
+// the plane's; the corners' weighted gradients are added to `own`.
 vec3 perlin_plane_gradient(uint h, vec3 t, float z, vec3 fade, float weight, inout vec3 own) {
     uvec4 hash = plane_hashes(h);
     float x0 = t.x + 1.0, x1 = t.x - 1.0, y0 = t.y + 1.0, y1 = t.y - 1.0;
@@ -86,7 +87,7 @@ vec3 perlin_plane_gradient(uint h, vec3 t, float z, vec3 fade, float weight, ino
     return vec3(twice_lerp(fade.y, at_low, at_high), along_x, along_y);
 }
 
-// `seed` is that of the octave times prime_seed.
+// Perlin noise with its gradient; `seed` is the octave's seed times prime_seed.
 vec4 stream_perlin_gradient(StreamSite site, uint seed) {
     vec3 s = centred_places(site.place), fade = stream_fade_quintic(s), t = twice_places(s);
     uint h = cell_hash(site.cell, seed);
@@ -95,7 +96,7 @@ vec4 stream_perlin_gradient(StreamSite site, uint seed) {
     vec3 above = perlin_plane_gradient(h + prime_z, t, t.z - 1.0, fade, 1.0 + fade.z, own);
     vec3 change = vec3(twice_lerp(fade.z, below.y, above.y), twice_lerp(fade.z, below.z, above.z),
                        above.x - below.x);
-    // Twice the corners' gradients, for slopes are at twice the distance.
+    // Twice the corners' gradients, because the slopes are taken at twice the distance.
     exact vec3 gradient = fade_slope_quintic(s) * change + (own + own);
     return vec4(twice_lerp(fade.z, below.x, above.x), gradient);
 }

@@ -1,9 +1,9 @@
 // The octaves that have a stream kernel on the host (procedural/kernels/stream_noise-inl.h,
 // simplex_kernel.cpp), from the same fixed-point coordinates in the same sequence of operations:
-// with IEEE arithmetic the same bits. Noise is over stream_unit(kind). After numbers/real.glsl and
-// noise/lattice.glsl.
+// with IEEE arithmetic the same bits. Noise is divided by stream_unit(kind). This part must follow
+// numbers/real.glsl and noise/lattice.glsl.
 
-// A texel in the lattice of an octave: cells modulo 2^32, places in them in units of 2^-32 cells.
+// A texel in the lattice of an octave: cells modulo 2^32, places in the cells in units of 2^-32.
 struct StreamSite {
     uvec3 cell, place;
 };
@@ -14,17 +14,17 @@ StreamSite doubled(StreamSite site, int doublings) {
                       site.place << doublings);
 }
 
-// 2^32 times the distance from the cell's middle, rounded to float.
+// 2^32 times the offset from the cell's middle, rounded to float.
 vec3 centred_places(uvec3 place) {
     return vec3(ivec3(place ^ 0x80000000u));
 }
 
-// Twice the place in cells: t in [-1,1].
+// Twice the place about the cell's middle, t in [-1, 1].
 vec3 twice_places(vec3 s) {
     return s * 4.656612873077392578125e-10;  // 2^-31
 }
 
-// Fades v = 2 w - 1 of centred_places.
+// The fades v = 2 w - 1 from centred_places.
 vec3 stream_fade_linear(vec3 s) {
     return twice_places(s);
 }
@@ -40,12 +40,13 @@ vec3 stream_fade_quintic(vec3 s) {  // t (15/8 - t^2 (5/4 - 3/8 t^2))
 
 // ---- Value noise ----
 
-// The hash of the cell's lowest corner before mixing; the other corners' are primes higher.
+// The hash of the cell's lowest corner before mixing; the other corners' hashes are sums of primes
+// higher.
 uint cell_hash(uvec3 cell, uint seed) {
     return cell.x * prime_x + seed + cell.y * prime_y + cell.z * prime_z;
 }
 
-// All that value and Perlin noise need to know of a cell: its hash without a seed.
+// A site as value and Perlin noise need it: the cell's hash without a seed, and the place.
 struct HashSite {
     uint hash;
     uvec3 place;
@@ -65,7 +66,7 @@ uvec4 plane_hashes(uint h) {
     return uvec4(mix_bits(h), mix_bits(h + prime_x), mix_bits(above), mix_bits(above + prime_x));
 }
 
-// Four times the interpolation of a plane's lattice values, 2^31 times too large.
+// Four times the interpolation of a plane's lattice values, times 2^31.
 float value_plane(uint h, vec3 fade) {
     vec4 n = vec4(ivec4(plane_hashes(h) & 0xffffff00u));
     float low = n.x + n.y, high = n.z + n.w, low_x = n.y - n.x, high_x = n.w - n.z;
@@ -74,7 +75,7 @@ float value_plane(uint h, vec3 fade) {
     return plane;
 }
 
-// `seed` is that of the octave times prime_seed.
+// Value noise; `seed` is the octave's seed times prime_seed.
 float stream_value(HashSite site, uint seed, vec3 fade) {
     uint h = site.hash + seed;
     return twice_lerp(fade.z, value_plane(h, fade), value_plane(h + prime_z, fade));
@@ -104,7 +105,8 @@ float with_sign(float x, uint bits) {
     return uintBitsToFloat(floatBitsToUint(x) ^ (bits & 0x80000000u));
 }
 
-// The slope through a corner at offset d, the gradient's number in the upper four bits of h.
+// The slope through a corner at offset (x, y, z); the gradient's number is in the upper four bits
+// of h.
 float perlin_corner(uint h, float x, float y, float z) {
     uint number = h >> 28;
     float a = number < 8u ? x : y;
@@ -120,7 +122,7 @@ float perlin_plane(uint h, vec3 t, float z, vec3 fade) {
     return twice_lerp(fade.y, low, high);
 }
 
-// `seed` is that of the octave times prime_seed.
+// Perlin noise; `seed` is the octave's seed times prime_seed.
 float stream_perlin(HashSite site, uint seed) {
     vec3 s = centred_places(site.place), fade = stream_fade_quintic(s), t = twice_places(s);
     uint h = site.hash + seed;
@@ -133,8 +135,8 @@ float stream_perlin(StreamSite site, uint seed) {
 
 // ---- Simplex noise ----
 
-// n = 3 quotient + rest modulo 2^32, for -2^31 < n < 2^31 - 2: products with the inverse of 3 lie
-// far apart for the three rests.
+// The quotient and rest of n / 3 modulo 2^32, for -2^31 < n < 2^31 - 2: products with the inverse
+// of 3 lie far apart for the three rests.
 uint third(uint n, out uint rest) {
     uint product = n * 0xaaaaaaabu;
     int place = int(product);
@@ -147,9 +149,10 @@ uint bit_pattern(uint number) {
     return ((number & 4u) == 0u ? 0x2c323815u : 0x2a07130du) >> 8u * (number & 3u) & 63u;
 }
 
-// The sum of the patterns of a corner's lower eight bits; its lower six name a gradient.
+// The sum of the patterns of a corner's lower eight bits; its lower six bits name a gradient.
 uint pattern_hash(uvec3 i) {
-    // The coordinates take turns at being the highest: bit by bit here those that are.
+    // From bit to bit another coordinate is the highest in a pattern's number; x, y and z here are
+    // the highest, the middle and the lowest ones.
     uvec3 turned = uvec3(i.x & 0x49u | i.y & 0x92u | i.z & 0x24u, i.y & 0x49u | i.z & 0x92u | i.x & 0x24u,
                          i.z & 0x49u | i.x & 0x92u | i.y & 0x24u);
     uint sum = 0u;
@@ -170,7 +173,7 @@ vec3 simplex_gradient(uint hash) {
     return turn == 1u ? vec3(p, q, r) : turn == 2u ? vec3(r, p, q) : vec3(q, r, p);
 }
 
-// Height of a corner's kernel: t^4 (g . d) with t = radius2 - d . d where positive.
+// The number t = radius2 - d . d, or 0 where that is negative, of a corner's kernel t^4 (g . d).
 float simplex_height(vec3 offset, float radius2) {
     exact float square = offset.x * offset.x + offset.y * offset.y + offset.z * offset.z;
     return max(radius2 - square, 0.0);
@@ -183,30 +186,30 @@ float simplex_kernel(uvec3 corner, vec3 offset, float radius2) {
     return t4 * exact_dot(g, offset);
 }
 
-// Corners of the simplex from the lowest to the highest, and the texel's offsets from them.
+// The corners of the simplex from the lowest to the highest, and the texel's offsets from them.
 struct SimplexCorners {
     uvec3 corner[4];
     vec3 offset[4];
 };
 
-// `shift` is what the octave's seed adds to corners (lattice_shift).
+// The corners of a site; `shift` is what the octave's seed adds to corners (lattice_shift).
 SimplexCorners simplex_corners(StreamSite site, uvec3 shift) {
     const uint one = 1u << 29;
     uvec3 p = site.place >> 3;
-    // A third of the coordinates' sum, which skews them. It is 1 too small: so small sums have
-    // signs.
+    // The skew is a third of the coordinates' sum; it is 1 too small, so that small sums are
+    // negative numbers.
     uint rest, unused;
     uint cells = third(site.cell.x + site.cell.y + site.cell.z, rest);
     uint skew = third(p.x + p.y + p.z - 3u * one + rest * one, unused);
     uvec3 skewed = p + skew;
     uvec3 corner = site.cell + cells + uvec3(ivec3(skewed) >> 29) + 1u + shift;
     ivec3 way = ivec3(skewed << 3 ^ 0x80000000u);
-    // The place in the skewed cube, from its middle; unskewing takes a sixth of the sum away.
+    // The place in the skewed cube, from its middle; unskewing subtracts a sixth of the sum.
     vec3 y = vec3(way) * 2.3283064365386962890625e-10;  // 2^-32
     exact float back = 0.25 - (y.x + y.y + y.z) * 0.16666667163372039794921875;
     exact vec3 offset = y + back;
 
-    // The largest offset goes first; of equals the one along the lower axis.
+    // The largest offset goes first; of equal ones that along the lower axis.
     bool xy = way.x < way.y, xz = way.x < way.z, yz = way.y < way.z;
     uvec3 first = uvec3(bvec3(!(xy || xz), xy && !yz, xz && yz));
     uvec3 last = uvec3(bvec3(xy && xz, !xy && yz, !(xz || yz)));

@@ -1,14 +1,14 @@
-// Value noise (procedural/noise/value_noise.h, point_noise-inl.h): numbers at lattice points,
-// interpolated with weights v from a fade. `low` and `high` are the coordinates of the cell's lower
-// and upper lattice planes. After noise/lattice.glsl.
+// Value noise (procedural/noise/value_noise.h, kernels/point_noise-inl.h): numbers at lattice
+// points, interpolated with weights v from a fade. `low` and `high` are the coordinates of the
+// cell's lower and upper lattice planes. This part must follow noise/lattice.glsl.
 
-// 2^23 times the lattice values of hashes that are not mixed yet.
+// 2^23 times the lattice values of hashes before mixing.
 vec4 value_corners(uvec4 h) {
     return vec4(int(mix_bits(h.x)) >> 8, int(mix_bits(h.y)) >> 8, int(mix_bits(h.z)) >> 8,
                 int(mix_bits(h.w)) >> 8);
 }
 
-// Eight times 2^23 the noise of a cube, whose lower and upper planes have the hashes z.
+// The noise of a cube times 8 * 2^23; its lower and upper planes have the hashes z.
 float value_cube(uvec4 xy, uvec2 z, vec3 v) {
     return twice_lerp(v.z, twice_lerp(v.xy, value_corners(xy + z.x)),
                       twice_lerp(v.xy, value_corners(xy + z.y)));

@@ -1,6 +1,6 @@
-// Value noise with its gradient. After noise/value.glsl and noise/gradient.glsl.
+// Value noise with its gradient. This part must follow noise/value.glsl and noise/gradient.glsl.
 
-// Corners are flat.
+// The samples at a square's corners, whose gradients are 0.
 mat4 value_samples(uvec4 h) {
     vec4 n = value_corners(h);
     return mat4(vec4(n.x, 0.0, 0.0, 0.0), vec4(n.y, 0.0, 0.0, 0.0), vec4(n.z, 0.0, 0.0, 0.0),

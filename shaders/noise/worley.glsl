@@ -1,9 +1,10 @@
-// Worley's cellular noise: distance to the nearest of random points, one in each cell, exact, in
-// three and four dimensions (procedural/noise/worley_noise.h). Loops begin beyond their end where nothing
-// nearer can be: graphics processors and llvmpipe skip a loop where a branch would run for all.
-// After noise/lattice.glsl.
+// Worley's cellular noise: the exact distance to the nearest of random points, one in each cell, in
+// three and four dimensions (procedural/noise/worley_noise.h). A loop begins beyond its end where
+// no point can be nearer: graphics processors and llvmpipe then skip it, where they would execute a
+// branch for all. This part must follow noise/lattice.glsl.
 
-// Squared distances of the two nearest so far, and the ways from them to the point.
+// Squared distances of the two nearest feature points so far, and the vectors from them to the
+// point.
 struct NearestFeatures {
     float square1, square2;
     vec4 way1, way2;
@@ -21,18 +22,18 @@ void keep_nearest(float square, vec4 way, inout NearestFeatures nearest) {
     }
 }
 
-// A component of a feature point's place in its cell, of the cell's hash.
+// A component of a feature point's place in its cell, from the cell's hash.
 float feature_place(uint h, uint axis) {
     return float(mix_bits(h + axis * prime_seed) >> 8) * 5.9604644775390625e-8;  // 2^-24
 }
 
-// Squared distance of a place along an axis to the cell that lies `steps` away.
+// The squared distance along an axis of a place to the cell that lies `steps` away.
 float gap_square(float place, int steps) {
     exact float gap = abs(float(steps) - place) - 0.5;
     return steps == 0 ? 0.0 : gap * gap;
 }
 
-// From a feature point's place in the cell that lies `steps` away.
+// The component of the vector from a feature point in the cell that lies `steps` away to the place.
 float feature_way(float place, float feature, int steps) {
     exact float way = place - ((feature - 0.5) + float(steps));
     return way;
@@ -63,7 +64,7 @@ void visit_feature(uint seed, uvec4 cell, vec4 place, uvec4 period, ivec4 steps,
     if (border < nearest.square2) keep_nearest(square, way, nearest);
 }
 
-// Step number i of the (2 reach + 1)^n ones.
+// The i-th of the (2 reach + 1)^n steps in [-reach, reach]^n.
 ivec4 steps_number(int i, int reach) {
     int side = 2 * reach + 1;
     return ivec4(i % side, i / side % side, i / (side * side) % side, i / (side * side * side)) -
@@ -81,7 +82,7 @@ NearestFeatures nearest_features(uint seed, uvec3 cell, vec3 place, uvec3 period
         if (i != 13) visit_feature(seed, cell, place, period, steps, nearest);
     }
     for (int i = nearest.square2 <= 1.0 ? 125 : 0; i < 125;
-         ++i) {  // cells two away are at least 1 off
+         ++i) {  // cells two away have a distance of 1 or more
         ivec3 steps = steps_number(i, 2).xyz;
         if (outermost(ivec4(steps, 0), 2)) visit_feature(seed, cell, place, period, steps, nearest);
     }

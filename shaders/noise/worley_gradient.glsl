@@ -1,5 +1,5 @@
-// Worley's cellular noise with its gradient, which is 0 at a feature point. After noise/worley.glsl
-// and noise/gradient.glsl.
+// Worley's cellular noise with its gradient, which is 0 at a feature point. This part must follow
+// noise/worley.glsl and noise/gradient.glsl.
 
 vec4 worley_distance(float square, vec4 way) {
     float far = sqrt(square);

@@ -1,6 +1,6 @@
 // Sine, angle, logarithm and power from additions, multiplications, one division or square root, as
-// procedural/numbers/elementary-inl.h has them: in double with the same bits, in float by shorter series
-// with the errors stated here. After numbers/real.glsl.
+// in procedural/numbers/elementary-inl.h: in double with the same bits, in float by shorter series
+// with the errors stated here. This part must follow numbers/real.glsl.
 
 #if REAL_IS_DOUBLE
 
@@ -22,14 +22,14 @@ double sine(double x) {
     return (unpackDouble2x32(shifted).x & 1u) == 0u ? result : -result;
 }
 
-// The angle of (x, y) in [-pi, pi], to within 1e-13; 0 at the origin.
+// The angle of (x, y) in [-pi, pi] radians, to within 1e-13; 0 at the origin.
 double angle(double y, double x) {
     const double pi = 3.141592653589793lf;
     bool steep = abs(y) > abs(x);
     double high = steep ? abs(y) : abs(x), low = steep ? abs(x) : abs(y);
     exact double q = low / high;
     if (!(high > 0.0lf)) q = 0.0lf;
-    // The nearest of three angles, 0, pi / 8 and pi / 4, and what is left to it.
+    // The nearest of the angles 0, pi / 8 and pi / 4, to which the series adds the rest.
     bool first = q > 0.19891236737965801lf, second = q > 0.66817863791929891lf;
     double t = second ? 1.0lf : first ? 0.41421356237309503lf : 0.0lf;
     double near = second ? pi / 4.0lf : first ? pi / 8.0lf : 0.0lf;
@@ -60,7 +60,7 @@ double binary_log(double x) {
     return result;
 }
 
-// 2^x, to within 1e-13 of itself; 0 below -1022, infinite from 1023.5 on.
+// 2^x to a relative error of 1e-13; 0 below -1022, infinite from 1023.5 on.
 double binary_power(double x) {
     bool low = x < -1022.0lf, high = x >= 1023.5lf;
     double y = low || high ? 0.0lf : x;
@@ -80,7 +80,7 @@ const double least_normal = 2.2250738585072014e-308lf;
 // sin(x), x in radians, to within 3e-7 for |x| < 2^15.
 float sine(float x) {
     exact float turns = roundEven(x * 0.318309886);
-    exact float rest = x - turns * 3.140625;  // of pi's four parts two have 9 bits
+    exact float rest = x - turns * 3.140625;  // pi in four parts, of which the first two have 9 bits
     rest = rest - turns * 9.6702575683593750e-4;
     rest = rest - turns * 6.2771141529083252e-7;
     rest = rest - turns * 1.2154201256553420e-10;
@@ -91,7 +91,7 @@ float sine(float x) {
     return half_turns == floor(half_turns) ? result : -result;
 }
 
-// The angle of (x, y) in [-pi, pi], to within 6e-7; 0 at the origin.
+// The angle of (x, y) in [-pi, pi] radians, to within 6e-7; 0 at the origin.
 float angle(float y, float x) {
     const float pi = 3.14159265;
     bool steep = abs(y) > abs(x);
@@ -124,7 +124,7 @@ float binary_log(float x) {
     return result;
 }
 
-// 2^x, to within 2e-7 of itself; 0 below -126, infinite from 127.5 on.
+// 2^x to a relative error of 2e-7; 0 below -126, infinite from 127.5 on.
 float binary_power(float x) {
     bool low = x < -126.0, high = x >= 127.5;
     float y = low || high ? 0.0 : x;
@@ -140,7 +140,7 @@ const float least_normal = 1.17549435e-38;
 
 #endif
 
-// x^e for an e >= 0 that is no whole number; a negative x counts as 0.
+// x^e for an e >= 0 that is not whole; a negative x counts as 0.
 real power(real x, real e) {
     exact real result = binary_power(e * binary_log(x >= least_normal ? x : real(1.0)));
     return x >= least_normal ? result : real(0.0);

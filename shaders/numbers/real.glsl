@@ -1,7 +1,7 @@
-// Numbers of a shader that has the host's bits. `real` is float64 where the context has it, for
-// coordinates and sums; else float32, and what should be equal agrees to 2e-6. `exact` keeps a
-// compiler from reordering the operations behind a variable ((a + b) - b is not a). The first part
-// of a shader. BURL_FLOAT64, defined before as 1 or 0, decides; or BURL_FLOAT32, which stands for 0.
+// The numbers of a shader that has the host's bits; the first part of a shader. `real` is float64
+// where the context has it, for coordinates and sums; otherwise float32, with which results agree
+// to 2e-6. `exact` keeps a compiler from reordering the operations behind a variable ((a + b) - b
+// is not a). BURL_FLOAT64, defined before as 1 or 0, decides; or BURL_FLOAT32, which stands for 0.
 #if defined(BURL_FLOAT32) && !defined(BURL_FLOAT64)
 #define BURL_FLOAT64 0
 #endif

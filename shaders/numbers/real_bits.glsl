@@ -1,10 +1,10 @@
-// Float64 numbers that textures hold as two words. After numbers/real.glsl.
+// Float64 numbers that textures hold as two words. This part must follow numbers/real.glsl.
 #if REAL_IS_DOUBLE
 real real_from_bits(uint low, uint high) {
     return packDouble2x32(uvec2(low, high));
 }
 #else
-// Rounded to 24 bits; what float does not hold becomes 0 or no number.
+// The number rounded to 24 bits; what float does not hold becomes 0 or NaN.
 real real_from_bits(uint low, uint high) {
     int exponent = int(high >> 20 & 0x7ffu) - 1023;
     uint sign = high & 0x80000000u;

@@ -1,4 +1,4 @@
-// A random number by one coordinate of a corner: PixelMap.
+// A random number by one coordinate of a corner: the papers' PixelMap.
 uniform sampler2D tables;
 out vec4 color;
 

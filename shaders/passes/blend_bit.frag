@@ -1,4 +1,5 @@
-// One of two luminances by an image's highest bit, blended over another image with alpha 1/8.
+// One of two luminances, chosen by an image's highest bit, blended over another image with alpha
+// 1/8.
 uniform vec2 colors;
 out vec4 color;
 

@@ -1,4 +1,4 @@
-// Integers of the lattice coordinates: the cell's lowest corner, modulo 2^32.
+// The integers of the lattice coordinates: the cell's lowest corner, modulo 2^32.
 out uvec4 integers;
 
 void main() {

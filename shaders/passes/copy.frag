@@ -1,4 +1,4 @@
-// An image as it is, of the channels that the colour mask lets pass.
+// An image copied in the channels that the colour mask lets pass.
 out vec4 color;
 
 void main() {

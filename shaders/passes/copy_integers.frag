@@ -1,4 +1,4 @@
-// A corner's integers, of the channels that the colour mask lets pass.
+// A corner's integers copied in the channels that the colour mask lets pass.
 out uvec4 integers;
 
 void main() {

@@ -1,4 +1,5 @@
-// The index image as the field whose colours it stands for. After numbers/real.glsl and passes/multipass.glsl.
+// The field value that the index image stands for. This part must follow numbers/real.glsl and
+// passes/multipass.glsl.
 real field(ivec2 texel) {
     float t = numbers(first).x;
 #if FIXED8 && COLOR_REPEATS

@@ -1,5 +1,5 @@
-// The colour map's index of the field: quadric, constant and the sum of the octaves. After
-// numbers/real.glsl, numbers/real_bits.glsl and color/index.glsl.
+// The colour map's index of the field: quadric, constant and the sum of the octaves. This part must
+// follow numbers/real.glsl, numbers/real_bits.glsl and color/index.glsl.
 uniform uvec2 constant, amplitude;
 out vec4 color;
 

@@ -1,4 +1,5 @@
-// A corner's random number: the host's lattice value, in [-1,1), or its upper eight bits.
+// A corner's random number: the host's lattice value in [-1, 1), or its upper eight bits with
+// FIXED8.
 uniform uint seed;
 out vec4 color;
 

@@ -1,4 +1,4 @@
-// The luminance image of one channel.
+// The luminance image of one channel of another image.
 out vec4 color;
 
 void main() {

@@ -1,6 +1,6 @@
-// What the passes of multipass noise share (procedural/passes/plan.h): texels of their images as
-// the numbers they reckon with, and back. FIXED8 is 1 where images are RGBA8: then numbers are
-// whole, 0 to 255, and what is stored is rounded to the nearest; else 0.
+// The common part of the passes of multipass noise (procedural/passes/plan.h): texels of images to
+// numbers and back. FIXED8 is 1 where images are RGBA8: then numbers are whole, 0 to 255, and
+// stored ones are rounded to the nearest; otherwise 0.
 uniform sampler2D first, second;
 uniform usampler2D first_integers, map_cells, map_places;
 uniform int doublings, axis;
@@ -24,7 +24,7 @@ vec4 stored(vec4 x) {
 vec4 product(vec4 a, vec4 b) {
     return a * b / 255.0;
 }
-// The lattice's coordinates, `step` cells up, of those that count from base_cell.
+// The lattice coordinates, `step` cells up, of an image whose coordinates count from base_cell.
 uvec3 lattice_cells(uint step) {
     uvec3 cells = uvec3(numbers(first).xyz) + step;
     return (cells & cell_mask) + base_cell;
@@ -46,12 +46,13 @@ uvec3 lattice_cells(uint step) {
 }
 #endif
 
-// Of the lattice map, after doublings.
+// The cells of the lattice map after doublings.
 uvec3 cells() {
     uvec3 cells = texelFetch(map_cells, texel(), 0).xyz;
     if (doublings == 0) return cells;
     return cells << doublings | texelFetch(map_places, texel(), 0).xyz >> (32 - doublings);
 }
+// The places of the lattice map after doublings, in units of 2^-32 cells.
 uvec3 places() {
     return texelFetch(map_places, texel(), 0).xyz << doublings;
 }

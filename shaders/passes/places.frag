@@ -1,4 +1,4 @@
-// Fractions of the lattice coordinates, in [0,1].
+// The fractions of the lattice coordinates, in [0, 1].
 out vec4 color;
 
 void main() {

@@ -1,4 +1,4 @@
-// The highest bit falls off, then the others double: a logical shift.
+// A logical shift to the left: the highest bit is dropped, the others double.
 out vec4 color;
 
 void main() {

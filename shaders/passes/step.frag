@@ -1,4 +1,4 @@
-// The cell's opposite corner.
+// The integers of the cell's opposite corner.
 out uvec4 integers;
 
 void main() {

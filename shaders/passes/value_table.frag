@@ -1,4 +1,4 @@
-// One more randomisation, of the sum of random numbers: PixelMap. Or a histogram made equal.
+// A random number by a sum of random numbers (the papers' PixelMap), or a histogram equalised.
 uniform sampler2D tables;
 out vec4 color;
 
