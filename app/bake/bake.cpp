@@ -10,6 +10,7 @@
 #include "app/bake/exr.h"
 #include "app/bake/texture.h"
 #include "app/base/messages.h"
+#include "app/base/stopwatch.h"
 #include "app/export/emit.h"
 #include "app/export/solid_map_file.h"
 #include "app/recipe/lattice_check.h"
@@ -21,10 +22,6 @@ namespace burl {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) {
-    return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 void warn_if_starved(const Pipeline& pipeline) {
     const std::string problem =

@@ -14,6 +14,7 @@
 #include "app/base/atomic_file.h"
 #include "app/base/messages.h"
 #include "app/base/sha256.h"
+#include "app/base/stopwatch.h"
 #include "app/base/version.h"
 #include "app/export/command_files.h"
 #include "app/gl/fill/multipass_synthesizer.h"
@@ -28,10 +29,6 @@ namespace burl {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) {
-    return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 bool is_forward(const BakeCommand& command) {
     return command.kernel == forward_kernel;

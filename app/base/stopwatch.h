@@ -12,6 +12,11 @@ inline double thread_seconds() {
     return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
 }
 
+/// Wall-clock seconds since `start`.
+inline double seconds_since(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
 /// Adds the wall-clock seconds of its lifetime to a sum.
 class Stopwatch {
   public:

@@ -187,8 +187,8 @@ std::string group_name(const std::string& texture, double footprint) {
 }
 
 /// Times all filters on one large square.
-std::vector<BenchRow> timed(const FilterSubject& subject, const std::string& group, double side,
-                            std::size_t across, int repeats) {
+std::vector<BenchRow> time_filters(const FilterSubject& subject, const std::string& group,
+                                   double side, std::size_t across, int repeats) {
     const auto solid = std::make_shared<SolidAtlas>(
         squares({plane({0.3, 0.2, 0.1}, side)}, 1, std::uint32_t(across)));
     std::vector<BenchCase> cases;
@@ -221,7 +221,7 @@ void add_rows(std::vector<FilterBench>& rows, const FilterSubject& subject, doub
             {subject.texture, footprint, time.name, noise, {time, error_of(truth, value)}});
     };
     const SolidAtlas solid = squares(maps, blocks, block);
-    const std::vector<BenchRow> times = timed(subject, group, side, across, repeats);
+    const std::vector<BenchRow> times = time_filters(subject, group, side, across, repeats);
     for (std::size_t k = 0; k < times.size(); ++k) {
         const Image<RgbF> image = colors(solid, subject.recipes[k].recipe);
         add(times[k], [&](std::size_t i) { return as_vector(image.pixels()[i]); });

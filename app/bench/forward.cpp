@@ -91,8 +91,8 @@ Measured measure(const Method& method, const Method& exact, const std::vector<La
 }
 
 /// Times the methods over all lines, in paired rounds.
-std::vector<BenchRow> timed(const std::vector<Method>& list, const std::vector<LatticeLine>& lines,
-                            int repeats) {
+std::vector<BenchRow> time_rows(const std::vector<Method>& list,
+                                const std::vector<LatticeLine>& lines, int repeats) {
     std::vector<BenchCase> cases;
     double texels = 0.0;
     for (const LatticeLine& line : lines) texels += double(line.count);
@@ -155,7 +155,7 @@ std::vector<ForwardBench> bench_function(const std::string& name, const Texture&
     for (std::size_t i = 0; i < std::size(powers); ++i) {
         const double step = std::ldexp(1.0, -powers[i]);
         const std::vector<LatticeLine> lines = random_lines(step);
-        const std::vector<BenchRow> times = timed(list, lines, repeats);
+        const std::vector<BenchRow> times = time_rows(list, lines, repeats);
         for (std::size_t k = 0; k < list.size(); ++k) {
             const auto [error, counts] = measure(list[k], list[0], lines);
             rows[k * std::size(powers) + i] = {name,
@@ -246,7 +246,7 @@ std::vector<CubeBench> bench_forward_cubes(int repeats, std::size_t side) {
         const Texture texture = load_recipe(name).texture;
         const std::vector<Method> list = methods(texture);
         const std::vector<LatticeLine> lines = cube_lines(size, side);
-        const std::vector<BenchRow> times = timed(list, lines, repeats);
+        const std::vector<BenchRow> times = time_rows(list, lines, repeats);
         for (std::size_t k = 0; k < list.size(); ++k) {
             const auto [error, counts] = measure(list[k], list[0], lines);
             rows.push_back({name, list[k].name, 1e3 * times[k].median, error, 0, 0, counts.cells,

@@ -14,6 +14,7 @@
 #include "app/surface/mesh_notes.h"
 #include "app/surface/sample_meshes.h"
 #include "atlas/base/error.h"
+#include "atlas/file/file_extension.h"
 
 namespace burl {
 
@@ -187,8 +188,17 @@ void MeshOptions::add(CLI::App& verb) {
                   "Bake each glTF instance by itself, in scene space");
 }
 
+namespace {
+
+bool is_gltf_file(const std::string& path) {
+    const std::string extension = file_extension(path);
+    return extension == ".glb" || extension == ".gltf";
+}
+
+}  // namespace
+
 Mesh MeshOptions::load(const std::string& path) const {
-    if (read.unshare_instances && (is_sample_mesh(path) || !is_gltf(path)))
+    if (read.unshare_instances && (is_sample_mesh(path) || !is_gltf_file(path)))
         throw Error(ExitCode::usage,
                     fmt::format("--unshare-instances: {} is no glTF and has no instances; leave it "
                                 "out",

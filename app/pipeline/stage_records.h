@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include "app/base/stopwatch.h"
 #include "procedural/batch/economy.h"
 
 namespace burl {
@@ -70,9 +71,6 @@ class StageRecords {
     }
 
   private:
-    static double seconds_since(std::chrono::steady_clock::time_point start) {
-        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    }
     void stop(Stage stage, double seconds);
 
     std::array<StageRecord, stage_names.size()> records_{};

@@ -8,7 +8,8 @@ namespace burl {
 namespace {
 
 constexpr double most_aspect = 16.0;
-constexpr int halvings = 40;  ///< bisections of the interval that holds the common factor
+constexpr int most_budget_halvings =
+    40;  ///< bisections of the interval that holds the common factor
 
 /// A patch's inner texels in some unit, and the root of their width over height.
 struct Inner {
@@ -54,7 +55,7 @@ std::vector<double> block_texels(std::span<const PatchDemand> patches, std::uint
         });
     };
     double low = 0.0, high = all > 0.0 ? square / all : 0.0;
-    for (int i = 0; i < halvings; ++i) {
+    for (int i = 0; i < most_budget_halvings; ++i) {
         const double middle = 0.5 * (low + high);
         (sum(middle) > square ? high : low) = middle;
     }

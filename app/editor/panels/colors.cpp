@@ -15,7 +15,7 @@ namespace burl {
 
 namespace {
 
-constexpr float bar_height = 28.0f, handle = 7.0f;
+constexpr float bar_height = 28.0f, handle_size = 7.0f;
 constexpr float least_width = 10.0f;  // least width of a bar, in a narrow window
 constexpr std::size_t bar_colors = 256;
 
@@ -63,7 +63,7 @@ class MapEditor {
         ImGui::PushID(path_.c_str());
         bar();
         for (std::size_t i = 0; i < map_.stops.size(); ++i) stop(i);
-        ImGui::SetCursorScreenPos({low_.x, low_.y + bar_height + 3.0f * handle});
+        ImGui::SetCursorScreenPos({low_.x, low_.y + bar_height + 3.0f * handle_size});
         ImGui::Dummy({width_, 1.0f});
         wrap();
         if (selection_.map == path_ && selection_.stop < map_.stops.size()) selected();
@@ -80,8 +80,8 @@ class MapEditor {
     /// Draws the map as a bar; a click between the stops adds a stop.
     void bar() {
         low_ = ImGui::GetCursorScreenPos();
-        width_ = std::max(least_width, ImGui::GetContentRegionAvail().x - 2.0f * handle);
-        low_.x += handle;
+        width_ = std::max(least_width, ImGui::GetContentRegionAvail().x - 2.0f * handle_size);
+        low_.x += handle_size;
         ImGui::SetCursorScreenPos(low_);
         const bool clicked = ImGui::InvisibleButton("bar", {width_, bar_height});
         context_.items.note(path_ + ".bar");
@@ -101,8 +101,8 @@ class MapEditor {
     void stop(std::size_t index) {
         const float x = x_of(map_.stops[index].position), y = low_.y + bar_height;
         ImGui::PushID(int(index));
-        ImGui::SetCursorScreenPos({x - handle, y});
-        ImGui::InvisibleButton("stop", {2.0f * handle, 2.5f * handle});
+        ImGui::SetCursorScreenPos({x - handle_size, y});
+        ImGui::InvisibleButton("stop", {2.0f * handle_size, 2.5f * handle_size});
         context_.items.note(path_ + ".stops." + std::to_string(index));
         drag(index);
         draw(index, x, y);
@@ -127,11 +127,11 @@ class MapEditor {
     void draw(std::size_t index, float x, float y) const {
         ImDrawList& list = *ImGui::GetWindowDrawList();
         const bool chosen = selection_.map == path_ && selection_.stop == index;
-        list.AddTriangleFilled({x, y - 1.0f}, {x - handle, y + 2.0f * handle},
-                               {x + handle, y + 2.0f * handle},
+        list.AddTriangleFilled({x, y - 1.0f}, {x - handle_size, y + 2.0f * handle_size},
+                               {x + handle_size, y + 2.0f * handle_size},
                                color_code(map_.stops[index].color));
-        list.AddTriangle({x, y - 1.0f}, {x - handle, y + 2.0f * handle},
-                         {x + handle, y + 2.0f * handle},
+        list.AddTriangle({x, y - 1.0f}, {x - handle_size, y + 2.0f * handle_size},
+                         {x + handle_size, y + 2.0f * handle_size},
                          chosen ? IM_COL32(255, 200, 60, 255) : IM_COL32(230, 230, 230, 255),
                          chosen ? 2.0f : 1.0f);
     }

@@ -20,7 +20,7 @@ constexpr std::array<ImU32, 3> colors{IM_COL32(235, 64, 52, 255), IM_COL32(88, 1
 constexpr ImU32 bright = IM_COL32(255, 226, 92, 255), shadow = IM_COL32(0, 0, 0, 150),
                 handle_color = IM_COL32(240, 240, 240, 255);
 // Widths in pixels; the outline is on both sides of the line.
-constexpr float line = 2.5f, outline = 2.0f;
+constexpr float line_width = 2.5f, outline = 2.0f;
 constexpr float head_length = 13.0f, head_width = 5.5f;
 constexpr unsigned faint = 70;  // opacity of a ring's far half, 0 to 255
 
@@ -51,9 +51,9 @@ class Drawing {
         const ImU32 color = color_of({GizmoPart::ring, axis});
         const int count = int(half.size());
         const ImDrawFlags closed = half.size() == points.size() ? ImDrawFlags_Closed : 0;
-        if (near_half) list_.AddPolyline(half.data(), count, shadow, closed, line + outline);
+        if (near_half) list_.AddPolyline(half.data(), count, shadow, closed, line_width + outline);
         list_.AddPolyline(half.data(), count, near_half ? color : with_opacity(color, faint),
-                          closed, line);
+                          closed, line_width);
     }
 
     void arrow(int axis) const {
@@ -65,8 +65,8 @@ class Drawing {
         const ImVec2 u(way.x / length, way.y / length);
         const ImVec2 neck(tip.x - head_length * u.x, tip.y - head_length * u.y);
         const ImU32 color = color_of(handle);
-        list_.AddLine(tail, neck, shadow, line + outline);
-        list_.AddLine(tail, neck, color, line);
+        list_.AddLine(tail, neck, shadow, line_width + outline);
+        list_.AddLine(tail, neck, color, line_width);
         head(tip, neck, u, head_width + 0.5f * outline, shadow);
         head(tip, neck, u, head_width, color);
         letter({tip.x + 11.0f * u.x, tip.y + 11.0f * u.y}, axis, color);

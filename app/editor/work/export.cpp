@@ -82,13 +82,13 @@ BakePlan plan_of(const ExportRequest& request, std::vector<Recipe> recipes,
     return plan;
 }
 
-void bake_plan(const ExportRequest& request, const BakePlan& plan, std::size_t cache_bytes) {
+void bake_plan(const ExportRequest& request, const BakePlan& plan, std::size_t cache) {
     Pipeline pipeline(load_mesh(request.mesh));
     check_mesh(plan, pipeline.mesh());
     std::optional<MeshPose> pose;
     if (!request.pose.empty() && holds_mesh(request.out))
         pose = load_pose(request.mesh, request.pose);
-    pipeline.set_cache(cache_bytes);
+    pipeline.set_cache(cache);
     bake(pipeline, plan, pose ? &*pose : nullptr);
 }
 
@@ -131,7 +131,7 @@ void bake_frames(const ExportRequest& request) {
         throw Error(ExitCode::usage,
                     fmt::format("{}: frames are textures alone, .png or .exr", request.out));
     check_outputs(request);
-    constexpr std::size_t cache_bytes = std::size_t(512) << 20;
+    constexpr std::size_t cache = std::size_t(512) << 20;
     const KeyedAnimation& animation = request.recipe.animation;
     const int frames = frame_count(animation);
     std::vector<Recipe> recipes;
@@ -142,7 +142,7 @@ void bake_frames(const ExportRequest& request) {
     }
     BakePlan plan = plan_of(request, std::move(recipes), std::move(paths));
     plan.levels = {};
-    bake_plan(request, plan, cache_bytes);
+    bake_plan(request, plan, cache);
 }
 
 void EditExport::start(ExportRequest request) {

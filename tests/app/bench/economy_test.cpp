@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/bench/gl_bench_view.h"
+#include "app/bench/gl/view.h"
 #include "tests/app/gl/device/fixture.h"
 
 namespace burl {

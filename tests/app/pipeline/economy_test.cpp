@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "app/bench/stability_cases.h"
-#include "app/bench/stability_chance.h"
+#include "app/bench/stability/cases.h"
+#include "app/bench/stability/chance.h"
 #include "app/options/economy_options.h"
 #include "app/pipeline/pipeline.h"
 #include "procedural/fill/synthesize.h"

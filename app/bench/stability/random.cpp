@@ -4,9 +4,9 @@
 
 #include <fmt/format.h>
 
-#include "app/bench/stability_cases.h"
-#include "app/bench/stability_chance.h"
-#include "app/bench/stability_truth.h"
+#include "app/bench/stability/cases.h"
+#include "app/bench/stability/chance.h"
+#include "app/bench/stability/truth.h"
 
 namespace burl {
 

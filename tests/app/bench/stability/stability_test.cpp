@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "app/bench/stability.h"
-#include "app/bench/stability_filters.h"
+#include "app/bench/stability/filters.h"
+#include "app/bench/stability/stability.h"
 #include "app/recipe/lattice_check.h"
 #include "atlas/base/error.h"
 #include "procedural/color/map_filter.h"

@@ -1,4 +1,4 @@
-#include "app/bench/stability_noise.h"
+#include "app/bench/stability/noise.h"
 
 #include <algorithm>
 #include <cmath>

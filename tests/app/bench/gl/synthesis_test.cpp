@@ -1,5 +1,5 @@
 // `burl bench gl`: its rows, that times add up, and errors that belong to each precision.
-#include "app/bench/gl.h"
+#include "app/bench/gl/synthesis.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

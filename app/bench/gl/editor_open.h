@@ -3,7 +3,7 @@
 // its first texture and to its patch atlas and the frame times meanwhile are measured.
 #include <string>
 
-#include "app/bench/editor.h"
+#include "app/bench/gl/editor.h"
 
 namespace burl {
 

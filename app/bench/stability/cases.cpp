@@ -1,12 +1,12 @@
-#include "app/bench/stability_cases.h"
+#include "app/bench/stability/cases.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
-#include "app/bench/stability_chance.h"
-#include "app/bench/stability_noise.h"
+#include "app/bench/stability/chance.h"
+#include "app/bench/stability/noise.h"
 #include "procedural/model/octaves.h"
 #include "procedural/noise/names.h"
 

@@ -2,9 +2,9 @@
 // than wide.
 #include <fmt/format.h>
 
-#include "app/bench/stability_cases.h"
-#include "app/bench/stability_chance.h"
-#include "app/bench/stability_noise.h"
+#include "app/bench/stability/cases.h"
+#include "app/bench/stability/chance.h"
+#include "app/bench/stability/noise.h"
 
 namespace burl {
 

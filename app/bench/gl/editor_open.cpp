@@ -1,4 +1,4 @@
-#include "app/bench/gl_edit_bench_open.h"
+#include "app/bench/gl/editor_open.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -10,7 +10,7 @@
 
 #include "app/base/stopwatch.h"
 #include "app/bench/files.h"
-#include "app/bench/gl_edit_bench_window.h"
+#include "app/bench/gl/editor_window.h"
 #include "app/bench/meshes.h"
 #include "app/editor/window/program.h"
 
@@ -18,13 +18,13 @@ namespace burl {
 
 namespace {
 
-constexpr glm::ivec2 size{1280, 800};
+constexpr glm::ivec2 window_size{1280, 800};
 
 /// The editor while it opens a mesh, with moving pointer input and a record of its frame times.
 class Opening {
   public:
     explicit Opening(const std::string& file) : file_(file) {
-        auto window = std::make_unique<BenchWindow>(create_osmesa_context(), size);
+        auto window = std::make_unique<BenchWindow>(create_osmesa_context(), window_size);
         window_ = window.get();
         editor_ = std::make_unique<EditorProgram>(std::move(window), EditorOptions{});
         while (!editor_->shown() || !editor_->settled()) editor_->turn();

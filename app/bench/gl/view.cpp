@@ -1,4 +1,4 @@
-#include "app/bench/gl_bench_view.h"
+#include "app/bench/gl/view.h"
 
 #include <algorithm>
 #include <array>

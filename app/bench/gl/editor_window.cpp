@@ -1,4 +1,4 @@
-#include "app/bench/gl_edit_bench_window.h"
+#include "app/bench/gl/editor_window.h"
 
 #include <glad/gl.h>
 

@@ -1,4 +1,4 @@
-#include "app/bench/stability_truth.h"
+#include "app/bench/stability/truth.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "app/bench/editor.h"
+#include "app/bench/gl/editor.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -8,7 +8,7 @@
 #include <cmath>
 #include <ctime>
 
-#include "app/bench/gl_edit_bench_window.h"
+#include "app/bench/gl/editor_window.h"
 #include "app/editor/window/program.h"
 
 namespace burl {

@@ -1,4 +1,4 @@
-#include "app/bench/gl.h"
+#include "app/bench/gl/synthesis.h"
 
 #include <algorithm>
 #include <chrono>
@@ -19,10 +19,6 @@ namespace burl {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) {
-    return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 /// Returns the median without the first value, the warm-up round.
 double median(std::vector<double> values) {

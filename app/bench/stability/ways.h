@@ -5,8 +5,8 @@
 #include <variant>
 #include <vector>
 
-#include "app/bench/stability_cases.h"
-#include "app/bench/stability_truth.h"
+#include "app/bench/stability/cases.h"
+#include "app/bench/stability/truth.h"
 #include "procedural/batch/kernel.h"
 #include "procedural/bresenham/noise.h"
 

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/bench/command.h"
-#include "app/bench/stability.h"
+#include "app/bench/stability/stability.h"
 #include "app/measure/report.h"
 #include "app/recipe/recipe.h"
 

@@ -1,4 +1,4 @@
-#include "app/bench/stability_ways.h"
+#include "app/bench/stability/ways.h"
 
 #include <algorithm>
 #include <cmath>

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "app/bench/meshes.h"
-#include "app/bench/stability_checks.h"
+#include "app/bench/stability/checks.h"
 #include "app/pipeline/pipeline.h"
 
 namespace burl {

@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
-#include "app/bench/stability_checks.h"
-#include "app/bench/stability_noise.h"
+#include "app/bench/stability/checks.h"
+#include "app/bench/stability/noise.h"
 #include "procedural/fill/synthesize.h"
 #include "procedural/model/octaves.h"
 #include "procedural/numbers/simd_target.h"

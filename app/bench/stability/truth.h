@@ -4,7 +4,7 @@
 // docs/numerics.md.
 #include <vector>
 
-#include "app/bench/stability_noise.h"
+#include "app/bench/stability/noise.h"
 #include "atlas/solid/solid_atlas.h"
 #include "procedural/model/octaves.h"
 

@@ -1,4 +1,4 @@
-#include "app/bench/stability_filters.h"
+#include "app/bench/stability/filters.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
-#include "app/bench/stability_ways.h"
+#include "app/bench/stability/ways.h"
 #include "procedural/color/srgb.h"
 #include "procedural/fill/synthesize.h"
 #include "procedural/fill/texels.h"

@@ -4,7 +4,7 @@
 
 #include "app/bench/command.h"
 #include "app/bench/economy.h"
-#include "app/bench/gl_bench_view.h"
+#include "app/bench/gl/view.h"
 
 namespace burl {
 

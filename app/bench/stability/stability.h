@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "app/bench/stability_cases.h"
-#include "app/bench/stability_ways.h"
+#include "app/bench/stability/cases.h"
+#include "app/bench/stability/ways.h"
 
 namespace burl {
 

@@ -1,4 +1,4 @@
-#include "app/bench/stability.h"
+#include "app/bench/stability/stability.h"
 
 #include <algorithm>
 #include <charconv>
@@ -6,9 +6,9 @@
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
-#include "app/bench/stability_checks.h"
-#include "app/bench/stability_filters.h"
-#include "app/bench/stability_truth.h"
+#include "app/bench/stability/checks.h"
+#include "app/bench/stability/filters.h"
+#include "app/bench/stability/truth.h"
 #include "atlas/base/error.h"
 
 namespace burl {
