@@ -188,17 +188,8 @@ void MeshOptions::add(CLI::App& verb) {
                   "Bake each glTF instance by itself, in scene space");
 }
 
-namespace {
-
-bool is_gltf_file(const std::string& path) {
-    const std::string extension = file_extension(path);
-    return extension == ".glb" || extension == ".gltf";
-}
-
-}  // namespace
-
 Mesh MeshOptions::load(const std::string& path) const {
-    if (read.unshare_instances && (is_sample_mesh(path) || !is_gltf_file(path)))
+    if (read.unshare_instances && (is_sample_mesh(path) || !has_gltf_extension(path)))
         throw Error(ExitCode::usage,
                     fmt::format("--unshare-instances: {} is no glTF and has no instances; leave it "
                                 "out",
