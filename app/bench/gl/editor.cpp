@@ -38,13 +38,13 @@ struct Subject {
     double reach;
     const char* steps = "";  ///< script steps before the drag
 };
-constexpr std::array subjects{Subject{"Parameters", "texture.input.noise.0.amplitude", 60.0},
-                              Subject{"Parameters", "texture.input.noise.0.frequency.0", 20.0},
-                              Subject{"Parameters", "solid.scale", 60.0},
-                              Subject{"Colours", "texture.stops.1", 60.0},
-                              // Drags the texture on the object.
-                              Subject{"Parameters", "object", 120.0,
-                                      R"({"key": "G"}, {"wait": 2}, {"click": "move.axes"},)"}};
+constexpr std::array drag_subjects{
+    Subject{"Parameters", "texture.input.noise.0.amplitude", 60.0},
+    Subject{"Parameters", "texture.input.noise.0.frequency.0", 20.0},
+    Subject{"Parameters", "solid.scale", 60.0}, Subject{"Colours", "texture.stops.1", 60.0},
+    // Drags the texture on the object.
+    Subject{"Parameters", "object", 120.0,
+            R"({"key": "G"}, {"wait": 2}, {"click": "move.axes"},)"}};
 
 constexpr double pixels_per_second = 90.0;
 
@@ -198,7 +198,7 @@ std::vector<EditorBench> bench_editor(const std::string& mesh, std::uint32_t sid
     BenchWindow& window = *owned;
     EditorProgram editor(std::move(owned), options);
     std::vector<EditorBench> rows;
-    for (const Subject& subject : subjects) {
+    for (const Subject& subject : drag_subjects) {
         editor.play(parse_script(fmt::format(R"({{"burl_input": 1, "steps": [{{"settle": true}},
                                  {{"click": "tab:{}"}}, {} {{"wait": 3}}]}})",
                                              subject.tab, subject.steps),
