@@ -22,7 +22,8 @@ double uniform(std::mt19937& random, double low, double high) {
 }
 
 /// The operation of up to four numbers.
-double value_of(ValueOp op, std::array<double, 4> inputs, std::array<double, 4> parameters = {}) {
+double operation_value(ValueOp op, std::array<double, 4> inputs,
+                       std::array<double, 4> parameters = {}) {
     Array arrays[5];
     for (std::size_t k = 0; k < 4; ++k) arrays[k].values[0] = inputs[k];
     apply({op, parameters},
@@ -38,7 +39,9 @@ TEST(ValueKernels, ArithmeticIsThatOfFloat64) {
                      c = uniform(random, -3, 3), d = uniform(random, -3, 3);
         const double p = uniform(random, -3, 3), q = uniform(random, -3, 3),
                      r = uniform(random, -3, 3), s = uniform(random, -3, 3);
-        const auto get = [&](ValueOp op) { return value_of(op, {a, b, c, d}, {p, q, r, s}); };
+        const auto get = [&](ValueOp op) {
+            return operation_value(op, {a, b, c, d}, {p, q, r, s});
+        };
         EXPECT_EQ(get(ValueOp::constant), p);
         EXPECT_EQ(get(ValueOp::affine), p * a + q * b + r * c + s);
         EXPECT_EQ(get(ValueOp::linear), p * a + q);
@@ -58,10 +61,10 @@ TEST(ValueKernels, ArithmeticIsThatOfFloat64) {
         EXPECT_NEAR(get(ValueOp::length), std::hypot(a, b), 1e-15);
         EXPECT_NEAR(get(ValueOp::smoothstep), dual_smoothstep(p, q, a).value, 1e-15);
     }
-    EXPECT_EQ(value_of(ValueOp::smoothstep, {2.0}, {2.0, 2.0}), 1.0);
-    EXPECT_EQ(value_of(ValueOp::smoothstep, {1.9}, {2.0, 2.0}), 0.0);
-    EXPECT_EQ(value_of(ValueOp::odd, {-1.0}), 1.0);
-    EXPECT_EQ(value_of(ValueOp::odd, {1e300}), 0.0);
+    EXPECT_EQ(operation_value(ValueOp::smoothstep, {2.0}, {2.0, 2.0}), 1.0);
+    EXPECT_EQ(operation_value(ValueOp::smoothstep, {1.9}, {2.0, 2.0}), 0.0);
+    EXPECT_EQ(operation_value(ValueOp::odd, {-1.0}), 1.0);
+    EXPECT_EQ(operation_value(ValueOp::odd, {1e300}), 0.0);
 }
 
 TEST(ValueKernels, SinesErrByLittle) {
@@ -69,17 +72,18 @@ TEST(ValueKernels, SinesErrByLittle) {
     double near = 0.0, far = 0.0;
     for (int i = 0; i < 200000; ++i) {
         const double x = uniform(random, -10, 10);
-        near = std::max(near, std::abs(value_of(ValueOp::sine, {x}) - std::sin(x)));
+        near = std::max(near, std::abs(operation_value(ValueOp::sine, {x}) - std::sin(x)));
         const double y = std::ldexp(uniform(random, -1, 1), int(random() % 49));
-        const double error = std::abs(value_of(ValueOp::sine, {y}) - std::sin(y));
+        const double error = std::abs(operation_value(ValueOp::sine, {y}) - std::sin(y));
         far = std::max(far, error / (1e-13 + 0x1p-50 * std::abs(y)));
     }
     EXPECT_LT(near, 1e-13);
     EXPECT_LT(far, 1.0);
     constexpr double quarters[] = {0.0, 1.0, 0.0, -1.0};
     for (int n = -9; n <= 9; ++n)
-        EXPECT_NEAR(value_of(ValueOp::sine, {n * std::numbers::pi / 2}), quarters[n & 3], 1e-13);
-    EXPECT_EQ(value_of(ValueOp::sine, {1e300}), 0.0);
+        EXPECT_NEAR(operation_value(ValueOp::sine, {n * std::numbers::pi / 2}), quarters[n & 3],
+                    1e-13);
+    EXPECT_EQ(operation_value(ValueOp::sine, {1e300}), 0.0);
 }
 
 TEST(ValueKernels, AnglesErrByLittle) {
@@ -87,13 +91,14 @@ TEST(ValueKernels, AnglesErrByLittle) {
     for (int i = 0; i < 200000; ++i) {
         const double size = std::ldexp(1.0, int(random() % 80) - 40);
         const double y = uniform(random, -1, 1), x = size * uniform(random, -1, 1);
-        ASSERT_NEAR(value_of(ValueOp::angle, {y, x}), std::atan2(y, x), 1e-13) << y << " " << x;
+        ASSERT_NEAR(operation_value(ValueOp::angle, {y, x}), std::atan2(y, x), 1e-13)
+            << y << " " << x;
     }
     for (const double y : {-2.0, -0.0, 0.0, 2.0})
         for (const double x : {-2.0, 2.0})
-            EXPECT_NEAR(value_of(ValueOp::angle, {y, x}), std::atan2(y, x), 1e-15);
-    EXPECT_EQ(value_of(ValueOp::angle, {0.0, 0.0}), 0.0);
-    EXPECT_NEAR(value_of(ValueOp::angle, {1.0, 0.0}), std::numbers::pi / 2, 1e-15);
+            EXPECT_NEAR(operation_value(ValueOp::angle, {y, x}), std::atan2(y, x), 1e-15);
+    EXPECT_EQ(operation_value(ValueOp::angle, {0.0, 0.0}), 0.0);
+    EXPECT_NEAR(operation_value(ValueOp::angle, {1.0, 0.0}), std::numbers::pi / 2, 1e-15);
 }
 
 TEST(ValueKernels, PowersErrByLittle) {
@@ -103,13 +108,16 @@ TEST(ValueKernels, PowersErrByLittle) {
         const double e = uniform(random, 0, 64), whole = double(random() % 65);
         const double exact = std::pow(x, e);
         const double allowed = 1e-13 * (1.0 + std::abs(e * std::log2(x)));
-        ASSERT_NEAR(value_of(ValueOp::power, {x}, {e}) / exact, 1.0, allowed) << x << " " << e;
-        ASSERT_NEAR(value_of(ValueOp::power, {-x}, {whole}) / std::pow(-x, whole), 1.0, allowed);
+        ASSERT_NEAR(operation_value(ValueOp::power, {x}, {e}) / exact, 1.0, allowed)
+            << x << " " << e;
+        ASSERT_NEAR(operation_value(ValueOp::power, {-x}, {whole}) / std::pow(-x, whole), 1.0,
+                    allowed);
     }
-    EXPECT_EQ(value_of(ValueOp::power, {-1.0}, {0.5}), 0.0);
-    EXPECT_EQ(value_of(ValueOp::power, {0.0}, {0.5}), 0.0);
-    EXPECT_EQ(value_of(ValueOp::power, {0.0}, {0.0}), 1.0);
-    EXPECT_EQ(value_of(ValueOp::power, {1e300}, {2.5}), std::numeric_limits<double>::infinity());
+    EXPECT_EQ(operation_value(ValueOp::power, {-1.0}, {0.5}), 0.0);
+    EXPECT_EQ(operation_value(ValueOp::power, {0.0}, {0.5}), 0.0);
+    EXPECT_EQ(operation_value(ValueOp::power, {0.0}, {0.0}), 1.0);
+    EXPECT_EQ(operation_value(ValueOp::power, {1e300}, {2.5}),
+              std::numeric_limits<double>::infinity());
 }
 
 TEST(ValueKernels, PiecesAreTheMap) {
