@@ -41,13 +41,13 @@ struct Waves {
     }
 };
 
-struct Surface {
+struct SampledSurface {
     Mesh mesh = made::ring(24, 12);
     MeshAtlas atlas;
     SolidAtlas solid;
     Recipe recipe;
 
-    Surface(AtlasKind kind, std::uint32_t size)
+    SampledSurface(AtlasKind kind, std::uint32_t size)
         : atlas(build_atlas(mesh, build_connectivity(mesh),
                             {.kind = kind, .size = size, .tries = 1})),
           solid(rasterize(mesh, atlas, atlas.mesh(mesh).positions)) {}
@@ -73,7 +73,7 @@ LevelRule direct(std::uint32_t samples = 16) {
 TEST(DirectLevels, TexelsAreMeansOfARegularGridOfSamples) {
     for (const AtlasKind kind : {AtlasKind::patch, AtlasKind::quad, AtlasKind::area}) {
         const std::uint32_t size = kind == AtlasKind::patch ? 512 : 256;
-        Surface s(kind, size);
+        SampledSurface s(kind, size);
         const std::uint32_t level = s.atlas.patches() ? last_source_level(s.atlas) : 3;
         ASSERT_GE(level, 2u);
         const std::uint32_t width = size >> level, scale = 1 << level;
@@ -100,7 +100,7 @@ TEST(DirectLevels, TexelsAreMeansOfARegularGridOfSamples) {
 }
 
 TEST(DirectLevels, WorkOutNoMoreTexelsThanTheySample) {
-    Surface s(AtlasKind::patch, 512);
+    SampledSurface s(AtlasKind::patch, 512);
     ASSERT_EQ(last_source_level(s.atlas), 2u);  // gutters are 4 texels wide
     const Image<RgbF> texture(512, 512);
     const auto sides = [&](std::uint32_t samples) {
@@ -123,7 +123,7 @@ TEST(DirectLevels, WorkOutNoMoreTexelsThanTheySample) {
 TEST(DirectLevels, OneByOneTheyAreTheSame) {
     for (const AtlasKind kind : {AtlasKind::patch, AtlasKind::quad})
         for (const std::uint32_t samples : {1u, 4u, 16u}) {
-            Surface s(kind, 128);
+            SampledSurface s(kind, 128);
             Waves waves;
             const Image<RgbF> texture = waves(s.solid, s.recipe);
             const auto all = direct_levels(s.atlas, s.solid, s.recipe, texture, 99, direct(samples),
@@ -141,7 +141,7 @@ TEST(DirectLevels, OneByOneTheyAreTheSame) {
 }
 
 TEST(DirectLevels, SamplesAreFilteredWhereThatIsExact) {
-    Surface s(AtlasKind::quad, 128);
+    SampledSurface s(AtlasKind::quad, 128);
     const auto filter_of = [&](const Recipe& recipe, std::uint32_t level) {
         Waves waves;
         direct_level(s.atlas, s.solid, recipe, level, direct(1), std::ref(waves));

@@ -34,7 +34,7 @@ ObjectView two_squares(SolidSpace space) {
 
 const SolidOptions start{SolidSpace::unit, 2.0, {10, 20, 30}, {1, 2, 3}};
 
-Affine3 map_of(const SolidOptions& solid) {
+Affine3 grabbed_map(const SolidOptions& solid) {
     Recipe recipe;
     recipe.solid = solid;
     return texture_from_solid(recipe);
@@ -65,12 +65,12 @@ TEST(SolidGrab, MovesOnInstancesAndBesideThem) {
     ASSERT_FALSE(hit_at(view, beside));
     auto grab = SolidGrab::surface(view, start, SolidDrag::move, a);
     ASSERT_TRUE(grab);
-    const Vec3d taken = map_of(start)(solid_at(view, a));
-    const Affine3 there = map_of(grab->to(view, b).value());
+    const Vec3d taken = grabbed_map(start)(solid_at(view, a));
+    const Affine3 there = grabbed_map(grab->to(view, b).value());
     EXPECT_LT(glm::distance(there(solid_at(view, b)), taken), 1e-8);
     // Beside both: on the second one's plane, as if it went on there.
     const double depth = on_screen(view, grab->held()).z;
-    const Affine3 away = map_of(grab->to(view, beside).value());
+    const Affine3 away = grabbed_map(grab->to(view, beside).value());
     const Vec3d solid = glm::inverse(away.linear) * (taken - away.offset);
     const Vec3d mesh = 2.0 * solid + Vec3d(10, 10, 5);
     EXPECT_LT(glm::distance(seen(view, on_second(mesh)), beside), 1e-6);
@@ -86,16 +86,16 @@ TEST(SolidGrab, TurnsAndSizesAboutTheMiddleOfTheObjectsOwnCoordinates) {
     // The square is flat: seen from its middle the pointer's ways stay in its plane.
     const Vec3d p(9.3, 10.5, 5), q(10.6, 10.7, 5);
     auto turn = SolidGrab::surface(view, start, SolidDrag::turn, seen(view, p));
-    const Affine3 turned = map_of(turn.value().to(view, seen(view, q)).value());
+    const Affine3 turned = grabbed_map(turn.value().to(view, seen(view, q)).value());
     const Vec3d way = glm::normalize(q - middle) * glm::distance(p, middle);
-    EXPECT_LT(glm::distance(turned(middle + way), map_of(start)(p)), 1e-7);
-    EXPECT_LT(glm::distance(turned(middle), map_of(start)(middle)), 1e-7);
+    EXPECT_LT(glm::distance(turned(middle + way), grabbed_map(start)(p)), 1e-7);
+    EXPECT_LT(glm::distance(turned(middle), grabbed_map(start)(middle)), 1e-7);
     // Twice as far from the middle's place on the screen.
     const Vec2d centre = seen(view, middle), from = centre + Vec2d(30, 20);
     auto size = SolidGrab::surface(view, start, SolidDrag::size, from);
     const SolidOptions sized = size.value().to(view, centre + Vec2d(60, 40)).value();
     EXPECT_NEAR(sized.scale, 0.5 * start.scale, 1e-8);
-    EXPECT_LT(glm::distance(map_of(sized)(middle), map_of(start)(middle)), 1e-7);
+    EXPECT_LT(glm::distance(grabbed_map(sized)(middle), grabbed_map(start)(middle)), 1e-7);
 }
 
 }  // namespace
