@@ -15,7 +15,8 @@ namespace {
 
 constexpr std::size_t plenty = std::size_t(1) << 28;
 
-Recipe recipe_of(const std::vector<std::string>& settings, const std::string& preset = "marble") {
+Recipe changed_recipe(const std::vector<std::string>& settings,
+                      const std::string& preset = "marble") {
     std::vector<std::string> all{"atlas.size=64"};
     all.insert(all.end(), settings.begin(), settings.end());
     return load_recipe(preset, all);
@@ -55,9 +56,9 @@ TEST(Pipeline, RepeatsFromWhereARecipeChanges) {
         SCOPED_TRACE(setting);
         Pipeline pipeline(cube_mesh());
         pipeline.set_cache(plenty);
-        pipeline.set_recipe(recipe_of({}));
-        EXPECT_EQ(pipeline.synthesize<Rgb8>(), baked_anew(recipe_of({})));
-        const Recipe changed = recipe_of({setting});
+        pipeline.set_recipe(changed_recipe({}));
+        EXPECT_EQ(pipeline.synthesize<Rgb8>(), baked_anew(changed_recipe({})));
+        const Recipe changed = changed_recipe({setting});
         pipeline.set_recipe(changed);
         EXPECT_EQ(pipeline.synthesize<Rgb8>(), baked_anew(changed));
         EXPECT_EQ(runs_of(pipeline), runs);
@@ -73,8 +74,8 @@ TEST(Pipeline, ForbiddenToKeepStagesRepeatsThemAll) {
     pipeline.set_skips(skips);
     pipeline.set_cache(plenty);
     for (int i = 0; i < 3; ++i) {
-        pipeline.set_recipe(recipe_of({}));
-        EXPECT_EQ(pipeline.synthesize<Rgb8>(), baked_anew(recipe_of({})));
+        pipeline.set_recipe(changed_recipe({}));
+        EXPECT_EQ(pipeline.synthesize<Rgb8>(), baked_anew(changed_recipe({})));
     }
     EXPECT_EQ(runs_of(pipeline), (Runs{3, 3, 3, 3}));
 }
@@ -83,9 +84,9 @@ TEST(Pipeline, CountsWhatAnEditSpares) {
     const auto work_of_edit = [](const std::string& setting) {
         Pipeline pipeline(cube_mesh());
         pipeline.set_cache(plenty);
-        pipeline.set_recipe(recipe_of({}));
+        pipeline.set_recipe(changed_recipe({}));
         pipeline.synthesize<Rgb8>();
-        pipeline.set_recipe(recipe_of({setting}));
+        pipeline.set_recipe(changed_recipe({setting}));
         pipeline.synthesize<Rgb8>();
         return pipeline.records()[Stage::synthesis].last.work;
     };
@@ -108,7 +109,7 @@ TEST(Pipeline, CountsWhatARecipeSparesThatIsTheSame) {
     Pipeline pipeline(cube_mesh());
     pipeline.set_cache(plenty);
     for (int i = 0; i < 3; ++i) {
-        pipeline.set_recipe(recipe_of({}));
+        pipeline.set_recipe(changed_recipe({}));
         pipeline.synthesize<Rgb8>();
         pipeline.synthesize<Rgb8>();  // asked for twice, spared once
     }
@@ -126,7 +127,7 @@ Recipe four_terms(double phase) {
     for (int i = 0; i < 4; ++i)
         terms += fmt::format(R"({}{{"amplitude": 0.25, "seed": {}, "phase": [{}, 0, 0]}})",
                              i ? ", " : "", i, i == 2 ? phase : 0.0);
-    return recipe_of({fmt::format("texture.input.noise=[{}]", terms)});
+    return changed_recipe({fmt::format("texture.input.noise=[{}]", terms)});
 }
 
 TEST(Pipeline, APhaseTakesOneTermAnew) {
@@ -142,7 +143,7 @@ TEST(Pipeline, APhaseTakesOneTermAnew) {
 
 TEST(Pipeline, KeepsNothingOfASingleBake) {
     Pipeline pipeline(cube_mesh());
-    pipeline.set_recipe(recipe_of({}));
+    pipeline.set_recipe(changed_recipe({}));
     const Image<Rgb8> image = pipeline.synthesize<Rgb8>();
     EXPECT_EQ(pipeline.synthesize<Rgb8>(), image);
     EXPECT_EQ(pipeline.cached_bytes(), 0u);
@@ -151,23 +152,23 @@ TEST(Pipeline, KeepsNothingOfASingleBake) {
 
 TEST(Pipeline, FollowsEditsOfEveryKindWithinAnyCache) {
     const std::vector<Recipe> recipes{
-        recipe_of({}),
-        recipe_of({"texture.wrap=clamp"}),
-        recipe_of({"texture.wrap=clamp", "filter.kind=exact"}),
-        recipe_of({"filter.kind=exact"}),
-        recipe_of({"filter.kind=trapezoid"}),
-        recipe_of({"filter.kind=trapezoid", amplitude}),
-        recipe_of({"filter.kind=trapezoid2", amplitude}),
-        recipe_of({"filter.kind=trapezoid2", amplitude, "texture.wrap=clamp"}),
-        recipe_of({"filter.kind=table-mip"}),
-        recipe_of({"filter.octaves=fade"}),
-        recipe_of({"filter.octaves=fade", "texture.wrap=clamp"}),
-        recipe_of({"filter.kind=supersample", "filter.samples=4"}),
-        recipe_of({"precision.kind=float64"}),
-        recipe_of({}, "stripes"),
-        recipe_of({}, "wrinkled"),
-        recipe_of({"texture.wrap=clamp"}, "wrinkled"),
-        recipe_of({amplitude}),
+        changed_recipe({}),
+        changed_recipe({"texture.wrap=clamp"}),
+        changed_recipe({"texture.wrap=clamp", "filter.kind=exact"}),
+        changed_recipe({"filter.kind=exact"}),
+        changed_recipe({"filter.kind=trapezoid"}),
+        changed_recipe({"filter.kind=trapezoid", amplitude}),
+        changed_recipe({"filter.kind=trapezoid2", amplitude}),
+        changed_recipe({"filter.kind=trapezoid2", amplitude, "texture.wrap=clamp"}),
+        changed_recipe({"filter.kind=table-mip"}),
+        changed_recipe({"filter.octaves=fade"}),
+        changed_recipe({"filter.octaves=fade", "texture.wrap=clamp"}),
+        changed_recipe({"filter.kind=supersample", "filter.samples=4"}),
+        changed_recipe({"precision.kind=float64"}),
+        changed_recipe({}, "stripes"),
+        changed_recipe({}, "wrinkled"),
+        changed_recipe({"texture.wrap=clamp"}, "wrinkled"),
+        changed_recipe({amplitude}),
     };
     for (const std::size_t cache : {std::size_t(1), 64 * 64 * 14 * std::size_t(4) / 3, plenty}) {
         Pipeline pipeline(cube_mesh());
@@ -188,9 +189,9 @@ TEST(Pipeline, AFilteredTexturesColoursNeedNoField) {
     for (const std::string filter : {"exact", "table-sat", "trapezoid2"}) {
         Pipeline pipeline(cube_mesh());
         pipeline.set_cache(plenty);
-        pipeline.set_recipe(recipe_of({"filter.kind=" + filter}));
+        pipeline.set_recipe(changed_recipe({"filter.kind=" + filter}));
         pipeline.synthesize<Rgb8>();
-        pipeline.set_recipe(recipe_of({"filter.kind=" + filter, "texture.stops.0.1=#102030"}));
+        pipeline.set_recipe(changed_recipe({"filter.kind=" + filter, "texture.stops.0.1=#102030"}));
         pipeline.synthesize<Rgb8>();
         const SynthesisWork& work = pipeline.records()[Stage::synthesis].last.work;
         EXPECT_EQ(work.octaves, 0u) << filter;
@@ -203,7 +204,7 @@ TEST(Pipeline, MakesALevelAlone) {
         Pipeline pipeline(cube_mesh());
         pipeline.set_cache(cache);
         for (const std::string& setting : {std::string("name=marble"), amplitude}) {
-            const Recipe recipe = recipe_of({setting});
+            const Recipe recipe = changed_recipe({setting});
             pipeline.set_recipe(recipe);
             for (const std::uint32_t level : {2u, 0u}) {
                 const Image<Rgb8> expected =
@@ -235,9 +236,9 @@ TEST(Pipeline, AStopLosesNothingThatWasKept) {
 }
 
 TEST(Pipeline, StopsWheneverAnotherThreadAsks) {
-    const std::vector<Recipe> recipes{four_terms(0.0), four_terms(0.5), recipe_of({}, "stripes"),
-                                      recipe_of({"filter.kind=exact"}),
-                                      recipe_of({"precision.kind=float64"})};
+    const std::vector<Recipe> recipes{
+        four_terms(0.0), four_terms(0.5), changed_recipe({}, "stripes"),
+        changed_recipe({"filter.kind=exact"}), changed_recipe({"precision.kind=float64"})};
     std::vector<Image<Rgb8>> expected;
     for (const Recipe& recipe : recipes) expected.push_back(baked_anew(recipe));
     Pipeline pipeline(cube_mesh());
@@ -262,7 +263,7 @@ TEST(Pipeline, StopsWheneverAnotherThreadAsks) {
 
 TEST(Pipeline, KeepsNormalsWhileTheBumpsStay) {
     const auto bumpy = [](const std::string& setting) {
-        return recipe_of({"bump.input={\"node\":\"fbm\"}", setting});
+        return changed_recipe({"bump.input={\"node\":\"fbm\"}", setting});
     };
     const auto anew = [](const Recipe& recipe) {
         Pipeline pipeline(cube_mesh());
