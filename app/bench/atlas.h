@@ -26,7 +26,7 @@ struct AtlasBench {
     std::uint32_t size = 0;  ///< N of the texture
     std::vector<StageBench> stages;
     double coverage = 0.0;
-    double psnr = 0.0;         ///< level 0, dB (docs/metrics.md)
+    double psnr = 0.0;         ///< level 0, dB (docs/reference/metrics.md)
     std::vector<double> rmse;  ///< [l-1] is level l, 1 to 3
 
     /// One of those that every kind has.

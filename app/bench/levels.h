@@ -14,7 +14,7 @@ struct LevelBench {
     std::uint32_t level = 0;
     std::string rule;          ///< of level_rule_named
     double samples = 0.0;      ///< texels worked out, over those of level 0
-    double rmse = 0.0;         ///< lookups against the surface's mean (docs/metrics.md)
+    double rmse = 0.0;         ///< lookups against the surface's mean (docs/reference/metrics.md)
     double truth_noise = 0.0;  ///< RMS error of that mean
     double of_average = 1.0;   ///< rmse over that of the averaged level
     /// One thread, from points to the level's image; its group is recipe and level, where the first

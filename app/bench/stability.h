@@ -1,7 +1,7 @@
 #pragma once
 // The suite `burl bench stability`: how far every way to fill a texture is from its definition
-// where rounding has the most room, as a share of what docs/numerics.md allows, with the input that
-// comes nearest to it and the command that repeats it.
+// where rounding has the most room, as a share of what docs/reference/numerics.md allows, with the
+// input that comes nearest to it and the command that repeats it.
 #include <algorithm>
 #include <cmath>
 #include <string>

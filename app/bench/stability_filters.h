@@ -1,6 +1,6 @@
 #pragma once
-// Filtered colours against the closed forms' definition (docs/filtering.md): the map's mean over
-// the box or trapezoid that value and slopes of f give, everything in long double.
+// Filtered colours against the closed forms' definition (docs/reference/filtering.md): the map's
+// mean over the box or trapezoid that value and slopes of f give, everything in long double.
 #include "app/bench/stability.h"
 #include "procedural/batch/filter.h"
 #include "procedural/batch/precision.h"

@@ -1,6 +1,6 @@
 #pragma once
-// Noise written once more, straight from docs/noise.md and in long double with its gradient: what
-// textures are held against where float64 itself is in doubt.
+// Noise written once more, straight from docs/reference/noise.md and in long double with its
+// gradient: what textures are held against where float64 itself is in doubt.
 #include <array>
 
 #include "procedural/noise/spec.h"

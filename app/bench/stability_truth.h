@@ -1,7 +1,7 @@
 #pragma once
 // What a bake is held against where float64 itself is in doubt: the 1999 model's field written once
-// more, straight from docs/noise.md and in long double, and the errors that docs/numerics.md
-// allows.
+// more, straight from docs/reference/noise.md and in long double, and the errors that
+// docs/reference/numerics.md allows.
 #include <vector>
 
 #include "app/bench/stability_noise.h"

@@ -29,7 +29,7 @@ bool can_fill(const StabilityWay& way, const Texture& texture);
 /// f of every texel that a span owns, span by span.
 std::vector<double> fill_texels(const StabilityCase& one, const StabilityWay& way, int threads);
 
-/// What |f - f64| may be on a span of these sizes (docs/numerics.md).
+/// What |f - f64| may be on a span of these sizes (docs/reference/numerics.md).
 double allowed_error(const StabilityWay& way, const StabilityTruth& truth, const SpanSizes& sizes,
                      double f);
 

@@ -1,6 +1,7 @@
 #pragma once
 // The papers' figures as we draw them: every part of a picture is a command line of `burl render
-// --direct`, so that whoever sees one can draw it, or change it, without us (docs/figures.md).
+// --direct`, so that whoever sees one can draw it, or change it, without us
+// (docs/guide/figures.md).
 #include <cstddef>
 #include <string>
 #include <vector>

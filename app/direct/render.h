@@ -1,7 +1,7 @@
 #pragma once
 // The ground truth: the texture evaluated in float64 (or as the recipe says) at the exact surface
-// point of every picture sample, with no atlas and no texture between (docs/rendering.md). Baked
-// pictures are measured against it.
+// point of every picture sample, with no atlas and no texture between
+// (docs/reference/rendering.md). Baked pictures are measured against it.
 #include <functional>
 #include <span>
 

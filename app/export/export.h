@@ -1,6 +1,6 @@
 #pragma once
 // The one door for results: a baked image with or without its mesh, in the format the file name
-// asks for. Formats, samplers and what is kept of the input: docs/export.md.
+// asks for. Formats, samplers and what is kept of the input: docs/reference/export.md.
 #include <optional>
 #include <span>
 #include <string>

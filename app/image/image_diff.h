@@ -1,6 +1,6 @@
 #pragma once
 // How far two pictures are apart: figures over sRGB-encoded values in 0..1, and a false-colour
-// picture of where (docs/rendering.md). `burl diff` prints and writes these.
+// picture of where (docs/reference/rendering.md). `burl diff` prints and writes these.
 #include <cstdint>
 #include <optional>
 

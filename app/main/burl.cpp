@@ -1,4 +1,4 @@
-// The program `burl`: verbs in, one sentence and an exit code out (docs/usage.md).
+// The program `burl`: verbs in, one sentence and an exit code out (docs/reference/usage.md).
 #include <fcntl.h>
 #include <poll.h>
 #include <unistd.h>

@@ -1,5 +1,5 @@
 #pragma once
-// Keys over time as a recipe's JSON has them (docs/recipes.md, "Animation").
+// Keys over time as a recipe's JSON has them (docs/reference/recipes.md, "Animation").
 #include "app/base/json_text.h"
 #include "app/recipe/key_track.h"
 

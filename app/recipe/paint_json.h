@@ -1,5 +1,5 @@
 #pragma once
-// Strokes of paint as a recipe's JSON has them (docs/recipes.md, "Paint").
+// Strokes of paint as a recipe's JSON has them (docs/reference/recipes.md, "Paint").
 #include <vector>
 
 #include "app/base/json_text.h"

@@ -1,7 +1,7 @@
 #pragma once
 // Everything a user decides about the result, as one comparable value: what the command line sets,
 // presets hold, tests and benchmarks name and (later) undo steps through. Its JSON is documented
-// key by key in docs/recipes.md.
+// key by key in docs/reference/recipes.md.
 #include <string>
 #include <string_view>
 #include <vector>

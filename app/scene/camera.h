@@ -1,6 +1,6 @@
 #pragma once
 // The orbit camera both renderers share, all in double, so that a GL picture and a ground-truth
-// picture of the same scene line up to the pixel (docs/rendering.md).
+// picture of the same scene line up to the pixel (docs/reference/rendering.md).
 #include <algorithm>
 #include <limits>
 #include <string>

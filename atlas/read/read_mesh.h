@@ -1,6 +1,6 @@
 #pragma once
 // One door for every mesh format. The readers are ours: the packaged ones round doubles, reorder
-// faces and drop bad lines in silence (docs/meshes.md).
+// faces and drop bad lines in silence (docs/reference/meshes.md).
 #include <string>
 
 #include "atlas/mesh/mesh.h"

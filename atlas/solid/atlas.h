@@ -13,8 +13,9 @@
 
 namespace burl {
 
-/// The strips of the paper's sections 4.1 and 4.2, `quad`: pairs in a quadtree (docs/atlases.md),
-/// and `patch`: few patches on rectangles (docs/patch-atlas.md).
+/// The strips of the paper's sections 4.1 and 4.2, `quad`: pairs in a quadtree
+/// (docs/reference/atlases.md), and `patch`: few patches on rectangles
+/// (docs/reference/patch-atlas.md).
 enum class AtlasKind { uniform, area, length, quad, patch };
 enum class Overscan { nearest, bilinear };
 /// What a pair's share of a quad atlas follows: nothing, its area, its longest edge squared, or the

@@ -1,7 +1,7 @@
 #pragma once
 // Work that a texture can do without: what may be left out, each kind by a name so that tests and
 // measurements can forbid it, and counts of what was done and what was spared. No result depends on
-// it (docs/economy.md says where a bound stands for equality).
+// it (docs/lab/economy.md says where a bound stands for equality).
 #include <array>
 #include <cstddef>
 #include <cstdint>

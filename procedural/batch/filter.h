@@ -1,6 +1,6 @@
 #pragma once
-// How a texel's footprint is averaged (Hart et al. 1999, section 3; docs/filtering.md). A plain
-// comparable value, part of the recipe.
+// How a texel's footprint is averaged (Hart et al. 1999, section 3; docs/reference/filtering.md). A
+// plain comparable value, part of the recipe.
 namespace burl {
 
 enum class FilterKind {

@@ -35,7 +35,7 @@ ForwardCounts forward_octaves(const Quadric& quadric, std::span<const Octave> oc
 
 /// Cell crossings per texel, of all octaves together, up to which forward_field is the faster of
 /// the two: below, its runs are long enough to pay for polynomials of everything
-/// (docs/bresenham.md).
+/// (docs/reference/bresenham.md).
 inline constexpr double whole_function_crossings = 0.1;
 
 /// The faster of the two for the line's step.

@@ -15,7 +15,7 @@ namespace burl {
 
 /// `texture_from_atlas` maps the SolidAtlas's space to the texture's solid coordinates (the
 /// recipe's scale). With filter `none` texels are point samples, with `supersample` means of such,
-/// with any other kind the nodes filter over them (docs/nodes.md). `threads` 0 means all.
+/// with any other kind the nodes filter over them (docs/reference/nodes.md). `threads` 0 means all.
 /// `precision` is float32 or float64. `economy` says what may be left out, which no byte shows, and
 /// counts. Texels outside every span get the colour at the origin.
 Image<Rgb8> synthesize_graph_rgb8(const SolidAtlas& solid, const TextureGraph& graph,

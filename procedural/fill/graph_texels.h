@@ -1,6 +1,7 @@
 #pragma once
 // Texels of an atlas through a graph's evaluator, in batches, each as one sample or several by the
-// filter that was asked for (docs/nodes.md): what baking colours and baking normals share.
+// filter that was asked for (docs/reference/nodes.md): what baking colours and baking normals
+// share.
 #include <utility>
 #include <vector>
 

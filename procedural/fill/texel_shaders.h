@@ -1,7 +1,8 @@
 #pragma once
 // How batches of texels become colours, one class per way: at the texel's centre, averaged over the
-// texel by the colour map's integral, or from several places in it (docs/filtering.md). What f is
-// and what is made of it are two steps, so that f can be kept from one colour map to the next.
+// texel by the colour map's integral, or from several places in it (docs/reference/filtering.md).
+// What f is and what is made of it are two steps, so that f can be kept from one colour map to the
+// next.
 #include <algorithm>
 #include <optional>
 #include <tuple>

@@ -29,8 +29,8 @@ class GraphEvaluator {
     using Scratch = std::vector<Channel>;
 
     /// The graph must be valid (graph_from_json makes only such) and not empty. `filter` decides
-    /// how color_map and field average over footprints (docs/nodes.md). `precision` is that of sums
-    /// of noise, float64 or float32.
+    /// how color_map and field average over footprints (docs/reference/nodes.md). `precision` is
+    /// that of sums of noise, float64 or float32.
     explicit GraphEvaluator(const TextureGraph& graph,
                             const Filter& filter = {FilterKind::trapezoid},
                             PrecisionKind precision = PrecisionKind::float64);

@@ -1,7 +1,8 @@
 #pragma once
-// A texture as a graph of nodes (docs/nodes.md): what the JSON tree of a recipe says when it is
-// more than a colour map over a field. A plain comparable value: nodes in an order in which every
-// node comes after those it reads, so that evaluating them one after the other needs no recursion.
+// A texture as a graph of nodes (docs/reference/nodes.md): what the JSON tree of a recipe says when
+// it is more than a colour map over a field. A plain comparable value: nodes in an order in which
+// every node comes after those it reads, so that evaluating them one after the other needs no
+// recursion.
 #include <cstdint>
 #include <memory>
 #include <string>

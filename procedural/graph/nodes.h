@@ -1,6 +1,7 @@
 #pragma once
 // The functions behind the nodes of graph_table.h, one per node, by family: each fills its output
-// channels from its inputs, its point and the samples' footprints. docs/nodes.md defines them.
+// channels from its inputs, its point and the samples' footprints. docs/reference/nodes.md defines
+// them.
 #include "procedural/graph/batch.h"
 
 namespace burl::nodes {

@@ -1,6 +1,7 @@
 #pragma once
 // The nodes a texture graph can have: names, inputs, parameters with their ranges, meaning and
-// source. Parsing, checking, `burl list nodes`, --set and docs/nodes.md follow this one table.
+// source. Parsing, checking, `burl list nodes`, --set and docs/reference/nodes.md follow this one
+// table.
 #include <array>
 #include <span>
 #include <string_view>

@@ -1,7 +1,8 @@
 #pragma once
 // A texture graph at points, without gradients and with noise in float32: what bakes and pictures
 // in precision float32 take where no filter wants footprints. Everything else is float64, so that
-// what jumps (docs/nodes.md) jumps where the float64 evaluation has it, up to the noise's error.
+// what jumps (docs/reference/nodes.md) jumps where the float64 evaluation has it, up to the noise's
+// error.
 #include "procedural/graph/value_program.h"
 
 namespace burl {

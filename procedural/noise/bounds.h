@@ -1,5 +1,5 @@
 #pragma once
-// How large noise can get (docs/noise.md, "Ranges and errors").
+// How large noise can get (docs/reference/noise.md, "Ranges and errors").
 #include <algorithm>
 #include <cmath>
 

@@ -1,8 +1,8 @@
 // Sine, angle and power as range reductions and polynomials in additions, multiplications, one
 // division or square root, all of which IEEE 754 rounds: the same bits on every instruction set,
 // which no two mathematical libraries share. Coefficients are Taylor's, so any second
-// implementation can write them down (docs/numerics.md). Included once per instruction set (hence
-// the toggled guard), after hwy/foreach_target.h.
+// implementation can write them down (docs/reference/numerics.md). Included once per instruction
+// set (hence the toggled guard), after hwy/foreach_target.h.
 #if defined(BURL_ELEMENTARY_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef BURL_ELEMENTARY_INL_H
 #undef BURL_ELEMENTARY_INL_H

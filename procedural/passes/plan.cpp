@@ -10,7 +10,7 @@ namespace {
 
 using enum PassImage;
 
-/// The passes of octaves, one after the other; count them in docs/opengl.md.
+/// The passes of octaves, one after the other; count them in docs/reference/opengl.md.
 class Planner {
   public:
     explicit Planner(MultipassPlan& plan)

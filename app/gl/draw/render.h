@@ -1,6 +1,6 @@
 #pragma once
-// Draws a scene with OpenGL to an 8-bit picture (docs/rendering.md): what a viewer would show of a
-// baked file, under one defined light and with the texture filter asked for.
+// Draws a scene with OpenGL to an 8-bit picture (docs/reference/rendering.md): what a viewer would
+// show of a baked file, under one defined light and with the texture filter asked for.
 #include <optional>
 
 #include "app/gl/device/context.h"

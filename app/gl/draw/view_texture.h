@@ -22,7 +22,7 @@ struct ViewWork {
 };
 
 /// Texels are made in cells of so many a side. Cells of one take no longer than larger ones with
-/// more texels in them (docs/benchmarks.md).
+/// more texels in them (docs/lab/benchmarks.md).
 inline constexpr std::uint32_t view_cell = 1;
 
 /// The recipe's atlas, and how its texture's levels come about.

@@ -16,7 +16,7 @@ std::unique_ptr<TextureSynthesizer> make_gl_synthesizer(std::unique_ptr<GlContex
 /// recipe that it cannot make, and as create_gl_context. `automatic` is OpenGL where a graphics
 /// processor is behind it, the recipes can be made, and the first of them is made faster there
 /// (measure_synthesis; its draws are in the report, too), and else the host: software OpenGL has
-/// the same processors as the host and is not asked (docs/opengl.md).
+/// the same processors as the host and is not asked (docs/reference/opengl.md).
 enum class SynthesisChoice { host, gl, automatic };
 std::unique_ptr<TextureSynthesizer> choose_synthesizer(SynthesisChoice choice,
                                                        const std::string& platform,
