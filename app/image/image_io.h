@@ -14,7 +14,7 @@ namespace burl {
 
 /// zlib level of encode_png. Level 1 goes with one row filter (Paeth) and run-length matching: on
 /// solid textures several times faster than zlib's default 6 for 3 % more bytes
-/// (docs/reference/export.md).
+/// (docs/lab/export.md).
 inline constexpr int default_png_level = 1;
 
 /// Any PNG as 8-bit RGB: grey and palette are expanded, 16 bits are rounded to 8, alpha is dropped,

@@ -20,7 +20,7 @@ namespace burl {
 
 namespace {
 
-/// How unlike partners and strip members may be; measured in docs/reference/atlases.md.
+/// How unlike partners and strip members may be; measured in docs/lab/atlases.md.
 struct Likeness {
     double pair_ratio = 2.0, strip_ratio = 3.0;
 };

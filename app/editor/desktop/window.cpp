@@ -74,7 +74,7 @@ class DesktopContext final : public GlContext {
     GLFWwindow* window_;
 };
 
-/// Names of keys that are no letters and digits; docs/guide/editor.md lists them.
+/// Names of keys that are no letters and digits; docs/reference/editor.md lists them.
 constexpr std::array<std::pair<int, const char*>, 35> named_keys{{
     {GLFW_KEY_TAB, "Tab"},
     {GLFW_KEY_LEFT, "Left"},
