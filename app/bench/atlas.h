@@ -28,7 +28,7 @@ struct AtlasBench {
     std::uint32_t size = 0;  ///< side N of the texture in texels
     std::vector<StageBench> stages;
     double coverage = 0.0;
-    double psnr = 0.0;         ///< PSNR of lookups at level 0 in dB (docs/metrics.md)
+    double psnr = 0.0;         ///< PSNR of lookups at level 0 in dB (docs/reference/metrics.md)
     std::vector<double> rmse;  ///< RMS error of lookups at levels 1 to 3; [l-1] is level l
 
     /// The stage of that name, which must be one that every kind has.

@@ -15,7 +15,7 @@ struct LevelBench {
     std::uint32_t level = 0;
     std::string rule;      ///< name of the rule, for level_rule_named()
     double samples = 0.0;  ///< texels synthesised, as a multiple of those of level 0
-    /// RMS error of lookups against the mean over the surface (docs/metrics.md).
+    /// RMS error of lookups against the mean over the surface (docs/reference/metrics.md).
     double rmse = 0.0;
     double truth_noise = 0.0;  ///< RMS error of the reference, that mean
     double of_average = 1.0;   ///< rmse divided by that of the averaged level

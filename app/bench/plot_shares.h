@@ -1,6 +1,6 @@
 #pragma once
-// The report of `burl bench stability` as bars: how much of the error that docs/numerics.md allows
-// each group of inputs takes at worst.
+// The report of `burl bench stability` as bars: how much of the error that
+// docs/reference/numerics.md allows each group of inputs takes at worst.
 #include <string>
 
 #include "app/base/json_text.h"

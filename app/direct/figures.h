@@ -1,6 +1,6 @@
 #pragma once
 // The papers' figures as Burl draws them. Every part of a picture is a command line of `burl render
-// --direct`, so that readers can draw or change it themselves (docs/figures.md).
+// --direct`, so that readers can draw or change it themselves (docs/guide/figures.md).
 #include <cstddef>
 #include <string>
 #include <vector>

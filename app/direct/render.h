@@ -1,7 +1,7 @@
 #pragma once
 // The ground truth: the texture evaluated in float64 (or the recipe's precision) at the exact
-// surface point of every picture sample, without an atlas or a texture (docs/rendering.md).
-// Pictures of baked textures are compared with it.
+// surface point of every picture sample, without an atlas or a texture
+// (docs/reference/rendering.md). Pictures of baked textures are compared with it.
 #include <functional>
 #include <span>
 

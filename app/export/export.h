@@ -1,6 +1,6 @@
 #pragma once
 // The output of results: a baked image with or without its mesh, in the format of the file name.
-// Formats, samplers and the attributes kept of the input: docs/export.md.
+// Formats, samplers and the attributes kept of the input: docs/reference/export.md.
 #include <optional>
 #include <span>
 #include <string>

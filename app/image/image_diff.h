@@ -1,6 +1,6 @@
 #pragma once
 // The difference of two pictures: figures over sRGB-encoded values in 0..1, and a false-colour
-// picture (docs/rendering.md). `burl diff` prints and writes them.
+// picture (docs/reference/rendering.md). `burl diff` prints and writes them.
 #include <cstdint>
 #include <optional>
 

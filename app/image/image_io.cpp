@@ -161,7 +161,7 @@ void set_method(Writer& w, const Raster& raster, int level) {
     if (!raster.palette.empty()) png_set_filter(w.png, PNG_FILTER_TYPE_BASE, PNG_FILTER_NONE);
     if (level != default_png_level) return;
     // Noise has few long repeats: against libpng's defaults at this level 25 % faster and 20 %
-    // smaller (docs/export.md).
+    // smaller (docs/reference/export.md).
     png_set_filter(w.png, PNG_FILTER_TYPE_BASE, PNG_FILTER_PAETH);
     png_set_compression_strategy(w.png, Z_RLE);
 }

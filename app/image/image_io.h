@@ -13,7 +13,7 @@ namespace burl {
 
 /// The zlib level of encode_png. Level 1 is combined with one row filter (Paeth) and run-length
 /// matching: on solid textures several times faster than zlib's default 6 for 3 % more bytes
-/// (docs/export.md).
+/// (docs/reference/export.md).
 inline constexpr int default_png_level = 1;
 
 /// Reads any PNG as 8-bit RGB: grey and palettes are expanded, 16 bits are rounded to 8, alpha is

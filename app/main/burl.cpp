@@ -1,5 +1,5 @@
 // The program `burl`: the command line with its verbs, errors as one sentence, and exit codes
-// (docs/usage.md).
+// (docs/reference/usage.md).
 #include <fcntl.h>
 #include <poll.h>
 #include <unistd.h>

@@ -2,7 +2,7 @@
 // MIP levels worked out from the recipe instead of from the levels below them: a texel is the mean
 // of a few samples of its own, each filtered over its part of it, so that a level costs the less
 // the smaller it is and needs no finer one. How far each number of samples is from the surface's
-// mean: docs/filtering.md.
+// mean: docs/reference/filtering.md.
 #include <cstdint>
 #include <functional>
 #include <string>

@@ -1,6 +1,6 @@
 #pragma once
 // The recipe's texture over what a picture sample covers: the filters of a bake
-// (docs/filtering.md) with the footprint of a sample in place of a texel's.
+// (docs/reference/filtering.md) with the footprint of a sample in place of a texel's.
 #include <functional>
 
 #include "app/recipe/recipe.h"

@@ -1,7 +1,7 @@
 #pragma once
 // Mesh to pixels in one place, for the command line and for programs that edit a recipe: the
 // stages' results are kept, and a new recipe repeats only what it changes (mesh -> connectivity ->
-// layout -> spans -> field -> colours -> paint -> levels). docs/economy.md has the table.
+// layout -> spans -> field -> colours -> paint -> levels). docs/lab/economy.md has the table.
 #include <map>
 #include <memory>
 #include <optional>

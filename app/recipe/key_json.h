@@ -1,5 +1,6 @@
 #pragma once
-// Conversion of keys over time from and to a recipe's JSON (docs/recipes.md, "Animation").
+// Conversion of keys over time from and to a recipe's JSON (docs/reference/recipes.md,
+// "Animation").
 #include "app/base/json_text.h"
 #include "app/recipe/key_track.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-// Conversion of paint strokes from and to a recipe's JSON (docs/recipes.md, "Paint").
+// Conversion of paint strokes from and to a recipe's JSON (docs/reference/recipes.md, "Paint").
 #include <vector>
 
 #include "app/base/json_text.h"

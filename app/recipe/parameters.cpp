@@ -67,7 +67,7 @@ constexpr std::array table{
     quadric_parameter("texture.input.quadric.J", "constant"),
     Parameter{"texture.input.noise.*.kind", choice, 0, 0, 0, 1, "", "\"value\"",
               "value|perlin|perlin2002|perlin1985|simplex|worley|cell|white",
-              "which noise; docs/noise.md defines them"},
+              "which noise; docs/reference/noise.md defines them"},
     Parameter{"texture.input.noise.*.fade", choice, 0, 0, 0, 1, "", "\"smooth\"",
               "linear|smooth|quintic", "interpolation between lattice points; value noise only"},
     Parameter{"texture.input.noise.*.feature", choice, 0, 0, 0, 1, "", "\"f1\"", "f1|f2|f2-f1",

@@ -1,6 +1,7 @@
 #pragma once
 // The one table of a recipe's parameters. It says which keys the JSON knows, what values they take
-// and what they mean; `burl list parameters`, --set, range checks and docs/recipes.md follow it.
+// and what they mean; `burl list parameters`, --set, range checks and docs/reference/recipes.md
+// follow it.
 #include <span>
 #include <string>
 #include <string_view>

@@ -1,7 +1,7 @@
 #pragma once
 // Everything a user decides about the result, as one comparable value: the command line sets it,
 // presets hold it, tests and benchmarks name it, and undo steps through it. Its JSON is documented
-// key by key in docs/recipes.md.
+// key by key in docs/reference/recipes.md.
 #include <string>
 #include <string_view>
 #include <vector>

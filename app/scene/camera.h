@@ -1,6 +1,6 @@
 #pragma once
 // The orbit camera of both renderers, all in float64, so that an OpenGL picture and a ground-truth
-// picture of one scene agree to the pixel (docs/rendering.md).
+// picture of one scene agree to the pixel (docs/reference/rendering.md).
 #include <algorithm>
 #include <limits>
 #include <string>

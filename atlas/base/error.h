@@ -10,7 +10,7 @@
 
 namespace burl {
 
-/// Exit codes of every program (docs/usage.md lists them).
+/// Exit codes of every program (docs/reference/usage.md lists them).
 enum class ExitCode : int {
     ok = 0,
     usage = 1,         ///< wrong command line

@@ -20,7 +20,7 @@ namespace burl {
 
 namespace {
 
-/// Largest ratios of weights of partners and within a strip; measured in docs/atlases.md.
+/// Largest ratios of weights of partners and within a strip; measured in docs/reference/atlases.md.
 struct Likeness {
     double pair_ratio = 2.0, strip_ratio = 3.0;
 };

@@ -17,7 +17,7 @@ namespace burl {
 namespace {
 
 // Largest number of texels of a pair relative to that of two singles: slivers across a short edge
-// make pairs worse than two singles (measured in docs/atlases.md).
+// make pairs worse than two singles (measured in docs/reference/atlases.md).
 constexpr double good_pair_cost = 1.5;
 constexpr double any_pair_cost = std::numeric_limits<double>::infinity();
 

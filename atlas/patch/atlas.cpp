@@ -1,4 +1,5 @@
-// The steps of the patch atlas, in order, with their files; docs/patch-atlas.md tells why.
+// The steps of the patch atlas, in order, with their files; docs/reference/patch-atlas.md tells
+// why.
 // 1. frame: the mesh is moved into a unit box, so that its scale and place change nothing.
 // 2. candidates: several divisions are judged in parallel, for a large mesh on a coarse copy
 //    (coarse_mesh, edge_collapse). Each division is a partition or follows creases (partition).

@@ -20,7 +20,7 @@ struct Try {
 };
 
 /// The partitions in the order in which `tries` takes them, as {{number of patches, seed of METIS},
-/// limit of D}; docs/patch-atlas.md has the cost of each on eight meshes.
+/// limit of D}; docs/reference/patch-atlas.md has the cost of each on eight meshes.
 constexpr std::array<Try, 6> tries_in_order{
     {{{6, 1}, 1.4}, {{5, 4}, 1.3}, {{6, 2}, 1.3}, {{4, 1}, 1.3}, {{8, 1}, 1.4}, {{4, 2}, 1.5}}};
 /// Angles between normals, in degrees, at which the mesh is divided along its creases.

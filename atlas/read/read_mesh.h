@@ -1,6 +1,6 @@
 #pragma once
 // One function for every mesh format. The readers are Burl's own: the packaged ones round doubles,
-// reorder faces and drop bad lines in silence (docs/meshes.md).
+// reorder faces and drop bad lines in silence (docs/reference/meshes.md).
 #include <string>
 
 #include "atlas/mesh/mesh.h"

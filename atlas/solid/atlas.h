@@ -15,7 +15,8 @@ namespace burl {
 
 /// Kinds of layout: the strips of the paper's sections 4.1 and 4.2 with blocks of equal size
 /// (uniform), weighted by triangle area (area) or by longest edge (length); `quad`, pairs in a
-/// quadtree (docs/atlases.md); `patch`, few patches on rectangles (docs/patch-atlas.md).
+/// quadtree (docs/reference/atlases.md); `patch`, few patches on rectangles
+/// (docs/reference/patch-atlas.md).
 enum class AtlasKind { uniform, area, length, quad, patch };
 /// The texture lookup for which overscan is counted: it must not read texels of an unrelated
 /// triangle.

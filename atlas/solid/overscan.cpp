@@ -1,5 +1,5 @@
 // Overscan counts and texel ownership in integers, after Carr & Hart 2001, section 4.1; the
-// derivations are in docs/atlases.md.
+// derivations are in docs/reference/atlases.md.
 #include "atlas/solid/overscan.h"
 
 #include <algorithm>

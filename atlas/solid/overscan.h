@@ -2,7 +2,7 @@
 // Ownership of a block's texels, and the number of overscan columns that keep a lookup inside one
 // triangle from reading the other (Carr & Hart 2001, section 4.1). The paper's single column is
 // right for nearest lookup and equal integer legs; the general counts are derived in
-// docs/atlases.md. Everything is decided in integers.
+// docs/reference/atlases.md. Everything is decided in integers.
 #include <cstdint>
 
 #include "atlas/solid/atlas.h"

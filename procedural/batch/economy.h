@@ -1,7 +1,7 @@
 #pragma once
 // Work that a texture can do without: every kind has a name, by which tests and measurements forbid
 // leaving it out, and counts of what was done and what was skipped. Skipping changes no byte of a
-// result, except for the band limit, which a recipe asks for (docs/economy.md).
+// result, except for the band limit, which a recipe asks for (docs/lab/economy.md).
 #include <array>
 #include <cstddef>
 #include <cstdint>

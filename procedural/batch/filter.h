@@ -1,6 +1,6 @@
 #pragma once
-// The average over a texel's footprint (Hart et al. 1999, section 3; docs/filtering.md): a plain
-// comparable value, part of the recipe.
+// The average over a texel's footprint (Hart et al. 1999, section 3; docs/reference/filtering.md):
+// a plain comparable value, part of the recipe.
 namespace burl {
 
 enum class FilterKind {

@@ -37,7 +37,7 @@ ForwardCounts forward_octaves(const Quadric& quadric, std::span<const Octave> oc
 
 /// The number of cell crossings per texel, of all octaves together, up to which forward_field is
 /// faster than forward_octaves: its runs are then long enough to pay for polynomials of the whole
-/// function (docs/bresenham.md).
+/// function (docs/reference/bresenham.md).
 inline constexpr double whole_function_crossings = 0.1;
 
 /// The values by the faster of forward_field and forward_octaves for the line's step.

@@ -1,6 +1,6 @@
 #pragma once
 // Texels of an atlas through a graph's evaluator, in batches, each as one sample or several by the
-// filter (docs/nodes.md): the common part of baking colours and baking normals.
+// filter (docs/reference/nodes.md): the common part of baking colours and baking normals.
 #include <utility>
 #include <vector>
 

@@ -1,8 +1,8 @@
 #pragma once
 // Shaders of batches of texels, one class per filter: the colour at the texel's centre, averaged
-// over the texel by the colour map's integral, or from several samples in it (docs/filtering.md).
-// Evaluating f and colouring it are two steps, so that f can be cached from one colour map to the
-// next.
+// over the texel by the colour map's integral, or from several samples in it
+// (docs/reference/filtering.md). Evaluating f and colouring it are two steps, so that f can be
+// cached from one colour map to the next.
 #include <algorithm>
 #include <optional>
 #include <tuple>

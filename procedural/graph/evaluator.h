@@ -30,8 +30,8 @@ class GraphEvaluator {
     using Scratch = std::vector<Channel>;
 
     /// The graph must be valid (graph_from_json makes only valid ones) and not empty. `filter`
-    /// decides how color_map and field average over footprints (docs/nodes.md). `precision`,
-    /// float64 or float32, is that of sums of noise.
+    /// decides how color_map and field average over footprints (docs/reference/nodes.md).
+    /// `precision`, float64 or float32, is that of sums of noise.
     explicit GraphEvaluator(const TextureGraph& graph,
                             const Filter& filter = {FilterKind::trapezoid},
                             PrecisionKind precision = PrecisionKind::float64);

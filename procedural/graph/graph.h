@@ -1,7 +1,7 @@
 #pragma once
-// A texture as a graph of nodes (docs/nodes.md), which the JSON tree of a recipe describes when it
-// is more than a colour map over a field. A plain comparable value: every node comes after those it
-// reads, so that evaluating them one after the other needs no recursion.
+// A texture as a graph of nodes (docs/reference/nodes.md), which the JSON tree of a recipe
+// describes when it is more than a colour map over a field. A plain comparable value: every node
+// comes after those it reads, so that evaluating them one after the other needs no recursion.
 #include <cstdint>
 #include <memory>
 #include <string>

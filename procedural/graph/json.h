@@ -1,7 +1,7 @@
 #pragma once
-// A texture graph as JSON (docs/nodes.md): a tree of nodes, each an object with its name under
-// "node", its inputs and its parameters. A number, or a colour "#rrggbb" or "#rrggbbaa", stands for
-// a constant node.
+// A texture graph as JSON (docs/reference/nodes.md): a tree of nodes, each an object with its name
+// under "node", its inputs and its parameters. A number, or a colour "#rrggbb" or "#rrggbbaa",
+// stands for a constant node.
 #include <functional>
 #include <memory>
 #include <string>

@@ -1,6 +1,6 @@
 #pragma once
 // The functions of the nodes of table.h, one per node, by family: each fills its output channels
-// from its inputs, its point and the samples' footprints. docs/nodes.md defines them.
+// from its inputs, its point and the samples' footprints. docs/reference/nodes.md defines them.
 #include "procedural/graph/batch.h"
 
 namespace burl::nodes {

@@ -40,7 +40,7 @@ constexpr NodeInput any(std::string_view key, std::string_view tip,
 }
 
 constexpr Parameter kind_parameter =
-    one_of("kind", "\"perlin\"", noise_choices, "which noise (docs/noise.md)");
+    one_of("kind", "\"perlin\"", noise_choices, "which noise (docs/reference/noise.md)");
 constexpr Parameter seed_parameter =
     whole("seed", 0, 4294967295.0, "0", "number of the random lattice; octave k uses seed + k");
 constexpr Parameter lacunarity_parameter =
@@ -200,7 +200,8 @@ constexpr std::array node_table{
                      "rings change from a to b, or rise from a to b and fall back")}},
     // Noise
     NodeType{"field", NodeResult::number, nodes::field,
-             "`quadric` plus `noise` terms, as in docs/recipes.md", "Hart et al. 1999, equation 1"},
+             "`quadric` plus `noise` terms, as in docs/reference/recipes.md",
+             "Hart et al. 1999, equation 1"},
     NodeType{"fbm",
              NodeResult::number,
              nodes::fbm,

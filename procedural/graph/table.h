@@ -1,7 +1,7 @@
 #pragma once
 // The table of the nodes that a texture graph can have: names, inputs, parameters with their
-// ranges, meaning and source. Parsing, checking, `burl list nodes`, --set and docs/nodes.md follow
-// it.
+// ranges, meaning and source. Parsing, checking, `burl list nodes`, --set and
+// docs/reference/nodes.md follow it.
 #include <array>
 #include <span>
 #include <string_view>

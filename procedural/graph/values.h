@@ -1,8 +1,8 @@
 #pragma once
 // The values of a texture graph at points, without gradients and with noise in float32: bakes and
 // pictures in precision float32 use them where the filter needs no footprints. Everything else is
-// float64, so that jumps (docs/nodes.md) lie where the float64 evaluation has them, up to the
-// noise's error.
+// float64, so that jumps (docs/reference/nodes.md) lie where the float64 evaluation has them, up to
+// the noise's error.
 #include "procedural/graph/value_program.h"
 
 namespace burl {

@@ -1,6 +1,6 @@
 #pragma once
 // The texture as JSON: a tree of nodes, here a color_map over a field (f = quadric + noise).
-// docs/recipes.md lists the keys.
+// docs/reference/recipes.md lists the keys.
 #include <nlohmann/json_fwd.hpp>
 
 #include "procedural/model/texture.h"

@@ -1,5 +1,5 @@
 #pragma once
-// Ranges of the kinds of noise (docs/noise.md, "Ranges and errors").
+// Ranges of the kinds of noise (docs/reference/noise.md, "Ranges and errors").
 #include <algorithm>
 #include <cmath>
 

@@ -1,6 +1,6 @@
 #pragma once
 // The choice of a noise: a plain comparable value that recipes, the command line and tests share.
-// docs/noise.md defines every kind.
+// docs/reference/noise.md defines every kind.
 #include <array>
 #include <cstddef>
 #include <cstdint>

@@ -1,8 +1,8 @@
 // Sine, angle, logarithm and powers of vectors of doubles as range reductions and polynomials in
 // additions, multiplications, one division or square root, all of which IEEE 754 rounds: the same
 // bits on every instruction set, which mathematical libraries do not give. Coefficients are
-// Taylor's, so any second implementation can write them down (docs/numerics.md). The file is
-// included once per instruction set (hence the toggled guard), after hwy/foreach_target.h.
+// Taylor's, so any second implementation can write them down (docs/reference/numerics.md). The file
+// is included once per instruction set (hence the toggled guard), after hwy/foreach_target.h.
 #if defined(BURL_ELEMENTARY_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef BURL_ELEMENTARY_INL_H
 #undef BURL_ELEMENTARY_INL_H

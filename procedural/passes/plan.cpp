@@ -10,7 +10,7 @@ namespace {
 
 using enum PassImage;
 
-/// The passes of octaves, one after the other; docs/opengl.md counts them.
+/// The passes of octaves, one after the other; docs/reference/opengl.md counts them.
 class Planner {
   public:
     explicit Planner(MultipassPlan& plan)

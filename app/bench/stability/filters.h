@@ -1,6 +1,7 @@
 #pragma once
-// The errors of filtered colours against the definition of the closed forms (docs/filtering.md):
-// the map's mean over the box or trapezoid given by f and its slopes, computed in long double.
+// The errors of filtered colours against the definition of the closed forms
+// (docs/reference/filtering.md): the map's mean over the box or trapezoid given by f and its
+// slopes, computed in long double.
 #include "app/bench/stability/stability.h"
 #include "procedural/batch/filter.h"
 #include "procedural/batch/precision.h"

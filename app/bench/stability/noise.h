@@ -1,6 +1,6 @@
 #pragma once
-// A second implementation of noise and its gradient, directly from docs/noise.md and in long
-// double: the reference where float64 itself is in doubt.
+// A second implementation of noise and its gradient, directly from docs/reference/noise.md and in
+// long double: the reference where float64 itself is in doubt.
 #include <array>
 
 #include "procedural/noise/spec.h"

@@ -1,7 +1,7 @@
 #pragma once
 // The suite `burl bench stability`: the errors of every way to fill a texture against its
 // definition, for inputs where rounding errors are largest, as a share of the bounds of
-// docs/numerics.md, with the worst input and the command that reproduces it.
+// docs/reference/numerics.md, with the worst input and the command that reproduces it.
 #include <algorithm>
 #include <cmath>
 #include <string>

@@ -1,7 +1,7 @@
 #pragma once
 // The reference for bakes where float64 itself is in doubt: a second implementation of the 1999
-// model's field, directly from docs/noise.md and in long double, and the error bounds of
-// docs/numerics.md.
+// model's field, directly from docs/reference/noise.md and in long double, and the error bounds of
+// docs/reference/numerics.md.
 #include <vector>
 
 #include "app/bench/stability/noise.h"

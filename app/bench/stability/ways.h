@@ -30,7 +30,7 @@ bool can_fill(const StabilityWay& way, const Texture& texture);
 /// Returns f of every texel that a span owns, span by span.
 std::vector<double> fill_texels(const StabilityCase& one, const StabilityWay& way, int threads);
 
-/// Returns the bound on |f - f64| in a span of these magnitudes (docs/numerics.md).
+/// Returns the bound on |f - f64| in a span of these magnitudes (docs/reference/numerics.md).
 double allowed_error(const StabilityWay& way, const StabilityTruth& truth, const SpanSizes& sizes,
                      double f);
 

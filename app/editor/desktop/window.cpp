@@ -74,7 +74,7 @@ class DesktopContext final : public GlContext {
     GLFWwindow* window_;
 };
 
-/// GLFW's keys besides letters and digits, by their names in docs/editor.md.
+/// GLFW's keys besides letters and digits, by their names in docs/guide/editor.md.
 constexpr std::array<std::pair<int, const char*>, 35> named_keys{{
     {GLFW_KEY_TAB, "Tab"},
     {GLFW_KEY_LEFT, "Left"},

@@ -1,6 +1,6 @@
 #pragma once
-// Drawing a scene with OpenGL to an 8-bit picture (docs/rendering.md): the picture that a viewer
-// would show of a baked file, under one defined light and with a given texture filter.
+// Drawing a scene with OpenGL to an 8-bit picture (docs/reference/rendering.md): the picture that a
+// viewer would show of a baked file, under one defined light and with a given texture filter.
 #include <optional>
 
 #include "app/gl/device/context.h"

@@ -21,7 +21,7 @@ struct ViewWork {
 };
 
 /// The side in texels of the cells that texels are synthesised in. Cells of one texel take no
-/// longer than larger ones with more texels in them (docs/benchmarks.md).
+/// longer than larger ones with more texels in them (docs/lab/benchmarks.md).
 inline constexpr std::uint32_t view_cell = 1;
 
 /// The recipe's atlas, and the rule by which its texture's levels are computed.

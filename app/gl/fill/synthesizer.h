@@ -16,7 +16,7 @@ std::unique_ptr<TextureSynthesizer> make_gl_synthesizer(std::unique_ptr<GlContex
 /// The value of `--synth`. `gl` is OpenGL. `automatic` is OpenGL where it runs on a graphics
 /// processor, can make all recipes, and makes the first of them faster than the host
 /// (measure_synthesis, whose draws count in the report); otherwise it is the host. Software OpenGL
-/// runs on the same processors as the host and is never chosen (docs/opengl.md).
+/// runs on the same processors as the host and is never chosen (docs/reference/opengl.md).
 enum class SynthesisChoice { host, gl, automatic };
 /// The synthesizer for these recipes; null means the host. Throws Error for `gl`: unsupported for a
 /// recipe that OpenGL cannot make, and as create_gl_context does; for `automatic` only

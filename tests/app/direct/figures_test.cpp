@@ -23,7 +23,7 @@ using test::Scratch;
 using test::slurp;
 
 std::string page() {
-    return slurp(test::fs::path(test::source_folder()) / "docs" / "figures.md");
+    return slurp(test::fs::path(test::source_folder()) / "docs" / "guide" / "figures.md");
 }
 
 double mean_green(const Image<Rgb8>& image, std::size_t x0, std::size_t y0, std::size_t x1,
@@ -67,7 +67,7 @@ TEST(Figures, AreSmallAndInTheRepository) {
 TEST(Figures, PageShowsEachWithItsCommands) {
     const std::string text = page();
     for (const Figure& figure : figures()) {
-        EXPECT_NE(text.find(fmt::format("](figures/{}.png)", figure.name)), std::string::npos)
+        EXPECT_NE(text.find(fmt::format("](../figures/{}.png)", figure.name)), std::string::npos)
             << figure.name;
         // The first part's command; of many alike the page need not show more.
         const std::string command = figure.has_commands()

@@ -85,7 +85,8 @@ TEST(Animation, LaysTheMeshOutOnce) {
 }
 
 TEST(Animation, LoopsWithPeriodicNoise) {
-    // As docs/usage.md says: period 2, three octaves, so the phase must move by 2 * 2^2 cells.
+    // As docs/reference/usage.md says: period 2, three octaves, so the phase must move by 2 * 2^2
+    // cells.
     const std::vector<std::string> periodic{"texture.input.noise.0.period=[2,2,2]",
                                             "texture.input.noise.0.octaves=3"};
     const auto field = [&](int cells, const Vec3d& s) {

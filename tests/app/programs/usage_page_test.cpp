@@ -1,4 +1,5 @@
-// docs/usage.md tells every option that a verb's --help tells, and its tables tell no other.
+// docs/reference/usage.md tells every option that a verb's --help tells, and its tables tell no
+// other.
 #include <regex>
 #include <set>
 
@@ -23,7 +24,7 @@ OptionNames options_in(const std::string& text) {
 
 /// The page from the verb's heading to the next heading.
 std::string section_of(const std::string& verb) {
-    const std::string page = slurp(source_folder() + "/docs/usage.md");
+    const std::string page = slurp(source_folder() + "/docs/reference/usage.md");
     const std::size_t begin = page.find("\n### `burl " + verb + " ");
     EXPECT_NE(begin, std::string::npos) << verb;
     const std::size_t end = std::min(page.find("\n### ", begin + 1), page.find("\n## ", begin + 1));

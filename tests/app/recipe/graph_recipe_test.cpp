@@ -257,7 +257,7 @@ TEST(GraphRecipe, SettingsReachIntoTheTree) {
 
 /// Rows of a section's table as sets of cells.
 std::set<std::vector<std::string>> table_rows(const std::string& heading) {
-    std::ifstream file(test::source_folder() + "/docs/nodes.md");
+    std::ifstream file(test::source_folder() + "/docs/reference/nodes.md");
     std::stringstream text;
     text << file.rdbuf();
     const std::string all = text.str();

@@ -19,7 +19,7 @@ namespace burl {
 namespace {
 
 std::string documentation() {
-    std::ifstream file(test::source_folder() + "/docs/recipes.md");
+    std::ifstream file(test::source_folder() + "/docs/reference/recipes.md");
     std::stringstream text;
     text << file.rdbuf();
     return text.str();
@@ -131,7 +131,7 @@ TEST(DocumentedRecipes, BeginWithAnAtlasForAnyViewer) {
     const std::string all = documentation(), fence = "```";
     const std::size_t begin = all.find('\n', all.find(fence + "json")) + 1;
     const std::string first = all.substr(begin, all.find(fence, begin) - begin);
-    const Recipe recipe = parse_recipe(first, "docs/recipes.md");
+    const Recipe recipe = parse_recipe(first, "docs/reference/recipes.md");
     EXPECT_EQ(recipe.name, "my marble");
     EXPECT_EQ(recipe.atlas, AtlasOptions{});
 }

@@ -1,5 +1,5 @@
 // What a large mesh's patch atlas and its texels' points hold, in bytes by count: bakes of a
-// million triangles stay within their bound (docs/economy.md) as long as these do.
+// million triangles stay within their bound (docs/lab/economy.md) as long as these do.
 #include <gtest/gtest.h>
 
 #include <tbb/global_control.h>

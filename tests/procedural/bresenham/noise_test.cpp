@@ -79,7 +79,7 @@ double error_in_one_cell(Fade fade, ForwardPrecision precision, std::size_t texe
 }
 
 TEST(ForwardNoise, ErrsWithTheLengthOfARunAsStated) {
-    // docs/bresenham.md; 0: not stated, the differences no longer hold it.
+    // docs/reference/bresenham.md; 0: not stated, the differences no longer hold it.
     constexpr std::size_t lengths[] = {16, 64, 256, 1024, 4096};
     struct Stated {
         Fade fade;

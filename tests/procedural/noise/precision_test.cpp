@@ -1,4 +1,5 @@
-// What docs/noise.md states of every noise: float32's errors, range, mean and variance, periods.
+// What docs/reference/noise.md states of every noise: float32's errors, range, mean and variance,
+// periods.
 #include <algorithm>
 #include <numeric>
 
@@ -92,7 +93,8 @@ Statistics statistics(const NoiseSpec& noise, int count) {
     return s;
 }
 
-/// What docs/noise.md's table says for three dimensions: bounds that hold, and mean and variance.
+/// What docs/reference/noise.md's table says for three dimensions: bounds that hold, and mean and
+/// variance.
 struct StatedStatistics {
     const char* name;
     double low, high, mean, variance;

@@ -114,8 +114,8 @@ int nearest_repeat(std::uint32_t later, int reach) {
 }
 
 TEST(LatticeHash, RepeatsOnlyAsFarAwayAsStated) {
-    // docs/numerics.md states these: the hash depends on a linear sum, so it repeats along a
-    // vector.
+    // docs/reference/numerics.md states these: the hash depends on a linear sum, so it repeats
+    // along a vector.
     EXPECT_EQ(nearest_repeat<2>(0, 30000), 26149);
     EXPECT_EQ(nearest_repeat<3>(0, 1200), 1146);
     EXPECT_EQ(nearest_repeat<4>(0, 170), 165);

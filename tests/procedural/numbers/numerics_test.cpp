@@ -1,5 +1,5 @@
-// The tables of docs/numerics.md, which a second implementation is written against: every row is
-// read from the page and compared, in float64 and within the stated errors in float32.
+// The tables of docs/reference/numerics.md, which a second implementation is written against: every
+// row is read from the page and compared, in float64 and within the stated errors in float32.
 #include <fstream>
 #include <sstream>
 
@@ -32,7 +32,7 @@ std::string trimmed(const std::string& text) {
 
 /// The rows of the tables whose first two columns have these names.
 std::vector<Row> table(const std::string& first, const std::string& second) {
-    std::ifstream page(test::source_folder() + "/docs/numerics.md");
+    std::ifstream page(test::source_folder() + "/docs/reference/numerics.md");
     EXPECT_TRUE(page);
     std::vector<Row> rows;
     bool inside = false;

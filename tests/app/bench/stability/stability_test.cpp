@@ -78,7 +78,7 @@ Texture noise_of(const NoiseTerm& term) {
 }
 
 TEST(StabilityTruth, IsThatOfTheTestValues) {
-    // docs/numerics.md.
+    // docs/reference/numerics.md.
     NoiseTerm term;
     term.range = NoiseRange::bipolar, term.seed = 7;
     EXPECT_NEAR(double(StabilityTruth(noise_of(term), {}).field({-3.7L, 12.1L, 0.9L})),
