@@ -42,7 +42,6 @@ constexpr std::array suites{
     Suite{"noise", "--repeats --json --simd", "samples, in batches of 1,024", batch_capacity,
           10'000'000, "65,536"},
     Suite{"open", "--json --simd", "faces", 12, 10'000'000, "1,000,000"},
-    Suite{"plot", ""},
     Suite{"precision", "--repeats --json --simd", "texels a side", 8, 4096, "512"},
     Suite{"resynthesis", "--repeats --json --simd --recipe", "texels a side", 8, 4096, "1,024"},
     Suite{"stability", "--json --simd --thorough --case"},
@@ -80,17 +79,12 @@ void check_size(const Suite& suite, std::size_t size) {
 }
 
 void check_files(const BenchCommand& command) {
-    if (command.suite == "plot" && (command.file.empty() || command.out.empty()))
-        throw Error(ExitCode::usage,
-                    "bench plot wants a report and an output: burl bench plot F.json -o F.svg");
     const bool takes_mesh =
         command.suite == "synthesis" || command.suite == "resynthesis" || command.suite == "levels";
-    if (command.suite != "plot" && !takes_mesh && !command.file.empty())
-        throw Error(
-            ExitCode::usage,
-            fmt::format("bench {}: only plot, synthesis, resynthesis and levels take a file, "
-                        "{}",
-                        command.suite, command.file));
+    if (!takes_mesh && !command.file.empty())
+        throw Error(ExitCode::usage,
+                    fmt::format("bench {}: only synthesis, resynthesis and levels take a file, {}",
+                                command.suite, command.file));
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ void check_bench(const BenchCommand& command, const std::vector<std::string>& gi
 /// Returns the help for --size: unit, bounds and default of each suite.
 std::string bench_size_help();
 
-/// Returns the names of the suites and `plot`, sorted.
+/// Returns the names of the suites, sorted.
 std::vector<std::string> bench_suite_names();
 
 }  // namespace burl

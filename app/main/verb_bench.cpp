@@ -6,8 +6,6 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include "app/base/atomic_file.h"
-#include "app/base/file_bytes.h"
 #include "app/base/messages.h"
 #include "app/base/simd_limit.h"
 #include "app/bench/atlas.h"
@@ -22,12 +20,10 @@
 #include "app/bench/levels.h"
 #include "app/bench/noise.h"
 #include "app/bench/options.h"
-#include "app/bench/plot.h"
 #include "app/bench/precision.h"
 #include "app/bench/resynthesis.h"
 #include "app/bench/synthesis.h"
 #include "app/export/command_files.h"
-#include "app/export/export.h"
 #include "app/gl/device/context.h"
 #include "app/main/verbs.h"
 #include "app/measure/report.h"
@@ -169,13 +165,6 @@ void run_levels_bench(const BenchCommand& command) {
                    row.truth_noise, row.time.median * 1e3, row.time.times_first);
 }
 
-void run_plot(const BenchCommand& command) {
-    check_side_output(command.out, ".svg", {&command.file, 1});
-    const std::vector<std::uint8_t> bytes = read_file_bytes(command.file);
-    const Json report = parse_json_text(std::string(bytes.begin(), bytes.end()), command.file);
-    write_file(command.out, bench_plot(report, command.file));
-}
-
 Json precision_json(const PrecisionBench& row) {
     Json json = result_json({row.time, BenchError{row.max_error, row.rms_error}});
     json["psnr"] = std::isfinite(row.psnr) ? Json(row.psnr) : Json();
@@ -299,7 +288,6 @@ void check_bench_output(const BenchCommand& command) {
 }
 
 void run_bench(const BenchCommand& command) {
-    if (command.suite == "plot") return run_plot(command);
     if (!command.out.empty()) check_bench_output(command);
     if (command.suite == "atlas") return run_atlas_bench(command);
     if (command.suite == "editor") return run_editor_bench(command);
@@ -339,14 +327,10 @@ void add_bench(CLI::App& program) {
     verb->add_option(
             "suite", command->suite,
             "mesh_io, atlas, synthesis, resynthesis, levels, economy, filter, noise, forward, "
-            "gl, kernels, open, precision, stability or editor; or plot, which draws a report: "
-            "burl bench plot "
-            "F.json -o F.svg")
+            "gl, kernels, open, precision, stability or editor")
         ->required()
         ->check(one_of(bench_suite_names()));
-    verb->add_option(
-        "file", command->file,
-        "plot: the report, as -o wrote it; synthesis, resynthesis and levels: a mesh to texture");
+    verb->add_option("file", command->file, "synthesis, resynthesis, levels: a mesh to texture");
     verb->add_option("--size", command->size, bench_size_help());
     verb->add_option("--repeats", command->repeats, "Counted rounds")
         ->check(CLI::Range(1, 1000))
@@ -371,8 +355,7 @@ void add_bench(CLI::App& program) {
                      "stability: one case, as the suite names its worst (\"coordinates/117\"): its "
                      "recipe, its texels and every kernel's error");
     verb->add_flag("--json", command->json, "Print JSON on stdout");
-    verb->add_option("-o,--output", command->out,
-                     "Also write the JSON to this file; plot: the .svg");
+    verb->add_option("-o,--output", command->out, "Also write the JSON to this file");
     verb->callback([command, verb] {
         std::vector<std::string> given;
         for (const char* option : {"-o", "--size", "--repeats", "--large", "--recipe", "--simd",

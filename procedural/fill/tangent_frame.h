@@ -58,12 +58,4 @@ Rgb<Code> encode_normal(const Vec3d& n) {
     return {code(n.x), code(n.y), code(n.z)};
 }
 
-/// The normal that viewers read: 2 code / largest - 1 for every component, normalised.
-template <class Code>
-Vec3d decode_normal(const Rgb<Code>& codes) {
-    const double largest = double(std::numeric_limits<Code>::max());
-    const Vec3d v = 2.0 / largest * Vec3d(codes.r, codes.g, codes.b) - 1.0;
-    return glm::normalize(v);
-}
-
 }  // namespace burl

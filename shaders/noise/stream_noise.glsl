@@ -46,21 +46,6 @@ uint cell_hash(uvec3 cell, uint seed) {
     return cell.x * prime_x + seed + cell.y * prime_y + cell.z * prime_z;
 }
 
-// A site as value and Perlin noise need it: the cell's hash without a seed, and the place.
-struct HashSite {
-    uint hash;
-    uvec3 place;
-};
-
-HashSite hash_site(StreamSite site) {
-    return HashSite(cell_hash(site.cell, 0u), site.place);
-}
-HashSite doubled(HashSite site, int doublings) {
-    if (doublings == 0) return site;
-    return HashSite((site.hash << doublings) + cell_hash(site.place >> (32 - doublings), 0u),
-                    site.place << doublings);
-}
-
 uvec4 plane_hashes(uint h) {
     uint above = h + prime_y;
     return uvec4(mix_bits(h), mix_bits(h + prime_x), mix_bits(above), mix_bits(above + prime_x));
@@ -76,27 +61,18 @@ float value_plane(uint h, vec3 fade) {
 }
 
 // Value noise; `seed` is the octave's seed times prime_seed.
-float stream_value(HashSite site, uint seed, vec3 fade) {
-    uint h = site.hash + seed;
+float stream_value(StreamSite site, uint seed, vec3 fade) {
+    uint h = cell_hash(site.cell, seed);
     return twice_lerp(fade.z, value_plane(h, fade), value_plane(h + prime_z, fade));
 }
-float stream_value_linear(HashSite site, uint seed) {
+float stream_value_linear(StreamSite site, uint seed) {
     return stream_value(site, seed, stream_fade_linear(centred_places(site.place)));
 }
-float stream_value_smooth(HashSite site, uint seed) {
+float stream_value_smooth(StreamSite site, uint seed) {
     return stream_value(site, seed, stream_fade_smooth(centred_places(site.place)));
 }
-float stream_value_quintic(HashSite site, uint seed) {
-    return stream_value(site, seed, stream_fade_quintic(centred_places(site.place)));
-}
-float stream_value_linear(StreamSite site, uint seed) {
-    return stream_value_linear(hash_site(site), seed);
-}
-float stream_value_smooth(StreamSite site, uint seed) {
-    return stream_value_smooth(hash_site(site), seed);
-}
 float stream_value_quintic(StreamSite site, uint seed) {
-    return stream_value_quintic(hash_site(site), seed);
+    return stream_value(site, seed, stream_fade_quintic(centred_places(site.place)));
 }
 
 // ---- Perlin noise ----
@@ -123,14 +99,11 @@ float perlin_plane(uint h, vec3 t, float z, vec3 fade) {
 }
 
 // Perlin noise; `seed` is the octave's seed times prime_seed.
-float stream_perlin(HashSite site, uint seed) {
+float stream_perlin(StreamSite site, uint seed) {
     vec3 s = centred_places(site.place), fade = stream_fade_quintic(s), t = twice_places(s);
-    uint h = site.hash + seed;
+    uint h = cell_hash(site.cell, seed);
     return twice_lerp(fade.z, perlin_plane(h, t, t.z + 1.0, fade),
                       perlin_plane(h + prime_z, t, t.z - 1.0, fade));
-}
-float stream_perlin(StreamSite site, uint seed) {
-    return stream_perlin(hash_site(site), seed);
 }
 
 // ---- Simplex noise ----

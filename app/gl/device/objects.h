@@ -84,9 +84,6 @@ class GlProgram {
     void set(const char* name, const glm::uvec3& v) const {
         gl_->Uniform3ui(uniform(name), v.x, v.y, v.z);
     }
-    void set(const char* name, const glm::uvec4& v) const {
-        gl_->Uniform4ui(uniform(name), v.x, v.y, v.z, v.w);
-    }
     void set(const char* name, float value) const { gl_->Uniform1f(uniform(name), value); }
     void set(const char* name, const glm::vec2& v) const {
         gl_->Uniform2f(uniform(name), v.x, v.y);

@@ -81,30 +81,18 @@ void bind_texture(const GladGLContext& gl, int unit, const GlTexture& texture) {
     gl.BindTexture(GL_TEXTURE_2D, texture.get());
 }
 
-GlBufferTexture::GlBufferTexture(const GladGLContext& gl, GLenum internal, std::size_t count)
+GlBufferTexture::GlBufferTexture(const GladGLContext& gl, GLenum internal,
+                                 std::span<const std::byte> texels)
     : gl_(&gl), buffer_(make_buffer(gl)), texture_(make_texture(gl)) {
     const GlFormat& format = format_of(internal);
+    const std::size_t count = texels.size() / texel_bytes(format);
     const std::string what = fmt::format("a {} array of {} texels", format.name, count);
     check_limit(gl, GL_MAX_TEXTURE_BUFFER_SIZE, count, what);
     gl.BindBuffer(GL_TEXTURE_BUFFER, buffer_.get());
-    gl.BufferData(GL_TEXTURE_BUFFER, GLsizeiptr(count * texel_bytes(format)), nullptr,
-                  GL_STATIC_DRAW);
+    gl.BufferData(GL_TEXTURE_BUFFER, GLsizeiptr(texels.size()), texels.data(), GL_STATIC_DRAW);
     gl.BindTexture(GL_TEXTURE_BUFFER, texture_.get());
     gl.TexBuffer(GL_TEXTURE_BUFFER, internal, buffer_.get());
     check_gl(gl, "making " + what);
-}
-
-GlBufferTexture::GlBufferTexture(const GladGLContext& gl, GLenum internal,
-                                 std::span<const std::byte> texels)
-    : GlBufferTexture(gl, internal, texels.size() / texel_bytes(format_of(internal))) {
-    set(0, texels);
-}
-
-void GlBufferTexture::set(std::size_t offset, std::span<const std::byte> texels) {
-    gl_->BindBuffer(GL_TEXTURE_BUFFER, buffer_.get());
-    gl_->BufferSubData(GL_TEXTURE_BUFFER, GLintptr(offset), GLsizeiptr(texels.size()),
-                       texels.data());
-    check_gl(*gl_, "setting an array");
 }
 
 void GlBufferTexture::bind(int unit) const {

@@ -52,10 +52,6 @@ class GlBufferTexture {
     template <class T>
     GlBufferTexture(const GladGLContext& gl, GLenum internal, std::span<const T> texels)
         : GlBufferTexture(gl, internal, std::as_bytes(texels)) {}
-    /// Creates an array of `count` texels that are undefined until they are set.
-    GlBufferTexture(const GladGLContext& gl, GLenum internal, std::size_t count);
-    /// Sets texels from byte `offset` on.
-    void set(std::size_t offset, std::span<const std::byte> texels);
     /// Binds the array as the buffer texture of a unit (0, 1, ...).
     void bind(int unit) const;
 

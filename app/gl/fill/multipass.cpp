@@ -216,18 +216,4 @@ void GlMultipass::run(std::span<const GlLatticeMap* const> maps, std::span<const
     check_gl(*gl_, "drawing the passes of noise");
 }
 
-/// Draws 1 + 3/2^12, which lies between the half floats 1 and 1 + 4/2^12 and is nearer to the
-/// latter.
-HalfRounding half_rounding(const GladGLContext& gl) {
-    const GlTarget target(gl, {1, 1}, {GL_RGBA16F});
-    const GlProgram program = make_full_screen_program(
-        gl, "a test of rounding",
-        ShaderSource().add("rounding",
-                           "out vec4 color;\nvoid main() { color = vec4(1.000732421875); }\n"));
-    program.use();
-    target.bind();
-    GlFullScreen(gl).draw();
-    return target.read<float>()[0] == 1.0f ? HalfRounding::toward_zero : HalfRounding::nearest_even;
-}
-
 }  // namespace burl

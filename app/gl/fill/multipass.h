@@ -7,7 +7,6 @@
 
 #include "app/gl/device/source.h"
 #include "app/gl/fill/lattice_map.h"
-#include "procedural/numbers/half_float.h"
 #include "procedural/passes/plan.h"
 
 namespace burl {
@@ -50,8 +49,5 @@ class GlMultipass {
     std::map<bool, GlTarget> spares_;
     std::vector<GlTexture> tables_;
 };
-
-/// The rounding of this OpenGL where it draws into half floats.
-HalfRounding half_rounding(const GladGLContext& gl);
 
 }  // namespace burl

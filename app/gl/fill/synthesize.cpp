@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "app/base/stopwatch.h"
-#include "app/gl/device/facts.h"
 #include "app/gl/device/source.h"
 
 namespace burl {
@@ -43,13 +42,9 @@ GlSynthesis::GlSynthesis(GlContext& context, const GlSynthesisLimits& limits)
       timer_(*gl_),
       maps_(*gl_, limits.map_budget),
       colors_(*gl_),
-      reals_(*gl_, float64_) {
-    // Graphics processors draw maps, so that float64 costs little there.
-    if (float64_ && is_software(*gl_)) fixed_.emplace(*gl_, limits.tile, limits.map_budget);
-}
+      reals_(*gl_, float64_) {}
 
 void GlSynthesis::forget_atlas() {
-    if (fixed_) fixed_->forget_atlas();
     maps_.forget_atlas();
     if (filter_) filter_->forget_atlas();
 }
@@ -209,11 +204,6 @@ void GlSynthesis::synthesize(const SolidAtlas& solid, const Texture& texture,
     work_ = {};
     if (image.width() != solid.size || image.height() != solid.size)
         image = Image<Pixel>::unset(solid.size, solid.size);
-    if constexpr (std::is_same_v<Pixel, Rgb8>)
-        if (fixed_ && is_plain(filter) &&
-            fixed_->synthesize(solid, texture, texture_from_atlas, threads, image, work_))
-            return maps_.drop_unused();
-    if (fixed_) fixed_->drop_unused();
     const FieldOctaves octaves(texture);
     const bool filtered = !is_plain(filter) && !std::is_same_v<Pixel, float>;
     maps_.set_atlas(solid, texture_from_atlas, threads);

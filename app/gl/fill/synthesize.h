@@ -6,10 +6,10 @@
 // Kernel::direct.
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "app/gl/device/timer.h"
-#include "app/gl/fill/fixed_synthesize.h"
 #include "app/gl/fill/map_cache.h"
 #include "app/gl/fill/map_filter.h"
 #include "app/gl/fill/output.h"
@@ -97,7 +97,6 @@ class GlSynthesis {
     GlMapCache maps_;
     GlColorTables colors_;
     GlRealUniforms reals_;
-    std::optional<GlFixedSynthesis> fixed_;      ///< exists where OpenGL is software
     std::optional<GlMapFilter> filter_;          ///< created at the first filter
     std::map<std::string, GlProgram> programs_;  ///< keyed by the text of the fragment shader
     std::optional<GlTarget> target_;

@@ -2,6 +2,7 @@
 #include "procedural/fill/tangent_frame.h"
 
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include <gtest/gtest.h>
@@ -62,6 +63,13 @@ TEST(TangentFrame, NormalsThemselvesAreStraightUp) {
     const Vec3d n(0, 0, 1);
     EXPECT_EQ(in_frame(tangent_frame(n, n, 1.0), {1, 0, 0}), Vec3d(0, 0, 1)) << "no frame";
     EXPECT_EQ(in_frame(tangent_frame(n, {1, 0, 0}, 1.0), {0, 0, -1}), Vec3d(0, 0, 1));
+}
+
+/// The direction that viewers read: 2 code / largest - 1 for every component, made unit length.
+template <class Code>
+Vec3d decode_normal(const Rgb<Code>& codes) {
+    const double largest = double(std::numeric_limits<Code>::max());
+    return glm::normalize(2.0 / largest * Vec3d(codes.r, codes.g, codes.b) - 1.0);
 }
 
 TEST(NormalCodes, FlatIsTheKnownBlue) {

@@ -1,6 +1,6 @@
 // Multipass noise on the host: against noise in float64, and the histograms that the papers tell
 // of.
-#include "procedural/passes/model.h"
+#include "tests/procedural/passes/model.h"
 
 #include <algorithm>
 #include <cmath>

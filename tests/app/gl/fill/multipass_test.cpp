@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "procedural/noise/value_noise.h"
-#include "procedural/passes/model.h"
 #include "tests/app/gl/device/fixture.h"
+#include "tests/procedural/passes/model.h"
 
 namespace burl {
 namespace {
@@ -53,6 +53,20 @@ struct Case {
     MultipassOptions options;
     Fade fade = Fade::smooth;
 };
+
+/// How this OpenGL rounds what it draws into half floats: 1 + 3/2^12 lies between 1 and 1 + 4/2^12,
+/// which is the nearer of the two.
+HalfRounding half_rounding(const GladGLContext& gl) {
+    const GlTarget target(gl, {1, 1}, {GL_RGBA16F});
+    const GlProgram program = make_full_screen_program(
+        gl, "a test of rounding",
+        ShaderSource().add("rounding",
+                           "out vec4 color;\nvoid main() { color = vec4(1.000732421875); }\n"));
+    program.use();
+    target.bind();
+    GlFullScreen(gl).draw();
+    return target.read<float>()[0] == 1.0f ? HalfRounding::toward_zero : HalfRounding::nearest_even;
+}
 
 class GlMultipassTest : public GlTest, public testing::WithParamInterface<Case> {};
 

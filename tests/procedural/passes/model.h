@@ -5,8 +5,8 @@
 #include <map>
 
 #include "procedural/field/lattice_map.h"
-#include "procedural/numbers/half_float.h"
 #include "procedural/passes/plan.h"
+#include "tests/procedural/passes/half_float.h"
 
 namespace burl {
 

@@ -1,4 +1,4 @@
-#include "procedural/passes/model.h"
+#include "tests/procedural/passes/model.h"
 
 #include <algorithm>
 #include <cmath>
