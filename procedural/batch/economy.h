@@ -17,8 +17,6 @@ enum class Skip : unsigned {
     constants,       ///< parts of a graph that do not depend on the point: evaluated once
     subtrees,        ///< common subexpressions of a graph: evaluated once
     band_limit,      ///< octaves too fine for a texel to show
-    early_exit,      ///< octaves that cannot move a value out of an interval of one colour any more
-    constant_tiles,  ///< runs of texels of one colour, found by interval arithmetic
     unread_texels,   ///< texels that no lookup reads
     covered_layers,  ///< layers covered by an opaque one
     kept_terms,      ///< octaves and fields that an edit leaves unchanged
@@ -26,10 +24,9 @@ enum class Skip : unsigned {
     up_to_date,      ///< output files whose inputs did not change
 };
 
-inline constexpr std::array<std::string_view, 12> skip_names = {
-    "stages",         "zero-terms", "constants",      "subtrees",
-    "band-limit",     "early-exit", "constant-tiles", "unread-texels",
-    "covered-layers", "kept-terms", "unseen-tiles",   "up-to-date"};
+inline constexpr std::array<std::string_view, 10> skip_names = {
+    "stages",        "zero-terms",     "constants",  "subtrees",     "band-limit",
+    "unread-texels", "covered-layers", "kept-terms", "unseen-tiles", "up-to-date"};
 
 /// The set of kinds of work that may be left out: all of them until one is forbidden.
 class Skips {
