@@ -91,7 +91,6 @@ class OctaveStreams {
     void for_each_way(const Group& group, std::span<const Piece> pieces, Visit&& visit) const;
     void add_kept_octaves(const Group& group, const Plan& plan, std::size_t count,
                           const KeptBatch& kept, StreamBuffers& buffers) const;
-    bool is_lone(const Group& group, const SpanLines& lines, const KeptBatch& kept) const;
     void add_kept_lines(const Group& group, const SpanLines& lines, const KeptBatch& kept,
                         StreamBuffers& buffers, double* values) const;
     void add_kept_pieces(const Group& group, std::span<const Piece> pieces, const KeptBatch& kept,
