@@ -118,28 +118,15 @@ double SparedOctaves::share(Skip skip) const {
     return all == 0 ? 0.0 : double(work.octaves_skipped[unsigned(skip)]) / double(all);
 }
 
-namespace {
-
-SparedOctaves spared(const std::string& name, std::uint32_t size, std::uint32_t level,
-                     bool band_limit) {
+SparedOctaves spared_by_band_limit(const std::string& name, std::uint32_t size,
+                                   std::uint32_t level) {
     Recipe recipe = recipe_of(name, size);
-    recipe.filter.band_limit = band_limit;
+    recipe.filter.band_limit = true;
     Pipeline pipeline(sample_mesh("sample:teapot"));
     pipeline.set_recipe(recipe);
     SparedOctaves result{name, level};
     fill_texture<Rgb8>(pipeline.solid(level), recipe, {}, {{}, &result.work});
     return result;
-}
-
-}  // namespace
-
-SparedOctaves spared_by_band_limit(const std::string& recipe, std::uint32_t size,
-                                   std::uint32_t level) {
-    return spared(recipe, size, level, true);
-}
-
-SparedOctaves spared_by_early_exit(const std::string& recipe, std::uint32_t size) {
-    return spared(recipe, size, 0, false);
 }
 
 }  // namespace burl

@@ -1,6 +1,6 @@
 #pragma once
 // The parts of `burl bench economy` without cameras: the cost of an edit of a recipe with cached
-// intermediate values, and the octaves that the band limit and the early exit leave out.
+// intermediate values, and the octaves that the band limit leaves out.
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -34,8 +34,5 @@ struct SparedOctaves {
 /// own, where every texel fades out the octaves it cannot show (filter.octaves fade).
 SparedOctaves spared_by_band_limit(const std::string& recipe, std::uint32_t size,
                                    std::uint32_t level);
-
-/// The octaves left out by the early exit in the texture at level 0.
-SparedOctaves spared_by_early_exit(const std::string& recipe, std::uint32_t size);
 
 }  // namespace burl

@@ -12,24 +12,20 @@ namespace burl {
 
 /// Kinds of work that are left out because the result does not need them.
 enum class Skip : unsigned {
-    stages,          ///< pipeline stages whose inputs did not change
-    zero_terms,      ///< octaves of amplitude 0 and quadric coefficients of 0
-    constants,       ///< parts of a graph that do not depend on the point: evaluated once
-    subtrees,        ///< common subexpressions of a graph: evaluated once
-    band_limit,      ///< octaves too fine for a texel to show
-    early_exit,      ///< octaves that cannot move a value out of an interval of one colour any more
-    constant_tiles,  ///< runs of texels of one colour, found by interval arithmetic
-    unread_texels,   ///< texels that no lookup reads
-    covered_layers,  ///< layers covered by an opaque one
-    kept_terms,      ///< octaves and fields that an edit leaves unchanged
-    unseen_tiles,    ///< tiles and MIP levels that a view does not show
-    up_to_date,      ///< output files whose inputs did not change
+    stages,         ///< pipeline stages whose inputs did not change
+    zero_terms,     ///< octaves of amplitude 0 and quadric coefficients of 0
+    constants,      ///< parts of a graph that do not depend on the point: evaluated once
+    subtrees,       ///< common subexpressions of a graph: evaluated once
+    band_limit,     ///< octaves too fine for a texel to show
+    unread_texels,  ///< texels that no lookup reads
+    kept_terms,     ///< octaves and fields that an edit leaves unchanged
+    unseen_tiles,   ///< tiles and MIP levels that a view does not show
+    up_to_date,     ///< output files whose inputs did not change
 };
 
-inline constexpr std::array<std::string_view, 12> skip_names = {
-    "stages",         "zero-terms", "constants",      "subtrees",
-    "band-limit",     "early-exit", "constant-tiles", "unread-texels",
-    "covered-layers", "kept-terms", "unseen-tiles",   "up-to-date"};
+inline constexpr std::array<std::string_view, 9> skip_names = {
+    "stages",        "zero-terms", "constants",    "subtrees",  "band-limit",
+    "unread-texels", "kept-terms", "unseen-tiles", "up-to-date"};
 
 /// The set of kinds of work that may be left out: all of them until one is forbidden.
 class Skips {

@@ -237,46 +237,4 @@ void OctaveStreams::add(std::span<const Piece> pieces, std::size_t count, Stream
             add_values(group, pieces, buffers, values);
 }
 
-/// Octaves [begin, end) of the group, from element `at` of the arrays on.
-void OctaveStreams::fill_group_noise(const Group& group, std::size_t begin, std::size_t end,
-                                     std::span<const Piece> pieces, std::size_t count, bool scanned,
-                                     std::size_t at, StreamBuffers& buffers,
-                                     std::span<float* const> noise) const {
-    Plan plan;
-    if (scanned)
-        map_scan_lines(group.lattice_from_solid, group.finest(), pieces, buffers.lines);
-    else
-        plan = prepare(group, pieces, count, buffers, false, nullptr);
-    for (std::size_t k = begin; k < end; ++k) {
-        StreamOctave octave = group.octaves[k];
-        octave.weight = 1.0f;
-        buffers.part.clear(count, false);
-        if (scanned)
-            add_octave_scanline(group.kind, group.fade, octave, buffers.lines, buffers.segments,
-                                buffers.part.values);
-        else
-            add_octave(group, octave, plan, count, buffers, buffers.part);
-        std::copy_n(buffers.part.values, count, noise[k - begin] + at);
-    }
-    buffers.work.octaves += (end - begin) * count;
-}
-
-void OctaveStreams::fill_noise(std::size_t begin, std::size_t end, std::span<const Piece> pieces,
-                               StreamBuffers& buffers, std::span<float* const> noise) const {
-    std::size_t first = 0;
-    for (const Group& group : groups_) {
-        const std::size_t last = first + group.octaves.size();
-        const std::size_t low = std::max(begin, first), high = std::min(end, last);
-        std::size_t at = 0;
-        if (low < high)
-            for_each_way(group, pieces,
-                         [&](std::span<const Piece> part, std::size_t texels, bool scanned) {
-                             fill_group_noise(group, low - first, high - first, part, texels,
-                                              scanned, at, buffers, noise.subspan(low));
-                             at += texels;
-                         });
-        first = last;
-    }
-}
-
 }  // namespace burl

@@ -7,7 +7,6 @@
 
 #include "procedural/batch/economy.h"
 #include "procedural/batch/kernel.h"
-#include "procedural/field/early_exit.h"
 #include "procedural/field/kept_start.h"
 #include "procedural/field/octave_groups.h"
 #include "procedural/kernels/offset_kernel.h"
@@ -68,17 +67,6 @@ class OctaveStreams {
     /// Whether a batch needs pieces whose longest span has so many texels, or the kept lines of its
     /// spans do.
     bool needs_pieces(const KeptBatch& kept, double longest) const;
-    /// noise[k][j] = octave k of noise_keys() at texel j, for k in [begin, end): what add_kept()
-    /// keeps of it, to the bit. The arrays are padded.
-    void fill_noise(std::size_t begin, std::size_t end, std::span<const Piece> pieces,
-                    StreamBuffers& buffers, std::span<float* const> noise) const;
-    /// What the octaves of noise_keys() cost at such pieces (early_exit.h).
-    std::vector<double> octave_costs(std::span<const Piece> pieces, std::size_t count,
-                                     StreamBuffers& buffers) const;
-    /// As add() without slopes and offsets, to the bit, at the texels that are open in the end; at
-    /// the others a value of the same colour. Not with a band limit.
-    void add_open(const ExitPlan& plan, std::span<const Piece> pieces, std::size_t count,
-                  StreamBuffers& buffers, ExitBuffers& exit, double* values) const;
 
   private:
     /// Spans this long are added up by scan-line polynomials where the first octave crosses fewer
@@ -103,27 +91,10 @@ class OctaveStreams {
     void for_each_way(const Group& group, std::span<const Piece> pieces, Visit&& visit) const;
     void add_kept_octaves(const Group& group, const Plan& plan, std::size_t count,
                           const KeptBatch& kept, StreamBuffers& buffers) const;
-    bool is_lone(const Group& group, const SpanLines& lines, const KeptBatch& kept) const;
     void add_kept_lines(const Group& group, const SpanLines& lines, const KeptBatch& kept,
                         StreamBuffers& buffers, double* values) const;
     void add_kept_pieces(const Group& group, std::span<const Piece> pieces, const KeptBatch& kept,
                          StreamBuffers& buffers, double* values) const;
-    void fill_group_noise(const Group& group, std::size_t begin, std::size_t end,
-                          std::span<const Piece> pieces, std::size_t count, bool scanned,
-                          std::size_t at, StreamBuffers& buffers,
-                          std::span<float* const> noise) const;
-    static void add_stream_octave(const Group& group, const StreamOctave& octave, const Plan& plan,
-                                  std::size_t count, StreamBuffers& buffers, float* sums);
-    static bool look_at(const ExitPlan& plan, const ExitPoint& point, const double* estimate,
-                        ExitBuffers& exit, SynthesisWork& work, double* values);
-    Plan prepare_open(const Group& group, std::span<const Piece> pieces, std::size_t count,
-                      const OpenBlocks& open, StreamBuffers& buffers) const;
-    static void compact_group(const Plan& plan, std::size_t known, ExitBuffers& exit,
-                              StreamBuffers& buffers);
-    void add_group_open(const Group& group, std::size_t first, const ExitPlan& plan,
-                        std::span<const ExitPoint> points, std::span<const Piece> pieces,
-                        std::size_t count, StreamBuffers& buffers, ExitBuffers& exit,
-                        double* values) const;
     void add_values(const Group& group, std::span<const Piece> pieces, StreamBuffers& buffers,
                     double* values) const;
     void add_scanned(const Group& group, std::span<const Piece> pieces, std::size_t count,

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "procedural/field/kept_sums.h"
-#include "procedural/field/lone_octave.h"
 #include "procedural/field/octave_streams.h"
 
 namespace burl {
@@ -106,27 +105,11 @@ void OctaveStreams::add_kept_pieces(const Group& group, std::span<const Piece> p
     });
 }
 
-/// Whether an octave that nobody keeps is alone on its lines, and better evaluated as such: from
-/// half of the crossings on at which shared corners are no longer faster.
-bool OctaveStreams::is_lone(const Group& group, const SpanLines& lines,
-                            const KeptBatch& kept) const {
-    if (group.octaves.size() > 1 || group.kind == NoiseKind::simplex || keeps_any(kept))
-        return false;
-    return sharing(group, 2.0 * crossings_per_texel(group.lattice_from_solid, lines), false) == 0;
-}
-
 /// values = lines.needed + the group.
 void OctaveStreams::add_kept_lines(const Group& group, const SpanLines& lines,
                                    const KeptBatch& kept, StreamBuffers& buffers,
                                    double* values) const {
     const double unit = group.scale * stream_unit(group.kind);
-    if (is_lone(group, lines, kept) &&
-        add_lone_octave(
-            {group.kind, group.fade, group.octaves.front().seed, group.lattice_from_solid, unit},
-            lines, values)) {
-        buffers.work.octaves += lines.texels;
-        return;
-    }
     const Plan plan = prepare_lines(group, lines, buffers);
     add_kept_octaves(group, plan, lines.texels, kept, buffers);
     add_sums_to(lines.needed, unit, buffers.sums.values, lines.texels, values);

@@ -38,17 +38,12 @@ struct LatticePiece {
     }
 };
 
-/// Of the texels that are open, if that is said. Returns how many that were.
-std::size_t add_values(const Octave& octave, double scale, const LatticePiece& piece,
-                       const TexelOffsets* offsets, const OpenBlocks* open, double* values) {
-    std::size_t count = 0;
+void add_values(const Octave& octave, double scale, const LatticePiece& piece,
+                const TexelOffsets* offsets, double* values) {
     for (std::size_t j = 0; j < piece.line.count; ++j) {
-        if (open && !open->holds(piece.at + j)) continue;
-        ++count;
         const float n = noise_value<float, 3>(octave.noise, piece.point(j, offsets));
         values[piece.at + j] += scale * double(shaped(octave.shape, n));
     }
-    return count;
 }
 
 /// The octave as it is, without its scale.
@@ -91,9 +86,7 @@ FieldSampler::FieldSampler(const Texture& texture, bool band_limit, Kernel kerne
     for (const Octave& octave : octaves_of(texture, skips)) {
         constant_ += octave.offset;
         // (Octaves with a kernel have the mean 0.)
-        if (has_kernel(octave))
-            streamed_octaves_.push_back(octave);
-        else
+        if (!has_kernel(octave))
             scalar_octaves_.push_back({octave, band_limit ? octave_mean(octave) : 0.0});
     }
 }
@@ -203,7 +196,7 @@ void FieldSampler::add_kept_scalar_octaves(FieldBatch& batch, const KeptBatch& k
 }
 
 void FieldSampler::add_scalar_octaves(FieldBatch& batch, SlopeBatch* slopes,
-                                      const TexelOffsets* offsets, const OpenBlocks* open) const {
+                                      const TexelOffsets* offsets) const {
     for (const auto& [octave, mean] : scalar_octaves_) {
         std::size_t at = 0;
         for (const Piece& solid : batch.pieces) {
@@ -213,12 +206,12 @@ void FieldSampler::add_scalar_octaves(FieldBatch& batch, SlopeBatch* slopes,
             const std::size_t texels = solid.solid.count;
             if (weight == 0.0 && skips_.allows(Skip::band_limit)) {
                 batch.streams.work.skip_octaves(Skip::band_limit, texels);
-            } else if (slopes) {
-                add_values_and_slopes(octave, scale, piece, batch.field, *slopes);
-                batch.streams.work.octaves += texels;
             } else {
-                batch.streams.work.octaves +=
-                    add_values(octave, scale, piece, offsets, open, batch.field);
+                batch.streams.work.octaves += texels;
+                if (slopes)
+                    add_values_and_slopes(octave, scale, piece, batch.field, *slopes);
+                else
+                    add_values(octave, scale, piece, offsets, batch.field);
             }
             if (weight < 1.0)
                 for (std::size_t j = 0; j < texels; ++j) batch.field[at + j] += missing;

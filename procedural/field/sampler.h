@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "procedural/field/batch.h"
-#include "procedural/field/early_exit.h"
 #include "procedural/field/kept_noise.h"
 #include "procedural/field/octave_streams.h"
 
@@ -26,12 +25,6 @@ class FieldSampler {
     void values(FieldBatch& batch, const KeptBatch& kept) const;
     /// Whether that needs pieces where the longest span has so many texels, or lines serve as well.
     bool needs_pieces(const KeptBatch& kept, double longest) const;
-    /// Looks at the blocks of texels of `pilot`, which lie all over the atlas, where
-    /// values_for_colors() had better leave out octaves. Those evaluated for that are not counted.
-    void plan_exit(const ColorMap& colors, FieldBatch& pilot, const ExitCosts& costs = {});
-    /// batch.field = f, or any number of which the colour map that was planned for makes the colour
-    /// of f, bit for bit.
-    void values_for_colors(FieldBatch& batch, ExitBuffers& buffers) const;
     /// What the kept noise depends on, octave by octave.
     std::vector<NoiseKey> noise_keys() const;
     FieldSum sum() const { return {quadric_, constant_, streams_.sum_groups()}; }
@@ -46,27 +39,22 @@ class FieldSampler {
         Octave octave;
         double mean = 0.0;  ///< without its offset
     };
-    std::vector<OctaveRange> octave_ranges() const;
-    std::vector<double> decided_shares(const std::vector<ExitPoint>& points,
-                                       FieldBatch& pilot) const;
     void fill_quadric(FieldBatch& batch) const;
     void fill_parabolas_of(FieldBatch& batch) const;
     void add_constant(FieldBatch& batch) const;
     void count_idle(FieldBatch& batch) const;
     void fill_quadric_at_offsets(FieldBatch& batch) const;
     void add_kept_scalar_octaves(FieldBatch& batch, const KeptBatch& kept) const;
-    void add_scalar_octaves(FieldBatch& batch, SlopeBatch* slopes, const TexelOffsets* offsets,
-                            const OpenBlocks* open = nullptr) const;
+    void add_scalar_octaves(FieldBatch& batch, SlopeBatch* slopes,
+                            const TexelOffsets* offsets) const;
 
     Quadric quadric_;
     OctaveStreams streams_;
-    std::vector<Octave> streamed_octaves_;
     std::vector<ScalarOctave> scalar_octaves_;
     double constant_ = 0.0;
     std::size_t idle_octaves_ = 0;  ///< left out, of no amplitude
     bool band_limit_;
     Skips skips_;
-    ExitPlan exit_;
 };
 
 }  // namespace burl

@@ -119,31 +119,4 @@ void add_row(const SolidAtlas& solid, const Maps& maps, std::size_t y, FieldBatc
     }
 }
 
-/// Adds up to a batch of blocks of texels, spread evenly over the atlas, at most one texel in 64;
-/// none if the atlas has few texels.
-template <class Maps>
-void add_pilot(const SolidAtlas& solid, const Maps& maps, FieldBatch& batch) {
-    std::size_t texels = 0;
-    for (const Span& span : solid.spans) texels += span.count;
-    const std::size_t blocks = std::min(texels / 64, batch_capacity) / batch_padding;
-    if (blocks < 2) return;
-    std::size_t at = 0, block = 0;
-    for (std::size_t y = 0; y < solid.size; ++y)
-        for (const Span& span : solid.row(y)) {
-            for (; block < blocks; ++block) {
-                const std::size_t first = (2 * block + 1) * texels / (2 * blocks);
-                const std::size_t begin = std::max(first, at);
-                const std::size_t end = std::min(first + batch_padding, at + span.count);
-                if (begin < end) {
-                    const TexelMap& map = maps[span.map];
-                    const WholeSpan whole = solid.whole(span);
-                    add_piece(whole, map, map(whole.x, std::int64_t(y)), y,
-                              span.x - whole.x + begin - at, end - begin, batch);
-                }
-                if (first + batch_padding > at + span.count) break;
-            }
-            at += span.count;
-        }
-}
-
 }  // namespace burl

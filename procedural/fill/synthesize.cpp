@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "procedural/batch/work_sum.h"
-#include "procedural/field/exit_estimate.h"
 #include "procedural/fill/pieces.h"
 #include "procedural/fill/texel_shaders.h"
 
@@ -82,27 +81,20 @@ SynthesisWork synthesize_rows(const SolidAtlas& solid, const MovedMaps& maps,
     return work += batch->corners.batch->streams.work;
 }
 
-/// A texture prepared for synthesis of some groups of rows at a time. `exits` is the shader's
-/// colour map, or null: where given, octaves may be left out where they do not change the colour.
+/// A texture prepared for synthesis of some groups of rows at a time.
 template <class Shader>
 class RowSynthesis {
   public:
     using Pixel = typename Shader::Pixel;
 
     RowSynthesis(const SolidAtlas& solid, const Texture& texture, const Affine3& map,
-                 const Filter& filter, Kernel kernel, const Economy& economy, const Shader& shader,
-                 const ColorMap* exits)
+                 const Filter& filter, Kernel kernel, const Economy& economy, const Shader& shader)
         : groups(solid.size, 8 * batch_capacity),
           solid_(solid),
           economy_(economy),
           shader_(shader),
           sampler_(texture, filter.band_limit, kernel, economy.skips),
-          maps_(solid.maps, map) {
-        if (!exits || filter.band_limit || !may_exit(texture, economy.skips)) return;
-        const auto pilot = std::make_unique<FieldBatch>();
-        add_pilot(solid, maps_, *pilot);
-        sampler_.plan_exit(*exits, *pilot);
-    }
+          maps_(solid.maps, map) {}
 
     /// Fills the rows of groups [begin, end); row 0 of the image is the first of them.
     void fill(std::size_t begin, std::size_t end, int threads, Image<Pixel>& image) const {
@@ -130,32 +122,29 @@ template <class Shader>
 Image<typename Shader::Pixel> synthesize(const SolidAtlas& solid, const Texture& texture,
                                          const Affine3& map, const Filter& filter, int threads,
                                          Kernel kernel, const Economy& economy,
-                                         const Shader& shader, const ColorMap* exits = nullptr) {
+                                         const Shader& shader) {
     auto image = Image<typename Shader::Pixel>::unset(solid.size, solid.size);
-    const RowSynthesis<Shader> rows(solid, texture, map, filter, kernel, economy, shader, exits);
+    const RowSynthesis<Shader> rows(solid, texture, map, filter, kernel, economy, shader);
     rows.fill(0, rows.groups.count(), threads, image);
     return image;
 }
 
-/// Returns use(shader, exits) with the shader of the filter and, where it allows early exits, the
-/// colour map.
+/// Returns use(shader) with the shader of the filter.
 template <class Pixel, class Use>
 auto with_colors(const ColorMap& colors, const Filter& filter, const Use& use) {
-    constexpr const ColorMap* none = nullptr;
-    if (filter.kind == FilterKind::none) return use(PointColor<Pixel>(colors), &colors);
+    if (filter.kind == FilterKind::none) return use(PointColor<Pixel>(colors));
     if (filter.kind == FilterKind::supersample)
-        return use(SupersampledColor<Pixel>(colors, filter.samples), none);
-    return use(FilteredColor<PointColor<Pixel>>(colors, filter.kind), none);
+        return use(SupersampledColor<Pixel>(colors, filter.samples));
+    return use(FilteredColor<PointColor<Pixel>>(colors, filter.kind));
 }
 
 template <class Pixel>
 Image<Pixel> synthesize_colors(const SolidAtlas& solid, const Texture& texture, const Affine3& map,
                                const Filter& filter, int threads, Kernel kernel,
                                const Economy& economy) {
-    return with_colors<Pixel>(
-        texture.colors, filter, [&](const auto& shader, const ColorMap* exits) {
-            return synthesize(solid, texture, map, filter, threads, kernel, economy, shader, exits);
-        });
+    return with_colors<Pixel>(texture.colors, filter, [&](const auto& shader) {
+        return synthesize(solid, texture, map, filter, threads, kernel, economy, shader);
+    });
 }
 
 }  // namespace
@@ -185,9 +174,9 @@ void synthesize_rgbf_bands(const SolidAtlas& solid, const Texture& texture,
                            const Affine3& texture_from_atlas, int threads, const Filter& filter,
                            Kernel kernel, const Economy& economy, std::size_t texels,
                            const TakeRows& take) {
-    const auto in_bands = [&](const auto& shader, const ColorMap* exits) {
-        const RowSynthesis rows(solid, texture, texture_from_atlas, filter, kernel, economy, shader,
-                                exits);
+    const auto in_bands = [&](const auto& shader) {
+        const RowSynthesis rows(solid, texture, texture_from_atlas, filter, kernel, economy,
+                                shader);
         const RowGroups& groups = rows.groups;
         const std::size_t least = band_rows * groups.rows * solid.size;
         const std::size_t at_once = band_rows * std::max<std::size_t>(1, texels / least);

@@ -27,7 +27,6 @@ struct ShadedBatch : FieldBatch {
 
     CornerBuffers corners;
     FilterBuffers filter;
-    ExitBuffers exit;
     bool filtered[batch_capacity];  ///< per texel: whether `means` has its colour
     std::tuple<std::vector<Rgb16>, std::vector<RgbF>> means;
 };
@@ -51,9 +50,7 @@ class PointColor {
   public:
     using Pixel = P;
     explicit PointColor(const ColorMap& map) : colors_(map) {}
-    void sample(const FieldSampler& sampler, ShadedBatch& batch) const {
-        sampler.values_for_colors(batch, batch.exit);
-    }
+    void sample(const FieldSampler& sampler, ShadedBatch& batch) const { sampler.values(batch); }
     void shade(ShadedBatch& batch) const {
         std::fill_n(batch.filtered, batch.count, false);
         std::get<std::vector<P>>(batch.means).resize(batch_capacity);
@@ -79,9 +76,7 @@ class PointColor<Rgb8> {
   public:
     using Pixel = Rgb8;
     explicit PointColor(const ColorMap& map) : colors_(map) {}
-    void sample(const FieldSampler& sampler, ShadedBatch& batch) const {
-        sampler.values_for_colors(batch, batch.exit);
-    }
+    void sample(const FieldSampler& sampler, ShadedBatch& batch) const { sampler.values(batch); }
     void shade(ShadedBatch& batch) const {
         colors_.look_up(batch.field, batch.count, batch.point_colors);
     }

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "procedural/graph/value_guards.h"
 #include "procedural/noise/lattice_site.h"
 #include "procedural/noise/value_noise.h"
 
@@ -74,8 +73,7 @@ void run_work(const GraphSlope& work, const StepArrays& arrays, GraphEvaluator::
 
 ValueProgram::ValueProgram(const Skips* skips)
     : share_(!skips || skips->allows(Skip::subtrees)),
-      fix_(!skips || skips->allows(Skip::constants)),
-      guard_(skips && skips->allows(Skip::covered_layers)) {}
+      fix_(!skips || skips->allows(Skip::constants)) {}
 
 std::vector<Register> ValueProgram::add(ValueWork work, std::vector<Register> inputs,
                                         std::size_t count) {
@@ -169,7 +167,6 @@ void ValueProgram::share_arrays(std::vector<Register>& results) {
         for (Register& r : steps_[i].outputs) r = array[r];
     }
     for (Register& r : results) r = array[r];
-    for (ValueGuard& guard : guards_.guards) guard.weight = array[guard.weight];
     registers_ = arrays;
 }
 
@@ -177,7 +174,6 @@ std::vector<Register> ValueProgram::finish(std::vector<Register> results) {
     drop_unread(results);
     put_fixed_first();
     shared_octaves_ = octaves_of_shared();
-    if (guard_) guards_ = find_guards(steps_, fixed_steps_, registers_, results);
     share_arrays(results);
     return results;
 }
@@ -197,19 +193,6 @@ void run_step(const ValueStep& step, std::size_t count, ValueProgram::Scratch& s
     for (std::size_t k = 0; k < step.outputs.size(); ++k)
         arrays.outputs[k] = scratch[step.outputs[k]];
     std::visit([&](const auto& work) { run_work(work, arrays, graph); }, step.work);
-}
-
-/// Whether the points are so near that the guards hold.
-bool are_near(std::size_t count, ValueProgram::Scratch& scratch) {
-    bool near = true;
-    for (Register axis = 0; axis < 3; ++axis)
-        for (std::size_t j = 0; j < count; ++j)
-            near = near && std::abs(scratch[axis][j]) <= largest_guarded;
-    return near;
-}
-
-bool all_equal(const double* values, std::size_t count, double value) {
-    return std::all_of(values, values + count, [&](double x) { return x == value; });
 }
 
 }  // namespace
@@ -246,21 +229,8 @@ void ValueProgram::run(std::size_t count, Scratch& scratch) const {
     for (std::size_t i = 0; i < fixed_steps_; ++i)
         work.skip_octaves(Skip::constants, octaves_of(steps_[i]) * count);
     work.skip_octaves(Skip::subtrees, shared_octaves_ * count);
-    std::uint64_t covered = 0;
-    auto guard = guards_.by_step.begin();
     for (std::size_t i = fixed_steps_; i < steps_.size(); ++i) {
-        for (; guard != guards_.by_step.end() && guards_.guards[*guard].first_step == i; ++guard) {
-            const auto& [weight, value, first_step] = guards_.guards[*guard];
-            if (all_equal(scratch[weight], count, value) && are_near(count, scratch))
-                covered |= std::uint64_t(1) << *guard;
-        }
-        const std::size_t octaves = octaves_of(steps_[i]) * count;
-        if (covered != 0 && (guards_.of_step[i] & covered) != 0) {
-            for (const Register r : steps_[i].outputs) std::fill_n(scratch[r], count, 0.0);
-            work.skip_octaves(Skip::covered_layers, octaves);
-            continue;
-        }
-        work.octaves += octaves;
+        work.octaves += octaves_of(steps_[i]) * count;
         run_step(steps_[i], count, scratch, scratch.graphs[i]);
     }
 }

@@ -55,27 +55,11 @@ struct ValueStep {
     bool operator==(const ValueStep&) const = default;
 };
 
-/// A test of a weight: where it is `value` at every point of a batch, the guarded steps are
-/// skipped.
-struct ValueGuard {
-    Register weight = 0;
-    double value = 0.0;
-    std::size_t first_step = 0;  ///< step before which the weight is tested
-};
-
-/// The guards of a program.
-struct ValueGuards {
-    std::vector<ValueGuard> guards;
-    std::vector<std::size_t> by_step;    ///< numbers of the guards, sorted by first_step
-    std::vector<std::uint64_t> of_step;  ///< guards of each step: bit g for guard g
-};
-
 /// A list of steps that computes registers from the coordinates of a batch of points.
 class ValueProgram {
   public:
-    /// `skips` decides whether batches skip covered layers (value_guards.h), whether common
-    /// subexpressions are evaluated once, and whether constants are. Null: the first is not, the
-    /// others are.
+    /// `skips` decides whether common subexpressions are evaluated once, and whether constants
+    /// are. Null: both are.
     explicit ValueProgram(const Skips* skips = nullptr);
 
     /// The arrays of one thread.
@@ -123,8 +107,7 @@ class ValueProgram {
     std::vector<ValueStep> steps_;
     std::vector<Register> original_{0, 1, 2};  ///< first registers that equal work fills
     std::vector<Register> shared_;             ///< results of common subexpressions, once per reuse
-    bool share_ = true, fix_ = true, guard_ = false;
-    ValueGuards guards_;
+    bool share_ = true, fix_ = true;
     std::size_t shared_octaves_ = 0;
     std::uint32_t node_ = 0;
     Register registers_ = 3;

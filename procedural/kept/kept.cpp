@@ -163,7 +163,7 @@ void KeptSynthesis::evaluate_row(std::size_t y, const Evaluation<Pixel>& to, Bat
 template <class Pixel>
 void KeptSynthesis::evaluate(const Texture& texture, int threads, const Economy& economy,
                              Image<Pixel>& image) {
-    const PointColors<Pixel>& colors = colors_.of<Pixel>(texture.colors);
+    const PointColors<Pixel> colors(texture.colors);
     const FieldSampler sampler(texture, false, kernel_, economy.skips);
     known_field_.reset();
     known_entries_.reset();

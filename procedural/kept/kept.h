@@ -11,7 +11,6 @@
 #include "atlas/solid/solid_atlas.h"
 #include "procedural/batch/economy.h"
 #include "procedural/batch/filter.h"
-#include "procedural/color/kept_colors.h"
 #include "procedural/field/kept_start.h"
 #include "procedural/field/sampler.h"
 #include "procedural/kept/lines.h"
@@ -114,7 +113,6 @@ class KeptSynthesis {
     Kernel kernel_;
     std::vector<TexelMap> maps_;  ///< of the texture's coordinates; empty before the first call
     KeptRows rows_;
-    KeptColors colors_;
     KeptLines lines_;
     bool lines_fit_ = false;  ///< within the budget
 

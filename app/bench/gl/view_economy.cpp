@@ -47,11 +47,11 @@ Json edit_json(const EditBench& row) {
             {"work", work_json(row.work)}};
 }
 
-Json spared_json(const SparedOctaves& row, const char* part, Skip skip) {
-    return {{"part", part},
+Json spared_json(const SparedOctaves& row) {
+    return {{"part", "distance"},
             {"recipe", row.recipe},
             {"level", row.level},
-            {"octaves_skipped_share", row.share(skip)},
+            {"octaves_skipped_share", row.share(Skip::band_limit)},
             {"work", work_json(row.work)}};
 }
 
@@ -79,11 +79,12 @@ void print_edits(const std::vector<EditBench>& rows) {
                    1e3 * row.time.median, row.time.times_first, row.work.texels, row.work.octaves);
 }
 
-void print_spared(const std::vector<SparedOctaves>& rows, const char* what, Skip skip) {
-    fmt::print("\n{:<28} {:>6} {:>14} {:>14}\n", what, "level", "octaves left", "skipped %");
+void print_spared(const std::vector<SparedOctaves>& rows) {
+    fmt::print("\n{:<28} {:>6} {:>14} {:>14}\n", "octaves beyond a texel", "level", "octaves left",
+               "skipped %");
     for (const SparedOctaves& row : rows)
         fmt::print("{:<28} {:>6} {:>14} {:>14.1f}\n", row.recipe, row.level, row.work.octaves,
-                   100.0 * row.share(skip));
+                   100.0 * row.share(Skip::band_limit));
 }
 
 }  // namespace
@@ -92,26 +93,20 @@ void run_economy_bench(const BenchCommand& command) {
     const auto size = std::uint32_t(command.size == 0 ? 1024 : command.size);
     const std::vector<ViewBench> views = bench_views(command.gl, {.size = size});
     const std::vector<EditBench> edits = bench_edits(command.repeats, size);
-    std::vector<SparedOctaves> far, early;
+    std::vector<SparedOctaves> far;
     const std::vector<std::uint32_t> levels = bench_levels_seen(command.gl, size);
     for (const char* recipe : {"clouds", "planet", "marble"})
         for (const std::uint32_t level : levels)
             far.push_back(spared_by_band_limit(recipe, size, level));
-    for (const char* recipe : {"planet", "clouds"})
-        early.push_back(spared_by_early_exit(recipe, size));
     Json rows = Json::array();
     for (const ViewBench& row : views) rows.push_back(view_json(row));
     for (const EditBench& row : edits) rows.push_back(edit_json(row));
-    for (const SparedOctaves& row : far)
-        rows.push_back(spared_json(row, "distance", Skip::band_limit));
-    for (const SparedOctaves& row : early)
-        rows.push_back(spared_json(row, "early exit", Skip::early_exit));
+    for (const SparedOctaves& row : far) rows.push_back(spared_json(row));
     write_report(command, rows);
     if (command.json) return;
     print_views(views);
     print_edits(edits);
-    print_spared(far, "octaves beyond a texel", Skip::band_limit);
-    print_spared(early, "early exit", Skip::early_exit);
+    print_spared(far);
 }
 
 }  // namespace burl

@@ -118,7 +118,7 @@ TEST_F(UpToDateBake, ASecondOneDoesNothingUnlessForced) {
     EXPECT_TRUE(bakes());
     EXPECT_FALSE(bakes());
     EXPECT_FALSE(bakes("--threads 1"));
-    EXPECT_FALSE(bakes("--no-skip early-exit"));
+    EXPECT_FALSE(bakes("--no-skip zero-terms"));
     EXPECT_TRUE(bakes("--force"));
     EXPECT_FALSE(bakes());
     EXPECT_TRUE(bakes("--no-skip up-to-date"));

@@ -158,8 +158,8 @@ TEST(Economy, AddsUpWhateverTheThreads) {
 TEST(EconomyOptions, NameTheSkips) {
     EconomyOptions options;
     EXPECT_EQ(options.skips(), Skips{});
-    options.forbidden = {"early-exit"};
-    EXPECT_EQ(options.skips(), without(Skip::early_exit));
+    options.forbidden = {"zero-terms"};
+    EXPECT_EQ(options.skips(), without(Skip::zero_terms));
     options.forbidden = {"stages", "all"};
     EXPECT_EQ(options.skips(), without_any());
 }
