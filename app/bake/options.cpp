@@ -9,6 +9,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "app/recipe/parameters.h"
 #include "atlas/base/error.h"
 
 namespace burl {
@@ -17,11 +18,9 @@ void add_bake_options(CLI::App& verb, BakeCommand& command) {
     verb.add_option("mesh", command.mesh, "Mesh file: .obj .ply .stl .off .gltf .glb")->required();
     verb.add_option("-o,--output", command.out, "Output file; its extension says what")->required();
     command.recipe.add_recipe(verb);
-    command.recipe.add_atlas(verb);
+    command.recipe.add_parameters(verb);
     command.animation.add(verb);
-    verb.add_option("--filter", command.recipe.filter,
-                    "Texel filter: none, table-mip, table-sat, table-sat3, exact, trapezoid, "
-                    "trapezoid2 or supersample:N");
+    command.recipe.add_filter(verb);
     command.recipe.add_precision(verb, "float32");
     command.meshes.add(verb);
     add_pose(verb, command.pose);
@@ -96,15 +95,26 @@ void check_report_options(bool json, const std::string& report, bool quiet) {
                     "--json and --report - both print the report; leave one of them out");
 }
 
+namespace {
+
+/// Whether an option says nothing of an output's content, or is part of the recipe.
+bool counts_elsewhere(const std::string& name) {
+    static constexpr std::array<std::string_view, 15> names = {
+        "help",    "mesh",    "output", "recipe", "set",  "filter", "precision", "time",
+        "threads", "no-skip", "cache",  "force",  "json", "report", "quiet"};
+    return std::ranges::find(names, name) != names.end() ||
+           std::ranges::any_of(parameters(), [&](const RecipeParameter& parameter) {
+               return parameter.use.option.ends_with("--" + name);
+           });
+}
+
+}  // namespace
+
 Json bake_settings(const CLI::App& verb) {
-    static constexpr std::array<std::string_view, 23> elsewhere = {
-        "help",    "mesh",  "output",    "recipe", "set",       "atlas",  "overscan",  "weight",
-        "tries",   "size",  "partition", "gutter", "diagonals", "filter", "precision", "threads",
-        "no-skip", "cache", "force",     "json",   "report",    "quiet",  "time"};
     Json settings = Json::object();
     for (const CLI::Option* option : verb.get_options()) {
         const std::string name = option->get_single_name();
-        if (std::ranges::find(elsewhere, name) != elsewhere.end()) continue;
+        if (counts_elsewhere(name)) continue;
         if (option->count() > 0)
             settings[name] = option->results();
         else if (!option->get_default_str().empty())

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "app/bench/bench.h"
+#include "app/recipe/names.h"
 #include "app/recipe/recipe.h"
 #include "procedural/fill/graph.h"
 #include "procedural/fill/synthesize.h"
@@ -46,17 +47,13 @@ FilterSubject preset(const char* name) {
     using enum FilterKind;
     Recipe recipe = load_recipe(name);
     FilterSubject subject{name, finest_frequency(recipe.texture), 1.0, {}};
-    const auto add = [&](const char* filter_name, const Filter& filter) {
+    const auto add = [&](std::string filter_name, const Filter& filter) {
         recipe.filter = filter;
-        subject.recipes.push_back({filter_name, recipe});
+        subject.recipes.push_back({std::move(filter_name), recipe});
     };
-    add("none", {none, 1, false});
-    add("table-mip", {table_mip, 1, false});
-    add("table-sat", {table_sat, 1, false});
-    add("table-sat3", {table_sat3, 1, false});
-    add("exact", {exact, 1, false});
-    add("trapezoid", {trapezoid, 1, false});
-    add("trapezoid2", {trapezoid2, 1, false});
+    for (const FilterKind kind :
+         {none, table_mip, table_sat, table_sat3, exact, trapezoid, trapezoid2})
+        add(std::string(to_string(kind)), {kind, 1, false});
     add("trapezoid, fade", {trapezoid, 1, true});
     add("supersample:16", {supersample, 16, false});
     return subject;

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "app/bench/bench.h"
+#include "app/recipe/names.h"
 #include "app/recipe/recipe.h"
 #include "procedural/bresenham/field.h"
 #include "procedural/color/table.h"
@@ -175,10 +176,9 @@ std::vector<ForwardBench> bench_function(const std::string& name, const Texture&
 std::vector<ForwardBench> bench_forward(int repeats) {
     std::vector<ForwardBench> rows;
     for (const std::uint32_t octaves : {1u, 4u})
-        for (const auto& [fade, name] : {std::pair{Fade::linear, "linear"},
-                                         {Fade::smooth, "smooth"},
-                                         {Fade::quintic, "quintic"}}) {
-            const std::string function = octaves == 1 ? name : std::string("marble ") + name;
+        for (const Fade fade : {Fade::linear, Fade::smooth, Fade::quintic}) {
+            const std::string function =
+                fmt::format("{}{}", octaves == 1 ? "" : "marble ", to_string(fade));
             const std::vector<ForwardBench> part =
                 bench_function(function, bench_texture(fade, octaves), repeats);
             rows.insert(rows.end(), part.begin(), part.end());
@@ -205,10 +205,9 @@ void count_codes(const Method& method, const Method& exact, const ColorMap& colo
     }
 }
 
-GrowthBench growth(Fade fade, const char* name, double frequency, ForwardPrecision precision,
-                   const char* in) {
+GrowthBench growth(Fade fade, double frequency, ForwardPrecision precision, const char* in) {
     const double step = 2.0 * frequency / 256.0;
-    GrowthBench bench{name, in, frequency, {}};
+    GrowthBench bench{std::string(to_string(fade)), in, frequency, {}};
     for (std::size_t texel = 0; double(texel) < 1.0 / step; texel = texel == 0 ? 1 : 2 * texel)
         bench.errors.push_back({texel, 0.0});
     bench.errors.push_back({std::size_t(1.0 / step) - 1, 0.0});
@@ -230,13 +229,11 @@ GrowthBench growth(Fade fade, const char* name, double frequency, ForwardPrecisi
 std::vector<GrowthBench> bench_forward_growth() {
     std::vector<GrowthBench> rows;
     for (const double frequency : {1.0, 8.0})
-        for (const auto& [fade, name] : {std::pair{Fade::linear, "linear"},
-                                         {Fade::smooth, "smooth"},
-                                         {Fade::quintic, "quintic"}})
+        for (const Fade fade : {Fade::linear, Fade::smooth, Fade::quintic})
             for (const auto& [precision, in] : {std::pair{ForwardPrecision::float32, "float32"},
                                                 {ForwardPrecision::float64, "float64"},
                                                 {ForwardPrecision::fixed64, "fixed64"}})
-                rows.push_back(growth(fade, name, frequency, precision, in));
+                rows.push_back(growth(fade, frequency, precision, in));
     return rows;
 }
 

@@ -8,9 +8,9 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "app/base/nearest_word.h"
 #include "app/direct/forward_cube.h"
 #include "app/direct/picture.h"
-#include "app/recipe/parameters.h"
 #include "atlas/base/error.h"
 
 namespace burl {

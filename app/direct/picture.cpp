@@ -12,6 +12,7 @@
 #include "app/options/idle_options.h"
 #include "app/recipe/images.h"
 #include "app/recipe/lattice_check.h"
+#include "app/recipe/names.h"
 #include "app/surface/load_pose.h"
 #include "app/surface/normals.h"
 #include "app/surface/posed_corners.h"
@@ -21,24 +22,16 @@ namespace burl {
 
 namespace {
 
-struct NamedFilter {
-    std::string_view name;
-    FilterKind kind;
-};
-
 /// The filters that average over a footprint without further samples.
-constexpr std::array filters{NamedFilter{"none", FilterKind::none},
-                             NamedFilter{"table-mip", FilterKind::table_mip},
-                             NamedFilter{"table-sat", FilterKind::table_sat},
-                             NamedFilter{"table-sat3", FilterKind::table_sat3},
-                             NamedFilter{"exact", FilterKind::exact},
-                             NamedFilter{"trapezoid", FilterKind::trapezoid}};
+constexpr std::array footprint_filters{FilterKind::none,      FilterKind::table_mip,
+                                       FilterKind::table_sat, FilterKind::table_sat3,
+                                       FilterKind::exact,     FilterKind::trapezoid};
 
 FilterKind parse_filter(const std::string& text) {
     std::vector<std::string_view> names;
-    for (const NamedFilter& filter : filters) {
-        if (filter.name == text) return filter.kind;
-        names.push_back(filter.name);
+    for (const FilterKind kind : footprint_filters) {
+        names.push_back(to_string(kind));
+        if (names.back() == text) return kind;
     }
     throw Error(ExitCode::usage, fmt::format("--filter {}: with --direct it must be one of {}",
                                              text, fmt::join(names, ", ")));

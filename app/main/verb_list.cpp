@@ -1,5 +1,6 @@
 // `burl list`: the names that other verbs accept.
 #include <algorithm>
+#include <array>
 #include <span>
 
 #include <fmt/format.h>
@@ -26,6 +27,14 @@ namespace {
 struct Entry {
     std::string name, text;
 };
+
+/// By atlas kinds.
+constexpr std::array<const char*, enum_names<AtlasKind>.size()> atlas_texts{
+    "every triangle the same shape (Carr & Hart 4.1)",
+    "triangles sized by their area (Carr & Hart 4.2)",
+    "triangles sized by their longest edge (Carr & Hart 4.2)",
+    "pairs in a balanced quadtree of surface clusters (Carr & Hart 4.3)",
+    "few patches on full rectangles, for any lookup (the default)"};
 
 std::vector<Entry> recipe_entries() {
     std::vector<Entry> entries;
@@ -90,11 +99,10 @@ std::vector<Entry> entries_of(const std::string& what) {
         return entries;
     }
     if (what == "atlases") {
-        return {{"uniform", "every triangle the same shape (Carr & Hart 4.1)"},
-                {"area", "triangles sized by their area (Carr & Hart 4.2)"},
-                {"length", "triangles sized by their longest edge (Carr & Hart 4.2)"},
-                {"quad", "pairs in a balanced quadtree of surface clusters (Carr & Hart 4.3)"},
-                {"patch", "few patches on full rectangles, for any lookup (the default)"}};
+        std::vector<Entry> entries;
+        for (std::size_t k = 0; k < enum_names<AtlasKind>.size(); ++k)
+            entries.push_back({std::string(enum_names<AtlasKind>[k]), atlas_texts[k]});
+        return entries;
     }
     if (what == "noises") {
         std::vector<Entry> entries;

@@ -19,6 +19,7 @@
 #include "app/measure/metrics_report.h"
 #include "app/options/command_options.h"
 #include "app/options/idle_options.h"
+#include "app/recipe/parameters.h"
 #include "atlas/base/error.h"
 #include "atlas/measure/refined_points.h"
 #include "atlas/measure/uv_atlas.h"
@@ -172,7 +173,7 @@ class Measuring {
 };
 
 std::vector<AtlasKind> kinds_asked(const MetricsCommand& command, const Recipe& recipe) {
-    if (command.recipe.kind != "all") return {recipe.atlas.kind};
+    if (command.recipe.given("atlas.kind") != "all") return {recipe.atlas.kind};
     std::vector<AtlasKind> kinds{AtlasKind::uniform, AtlasKind::area, AtlasKind::length};
     if (std::has_single_bit(recipe.atlas.size)) {
         kinds.push_back(AtlasKind::quad);
@@ -212,7 +213,7 @@ void check_recipe(const MetricsCommand& command, const RecipeOptions& options,
     refuse_edits(options, keys);
     if (options.time && !looked_up)
         throw Error(ExitCode::usage, fmt::format("--time does nothing: {}; leave it out", why));
-    if (command.recipe.kind != "all") check_edits(options, recipe);
+    if (command.recipe.given("atlas.kind") != "all") check_edits(options, recipe);
 }
 
 /// Throws Error(usage) for options of Burl's atlases where only the file's own texture coordinates
@@ -235,7 +236,8 @@ struct AtlasesAsked {
 /// The atlases that the options ask for. Throws Error for options that do not fit them, and for
 /// their pictures' paths.
 AtlasesAsked atlases_asked(const MetricsCommand& command, const Recipe& recipe, const Mesh& mesh) {
-    const bool has_uvs = !mesh.corners.uvs.empty(), asked = command.recipe.kind.has_value();
+    const bool has_uvs = !mesh.corners.uvs.empty(),
+               asked = command.recipe.given("atlas.kind").has_value();
     AtlasesAsked result{command.uv || (has_uvs && !asked), {}};
     if (result.uvs && !asked) check_uv_options(command);
     if (asked || !result.uvs) result.kinds = kinds_asked(command, recipe);
@@ -245,7 +247,10 @@ AtlasesAsked atlases_asked(const MetricsCommand& command, const Recipe& recipe, 
 
 void run_metrics(const MetricsCommand& command) {
     RecipeOptions options = command.recipe;
-    if (options.kind == "all") options.kind.reset();
+    if (options.given("atlas.kind") == "all")
+        std::erase_if(options.parameters, [](const ParameterOption& option) {
+            return option.parameter->path == "atlas.kind";
+        });
     const Recipe recipe = options.load();
     check_recipe(command, options, recipe);
     Mesh mesh = load_measured(command);
@@ -275,8 +280,9 @@ void add_metrics(CLI::App& program) {
     verb->add_option("mesh", command->mesh, "Mesh file: .obj .ply .stl .off .gltf .glb")
         ->required();
     command->recipe.add_recipe(*verb);
-    command->recipe.add_atlas(*verb);
-    verb->get_option("--atlas")->description("Atlas: uniform, area, length, quad, patch, or all");
+    command->recipe.add_parameters(*verb);
+    verb->get_option("--atlas")->description(
+        fmt::format("Atlas: {}, or all", fmt::join(enum_names<AtlasKind>, ", ")));
     verb->add_flag("--uv", command->uv,
                    "Measure the file's own texture coordinates (the default for a file that has "
                    "them when no --atlas is asked)");

@@ -9,7 +9,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/recipe/keyed_recipe.h"
-#include "app/recipe/schema_tree.h"
+#include "app/recipe/parameters.h"
 #include "atlas/base/error.h"
 
 namespace burl {
@@ -23,26 +23,12 @@ bool parse_number(std::string_view text, double& number) {
     return error == std::errc() && end == text.data() + text.size() && std::isfinite(number);
 }
 
-bool is_index(std::string_view part) {
-    return !part.empty() && part.find_first_not_of("0123456789") == std::string_view::npos;
-}
-
-/// The parameter that a path with indices names; `item` tells whether the path ends in an index
-/// into the parameter's numbers. Null where the table has no such path, which load_recipe reports.
-const Parameter* find_parameter(std::string_view path, bool& item) {
-    const SchemaNode schema = build_schema();
-    const SchemaNode* node = &schema;
-    item = false;
-    const auto parts = split_path(path);
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-        if (node->parameter) {  // only an index into several numbers may follow
-            item = node->parameter->type == ParameterType::numbers && i + 1 == parts.size();
-            return item ? node->parameter : nullptr;
-        }
-        node = node->child(node->is_array() && is_index(parts[i]) ? "*" : parts[i]);
-        if (!node) return nullptr;
-    }
-    return node->parameter;
+/// The parameter with several numbers of which the path names one; null for any other path.
+const Parameter* parameter_with_item(std::string_view path) {
+    const std::size_t dot = path.rfind('.');
+    if (dot == std::string_view::npos) return nullptr;
+    const Parameter* parameter = find_parameter(path.substr(0, dot));
+    return parameter && parameter->type == ParameterType::numbers ? parameter : nullptr;
 }
 
 void check_path(Key& key, const std::string& text) {
@@ -51,16 +37,16 @@ void check_path(Key& key, const std::string& text) {
                     fmt::format("--animate {}: all frames share one atlas, so nothing of it can "
                                 "change over time",
                                 text));
-    bool item = false;
-    const Parameter* parameter = find_parameter(key.path, item);
-    if (!parameter) return;
-    if (parameter->type == ParameterType::numbers && !item)
+    if (parameter_with_item(key.path)) return;
+    const Parameter* parameter = find_parameter(key.path);
+    if (!parameter) return;  // which is for load_recipe to say
+    if (parameter->type == ParameterType::numbers)
         throw Error(ExitCode::usage,
                     fmt::format("--animate {}: {} is {} numbers; animate one of them, such as "
                                 "{}.0=FROM:TO",
                                 text, key.path, parameter->count, key.path));
     key.whole = parameter->type == ParameterType::integer;
-    if (key.whole || item || parameter->type == ParameterType::number) return;
+    if (key.whole || parameter->type == ParameterType::number) return;
     throw Error(ExitCode::usage, fmt::format("--animate {}: {} is a {}, only numbers can be "
                                              "animated (`burl list parameters`)",
                                              text, key.path, to_string(parameter->type)));

@@ -3,13 +3,16 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
 #include "app/base/messages.h"
+#include "app/base/nearest_word.h"
 #include "app/recipe/keyed_recipe.h"
+#include "app/recipe/names.h"
 #include "app/recipe/parameters.h"
 #include "app/surface/mesh_notes.h"
 #include "app/surface/sample_meshes.h"
@@ -19,6 +22,17 @@
 namespace burl {
 
 namespace {
+
+/// The words as a sentence has them: "a, b or c".
+std::string alternatives(std::span<const std::string_view> words) {
+    if (words.size() < 2) return fmt::format("{}", fmt::join(words, ""));
+    return fmt::format("{} or {}", fmt::join(words.first(words.size() - 1), ", "), words.back());
+}
+
+/// The long name of an option: "--size" for "-s,--size".
+std::string_view long_name(std::string_view option) {
+    return option.substr(option.rfind("--"));
+}
 
 /// Adds the edits of --filter, KIND or supersample:N. Throws Error(usage) where another kind has a
 /// number of samples.
@@ -92,18 +106,22 @@ void RecipeOptions::add_settings(CLI::App& verb) {
         ->check(in_range(0.0, 3600.0));
 }
 
-void RecipeOptions::add_atlas(CLI::App& verb) {
-    verb.add_option("-a,--atlas", kind, "Atlas: uniform, area, length, quad or patch");
-    verb.add_option("--overscan", overscan, "Lookup the atlas is made for: nearest or bilinear");
-    verb.add_option("--weight", weight,
-                    "What a pair's share of a quad atlas follows: equal, area, length or error");
-    verb.add_option("--partition", partition,
-                    "How a quad atlas finds clusters: rcb (coordinates) or graph");
-    verb.add_option("--gutter", gutter, "Texels that a quad atlas leaves round every pair");
-    verb.add_option("--diagonals", diagonals,
-                    "Pairs of a quad atlas: shared, or with overscan for more than 8 bits");
-    verb.add_option("--tries", tries, "Partitions a patch atlas is chosen from, 1 to 6");
-    verb.add_option("-s,--size", size, "Side N of the N x N texture, in texels");
+void RecipeOptions::add_parameters(CLI::App& verb) {
+    for (const RecipeParameter& parameter : burl::parameters())
+        if (!parameter.use.option.empty()) parameters.push_back({&parameter});
+    // In --help the texture's size comes after all that says how it is laid out.
+    std::ranges::stable_partition(parameters, [](const ParameterOption& option) {
+        return option.parameter->path != "atlas.size";
+    });
+    for (auto& [parameter, value] : parameters)
+        verb.add_option(std::string(parameter->use.option), value,
+                        fmt::format(fmt::runtime(parameter->use.help),
+                                    alternatives(split_choices(parameter->choices))));
+}
+
+void RecipeOptions::add_filter(CLI::App& verb) {
+    verb.add_option("--filter", filter,
+                    fmt::format("Texel filter: {}:N", alternatives(enum_names<FilterKind>)));
 }
 
 void RecipeOptions::add_precision(CLI::App& verb, const std::string& otherwise) {
@@ -114,6 +132,12 @@ void RecipeOptions::add_precision(CLI::App& verb, const std::string& otherwise) 
                                 otherwise));
 }
 
+std::optional<std::string> RecipeOptions::given(std::string_view path) const {
+    for (const auto& [parameter, value] : parameters)
+        if (parameter->path == path) return value;
+    return {};
+}
+
 std::vector<RecipeEdit> RecipeOptions::edits() const {
     std::vector<RecipeEdit> edits;
     for (const std::string& setting : settings) {
@@ -121,17 +145,10 @@ std::vector<RecipeEdit> RecipeOptions::edits() const {
         edits.push_back({"--set " + setting, setting.substr(0, equals),
                          setting.substr(std::min(equals + 1, setting.size()))});
     }
-    const auto append = [&](const std::string& key, const std::optional<std::string>& value) {
-        if (value) edits.push_back({fmt::format("--{} {}", key, *value), "atlas." + key, *value});
-    };
-    if (kind) edits.push_back({"--atlas " + *kind, "atlas.kind", *kind});
-    append("overscan", overscan);
-    append("weight", weight);
-    append("partition", partition);
-    append("gutter", gutter);
-    append("diagonals", diagonals);
-    append("tries", tries);
-    append("size", size);
+    for (const auto& [parameter, value] : parameters)
+        if (value)
+            edits.push_back({fmt::format("{} {}", long_name(parameter->use.option), *value),
+                             std::string(parameter->path), *value});
     if (filter) append_filter(*filter, edits);
     if (precision) append_precision(*precision, edits);
     return edits;
@@ -161,8 +178,8 @@ Recipe RecipeOptions::load() const {
 }
 
 Precision parse_precision(const std::string& text) {
-    if (text == "float32") return {PrecisionKind::float32, {}};
-    if (text == "float64") return {PrecisionKind::float64, {}};
+    const auto kind = enum_named<PrecisionKind>(text);
+    if (kind && *kind != PrecisionKind::fixed) return {kind, {}};
     Precision precision{PrecisionKind::fixed, {}};
     auto& [integer, fraction] = precision.format;
     const std::string_view begin = "fixed:";

@@ -25,13 +25,22 @@ struct RecipeEdit {
     std::string setting() const { return path + "=" + value; }
 };
 
-/// --recipe, --set, --time and the atlas options. Atlas options are edits of the recipe, as --set
-/// is.
+struct RecipeParameter;
+
+/// An option that sets a parameter of the recipe by itself, such as --size.
+struct ParameterOption {
+    const RecipeParameter* parameter;
+    std::optional<std::string> value{};
+};
+
+/// --recipe, --set, --time and the options of the parameter table, which are edits of the recipe
+/// as --set is.
 struct RecipeOptions {
     std::string recipe = "marble";
     std::vector<std::string> settings;
-    std::optional<std::string> kind, overscan, weight, tries, partition, gutter, diagonals, filter,
-        precision, size;
+    /// The options that add_parameters() has added.
+    std::vector<ParameterOption> parameters;
+    std::optional<std::string> filter, precision;
     /// --time in seconds, for a recipe with keys; 0 where it is left out.
     std::optional<double> time;
     /// The images read so far; copies of the options, one per frame, share them.
@@ -40,9 +49,13 @@ struct RecipeOptions {
     void add_recipe(CLI::App& verb);
     /// Adds --set and --time alone, for verbs that take the recipe as an argument.
     void add_settings(CLI::App& verb);
-    void add_atlas(CLI::App& verb);
+    /// Adds an option for every parameter that the table gives one: those of the atlas.
+    void add_parameters(CLI::App& verb);
+    void add_filter(CLI::App& verb);
     /// Adds --precision, whose help calls the default `otherwise`.
     void add_precision(CLI::App& verb, const std::string& otherwise);
+    /// The value that a parameter's option was given; empty where the option was left out.
+    std::optional<std::string> given(std::string_view path) const;
     /// All edits, those of --set first.
     std::vector<RecipeEdit> edits() const;
     /// The recipe with all edits applied and its keys. Throws Error as load_recipe does, and usage

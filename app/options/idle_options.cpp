@@ -1,11 +1,11 @@
 #include "app/options/idle_options.h"
 
 #include <algorithm>
-#include <array>
 
 #include <fmt/format.h>
 
 #include "app/pipeline/fill_texture.h"
+#include "app/recipe/parameters.h"
 #include "atlas/base/error.h"
 #include "procedural/field/octave_groups.h"
 #include "procedural/model/octaves.h"
@@ -13,9 +13,6 @@
 namespace burl {
 
 namespace {
-
-constexpr std::array<std::string_view, 4> quad_keys{"atlas.weight", "atlas.partition",
-                                                    "atlas.gutter", "atlas.diagonals"};
 
 bool lies_in(std::string_view path, std::string_view key) {
     return path.starts_with(key) && (path.size() == key.size() || path[key.size()] == '.');
@@ -31,33 +28,11 @@ bool on_lattice(const Octave& octave) {
     return has_kernel(octave) && octave.noise.kind != NoiseKind::simplex;
 }
 
-std::string other_kind(std::string_view wanted, AtlasKind kind) {
-    return fmt::format(
-        "only {0} atlases have it, and this one is {1}; add --atlas {0}, or leave it "
-        "out",
-        wanted, to_string(kind));
-}
-
 }  // namespace
 
 std::string idle_reason(const Recipe& recipe, std::string_view path) {
-    const AtlasOptions& atlas = recipe.atlas;
-    if (std::ranges::find(quad_keys, path) != quad_keys.end()) {
-        if (atlas.kind != AtlasKind::quad) return other_kind("quad", atlas.kind);
-        const bool bilinear_only = path == "atlas.gutter" || path == "atlas.diagonals";
-        if (bilinear_only && atlas.overscan == Overscan::nearest)
-            return "with overscan nearest there is none of it; add --overscan bilinear, or leave "
-                   "it "
-                   "out";
-    }
-    if (path == "atlas.tries" && atlas.kind != AtlasKind::patch)
-        return other_kind("patch", atlas.kind);
-    if (path == "filter.samples" && recipe.filter.kind != FilterKind::supersample)
-        return "only --filter supersample takes samples; add that, or leave it out";
-    const bool bits = path == "precision.integer_bits" || path == "precision.fraction_bits";
-    if (bits && recipe.precision.kind != PrecisionKind::fixed)
-        return "only fixed point has these bits; use --precision fixed:I.F, or leave it out";
-    return "";
+    const RecipeParameter* parameter = find_parameter(path);
+    return parameter && parameter->use.idle ? parameter->use.idle(recipe) : "";
 }
 
 std::string idle_kernel(const Recipe& recipe, Kernel kernel) {

@@ -7,26 +7,24 @@
 #include <CLI/CLI.hpp>
 
 #include "app/options/command_options.h"
+#include "app/recipe/names.h"
+#include "app/recipe/parameters.h"
 #include "atlas/base/error.h"
 #include "procedural/noise/domain_warp.h"
-#include "procedural/noise/names.h"
 
 namespace burl {
 
 namespace {
 
-template <class T, std::size_t N>
-std::vector<std::string> words(const std::array<Named<T>, N>& names) {
-    std::vector<std::string> result;
-    for (const auto& one : names) result.emplace_back(one.name);
-    return result;
+template <NamedEnum Enum>
+CLI::Validator word_of() {
+    return one_of({enum_names<Enum>.begin(), enum_names<Enum>.end()});
 }
 
-/// The value of a name that has been checked to exist.
-template <class T, std::size_t N>
-T value_named(const std::array<Named<T>, N>& names, const std::string& name) {
-    return std::find_if(names.begin(), names.end(), [&](const auto& n) { return n.name == name; })
-        ->value;
+/// Accepts the range that recipes give the parameter of a noise term.
+CLI::Validator range_of(std::string_view key) {
+    const auto* parameter = find_parameter(fmt::format("texture.input.noise.0.{}", key));
+    return in_range(parameter->low, parameter->high);
 }
 
 Error wrong_usage(const std::string& sentence) {
@@ -44,15 +42,15 @@ std::string dimensions_of(NoiseKind kind) {
 
 void NoiseOptions::add(CLI::App& verb) {
     verb.add_option("--noise", kind_, "One noise instead of a recipe (`burl list noises`)")
-        ->check(one_of(words(noise_kinds)));
+        ->check(word_of<NoiseKind>());
     verb.add_option("--fade", fade_, "value: linear, smooth or quintic")
-        ->check(one_of(words(fade_names)))
+        ->check(word_of<Fade>())
         ->capture_default_str();
     verb.add_option("--feature", feature_, "worley: f1, f2 or f2-f1")
-        ->check(one_of(words(feature_names)))
+        ->check(word_of<WorleyFeature>())
         ->capture_default_str();
     verb.add_option("--radius2", noise.radius2, "simplex in 3-D: squared radius of the kernels")
-        ->check(in_range(0.1, 0.6))
+        ->check(range_of("radius2"))
         ->capture_default_str();
     verb.add_option("--seed", noise.seed, "Number of the random lattice")->capture_default_str();
     verb.add_option("--period", period_,
@@ -61,16 +59,16 @@ void NoiseOptions::add(CLI::App& verb) {
         ->expected(1, 4)
         ->check(CLI::Range(std::uint32_t(0), largest_period));
     verb.add_option("--sum", sum_, "What octaves add: fbm, turbulence or ridged")
-        ->check(one_of(words(sum_names)))
+        ->check(word_of<OctaveShape>())
         ->capture_default_str();
     verb.add_option("--octaves", fractal.octaves, "Octaves that are summed")
         ->check(CLI::Range(1, 24))
         ->capture_default_str();
     verb.add_option("--lacunarity", fractal.lacunarity, "Frequency ratio between octaves")
-        ->check(in_range(0.01, 16.0))
+        ->check(range_of("lacunarity"))
         ->capture_default_str();
     verb.add_option("--gain", fractal.gain, "Amplitude ratio between octaves")
-        ->check(in_range(0.0, 2.0))
+        ->check(range_of("gain"))
         ->capture_default_str();
     verb.add_flag("--normalized", fractal.normalized, "Divide the sum by its weights' sum");
     verb.add_option("--warp", warp, "Cells by which noises of the same kind move the point")
@@ -94,10 +92,10 @@ void NoiseOptions::check_given(const CLI::App& verb) const {
 }
 
 void NoiseOptions::resolve(std::size_t dimensions) {
-    noise.kind = value_named(noise_kinds, kind_);
-    noise.fade = value_named(fade_names, fade_);
-    noise.feature = value_named(feature_names, feature_);
-    fractal.shape = value_named(sum_names, sum_);
+    noise.kind = *enum_named<NoiseKind>(kind_);
+    noise.fade = *enum_named<Fade>(fade_);
+    noise.feature = *enum_named<WorleyFeature>(feature_);
+    fractal.shape = *enum_named<OctaveShape>(sum_);
     if (!has_dimensions(noise.kind, dimensions))
         throw wrong_usage(fmt::format("{} noise has {} dimensions, the points have {}", kind_,
                                       dimensions_of(noise.kind), dimensions));

@@ -40,12 +40,10 @@ Found find_texture_problem(const Json& recipe) {
         if (Found found = find_graph_problem(texture, "texture")) return found;
         return find_precision_problem(recipe);
     }
-    const SchemaNode schema = build_schema();
-    if (Found found = check_value(schema, recipe, "")) return found;
-    if (Found found = find_map_problem(schema, texture, "texture")) return found;
+    if (Found found = check_value(recipe_schema(), recipe, "")) return found;
+    if (Found found = find_map_problem(texture, "texture")) return found;
     if (texture.contains("input"))
-        if (Found found = find_field_problem(schema, texture["input"], "texture.input"))
-            return found;
+        if (Found found = find_field_problem(texture["input"], "texture.input")) return found;
     return find_precision_problem(recipe);
 }
 

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/base/nearest_word.h"
 #include "app/recipe/model_check.h"
 #include "atlas/base/error.h"
 #include "procedural/graph/table.h"
@@ -90,11 +91,11 @@ class GraphChecker {
         const NodeType* type =
             name.is_string() ? find_node(name.get_ref<const std::string&>()) : nullptr;
         if (!type) return unknown_node(name, join_path(path, "node"));
-        if (type->name == "field") return find_field_problem(schema_, node, path);
+        if (type->name == "field") return find_field_problem(node, path);
         if (type->name == "constant") return check_constant(node, path, wanted, depth, given);
         if (Found found = check_keys(*type, node, path)) return found;
         if (type->name == "color_map")
-            if (Found found = find_map_problem(schema_, node, path)) return found;
+            if (Found found = find_map_problem(node, path)) return found;
         return check_inputs(*type, node, path, wanted, depth, given);
     }
 
@@ -169,7 +170,6 @@ class GraphChecker {
         return {};
     }
 
-    SchemaNode schema_ = build_schema();
     std::size_t nodes_ = 0;
 };
 

@@ -1,9 +1,9 @@
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <filesystem>
 #include <memory>
 #include <set>
+#include <typeinfo>
 #include <utility>
 
 #include <nlohmann/json.hpp>
@@ -12,9 +12,7 @@
 #include "app/image/image_io.h"
 #include "app/recipe/check.h"
 #include "app/recipe/images.h"
-#include "app/recipe/key_json.h"
 #include "app/recipe/leaves.h"
-#include "app/recipe/paint_json.h"
 #include "app/recipe/settings.h"
 #include "atlas/base/error.h"
 #include "procedural/graph/json.h"
@@ -24,37 +22,28 @@ namespace burl {
 
 namespace {
 
-// In the order of the enumerators.
-constexpr std::array atlas_kinds{"uniform", "area", "length", "quad", "patch"};
-constexpr std::array atlas_weights{"equal", "area", "length", "error"};
-constexpr std::array partitions{"rcb", "graph"};
-constexpr std::array diagonals{"shared", "overscan"};
-constexpr std::array overscans{"nearest", "bilinear"};
-constexpr std::array spaces{"unit", "object"};
-constexpr std::array filters{"none",  "table-mip", "table-sat",  "table-sat3",
-                             "exact", "trapezoid", "trapezoid2", "supersample"};
-constexpr std::array filter_octaves{"keep", "fade"};
-constexpr std::array precisions{"float32", "float64", "fixed"};
-
-template <class Enum, class Names>
-void read(const Json& json, const char* key, const Names& names, Enum& target) {
-    if (!json.contains(key)) return;
-    const auto found = std::find(names.begin(), names.end(), json[key].get<std::string>());
-    if (found != names.end()) target = Enum(found - names.begin());
+/// The last part of its path; of items ("points.*") the one before it.
+std::string key_of(const RecipeParameter& row) {
+    const std::string_view path = row.path.substr(0, row.path.find_last_not_of(".*") + 1);
+    return std::string(path.substr(path.rfind('.') + 1));
 }
 
-void read(const Json& json, const char* key, Vec3d& target) {
-    if (!json.contains(key)) return;
-    for (int axis = 0; axis < 3; ++axis) target[axis] = json[key][std::size_t(axis)].get<double>();
+/// Sets the members of `owner` that the table and the JSON have.
+template <class Owner>
+void read_members(const Json& json, Owner& owner) {
+    for (const RecipeParameter& row : parameters())
+        if (row.owner && *row.owner == typeid(Owner))
+            if (const std::string key = key_of(row); json.contains(key))
+                row.read(json[key], &owner);
 }
 
-Json array_of(const Vec3d& v) {
-    return {v.x, v.y, v.z};
-}
-
-template <class Enum, class Names>
-const char* name_of(const Names& names, Enum value) {
-    return names[std::size_t(value)];
+/// Adds the members of `owner` that the table has.
+template <class Owner>
+void write_members(const Owner& owner, Json& json) {
+    for (const RecipeParameter& row : parameters())
+        if (row.owner && *row.owner == typeid(Owner))
+            if (Json value = row.write(&owner); !value.is_null())
+                json[key_of(row)] = std::move(value);
 }
 
 /// Adds up the sizes that one recipe's images declare, before any is decoded.
@@ -88,94 +77,85 @@ std::shared_ptr<const MipImage> blank_image(ImageWrap wrap) {
     return std::make_shared<const MipImage>(Image<Rgb8>(1, 1), wrap);
 }
 
-Precision precision_from_json(const Json& json) {
-    Precision precision;
-    if (json.contains("kind")) read(json, "kind", precisions, precision.kind.emplace());
-    const auto read_bits = [&](const char* key, unsigned& bits) {
-        if (json.contains(key)) bits = unsigned(json[key].get<double>());
-    };
-    read_bits("integer_bits", precision.format.integer_bits);
-    read_bits("fraction_bits", precision.format.fraction_bits);
-    return precision;
+/// An empty object for a part of the recipe that is left out.
+const Json& part_of(const Json& json, const char* key) {
+    static const Json none = Json::object();
+    return json.contains(key) ? json[key] : none;
 }
 
-Json precision_to_json(const Precision& precision) {
-    Json json = Json::object();
-    if (precision.kind) json["kind"] = name_of(precisions, *precision.kind);
-    json["integer_bits"] = precision.format.integer_bits;
-    json["fraction_bits"] = precision.format.fraction_bits;
+template <class Owner>
+void read_list(const Json& json, std::vector<Owner>& list) {
+    for (const Json& one : json) read_members(one, list.emplace_back());
+}
+
+template <class Owner>
+Json list_json(const std::vector<Owner>& list) {
+    Json json = Json::array();
+    for (const Owner& one : list) write_members(one, json.emplace_back());
+    return json;
+}
+
+KeyedAnimation animation_from_json(const Json& json) {
+    KeyedAnimation animation;
+    read_members(json, animation);
+    const Json& tracks = part_of(json, "tracks");
+    read_list(tracks, animation.tracks);
+    for (std::size_t i = 0; i < tracks.size(); ++i)
+        for (const Json& key : tracks[i]["keys"])
+            animation.tracks[i].keys.push_back({key[0].get<double>(), key[1].get<double>()});
+    return animation;
+}
+
+Json animation_to_json(const KeyedAnimation& animation) {
+    Json json;
+    write_members(animation, json);
+    Json& tracks = json["tracks"] = list_json(animation.tracks);
+    for (std::size_t i = 0; i < tracks.size(); ++i) {
+        Json& keys = tracks[i]["keys"] = Json::array();
+        for (const KeyPoint& key : animation.tracks[i].keys)
+            keys.push_back({key.seconds, key.value});
+    }
     return json;
 }
 
 Recipe recipe_from_json(const Json& json, const ImageReader& read_image) {
     Recipe recipe;
-    const Json none = Json::object();
-    const auto part = [&](const char* key) -> const Json& {
-        return json.contains(key) ? json[key] : none;
-    };
-    if (json.contains("name")) recipe.name = json["name"].get<std::string>();
-    const Json& atlas = part("atlas");
-    read(atlas, "kind", atlas_kinds, recipe.atlas.kind);
-    read(atlas, "overscan", overscans, recipe.atlas.overscan);
-    read(atlas, "weight", atlas_weights, recipe.atlas.weight);
-    read(atlas, "partition", partitions, recipe.atlas.partition);
-    read(atlas, "diagonals", diagonals, recipe.atlas.diagonals);
-    if (atlas.contains("gutter"))
-        recipe.atlas.gutter = std::uint32_t(atlas["gutter"].get<double>());
-    if (atlas.contains("tries")) recipe.atlas.tries = int(atlas["tries"].get<double>());
-    if (atlas.contains("size")) recipe.atlas.size = std::uint32_t(atlas["size"].get<double>());
-    const Json& solid = part("solid");
-    read(solid, "space", spaces, recipe.solid.space);
-    if (solid.contains("scale")) recipe.solid.scale = solid["scale"].get<double>();
-    read(solid, "rotate", recipe.solid.rotate);
-    read(solid, "translate", recipe.solid.translate);
-    if (is_graph(part("texture")))
-        recipe.graph = graph_from_json(part("texture"), read_image);
+    read_members(json, recipe);
+    read_members(part_of(json, "atlas"), recipe.atlas);
+    read_members(part_of(json, "solid"), recipe.solid);
+    const Json& texture = part_of(json, "texture");
+    if (is_graph(texture))
+        recipe.graph = graph_from_json(texture, read_image);
     else
-        recipe.texture = texture_from_json(part("texture"));
-    const Json& bump = part("bump");
+        recipe.texture = texture_from_json(texture);
+    const Json& bump = part_of(json, "bump");
+    read_members(bump, recipe.bump);
     if (bump.contains("input")) recipe.bump.input = graph_from_json(bump["input"], read_image);
-    if (bump.contains("height")) recipe.bump.height = bump["height"].get<double>();
-    const Json& filter = part("filter");
-    read(filter, "kind", filters, recipe.filter.kind);
-    if (filter.contains("samples")) recipe.filter.samples = int(filter["samples"].get<double>());
-    read(filter, "octaves", filter_octaves, recipe.filter.band_limit);
-    recipe.precision = precision_from_json(part("precision"));
-    if (json.contains("paint")) recipe.paint = paint_from_json(json["paint"]);
-    if (part("pose").contains("weight")) recipe.pose.weight = part("pose")["weight"].get<double>();
-    if (json.contains("animation")) recipe.animation = animation_from_json(json["animation"]);
+    read_members(part_of(json, "filter"), recipe.filter);
+    read_members(part_of(json, "precision"), recipe.precision);
+    read_members(part_of(json, "precision"), recipe.precision.format);
+    read_list(part_of(json, "paint"), recipe.paint);
+    read_members(part_of(json, "pose"), recipe.pose);
+    recipe.animation = animation_from_json(part_of(json, "animation"));
     return recipe;
 }
 
 Json tree_of(const Recipe& recipe) {
-    Json json{{"burl", 1},
-              {"name", recipe.name},
-              {"atlas",
-               {{"kind", name_of(atlas_kinds, recipe.atlas.kind)},
-                {"size", recipe.atlas.size},
-                {"overscan", name_of(overscans, recipe.atlas.overscan)},
-                {"weight", name_of(atlas_weights, recipe.atlas.weight)},
-                {"partition", name_of(partitions, recipe.atlas.partition)},
-                {"gutter", recipe.atlas.gutter},
-                {"diagonals", name_of(diagonals, recipe.atlas.diagonals)},
-                {"tries", recipe.atlas.tries}}},
-              {"solid",
-               {{"space", name_of(spaces, recipe.solid.space)},
-                {"scale", recipe.solid.scale},
-                {"rotate", array_of(recipe.solid.rotate)},
-                {"translate", array_of(recipe.solid.translate)}}},
-              {"texture", recipe.graph.empty() ? texture_to_json(recipe.texture)
-                                               : graph_to_json(recipe.graph)},
-              {"filter",
-               {{"kind", name_of(filters, recipe.filter.kind)},
-                {"samples", recipe.filter.samples},
-                {"octaves", name_of(filter_octaves, recipe.filter.band_limit)}}},
-              {"precision", precision_to_json(recipe.precision)}};
-    if (!recipe.bump.empty())
-        json["bump"] = {{"height", recipe.bump.height},
-                        {"input", graph_to_json(recipe.bump.input)}};
-    if (!recipe.paint.empty()) json["paint"] = paint_to_json(recipe.paint);
-    if (recipe.pose != PoseOptions{}) json["pose"] = {{"weight", recipe.pose.weight}};
+    Json json{{"burl", 1}};
+    write_members(recipe, json);
+    write_members(recipe.atlas, json["atlas"]);
+    write_members(recipe.solid, json["solid"]);
+    json["texture"] =
+        recipe.graph.empty() ? texture_to_json(recipe.texture) : graph_to_json(recipe.graph);
+    write_members(recipe.filter, json["filter"]);
+    write_members(recipe.precision, json["precision"]);
+    write_members(recipe.precision.format, json["precision"]);
+    if (!recipe.bump.empty()) {
+        write_members(recipe.bump, json["bump"]);
+        json["bump"]["input"] = graph_to_json(recipe.bump.input);
+    }
+    if (!recipe.paint.empty()) json["paint"] = list_json(recipe.paint);
+    if (recipe.pose != PoseOptions{}) write_members(recipe.pose, json["pose"]);
     if (recipe.animation != KeyedAnimation{})
         json["animation"] = animation_to_json(recipe.animation);
     return json;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "app/base/nearest_word.h"
 #include "app/recipe/leaves.h"
 
 namespace burl {
@@ -20,15 +21,10 @@ const Json& place_at(const Json& recipe, const std::string& path) {
     return recipe.at(Json::json_pointer(pointer));
 }
 
-/// The table's entry of a stop's position. The table is static, so the pointer owns nothing.
-std::shared_ptr<const Parameter> stop_parameter() {
-    const auto all = parameters();
-    return {std::shared_ptr<void>(),
-            &*std::ranges::find(all, "texture.stops.*.0", &Parameter::path)};
-}
-
 void add_stops(const Json& recipe, std::vector<RecipeNumber>& numbers) {
-    const auto parameter = stop_parameter();
+    // The table is static, so the pointer owns nothing.
+    const std::shared_ptr<const Parameter> parameter(std::shared_ptr<void>(),
+                                                     find_parameter("texture.stops.0.0"));
     for (const std::string& map : color_map_paths(recipe)) {
         const Json& stops = place_at(recipe, map + ".stops");
         for (std::size_t i = 0; i < stops.size(); ++i)

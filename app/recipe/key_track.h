@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "atlas/base/enum_names.h"
+
 namespace burl {
 
 struct KeyPoint {
@@ -17,6 +19,8 @@ enum class KeyEase {
     linear,
     smooth  ///< smoothstep, 3 x^2 - 2 x^3: at rest in every key
 };
+template <>
+inline constexpr auto enum_names<KeyEase> = enum_words("linear", "smooth");
 
 /// The keys of one number of a recipe.
 struct KeyTrack {

@@ -98,8 +98,7 @@ class LeafWalk {
 
     /// Visits a graph's node `field`, which has the keys of the 1999 model's field.
     void walk_field(const Json& node, const std::string& path, const std::string& group) {
-        const SchemaNode schema = build_schema();
-        const SchemaNode* field = schema.child("texture")->child("input");
+        const SchemaNode* field = recipe_schema().child("texture")->child("input");
         for (const char* key : {"quadric", "noise"}) {
             const SchemaNode* child = field->child(key);
             const std::string below = join(path, key), title = fmt::format("{} > {}", group, key);

@@ -88,18 +88,18 @@ std::string time_problem(std::string_view kind, bool repeats) {
     return "";
 }
 
-Found find_map_problem(const SchemaNode& schema, const Json& map, const std::string& path) {
+Found find_map_problem(const Json& map, const std::string& path) {
     for (const char* key : {"wrap", "stops"}) {
         if (!map.contains(key)) continue;
-        if (Found found =
-                check_value(*schema.child("texture")->child(key), map[key], join_path(path, key)))
+        if (Found found = check_value(*recipe_schema().child("texture")->child(key), map[key],
+                                      join_path(path, key)))
             return found;
     }
     return check_stops(map, path);
 }
 
-Found find_field_problem(const SchemaNode& schema, const Json& field, const std::string& path) {
-    if (Found found = check_value(*schema.child("texture")->child("input"), field, path))
+Found find_field_problem(const Json& field, const std::string& path) {
+    if (Found found = check_value(*recipe_schema().child("texture")->child("input"), field, path))
         return found;
     return check_noise(field, path);
 }

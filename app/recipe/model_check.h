@@ -4,16 +4,14 @@
 
 namespace burl {
 
-/// The first problem of a color_map's `wrap` and `stops`; `schema` is build_schema()'s.
-std::optional<RecipeProblem> find_map_problem(const SchemaNode& schema, const Json& map,
-                                              const std::string& path);
+/// The first problem of a color_map's `wrap` and `stops`.
+std::optional<RecipeProblem> find_map_problem(const Json& map, const std::string& path);
 
 /// The reason why a kind of noise cannot have a time, as the end of a sentence; empty where it can.
 /// `repeats` tells that the noise has a period along an axis or in time.
 std::string time_problem(std::string_view kind, bool repeats);
 
 /// The first problem of a field: keys, values, periods and times.
-std::optional<RecipeProblem> find_field_problem(const SchemaNode& schema, const Json& field,
-                                                const std::string& path);
+std::optional<RecipeProblem> find_field_problem(const Json& field, const std::string& path);
 
 }  // namespace burl

@@ -4,6 +4,7 @@
 // needs no unwrapping.
 #include <vector>
 
+#include "atlas/base/enum_names.h"
 #include "atlas/base/image.h"
 #include "atlas/base/vec.h"
 
@@ -13,6 +14,8 @@ enum class PaintMode {
     paint,  ///< lays colour over the texture and earlier strokes
     erase   ///< removes paint, down to the texture
 };
+template <>
+inline constexpr auto enum_names<PaintMode> = enum_words("paint", "erase");
 
 /// A ball swept along a polyline; it covers the surface that it touches.
 struct PaintStroke {

@@ -7,8 +7,8 @@
 
 #include "app/base/embedded.h"
 #include "app/base/file_bytes.h"
+#include "app/base/nearest_word.h"
 #include "app/recipe/images.h"
-#include "app/recipe/parameters.h"
 #include "atlas/base/error.h"
 #include "procedural/numbers/rotation.h"
 

@@ -36,4 +36,9 @@ SchemaNode build_schema() {
     return root;
 }
 
+const SchemaNode& recipe_schema() {
+    static const SchemaNode schema = build_schema();
+    return schema;
+}
+
 }  // namespace burl

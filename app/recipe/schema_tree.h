@@ -33,6 +33,9 @@ struct SchemaNode {
 /// The tree of parameters().
 SchemaNode build_schema();
 
+/// The tree of parameters(), made once.
+const SchemaNode& recipe_schema();
+
 /// The parts of a dotted path: at least one, possibly empty.
 std::vector<std::string_view> split_path(std::string_view path);
 

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "app/base/nearest_word.h"
 #include "app/recipe/schema_tree.h"
 #include "atlas/base/error.h"
 #include "procedural/graph/json.h"
@@ -127,8 +128,7 @@ std::string apply_setting(Json& recipe, const std::string& setting) {
         throw Error(ExitCode::usage,
                     fmt::format("--set: \"{}\" must have the form path=value", setting));
     const std::string path = setting.substr(0, equals);
-    const SchemaNode schema = build_schema();
-    const SchemaNode* node = &schema;
+    const SchemaNode* node = &recipe_schema();
     // The edit is made in a copy, since a wrong path must leave the recipe unchanged.
     Json edited = recipe;
     Json* place = &edited;

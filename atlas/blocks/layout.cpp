@@ -176,46 +176,4 @@ std::uint32_t smallest_size(std::size_t triangles, const AtlasOptions& options) 
     return static_cast<std::uint32_t>(quad ? std::bit_ceil(side) : side);
 }
 
-std::string_view to_string(AtlasKind kind) {
-    switch (kind) {
-        case AtlasKind::uniform:
-            return "uniform";
-        case AtlasKind::area:
-            return "area";
-        case AtlasKind::length:
-            return "length";
-        case AtlasKind::quad:
-            return "quad";
-        case AtlasKind::patch:
-            return "patch";
-    }
-    return "";
-}
-
-std::string_view to_string(AtlasWeight weight) {
-    switch (weight) {
-        case AtlasWeight::equal:
-            return "equal";
-        case AtlasWeight::area:
-            return "area";
-        case AtlasWeight::length:
-            return "length";
-        case AtlasWeight::error:
-            return "error";
-    }
-    return "";
-}
-
-std::string_view to_string(AtlasPartition partition) {
-    return partition == AtlasPartition::rcb ? "rcb" : "graph";
-}
-
-std::string_view to_string(Diagonals diagonals) {
-    return diagonals == Diagonals::shared ? "shared" : "overscan";
-}
-
-std::string_view to_string(Overscan overscan) {
-    return overscan == Overscan::nearest ? "nearest" : "bilinear";
-}
-
 }  // namespace burl

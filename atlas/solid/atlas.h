@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "atlas/base/enum_names.h"
 #include "atlas/mesh/connectivity.h"
 #include "atlas/mesh/mesh.h"
 
@@ -31,6 +32,18 @@ enum class AtlasPartition { rcb, graph };
 /// Whether the two triangles of a quad atlas's pair meet on the block's diagonal, or lie apart with
 /// overscan between them where they would meet in a kink: for outputs of more than 8 bits.
 enum class Diagonals { shared, overscan };
+
+template <>
+inline constexpr auto enum_names<AtlasKind> = enum_words("uniform", "area", "length", "quad",
+                                                         "patch");
+template <>
+inline constexpr auto enum_names<Overscan> = enum_words("nearest", "bilinear");
+template <>
+inline constexpr auto enum_names<AtlasWeight> = enum_words("equal", "area", "length", "error");
+template <>
+inline constexpr auto enum_names<AtlasPartition> = enum_words("rcb", "graph");
+template <>
+inline constexpr auto enum_names<Diagonals> = enum_words("shared", "overscan");
 
 /// A user's choices for an atlas.
 struct AtlasOptions {
@@ -132,12 +145,5 @@ void check_size(const AtlasOptions& options);
 /// Smallest N that gives each of so many triangles texels of its own, whatever their connectivity.
 /// Strips are refused below the size they need; in a quad atlas pairs then share texels.
 std::uint32_t smallest_size(std::size_t triangles, const AtlasOptions& options);
-
-/// The names of the values in recipes and options.
-std::string_view to_string(AtlasKind kind);
-std::string_view to_string(Overscan overscan);
-std::string_view to_string(AtlasWeight weight);
-std::string_view to_string(AtlasPartition partition);
-std::string_view to_string(Diagonals diagonals);
 
 }  // namespace burl

@@ -71,6 +71,8 @@ SolidAtlas rasterize(const Mesh& mesh, const Atlas& atlas, std::span<const Vec3d
 
 /// The space of solid points: the mesh's box scaled to the unit box, or the mesh's own coordinates.
 enum class SolidSpace { unit, object };
+template <>
+inline constexpr auto enum_names<SolidSpace> = enum_words("unit", "object");
 
 /// The map from mesh coordinates to solid space: `unit` takes the box's centre to the origin and
 /// its longest side to 1, `object` is the identity.

@@ -7,6 +7,7 @@
 #include <tbb/parallel_for.h>
 
 #include "app/bench/stability/ways.h"
+#include "app/recipe/names.h"
 #include "procedural/color/srgb.h"
 #include "procedural/fill/synthesize.h"
 #include "procedural/fill/texels.h"
@@ -130,12 +131,6 @@ Image<RgbF> filtered(const StabilityCase& one, FilterKind kind, PrecisionKind pr
                                    {kind, 16, false}, 1);
 }
 
-const char* name_of(FilterKind kind) {
-    if (kind == FilterKind::none) return "none";
-    if (kind == FilterKind::exact) return "exact";
-    return kind == FilterKind::trapezoid ? "trapezoid" : "trapezoid2";
-}
-
 }  // namespace
 
 Vec3d long_mean(const ColorMap& map, long double f, long double u, long double v) {
@@ -184,7 +179,7 @@ StabilityRow filter_errors(const StabilityCase& one, FilterKind kind, PrecisionK
             const double allowed = slope * (spread.f_error + spread.slope_error) + 3e-7;
             row.note(error, allowed, [&] {
                 return fmt::format("{}, --filter {}, texel ({}, {}): red {:.9g} for {:.9g}",
-                                   one.input, name_of(kind), x, y, got.r, exact.x);
+                                   one.input, to_string(kind), x, y, got.r, exact.x);
             });
         }
     });
@@ -204,7 +199,7 @@ std::vector<StabilityRow> check_filter_errors(const std::vector<StabilityGroup>&
         StabilityRow all;
         all.group = fmt::format("{}: {}", group.name, name_of(kind));
         all.cases = each.size();
-        all.arithmetic = precision == PrecisionKind::float32 ? "float32" : "float64";
+        all.arithmetic = to_string(precision);
         for (std::size_t i = 0; i < each.size(); ++i)
             all.merge(each[i], fmt::format("{}/{}", group.name, i));
         rows.push_back(std::move(all));

@@ -5,6 +5,7 @@
 #include "app/bench/stability/cases.h"
 #include "app/bench/stability/chance.h"
 #include "app/bench/stability/noise.h"
+#include "app/recipe/names.h"
 
 namespace burl {
 
@@ -31,7 +32,7 @@ StabilityGroup filter_group(StabilityChoice choice) {
                     group.cases.push_back(
                         {fmt::format("{}, {} octaves near {:g}, texels of {:g} by {:g} cells, {}",
                                      noise.name, term.octaves, place, step, step * ratio,
-                                     wrap == Wrap::repeat ? "repeat" : "clamp"),
+                                     to_string(wrap)),
                          texture, std::move(solid)});
                 }
     return group;

@@ -9,6 +9,7 @@
 #include "app/editor/session/groups.h"
 #include "app/editor/session/stops.h"
 #include "app/recipe/leaves.h"
+#include "app/recipe/names.h"
 #include "procedural/model/texture_json.h"
 
 namespace burl {
@@ -30,21 +31,6 @@ const Json& at_path(const Json& recipe, const std::string& path) {
     return *place;
 }
 
-ColorMap map_of(const Json& node) {
-    ColorMap map;
-    map.wrap = node.value("wrap", "repeat") == "clamp" ? Wrap::clamp : Wrap::repeat;
-    for (const Json& stop : node["stops"])
-        map.stops.push_back({stop[0].get<double>(), color_from_hex(stop[1].get<std::string>())});
-    return map;
-}
-
-Json stops_json(const std::vector<ColorStop>& stops) {
-    Json json = Json::array();
-    for (const ColorStop& stop : stops)
-        json.push_back(Json::array({stop.position, color_to_hex(stop.color)}));
-    return json;
-}
-
 ImU32 color_code(const Rgb8& color) {
     return IM_COL32(color.r, color.g, color.b, 255);
 }
@@ -57,7 +43,7 @@ class MapEditor {
           path_(std::move(path)),
           selection_(selection),
           recipe_(slider_json(context.session.still())),
-          map_(map_of(at_path(recipe_, path_))) {}
+          map_(texture_from_json(at_path(recipe_, path_)).colors) {}
 
     void show() {
         ImGui::PushID(path_.c_str());
@@ -144,7 +130,7 @@ class MapEditor {
     void wrap() {
         bool repeat = map_.wrap == Wrap::repeat;
         if (ImGui::Checkbox("repeat", &repeat))
-            context_.session.set(path_ + ".wrap", repeat ? "repeat" : "clamp");
+            context_.session.set(path_ + ".wrap", to_string(repeat ? Wrap::repeat : Wrap::clamp));
         context_.items.note(path_ + ".wrap");
     }
 

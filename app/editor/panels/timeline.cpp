@@ -222,7 +222,7 @@ class TimelinePanel {
 
     void ease(const KeyTrack& track) {
         const bool smooth = track.ease == KeyEase::smooth;
-        if (ImGui::SmallButton(smooth ? "smooth" : "linear")) {
+        if (ImGui::SmallButton(to_string(track.ease).data())) {
             KeyedAnimation edited = animation_;
             for (KeyTrack& other : edited.tracks)
                 if (other.path == track.path)

@@ -6,9 +6,12 @@
 #include <array>
 #include <charconv>
 #include <optional>
+#include <ranges>
 #include <span>
 #include <system_error>
 #include <utility>
+
+#include "app/recipe/parameters.h"
 
 namespace burl {
 
@@ -16,37 +19,12 @@ namespace {
 
 using Name = std::pair<std::string_view, std::string_view>;  // a key, and its name
 
-constexpr std::array labels{
+/// Names for the parameters of nodes whose keys no parameter of the recipe has.
+constexpr std::array node_labels{
     Name{"aa", "smoothing"},
     Name{"amount", "share of b"},
-    Name{"diagonals", "pairs meet"},
-    Name{"feature", "distance to"},
-    Name{"gain", "roughness"},
-    Name{"gutter", "gutter"},
-    Name{"kind", "kind"},
-    Name{"lacunarity", "octave spacing"},
-    Name{"octaves", "detail (octaves)"},
-    Name{"overscan", "for lookups"},
-    Name{"phase", "shift"},
-    Name{"radius2", "kernel radius, squared"},
-    Name{"range", "values"},
-    Name{"rotate", "turn"},
-    Name{"sum", "octaves add"},
-    Name{"time_period", "repeats in time after"},
-    Name{"period", "repeats after"},
-    Name{"translate", "move"},
     Name{"vs", "first axis"},
     Name{"vt", "second axis"},
-    Name{"A", "s\u00b2"},
-    Name{"B", "2 s t"},
-    Name{"C", "2 s r"},
-    Name{"D", "2 s"},
-    Name{"E", "t\u00b2"},
-    Name{"F", "2 t r"},
-    Name{"G", "2 t"},
-    Name{"H", "r\u00b2"},
-    Name{"I", "2 r"},
-    Name{"J", "constant"},
 };
 
 constexpr std::array titles{
@@ -81,9 +59,12 @@ std::size_t place_of(std::string_view key) {
                        order.begin());
 }
 
-constexpr std::array<std::string_view, 13> rare{
-    "time",      "time_period", "weights",   "range", "matrix",   "overscan", "weight",
-    "partition", "gutter",      "diagonals", "tries", "period_u", "period_v"};
+/// The recipe's parameters with this key; a node's parameter with the same key means the same.
+auto parameters_with(std::string_view key) {
+    return parameters() | std::views::filter([key](const RecipeParameter& parameter) {
+               return parameter.path.substr(parameter.path.rfind('.') + 1) == key;
+           });
+}
 
 /// Returns the kind of noise that a key applies to; empty: every kind.
 std::string_view kind_of(std::string_view key) {
@@ -102,7 +83,9 @@ bool is_rare(const RecipeLeaf& leaf, std::string_view kind) {
     if (const std::string_view wanted = kind_of(leaf.label); !wanted.empty()) return wanted != kind;
     // A pattern's period is important, a noise's is not.
     if (leaf.label == "period") return is_noise(leaf.group);
-    return std::ranges::find(rare, leaf.label) != rare.end();
+    if (leaf.label == "period_u" || leaf.label == "period_v") return true;
+    return std::ranges::any_of(parameters_with(leaf.label),
+                               [](const RecipeParameter& one) { return one.use.rare; });
 }
 
 /// Returns the sort key of a group: 0 first; the texture's own groups are 1.
@@ -253,7 +236,9 @@ std::string number_label(const std::vector<ParameterGroup>& groups, const std::s
 }
 
 std::string parameter_label(std::string_view key) {
-    if (const std::string_view words = in_words(labels, key); !words.empty())
+    for (const RecipeParameter& parameter : parameters_with(key))
+        if (!parameter.use.label.empty()) return std::string(parameter.use.label);
+    if (const std::string_view words = in_words(node_labels, key); !words.empty())
         return std::string(words);
     std::string text(key);
     std::ranges::replace(text, '_', ' ');

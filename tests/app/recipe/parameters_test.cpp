@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "app/base/embedded.h"
+#include "app/recipe/names.h"
 #include "app/recipe/recipe.h"
 #include "atlas/solid/atlas.h"
 #include "tests/paths.h"
@@ -59,6 +60,18 @@ std::string first_path(const Parameter& parameter) {
     return path;
 }
 
+/// The line that documentation() should have.
+std::string line_of(const Parameter& p) {
+    std::string range = "any";
+    if (p.low < p.high) range = fmt::format("{} to {}", p.low, p.high);
+    if (!p.choices.empty())
+        range = fmt::format("`{}`", fmt::join(split_choices(p.choices), "`, `"));
+    if (p.type == ParameterType::color) range = "`#rrggbb`";
+    return fmt::format("| `{}` | {} | {} | {} | {}{} |", p.path, to_string(p.type),
+                       p.default_value.empty() ? "-" : fmt::format("`{}`", p.default_value), range,
+                       p.tip, p.unit.empty() ? "" : fmt::format(" ({})", p.unit));
+}
+
 TEST(Parameters, AreAllDocumentedAndNothingElse) {
     std::set<std::string> documented, known;
     for (const Row& row : documented_rows()) documented.insert(row.path);
@@ -70,7 +83,7 @@ TEST(Parameters, AreDocumentedWithTypeDefaultAndRange) {
     const std::set<Row> rows = documented_rows();
     for (const Parameter& parameter : parameters()) {
         const auto row = rows.find({std::string(parameter.path), "", "", ""});
-        ASSERT_NE(row, rows.end()) << parameter.path;
+        ASSERT_NE(row, rows.end()) << "docs/reference/recipes.md lacks\n" << line_of(parameter);
         EXPECT_EQ(row->type, to_string(parameter.type)) << parameter.path;
         const std::string quoted = fmt::format("`{}`", parameter.default_value);
         EXPECT_EQ(row->default_value, parameter.default_value.empty() ? "-" : quoted)
@@ -147,14 +160,28 @@ TEST(Presets, AreAllDocumented) {
     }
 }
 
-TEST(NearestWord, CountsEdits) {
-    const std::vector<std::string_view> words{"amplitude", "frequency", "phase", "gain"};
-    EXPECT_EQ(nearest_word("amplitde", words), "amplitude");
-    EXPECT_EQ(nearest_word("gian", words), "gain");
-    EXPECT_EQ(nearest_word("Phase", words), "phase");
-    EXPECT_EQ(nearest_word("zzzzzz", words), "");
-    EXPECT_EQ(nearest_word("brightness", words), "");  // shares letters with all of them
-    EXPECT_EQ(nearest_word("x", {}), "");
+template <class Enum>
+void expect_words_lead_back() {
+    for (std::size_t k = 0; k < enum_names<Enum>.size(); ++k) {
+        EXPECT_EQ(enum_named<Enum>(to_string(Enum(k))), Enum(k)) << to_string(Enum(k));
+        EXPECT_FALSE(to_string(Enum(k)).empty());
+    }
+    EXPECT_EQ(enum_named<Enum>(""), std::nullopt);
+}
+
+TEST(EnumNames, LeadBackToTheirEnumerators) {
+    expect_words_lead_back<AtlasKind>();
+    expect_words_lead_back<FilterKind>();
+    expect_words_lead_back<NoiseKind>();
+    expect_words_lead_back<WorleyFeature>();
+    expect_words_lead_back<OctaveShape>();
+    EXPECT_EQ(to_string(FilterKind::table_sat3), "table-sat3");
+    EXPECT_EQ(to_string(FilterKind::supersample), "supersample");
+    EXPECT_EQ(to_string(NoiseKind::white), "white");
+    EXPECT_EQ(to_string(WorleyFeature::f2_f1), "f2-f1");
+    EXPECT_EQ(to_string(OctaveShape::absolute), "turbulence");
+    EXPECT_EQ(to_string(AtlasKind::patch), "patch");
+    EXPECT_EQ(to_string(PrecisionKind::fixed), "fixed");
 }
 
 }  // namespace
