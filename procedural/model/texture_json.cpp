@@ -166,13 +166,17 @@ Texture texture_from_json(const Json& json) {
     return texture;
 }
 
+Json stops_to_json(const std::vector<ColorStop>& stops) {
+    Json json = Json::array();
+    for (const ColorStop& stop : stops)
+        json.push_back(Json::array({stop.position, color_to_hex(stop.color)}));
+    return json;
+}
+
 Json texture_to_json(const Texture& texture) {
-    Json stops = Json::array();
-    for (const ColorStop& stop : texture.colors.stops)
-        stops.push_back(Json::array({stop.position, color_to_hex(stop.color)}));
     return Json{{"node", "color_map"},
                 {"wrap", name_of(wraps, texture.colors.wrap)},
-                {"stops", stops},
+                {"stops", stops_to_json(texture.colors.stops)},
                 {"input", field_to_json(texture)}};
 }
 

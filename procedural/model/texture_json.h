@@ -14,6 +14,9 @@ Texture texture_from_json(const nlohmann::ordered_json& json);
 /// JSON that texture_from_json reads back to an equal Texture.
 nlohmann::ordered_json texture_to_json(const Texture& texture);
 
+/// The "stops" of a colour map: pairs of a position and "#rrggbb".
+nlohmann::ordered_json stops_to_json(const std::vector<ColorStop>& stops);
+
 /// The colour written as "#rrggbb".
 Rgb8 color_from_hex(const std::string& text);
 /// The text "#rrggbb" of a colour.

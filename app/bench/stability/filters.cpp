@@ -197,7 +197,7 @@ std::vector<StabilityRow> check_filter_errors(const std::vector<StabilityGroup>&
             each[i] = filter_errors(group.cases[i], kind, precision);
         });
         StabilityRow all;
-        all.group = fmt::format("{}: {}", group.name, name_of(kind));
+        all.group = fmt::format("{}: {}", group.name, to_string(kind));
         all.cases = each.size();
         all.arithmetic = to_string(precision);
         for (std::size_t i = 0; i < each.size(); ++i)

@@ -59,7 +59,7 @@ class MapEditor {
   private:
     EditHistory& history() { return context_.session.history(); }
     void set_stops(const std::vector<ColorStop>& stops) {
-        context_.session.set(path_ + ".stops", stops_json(stops));
+        context_.session.set(path_ + ".stops", stops_to_json(stops));
     }
     float x_of(double position) const { return low_.x + float(position) * width_; }
 
