@@ -1,15 +1,15 @@
 #pragma once
-// Bytes that a test program holds by operator new, which its own takes the place of where the C
-// library says how large a block is: peaks that, unlike the process's size, depend on nothing else.
+// Counts the bytes allocated by operator new, which the test program replaces where the C library
+// reports block sizes. Unlike the size of the process, these peaks depend on nothing else.
 #include <cstddef>
 
 namespace burl {
 
-/// False where bytes are not counted.
+/// Whether bytes are counted.
 bool counts_bytes();
-/// Starts looking for a peak, from what is held now on.
+/// Begins to measure a peak, relative to the bytes allocated now.
 void begin_peak();
-/// The most bytes held at a time since, beyond those held then.
+/// The peak of allocated bytes since begin_peak(), beyond those allocated then.
 std::size_t peak_bytes();
 
 }  // namespace burl

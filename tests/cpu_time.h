@@ -1,12 +1,12 @@
 #pragma once
-// How time grows with the size of a task: ratios, unlike seconds, are much the same on every
-// machine and with every sanitizer.
+// Processor time for tests of how time grows with the size of a task: ratios, unlike seconds, are
+// much the same on every machine and with every sanitizer.
 #include <algorithm>
 #include <ctime>
 
 namespace burl::test {
 
-/// Processor time that the whole program takes for it, in clock ticks: the least of three runs.
+/// Returns the program's processor time for `work`, in clock ticks: the least of three runs.
 template <class Work>
 double cpu_time(const Work& work) {
     std::clock_t least = 0;

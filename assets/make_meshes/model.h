@@ -6,7 +6,7 @@
 #include <map>
 #include <vector>
 
-#include "atlas/vec.h"
+#include "atlas/base/vec.h"
 
 namespace burl {
 

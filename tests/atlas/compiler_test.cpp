@@ -5,7 +5,7 @@
 // itself.
 #include <gtest/gtest.h>
 
-#include "atlas/vec.h"
+#include "atlas/base/vec.h"
 
 namespace burl {
 namespace {

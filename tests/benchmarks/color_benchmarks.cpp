@@ -1,10 +1,10 @@
 #include <memory>
 #include <random>
 
-#include "app/recipe.h"
-#include "procedural/color_table.h"
-#include "procedural/map_filter_kernels.h"
-#include "procedural/srgb_kernels.h"
+#include "app/recipe/recipe.h"
+#include "procedural/color/map_filter_kernels.h"
+#include "procedural/color/srgb_kernels.h"
+#include "procedural/color/table.h"
 #include "tests/benchmarks/micro_benchmarks.h"
 
 namespace burl {

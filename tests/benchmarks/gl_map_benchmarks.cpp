@@ -1,10 +1,10 @@
 // Lattice maps as textures: drawn from the atlas's spans, or filled by the host and uploaded.
 #include <fmt/format.h>
 
-#include "app/gl_lattice_map.h"
-#include "app/sample_meshes.h"
-#include "atlas/error.h"
-#include "atlas/mesh_atlas.h"
+#include "app/gl/fill/lattice_map.h"
+#include "app/surface/sample_meshes.h"
+#include "atlas/base/error.h"
+#include "atlas/build/mesh_atlas.h"
 #include "tests/benchmarks/micro_benchmarks.h"
 
 namespace burl {

@@ -1,7 +1,7 @@
-#include "app/simd_limit.h"
-#include "atlas/error.h"
-#include "procedural/simd_level.h"
-#include "procedural/texel_batch.h"
+#include "app/base/simd_limit.h"
+#include "atlas/base/error.h"
+#include "procedural/batch/texel_batch.h"
+#include "procedural/numbers/simd_level.h"
 #include "tests/benchmarks/micro_benchmarks.h"
 
 namespace {

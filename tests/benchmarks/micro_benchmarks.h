@@ -1,29 +1,30 @@
 #pragma once
-// Kernels by themselves, on one batch that stays in the first cache: what a change to one of them
-// is worth before the rest of a bake hides it. Whole bakes and comparisons are `burl bench`.
+// Micro-benchmarks of kernels on one batch that stays in the L1 cache: they show the effect of a
+// change that the rest of a bake hides. Whole bakes and comparisons are measured by `burl bench`.
 #include <benchmark/benchmark.h>
 
 #include <string>
 #include <vector>
 
-#include "procedural/texel_piece.h"
+#include "procedural/batch/texel_piece.h"
 
 namespace burl {
 
-/// Coordinates, octaves and the quadric.
+/// Registers the benchmarks of coordinates, octaves and the quadric.
 void register_stream_benchmarks();
-/// Look-ups of colours, their codes, and the exact filters.
+/// Registers the benchmarks of colour lookups, colour codes and the exact filters.
 void register_color_benchmarks();
-/// Other libraries' noises at the same number of points, where the build found them.
+/// Registers the noises of other libraries, at the same number of points, where the build found
+/// them.
 void register_baseline_benchmarks();
-/// Lattice maps of a whole atlas for OpenGL.
+/// Registers the lattice maps of a whole atlas for OpenGL.
 void register_map_benchmarks();
 
-/// A full batch of spans of `length` texels that cross `crossings` lattice planes a texel in the
-/// solid's own cells, turned at random.
+/// Returns a full batch of randomly turned spans of `length` texels that cross `crossings` lattice
+/// planes per texel, in the solid's own cells.
 std::vector<Piece> random_spans(double crossings, std::size_t length);
 
-/// run() per iteration, with the seconds each of a batch's texels takes.
+/// Registers run() as a benchmark, with the seconds per texel of a batch.
 template <class Run>
 void register_batch(const std::string& name, Run run) {
     benchmark::RegisterBenchmark(name.c_str(), [run](benchmark::State& state) mutable {

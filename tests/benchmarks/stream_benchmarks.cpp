@@ -4,9 +4,9 @@
 
 #include <fmt/format.h>
 
-#include "procedural/noise_names.h"
-#include "procedural/octave_streams.h"
-#include "procedural/quadric_kernel.h"
+#include "procedural/field/octave_streams.h"
+#include "procedural/kernels/quadric_kernel.h"
+#include "procedural/noise/names.h"
 #include "tests/benchmarks/micro_benchmarks.h"
 
 namespace burl {

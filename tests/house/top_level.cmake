@@ -1,7 +1,7 @@
 # The top level is fixed: new things go into one of its folders. Hidden files and the ignored output
 # folders do not count. Usage: cmake -DROOT=folder -P top_level.cmake
 cmake_minimum_required(VERSION 3.25)
-set(expected CMakeLists.txt CMakePresets.json LICENSE README.md app assets atlas check demo docs
+set(expected CMakeLists.txt CMakePresets.json CONTRIBUTING.md LICENSE README.md app assets atlas check demo docs
     packages.txt procedural shaders tests)
 file(GLOB found RELATIVE ${ROOT} ${ROOT}/*)
 list(FILTER found EXCLUDE REGEX "^(\\..*|build|out)$")

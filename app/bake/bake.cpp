@@ -1,0 +1,150 @@
+#include "app/bake/bake.h"
+
+#include <algorithm>
+#include <chrono>
+#include <iterator>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "app/bake/exr.h"
+#include "app/bake/texture.h"
+#include "app/base/messages.h"
+#include "app/base/stopwatch.h"
+#include "app/export/emit.h"
+#include "app/export/solid_map_file.h"
+#include "app/recipe/lattice_check.h"
+#include "atlas/base/freed_memory.h"
+#include "atlas/build/atlas_pose.h"
+
+namespace burl {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+void warn_if_starved(const Pipeline& pipeline) {
+    const std::string problem =
+        shortage(capacity(pipeline.mesh().triangles.size(), pipeline.recipe().atlas));
+    if (!problem.empty()) warn(fmt::format("{}: {}", pipeline.mesh().name, problem));
+}
+
+void tell_fallback(const Pipeline& pipeline, const Atlas& atlas) {
+    const std::string& why = atlas.notes.fallback;
+    if (!why.empty()) warn(fmt::format("{}: {}", pipeline.mesh().name, why));
+}
+
+/// The recipe's atlas. Triangles that get too few texels are told before the work (DESIGN section
+/// 6), but for strips, which may not hold the mesh at all: their error is the one thing to say.
+const MeshAtlas& lay_out(Pipeline& pipeline) {
+    const AtlasKind kind = pipeline.recipe().atlas.kind;
+    const bool strips = kind != AtlasKind::patch && kind != AtlasKind::quad;
+    if (!strips) warn_if_starved(pipeline);
+    const MeshAtlas& atlas = pipeline.mesh_atlas();
+    tell_fallback(pipeline, atlas.atlas());
+    if (strips) warn_if_starved(pipeline);
+    return atlas;
+}
+
+std::string shader_text(const BakePlan& plan, const Mesh& mesh) {
+    const Recipe& recipe = plan.recipes[0];
+    return plan.shader.empty() ? "" : emit_glsl(recipe, texture_from_mesh(recipe, mesh));
+}
+
+ExportOptions export_options(Pipeline& pipeline, const BakePlan& plan, const MeshPose* pose) {
+    ExportOptions options;
+    options.crease_degrees = plan.crease_degrees;
+    options.recipe_json = to_json(pipeline.recipe());
+    options.recipe_name = pipeline.recipe().name;
+    if (pose)
+        options.pose = ExportPose{atlas_pose(*pose, pipeline.mesh(), pipeline.mesh_atlas()),
+                                  pipeline.recipe().pose.weight};
+    return options;
+}
+
+/// The files of an .exr whose texture is never in memory as a whole.
+std::vector<AtomicFile> files_in_bands(Pipeline& pipeline, const BakePlan& plan,
+                                       const std::string& path, BakeResult& result) {
+    result.normals = bake_normals(pipeline, plan.normals, plan.depth, plan.crease_degrees);
+    BandsWritten bands = write_exr_in_bands(pipeline, path, plan.levels,
+                                            result.normals ? &*result.normals : nullptr);
+    result.levels.count = std::uint32_t(bands.levels);
+    result.writing += bands.seconds;
+    return std::move(bands.files);
+}
+
+/// The files of a frame. Where it `releases`, the texels' points are given back before the files
+/// are made, whose buffers are as large.
+std::vector<AtomicFile> files_of_frame(Pipeline& pipeline, const BakePlan& plan,
+                                       const std::string& path, const MeshPose* pose, bool releases,
+                                       BakeResult& result) {
+    const ImageKind kind = plan.kind;
+    if (kind == ImageKind::rgb_float && !plan.compress && comes_in_bands(pipeline, plan.levels))
+        return files_in_bands(pipeline, plan, path, result);
+    BakedTexture texture = bake_texture(pipeline, kind, plan.levels);
+    result.texture = compressed_bake(pipeline.atlas(), std::move(texture.image), plan.compress);
+    std::optional<NormalMap> normals =
+        bake_normals(pipeline, plan.normals, plan.depth, plan.crease_degrees);
+    if (releases) pipeline.release_texels();
+    const auto writing = Clock::now();
+    ExportOptions options = export_options(pipeline, plan, pose);
+    options.levels = std::move(texture.levels);
+    options.normals = std::move(normals);
+    const BakedAtlas& baked = result.texture;
+    std::vector<AtomicFile> files =
+        scene_files(path, pipeline.atlas_mesh(), baked.packed ? *baked.packed : pipeline.atlas(),
+                    baked.image, options);
+    result.levels.count = std::uint32_t(options.levels.size());
+    result.normals = std::move(options.normals);
+    result.writing += seconds_since(writing);
+    return files;
+}
+
+/// Adds the shader and the solid map where the plan has them.
+void add_beside(std::vector<AtomicFile>& files, Pipeline& pipeline, const BakePlan& plan,
+                const std::string& shader, BakeResult& result) {
+    if (!plan.shader.empty()) files.emplace_back(plan.shader).write(shader);
+    if (plan.solid_map.empty()) return;
+    auto [base, file] = write_solid_map(plan.solid_map, pipeline, plan.threads);
+    files.push_back(std::move(file));
+    result.solid_base = base;
+}
+
+void commit(std::vector<AtomicFile>& files, BakeResult& result) {
+    const auto naming = Clock::now();
+    std::ranges::move(commit_together(files), std::back_inserter(result.committed));
+    result.writing += seconds_since(naming);
+}
+
+}  // namespace
+
+void check_mesh(const BakePlan& plan, const Mesh& mesh) {
+    for (const Recipe& recipe : plan.recipes) check_lattice(recipe, mesh);
+}
+
+BakeResult bake(Pipeline& pipeline, const BakePlan& plan, const MeshPose* pose, LaterBake later) {
+    const std::string shader = shader_text(plan, pipeline.mesh());
+    pipeline.set_recipe(plan.recipes[0]);
+    const MeshAtlas& atlas = lay_out(pipeline);
+    if (later == LaterBake::none) pipeline.release_neighbours();
+    const SolidAtlas& points = pipeline.solid();
+    BakeResult result;
+    result.levels.rule = plan.levels.rule;
+    if (plan.measures) result.metrics = measure(pipeline.atlas_mesh(), atlas.atlas(), points);
+    if (pipeline.mesh().triangles.size() > many_triangles) return_freed_memory();
+    const bool needed_later =
+        later == LaterBake::atlas || !plan.solid_map.empty() || plan.normals != NormalSpace::none;
+    for (std::size_t i = 0; i < plan.paths.size(); ++i) {
+        const bool last = i + 1 == plan.paths.size();
+        if (i > 0) pipeline.set_recipe(plan.recipes[i]);
+        result.texture = {};  // two frames' textures need not be held at a time
+        result.normals.reset();
+        std::vector<AtomicFile> files =
+            files_of_frame(pipeline, plan, plan.paths[i], pose, last && !needed_later, result);
+        if (last) add_beside(files, pipeline, plan, shader, result);
+        commit(files, result);
+    }
+    return result;
+}
+
+}  // namespace burl

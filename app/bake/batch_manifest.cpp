@@ -1,0 +1,215 @@
+#include "app/bake/batch_manifest.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <string_view>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "app/base/file_bytes.h"
+#include "app/base/nearest_word.h"
+#include "app/recipe/recipe.h"
+#include "app/surface/load_pose.h"
+#include "app/surface/sample_meshes.h"
+#include "atlas/base/error.h"
+
+namespace burl {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view entries_key = "bakes", defaults_key = "defaults";
+
+/// The line of every object in the root's array `entries_key`, of JSON that is known to be right.
+class EntryLines {
+  public:
+    explicit EntryLines(std::string_view text) {
+        for (std::size_t i = 0; i < text.size(); ++i) {
+            if (text[i] == '\n') ++line_;
+            if (text[i] == '"')
+                i = skip_string(text, i);
+            else
+                step(text[i]);
+        }
+    }
+    const std::vector<std::size_t>& lines() const { return lines_; }
+
+  private:
+    /// To the quote that ends it.
+    std::size_t skip_string(std::string_view text, std::size_t begin) {
+        std::size_t end = begin + 1;
+        while (text[end] != '"') end += text[end] == '\\' ? 2 : 1;
+        if (depth_ == 1) last_string_ = text.substr(begin, end + 1 - begin);
+        return end;
+    }
+    void step(char c) {
+        // Parsed, since a key may be written with escapes.
+        if (c == '[' && depth_ == 1)
+            inside_ = Json::parse(last_string_).get<std::string>() == entries_key;
+        if ((c == '{' || c == '[') && ++depth_ == 3 && inside_) lines_.push_back(line_);
+        if (c == '}' || c == ']') --depth_;
+        if (c == ']' && depth_ == 1) inside_ = false;
+    }
+
+    std::size_t line_ = 1;
+    int depth_ = 0;
+    bool inside_ = false;
+    std::string_view last_string_;  // with its quotes
+    std::vector<std::size_t> lines_;
+};
+
+/// Options of the command line that name files.
+constexpr std::array<std::string_view, 5> file_keys = {"mesh", "output", "recipe", "solid-map",
+                                                       "emit-glsl"};
+
+bool names_file(const std::string& key, const std::string& value) {
+    if (key == "mesh") return !is_sample_mesh(value);
+    if (key == "pose") return is_pose_file(value) && !is_sample_mesh(value);
+    if (key == "recipe") return !names_preset(value);
+    return std::ranges::find(file_keys, key) != file_keys.end();
+}
+
+Error wrong_value(const std::string& key) {
+    return Error(ExitCode::invalid_file,
+                 fmt::format("'{}' must be a text, a number, true, false or a list of these", key));
+}
+
+/// As the command line has it.
+std::string text_of(const std::string& key, const Json& value, const fs::path& folder) {
+    if (value.is_number()) return value.dump();
+    if (!value.is_string()) throw wrong_value(key);
+    const auto text = value.get<std::string>();
+    return names_file(key, text) ? (folder / text).string() : text;
+}
+
+void check_key(const CLI::App& options, const std::string& key) {
+    if (key == "mesh" || options.get_option_no_throw("--" + key)) return;
+    std::vector<std::string> names;
+    for (const CLI::Option* option : options.get_options())
+        names.push_back(option->get_single_name());
+    const std::vector<std::string_view> words(names.begin(), names.end());
+    const std::string_view near = nearest_word(key, words);
+    throw Error(ExitCode::invalid_file,
+                fmt::format("there is no option '{}'{}", key,
+                            near.empty() ? "" : fmt::format("; did you mean '{}'?", near)));
+}
+
+void add_argument(const std::string& key, const Json& value, const fs::path& folder,
+                  std::vector<std::string>& arguments) {
+    if (value.is_array()) {
+        for (const Json& one : value) {
+            if (one.is_structured() || one.is_null()) throw wrong_value(key);
+            add_argument(key, one, folder, arguments);
+        }
+    } else if (value.is_boolean()) {
+        if (value.get<bool>()) arguments.push_back("--" + key);
+    } else if (key == "mesh") {
+        arguments.push_back(text_of(key, value, folder));
+    } else {
+        arguments.push_back(fmt::format("--{}={}", key, text_of(key, value, folder)));
+    }
+}
+
+/// Reads the entry as arguments of `burl bake`.
+void parse_entry(const Json& entry, const fs::path& folder, BatchEntry& result) {
+    CLI::App options;
+    options.set_help_flag();
+    add_bake_options(options, result.command);
+    std::vector<std::string> arguments;
+    for (const auto& item : entry.items()) {
+        check_key(options, item.key());
+        add_argument(item.key(), item.value(), folder, arguments);
+    }
+    std::ranges::reverse(arguments);  // as CLI11 takes them
+    options.parse(std::move(arguments));
+    result.settings = bake_settings(options);
+}
+
+/// The edits of the defaults that the entry does not make otherwise, and then the entry's.
+Json joined_edits(const Json& defaults, const Json& entry) {
+    const auto list = [](const Json& value) { return value.is_array() ? value : Json{value}; };
+    const Json own = list(entry);
+    const auto path = [](const Json& edit) {
+        const std::string text = edit.is_string() ? edit.get<std::string>() : "";
+        return text.substr(0, text.find('='));
+    };
+    Json edits = Json::array();
+    for (const Json& edit : list(defaults))
+        if (std::ranges::find(own, path(edit), path) == own.end()) edits.push_back(edit);
+    edits.insert(edits.end(), own.begin(), own.end());
+    return edits;
+}
+
+/// The defaults with the entry's own values; edits of the recipe (`set`) follow those of the
+/// defaults, and null takes a default away.
+Json with_defaults(const Json& defaults, const Json& entry) {
+    Json merged = defaults;
+    for (const auto& item : entry.items()) {
+        if (item.value().is_null())
+            merged.erase(item.key());
+        else if (item.key() == "set" && merged.contains("set"))
+            merged["set"] = joined_edits(merged["set"], item.value());
+        else
+            merged[item.key()] = item.value();
+    }
+    return merged;
+}
+
+BatchEntry read_entry(const Json& entry, const Json& defaults, const fs::path& folder,
+                      const std::string& place) {
+    BatchEntry result;
+    result.where = place;
+    if (entry.is_object() && entry.contains("output") && entry["output"].is_string())
+        result.where += fmt::format(" ({})", entry["output"].get<std::string>());
+    try {
+        if (!entry.is_object())
+            throw Error(ExitCode::invalid_file,
+                        "an entry must be an object such as "
+                        R"({"mesh": "a.obj", "output": "a.png"})");
+        parse_entry(with_defaults(defaults, entry), folder, result);
+    } catch (const Error& error) {
+        result.wrong = error.what();
+    } catch (const CLI::ParseError& error) {
+        result.wrong = error.what();
+    }
+    return result;
+}
+
+void check_manifest(const Json& manifest, const std::string& path) {
+    const auto fail = [&](const std::string& message) { throw invalid_file(path, 1, message); };
+    if (!manifest.is_object() || !manifest.contains(entries_key))
+        fail(R"(a manifest is an object with a list "bakes")");
+    for (const auto& item : manifest.items())
+        if (item.key() != entries_key && item.key() != defaults_key)
+            fail(fmt::format(R"(unknown key "{}"; there are "defaults" and "bakes")", item.key()));
+    if (!manifest[std::string(entries_key)].is_array()) fail(R"("bakes" must be a list)");
+    if (manifest[std::string(entries_key)].empty()) fail(R"("bakes" is empty)");
+    if (!manifest.value(defaults_key, Json::object()).is_object())
+        fail(R"("defaults" must be an object)");
+}
+
+}  // namespace
+
+std::vector<BatchEntry> read_manifest(const std::string& path) {
+    const std::vector<std::uint8_t> bytes = read_file_bytes(path);
+    const std::string text(bytes.begin(), bytes.end());
+    const Json manifest = parse_json_text(text, path);
+    check_manifest(manifest, path);
+    const Json defaults = manifest.value(defaults_key, Json::object());
+    const EntryLines entries(text);
+    const fs::path folder = fs::path(path).parent_path();
+    std::vector<BatchEntry> result;
+    // Entries that are no object have no line of their own.
+    std::size_t objects = 0, line = 1;
+    for (const Json& entry : manifest[std::string(entries_key)]) {
+        if (entry.is_structured()) line = entries.lines()[objects++];
+        result.push_back(read_entry(entry, defaults, folder,
+                                    fmt::format("{}:{}: bake {}", path, line, result.size() + 1)));
+    }
+    return result;
+}
+
+}  // namespace burl

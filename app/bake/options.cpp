@@ -1,0 +1,126 @@
+#include "app/bake/options.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "app/recipe/parameters.h"
+#include "atlas/base/error.h"
+
+namespace burl {
+
+void add_bake_options(CLI::App& verb, BakeCommand& command) {
+    verb.add_option("mesh", command.mesh, "Mesh file: .obj .ply .stl .off .gltf .glb")->required();
+    verb.add_option("-o,--output", command.out, "Output file; its extension says what")->required();
+    command.recipe.add_recipe(verb);
+    command.recipe.add_parameters(verb);
+    command.animation.add(verb);
+    command.recipe.add_filter(verb);
+    command.recipe.add_precision(verb, "float32");
+    command.meshes.add(verb);
+    add_pose(verb, command.pose);
+    verb.add_option("--levels", command.levels,
+                    "MIP levels to write besides the texture: a number, all, or all by a rule, "
+                    "average or direct");
+    verb.add_option("--level-rule", command.level_rule,
+                    "MIP levels averaged from the level below (average, the default), or worked "
+                    "out from the recipe: direct, 16 samples a texel, or direct:N, N being 1, 4, "
+                    "16 or 64")
+        ->needs("--levels");
+    verb.add_option("--compress", command.compress,
+                    "Quad atlas: blocks that differ by no more than this (0 to 1, full scale) "
+                    "share a place, and the texture shrinks")
+        ->check(in_range(0.0, 1.0))
+        ->excludes("--levels");
+    verb.add_option("--solid-map", command.solid_map,
+                    "Write every texel's solid point and triangle to this .exr file, for shaders "
+                    "elsewhere")
+        ->excludes("--compress");
+    for (const char* option : {"--levels", "--compress", "--solid-map"})
+        verb.get_option("--frames")->excludes(verb.get_option(option));
+    verb.add_option("--emit-glsl", command.emitted_glsl,
+                    "Write the texture as a GLSL 3.30 fragment shader to this file, for engines");
+    verb.add_option("--normals", command.normals,
+                    "Normal map of the recipe's bumps: tangent (the default; in the material of "
+                    ".glb, .gltf and .obj, else beside as NAME_normal.png), object or none")
+        ->check(one_of({"tangent", "object", "none"}));
+    verb.add_option("--depth", command.depth, "Bits per channel of .png textures")
+        ->check(CLI::IsMember({8, 16}))
+        ->default_str("8");
+    verb.add_option("--crease", command.crease,
+                    "Angle in degrees above which computed normals split")
+        ->check(in_range(0.0, 180.0))
+        ->default_str("40");
+    add_kernel(verb, command.kernel);
+    verb.add_option("--synth", command.synth,
+                    "Who makes the texture: host, gl (OpenGL, the same texture), gl-multipass (the "
+                    "papers' passes), or auto, which is gl where a graphics processor is behind "
+                    "--gl and faster, by a measurement")
+        ->check(one_of({"host", "gl", multipass_synth, "auto"}))
+        ->capture_default_str();
+    verb.add_option("--gl", command.platform,
+                    "OpenGL of --synth: osmesa (software, the default) or egl (a graphics "
+                    "processor)")
+        ->check(one_of(std::vector<std::string>(gl_platforms().begin(), gl_platforms().end())));
+    command.multipass.add(verb);
+}
+
+void add_run_options(CLI::App& verb, BakeCommand& command) {
+    add_threads(verb, command.threads);
+    command.economy.add_skips(verb);
+    command.economy.add_cache(verb);
+    verb.add_flag("--force", command.force, "Make outputs again that are up to date");
+}
+
+void add_report_options(CLI::App& verb, BakeCommand& command) {
+    verb.add_flag("--json", command.json, "Print the report as JSON on stdout");
+    verb.add_option("--report", command.report,
+                    "Write the report as JSON to this file (- for stdout)");
+    verb.add_flag("-q,--quiet", command.quiet, "Print nothing on stdout");
+}
+
+void check_report_options(bool json, const std::string& report, bool quiet) {
+    const char* const printing = json ? "--json" : report == "-" ? "--report -" : nullptr;
+    if (printing && quiet)
+        throw Error(ExitCode::usage,
+                    fmt::format("{} prints the report and --quiet nothing; leave one of them out",
+                                printing));
+    if (json && report == "-")
+        throw Error(ExitCode::usage,
+                    "--json and --report - both print the report; leave one of them out");
+}
+
+namespace {
+
+/// Whether an option says nothing of an output's content, or is part of the recipe.
+bool counts_elsewhere(const std::string& name) {
+    static constexpr std::array<std::string_view, 15> names = {
+        "help",    "mesh",    "output", "recipe", "set",  "filter", "precision", "time",
+        "threads", "no-skip", "cache",  "force",  "json", "report", "quiet"};
+    return std::ranges::find(names, name) != names.end() ||
+           std::ranges::any_of(parameters(), [&](const RecipeParameter& parameter) {
+               return parameter.use.option.ends_with("--" + name);
+           });
+}
+
+}  // namespace
+
+Json bake_settings(const CLI::App& verb) {
+    Json settings = Json::object();
+    for (const CLI::Option* option : verb.get_options()) {
+        const std::string name = option->get_single_name();
+        if (counts_elsewhere(name)) continue;
+        if (option->count() > 0)
+            settings[name] = option->results();
+        else if (!option->get_default_str().empty())
+            settings[name] = {option->get_default_str()};
+    }
+    return settings;
+}
+
+}  // namespace burl

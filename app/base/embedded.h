@@ -1,0 +1,18 @@
+#pragma once
+// Text files compiled into the program (shaders, preset recipes, sample meshes), so that a copied
+// binary needs nothing beside it.
+#include <span>
+#include <string_view>
+
+namespace burl {
+
+struct EmbeddedFile {
+    std::string_view name;  ///< the path below the file's folder: "noise/value.glsl"
+    std::string_view content;
+};
+
+std::span<const EmbeddedFile> embedded_recipes();  ///< the presets, assets/recipes/*.json
+std::span<const EmbeddedFile> embedded_meshes();   ///< the sample meshes, *.obj
+std::span<const EmbeddedFile> embedded_shaders();  ///< all files of shaders/
+
+}  // namespace burl

@@ -1,0 +1,42 @@
+#pragma once
+// Time measurement for parts of a computation.
+#include <chrono>
+#include <ctime>
+
+namespace burl {
+
+/// Processor time of the calling thread since it started, in seconds.
+inline double thread_seconds() {
+    std::timespec time{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
+}
+
+/// Wall-clock seconds since `start`.
+inline double seconds_since(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// Adds the wall-clock seconds of its lifetime to a sum.
+class Stopwatch {
+  public:
+    explicit Stopwatch(double& sum) : sum_(sum) {}
+    Stopwatch(const Stopwatch&) = delete;
+    Stopwatch& operator=(const Stopwatch&) = delete;
+    ~Stopwatch() {
+        sum_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    }
+
+  private:
+    double& sum_;
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+/// The result of work(), whose wall-clock seconds are added to `sum`.
+template <class Work>
+auto timed(double& sum, const Work& work) {
+    const Stopwatch stopwatch(sum);
+    return work();
+}
+
+}  // namespace burl

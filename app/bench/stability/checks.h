@@ -1,0 +1,33 @@
+#pragma once
+// The checks of `burl bench stability` besides field errors: positions of texels, and properties
+// that must hold bit for bit or must be refused, whose rows count failures.
+#include "app/bench/stability/cases.h"
+#include "app/bench/stability/stability.h"
+
+namespace burl {
+
+/// Compares the solid points of texels in slivers and small triangles with the barycentric mean of
+/// the corners: the bound is 1e-14 of the mesh's size.
+StabilityRow check_texel_points(StabilityChoice choice);
+
+/// Checks that coordinates 2^32 cells apart have identical bits, as cells wrap.
+StabilityRow check_wrap(StabilityChoice choice);
+
+/// Checks that every instruction set gives identical bits, by every kernel and for filtered
+/// colours, and that the kernels that promise it agree.
+StabilityRow check_instruction_sets(const std::vector<StabilityGroup>& groups,
+                                    StabilityChoice choice);
+
+/// Checks that 1, 2, 3, 7 and all threads give identical bytes, by every way.
+StabilityRow check_threads(StabilityChoice choice);
+/// Checks that a texel's bytes do not depend on its place in a batch, by every kernel.
+StabilityRow check_batches(StabilityChoice choice);
+
+/// Checks that every filter's colours are finite and in [0, 1] for all coordinates and steps.
+StabilityRow check_filters(const std::vector<StabilityGroup>& groups);
+
+/// Checks that recipes with NaN, infinity or a number out of range, and octaves beyond 2^46 cells,
+/// are refused in one sentence.
+StabilityRow check_refusals();
+
+}  // namespace burl

@@ -1,0 +1,303 @@
+#include "app/direct/picture.h"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include "app/options/idle_options.h"
+#include "app/recipe/images.h"
+#include "app/recipe/lattice_check.h"
+#include "app/recipe/names.h"
+#include "app/surface/load_pose.h"
+#include "app/surface/normals.h"
+#include "app/surface/posed_corners.h"
+#include "atlas/base/error.h"
+
+namespace burl {
+
+namespace {
+
+/// The filters that average over a footprint without further samples.
+constexpr std::array footprint_filters{FilterKind::none,      FilterKind::table_mip,
+                                       FilterKind::table_sat, FilterKind::table_sat3,
+                                       FilterKind::exact,     FilterKind::trapezoid};
+
+FilterKind parse_filter(const std::string& text) {
+    std::vector<std::string_view> names;
+    for (const FilterKind kind : footprint_filters) {
+        names.push_back(to_string(kind));
+        if (names.back() == text) return kind;
+    }
+    throw Error(ExitCode::usage, fmt::format("--filter {}: with --direct it must be one of {}",
+                                             text, fmt::join(names, ", ")));
+}
+
+/// The colour of points and footprints that are first mapped by an affine map.
+FilteredColor mapped(FilteredColor color, const Affine3& map) {
+    return [color = std::move(color), map](const Vec3d& p, const Footprint& steps) {
+        return color(map(p), {map.linear * steps.u, map.linear * steps.v});
+    };
+}
+
+/// The bounding sphere of the mesh at rest and posed together, so that the view does not change
+/// with the pose's weight.
+Sphere sphere_of(const Mesh& mesh, const Mesh& posed) {
+    if (posed.triangles.empty()) return bounding_sphere(mesh);
+    return sphere_around([&](auto visit) {
+        for (const Mesh* one : {&mesh, &posed})
+            for (const Part& part : one->parts)
+                for (const Mat4d& placement : part.instances)
+                    for (std::uint32_t t = 0; t < part.triangle_count; ++t)
+                        for (const std::uint32_t p : one->triangles[part.first_triangle + t])
+                            visit(Vec3d(placement * Vec4d(one->positions[p], 1.0)));
+    });
+}
+
+/// A step along a triangle of the posed mesh, mapped to the same triangle at rest.
+Vec3d step_at_rest(const Mesh& posed, const Mesh& rest, std::uint32_t triangle, const Vec3d& step) {
+    const Triangle &p = posed.triangles[triangle], &r = rest.triangles[triangle];
+    const Vec3d e = posed.positions[p[1]] - posed.positions[p[0]],
+                f = posed.positions[p[2]] - posed.positions[p[0]];
+    const double ee = glm::dot(e, e), ef = glm::dot(e, f), ff = glm::dot(f, f);
+    const double area = ee * ff - ef * ef;
+    if (!(area > 0.0)) return Vec3d(0.0);
+    const double a = glm::dot(e, step), b = glm::dot(f, step);
+    return (ff * a - ef * b) / area * (rest.positions[r[1]] - rest.positions[r[0]]) +
+           (ee * b - ef * a) / area * (rest.positions[r[2]] - rest.positions[r[0]]);
+}
+
+/// The keys without effect on a picture that is drawn without an atlas.
+constexpr std::array idle_keys{
+    IdleKey{"atlas", "--direct draws without an atlas"},
+    IdleKey{"paint", "--direct draws the texture below the paint"},
+    IdleKey{"filter.kind", "--direct takes its filter from --filter"},
+    IdleKey{"filter.samples", "--direct takes its filter from --filter"}};
+
+/// The recipes that a picture shows, by name, each with its edits and moves.
+class ShownRecipes {
+  public:
+    explicit ShownRecipes(const DirectOptions& options) : options_(options) {
+        for (const std::string& text : options.planes) names_.push_back(parse_plane(text).recipe);
+        const bool bare = std::ranges::find(names_, "") != names_.end();
+        if (!options.scene.empty() || bare || names_.empty()) add("");
+        for (const std::string& name : names_) add(name);
+    }
+
+    /// The recipes, each with the edits and moves that name it. Throws Error(usage) for one that
+    /// names no shown recipe.
+    std::vector<MovedRecipe> with_edits(const AnimationOptions& animation) const {
+        std::vector<MovedRecipe> result = recipes_;
+        for (const std::string& text : options_.recipe.settings)
+            give("--set", text, [&](std::size_t i, const std::string& edit) {
+                result[i].options.settings.push_back(edit);
+            });
+        for (const std::string& text : animation.keys)
+            give("--animate", text,
+                 [&](std::size_t i, const std::string& key) { result[i].keys.push_back(key); });
+        return result;
+    }
+
+    /// The picture's recipes, from recipes in the order of with_edits().
+    PictureRecipes picture(const std::vector<Recipe>& recipes) const {
+        PictureRecipes result;
+        const std::size_t main = place_of("");
+        if (main < recipes.size()) result.main = recipes[main];
+        for (const std::string& name : names_) {
+            result.planes.emplace_back();
+            if (!name.empty()) result.planes.back() = recipes[place_of(name)];
+        }
+        return result;
+    }
+
+  private:
+    /// Adds a name that is new; the empty name is that of --recipe.
+    void add(const std::string& name) {
+        if (place_of(name) < shown_.size()) return;
+        shown_.push_back(name);
+        recipes_.push_back({options_.recipe, {}});
+        recipes_.back().options.settings.clear();
+        if (!name.empty()) recipes_.back().options.recipe = name;
+    }
+    std::size_t place_of(const std::string& name) const {
+        return std::size_t(std::ranges::find(shown_, name) - shown_.begin());
+    }
+
+    template <class Give>
+    void give(const char* option, const std::string& text, const Give& give_to) const {
+        const std::size_t colon = text.substr(0, text.find('=')).rfind(':');
+        const bool named = colon != std::string::npos;
+        const std::string name = named ? text.substr(0, colon) : "";
+        bool given = false;
+        for (std::size_t i = 0; i < shown_.size(); ++i) {
+            const bool by_name = named && recipes_[i].options.recipe == name;
+            if (!by_name && (named || !shown_[i].empty())) continue;
+            give_to(i, named ? text.substr(colon + 1) : text);
+            given = true;
+        }
+        if (!given) throw nothing_shows(option, text, name);
+    }
+    Error nothing_shows(const char* option, const std::string& text,
+                        const std::string& name) const {
+        std::vector<std::string> names;
+        for (const MovedRecipe& one : recipes_) names.push_back(one.options.recipe);
+        return Error(
+            ExitCode::usage,
+            fmt::format("{} {}: the picture does not show {}; name the recipe that "
+                        "changes, as in {} {}:PATH=... (there are {})",
+                        option, text, name.empty() ? "the recipe of --recipe" : "a recipe " + name,
+                        option, names.front(), fmt::join(names, ", ")));
+    }
+
+    const DirectOptions& options_;
+    std::vector<std::string> names_;  ///< per plane its recipe's name; empty: that of --recipe
+    std::vector<std::string> shown_;  ///< the distinct names
+    std::vector<MovedRecipe> recipes_;
+};
+
+}  // namespace
+
+std::vector<PictureRecipes> picture_recipes(const DirectOptions& options,
+                                            const AnimationOptions& animation) {
+    const ShownRecipes shown(options);
+    const std::vector<MovedRecipe> recipes = shown.with_edits(animation);
+    for (const MovedRecipe& recipe : recipes) {
+        refuse_edits(recipe.options, idle_keys);
+        refuse_moves(recipe.keys, idle_keys);
+        if (!options.pose.empty()) continue;
+        refuse_edits(recipe.options, {&idle_pose, 1});
+        refuse_moves(recipe.keys, {&idle_pose, 1});
+    }
+    const std::vector<std::vector<Recipe>> frames = frame_recipes(recipes, animation);
+    for (std::size_t i = 0; i < recipes.size(); ++i)
+        check_edits(recipes[i].options, frames[0][i], recipes[i].keys);
+    std::vector<PictureRecipes> pictures;
+    for (const std::vector<Recipe>& frame : frames) pictures.push_back(shown.picture(frame));
+    return pictures;
+}
+
+void DirectOptions::add(CLI::App& verb) {
+    verb.add_option(
+        "scene", scene,
+        "Scene (.glb .gltf .obj); with --direct or --lazy any mesh, also sample:teapot and "
+        "such");
+    verb.add_option("--size", size, "Picture size in pixels, WxH (default 1024x768)");
+    verb.add_option(
+        "--view", view,
+        "Azimuth and elevation in degrees, distance in radii: AZ,EL,DIST (default 30,20,3.5)");
+    verb.add_option("--filter", filter,
+                    "Texture lookup: nearest, linear or mip (default: as the scene says); with "
+                    "--direct: none, table-mip, table-sat, table-sat3, exact or trapezoid "
+                    "(default: none for the mesh, trapezoid for planes)");
+    verb.add_flag("--unlit", unlit, "Show the texture's colours without light");
+    verb.add_option("--supersample", picture.supersample, "n: n x n samples per pixel")
+        ->check(CLI::Range(1, max_supersample))
+        ->capture_default_str();
+    verb.add_option("--plane", planes,
+                    "With --direct: a plane to the horizon, [RECIPE:]NX,NY,NZ,D; may be repeated")
+        ->allow_extra_args(false)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    verb.add_flag("--widths", widths,
+                  "With --direct: show the filter's width in place of the colour");
+    recipe.add_recipe(verb);
+    recipe.add_precision(verb, "float64, with --lazy float32");
+    verb.add_option("--crease", crease,
+                    "Angle in degrees above which computed normals split (--direct, --lazy)")
+        ->check(in_range(0.0, 180.0))
+        ->capture_default_str();
+    meshes.add(verb);
+    add_pose(verb, pose);
+}
+
+View DirectOptions::parsed_view() const {
+    return view ? parse_view(*view) : View{};
+}
+
+PictureOptions DirectOptions::picture_options() const {
+    PictureOptions options = picture;
+    if (size) options.size = parse_picture_size(*size);
+    options.lit = !unlit;
+    return options;
+}
+
+DirectPicture::DirectPicture(const DirectOptions& options)
+    : picture_(options.picture_options()), widths_(options.widths) {
+    if (options.filter) filter_ = parse_filter(*options.filter);
+    if (options.scene.empty() && options.planes.empty())
+        throw Error(ExitCode::usage,
+                    "there is nothing to draw: name a mesh or at least one --plane");
+    for (const std::string& text : options.planes) planes_.push_back(parse_plane(text).plane);
+    const View view = options.parsed_view();
+    if (!options.scene.empty()) mesh_ = options.meshes.load(options.scene);
+    normals_ = corner_normals(mesh_, options.crease);
+    Mesh posed;
+    if (!options.pose.empty()) {
+        if (options.scene.empty())
+            throw Error(ExitCode::usage, "--pose: there is no mesh that it could be of");
+        pose_ = load_pose(options.scene, options.pose, options.meshes.read);
+        posed_normals_ = posed_corners(mesh_, *pose_, normals_).normals;
+        posed = posed_mesh(mesh_, *pose_, 1.0);
+    }
+    camera_ = orbit_camera(view, sphere_of(mesh_, posed), picture_.size);
+}
+
+FilteredColor DirectPicture::color_of(const Recipe& recipe, FilterKind otherwise) const {
+    return widths_ ? filter_width_grey(recipe)
+                   : filtered_color(recipe, filter_.value_or(otherwise));
+}
+
+std::vector<PlaneLayer> DirectPicture::layers(const PictureRecipes& recipes) const {
+    std::vector<PlaneLayer> result;
+    for (std::size_t i = 0; i < planes_.size(); ++i) {
+        const bool named = i < recipes.planes.size() && recipes.planes[i];
+        const Recipe& shown = named ? *recipes.planes[i] : recipes.main;
+        result.push_back({planes_[i], mapped(color_of(shown, FilterKind::trapezoid),
+                                             texture_from_solid(shown))});
+    }
+    return result;
+}
+
+/// Draws the posed surface with the colours of the surface at rest.
+Image<Rgb8> DirectPicture::draw_posed(const Recipe& recipe,
+                                      const std::vector<PlaneLayer>& planes) const {
+    if (!recipe.bump.empty())
+        throw Error(ExitCode::unsupported,
+                    "--direct draws no bumps of a mesh in a pose; use --lazy, or a recipe without "
+                    "\"bump\"");
+    check_lattice(recipe, mesh_);
+    const double weight = recipe.pose.weight;
+    const Mesh posed = posed_mesh(mesh_, *pose_, weight);
+    const FilteredColor color =
+        mapped(color_of(recipe, FilterKind::none), texture_from_mesh(recipe, mesh_));
+    const SampleColor at = [&](const SurfacePoint& point, const Footprint& steps) {
+        const auto rest = [&](const Vec3d& step) {
+            return step_at_rest(posed, mesh_, point.triangle, step);
+        };
+        return Vec3d(color(position(mesh_, point), {rest(steps.u), rest(steps.v)}));
+    };
+    const std::vector<Vec3f> normals = blended_normals(normals_, posed_normals_, weight);
+    return render_samples({posed, normals, at, {}, planes}, camera_, picture_);
+}
+
+Image<Rgb8> DirectPicture::operator()(const PictureRecipes& recipes) const {
+    const Recipe& recipe = recipes.main;
+    const std::vector<PlaneLayer> planes = layers(recipes);
+    if (pose_) return draw_posed(recipe, planes);
+    FilteredColor color;
+    SurfaceNormal bumped;
+    if (!mesh_.triangles.empty()) {
+        check_lattice(recipe, mesh_);
+        color = mapped(color_of(recipe, FilterKind::none), texture_from_mesh(recipe, mesh_));
+        bumped = bumped_normals(recipe, mesh_);
+    }
+    const SampleColor at = [&](const SurfacePoint& point, const Footprint& steps) {
+        return Vec3d(color(position(mesh_, point), steps));
+    };
+    return render_samples({mesh_, normals_, at, bumped, planes}, camera_, picture_);
+}
+
+}  // namespace burl

@@ -1,0 +1,77 @@
+#pragma once
+// `burl render --direct` from its options to the picture. The figures (app/direct/figures.h) are
+// drawn from the same command lines.
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/direct/render.h"
+#include "app/options/animation.h"
+#include "app/options/command_options.h"
+#include "atlas/read/pose.h"
+
+namespace burl {
+
+/// Options of `burl render`. The scene, --view, --size, --filter, --unlit and --supersample apply
+/// to every picture; the others to --direct and, except --plane and --widths, to --lazy.
+struct DirectOptions {
+    std::string scene;  ///< a mesh (file or "sample:NAME"); may be empty where there are planes
+    std::optional<std::string> view, size, filter;
+    PictureOptions picture;
+    bool unlit = false;
+
+    std::vector<std::string> planes;
+    bool widths = false;
+    RecipeOptions recipe;
+    MeshOptions meshes;
+    std::string pose;  ///< --pose (app/surface/load_pose.h); empty: none
+    double crease = 40.0;
+
+    void add(CLI::App& verb);
+    /// The value of --view, or the default view. Throws Error(usage).
+    View parsed_view() const;
+    /// The options `picture` with --size and --unlit applied. Throws Error(usage).
+    PictureOptions picture_options() const;
+};
+
+/// The recipes that one picture shows.
+struct PictureRecipes {
+    Recipe main;  ///< the recipe of --recipe: for the mesh, and for planes that name none
+    std::vector<std::optional<Recipe>> planes;  ///< per plane its own recipe, if it names one
+};
+
+/// The recipes of every frame, or of a single picture without --frames. An edit (--set, --animate)
+/// applies to the recipe of --recipe, or as NAME:PATH... to the shown recipe of that name; --time
+/// applies to all. Throws Error, usage among others for edits without effect on the picture.
+std::vector<PictureRecipes> picture_recipes(const DirectOptions& options,
+                                            const AnimationOptions& animation);
+
+/// A mesh and planes, loaded once for any number of pictures (frames).
+class DirectPicture {
+  public:
+    /// Loads the mesh and its pose. Throws Error: usage for options that do not fit together, else
+    /// as load_pose and MeshOptions::load do.
+    explicit DirectPicture(const DirectOptions& options);
+
+    /// Draws a picture. `recipes` are those of picture_recipes(), or the main one alone where no
+    /// plane names any. Throws Error(unsupported) as check_lattice does, and for bumps of a mesh in
+    /// a pose.
+    Image<Rgb8> operator()(const PictureRecipes& recipes) const;
+
+  private:
+    FilteredColor color_of(const Recipe& recipe, FilterKind otherwise) const;
+    std::vector<PlaneLayer> layers(const PictureRecipes& recipes) const;
+    Image<Rgb8> draw_posed(const Recipe& recipe, const std::vector<PlaneLayer>& planes) const;
+
+    PictureOptions picture_;
+    std::optional<FilterKind> filter_;
+    bool widths_;
+    Mesh mesh_;
+    std::vector<Vec3f> normals_, posed_normals_;
+    std::optional<MeshPose> pose_;
+    std::vector<Plane> planes_;
+    Camera camera_;
+};
+
+}  // namespace burl

@@ -1,0 +1,173 @@
+#include "app/direct/render.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include <tbb/parallel_for.h>
+
+#include "app/scene/visibility.h"
+#include "app/surface/normals.h"
+
+namespace burl {
+
+namespace {
+
+constexpr int band_rows = 8;  // picture rows per task
+
+/// Per band of sample rows the triangles that may reach it, in drawing order.
+std::vector<std::vector<std::uint32_t>> sort_into_bands(const std::vector<ScreenTriangle>& all,
+                                                        int sample_rows, int band_samples) {
+    std::vector<std::vector<std::uint32_t>> bands(
+        std::size_t((sample_rows + band_samples - 1) / band_samples));
+    for (std::uint32_t index = 0; index < all.size(); ++index) {
+        const int last = (all[index].y_end - 1) / band_samples;
+        for (int band = all[index].y_begin / band_samples; band <= last; ++band) {
+            bands[std::size_t(band)].push_back(index);
+        }
+    }
+    return bands;
+}
+
+struct Surface {
+    const DirectScene& scene;
+    const Camera& camera;
+    const SampleRays& rays;
+    bool lit;
+};
+
+/// The cofactors of `m`, which transform normals up to a factor: the inverse transposed times the
+/// determinant.
+Mat3d cofactors(const Mat3d& m) {
+    return {glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1])};
+}
+
+/// The mesh's colour at sample (x, y), which `t` covers.
+Vec3d shade(const Surface& surface, const ScreenTriangle& t, int x, int y) {
+    const Mesh& mesh = surface.scene.mesh;
+    const Vec3d weights = barycentrics(t, x, y);
+    const auto steps = barycentric_steps(t, x, y, weights);
+    Vec3d point(0.0), normal(0.0);
+    Footprint covered;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Vec3d& corner = mesh.positions[mesh.triangles[t.triangle][k]];
+        point += weights[int(k)] * corner;
+        covered.u += steps[0][int(k)] * corner;
+        covered.v += steps[1][int(k)] * corner;
+        normal += weights[int(k)] * Vec3d(surface.scene.normals[3 * std::size_t(t.triangle) + k]);
+    }
+    const Vec3d color = surface.scene.color({t.triangle, weights}, covered);
+    if (!surface.lit) return color;
+    const Mat3d to_scene = cofactors(Mat3d(*t.placement));
+    const Vec3d to_eye = surface.camera.eye - Vec3d(*t.placement * Vec4d(point, 1.0));
+    if (!surface.scene.bumped || normal == Vec3d(0.0))
+        return color * headlight(to_scene * normal, to_eye);
+    const Vec3d bumped = surface.scene.bumped(point, glm::normalize(normal));
+    return color * headlight(to_scene * normal, to_scene * bumped, to_eye);
+}
+
+struct LayerHit {
+    const PlaneLayer* layer;
+    PlaneHit at;
+};
+
+/// Collects the planes whose intersections at sample (x, y) are nearer than `depth`, nearest first.
+void find_planes(const Surface& surface, int x, int y, double depth, std::vector<LayerHit>& hits) {
+    hits.clear();
+    for (const PlaneLayer& layer : surface.scene.planes) {
+        const auto hit = meet(surface.rays, x, y, layer.plane);
+        if (hit && hit->depth < depth) hits.push_back({&layer, *hit});
+    }
+    std::stable_sort(hits.begin(), hits.end(),
+                     [](const LayerHit& a, const LayerHit& b) { return a.at.depth < b.at.depth; });
+}
+
+/// Composites the planes over one another, and over `behind` as far as they are transparent.
+Vec3d covered_by(const Surface& surface, std::span<const LayerHit> hits, const Vec3d& behind) {
+    Vec3d sum(0.0);
+    double shows = 1.0;
+    for (const LayerHit& hit : hits) {
+        const Vec4d color = hit.layer->color(hit.at.point, hit.at.steps);
+        const double light =
+            surface.lit ? headlight(hit.layer->plane.normal, surface.camera.eye - hit.at.point)
+                        : 1.0;
+        sum += shows * light * Vec3d(color);
+        shows *= 1.0 - color.w;
+        if (!(shows > 0.0)) return sum;
+    }
+    return sum + shows * behind;
+}
+
+/// The colour of sample (x, y); `visible` is the triangle there, or nothing_visible.
+Vec3d sample_color(const Surface& surface, std::span<const ScreenTriangle> triangles,
+                   std::uint32_t visible, int x, int y, std::vector<LayerHit>& hits) {
+    const ScreenTriangle* t = visible == nothing_visible ? nullptr : &triangles[visible];
+    const double depth =
+        t ? depth_of(*t, surface.camera, x, y) : std::numeric_limits<double>::infinity();
+    find_planes(surface, x, y, depth, hits);
+    const Vec3d behind = t ? shade(surface, *t, x, y) : background_linear();
+    return covered_by(surface, hits, behind);
+}
+
+}  // namespace
+
+Image<Rgb8> render_surface(const Mesh& mesh, std::span<const Vec3f> normals,
+                           const SurfaceColor& color, const Camera& camera,
+                           const PictureOptions& options) {
+    const PointColor at = [&](const SurfacePoint& point) { return color(position(mesh, point)); };
+    return render_points(mesh, normals, at, camera, options);
+}
+
+Image<Rgb8> render_points(const Mesh& mesh, std::span<const Vec3f> normals, const PointColor& color,
+                          const Camera& camera, const PictureOptions& options,
+                          const SurfaceNormal& bumped) {
+    const SampleColor at = [&](const SurfacePoint& point, const Footprint&) {
+        return color(point);
+    };
+    return render_samples({mesh, normals, at, bumped, {}}, camera, options);
+}
+
+Image<Rgb8> render_samples(const DirectScene& scene, const Camera& camera,
+                           const PictureOptions& options) {
+    const int n = options.supersample;
+    const PictureSize samples{options.size.width * n, options.size.height * n};
+    const auto triangles = screen_triangles(scene.mesh, camera, samples);
+    const auto bands = sort_into_bands(triangles, samples.height, band_rows * n);
+    const SampleRays rays(camera, samples);
+    const Surface surface{scene, camera, rays, options.lit};
+
+    const SrgbEncoder<std::uint8_t> encode;
+    Image<Rgb8> picture(std::size_t(options.size.width), std::size_t(options.size.height));
+    tbb::parallel_for(std::size_t(0), bands.size(), [&](std::size_t band) {
+        const int first_row = int(band) * band_rows * n;
+        const int rows = std::min(band_rows * n, samples.height - first_row);
+        const auto visible =
+            visible_triangles(triangles, bands[band], camera, samples.width, first_row, rows);
+        Image<RgbF> drawn(std::size_t(samples.width), std::size_t(rows));
+        std::vector<LayerHit> hits;
+        for (int j = 0; j < rows; ++j) {
+            for (int i = 0; i < samples.width; ++i) {
+                const auto x = std::size_t(i), y = std::size_t(j);
+                const std::uint32_t index = visible[y * drawn.width() + x];
+                const Vec3d c = sample_color(surface, triangles, index, i, first_row + j, hits);
+                drawn(x, y) = {float(c.x), float(c.y), float(c.z)};
+            }
+        }
+        resolve_samples(drawn, n, encode, picture, 0, band * std::size_t(band_rows));
+    });
+    return picture;
+}
+
+Image<Rgb8> render_direct(const Mesh& mesh, const Recipe& recipe, const Camera& camera,
+                          const PictureOptions& options, double crease_degrees) {
+    const std::vector<Vec3f> normals = corner_normals(mesh, crease_degrees);
+    const Affine3 texture_from_point = texture_from_mesh(recipe, mesh);
+    const TextureColor color_at = texture_color(recipe, recipe.precision);
+    const PointColor color = [&](const SurfacePoint& point) {
+        return color_at(texture_from_point(position(mesh, point)));
+    };
+    return render_points(mesh, normals, color, camera, options, bumped_normals(recipe, mesh));
+}
+
+}  // namespace burl

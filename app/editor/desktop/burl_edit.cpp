@@ -1,0 +1,78 @@
+// burl-edit: the slider-driven texture editor.
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <utility>
+
+#include "app/base/atomic_file.h"
+#include "app/base/file_bytes.h"
+#include "app/base/messages.h"
+#include "app/base/version.h"
+#include "app/editor/window/program.h"
+#include "atlas/base/error.h"
+
+namespace {
+
+struct Command {
+    burl::EditorOptions editor;
+    std::string script, screenshots, record;
+    bool unseen = false, exit = false;
+};
+
+void run(Command command) {
+    using namespace burl;
+    if (command.script.empty()) {
+        command.editor.autosave = state_file("autosave.json");
+        command.editor.recent = state_file("recent");
+    }
+    InputScript script;
+    if (!command.script.empty()) {
+        const auto bytes = read_file_bytes(command.script);
+        script = parse_script(std::string(bytes.begin(), bytes.end()), command.script);
+    }
+    if (!command.screenshots.empty()) make_folder(command.screenshots);
+    auto window = command.unseen ? create_unseen_window(create_osmesa_context(), script.size)
+                                 : create_desktop_window(script.size, "Burl");
+    EditorProgram editor(std::move(window), command.editor);
+    if (!command.record.empty()) editor.record();
+    if (!command.script.empty()) editor.play(script, command.screenshots);
+    if (!command.exit && !command.unseen) editor.run();
+    if (editor.recording()) write_file(command.record, script_text(*editor.recording()));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    CLI::App program{"Texture editor: open a mesh, move sliders, save a .glb"};
+    Command command;
+    program.set_version_flag("--version", std::string(burl::burl_version()));
+    program
+        .add_option("mesh", command.editor.mesh,
+                    "Mesh file, or sample:NAME; a recipe file is shown on the teapot")
+        ->capture_default_str();
+    program.add_option("-r,--recipe", command.editor.recipe, "Recipe file or preset")
+        ->capture_default_str();
+    program.add_option("--set", command.editor.settings, "Edit of the recipe: path=value");
+    program.add_option("--ui-scale", command.editor.ui_scale, "Size of text and panels")
+        ->check(CLI::Range(0.5, 4.0));
+    auto* script = program.add_option("--script", command.script, "Input to replay");
+    program.add_option("--screenshot-dir", command.screenshots, "Folder of the script's pictures")
+        ->needs(script);
+    program.add_option("--record", command.record, "Write the input as a script to this file");
+    program.add_flag("--exit", command.exit, "Leave at the script's end")->needs(script);
+    program.add_flag("--unseen", command.unseen, "No window: draw with OSMesa")->needs(script);
+    CLI11_PARSE(program, argc, argv);
+    if (command.editor.mesh.ends_with(".json") && program.count("--recipe") == 0)
+        command.editor.recipe = std::exchange(command.editor.mesh, burl::EditorOptions{}.mesh);
+    try {
+        run(command);
+    } catch (const burl::Error& error) {
+        burl::warn(fmt::format("burl-edit: {}", error.what()));
+        return int(error.code());
+    } catch (const std::exception& error) {
+        burl::warn(fmt::format("burl-edit: {}", error.what()));
+        return int(burl::ExitCode::runtime);
+    }
+    return 0;
+}

@@ -1,0 +1,120 @@
+#include "app/editor/panels/atlas.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/image/image_diff.h"
+#include "app/measure/metrics_pictures.h"
+#include "procedural/color/srgb.h"
+
+namespace burl {
+
+namespace {
+
+ImU32 color32(const Rgb8& c) {
+    return IM_COL32(c.r, c.g, c.b, 255);
+}
+
+ImU32 color32(const Vec3d& linear) {
+    const auto code = [](double v) {
+        return std::uint8_t(std::lround(255.0 * srgb_encode(std::clamp(v, 0.0, 1.0))));
+    };
+    return color32(Rgb8{code(linear.x), code(linear.y), code(linear.z)});
+}
+
+/// Draws a colour ramp before the text that follows on the same line.
+template <class Color>
+void ramp(const Color& color) {
+    constexpr int steps = 32;
+    const float height = ImGui::GetTextLineHeight(), width = 5.0f * height;
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    for (int k = 0; k < steps; ++k) {
+        const float left = low.x + width * float(k) / steps;
+        ImGui::GetWindowDrawList()->AddRectFilled(
+            {left, low.y}, {low.x + width * float(k + 1) / steps, low.y + height},
+            color((k + 0.5) / steps));
+    }
+    ImGui::Dummy({width, height});
+    ImGui::SameLine();
+}
+
+void scale_legend() {
+    ImGui::TextUnformatted("1/2");
+    ImGui::SameLine();
+    ramp([](double t) { return color32(scale_color(std::exp2(2.0 * t - 1.0))); });
+    ImGui::TextUnformatted("2 times the mean");
+}
+
+void error_legend(const SheetPicture& picture, bool late) {
+    if (!picture.problem.empty()) {
+        ImGui::TextUnformatted("no float64 reference of this recipe");
+        return;
+    }
+    ramp([](double t) { return color32(false_color(t)); });
+    ImGui::Text("0 to %g codes", error_scale(picture.largest));
+    if (late)
+        ImGui::TextDisabled("the slider moves ...");
+    else
+        ImGui::Text("max %.3f, RMS %.3f, rounding 0.5", picture.largest, picture.rms);
+}
+
+}  // namespace
+
+void atlas_controls(const PanelContext& context, AtlasViewState& state, int coarsest) {
+    const float right = ImGui::GetWindowContentRegionMax().x;
+    for (std::size_t k = 0; k < sheet_mode_names.size(); ++k) {
+        const std::string name(sheet_mode_names[k]);
+        const float width = ImGui::CalcTextSize(name.c_str()).x + ImGui::GetFrameHeight() +
+                            2.0f * ImGui::GetStyle().ItemInnerSpacing.x;
+        if (k > 0) ImGui::SameLine();
+        if (k > 0 && ImGui::GetCursorPosX() + width > right) ImGui::NewLine();
+        if (ImGui::RadioButton(name.c_str(), state.mode == SheetMode(k))) state.mode = SheetMode(k);
+        context.items.note("atlas mode " + name);
+    }
+    state.level = std::clamp(state.level, 0, coarsest);
+    ImGui::PushItemWidth(-ImGui::CalcTextSize("MIP level").x -
+                         2.0f * ImGui::GetStyle().ItemInnerSpacing.x);
+    ImGui::SliderInt("MIP level", &state.level, 0, coarsest, "%d", ImGuiSliderFlags_AlwaysClamp);
+    context.items.note("atlas level");
+    ImGui::PopItemWidth();
+}
+
+void atlas_legend(SheetMode mode, const SheetPicture* picture, bool late) {
+    if (mode == SheetMode::texture)
+        ImGui::TextDisabled("the texture as it lies in its atlas");
+    else if (!picture)
+        ImGui::TextDisabled("at work ...");
+    else if (mode == SheetMode::solid)
+        ImGui::TextDisabled("x, y, z of the solid as red, green, blue");
+    else if (mode == SheetMode::charts)
+        ImGui::TextDisabled("a colour for each chart");
+    else if (mode == SheetMode::scale)
+        scale_legend();
+    else
+        error_legend(*picture, late);
+}
+
+void atlas_readout(const std::optional<TexelView>& texel) {
+    if (!texel) {
+        ImGui::TextDisabled("point at the atlas or at the object");
+        return;
+    }
+    std::string text = fmt::format("texel {}, {}", texel->x, texel->y);
+    if (texel->color)
+        text +=
+            fmt::format("  #{:02x}{:02x}{:02x}", texel->color->r, texel->color->g, texel->color->b);
+    if (texel->error) text += fmt::format("  off {:.2f}", *texel->error);
+    if (const auto& facts = texel->facts)
+        text += fmt::format("\nchart {}, scale {:.2f}\nsolid {:.3f} {:.3f} {:.3f}", facts->chart,
+                            facts->scale, facts->point.x, facts->point.y, facts->point.z);
+    ImGui::TextUnformatted(text.c_str());
+}
+
+float atlas_footer_height() {
+    return 5.0f * ImGui::GetTextLineHeightWithSpacing() + ImGui::GetStyle().ItemSpacing.y;
+}
+
+}  // namespace burl

@@ -1,0 +1,204 @@
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+
+#include "app/editor/panels/panels.h"
+#include "app/editor/session/groups.h"
+#include "app/editor/session/stops.h"
+#include "app/recipe/leaves.h"
+#include "app/recipe/names.h"
+#include "procedural/model/texture_json.h"
+
+namespace burl {
+
+namespace {
+
+constexpr float bar_height = 28.0f, handle_size = 7.0f;
+constexpr float least_width = 10.0f;  // least width of a bar, in a narrow window
+constexpr std::size_t bar_colors = 256;
+
+const Json& at_path(const Json& recipe, const std::string& path) {
+    const Json* place = &recipe;
+    for (std::size_t begin = 0; begin <= path.size();) {
+        const std::size_t end = std::min(path.find('.', begin), path.size());
+        const std::string key = path.substr(begin, end - begin);
+        place = place->is_array() ? &(*place)[std::size_t(std::stoul(key))] : &(*place)[key];
+        begin = end + 1;
+    }
+    return *place;
+}
+
+ImU32 color_code(const Rgb8& color) {
+    return IM_COL32(color.r, color.g, color.b, 255);
+}
+
+/// The editor of one colour map.
+class MapEditor {
+  public:
+    MapEditor(const PanelContext& context, std::string path, StopSelection& selection)
+        : context_(context),
+          path_(std::move(path)),
+          selection_(selection),
+          recipe_(slider_json(context.session.still())),
+          map_(texture_from_json(at_path(recipe_, path_)).colors) {}
+
+    void show() {
+        ImGui::PushID(path_.c_str());
+        bar();
+        for (std::size_t i = 0; i < map_.stops.size(); ++i) stop(i);
+        ImGui::SetCursorScreenPos({low_.x, low_.y + bar_height + 3.0f * handle_size});
+        ImGui::Dummy({width_, 1.0f});
+        wrap();
+        if (selection_.map == path_ && selection_.stop < map_.stops.size()) selected();
+        ImGui::PopID();
+    }
+
+  private:
+    EditHistory& history() { return context_.session.history(); }
+    void set_stops(const std::vector<ColorStop>& stops) {
+        context_.session.set(path_ + ".stops", stops_to_json(stops));
+    }
+    float x_of(double position) const { return low_.x + float(position) * width_; }
+
+    /// Draws the map as a bar; a click between the stops adds a stop.
+    void bar() {
+        low_ = ImGui::GetCursorScreenPos();
+        width_ = std::max(least_width, ImGui::GetContentRegionAvail().x - 2.0f * handle_size);
+        low_.x += handle_size;
+        ImGui::SetCursorScreenPos(low_);
+        const bool clicked = ImGui::InvisibleButton("bar", {width_, bar_height});
+        context_.items.note(path_ + ".bar");
+        const std::vector<Rgb8> colors = map_colors(map_, bar_colors);
+        const float step = width_ / float(bar_colors);
+        for (std::size_t i = 0; i < bar_colors; ++i)
+            ImGui::GetWindowDrawList()->AddRectFilled(
+                {low_.x + step * float(i), low_.y},
+                {low_.x + step * float(i + 1) + 0.5f, low_.y + bar_height}, color_code(colors[i]));
+        if (!clicked) return;
+        std::size_t at = 0;
+        const double position = double((ImGui::GetIO().MousePos.x - low_.x) / width_);
+        set_stops(with_stop_added(map_, position, at));
+        selection_ = {path_, at};
+    }
+
+    void stop(std::size_t index) {
+        const float x = x_of(map_.stops[index].position), y = low_.y + bar_height;
+        ImGui::PushID(int(index));
+        ImGui::SetCursorScreenPos({x - handle_size, y});
+        ImGui::InvisibleButton("stop", {2.0f * handle_size, 2.5f * handle_size});
+        context_.items.note(path_ + ".stops." + std::to_string(index));
+        drag(index);
+        draw(index, x, y);
+        ImGui::PopID();
+    }
+
+    void drag(std::size_t index) {
+        if (ImGui::IsItemActivated()) {
+            history().begin_gesture();
+            selection_ = {path_, index};
+            context_.session.touch(path_ + ".stops." + std::to_string(index) + ".0");
+        }
+        if (ImGui::IsItemActive() && ImGui::GetIO().MouseDelta.x != 0.0f) {
+            const float share = ImGui::GetIO().KeyShift ? 0.1f : 1.0f;
+            const double by = double(share * ImGui::GetIO().MouseDelta.x / width_);
+            set_stops(with_stop_moved(map_.stops, index, map_.stops[index].position + by));
+        }
+        if (ImGui::IsItemDeactivated()) history().end_gesture();
+        if (ImGui::IsItemHovered() && ImGui::IsMouseClicked(1)) remove(index);
+    }
+
+    void draw(std::size_t index, float x, float y) const {
+        ImDrawList& list = *ImGui::GetWindowDrawList();
+        const bool chosen = selection_.map == path_ && selection_.stop == index;
+        list.AddTriangleFilled({x, y - 1.0f}, {x - handle_size, y + 2.0f * handle_size},
+                               {x + handle_size, y + 2.0f * handle_size},
+                               color_code(map_.stops[index].color));
+        list.AddTriangle({x, y - 1.0f}, {x - handle_size, y + 2.0f * handle_size},
+                         {x + handle_size, y + 2.0f * handle_size},
+                         chosen ? IM_COL32(255, 200, 60, 255) : IM_COL32(230, 230, 230, 255),
+                         chosen ? 2.0f : 1.0f);
+    }
+
+    void remove(std::size_t index) {
+        set_stops(with_stop_removed(map_.stops, index));
+        selection_ = {};
+    }
+
+    void wrap() {
+        bool repeat = map_.wrap == Wrap::repeat;
+        if (ImGui::Checkbox("repeat", &repeat))
+            context_.session.set(path_ + ".wrap", to_string(repeat ? Wrap::repeat : Wrap::clamp));
+        context_.items.note(path_ + ".wrap");
+    }
+
+    /// Draws position and colour of the selected stop as numbers.
+    void selected() {
+        const ColorStop& stop = map_.stops[selection_.stop];
+        double position = stop.position;
+        const double zero = 0.0, one = 1.0;
+        ImGui::SetNextItemWidth(0.3f * width_);
+        const bool moved =
+            ImGui::SliderScalar("place", ImGuiDataType_Double, &position, &zero, &one, "%.3f");
+        gesture();
+        if (moved) set_stops(with_stop_moved(map_.stops, selection_.stop, position));
+        ImGui::SameLine();
+        float rgb[3] = {float(stop.color.r) / 255.0f, float(stop.color.g) / 255.0f,
+                        float(stop.color.b) / 255.0f};
+        ImGui::SetNextItemWidth(0.45f * width_);
+        const bool colored = ImGui::ColorEdit3("colour", rgb);
+        context_.items.note(path_ + ".colour");
+        gesture();
+        if (colored) recolor(rgb);
+        if (ImGui::SmallButton("delete stop")) remove(selection_.stop);
+        context_.items.note(path_ + ".delete");
+    }
+
+    void gesture() {
+        if (ImGui::IsItemActivated()) history().begin_gesture();
+        if (ImGui::IsItemDeactivated()) history().end_gesture();
+    }
+
+    void recolor(const float (&rgb)[3]) {
+        const auto code = [](float v) {
+            return std::uint8_t(std::clamp(std::lround(v * 255.0f), 0L, 255L));
+        };
+        std::vector<ColorStop> stops = map_.stops;
+        stops[selection_.stop].color = {code(rgb[0]), code(rgb[1]), code(rgb[2])};
+        set_stops(stops);
+    }
+
+    const PanelContext& context_;
+    std::string path_;
+    StopSelection& selection_;
+    Json recipe_;
+    ColorMap map_;
+    ImVec2 low_{};
+    float width_ = 0.0f;
+};
+
+}  // namespace
+
+void color_maps_panel(const PanelContext& context, StopSelection& selection) {
+    const Json recipe = slider_json(context.session.still());
+    const std::vector<std::string> paths = color_map_paths(recipe);
+    if (paths.empty()) ImGui::TextWrapped("This recipe has no colour map.");
+    const std::vector<ParameterGroup> groups = parameter_groups(recipe_leaves(recipe));
+    for (const std::string& path : paths) {
+        ImGui::TextUnformatted(group_title(groups, path).c_str());
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", path.c_str());
+        context.items.note(path + ".title");
+        MapEditor(context, path, selection).show();
+        ImGui::Separator();
+    }
+    if (paths.empty()) return;
+    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyle().Colors[ImGuiCol_TextDisabled]);
+    ImGui::TextWrapped(
+        "Click a bar to add a stop, drag the handles below it; a handle that was clicked has its "
+        "place and colour here. Right-click takes it away.");
+    ImGui::PopStyleColor();
+}
+
+}  // namespace burl

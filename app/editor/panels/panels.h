@@ -1,0 +1,50 @@
+#pragma once
+// The editor's panels: each shows a part of the session and passes edits to it. The only state of
+// their own is what is shown and selected.
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/editor/panels/items.h"
+#include "app/editor/session/session.h"
+#include "app/editor/work/figures.h"
+#include "app/pipeline/stage_records.h"
+
+namespace burl {
+
+/// The session that a panel shows and edits, and the registry for its widgets.
+struct PanelContext {
+    EditSession& session;
+    EditItems& items;
+};
+
+/// Draws a slider for every parameter in the tables (app/recipe/leaves.h), grouped as in the
+/// recipe; the pose's weight only where the mesh has a pose (`posed`).
+void parameters_panel(const PanelContext& context, bool posed);
+
+/// The selected stop of a colour map.
+struct StopSelection {
+    std::string map{};  ///< path of the map; empty: none
+    std::size_t stop = 0;
+};
+/// Draws the recipe's colour maps as bars with stops: drags move stops, clicks add them, and the
+/// selected stop can be recoloured and removed; a check box sets the wrap mode.
+void color_maps_panel(const PanelContext& context, StopSelection& selection);
+
+/// The content of the metrics panel: figures of the atlas, times and work of the pipeline's stages,
+/// and facts about the machine and the renderer.
+struct MetricsView {
+    std::vector<std::pair<std::string, std::string>> facts{};  ///< pairs of name and value
+    std::shared_ptr<const AtlasFigures> atlas{};               ///< null: not ready
+    StageRecords records{};
+};
+void metrics_panel(const PanelContext& context, const MetricsView& view);
+
+/// Draws the log, newest line last.
+void log_panel(const PanelContext& context);
+
+/// Draws the window of keys and gestures; returns false once it was closed.
+bool cheat_sheet(const PanelContext& context);
+
+}  // namespace burl

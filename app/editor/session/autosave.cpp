@@ -1,0 +1,185 @@
+#include "app/editor/session/autosave.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+#include "app/base/atomic_file.h"
+#include "app/base/file_bytes.h"
+#include "app/base/json_text.h"
+#include "app/recipe/images.h"
+#include "atlas/base/error.h"
+
+namespace burl {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr double every_seconds = 3.0;
+constexpr std::size_t most_files = 1000;  // shared by all editors
+
+std::string lock_of(const std::string& file) {
+    return file + ".lock";
+}
+
+bool is_there(const std::string& file) {
+    std::error_code unknown;
+    return fs::is_regular_file(file, unknown);
+}
+
+std::string age_of(const std::string& file) {
+    std::error_code unknown;
+    const auto written = fs::last_write_time(file, unknown);
+    const auto age = fs::file_time_type::clock::now() - written;
+    const auto minutes = std::chrono::duration_cast<std::chrono::minutes>(age).count();
+    if (unknown || minutes < 2) return "just now";
+    if (minutes < 120) return fmt::format("{} minutes ago", minutes);
+    const auto hours = minutes / 60;
+    return hours < 48 ? fmt::format("{} hours ago", hours) : fmt::format("{} days ago", hours / 24);
+}
+
+/// Returns the name of the recipe in any text, "a recipe" where there is none.
+std::string name_in(const std::string& json) {
+    const Json recipe = Json::parse(json, nullptr, false);
+    const bool named = recipe.is_object() && recipe.contains("name") && recipe["name"].is_string();
+    return named ? recipe["name"].get<std::string>() : "a recipe";
+}
+
+std::optional<LeftRecipe> read_left(const std::string& file) {
+    try {
+        const auto bytes = read_file_bytes(file);
+        std::string json(bytes.begin(), bytes.end());
+        std::string title = fmt::format("{}, {}", name_in(json), age_of(file));
+        return LeftRecipe{file, std::move(json), std::move(title)};
+    } catch (const Error&) {
+        return {};
+    }
+}
+
+}  // namespace
+
+EditAutosave::EditAutosave(std::string file) : first_(std::move(file)) {
+    find_left();
+}
+
+std::string EditAutosave::file_of(std::size_t number) const {
+    if (number == 0) return first_;
+    const fs::path path = first_;
+    return (path.parent_path() /
+            fmt::format("{}-{}{}", path.stem().string(), number, path.extension().string()))
+        .string();
+}
+
+void EditAutosave::find_left() {
+    for (std::size_t i = 0; i < most_files && !first_.empty(); ++i) {
+        const std::string file = file_of(i);
+        if (!is_there(file)) continue;
+        std::optional<EditLock> lock = EditLock::take(lock_of(file));
+        if (!lock || !is_there(file)) continue;  // its editor is running, or has just ended
+        std::optional<LeftRecipe> left = read_left(file);
+        if (!left) continue;
+        left_.push_back(std::move(*left));
+        left_locks_.push_back(std::move(*lock));
+    }
+}
+
+/// Claims the first unused file for a document; a file left by another editor is in use.
+EditAutosave::Kept& EditAutosave::claim(std::uint64_t document) {
+    for (std::size_t i = 0; i < most_files; ++i) {
+        std::string file = file_of(i);
+        if (is_there(file)) continue;
+        std::optional<EditLock> lock = EditLock::take(lock_of(file));
+        if (!lock || is_there(file)) continue;
+        return kept_.emplace_back(Kept{document, std::move(file), std::move(*lock), {}});
+    }
+    throw Error(ExitCode::io, "no autosave is to be had");
+}
+
+EditAutosave::Kept& EditAutosave::kept(std::uint64_t document) {
+    const auto found = std::ranges::find(kept_, document, &Kept::document);
+    return found == kept_.end() ? claim(document) : *found;
+}
+
+void EditAutosave::write(const EditHistory::Unsaved& unsaved) {
+    Kept& place = kept(unsaved.document);
+    if (place.written == *unsaved.recipe) return;
+    write_file(place.file, to_json(with_absolute_images(*unsaved.recipe, unsaved.path)));
+    place.written = *unsaved.recipe;
+}
+
+void EditAutosave::write_all(const AllUnsaved& all) {
+    try {
+        fs::create_directories(fs::path(first_).parent_path());
+        for (const EditHistory::Unsaved& unsaved : all) write(unsaved);
+    } catch (const Error&) {
+        first_.clear();
+    } catch (const fs::filesystem_error&) {
+        first_.clear();
+    }
+}
+
+/// Removes the files of documents that have no unsaved changes any more.
+void EditAutosave::remove_others(const AllUnsaved& all) {
+    std::erase_if(kept_, [&](const Kept& one) {
+        const auto is_this = [&](const auto& unsaved) { return unsaved.document == one.document; };
+        if (std::ranges::any_of(all, is_this)) return false;
+        std::error_code unknown;
+        fs::remove(one.file, unknown);
+        return true;
+    });
+}
+
+void EditAutosave::keep(const EditHistory& history, double seconds) {
+    if (first_.empty()) return;
+    const AllUnsaved all = history.all_unsaved();
+    remove_others(all);
+    if (all.empty() || seconds - last_ < every_seconds) return;
+    last_ = seconds;
+    write_all(all);
+}
+
+void EditAutosave::take(std::size_t left, const EditHistory& history) {
+    if (!first_.empty()) write_all(history.all_unsaved());
+    if (first_.empty())
+        forget(left);  // without autosave, the left file is the only copy of the recipe
+    else
+        throw_away(left);
+}
+
+void EditAutosave::throw_away(std::size_t left) {
+    std::error_code unknown;
+    fs::remove(left_[left].file, unknown);
+    forget(left);
+}
+
+void EditAutosave::forget(std::size_t left) {
+    left_.erase(left_.begin() + std::ptrdiff_t(left));
+    left_locks_.erase(left_locks_.begin() + std::ptrdiff_t(left));
+}
+
+void EditAutosave::leave_all() {
+    left_.clear();
+    left_locks_.clear();
+}
+
+void EditAutosave::clear() {
+    remove_others({});
+}
+
+std::string state_file(const std::string& name) {
+    const char* state = std::getenv("XDG_STATE_HOME");
+    if (state != nullptr && fs::path(state).is_absolute())
+        return (fs::path(state) / "burl" / name).string();
+    const char* home = std::getenv("HOME");
+    if (home == nullptr || *home == '\0') return {};
+    return (fs::path(home) / ".local" / "state" / "burl" / name).string();
+}
+
+}  // namespace burl

@@ -1,0 +1,36 @@
+#pragma once
+// The order and the words in which an editor shows a recipe's parameters: those that change the
+// texture most come first, rarely needed ones are folded away. Independent of any user interface.
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/recipe/leaves.h"
+
+namespace burl {
+
+/// A group of parameters under one heading.
+struct ParameterGroup {
+    std::string name;                     ///< RecipeLeaf::group
+    std::string title;                    ///< heading, in words
+    bool open = true;                     ///< whether it is unfolded at first
+    std::vector<RecipeLeaf> first, more;  ///< parameters shown, and rarely needed ones folded away
+};
+
+/// Groups all leaves; each occurs once. Leaves of the same node or section must be adjacent.
+/// Parameters of another kind of noise than the group's are among `more`.
+std::vector<ParameterGroup> parameter_groups(const std::vector<RecipeLeaf>& leaves);
+
+/// The heading of the node at `path`; for a colour map without sliders, "Colours" and its place in
+/// the texture, such as "Colours: input".
+std::string group_title(const std::vector<ParameterGroup>& groups, const std::string& path);
+
+/// The name of a number of a parameter, such as "Noise 1: frequency y" or "Colours: stop 2, place";
+/// the path itself for a number without a slider.
+std::string number_label(const std::vector<ParameterGroup>& groups, const std::string& path);
+
+/// The name of a parameter with this key; for keys without a name of their own, the key with spaces
+/// for underscores.
+std::string parameter_label(std::string_view key);
+
+}  // namespace burl

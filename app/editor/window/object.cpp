@@ -1,0 +1,182 @@
+#include "app/editor/window/object.h"
+
+#include <chrono>
+#include <utility>
+
+#include "app/gl/device/source.h"
+#include "app/gl/draw/view_scene.h"
+
+namespace burl {
+
+namespace {
+
+constexpr std::size_t piece_bytes = std::size_t(1) << 20;
+constexpr std::chrono::milliseconds patience{4};  ///< longest upload of a surface in a frame
+
+PictureSize sample_size(const ObjectViewOptions& options) {
+    return {options.size.width * options.supersample, options.size.height * options.supersample};
+}
+
+/// Whether the view can be drawn without a second pass: with one sample per pixel and no lines,
+/// where that pass would take longer than the first.
+bool is_direct(const ObjectViewOptions& options) {
+    return options.supersample == 1 && !options.edges && !options.borders;
+}
+
+}  // namespace
+
+GlEditObject::GlEditObject(const GladGLContext& gl)
+    : gl_(&gl),
+      encode_(make_full_screen_program(
+          gl, "the view of the object",
+          ShaderSource().add("color/srgb_encode.glsl").add("draw/encode.frag"))),
+      pass_(gl),
+      programs_(std::make_shared<GlScenePrograms>(gl)),
+      lines_(gl),
+      places_(gl) {}
+
+void GlEditObject::show(const std::shared_ptr<const EditSurface>& surface,
+                        const std::shared_ptr<const EditPicture>& picture,
+                        const std::shared_ptr<const EditSurface>& coming) {
+    begin(coming ? coming : surface);
+    upload();
+    if (next_ == surface && next_ != surface_ && !uploading()) take_over();
+    const bool fits = surface_ && picture && picture->surface == surface_->number;
+    if (fits && picture != picture_) upload(picture);
+}
+
+/// Begins the upload of a surface, unless it is uploaded or under way.
+void GlEditObject::begin(const std::shared_ptr<const EditSurface>& surface) {
+    if (surface == next_) return;
+    next_ = surface;
+    next_scene_.reset();
+    uploaded_ = false;
+    if (next_ && next_ != surface_)
+        next_scene_ = std::make_unique<GlScene>(*gl_, next_->scene, programs_, next_->frames);
+}
+
+void GlEditObject::upload() {
+    const auto begin = std::chrono::steady_clock::now();
+    while (uploading() && std::chrono::steady_clock::now() - begin < patience)
+        uploaded_ = next_scene_->upload(next_->scene, piece_bytes);
+}
+
+/// Makes the uploaded surface the one shown.
+void GlEditObject::take_over() {
+    scene_ = std::move(next_scene_);
+    // Freeing hundreds of megabytes takes longer than a frame, so another thread does it.
+    dropping_ = std::async(std::launch::async,
+                           [old = std::exchange(surface_, next_)]() mutable { old.reset(); });
+    texture_.reset();
+    if (scene_)
+        texture_.emplace(*gl_, scene_->texture(baked_material(surface_->scene).texture).get());
+    picture_.reset();
+    normals_.reset();
+    drawn_.reset();
+    seen_.reset();
+    placed_.reset();
+}
+
+void GlEditObject::show_lines(const std::shared_ptr<const SurfaceLines>& lines) {
+    if (lines_.shows(lines)) return;
+    lines_.show(lines, surface_ ? surface_->sphere : Sphere{});
+    drawn_.reset();
+}
+
+const GlTexture* GlEditObject::texture() const {
+    if (!scene_ || !picture_) return nullptr;
+    return &scene_->texture(baked_material(surface_->scene).texture);
+}
+
+void GlEditObject::upload(const std::shared_ptr<const EditPicture>& picture) {
+    texture_->show(picture->levels);
+    if (picture->normals != normals_) upload_normals(picture->normals);
+    picture_ = picture;
+    drawn_.reset();
+}
+
+void GlEditObject::upload_normals(std::shared_ptr<const Image<Rgb8>> normals) {
+    normals_ = std::move(normals);
+    const int number = baked_material(surface_->scene).normals;
+    if (number < 0 || !normals_) return;
+    SceneTexture texture = surface_->scene.textures[std::size_t(number)];
+    texture.image = *normals_;
+    scene_->set_texture(number, texture);
+}
+
+void GlEditObject::make_target(std::optional<GlDepthTarget>& target, const PictureSize& size,
+                               GLenum format) {
+    if (target && target->colors.size() == GlSize{size.width, size.height}) return;
+    target.emplace(*gl_, size, format);
+    placed_.reset();
+}
+
+void GlEditObject::make_targets(const ObjectViewOptions& options) {
+    make_target(shown_, options.size, GL_RGBA8);
+    if (!is_direct(options)) make_target(samples_, sample_size(options), GL_RGBA16F);
+}
+
+void GlEditObject::draw_samples(const ObjectViewOptions& options) {
+    const PictureSize samples = sample_size(options);
+    const Camera camera = camera_of(options.camera, surface_->sphere, options.size);
+    samples_->colors.bind();
+    scene_->draw(camera, samples, {0, 0, samples.width, samples.height}, options.lit);
+    for (const auto& [kind, shown] : {std::pair(GlEditLines::Kind::edges, options.edges),
+                                      std::pair(GlEditLines::Kind::borders, options.borders)})
+        if (shown) lines_.draw(kind, camera, samples, options.supersample, options.share);
+    gl_->Disable(GL_DEPTH_TEST);
+}
+
+void GlEditObject::draw_pixels(const ObjectViewOptions& options) {
+    placed_.reset();  // drawing overwrites the depth of the G-buffer
+    const PictureSize& size = options.size;
+    shown_->colors.bind();
+    scene_->draw_encoded(camera_of(options.camera, surface_->sphere, size), size,
+                         {0, 0, size.width, size.height}, options.lit);
+    gl_->Disable(GL_DEPTH_TEST);
+}
+
+void GlEditObject::encode(const ObjectViewOptions& options) const {
+    shown_->colors.bind();
+    encode_.use();
+    encode_.set("samples", 0);
+    encode_.set("side", options.supersample);
+    bind_texture(*gl_, 0, samples_->colors.texture());
+    pass_.draw();
+    check_gl(*gl_, "drawing the object");
+}
+
+void GlEditObject::draw_view(const ObjectViewOptions& options) {
+    if (is_direct(options) && draw_places(options)) return;
+    scene_->set_target_share(options.share);
+    if (is_direct(options)) return draw_pixels(options);
+    draw_samples(options);
+    encode(options);
+}
+
+/// Shades from the G-buffer where only the texture has changed since the last frame; returns
+/// whether that was possible.
+bool GlEditObject::draw_places(const ObjectViewOptions& options) {
+    if (seen_ != options || !scene_->has_places()) return false;
+    if (placed_ != options) {
+        scene_->set_target_share(options.share);
+        places_.find(*scene_, camera_of(options.camera, surface_->sphere, options.size), *shown_,
+                     options.lit);
+        placed_ = options;
+    }
+    places_.draw(*texture(), *shown_);
+    return true;
+}
+
+const GlTexture* GlEditObject::draw(const ObjectViewOptions& options) {
+    if (!scene_ || options.size.width <= 0 || options.size.height <= 0) return nullptr;
+    drew_ = drawn_ != options;
+    if (drew_) {
+        make_targets(options);
+        draw_view(options);
+        drawn_ = seen_ = options;
+    }
+    return &shown_->colors.texture();
+}
+
+}  // namespace burl

@@ -1,0 +1,187 @@
+#include "app/editor/work/export.h"
+
+#include <fmt/format.h>
+
+#include <exception>
+#include <filesystem>
+#include <utility>
+
+#include "app/bake/bake.h"
+#include "app/base/atomic_file.h"
+#include "app/editor/work/reader.h"
+#include "app/export/command_files.h"
+#include "app/export/emit.h"
+#include "app/options/animation.h"
+#include "app/recipe/keyed_recipe.h"
+#include "app/recipe/lattice_check.h"
+#include "app/surface/load_pose.h"
+#include "atlas/base/error.h"
+
+namespace burl {
+
+namespace {
+
+/// Writes the recipe as a fragment shader after the checks of `burl bake --emit-glsl`.
+void write_shader(const ExportRequest& request) {
+    const Mesh mesh = load_mesh(request.mesh);
+    check_lattice(request.recipe, mesh);
+    write_file(request.out, emit_glsl(request.recipe, texture_from_mesh(request.recipe, mesh)));
+}
+
+constexpr int export_depth = 8;
+
+LevelsAsked export_levels(const ExportRequest& request) {
+    return levels_asked(request.levels ? "all" : "", "", request.recipe.atlas.size,
+                        wanted_kind(request.out, export_depth));
+}
+
+/// Returns the paths of all files of one texture: its MIP levels and its normal map.
+std::vector<std::string> files_of_texture(const ExportRequest& request, const std::string& out,
+                                          std::uint32_t levels) {
+    const NormalSpace normals = normals_asked("", request.recipe, out);
+    return output_paths(out, levels, normals != NormalSpace::none);
+}
+
+std::vector<std::string> files_of_frames(const ExportRequest& request) {
+    std::vector<std::string> files;
+    const int frames = frame_count(request.recipe.animation);
+    for (int i = 0; i < frames; ++i) {
+        const std::string out = frame_path(request.out, std::size_t(i) + 1);
+        for (std::string& file : files_of_texture(request, out, 0))
+            files.push_back(std::move(file));
+    }
+    return files;
+}
+
+std::vector<std::string> written_files(const ExportRequest& request) {
+    if (is_shader_file(request.out)) return {request.out};
+    if (!request.recipe.animation.tracks.empty()) return files_of_frames(request);
+    return files_of_texture(request, request.out, export_levels(request).count);
+}
+
+/// Throws Error where an output file is also an input.
+void check_outputs(const ExportRequest& request) {
+    CommandFiles files;
+    files.read(files_of_mesh(request.mesh));
+    if (is_pose_file(request.pose)) files.read(files_of_mesh(request.pose));
+    files.read(files_of_recipe(request.recipe_path, request.recipe));
+    for (const std::string& file : written_files(request)) files.write(file);
+}
+
+/// What `burl bake` with bake_options() does.
+BakePlan plan_of(const ExportRequest& request, std::vector<Recipe> recipes,
+                 std::vector<std::string> paths) {
+    BakePlan plan;
+    plan.kind = wanted_kind(request.out, export_depth);
+    plan.depth = export_depth;
+    plan.levels = export_levels(request);
+    plan.normals = normals_asked("", request.recipe, request.out);
+    plan.recipes = std::move(recipes);
+    plan.paths = std::move(paths);
+    plan.measures = false;
+    return plan;
+}
+
+void bake_plan(const ExportRequest& request, const BakePlan& plan, std::size_t cache) {
+    Pipeline pipeline(load_mesh(request.mesh));
+    check_mesh(plan, pipeline.mesh());
+    std::optional<MeshPose> pose;
+    if (!request.pose.empty() && holds_mesh(request.out))
+        pose = load_pose(request.mesh, request.pose);
+    pipeline.set_cache(cache);
+    bake(pipeline, plan, pose ? &*pose : nullptr);
+}
+
+}  // namespace
+
+bool is_shader_file(const std::string& path) {
+    const std::string extension = std::filesystem::path(path).extension().string();
+    return extension == ".frag" || extension == ".glsl";
+}
+
+std::vector<std::string> bake_options(const ExportRequest& request) {
+    if (is_shader_file(request.out)) {
+        const auto beside = std::filesystem::path(request.out).replace_extension(".glb");
+        return {"-o", beside.string(), "--emit-glsl", request.out};
+    }
+    std::vector<std::string> options{"-o", request.out};
+    const KeyedAnimation& animation = request.recipe.animation;
+    if (!animation.tracks.empty())
+        options.insert(options.end(), {"--frames", fmt::format("{}", frame_count(animation))});
+    if (request.levels) options.insert(options.end(), {"--levels", "all"});
+    return options;
+}
+
+std::vector<std::string> export_files(const ExportRequest& request) {
+    try {
+        return written_files(request);
+    } catch (const Error&) {
+        return {request.out};
+    }
+}
+
+void bake_file(const ExportRequest& request) {
+    check_outputs(request);
+    if (is_shader_file(request.out)) return write_shader(request);
+    bake_plan(request, plan_of(request, {request.recipe}, {request.out}), 0);
+}
+
+void bake_frames(const ExportRequest& request) {
+    if (holds_mesh(request.out) || is_shader_file(request.out))
+        throw Error(ExitCode::usage,
+                    fmt::format("{}: frames are textures alone, .png or .exr", request.out));
+    check_outputs(request);
+    constexpr std::size_t cache = std::size_t(512) << 20;
+    const KeyedAnimation& animation = request.recipe.animation;
+    const int frames = frame_count(animation);
+    std::vector<Recipe> recipes;
+    std::vector<std::string> paths;
+    for (int i = 0; i < frames; ++i) {
+        recipes.push_back(recipe_at(request.recipe, frame_seconds(animation, i, frames)));
+        paths.push_back(frame_path(request.out, std::size_t(i) + 1));
+    }
+    BakePlan plan = plan_of(request, std::move(recipes), std::move(paths));
+    plan.levels = {};
+    bake_plan(request, plan, cache);
+}
+
+void EditExport::start(ExportRequest request) {
+    wait();
+    {
+        const std::scoped_lock lock(mutex_);
+        busy_ = true;
+    }
+    thread_ = std::jthread([this, what = std::move(request)] { run(what); });
+}
+
+void EditExport::run(const ExportRequest& request) {
+    Outcome outcome{false, fmt::format("exported {}", request.out)};
+    try {
+        const bool moves = !request.recipe.animation.tracks.empty();
+        (moves ? bake_frames : bake_file)(request);
+    } catch (const std::exception& problem) {
+        outcome = {true, problem.what()};
+    }
+    {
+        const std::scoped_lock lock(mutex_);
+        outcome_ = std::move(outcome);
+        busy_ = false;
+    }
+    wake_();
+}
+
+bool EditExport::busy() const {
+    const std::scoped_lock lock(mutex_);
+    return busy_;
+}
+
+void EditExport::wait() {
+    if (thread_.joinable()) thread_.join();
+}
+
+std::optional<EditExport::Outcome> EditExport::take_outcome() {
+    const std::scoped_lock lock(mutex_);
+    return std::exchange(outcome_, std::nullopt);
+}
+
+}  // namespace burl

@@ -1,0 +1,82 @@
+#include "app/editor/work/thumbnails.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "app/direct/picture.h"
+#include "atlas/base/error.h"
+
+namespace burl {
+
+namespace {
+
+/// Returns the distance in radii at which a ball slightly exceeds the view's height, so that its
+/// rim is not seen as a polygon.
+double filling_distance() {
+    const double half = 0.5 * vertical_field_of_view_degrees * std::numbers::pi / 180.0;
+    return 0.985 / std::sin(half);
+}
+
+std::uint8_t mean(int a, int b, int c, int d) {
+    return static_cast<std::uint8_t>((a + b + c + d + 2) / 4);
+}
+
+/// Halves a square picture by means of 2 x 2 codes.
+Image<Rgb8> halved(const Image<Rgb8>& fine) {
+    const std::size_t side = std::max<std::size_t>(fine.width() / 2, 1);
+    Image<Rgb8> coarse(side, side);
+    for (std::size_t y = 0; y < side; ++y)
+        for (std::size_t x = 0; x < side; ++x) {
+            const Rgb8 &a = fine(2 * x, 2 * y), &b = fine(2 * x + 1, 2 * y),
+                       &c = fine(2 * x, 2 * y + 1), &d = fine(2 * x + 1, 2 * y + 1);
+            coarse(x, y) = {mean(a.r, b.r, c.r, d.r), mean(a.g, b.g, c.g, d.g),
+                            mean(a.b, b.b, c.b, d.b)};
+        }
+    return coarse;
+}
+
+}  // namespace
+
+std::vector<Image<Rgb8>> picture_levels(Image<Rgb8> picture) {
+    std::vector<Image<Rgb8>> levels{std::move(picture)};
+    while (levels.back().width() > 1) levels.push_back(halved(levels.back()));
+    return levels;
+}
+
+Image<Rgb8> ball_picture(const Recipe& recipe, int side) {
+    DirectOptions options;
+    options.scene = "sample:icosphere";
+    options.view = fmt::format("50,25,{}", filling_distance());
+    options.size = fmt::format("{}x{}", side, side);
+    if (recipe.precision.kind != PrecisionKind::fixed) options.filter = "trapezoid";
+    return DirectPicture(options)({recipe, {}});
+}
+
+EditThumbnails::EditThumbnails(std::function<void()> wake) : wake_(std::move(wake)) {}
+
+std::shared_ptr<const Image<Rgb8>> EditThumbnails::picture(const std::string& preset, int side) {
+    const std::scoped_lock lock(mutex_);
+    const Key key{preset, side};
+    const auto [place, fresh] = pictures_.try_emplace(key);
+    if (!fresh) return place->second;
+    errands_.add([this, key](const std::stop_token&) { make(key); });
+    return nullptr;
+}
+
+void EditThumbnails::make(const Key& key) {
+    std::shared_ptr<const Image<Rgb8>> picture;
+    try {
+        picture = std::make_shared<Image<Rgb8>>(ball_picture(load_recipe(key.first), key.second));
+    } catch (const Error&) {  // a recipe that cannot be drawn has no thumbnail
+    }
+    {
+        const std::scoped_lock lock(mutex_);
+        pictures_[key] = std::move(picture);
+    }
+    wake_();
+}
+
+}  // namespace burl

@@ -1,0 +1,55 @@
+#pragma once
+// Thumbnails of the presets for the editor's gallery: balls drawn by the ray-exact renderer on a
+// thread of its own when they are first asked for, and kept.
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/editor/work/errands.h"
+#include "app/recipe/recipe.h"
+#include "atlas/base/image.h"
+
+namespace burl {
+
+/// Draws a lit ball with the recipe's texture that touches all four sides of a picture of side x
+/// side pixels, side >= 1; pixels outside the circle have no meaning. Bit-identical for every
+/// thread count. Throws Error(unsupported) for a recipe that cannot be drawn.
+Image<Rgb8> ball_picture(const Recipe& recipe, int side);
+
+/// Returns the picture, which must be square with a power of two as its side, and its MIP levels
+/// down to one pixel, as means of sRGB codes. OpenGL's software renderer would compile a program
+/// before its first MIP level, and a frame would wait.
+std::vector<Image<Rgb8>> picture_levels(Image<Rgb8> picture);
+
+/// Draws and caches thumbnails in the background. All functions may be called by one thread.
+class EditThumbnails {
+  public:
+    /// `wake` is called by the drawing thread after every picture.
+    explicit EditThumbnails(std::function<void()> wake);
+
+    /// The thumbnail of a preset; null: not ready, and queued behind those asked for before. It
+    /// stays null where the preset cannot be drawn.
+    std::shared_ptr<const Image<Rgb8>> picture(const std::string& preset, int side);
+    /// While held, no thumbnail is begun.
+    void hold(bool held) { errands_.hold(held); }
+    /// Whether no thumbnail is being drawn or queued.
+    bool idle() const { return errands_.idle(); }
+    void wait() const { errands_.wait(); }
+
+  private:
+    using Key = std::pair<std::string, int>;
+    void make(const Key& key);
+
+    std::function<void()> wake_;
+    std::mutex mutex_;
+    // `mutex_` guards pictures_.
+    /// Null: queued, or cannot be drawn.
+    std::map<Key, std::shared_ptr<const Image<Rgb8>>> pictures_;
+    EditErrands errands_;  ///< last member: its thread uses all the others
+};
+
+}  // namespace burl

@@ -1,0 +1,90 @@
+#include "app/export/emit.h"
+
+#include <fmt/format.h>
+
+#include "app/base/shader_source.h"
+#include "app/base/version.h"
+#include "procedural/glsl/graph.h"
+#include "procedural/glsl/plain.h"
+
+namespace burl {
+
+namespace {
+
+/// The GLSL text "vec3(x, y, z)".
+std::string column(const Vec3d& v) {
+    const auto number = [](double x) { return glsl_number(x, GlslReal::float32); };
+    return fmt::format("vec3({}, {}, {})", number(v.x), number(v.y), number(v.z));
+}
+
+/// The name in printable ASCII without backslashes, since GLSL 3.30 is ASCII and a backslash or a
+/// line's end would end the comment elsewhere.
+std::string in_comment(std::string name) {
+    for (char& c : name)
+        if (c < ' ' || c > '~' || c == '\\') c = '?';
+    return name;
+}
+
+std::string header(const Recipe& recipe) {
+    return fmt::format(R"(#version 330 core
+// Solid texture {}, written by Burl {} from its recipe.
+//
+// texture_color(solid) is the texture's colour in linear light at a point of solid space. To colour
+// a surface as it is drawn, call texture_color(solid_from_object * vec4(position, 1.0)) with the
+// position as it stands in the mesh's file. To fill the mesh's atlas, run main() once per texel (one
+// triangle over a target of the atlas's size) with the atlas's solid map, which burl bake --solid-map
+// writes. Encode the colours as sRGB, or let the target do it. They are point samples, and Burl's own
+// up to rounding to float32.
+)",
+                       recipe.name.empty() ? "without a name" : in_comment(recipe.name),
+                       burl_version());
+}
+
+std::string matrix(const Affine3& map) {
+    return fmt::format(
+        "const mat4x3 solid_from_object = mat4x3(\n    {},\n    {},\n    {},\n    {});\n",
+        column(map.linear[0]), column(map.linear[1]), column(map.linear[2]), column(map.offset));
+}
+
+constexpr const char* main_function =
+    R"(uniform sampler2D solid_map;  // X, Y, Z and A of the file, as floats
+uniform vec3 solid_base;      // "base" of the file's header
+
+layout(location = 0) out vec4 color;
+
+void main() {
+    vec4 texel = texelFetch(solid_map, ivec2(gl_FragCoord.xy), 0);
+    color = vec4(texture_color(texel.a > 0.0 ? solid_base + texel.xyz : vec3(0.0)), 1.0);
+}
+)";
+
+std::string images_text(const GlslTexture& texture, const TextureGraph& graph) {
+    std::string text;
+    for (const GlslImage& image : texture.images)
+        for (const GraphImage& known : graph.images)
+            if (known.pixels == image.pixels) {
+                text += fmt::format(
+                    "// {} is the image {}, decoded to linear light (an sRGB texture), "
+                    "its top row first.\n",
+                    image.uniform, in_comment(known.file));
+                break;
+            }
+    return text;
+}
+
+}  // namespace
+
+std::string emit_glsl(const Recipe& recipe, const Affine3& texture_from_mesh) {
+    const TextureGraph graph =
+        recipe.graph.empty() ? graph_of_texture(recipe.texture) : recipe.graph;
+    const GlslTexture texture = glsl_graph(graph, GlslReal::float32);
+    std::string text = glsl_constant_tables(texture.tables, GlslReal::float32);
+    for (const GlslPart& part : texture.parts)
+        if (part.name != "numbers/real.glsl")
+            text += std::string(part.text.empty() ? embedded_shader(part.name) : part.text) + "\n";
+    return header(recipe) + images_text(texture, graph) + "\n" +
+           glsl_needed_by("texture_color", glsl_in_float(text)) + "\n" + matrix(texture_from_mesh) +
+           "\n" + main_function;
+}
+
+}  // namespace burl

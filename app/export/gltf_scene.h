@@ -1,0 +1,44 @@
+#pragma once
+// The glTF document of a textured mesh: JSON and one binary buffer, before they are written.
+#include <cstdint>
+#include <deque>
+#include <span>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "app/export/gltf.h"
+#include "app/scene/scene.h"
+
+namespace burl {
+
+struct GltfScene {
+    nlohmann::ordered_json json;  ///< everything but `buffers` and the images' sources
+    /// The contents of the bufferViews, in order; each is padded with zeros to a multiple of 4
+    /// bytes.
+    std::vector<std::span<const std::uint8_t>> binary;
+    std::uint64_t binary_size = 0;  ///< the buffer's length in bytes, padding included
+    /// The arrays in `binary` that the content does not own: copies in placements, and 16-bit
+    /// indices.
+    std::deque<PartVertices> placed;
+    std::deque<std::vector<std::uint16_t>> narrow_indices;
+};
+
+/// The sampler's filter for a texture baked on such an atlas. Only patch atlases have so few chart
+/// borders that viewers may use MIP levels of their own.
+TextureFilter baked_filter(const AtlasOptions& atlas);
+
+/// Builds meshes (one per part, one primitive each), nodes (one per placement), material, sampler
+/// and textures. Images are left to the caller: 0 is the texture, l its MIP level l, and the one
+/// after these the normal map, if any. The texture's extras.burl_levels lists the levels. The scene
+/// refers to the content's vertices, which must outlive it. Throws Error(unsupported) for points
+/// beyond the range of 32-bit floats.
+GltfScene build_gltf_scene(const GltfContent& content);
+
+/// Appends a bufferView of so many bytes at the end of the buffer; returns its index.
+std::size_t add_buffer_view(GltfScene& scene, std::uint64_t bytes);
+
+/// The zeros that pad so many bytes to a multiple of 4.
+std::span<const std::uint8_t> padding_after(std::uint64_t bytes);
+
+}  // namespace burl

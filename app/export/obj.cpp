@@ -1,0 +1,202 @@
+// Text is built in one buffer per kind of line and written in large pieces.
+#include "app/export/obj.h"
+
+#include <array>
+#include <bit>
+#include <filesystem>
+#include <iterator>
+#include <vector>
+
+#include <fmt/compile.h>
+#include <fmt/format.h>
+
+#include "app/base/atomic_file.h"
+#include "app/base/unique_rows.h"
+#include "app/image/level_names.h"
+#include "app/surface/node_transform.h"
+#include "atlas/base/error.h"
+
+namespace burl {
+namespace {
+
+using Text = fmt::memory_buffer;
+
+template <class... Values>
+void print(Text& text, Values&&... values) {
+    fmt::format_to(std::back_inserter(text), std::forward<Values>(values)...);
+}
+
+/// The two words of a double, with -0 as 0.
+std::array<std::uint32_t, 2> words(double value) {
+    const auto bits = std::bit_cast<std::uint64_t>(value + 0.0);
+    return {std::uint32_t(bits), std::uint32_t(bits >> 32)};
+}
+/// The word of a float, with -0 as 0.
+std::uint32_t word(float value) {
+    return std::bit_cast<std::uint32_t>(value + 0.0f);
+}
+
+/// The name with control characters replaced, since it ends at the line's end and must not start
+/// another line; "mesh" for an empty name.
+std::string one_line(std::string name) {
+    for (char& c : name) {
+        if (static_cast<unsigned char>(c) < ' ') c = '_';
+    }
+    return name.empty() ? "mesh" : name;
+}
+
+/// The name with spaces and "#" replaced, which end names or lines for readers.
+std::string material_name(std::string name) {
+    for (char& c : name)
+        if (static_cast<unsigned char>(c) <= ' ' || c == '#' || c == '\x7f') c = '_';
+    return name;
+}
+
+/// For each corner the numbers, from 1, of its vt and vn lines; the normals of the vn lines; and
+/// the text of the vt lines.
+struct CornerLines {
+    std::vector<std::uint32_t> uv, normal;
+    std::vector<Vec3f> normals;
+    Text text;
+};
+
+CornerLines corner_lines(const Atlas& atlas, std::span<const Vec3f> normals) {
+    CornerLines out;
+    UniqueRows<4> uv_rows(normals.size() / 2);
+    UniqueRows<3> normal_rows(normals.size() / 2);
+    const Vec2d size = atlas.extent();
+    for (std::size_t c = 0; c < normals.size(); ++c) {
+        const Vec2d& texel = atlas.corners[c / 3][c % 3];
+        const Vec2d uv(texel.x / size.x, (size.y - texel.y) / size.y);
+        const auto u = words(uv.x), v = words(uv.y);
+        const std::size_t known = uv_rows.rows().size();
+        out.uv.push_back(1 + uv_rows.insert({u[0], u[1], v[0], v[1]}));
+        if (uv_rows.rows().size() > known) {
+            print(out.text, FMT_COMPILE("vt {} {}\n"), uv.x + 0.0, uv.y + 0.0);
+        }
+        const Vec3f& n = normals[c];
+        out.normal.push_back(1 + normal_rows.insert({word(n.x), word(n.y), word(n.z)}));
+        if (normal_rows.rows().size() > out.normals.size()) out.normals.push_back(n + 0.0f);
+    }
+    return out;
+}
+
+void print_point(Text& text, const Vec3d& p) {
+    print(text, FMT_COMPILE("v {} {} {}\n"), p.x + 0.0, p.y + 0.0, p.z + 0.0);
+}
+
+void print_normal(Text& text, const Vec3f& n) {
+    print(text, FMT_COMPILE("vn {} {} {}\n"), n.x, n.y, n.z);
+}
+
+/// The indices of a part's face lines per corner, from 1, before a copy's offsets.
+struct FaceNumbers {
+    std::vector<std::size_t> point, uv, normal;
+};
+
+FaceNumbers face_numbers(const Mesh& mesh, const Part& part, const CornerLines& lines) {
+    FaceNumbers out;
+    for (std::size_t i = 0; i < 3 * std::size_t(part.triangle_count); ++i) {
+        const std::size_t c = 3 * std::size_t(part.first_triangle) + i;
+        out.point.push_back(1 + std::size_t(mesh.triangles[c / 3][c % 3]));
+        out.uv.push_back(lines.uv[c]);
+        out.normal.push_back(lines.normal[c]);
+    }
+    return out;
+}
+
+/// Renumbers to 1, 2, ... by first use; returns the old numbers in the new order.
+std::vector<std::size_t> compact(std::vector<std::size_t>& numbers) {
+    UniqueRows<1> rows(numbers.size() / 3);
+    for (std::size_t& n : numbers) n = 1 + std::size_t(rows.insert({std::uint32_t(n)}));
+    std::vector<std::size_t> old;
+    for (const auto& row : rows.rows()) old.push_back(row[0]);
+    return old;
+}
+
+struct Offsets {
+    std::size_t point = 0, normal = 0;
+};
+
+void print_faces(Text& text, const FaceNumbers& numbers, const Offsets& offsets, bool turn_over) {
+    for (std::size_t first = 0; first < numbers.point.size(); first += 3) {
+        text.push_back('f');
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::size_t c = first + (turn_over ? (3 - k) % 3 : k);
+            print(text, FMT_COMPILE(" {}/{}/{}"), numbers.point[c] + offsets.point, numbers.uv[c],
+                  numbers.normal[c] + offsets.normal);
+        }
+        text.push_back('\n');
+    }
+}
+
+/// Prints all placements of a part but the first, with points and normals of their own and shared
+/// vt lines.
+void print_copies(Text& text, const Mesh& mesh, const Part& part, const CornerLines& lines,
+                  Offsets& offsets) {
+    FaceNumbers numbers = face_numbers(mesh, part, lines);
+    const std::vector<std::size_t> points = compact(numbers.point);
+    const std::vector<std::size_t> normals = compact(numbers.normal);
+    for (std::size_t i = 1; i < part.instances.size(); ++i) {
+        const NormalTransform normal_transform(part.instances[i]);
+        print(text, FMT_COMPILE("o {} {}\n"), one_line(part.name), i + 1);
+        for (const std::size_t p : points) {
+            print_point(text, Vec3d(part.instances[i] * Vec4d(mesh.positions[p - 1], 1.0)));
+        }
+        for (const std::size_t n : normals) {
+            print_normal(text, normal_transform(lines.normals[n - 1]));
+        }
+        print_faces(text, numbers, offsets, normal_transform.mirrors());
+        offsets.point += points.size();
+        offsets.normal += normals.size();
+    }
+}
+
+Text obj_text(const Mesh& mesh, const Atlas& atlas, std::span<const Vec3f> normals,
+              const std::string& mtl_name, const std::string& material) {
+    const CornerLines lines = corner_lines(atlas, normals);
+    Text text;
+    print(text, FMT_COMPILE("# Burl " BURL_VERSION "\nmtllib {}\nusemtl {}\n"), mtl_name, material);
+    for (const Vec3d& p : mesh.positions) print_point(text, p);
+    text.append(lines.text);
+    for (const Vec3f& n : lines.normals) print_normal(text, n);
+    for (const Part& part : mesh.parts) {
+        print(text, FMT_COMPILE("o {}\n"), one_line(part.name.empty() ? mesh.name : part.name));
+        print_faces(text, face_numbers(mesh, part, lines), {}, false);
+    }
+    Offsets offsets{mesh.positions.size(), lines.normals.size()};
+    for (const Part& part : mesh.parts) {
+        if (part.instances.size() > 1) print_copies(text, mesh, part, lines, offsets);
+    }
+    return text;
+}
+
+}  // namespace
+
+std::vector<AtomicFile> write_obj(const std::string& path, const ObjContent& content) {
+    const auto beside = [&](const std::string& extension) {
+        return std::filesystem::path(path).replace_extension(extension);
+    };
+    const auto name = [](const std::filesystem::path& file) { return file.filename().string(); };
+    const std::string called = material_name(content.name);
+    const Text text =
+        obj_text(content.mesh, content.atlas, content.normals, name(beside(".mtl")), called);
+    std::string material =
+        fmt::format("newmtl {}\nKa 0 0 0\nKd 1 1 1\nKs 0 0 0\nillum 1\nmap_Kd {}\n", called,
+                    name(beside(".png")));
+    std::vector<AtomicFile> files;
+    files.reserve(4 + content.levels.size());
+    for (std::size_t l = 1; l <= content.levels.size(); ++l)
+        content.levels[l - 1](sink_of(files.emplace_back(beside(level_extension(l)).string())));
+    if (content.normal_png) {
+        content.normal_png(sink_of(files.emplace_back(normal_map_path(path))));
+        if (content.tangent_space)
+            material += fmt::format("norm {}\n", name(normal_map_path(path)));
+    }
+    content.png(sink_of(files.emplace_back(beside(".png").string())));
+    files.emplace_back(beside(".mtl").string()).write(material);
+    files.emplace_back(path).write(std::string_view(text.data(), text.size()));
+    return files;
+}
+
+}  // namespace burl

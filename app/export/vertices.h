@@ -1,0 +1,49 @@
+#pragma once
+// The vertex arrays of a mesh with its atlas, for graphics APIs: corners that agree in point,
+// texture coordinate and normal become one vertex.
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "app/surface/posed_corners.h"
+#include "atlas/mesh/mesh.h"
+#include "atlas/solid/atlas.h"
+
+namespace burl {
+
+/// The changes that a pose adds to vertices, as a glTF morph target stores them.
+struct VertexTarget {
+    std::vector<Vec3f> positions, normals;
+    std::vector<Vec3f> tangents;  ///< empty where the vertices have no tangents
+};
+
+/// The vertex arrays of one Part. A point of the mesh is centre + scale * position: subtracting the
+/// box's centre in double first keeps float32 positions exact to 2^-24 of the part's own size
+/// wherever it lies.
+struct PartVertices {
+    std::size_t part = 0;  ///< an index into mesh.parts
+    Vec3d centre{0.0};     ///< the centre of the part's box, in mesh units
+    double scale = 1.0;    ///< a power of two; 1 unless the part's size is beyond 2^-60 .. 2^60
+    std::vector<Vec3f> positions;
+    std::vector<Vec3f> normals;             ///< unit length
+    std::vector<Vec4f> tangents;            ///< glTF's TANGENT (app/surface/tangents.h), or empty
+    std::vector<std::array<float, 2>> uvs;  ///< corners divided by N; v = 0 at image row 0
+    /// The rectangle of each vertex's block, in quad atlases only, as texture coordinates low u,
+    /// low v, high u, high v. Lookups of MIP levels that are clamped to it do not show other
+    /// blocks.
+    std::vector<std::array<float, 4>> blocks;
+    VertexTarget target{};               ///< empty without a pose
+    std::vector<std::uint32_t> indices;  ///< three per triangle, in the mesh's order
+};
+
+/// One entry per part that has triangles. `normals` (app/surface/normals.h) and `tangents`, which
+/// may be empty, are per corner. Corners share a vertex where the tangent's w agrees, too, and
+/// where a pose does not separate them. `posed` belongs to the mesh and these normals; null: no
+/// pose.
+std::vector<PartVertices> export_vertices(const Mesh& mesh, const Atlas& atlas,
+                                          std::span<const Vec3f> normals,
+                                          std::span<const Vec4f> tangents = {},
+                                          const PosedCorners* posed = nullptr);
+
+}  // namespace burl

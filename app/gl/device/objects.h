@@ -1,0 +1,134 @@
+#pragma once
+// OpenGL objects that free themselves, and OpenGL errors as burl::Error. An object belongs to one
+// context, which must outlive it and be current wherever the object is created, used or destroyed.
+#include <glad/gl.h>
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "app/gl/device/context.h"
+#include "atlas/base/vec.h"
+
+namespace burl {
+
+/// Throws Error(runtime) naming `action` where OpenGL has recorded an error since the last check.
+void check_gl(const GladGLContext& gl, std::string_view action);
+
+/// An OpenGL object name with the function that deletes it.
+template <PFNGLDELETETEXTURESPROC GladGLContext::*Delete>
+class GlName {
+  public:
+    GlName() = default;
+    GlName(const GladGLContext& gl, GLuint name) : gl_(&gl), name_(name) {}
+    GlName(GlName&& other) noexcept
+        : gl_(std::exchange(other.gl_, nullptr)), name_(std::exchange(other.name_, 0)) {}
+    GlName& operator=(GlName&& other) noexcept {
+        std::swap(gl_, other.gl_);
+        std::swap(name_, other.name_);
+        return *this;
+    }
+    ~GlName() {
+        if (gl_ != nullptr) (gl_->*Delete)(1, &name_);
+    }
+    GLuint get() const { return name_; }
+
+  private:
+    const GladGLContext* gl_ = nullptr;
+    GLuint name_ = 0;
+};
+
+using GlTexture = GlName<&GladGLContext::DeleteTextures>;
+using GlBuffer = GlName<&GladGLContext::DeleteBuffers>;
+using GlVertexArray = GlName<&GladGLContext::DeleteVertexArrays>;
+using GlRenderbuffer = GlName<&GladGLContext::DeleteRenderbuffers>;
+using GlFramebufferName = GlName<&GladGLContext::DeleteFramebuffers>;
+
+GlTexture make_texture(const GladGLContext& gl);
+GlBuffer make_buffer(const GladGLContext& gl);
+GlVertexArray make_vertex_array(const GladGLContext& gl);
+
+/// A linked program of one vertex and one fragment shader.
+class GlProgram {
+  public:
+    /// Compiles and links embedded shaders, named as in embedded_shaders(). Throws Error(runtime)
+    /// with the compiler's log.
+    GlProgram(const GladGLContext& gl, std::string_view vertex_shader,
+              std::string_view fragment_shader);
+    /// A function that rewords the compiler's log of a shader (GL_VERTEX_SHADER,
+    /// GL_FRAGMENT_SHADER).
+    using Reword = std::function<std::string(GLenum kind, std::string_view log)>;
+    /// Compiles and links source texts; messages call the program `name`. Throws Error(runtime)
+    /// with the compiler's log. Sources made of parts: app/gl/device/source.h.
+    static GlProgram from_source(const GladGLContext& gl, const std::string& name,
+                                 std::string_view vertex_source, std::string_view fragment_source,
+                                 const Reword& reword = {});
+    GlProgram(GlProgram&& other) noexcept;
+    GlProgram& operator=(GlProgram&&) = delete;
+    ~GlProgram();
+
+    GLuint get() const { return program_; }
+    /// Makes this the program of the following draws.
+    void use() const { gl_->UseProgram(program_); }
+    /// Sets a uniform of the program in use; names that the program does not have are ignored.
+    void set(const char* name, int value) const { gl_->Uniform1i(uniform(name), value); }
+    void set(const char* name, const glm::ivec2& v) const {
+        gl_->Uniform2i(uniform(name), v.x, v.y);
+    }
+    void set(const char* name, const glm::ivec3& v) const {
+        gl_->Uniform3i(uniform(name), v.x, v.y, v.z);
+    }
+    void set(const char* name, std::uint32_t value) const { gl_->Uniform1ui(uniform(name), value); }
+    void set(const char* name, const glm::uvec3& v) const {
+        gl_->Uniform3ui(uniform(name), v.x, v.y, v.z);
+    }
+    void set(const char* name, float value) const { gl_->Uniform1f(uniform(name), value); }
+    void set(const char* name, const glm::vec2& v) const {
+        gl_->Uniform2f(uniform(name), v.x, v.y);
+    }
+    void set(const char* name, const Vec3f& v) const {
+        gl_->Uniform3f(uniform(name), v.x, v.y, v.z);
+    }
+    void set(const char* name, const Vec4f& v) const {
+        gl_->Uniform4f(uniform(name), v.x, v.y, v.z, v.w);
+    }
+    void set(const char* name, const glm::mat3& m) const {
+        gl_->UniformMatrix3fv(uniform(name), 1, GL_FALSE, &m[0][0]);
+    }
+    void set(const char* name, const glm::mat4& m) const {
+        gl_->UniformMatrix4fv(uniform(name), 1, GL_FALSE, &m[0][0]);
+    }
+    /// Sets a float64 uniform of the program in use. Throws Error(unsupported) below OpenGL 4.0.
+    void set(const char* name, double value) const;
+    void set(const char* name, const Vec3d& v) const;
+    void set(const char* name, const Vec4d& v) const;
+    void set(const char* name, const Mat3d& m) const;
+    void set(const char* name, const Mat4d& m) const;
+    /// The location of a uniform; -1, which set() ignores, where the program has none of that name.
+    GLint uniform(const char* name) const;
+
+  private:
+    explicit GlProgram(const GladGLContext& gl) : gl_(&gl) {}
+    void link(const std::string& name, std::string_view vertex_source,
+              std::string_view fragment_source, const Reword& reword);
+
+    const GladGLContext* gl_;
+    GLuint program_ = 0;
+};
+
+/// An off-screen framebuffer: linear RGBA float32 colour and 32-bit float depth.
+class GlFramebuffer {
+  public:
+    /// Throws Error(runtime) where the size is more than OpenGL can hold.
+    GlFramebuffer(const GladGLContext& gl, int width, int height);
+    void bind() const;
+
+  private:
+    const GladGLContext& gl_;
+    GlRenderbuffer color_, depth_;
+    GlFramebufferName framebuffer_;
+};
+
+}  // namespace burl

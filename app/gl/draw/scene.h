@@ -1,0 +1,81 @@
+#pragma once
+// A scene uploaded to OpenGL and drawn in tiles: its colours, or the texture coordinates that it
+// looks up (the feedback pass of virtual texturing: Barrett, "Sparse Virtual Textures", 2008).
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "app/gl/device/objects.h"
+#include "app/gl/draw/scene_programs.h"
+#include "app/gl/draw/surface.h"
+#include "app/scene/scene.h"
+
+namespace burl {
+
+/// Textures and surfaces of a scene. The context must be current wherever an object is created,
+/// used or destroyed.
+class GlScene {
+  public:
+    /// Uploads the whole scene; `filter` replaces the filter of all textures. Throws Error:
+    /// unsupported where a texture is larger than the context allows, runtime when OpenGL fails.
+    GlScene(const GladGLContext& gl, const Scene& scene,
+            std::optional<TextureFilter> filter = std::nullopt);
+    /// Uploads the textures, and leaves the surfaces to upload(). `programs` may be shared with
+    /// other scenes; `frames` holds the surfaces' unit_frame (app/scene/unit_frame.h).
+    GlScene(const GladGLContext& gl, const Scene& scene, std::shared_ptr<GlScenePrograms> programs,
+            std::span<const Mat4d> frames);
+
+    /// Uploads the next piece, of about `bytes`, of the surfaces of the scene it was created for.
+    /// Returns whether all are uploaded; the scene must not be drawn before.
+    bool upload(const Scene& scene, std::size_t bytes);
+
+    /// Replaces the pixels of texture `number`; its filter stays.
+    void set_texture(int number, const SceneTexture& texture);
+
+    /// Sets the weight, 0..1, of the morph targets of all surfaces that have one.
+    void set_target_share(double share);
+
+    const GlTexture& texture(int number) const { return textures_[std::size_t(number)]; }
+
+    /// Draws a tile of the picture in linear light into the bound framebuffer, under the headlight
+    /// of app/scene/shading.h where `lit` is set.
+    void draw(const Camera& camera, const PictureSize& samples, const SampleTile& tile,
+              bool lit) const;
+
+    /// Draws a tile of the picture in sRGB codes, for a framebuffer whose samples are pixels of the
+    /// screen.
+    void draw_encoded(const Camera& camera, const PictureSize& samples, const SampleTile& tile,
+                      bool lit) const;
+
+    /// The background colour in sRGB codes of 0..1.
+    static Vec4f background_codes();
+    /// Whether draw_places() applies: all surfaces show the same texture with MIP levels, without
+    /// normal map, colour factor, vertex colours or blocks.
+    bool has_places() const;
+    /// Draws a tile of lookups of the surfaces' one texture: u, v, level and light of every sample.
+    void draw_places(const Camera& camera, const PictureSize& samples, const SampleTile& tile,
+                     bool lit) const;
+
+    /// Draws a tile of lookups of texture `number` (LookupSample, app/gl/draw/view_texels.h), whose
+    /// side is `size` texels whatever was uploaded.
+    void draw_lookups(const Camera& camera, const PictureSize& samples, const SampleTile& tile,
+                      int number, std::uint32_t size) const;
+
+  private:
+    void clear(const SampleTile& tile, const Vec4f& color) const;
+    bool has_levels(const GlSurface& surface) const;
+    void bind(GLenum unit, int number) const;
+    void make_textures(const Scene& scene, std::optional<TextureFilter> filter);
+    void draw_surfaces(const TileView& view, const GlScenePrograms::Look& look) const;
+
+    const GladGLContext& gl_;
+    std::shared_ptr<GlScenePrograms> programs_;
+    GlTexture white_;
+    std::vector<GlTexture> textures_;
+    std::vector<TextureFilter> filters_;  ///< one per texture
+    std::vector<GlSurface> surfaces_;
+    std::size_t uploaded_ = 0;  ///< the number of surfaces that are uploaded completely
+};
+
+}  // namespace burl

@@ -1,0 +1,219 @@
+#include "app/gl/fill/multipass.h"
+
+#include <bit>
+
+#include <fmt/format.h>
+
+namespace burl {
+
+namespace {
+
+GLenum format_of_images(PassPrecision precision) {
+    switch (precision) {
+        case PassPrecision::float16:
+            return GL_RGBA16F;
+        case PassPrecision::fixed8:
+            return GL_RGBA8;
+        case PassPrecision::float32:
+            break;
+    }
+    return GL_RGBA32F;
+}
+
+/// The name of the pass in shaders/passes/NAME.frag.
+std::string name_of(PassKind kind, bool integers) {
+    switch (kind) {
+        case PassKind::fill:
+            break;
+        case PassKind::cells:
+            return "cells";
+        case PassKind::places:
+            return "places";
+        case PassKind::solid_map:
+            return "solid_map";
+        case PassKind::step:
+            return "step";
+        case PassKind::copy:
+            return integers ? "copy_integers" : "copy";
+        case PassKind::transfer:
+            return "transfer";
+        case PassKind::combine:
+            return "combine";
+        case PassKind::multiply:
+            return "multiply";
+        case PassKind::isolate:
+            return "isolate";
+        case PassKind::shift_left:
+            return "shift_left";
+        case PassKind::blend_bit:
+            return "blend_bit";
+        case PassKind::hash:
+            return "hash";
+        case PassKind::axis_table:
+            return "axis_table";
+        case PassKind::value_table:
+            return "value_table";
+        case PassKind::weigh:
+            return "weigh";
+        case PassKind::field_index:
+            return "field_index";
+    }
+    return "";
+}
+
+glm::uvec2 words_of(double x) {
+    const auto bits = std::bit_cast<std::uint64_t>(x);
+    return {std::uint32_t(bits), std::uint32_t(bits >> 32)};
+}
+
+glm::uvec3 vector_of(const std::array<std::uint32_t, 3>& v) {
+    return {v[0], v[1], v[2]};
+}
+
+enum Unit { first_unit, second_unit, cells_unit, places_unit, tables_unit };
+
+}  // namespace
+
+GlMultipass::GlMultipass(const GladGLContext& gl, bool float64)
+    : gl_(&gl), float64_(float64), full_screen_(gl) {}
+
+void GlMultipass::set_plan(const MultipassPlan& plan, GlSize size) {
+    plan_ = &plan;
+    if (size != size_ || plan.options.precision != precision_) {
+        images_.clear();
+        spares_.clear();
+    }
+    size_ = size;
+    precision_ = plan.options.precision;
+    upload_tables();
+}
+
+/// Uploads each set of four tables as the channels of one row of texels.
+void GlMultipass::upload_tables() {
+    tables_.clear();
+    for (const RandomTables& tables : plan_->tables) {
+        std::array<Vec4f, pass_table_size> texels;
+        for (std::size_t i = 0; i < pass_table_size; ++i)
+            texels[i] = {tables[0][i], tables[1][i], tables[2][i], tables[3][i]};
+        tables_.push_back(make_texture(*gl_, GL_RGBA32F, {int(pass_table_size), 1},
+                                       std::span<const Vec4f>(texels)));
+    }
+}
+
+ShaderSource GlMultipass::source() const {
+    ShaderSource source;
+    source.define_real(float64_)
+        .define("FIXED8", precision_ == PassPrecision::fixed8 ? "1" : "0")
+        .define("COLOR_REPEATS", plan_->wrap == Wrap::repeat ? "1" : "0");
+    for (const char* part :
+         {"numbers/real.glsl", "numbers/real_bits.glsl", "passes/multipass.glsl"})
+        source.add(part);
+    return source;
+}
+
+ShaderSource GlMultipass::pass_source(const std::string& name) const {
+    ShaderSource parts = source();
+    if (name == "hash") parts.add("noise/lattice.glsl");
+    if (name == "field_index") parts.add("color/index.glsl");
+    return parts.add("passes/" + name + ".frag");
+}
+
+void GlMultipass::compile() {
+    for (const Pass& pass : plan_->passes)
+        if (pass.kind != PassKind::fill)
+            program(pass.kind, holds_integers(pass.target, precision_));
+}
+
+const GlProgram& GlMultipass::program(PassKind kind, bool integers) {
+    const std::string name = name_of(kind, integers);
+    std::string key = fmt::format("{} {} {}", name, int(precision_), int(plan_->wrap));
+    auto found = programs_.find(key);
+    if (found == programs_.end())
+        found = programs_
+                    .emplace(std::move(key),
+                             make_full_screen_program(*gl_, "the pass " + name, pass_source(name)))
+                    .first;
+    return found->second;
+}
+
+GlTarget& GlMultipass::target(PassImage image) {
+    const auto found = images_.find(image);
+    if (found != images_.end()) return found->second;
+    const GLenum format =
+        holds_integers(image, precision_) ? GL_RGBA32UI : format_of_images(precision_);
+    return images_.emplace(image, GlTarget(*gl_, size_, {format})).first->second;
+}
+
+GlTarget& GlMultipass::spare(bool integers) {
+    const auto found = spares_.find(integers);
+    if (found != spares_.end()) return found->second;
+    const GLenum format = integers ? GL_RGBA32UI : format_of_images(precision_);
+    return spares_.emplace(integers, GlTarget(*gl_, size_, {format})).first->second;
+}
+
+void GlMultipass::set_uniforms(const GlProgram& program, const Pass& pass) const {
+    program.set("doublings", pass.doublings);
+    program.set("axis", int(pass.axis));
+    program.set("upper", int(pass.upper));
+    program.set("wraps", int(pass.wraps));
+    program.set("scale", pass.scale);
+    program.set("bias", pass.bias);
+    program.set("colors", glm::vec2(pass.colors[0], pass.colors[1]));
+    program.set("seed", pass.seed);
+    program.set("base_cell", vector_of(pass.bits.base));
+    program.set("integer_bits", std::uint32_t(pass.bits.integer));
+    program.set("cell_mask", pass.bits.mask());
+    const glm::uvec2 constant = words_of(plan_->constant), amplitude = words_of(plan_->amplitude);
+    gl_->Uniform2ui(program.uniform("constant"), constant.x, constant.y);
+    gl_->Uniform2ui(program.uniform("amplitude"), amplitude.x, amplitude.y);
+}
+
+void GlMultipass::bind_sources(const GlProgram& program, const GlLatticeMap& map,
+                               const Pass& pass) {
+    program.set("first", first_unit);
+    program.set("first_integers", first_unit);
+    program.set("second", second_unit);
+    program.set("map_cells", cells_unit);
+    program.set("map_places", places_unit);
+    program.set("tables", tables_unit);
+    if (pass.first != PassImage::none) bind_texture(*gl_, first_unit, target(pass.first).texture());
+    if (pass.second != PassImage::none)
+        bind_texture(*gl_, second_unit, target(pass.second).texture());
+    bind_texture(*gl_, cells_unit, map.cells());
+    bind_texture(*gl_, places_unit, map.places());
+    if (pass.table < tables_.size()) bind_texture(*gl_, tables_unit, tables_[pass.table]);
+}
+
+/// Runs a pass into a spare image, which then replaces the target, since a pass may read the image
+/// it writes. A copy under a mask is drawn into the target itself and keeps its other channels.
+void GlMultipass::run(std::span<const GlLatticeMap* const> maps, const Pass& pass) {
+    const bool integers = holds_integers(pass.target, precision_);
+    // Creating an image binds textures.
+    GlTarget &drawn = target(pass.target), &free = spare(integers);
+    if (pass.kind == PassKind::fill) {
+        const float one = precision_ == PassPrecision::fixed8 ? 255.0f : 1.0f;
+        return drawn.clear(0, Vec4f(pass.bias / one));
+    }
+    const GlProgram& draw = program(pass.kind, integers);
+    draw.use();
+    set_uniforms(draw, pass);
+    bind_sources(draw, *maps[pass.stream], pass);
+    if (pass.kind == PassKind::copy) {
+        drawn.bind();
+        gl_->ColorMask(pass.mask[0], pass.mask[1], pass.mask[2], GL_TRUE);
+        full_screen_.draw();
+        return gl_->ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    }
+    free.bind();
+    full_screen_.draw();
+    std::swap(drawn, free);
+}
+
+void GlMultipass::run(std::span<const GlLatticeMap* const> maps, std::span<const Pass> passes) {
+    gl_->Disable(GL_BLEND);
+    gl_->Disable(GL_DEPTH_TEST);
+    for (const Pass& pass : passes) run(maps, pass);
+    check_gl(*gl_, "drawing the passes of noise");
+}
+
+}  // namespace burl

@@ -1,0 +1,109 @@
+#include "app/gl/fill/spans.h"
+
+#include <algorithm>
+
+#include "app/gl/device/facts.h"
+#include "atlas/base/error.h"
+#include "procedural/noise/lattice_site.h"
+
+namespace burl {
+
+namespace {
+
+/// The number of RGBA32UI texels that a TexelMap takes in memory.
+constexpr std::size_t map_texels = 5;
+static_assert(sizeof(TexelMap) == map_texels * sizeof(glm::uvec4));
+static_assert(sizeof(Span) == sizeof(glm::uvec3));
+
+std::vector<std::uint32_t> row_numbers(const SolidAtlas& solid) {
+    std::vector<std::uint32_t> rows(solid.spans.size());
+    for (std::uint32_t y = 0; y < solid.size; ++y)
+        std::fill(rows.begin() + std::ptrdiff_t(solid.row_begin[y]),
+                  rows.begin() + std::ptrdiff_t(solid.row_begin[y + 1]), y);
+    return rows;
+}
+
+template <class T>
+GlBuffer make_array(const GladGLContext& gl, const std::vector<T>& elements) {
+    GlBuffer buffer = make_buffer(gl);
+    gl.BindBuffer(GL_ARRAY_BUFFER, buffer.get());
+    gl.BufferData(GL_ARRAY_BUFFER, GLsizeiptr(elements.size() * sizeof(T)), elements.data(),
+                  GL_STATIC_DRAW);
+    return buffer;
+}
+
+/// Sets an instanced attribute to the elements of the bound array buffer from `first` on.
+void set_attribute(const GladGLContext& gl, GLuint index, GLint components, std::size_t first) {
+    const std::size_t stride = std::size_t(components) * sizeof(std::uint32_t);
+    gl.EnableVertexAttribArray(index);
+    gl.VertexAttribIPointer(index, components, GL_UNSIGNED_INT, GLsizei(stride),
+                            reinterpret_cast<const void*>(first * stride));
+    gl.VertexAttribDivisor(index, 1);
+}
+
+bool can_draw(const GladGLContext& gl, const SolidAtlas& solid) {
+    GLint most = 0;
+    gl.GetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
+    return has_float64(gl) && gl.Uniform1d != nullptr &&
+           map_texels * solid.maps.size() <= std::size_t(most);
+}
+
+std::span<const TexelMap> checked(const GladGLContext& gl, const SolidAtlas& solid,
+                                  std::span<const TexelMap> maps) {
+    if (can_draw(gl, solid)) return maps;
+    throw Error(ExitCode::unsupported,
+                "this OpenGL cannot draw an atlas's spans: it has no float64 (OpenGL 4.0 brings "
+                "it), or its arrays are too small");
+}
+
+}  // namespace
+
+bool draws_maps(const GladGLContext& gl, const SolidAtlas& solid, MapFill fill) {
+    if (fill != MapFill::automatic) return fill == MapFill::gpu;
+    return !is_software(gl) && can_draw(gl, solid);
+}
+
+void set_line(const GlProgram& program, const Affine3& map, bool in_lattice) {
+    program.set("line_linear", map.linear);
+    program.set("line_offset", map.offset);
+    program.set("line_limit", in_lattice ? lattice_limit : 0.0);
+}
+
+GlProgram GlSpans::make_program(const GladGLContext& gl, std::string_view vertex,
+                                std::string_view fragment) {
+    ShaderSource parts[2];
+    for (ShaderSource& part : parts)
+        part.extension("GL_ARB_gpu_shader_fp64").extension("GL_ARB_gpu_shader5");
+    parts[0].add("maps/span.glsl").add(vertex);
+    parts[1].add("maps/line.glsl").add(fragment);
+    return burl::make_program(gl, std::string(vertex), parts[0], parts[1]);
+}
+
+GlSpans::GlSpans(const GladGLContext& gl, const SolidAtlas& solid, std::span<const TexelMap> maps)
+    : gl_(&gl),
+      vertices_(make_vertex_array(gl)),
+      spans_(make_array(gl, solid.spans)),
+      rows_(make_array(gl, row_numbers(solid))),
+      maps_(gl, GL_RGBA32UI, checked(gl, solid, maps)),
+      row_begin_(solid.row_begin) {
+    check_gl(gl, "uploading an atlas's spans");
+}
+
+void GlSpans::draw(const GlProgram& program, const GlTile& tile) const {
+    const std::size_t begin = row_begin_[std::size_t(tile.origin.y)],
+                      end = row_begin_[std::size_t(tile.origin.y + tile.size.y)];
+    if (begin == end) return;
+    program.set("texel_maps", 0);
+    program.set("tile_origin", tile.origin);
+    program.set("tile_size", tile.size);
+    maps_.bind(0);
+    gl_->BindVertexArray(vertices_.get());
+    gl_->BindBuffer(GL_ARRAY_BUFFER, spans_.get());
+    set_attribute(*gl_, 0, 3, begin);
+    gl_->BindBuffer(GL_ARRAY_BUFFER, rows_.get());
+    set_attribute(*gl_, 1, 1, begin);
+    gl_->DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, GLsizei(end - begin));
+    check_gl(*gl_, "drawing an atlas's spans");
+}
+
+}  // namespace burl

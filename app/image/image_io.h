@@ -1,0 +1,64 @@
+#pragma once
+// PNG files through libpng. libpng stays inside image_io.cpp: its long jumps come out as Error.
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/base/byte_sink.h"
+#include "app/image/palette.h"
+#include "atlas/base/image.h"
+
+namespace burl {
+
+/// The zlib level of encode_png. Level 1 is combined with one row filter (Paeth) and run-length
+/// matching: on solid textures several times faster than zlib's default 6 for 3 % more bytes
+/// (docs/reference/export.md).
+inline constexpr int default_png_level = 1;
+
+/// Reads any PNG as 8-bit RGB: grey and palettes are expanded, 16 bits are rounded to 8, alpha is
+/// dropped, gamma chunks are ignored. Throws Error: io when the file cannot be read or is not a
+/// regular file, invalid_file when it is not a PNG, is damaged or truncated, or has more than 2^28
+/// pixels.
+Image<Rgb8> read_png(const std::string& path);
+
+/// The file's bytes, for decode_png. Throws Error: io as read_png does, invalid_file when they do
+/// not begin with PNG's signature.
+std::vector<std::uint8_t> read_png_bytes(const std::string& path);
+
+struct PngSize {
+    std::size_t width = 0, height = 0;
+};
+/// The size in pixels that a PNG file's header declares, which need not be true. Throws Error as
+/// read_png does.
+PngSize png_size(const std::string& path);
+
+/// Reads bytes in memory as read_png reads a file; `origin` names them in messages.
+Image<Rgb8> decode_png(std::span<const std::uint8_t> bytes, const std::string& origin);
+
+/// The meaning of the pixels: colours, which are marked as sRGB, or data such as normals.
+enum class PngContent { color, data };
+
+/// The content of a PNG file, row 0 on top. `level` is zlib's, 0..9. The image has at least one
+/// pixel. Throws Error(runtime) when it cannot be encoded (a side above 2^20, say).
+std::vector<std::uint8_t> encode_png(const Image<Rgb8>& image, int level = default_png_level,
+                                     PngContent content = PngContent::color);
+std::vector<std::uint8_t> encode_png(const Image<Rgb16>& image, int level = default_png_level,
+                                     PngContent content = PngContent::color);
+
+/// Encodes at default_png_level and passes the bytes to the sink as they are produced: beside a
+/// texture of 16384 x 16384 texels there is no memory for its file. Exceptions of the sink are
+/// passed on.
+void encode_png(const Image<Rgb8>& image, const ByteSink& sink,
+                PngContent content = PngContent::color);
+void encode_png(const Image<Rgb16>& image, const ByteSink& sink,
+                PngContent content = PngContent::color);
+
+/// A PNG with a palette, or in grey where all colours are grey, at zlib's level 9; for small files.
+std::vector<std::uint8_t> encode_png(const IndexedImage& image);
+
+/// Writes the file, whole or not at all (app/base/atomic_file.h). Throws Error(io).
+void write_png(const std::string& path, const Image<Rgb8>& image);
+void write_png(const std::string& path, const Image<Rgb16>& image);
+
+}  // namespace burl

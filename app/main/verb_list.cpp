@@ -1,0 +1,157 @@
+// `burl list`: the names that other verbs accept.
+#include <algorithm>
+#include <array>
+#include <span>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "app/direct/figures.h"
+#include "app/gl/device/facts.h"
+#include "app/main/verbs.h"
+#include "app/measure/report.h"
+#include "app/options/command_options.h"
+#include "app/recipe/parameters.h"
+#include "app/recipe/preset_notes.h"
+#include "app/recipe/recipe.h"
+#include "app/surface/sample_meshes.h"
+#include "atlas/base/error.h"
+#include "procedural/graph/table.h"
+#include "procedural/noise/names.h"
+
+namespace burl {
+
+namespace {
+
+struct Entry {
+    std::string name, text;
+};
+
+/// By atlas kinds.
+constexpr std::array<const char*, enum_names<AtlasKind>.size()> atlas_texts{
+    "every triangle the same shape (Carr & Hart 4.1)",
+    "triangles sized by their area (Carr & Hart 4.2)",
+    "triangles sized by their longest edge (Carr & Hart 4.2)",
+    "pairs in a balanced quadtree of surface clusters (Carr & Hart 4.3)",
+    "few patches on full rectangles, for any lookup (the default)"};
+
+std::vector<Entry> recipe_entries() {
+    std::vector<Entry> entries;
+    for (const std::string_view name : preset_names()) {
+        const std::span<const PresetNote> notes = preset_notes();
+        const auto note = std::ranges::find(notes, name, &PresetNote::name);
+        entries.push_back({std::string(name), note == notes.end() ? "" : std::string(note->about)});
+    }
+    return entries;
+}
+
+/// A parameter as "number 0..10, default 1: what it does".
+std::string describe(const Parameter& p) {
+    std::string text(to_string(p.type));
+    if (p.type == ParameterType::choice) text += fmt::format(" {}", p.choices);
+    const bool ranged = p.type == ParameterType::number || p.type == ParameterType::integer ||
+                        p.type == ParameterType::numbers;
+    if (ranged) text += fmt::format(" {:g}..{:g}", p.low, p.high);
+    if (!p.unit.empty()) text += fmt::format(" {}", p.unit);
+    if (!p.default_value.empty()) text += fmt::format(", default {}", p.default_value);
+    return fmt::format("{}: {}", text, p.tip);
+}
+
+/// A node type as "inputs, parameters: what it gives".
+std::string describe(const NodeType& type) {
+    std::vector<std::string_view> keys;
+    for (const NodeInput& input : type.inputs()) keys.push_back(input.key);
+    for (const Parameter& parameter : type.parameters()) keys.push_back(parameter.path);
+    if (type.name == "constant") keys.push_back("value");
+    if (type.name == "color_map") keys.insert(keys.end(), {"wrap", "stops"});
+    if (type.name == "field") keys.insert(keys.end(), {"quadric", "noise"});
+    return fmt::format("{}{}{}", fmt::join(keys, ", "), keys.empty() ? "" : ": ", type.text);
+}
+
+std::vector<Entry> parameter_entries() {
+    std::vector<Entry> entries;
+    for (const Parameter& parameter : parameters()) {
+        entries.push_back({std::string(parameter.path), describe(parameter)});
+    }
+    return entries;
+}
+
+std::vector<Entry> gl_entries(const std::string& platform) {
+    const std::unique_ptr<GlContext> context = create_gl_context(platform);
+    std::vector<Entry> entries;
+    for (const GlFact& fact : gl_facts(*context)) entries.push_back({fact.name, fact.value});
+    return entries;
+}
+
+std::vector<Entry> entries_of(const std::string& what) {
+    if (what == "recipes") return recipe_entries();
+    if (what == "parameters") return parameter_entries();
+    if (what == "meshes") {
+        std::vector<Entry> entries;
+        for (const std::string& name : sample_mesh_names())
+            entries.push_back({fmt::format("sample:{}", name), "a mesh the program brings"});
+        return entries;
+    }
+    if (what == "figures") {
+        std::vector<Entry> entries;
+        for (const Figure& figure : figures()) entries.push_back({figure.name, figure.shows});
+        return entries;
+    }
+    if (what == "atlases") {
+        std::vector<Entry> entries;
+        for (std::size_t k = 0; k < enum_names<AtlasKind>.size(); ++k)
+            entries.push_back({std::string(enum_names<AtlasKind>[k]), atlas_texts[k]});
+        return entries;
+    }
+    if (what == "noises") {
+        std::vector<Entry> entries;
+        for (const auto& kind : noise_kinds)
+            entries.push_back({std::string(kind.name), std::string(kind.text)});
+        return entries;
+    }
+    std::vector<Entry> entries;
+    for (const NodeType& type : graph_table())
+        entries.push_back({std::string(type.name), describe(type)});
+    return entries;
+}
+
+void print_entries(const std::vector<Entry>& entries, bool json) {
+    if (json) {
+        Json list = Json::array();
+        for (const Entry& entry : entries)
+            list.push_back({{"name", entry.name}, {"text", entry.text}});
+        fmt::print("{}\n", list.dump(2));
+        return;
+    }
+    for (const Entry& entry : entries) fmt::print("{:<32} {}\n", entry.name, entry.text);
+}
+
+}  // namespace
+
+void add_list(CLI::App& program) {
+    auto* verb = program.add_subcommand(
+        "list",
+        "List recipes, meshes, atlases, noises, nodes, parameters, figures, or this OpenGL");
+    auto what = std::make_shared<std::string>();
+    auto platform = std::make_shared<std::string>(gl_platforms()[0]);
+    auto json = std::make_shared<bool>(false);
+    verb->add_option("what", *what,
+                     "recipes, meshes, atlases, noises, nodes, parameters, figures or gl")
+        ->required()
+        ->check(one_of(
+            {"recipes", "meshes", "atlases", "noises", "nodes", "parameters", "figures", "gl"}));
+    auto* gl = verb->add_option("--gl", *platform,
+                                "gl: osmesa (software) or egl (a graphics "
+                                "processor)")
+                   ->capture_default_str();
+    verb->add_flag("--json", *json, "Print JSON");
+    verb->callback([what, platform, gl, json] {
+        if (gl->count() > 0 && *what != "gl")
+            throw Error(ExitCode::usage,
+                        fmt::format("list {}: --gl does nothing there, leave it out", *what));
+        print_entries(*what == "gl" ? gl_entries(*platform) : entries_of(*what), *json);
+    });
+}
+
+}  // namespace burl

@@ -1,0 +1,110 @@
+#pragma once
+// Options that several verbs share, so that recipes and atlases are given the same way everywhere.
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/recipe/images.h"
+#include "app/recipe/recipe.h"
+#include "atlas/read/read_mesh.h"
+#include "procedural/batch/kernel.h"
+
+namespace CLI {
+class App;
+class Validator;
+}  // namespace CLI
+
+namespace burl {
+
+/// An edit of a recipe from the command line.
+struct RecipeEdit {
+    std::string said;  ///< the option as it was given: "--size 64"
+    std::string path, value;
+
+    std::string setting() const { return path + "=" + value; }
+};
+
+struct RecipeParameter;
+
+/// An option that sets a parameter of the recipe by itself, such as --size.
+struct ParameterOption {
+    const RecipeParameter* parameter;
+    std::optional<std::string> value{};
+};
+
+/// --recipe, --set, --time and the options of the parameter table, which are edits of the recipe
+/// as --set is.
+struct RecipeOptions {
+    std::string recipe = "marble";
+    std::vector<std::string> settings;
+    /// The options that add_parameters() has added.
+    std::vector<ParameterOption> parameters;
+    std::optional<std::string> filter, precision;
+    /// --time in seconds, for a recipe with keys; 0 where it is left out.
+    std::optional<double> time;
+    /// The images read so far; copies of the options, one per frame, share them.
+    std::shared_ptr<RecipeImages> images = std::make_shared<RecipeImages>();
+
+    void add_recipe(CLI::App& verb);
+    /// Adds --set and --time alone, for verbs that take the recipe as an argument.
+    void add_settings(CLI::App& verb);
+    /// Adds an option for every parameter that the table gives one: those of the atlas.
+    void add_parameters(CLI::App& verb);
+    void add_filter(CLI::App& verb);
+    /// Adds --precision, whose help calls the default `otherwise`.
+    void add_precision(CLI::App& verb, const std::string& otherwise);
+    /// The value that a parameter's option was given; empty where the option was left out.
+    std::optional<std::string> given(std::string_view path) const;
+    /// All edits, those of --set first.
+    std::vector<RecipeEdit> edits() const;
+    /// The recipe with all edits applied and its keys. Throws Error as load_recipe does, and usage
+    /// for a number that is set twice or moved by the recipe's own keys.
+    Recipe load_keyed() const;
+    /// The recipe at --time (recipe_at), without keys. Throws Error as load_keyed() does, and usage
+    /// for --time where the recipe has no keys.
+    Recipe load() const;
+};
+
+/// Parses "float32", "float64" or "fixed:8.8" (1 to 16 integer bits, 2 to 16 fraction bits). Throws
+/// Error(usage) for anything else.
+Precision parse_precision(const std::string& text);
+
+/// The options --weld and --unshare-instances.
+struct MeshOptions {
+    ReadOptions read;
+
+    void add(CLI::App& verb);
+    /// Reads the mesh file or sample ("sample:teapot") and prints the reader's notes on stderr.
+    /// Throws Error as read_mesh does, and usage for --unshare-instances of a mesh that is not
+    /// glTF.
+    Mesh load(const std::string& path) const;
+};
+
+/// Adds --pose (app/surface/load_pose.h).
+void add_pose(CLI::App& verb, std::string& pose);
+
+/// A validator of numbers within bounds that, unlike CLI::Range, refuses NaN.
+CLI::Validator in_range(double low, double high);
+/// A validator of words; its message suggests the nearest word for a misspelt one.
+CLI::Validator one_of(const std::vector<std::string>& words);
+
+/// Adds --threads, 0 for all.
+void add_threads(CLI::App& verb, int& threads);
+/// The --kernel that sums forward differences (app/recipe/forward_check.h); its textures differ
+/// from those of the other kernels.
+inline constexpr const char* forward_kernel = "forward";
+/// The --kernel that means --precision float64.
+inline constexpr const char* reference_kernel = "reference";
+/// Adds --kernel: one of kernel_names, forward_kernel or reference_kernel.
+void add_kernel(CLI::App& verb, std::string& kernel);
+/// Sets the precision that --kernel reference means. Throws Error(usage) where the recipe asks for
+/// another.
+void apply_reference(Recipe& recipe);
+/// The kernel of this name in kernel_names; `automatic` for any other name.
+Kernel kernel_named(const std::string& name);
+
+/// Prints the reader's notes on stderr, a line each, which begins with the file's name.
+void print_notes(const std::string& path, const MeshNotes& notes);
+
+}  // namespace burl

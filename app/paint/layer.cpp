@@ -1,0 +1,148 @@
+#include "app/paint/layer.h"
+
+#include <algorithm>
+
+#include "procedural/batch/row_tasks.h"
+
+namespace burl {
+
+namespace {
+
+constexpr std::size_t tile_texels = std::size_t(PaintTiles::side) * PaintTiles::side;
+
+/// Whether `now` is `before`, possibly with more points at its end.
+bool goes_on(const PaintStroke& before, const PaintStroke& now) {
+    PaintStroke brush = now;
+    brush.points = before.points;
+    return brush == before && !before.points.empty() && now.points.size() >= before.points.size() &&
+           std::equal(before.points.begin(), before.points.end(), now.points.begin());
+}
+
+/// The part of a stroke that begins with its point `first`.
+PaintStroke from_point(const PaintStroke& stroke, std::size_t first) {
+    PaintStroke part = stroke;
+    part.points.erase(part.points.begin(), part.points.begin() + std::ptrdiff_t(first));
+    return part;
+}
+
+std::vector<PaintBrush> brushes_of(std::span<const PaintStroke> strokes) {
+    return {strokes.begin(), strokes.end()};
+}
+
+std::size_t place_in_tile(std::uint32_t x, std::uint32_t y) {
+    constexpr std::uint32_t side = PaintTiles::side;
+    return std::size_t(y % side) * side + x % side;
+}
+
+/// The segments of the brush that may come within its radius of the box.
+std::vector<PaintSegment> segments_at(const PaintBrush& brush, const Box3& box) {
+    std::vector<PaintSegment> near;
+    if (!may_reach(brush.hull(), brush.radius(), box)) return near;
+    for (const PaintSegment& segment : brush.segments())
+        if (may_reach(segment, brush.radius(), box)) near.push_back(segment);
+    return near;
+}
+
+/// Lays a stroke over a tile's paint and returns whether it may reach the tile.
+bool lay_over(const PaintTiles& tiles, std::size_t tile, const PaintBrush& brush,
+              std::vector<PaintLight>& paint) {
+    const std::vector<PaintSegment> near = segments_at(brush, tiles.box(tile));
+    if (near.empty()) return false;
+    paint.resize(tile_texels, PaintLight(0.0f));
+    tiles.for_each_texel(
+        tile, [&](std::uint32_t x, std::uint32_t y, const Vec3d& point, double width) {
+            double least = squared_distance(point, near[0]);
+            for (std::size_t k = 1; k < near.size(); ++k)
+                least = std::min(least, squared_distance(point, near[k]));
+            PaintLight& texel = paint[place_in_tile(x, y)];
+            if (const double coverage = brush.coverage(least, width); coverage > 0.0)
+                texel = brush.over(texel, coverage);
+        });
+    return true;
+}
+
+}  // namespace
+
+void PaintLayer::add_reached(std::span<const PaintStroke> strokes,
+                             std::vector<bool>& reached) const {
+    for (const PaintBrush& brush : brushes_of(strokes)) tiles_.add_reached(brush, reached);
+}
+
+PaintLayer::Change PaintLayer::change_to(std::span<const PaintStroke> strokes) const {
+    Change change;
+    change.reached.assign(tiles_.count(), false);
+    const auto common =
+        std::size_t(std::ranges::mismatch(strokes_, strokes).in1 - strokes_.begin());
+    const bool same_count = strokes.size() == strokes_.size();
+    if (open_ && same_count && common + 1 == strokes.size() &&
+        goes_on(strokes_[common], strokes[common])) {
+        change.start = Start::below;
+        change.first = common;
+        const PaintStroke rest = from_point(strokes[common], strokes_[common].points.size() - 1);
+        add_reached({&rest, 1}, change.reached);
+        return change;
+    }
+    change.open = common < strokes.size();
+    if (common == strokes_.size()) {
+        change.start = Start::all;
+        change.first = common;
+    }
+    add_reached(std::span(strokes_).subspan(common), change.reached);
+    add_reached(strokes.subspan(common), change.reached);
+    return change;
+}
+
+void PaintLayer::redo(std::size_t tile, const Change& change, std::span<const PaintBrush> brushes) {
+    TilePaint& old = paint_[tile];
+    TilePaint now;
+    const bool kept_below = change.start == Start::below && !old.below.empty();
+    if (kept_below)
+        now.all = std::move(old.below);
+    else if (change.start != Start::nothing)
+        now.all = std::move(old.all);
+    for (std::size_t k = change.first; k < brushes.size(); ++k) {
+        if (k + 1 == brushes.size()) now.below = now.all;
+        const bool reaches = lay_over(tiles_, tile, brushes[k], now.all);
+        if (k + 1 < brushes.size()) continue;
+        if (!reaches)
+            now.below.clear();
+        else
+            now.below.resize(tile_texels, PaintLight(0.0f));
+    }
+    old = std::move(now);
+}
+
+PaintWork PaintLayer::update(std::span<const PaintStroke> strokes) {
+    PaintWork work;
+    if (std::ranges::equal(strokes_, strokes)) return work;
+    const Change change = change_to(strokes);
+    if (change.start != Start::below) {  // `below` belongs to another stroke
+        open_ = change.open;
+        for (TilePaint& tile : paint_) tile.below = {};
+    }
+    for (std::uint32_t tile = 0; tile < tiles_.count(); ++tile)
+        if (change.reached[tile]) work.tiles.push_back(tile);
+    work.texels = work.tiles.size() * tile_texels;
+    const std::vector<PaintBrush> brushes = brushes_of(strokes);
+    for_row_ranges(work.tiles.size(), 4 * work.tiles.size(), threads_, [&](const RowRange& some) {
+        for (std::size_t k = some.begin(); k < some.end(); ++k)
+            redo(work.tiles[k], change, brushes);
+    });
+    strokes_.assign(strokes.begin(), strokes.end());
+    return work;
+}
+
+std::vector<std::uint32_t> PaintLayer::painted_tiles() const {
+    std::vector<std::uint32_t> painted;
+    for (std::uint32_t tile = 0; tile < paint_.size(); ++tile)
+        if (!paint_[tile].all.empty()) painted.push_back(tile);
+    return painted;
+}
+
+std::size_t PaintLayer::bytes() const {
+    std::size_t count = 0;
+    for (const TilePaint& tile : paint_) count += tile.below.size() + tile.all.size();
+    return count * sizeof(PaintLight);
+}
+
+}  // namespace burl

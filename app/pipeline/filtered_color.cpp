@@ -1,0 +1,64 @@
+#include "app/pipeline/filtered_color.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include <nlohmann/json.hpp>
+
+#include "app/pipeline/graph_sampler.h"
+#include "app/pipeline/texture_color.h"
+#include "atlas/base/error.h"
+#include "procedural/color/srgb.h"
+#include "procedural/graph/json.h"
+#include "procedural/model/octaves.h"
+#include "procedural/model/texture_json.h"
+
+namespace burl {
+
+namespace {
+
+Vec4d color_and_alpha(const GraphSample& sample) {
+    return {sample.color(), sample.wire == Wire::number ? 1.0 : sample.channels[3].value};
+}
+
+/// The recipe's texture as a graph, which filters itself.
+TextureGraph graph_of(const Recipe& recipe) {
+    return recipe.graph.empty() ? graph_from_json(texture_to_json(recipe.texture)) : recipe.graph;
+}
+
+}  // namespace
+
+FilteredColor filtered_color(const Recipe& recipe, FilterKind kind) {
+    if (kind == FilterKind::none && recipe.graph.empty()) {
+        return [color = texture_color(recipe, recipe.precision)](const Vec3d& s, const Footprint&) {
+            return Vec4d(color(s), 1.0);
+        };
+    }
+    if (kind != FilterKind::none && recipe.precision.kind == PrecisionKind::fixed)
+        throw Error(ExitCode::usage,
+                    "fixed point has no gradients to filter by; draw it with --filter none");
+    const Filter filter{kind, recipe.filter.samples, recipe.filter.band_limit};
+    const auto graph = std::make_shared<GraphSampler>(graph_of(recipe), filter);
+    const bool filtered = kind != FilterKind::none;
+    return [graph, filtered](const Vec3d& s, const Footprint& footprint) {
+        return color_and_alpha((*graph)(s, filtered ? footprint : Footprint{}));
+    };
+}
+
+FilteredColor filter_width_grey(const Recipe& recipe) {
+    if (!recipe.graph.empty())
+        throw Error(ExitCode::usage,
+                    fmt::format("--widths: the texture of '{}' is a graph, which has no single "
+                                "filter width; use a recipe that is a color_map of a field",
+                                recipe.name));
+    return [octaves = expand_octaves(recipe.texture), quadric = recipe.texture.quadric](
+               const Vec3d& s, const Footprint& covered) {
+        const Vec3d slope = sample_field<double>(quadric, octaves, s).gradient;
+        const double width =
+            256.0 * std::hypot(glm::dot(slope, covered.u), glm::dot(slope, covered.v));
+        return Vec4d(Vec3d(srgb_decode((std::clamp(width, 1.0, 256.0) - 1.0) / 255.0)), 1.0);
+    };
+}
+
+}  // namespace burl

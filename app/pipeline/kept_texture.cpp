@@ -1,0 +1,36 @@
+#include "app/pipeline/kept_texture.h"
+
+namespace burl {
+
+KeptSynthesis& KeptTexture::terms(const Recipe& recipe, Kernel kernel) {
+    const Affine3 map = texture_from_solid(recipe);
+    number_.reset();
+    if (!terms_ || terms_->kernel() != kernel) terms_.emplace(*solid_, map, budget_, kernel);
+    terms_->set_map(map);
+    return *terms_;
+}
+
+KeptGraph& KeptTexture::number() {
+    terms_.reset();
+    if (!number_) number_.emplace(*solid_, budget_);
+    return *number_;
+}
+
+template <class Pixel>
+void KeptTexture::fill(const Recipe& recipe, const HostWay& way, const Economy& economy,
+                       Image<Pixel>& image) {
+    const bool keeps = budget_ > 0 && economy.skips.allows(Skip::kept_terms);
+    if (keeps && has_fast_way(recipe, way))
+        terms(recipe, way.kernel)
+            .synthesize(recipe.texture, way.threads, image, recipe.filter, economy);
+    else if (keeps && has_fast_graph(recipe, way) && KeptGraph::splits(recipe.graph, recipe.filter))
+        number().synthesize(recipe.graph, texture_from_solid(recipe), way.threads, image, economy);
+    else
+        image = fill_unpainted<Pixel>(*solid_, recipe, way, economy);
+}
+
+template void KeptTexture::fill(const Recipe&, const HostWay&, const Economy&, Image<Rgb8>&);
+template void KeptTexture::fill(const Recipe&, const HostWay&, const Economy&, Image<Rgb16>&);
+template void KeptTexture::fill(const Recipe&, const HostWay&, const Economy&, Image<RgbF>&);
+
+}  // namespace burl

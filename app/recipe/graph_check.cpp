@@ -1,0 +1,188 @@
+#include "app/recipe/graph_check.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+
+#include "app/base/nearest_word.h"
+#include "app/recipe/model_check.h"
+#include "atlas/base/error.h"
+#include "procedural/graph/table.h"
+
+namespace burl {
+
+namespace {
+
+using Found = std::optional<RecipeProblem>;
+
+constexpr double largest_constant = 1e9;
+
+bool is_color(const Json& value) {
+    if (!value.is_string()) return false;
+    const std::string& text = value.get_ref<const std::string&>();
+    return (text.size() == 7 || text.size() == 9) && text[0] == '#' &&
+           text.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
+}
+
+bool is_constant_number(const Json& value) {
+    return value.is_number() && std::abs(value.get<double>()) <= largest_constant;
+}
+
+std::string wanted_text(Wire wanted) {
+    return fmt::format("a number from {} to {}{} or a node that gives {}", -largest_constant,
+                       largest_constant,
+                       wanted == Wire::color ? ", a colour \"#rrggbb\" or \"#rrggbbaa\"" : "",
+                       wanted == Wire::color ? "one of them" : "one");
+}
+
+RecipeProblem unknown_node(const Json& name, const std::string& path) {
+    std::vector<std::string_view> names;
+    for (const NodeType& type : graph_table()) names.push_back(type.name);
+    const std::string_view nearest =
+        name.is_string() ? nearest_word(name.get_ref<const std::string&>(), names) : "";
+    return {path, fmt::format("{} is {}, must be a node's name{}", path, shown(name),
+                              nearest.empty() ? std::string("; `burl list nodes` names them all")
+                                              : fmt::format("; did you mean \"{}\"?", nearest))};
+}
+
+/// The path with its middle left out where it has more than 60 characters.
+std::string shortened(const std::string& path) {
+    if (path.size() <= 60) return path;
+    return fmt::format("{}...{}", path.substr(0, 36), path.substr(path.size() - 20));
+}
+
+/// A checker of one graph. It recurses no deeper than max_graph_depth, however deep the JSON is.
+class GraphChecker {
+  public:
+    /// Checks a node or constant that must give `wanted`, and sets `given` to the type that it
+    /// gives.
+    Found check_input(const Json& value, const std::string& path, Wire wanted, std::size_t depth,
+                      Wire& given) {
+        if (++nodes_ > max_graph_nodes)
+            return RecipeProblem{path, fmt::format("{}: the texture has more than {} nodes, "
+                                                   "counting constants; draw less",
+                                                   shortened(path), max_graph_nodes)};
+        if (depth >= max_graph_depth)
+            return RecipeProblem{path, fmt::format("{}: nodes are nested more than {} deep; use "
+                                                   "fewer levels",
+                                                   shortened(path), max_graph_depth)};
+        given = Wire::number;
+        if (is_color(value)) given = Wire::color;
+        if (value.is_object()) {
+            if (Found found = check_node(value, path, wanted, depth, given)) return found;
+        } else if (given == Wire::number && !is_constant_number(value)) {
+            return mismatch(path, value, wanted_text(wanted));
+        }
+        if (given == Wire::color && wanted == Wire::number)
+            return RecipeProblem{
+                path, fmt::format("{} gives a colour, must be {}", path, wanted_text(wanted))};
+        return {};
+    }
+
+  private:
+    Found check_node(const Json& node, const std::string& path, Wire wanted, std::size_t depth,
+                     Wire& given) {
+        // Only the recipe's texture itself may leave out "node": it is a color_map then.
+        if (!node.contains("node") && depth > 0)
+            return RecipeProblem{path,
+                                 fmt::format("{} has no key \"node\" that says what it is", path)};
+        const Json name = node.contains("node") ? node["node"] : Json("color_map");
+        const NodeType* type =
+            name.is_string() ? find_node(name.get_ref<const std::string&>()) : nullptr;
+        if (!type) return unknown_node(name, join_path(path, "node"));
+        if (type->name == "field") return find_field_problem(node, path);
+        if (type->name == "constant") return check_constant(node, path, wanted, depth, given);
+        if (Found found = check_keys(*type, node, path)) return found;
+        if (type->name == "color_map")
+            if (Found found = find_map_problem(node, path)) return found;
+        return check_inputs(*type, node, path, wanted, depth, given);
+    }
+
+    Found check_constant(const Json& node, const std::string& path, Wire wanted, std::size_t depth,
+                         Wire& given) {
+        if (Found found = check_names({"node", "value"}, node, path)) return found;
+        const std::string value_path = join_path(path, "value");
+        if (!node.contains("value"))
+            return RecipeProblem{value_path, fmt::format("{} is missing, must be {}", value_path,
+                                                         wanted_text(wanted))};
+        if (node["value"].is_object())
+            return mismatch(value_path, node["value"], "a number or a colour");
+        return check_input(node["value"], value_path, wanted, depth, given);
+    }
+
+    static Found check_names(const std::vector<std::string_view>& known, const Json& node,
+                             const std::string& path) {
+        for (const auto& item : node.items())
+            if (std::find(known.begin(), known.end(), item.key()) == known.end())
+                return unknown_key(known, item.key(), path);
+        return {};
+    }
+
+    /// Checks the names of all keys and the values of parameters.
+    static Found check_keys(const NodeType& type, const Json& node, const std::string& path) {
+        std::vector<std::string_view> known{"node"};
+        for (const NodeInput& input : type.inputs()) known.push_back(input.key);
+        for (const Parameter& parameter : type.parameters()) known.push_back(parameter.path);
+        if (type.name == "color_map") known.insert(known.end(), {"wrap", "stops"});
+        if (Found found = check_names(known, node, path)) return found;
+        for (const Parameter& parameter : type.parameters()) {
+            const std::string key(parameter.path), parameter_path = join_path(path, key);
+            if (node.contains(key)) {
+                if (node[key].is_null() && parameter.default_value == "null") continue;
+                if (Found found = check_leaf(parameter, node[key], parameter_path)) return found;
+            } else if (parameter.default_value.empty()) {
+                return RecipeProblem{parameter_path, parameter_path + " is missing"};
+            }
+        }
+        return check_time(node, path);
+    }
+
+    /// Whether the node's kind of noise can have a time; the keys' values have been checked.
+    static Found check_time(const Json& node, const std::string& path) {
+        if (!node.contains("time") || node["time"].is_null()) return {};
+        const std::string problem =
+            time_problem(node.value("kind", "perlin"), node.value("time_period", 0.0) != 0.0);
+        if (problem.empty()) return {};
+        const std::string at = join_path(path, "time");
+        return RecipeProblem{at, fmt::format("{} is {}, {}", at, shown(node["time"]), problem)};
+    }
+
+    Found check_inputs(const NodeType& type, const Json& node, const std::string& path, Wire wanted,
+                       std::size_t depth, Wire& given) {
+        given = type.result == NodeResult::color ? Wire::color : Wire::number;
+        for (const NodeInput& input : type.inputs()) {
+            const std::string input_path = join_path(path, input.key);
+            if (!node.contains(input.key)) {
+                if (!input.fallback.empty() && ++nodes_ <= max_graph_nodes) continue;
+                return RecipeProblem{input_path, fmt::format("{} is missing, must be {}",
+                                                             input_path, wanted_text(input.wire))};
+            }
+            // A node that passes its input's type on requires of the input what is required of
+            // itself.
+            const Wire from = input.sets_wire ? wanted : input.wire;
+            Wire got = Wire::number;
+            if (Found found =
+                    check_input(node[std::string(input.key)], input_path, from, depth + 1, got))
+                return found;
+            if (input.sets_wire && got == Wire::color) given = Wire::color;
+        }
+        return {};
+    }
+
+    std::size_t nodes_ = 0;
+};
+
+}  // namespace
+
+Found find_graph_problem(const Json& texture, const std::string& path) {
+    Wire given = Wire::number;
+    return GraphChecker().check_input(texture, path, Wire::color, 0, given);
+}
+
+Found find_scalar_problem(const Json& input, const std::string& path) {
+    Wire given = Wire::number;
+    return GraphChecker().check_input(input, path, Wire::number, 1, given);
+}
+
+}  // namespace burl

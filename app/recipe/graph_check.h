@@ -1,0 +1,14 @@
+#pragma once
+// Checks the JSON of a texture graph against the node table: node names, inputs and their types,
+// parameters, depth and number of nodes.
+#include "app/recipe/schema_check.h"
+
+namespace burl {
+
+/// The first problem of a "texture" that is a graph giving a colour; `path` is its dotted path.
+std::optional<RecipeProblem> find_graph_problem(const Json& texture, const std::string& path);
+
+/// The first problem of a graph that must give a number, or of a plain number in its place.
+std::optional<RecipeProblem> find_scalar_problem(const Json& input, const std::string& path);
+
+}  // namespace burl

@@ -1,0 +1,240 @@
+#include <algorithm>
+#include <bit>
+#include <filesystem>
+#include <memory>
+#include <set>
+#include <typeinfo>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "app/base/real_path.h"
+#include "app/image/image_io.h"
+#include "app/recipe/check.h"
+#include "app/recipe/images.h"
+#include "app/recipe/leaves.h"
+#include "app/recipe/settings.h"
+#include "atlas/base/error.h"
+#include "procedural/graph/json.h"
+#include "procedural/model/texture_json.h"
+
+namespace burl {
+
+namespace {
+
+/// The last part of its path; of items ("points.*") the one before it.
+std::string key_of(const RecipeParameter& row) {
+    const std::string_view path = row.path.substr(0, row.path.find_last_not_of(".*") + 1);
+    return std::string(path.substr(path.rfind('.') + 1));
+}
+
+/// Sets the members of `owner` that the table and the JSON have.
+template <class Owner>
+void read_members(const Json& json, Owner& owner) {
+    for (const RecipeParameter& row : parameters())
+        if (row.owner && *row.owner == typeid(Owner))
+            if (const std::string key = key_of(row); json.contains(key))
+                row.read(json[key], &owner);
+}
+
+/// Adds the members of `owner` that the table has.
+template <class Owner>
+void write_members(const Owner& owner, Json& json) {
+    for (const RecipeParameter& row : parameters())
+        if (row.owner && *row.owner == typeid(Owner))
+            if (Json value = row.write(&owner); !value.is_null())
+                json[key_of(row)] = std::move(value);
+}
+
+/// Adds up the sizes that one recipe's images declare, before any is decoded.
+class DeclaredImages {
+  public:
+    /// Throws Error(invalid_file) for what is too large, by itself or with those before it.
+    void add(const std::string& path, ImageWrap wrap) {
+        if (!seen_.insert({real_path(path), wrap}).second) return;
+        const PngSize size = png_size(path);
+        if (std::max(size.width, size.height) > largest_image_side)
+            throw invalid_file(path, 0,
+                               fmt::format("the image has {} x {} pixels; textures take at most {} "
+                                           "a side, so scale it down",
+                                           size.width, size.height, largest_image_side));
+        texels_ += std::uint64_t{std::bit_ceil(size.width)} * std::bit_ceil(size.height);
+        if (texels_ > most_image_texels)
+            throw invalid_file(path, 0,
+                               fmt::format("with this image the recipe's images have {} pixels "
+                                           "together, their sides rounded up to powers of two, but "
+                                           "{} is the most; scale some of them down",
+                                           texels_, most_image_texels));
+    }
+
+  private:
+    std::set<std::pair<std::string, ImageWrap>> seen_;
+    std::uint64_t texels_ = 0;
+};
+
+/// In the place of an image that is not looked at.
+std::shared_ptr<const MipImage> blank_image(ImageWrap wrap) {
+    return std::make_shared<const MipImage>(Image<Rgb8>(1, 1), wrap);
+}
+
+/// An empty object for a part of the recipe that is left out.
+const Json& part_of(const Json& json, const char* key) {
+    static const Json none = Json::object();
+    return json.contains(key) ? json[key] : none;
+}
+
+template <class Owner>
+void read_list(const Json& json, std::vector<Owner>& list) {
+    for (const Json& one : json) read_members(one, list.emplace_back());
+}
+
+template <class Owner>
+Json list_json(const std::vector<Owner>& list) {
+    Json json = Json::array();
+    for (const Owner& one : list) write_members(one, json.emplace_back());
+    return json;
+}
+
+KeyedAnimation animation_from_json(const Json& json) {
+    KeyedAnimation animation;
+    read_members(json, animation);
+    const Json& tracks = part_of(json, "tracks");
+    read_list(tracks, animation.tracks);
+    for (std::size_t i = 0; i < tracks.size(); ++i)
+        for (const Json& key : tracks[i]["keys"])
+            animation.tracks[i].keys.push_back({key[0].get<double>(), key[1].get<double>()});
+    return animation;
+}
+
+Json animation_to_json(const KeyedAnimation& animation) {
+    Json json;
+    write_members(animation, json);
+    Json& tracks = json["tracks"] = list_json(animation.tracks);
+    for (std::size_t i = 0; i < tracks.size(); ++i) {
+        Json& keys = tracks[i]["keys"] = Json::array();
+        for (const KeyPoint& key : animation.tracks[i].keys)
+            keys.push_back({key.seconds, key.value});
+    }
+    return json;
+}
+
+Recipe recipe_from_json(const Json& json, const ImageReader& read_image) {
+    Recipe recipe;
+    read_members(json, recipe);
+    read_members(part_of(json, "atlas"), recipe.atlas);
+    read_members(part_of(json, "solid"), recipe.solid);
+    const Json& texture = part_of(json, "texture");
+    if (is_graph(texture))
+        recipe.graph = graph_from_json(texture, read_image);
+    else
+        recipe.texture = texture_from_json(texture);
+    const Json& bump = part_of(json, "bump");
+    read_members(bump, recipe.bump);
+    if (bump.contains("input")) recipe.bump.input = graph_from_json(bump["input"], read_image);
+    read_members(part_of(json, "filter"), recipe.filter);
+    read_members(part_of(json, "precision"), recipe.precision);
+    read_members(part_of(json, "precision"), recipe.precision.format);
+    read_list(part_of(json, "paint"), recipe.paint);
+    read_members(part_of(json, "pose"), recipe.pose);
+    recipe.animation = animation_from_json(part_of(json, "animation"));
+    return recipe;
+}
+
+Json tree_of(const Recipe& recipe) {
+    Json json{{"burl", 1}};
+    write_members(recipe, json);
+    write_members(recipe.atlas, json["atlas"]);
+    write_members(recipe.solid, json["solid"]);
+    json["texture"] =
+        recipe.graph.empty() ? texture_to_json(recipe.texture) : graph_to_json(recipe.graph);
+    write_members(recipe.filter, json["filter"]);
+    write_members(recipe.precision, json["precision"]);
+    write_members(recipe.precision.format, json["precision"]);
+    if (!recipe.bump.empty()) {
+        write_members(recipe.bump, json["bump"]);
+        json["bump"]["input"] = graph_to_json(recipe.bump.input);
+    }
+    if (!recipe.paint.empty()) json["paint"] = list_json(recipe.paint);
+    if (recipe.pose != PoseOptions{}) write_members(recipe.pose, json["pose"]);
+    if (recipe.animation != KeyedAnimation{})
+        json["animation"] = animation_to_json(recipe.animation);
+    return json;
+}
+
+/// `path` lies at, above or below `other`.
+bool concerns(const std::string& path, const std::string& other) {
+    const std::string& shorter = path.size() < other.size() ? path : other;
+    const std::string& longer = path.size() < other.size() ? other : path;
+    return longer.starts_with(shorter) &&
+           (longer.size() == shorter.size() || longer[shorter.size()] == '.');
+}
+
+/// Applies the settings, then checks the result as a whole: single steps may pass through recipes
+/// that are not valid (stops out of order).
+void apply_settings(Json& json, const std::vector<std::string>& settings) {
+    std::vector<std::string> paths;
+    for (const std::string& setting : settings) paths.push_back(apply_setting(json, setting));
+    const auto problem = find_problem(json);
+    if (!problem) return;
+    for (std::size_t i = settings.size(); i-- > 0;) {
+        if (concerns(problem->path, paths[i]))
+            throw Error(ExitCode::usage,
+                        fmt::format("--set {}: {}", settings[i], problem->sentence));
+    }
+    throw Error(ExitCode::usage, "--set: " + problem->sentence);
+}
+
+/// Arrays of which single numbers are set must be there, which defaults of a graph's nodes are not.
+std::vector<std::string> with_arrays(const Json& tree, const std::vector<std::string>& settings) {
+    std::vector<std::string> all;
+    for (const RecipeLeaf& leaf : recipe_leaves(tree)) {
+        const std::string front = leaf.path + ".";
+        const auto inside = [&](const std::string& setting) { return setting.starts_with(front); };
+        if (leaf.parameter->type == ParameterType::numbers &&
+            std::any_of(settings.begin(), settings.end(), inside))
+            all.push_back(fmt::format("{}={}", leaf.path, leaf.value.dump()));
+    }
+    all.insert(all.end(), settings.begin(), settings.end());
+    return all;
+}
+
+}  // namespace
+
+Recipe parse_recipe(const std::string& json, const std::string& origin,
+                    const std::vector<std::string>& settings, RecipeImages& images) {
+    Json tree = parse_json_text(json, origin);
+    if (const auto problem = find_problem(tree)) throw invalid_file(origin, 0, problem->sentence);
+    if (!settings.empty()) apply_settings(tree, settings);
+    const auto path_of = [folder = std::filesystem::path(origin).parent_path()](
+                             const std::string& file) { return (folder / file).string(); };
+    DeclaredImages declared;
+    Recipe recipe = recipe_from_json(tree, [&](const std::string& file, ImageWrap wrap) {
+        declared.add(path_of(file), wrap);
+        return blank_image(wrap);
+    });
+    for (TextureGraph* graph : {&recipe.graph, &recipe.bump.input})
+        for (GraphImage& image : graph->images)
+            image.pixels = images.pyramid(path_of(image.file), image.pixels->wrap());
+    return recipe;
+}
+
+Recipe with_numbers(const Recipe& recipe, const std::vector<std::string>& settings) {
+    Recipe bare = recipe;
+    bare.paint.clear();
+    bare.animation = {};
+    Json tree = tree_of(bare);
+    apply_settings(tree, with_arrays(tree, settings));
+    Recipe result = recipe_from_json(
+        tree, [](const std::string&, ImageWrap wrap) { return blank_image(wrap); });
+    result.graph.images = recipe.graph.images;
+    result.bump.input.images = recipe.bump.input.images;
+    result.paint = recipe.paint;
+    result.animation = recipe.animation;
+    return result;
+}
+
+std::string to_json(const Recipe& recipe) {
+    return print_json(tree_of(recipe));
+}
+
+}  // namespace burl

@@ -1,0 +1,86 @@
+#pragma once
+// Everything a user decides about the result, as one comparable value: the command line sets it,
+// presets hold it, tests and benchmarks name it, and undo steps through it. Its JSON is documented
+// key by key in docs/reference/recipes.md.
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/recipe/key_track.h"
+#include "app/recipe/paint_stroke.h"
+#include "atlas/solid/atlas.h"
+#include "atlas/solid/solid_atlas.h"
+#include "procedural/batch/filter.h"
+#include "procedural/batch/precision.h"
+#include "procedural/graph/bump.h"
+#include "procedural/graph/graph.h"
+
+namespace burl {
+
+struct SolidOptions {
+    SolidSpace space = SolidSpace::unit;
+    double scale = 1.0;
+    Vec3d rotate{0.0};     ///< degrees about x, then y, then z
+    Vec3d translate{0.0};  ///< texture coordinates = scale * rotated solid coordinates + translate
+    bool operator==(const SolidOptions&) const = default;
+};
+
+/// The pose at which a mesh that has one (atlas/read/pose.h) is drawn.
+struct PoseOptions {
+    double weight = 1.0;  ///< 0: at rest, 1: posed
+    bool operator==(const PoseOptions&) const = default;
+};
+
+struct Recipe {
+    std::string name;
+    AtlasOptions atlas;
+    SolidOptions solid;
+    Texture texture;  ///< a texture of the 1999 model, which bakes fastest; unused where `graph` is
+                      ///< not empty
+    TextureGraph graph;  ///< a texture of any other form
+    Bump bump;
+    Filter filter;
+    Precision precision;
+    std::vector<PaintStroke> paint;  ///< strokes over the texture, in this order
+    PoseOptions pose;          ///< the pose for drawing; the texture is that of the mesh at rest
+    KeyedAnimation animation;  ///< keys over time (app/recipe/keyed_recipe.h)
+    bool operator==(const Recipe&) const = default;
+};
+
+/// The map from solid space (unit box or object) to texture coordinates s.
+Affine3 texture_from_solid(const Recipe& recipe);
+
+/// The map from the mesh's coordinates to texture coordinates s.
+Affine3 texture_from_mesh(const Recipe& recipe, const Mesh& mesh);
+
+/// The length of a unit of the mesh in solid units, before the recipe's scale.
+double solid_units(const Mesh& mesh, SolidSpace space);
+
+/// Parses recipe JSON; `origin` names it in messages. `settings` are "path=value" edits applied to
+/// the JSON first, such as "texture.input.noise.0.amplitude=0.7". Unknown keys, wrong types and
+/// values out of range throw Error(invalid_file), or Error(usage) for `settings`, naming the key
+/// and the nearest known one. Paths of a texture's images are relative to origin's folder.
+Recipe parse_recipe(const std::string& json, const std::string& origin,
+                    const std::vector<std::string>& settings = {});
+
+/// The names of the presets in assets/recipes, in alphabetical order.
+std::vector<std::string_view> preset_names();
+
+/// Whether the argument has the form of a preset's name, known or not; anything with a dot or a
+/// slash is a file's path.
+bool names_preset(std::string_view path_or_preset);
+
+/// The recipe in a file, or the preset of that name ("marble"; see names_preset). A recipe without
+/// a name gets its file's, without folder and extension. Throws Error as parse_recipe does, io
+/// where the file cannot be read, and usage for an unknown preset.
+Recipe load_recipe(const std::string& path_or_preset,
+                   const std::vector<std::string>& settings = {});
+
+/// The recipe with "path=value" settings of numbers applied; its images, paint and keys stay.
+/// Throws Error(usage).
+Recipe with_numbers(const Recipe& recipe, const std::vector<std::string>& settings);
+
+/// The recipe as JSON that parse_recipe reads back to an equal Recipe.
+std::string to_json(const Recipe& recipe);
+
+}  // namespace burl

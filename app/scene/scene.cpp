@@ -1,0 +1,105 @@
+#include "app/scene/scene.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/surface/normals.h"
+#include "app/surface/tangents.h"
+#include "atlas/base/error.h"
+#include "atlas/file/file_extension.h"
+#include "atlas/read/read_mesh.h"
+
+namespace burl {
+
+namespace {
+
+Scene load_plain_mesh(const std::string& path) {
+    const Mesh mesh = read_mesh(path);
+    const bool colored = !mesh.corners.colors.empty();
+    return scene_from_mesh(mesh, {colored ? Vec4f(1.0f) : default_grey, -1});
+}
+
+/// Replaces values per vertex, if any, by values per triangle corner.
+template <class T>
+void spread(std::vector<T>& values, const std::vector<Triangle>& triangles) {
+    if (values.empty()) return;
+    std::vector<T> spread;
+    for (const Triangle& triangle : triangles)
+        for (const std::uint32_t vertex : triangle) spread.push_back(values[vertex]);
+    values = std::move(spread);
+}
+
+}  // namespace
+
+Scene load_scene(const std::string& path) {
+    const std::string extension = lower_extension(path);
+    Scene scene = extension == ".glb" || extension == ".gltf" ? load_gltf_scene(read_file(path))
+                  : extension == ".obj"                       ? load_obj_scene(path)
+                                                              : load_plain_mesh(path);
+    if (scene.surfaces.empty()) throw invalid_file(path, 0, "the scene holds no triangle to draw");
+    if (!std::isfinite(bounding_sphere(scene).radius)) {
+        throw invalid_file(path, 0, "the scene's points lie too far out to draw");
+    }
+    return scene;
+}
+
+Scene scene_from_mesh(const Mesh& mesh, const SceneMaterial& material) {
+    const std::vector<Vec3f> normals = corner_normals(mesh, 40.0);
+    Scene scene;
+    for (const Part& part : mesh.parts) {
+        Surface surface;
+        surface.material = material;
+        surface.placements = part.instances;
+        for (std::uint32_t k = 0; k < part.triangle_count; ++k) {
+            const std::size_t t = part.first_triangle + k;
+            surface.triangles.push_back({3 * k, 3 * k + 1, 3 * k + 2});
+            for (std::size_t corner = 3 * t; corner < 3 * t + 3; ++corner) {
+                surface.positions.push_back(mesh.positions[mesh.triangles[t][corner - 3 * t]]);
+                surface.normals.push_back(normals[corner]);
+                if (!mesh.corners.uvs.empty()) surface.uvs.push_back(mesh.corners.uvs[corner]);
+                if (!mesh.corners.colors.empty()) {
+                    surface.colors.push_back(mesh.corners.colors[corner]);
+                }
+            }
+        }
+        if (material.normals >= 0) add_tangents(surface);
+        scene.surfaces.push_back(std::move(surface));
+    }
+    return scene;
+}
+
+void add_tangents(Surface& surface) {
+    spread(surface.positions, surface.triangles);
+    spread(surface.normals, surface.triangles);
+    spread(surface.uvs, surface.triangles);
+    spread(surface.colors, surface.triangles);
+    spread(surface.blocks, surface.triangles);
+    spread(surface.target.positions, surface.triangles);
+    spread(surface.target.normals, surface.triangles);
+    surface.target.tangents.clear();  // these belong to other tangents
+    std::uint32_t corner = 0;
+    for (Triangle& triangle : surface.triangles)
+        for (std::uint32_t& vertex : triangle) vertex = corner++;
+    surface.tangents =
+        corner_tangents(surface.positions, surface.triangles, surface.uvs, surface.normals);
+}
+
+Sphere bounding_sphere(const Scene& scene) {
+    return sphere_around([&](auto visit) {
+        for (const Surface& surface : scene.surfaces) {
+            for (const Mat4d& placement : surface.placements) {
+                for (const Triangle& triangle : surface.triangles) {
+                    for (const std::uint32_t vertex : triangle) {
+                        const Vec3d& point = surface.positions[vertex];
+                        visit(Vec3d(placement * Vec4d(point, 1.0)));
+                        if (surface.target.positions.empty()) continue;
+                        const Vec3d end = point + surface.target.positions[vertex];
+                        visit(Vec3d(placement * Vec4d(end, 1.0)));
+                    }
+                }
+            }
+        }
+    });
+}
+
+}  // namespace burl

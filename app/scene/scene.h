@@ -1,0 +1,107 @@
+#pragma once
+// The scene that `burl render` draws: surfaces with per-vertex attributes, base colours and
+// placements, as glTF describes them. Independent of OpenGL.
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "app/scene/camera.h"
+#include "atlas/base/image.h"
+#include "atlas/base/vec.h"
+#include "atlas/file/file_buffer.h"
+#include "atlas/mesh/mesh.h"
+
+namespace burl {
+
+enum class TextureFilter {
+    nearest,  ///< the texel that contains the point
+    linear,   ///< bilinear at full size
+    mip       ///< trilinear: bilinear in two MIP levels and linear between them
+};
+enum class TextureWrap { repeat, mirror, clamp };
+
+/// A texture with the filter and wrap modes of its file's sampler.
+struct SceneTexture {
+    Image<Rgb8> image;  ///< sRGB-encoded unless is_color is false; row 0 is v = 0
+    TextureFilter filter = TextureFilter::linear;
+    TextureWrap wrap_u = TextureWrap::repeat, wrap_v = TextureWrap::repeat;
+    /// MIP levels 1, 2, ... from the file; where there are none, box means are computed when
+    /// needed.
+    std::vector<Image<Rgb8>> levels{};
+    bool is_color = true;  ///< false for data in linear codes (normals)
+};
+
+struct SceneMaterial {
+    Vec4f factor{1.0f};  ///< linear; multiplies the texture's colour; alpha is ignored
+    int texture = -1;    ///< an index into Scene::textures; -1: white
+    /// The index into Scene::textures of a tangent-space normal map; -1: none.
+    int normals = -1;
+    float normal_scale = 1.0f;
+};
+
+/// The morph target of a surface: changes per vertex, which are scaled by the target's weight.
+struct SurfaceTarget {
+    std::vector<Vec3d> positions;          ///< changes in local coordinates
+    std::vector<Vec3f> normals, tangents;  ///< changes, or empty
+};
+
+/// Indexed triangles drawn with one material in one or more placements.
+struct Surface {
+    std::vector<Vec3d> positions;  ///< local coordinates
+    std::vector<Vec3f> normals;    ///< one per position
+    std::vector<Vec2d> uvs;        ///< one per position, or empty
+    std::vector<Vec4f> tangents;   ///< one per position (procedural/fill/tangent_frame.h), or empty
+    std::vector<Vec4f> colors;     ///< linear, one per position, or empty
+    /// Per position the rectangle of the texture that it may show (low u, low v, high u, high v),
+    /// or empty: lookups of every MIP level are clamped to it.
+    std::vector<Vec4f> blocks;
+    SurfaceTarget target{};     ///< one entry per position, or empty
+    double target_share = 1.0;  ///< the morph target's weight: 0 at rest, 1 at the target
+    std::vector<Triangle> triangles;
+    SceneMaterial material;
+    std::vector<Mat4d> placements{Mat4d(1.0)};  ///< maps from local to scene coordinates
+
+    /// The local position at which vertex `i` is drawn, the morph target included.
+    Vec3d drawn(std::uint32_t i) const {
+        if (target.positions.empty()) return positions[i];
+        return positions[i] + target_share * target.positions[i];
+    }
+};
+
+struct Scene {
+    std::vector<Surface> surfaces;
+    std::vector<SceneTexture> textures;
+    /// The files read besides the scene's own: buffers, materials, textures.
+    std::vector<std::string> files;
+    /// Sentences for stderr about differences between file and picture.
+    std::vector<std::string> notes;
+};
+
+/// Loads a .glb or .gltf with its PNG textures. An .obj with one material is drawn with its Kd,
+/// map_Kd and norm. All other files (.ply, .stl, .off, .obj with several materials) are drawn in
+/// vertex colours or grey. Throws Error: io, invalid_file, unsupported (other formats; JPEG, WebP
+/// or KTX textures).
+Scene load_scene(const std::string& path);
+
+/// The scene of a glTF file, with materials. Throws Error as load_scene does.
+Scene load_gltf_scene(const FileBuffer& file);
+/// The scene of an OBJ file, with one material. Throws Error as load_scene does.
+Scene load_obj_scene(const std::string& path);
+
+/// Computes the tangents (app/surface/tangents.h) of a surface with UVs, and gives each triangle
+/// corner a vertex of its own.
+void add_tangents(Surface& surface);
+
+/// The linear colour of surfaces without a material.
+inline constexpr Vec4f default_grey{0.6f, 0.6f, 0.6f, 1.0f};
+
+/// The scene of a mesh with its own normals, UVs and colours; missing normals are computed with
+/// creases at 40 degrees.
+Scene scene_from_mesh(const Mesh& mesh, const SceneMaterial& material);
+
+/// The bounding sphere of all placed points of triangles, both at rest and at their morph targets,
+/// so that a view does not change with the target's weight. Its centre is that of the points' box.
+Sphere bounding_sphere(const Scene& scene);
+
+}  // namespace burl

@@ -1,0 +1,101 @@
+// The box filter is separable: the rectangle of a new texel is a product of two intervals.
+#include "atlas/base/mip_chain.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+namespace burl {
+
+namespace {
+
+double widen(float value) {
+    return double(value);
+}
+Vec3d widen(const Vec3f& value) {
+    return Vec3d(value);
+}
+Vec3d widen(const RgbF& value) {
+    return {double(value.r), double(value.g), double(value.b)};
+}
+void narrow(double sum, float& value) {
+    value = float(sum);
+}
+void narrow(const Vec3d& sum, Vec3f& value) {
+    value = Vec3f(sum);
+}
+void narrow(const Vec3d& sum, RgbF& value) {
+    value = {float(sum.x), float(sum.y), float(sum.z)};
+}
+
+/// Filter taps of new texel i of an axis with `size` old ones.
+MipTaps taps(std::size_t size, std::size_t i) {
+    if (size == 1) return {};
+    if (size % 2 == 0) return {2 * i, 2, {0.5, 0.5, 0.0}};
+    const std::size_t half = size / 2;
+    const double n = double(size);
+    return {2 * i, 3, {double(half - i) / n, double(half) / n, double(i + 1) / n}};
+}
+
+/// The MIP level after an image of `width` x `height` pixels, which at(x, y) returns.
+template <class T, class At>
+Image<T> halve_at(std::size_t width, std::size_t height, const At& at) {
+    const std::vector<MipTaps> columns = mip_taps(width), rows = mip_taps(height);
+    Image<T> result(columns.size(), rows.size());
+    const auto weighted = [&](const MipTaps& x, const MipTaps& y) {
+        decltype(widen(T{})) sum(0.0);
+        for (std::size_t j = 0; j < y.count; ++j)
+            for (std::size_t i = 0; i < x.count; ++i)
+                sum += y.weight[j] * x.weight[i] * widen(at(x.first + i, y.first + j));
+        return sum;
+    };
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rows.size(), 16), [&](const auto& range) {
+        for (std::size_t y = range.begin(); y < range.end(); ++y)
+            for (std::size_t x = 0; x < columns.size(); ++x)
+                narrow(weighted(columns[x], rows[y]), result(x, y));
+    });
+    return result;
+}
+
+}  // namespace
+
+std::vector<MipTaps> mip_taps(std::size_t size) {
+    std::vector<MipTaps> result;
+    for (std::size_t i = 0; i < std::max<std::size_t>(1, size / 2); ++i)
+        result.push_back(taps(size, i));
+    return result;
+}
+
+template <class T>
+Image<T> halve(const Image<T>& image) {
+    return halve_at<T>(image.width(), image.height(),
+                       [&](std::size_t x, std::size_t y) -> const T& { return image(x, y); });
+}
+
+Image<RgbF> halve_product(const Image<RgbF>& image, const Image<float>& factor) {
+    return halve_at<RgbF>(image.width(), image.height(), [&](std::size_t x, std::size_t y) {
+        const RgbF& p = image(x, y);
+        const float f = factor(x, y);
+        return RgbF{p.r * f, p.g * f, p.b * f};
+    });
+}
+
+template <class T>
+MipChain<T> build_mip_chain(Image<T> image) {
+    MipChain<T> chain;
+    chain.levels.push_back(std::move(image));
+    while (chain.levels.back().width() > 1 || chain.levels.back().height() > 1)
+        chain.levels.push_back(halve(chain.levels.back()));
+    return chain;
+}
+
+template Image<float> halve(const Image<float>&);
+template Image<Vec3f> halve(const Image<Vec3f>&);
+template Image<RgbF> halve(const Image<RgbF>&);
+template MipChain<float> build_mip_chain(Image<float>);
+template MipChain<Vec3f> build_mip_chain(Image<Vec3f>);
+template MipChain<RgbF> build_mip_chain(Image<RgbF>);
+
+}  // namespace burl

@@ -1,0 +1,47 @@
+#pragma once
+// MIP levels (Williams, "Pyramidal Parametrics", 1983) of an image of linear values: every level is
+// half as large as the one before, and each of its texels is the mean of the texels it covers.
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "atlas/base/image.h"
+#include "atlas/base/vec.h"
+
+namespace burl {
+
+/// All levels of an image. Level 0 is the image itself; level l+1 has max(1, floor(n/2)) texels
+/// along a side where level l has n, as in OpenGL and WebGL; the last level is 1 x 1.
+template <class T>
+struct MipChain {
+    std::vector<Image<T>> levels;
+};
+
+/// The MIP level after `image`, which must not be empty: each texel is the mean over its rectangle
+/// of the image. Along an even side a texel takes two old ones with equal weights; an odd side of
+/// 2m+1 texels becomes m, so every new texel covers 2 + 1/m old ones and takes parts of three
+/// (Guthe & Heckbert, "Non-Power-of-Two Mipmap Creation", 2005). The image's mean is kept in both
+/// cases. Sums are in double, texels rounded once per level. T is float, Vec3f or RgbF.
+template <class T>
+Image<T> halve(const Image<T>& image);
+
+/// halve() of the texelwise product of `image` and `factor`, which have the same size, without an
+/// image of the products.
+Image<RgbF> halve_product(const Image<RgbF>& image, const Image<float>& factor);
+
+/// Filter taps of one new texel along one axis: it covers the `count` (1 to 3) old texels from
+/// `first` on with these weights, whose sum is 1.
+struct MipTaps {
+    std::size_t first = 0, count = 1;
+    std::array<double, 3> weight{1.0, 0.0, 0.0};
+};
+
+/// Filter taps of all max(1, size / 2) new texels of an axis with `size` old ones. The weight that
+/// halve() gives an old texel is the product of its column's and its row's.
+std::vector<MipTaps> mip_taps(std::size_t size);
+
+/// All levels of an image of any size but 0, down to 1 x 1.
+template <class T>
+MipChain<T> build_mip_chain(Image<T> image);
+
+}  // namespace burl

@@ -1,0 +1,36 @@
+#include "atlas/base/pixel_memory.h"
+
+#include <cstdlib>
+#include <limits>
+#include <new>
+
+#ifdef __linux__
+#include <sys/mman.h>
+#endif
+
+namespace burl {
+
+namespace {
+
+constexpr std::size_t cache_line = 64, huge_page = std::size_t(2) << 20;
+
+}  // namespace
+
+void* allocate_pixels(std::size_t bytes) {
+    const std::size_t alignment = bytes < 2 * huge_page ? cache_line : huge_page;
+    constexpr std::size_t most = std::numeric_limits<std::ptrdiff_t>::max();
+    if (bytes > most - alignment) throw std::bad_alloc();
+    const std::size_t whole = (bytes + alignment - 1) / alignment * alignment;
+    void* pixels = std::aligned_alloc(alignment, whole > 0 ? whole : alignment);
+    if (!pixels) throw std::bad_alloc();
+#ifdef __linux__
+    if (alignment == huge_page) (void)madvise(pixels, whole, MADV_HUGEPAGE);  // may be refused
+#endif
+    return pixels;
+}
+
+void free_pixels(void* pixels) noexcept {
+    std::free(pixels);
+}
+
+}  // namespace burl

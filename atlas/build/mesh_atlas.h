@@ -1,0 +1,42 @@
+#pragma once
+// An atlas of whichever kind was asked for, with the mesh its corners belong to: the patch atlas
+// splits a few triangles, the other kinds take the mesh as it is.
+#include <variant>
+
+#include "atlas/patch/atlas.h"
+
+namespace burl {
+
+/// An atlas of any kind.
+class MeshAtlas {
+  public:
+    explicit MeshAtlas(Atlas atlas) : form_(std::move(atlas)) {}
+    explicit MeshAtlas(PatchAtlas patches) : form_(std::move(patches)) {}
+
+    /// Corners, charts and layout; those of a patch atlas are of its refined mesh, without blocks.
+    const Atlas& atlas() const;
+    /// The patch atlas; null for the kinds made of blocks.
+    const PatchAtlas* patches() const { return std::get_if<PatchAtlas>(&form_); }
+    /// The mesh whose triangles the atlas places, given the one it was built from.
+    const Mesh& mesh(const Mesh& input) const;
+
+  private:
+    std::variant<Atlas, PatchAtlas> form_;
+};
+
+/// Builds an atlas of the mesh, as layout_atlas() does for strips and quad. Where patches do not
+/// fit, or the mesh is mostly loose pieces (capacity.h), pairs take their place: `quad`, in the
+/// largest square with a power of two in the texture's corner, or `area` where that square is less
+/// than half the texture and strips fit. atlas().options.kind says which, atlas().notes.fallback
+/// why. Never fails for `patch`, whatever the size.
+MeshAtlas build_atlas(const Mesh& mesh, const Connectivity& connectivity,
+                      const AtlasOptions& options);
+/// Builds an atlas like the overload without `stop`; nothing if `stop` was requested first, which
+/// only the patch layout looks for.
+std::optional<MeshAtlas> build_atlas(const Mesh& mesh, const Connectivity& connectivity,
+                                     const AtlasOptions& options, const std::stop_token& stop);
+
+/// The solid points of all texels; `positions` are those of atlas.mesh(input) in the space wanted.
+SolidAtlas rasterize(const Mesh& input, const MeshAtlas& atlas, std::span<const Vec3d> positions);
+
+}  // namespace burl

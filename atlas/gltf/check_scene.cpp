@@ -1,0 +1,231 @@
+// Checks of the references between a glTF's objects: each names something that exists, and nodes
+// form trees.
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "atlas/gltf/checker.h"
+
+namespace burl {
+namespace {
+
+using Json = GltfChecker::Json;
+
+/// Calls check(element, "name[i]") for each element of a top-level array.
+template <typename Check>
+void for_each(const GltfChecker& gltf, const char* name, const Check& check) {
+    const Json& list = gltf.list(name);
+    for (std::size_t i = 0; i < list.size(); ++i) check(list[i], place(name, i));
+}
+
+/// Calls check(element, "where.key[i]") for each object of an inner array.
+template <typename Check>
+void for_each_in(const GltfChecker& gltf, const Json& object, const char* key,
+                 const std::string& where, const Check& check) {
+    const Json* list = gltf.array_in(object, key, where);
+    if (list == nullptr) return;
+    for (std::size_t i = 0; i < list->size(); ++i) {
+        const std::string name = fmt::format("{}.{}[{}]", where, key, i);
+        if (!(*list)[i].is_object()) gltf.fail(name, "must be an object");
+        check((*list)[i], name);
+    }
+}
+
+/// Checks an array of indices into `target`.
+void check_indices(const GltfChecker& gltf, const Json& object, const char* key, const char* target,
+                   const std::string& where) {
+    const Json* list = gltf.array_in(object, key, where);
+    if (list == nullptr) return;
+    for (std::size_t i = 0; i < list->size(); ++i)
+        gltf.as_index((*list)[i], target, fmt::format("{}.{}[{}]", where, key, i));
+}
+
+std::uint64_t accessor_count(const GltfChecker& gltf, std::size_t accessor) {
+    return gltf.whole(gltf.list("accessors")[accessor], "count", place("accessors", accessor));
+}
+
+/// Counts the elements that are read from accessors without data, and refuses more than 2^20. They
+/// are zeros and cost nothing in the file, but each use of one may be read. Morph targets are not
+/// counted: they have as many elements as their mesh, and exporters leave out the data of those
+/// that move nothing.
+class ZerosAsked {
+  public:
+    explicit ZerosAsked(const GltfChecker& gltf) : gltf_(gltf) {}
+
+    void add(std::size_t accessor, const std::string& where) {
+        if (gltf_.list("accessors")[accessor].contains("bufferView")) return;
+        elements_ += accessor_count(gltf_, accessor);
+        if (elements_ > most_zeros)
+            gltf_.fail(where, fmt::format("with it {} elements have no bufferView, and {} are the "
+                                          "most we take; export the data, uncompressed",
+                                          elements_, most_zeros));
+    }
+
+  private:
+    static constexpr std::uint64_t most_zeros = 1u << 20;
+
+    const GltfChecker& gltf_;
+    std::uint64_t elements_ = 0;
+};
+
+/// Checks the accessor that `key` names; its index, or -1 where `key` is absent.
+std::int64_t check_accessor_use(const GltfChecker& gltf, const Json& object, const char* key,
+                                const std::string& where, ZerosAsked& zeros) {
+    const std::int64_t i = gltf.index_or_none(object, key, "accessors", where);
+    if (i >= 0) zeros.add(static_cast<std::size_t>(i), where + '.' + key);
+    return i;
+}
+
+void check_index_accessor(const GltfChecker& gltf, const Json& primitive, const std::string& where,
+                          ZerosAsked& zeros) {
+    const std::int64_t i = check_accessor_use(gltf, primitive, "indices", where, zeros);
+    if (i < 0) return;
+    const Json& accessor = gltf.list("accessors")[static_cast<std::size_t>(i)];
+    const std::uint64_t type = gltf.whole(accessor, "componentType", where);
+    if (type != 5121 && type != 5123 && type != 5125)
+        gltf.fail(where + ".indices", "must be unsigned bytes, shorts or ints");
+    if (*gltf.string_in(accessor, "type", where) != "SCALAR")
+        gltf.fail(where + ".indices", "must be of type SCALAR");
+}
+
+void check_attributes(const GltfChecker& gltf, const Json& attributes, const std::string& where,
+                      std::uint64_t& count) {
+    for (const auto& [name, value] : attributes.items()) {
+        const std::size_t accessor = gltf.as_index(value, "accessors", where + '.' + name);
+        const std::uint64_t held = accessor_count(gltf, accessor);
+        if (count == 0) count = held;
+        if (held != count)
+            gltf.fail(where + '.' + name,
+                      fmt::format("has {} elements, other attributes {}", held, count));
+    }
+}
+
+void check_primitive(const GltfChecker& gltf, const Json& primitive, const std::string& where,
+                     ZerosAsked& zeros) {
+    const Json* attributes = gltf.object_in(primitive, "attributes", where);
+    if (attributes == nullptr) gltf.fail(where, "'attributes' is missing");
+    std::uint64_t count = 0;
+    check_attributes(gltf, *attributes, where + ".attributes", count);
+    for (const auto& [name, value] : attributes->items())
+        zeros.add(value.get<std::size_t>(), where + ".attributes." + name);
+    for_each_in(gltf, primitive, "targets", where,
+                [&](const Json& target, const std::string& name) {
+                    check_attributes(gltf, target, name, count);
+                });
+    check_index_accessor(gltf, primitive, where, zeros);
+    gltf.index_or_none(primitive, "material", "materials", where);
+    if (gltf.whole_or(primitive, "mode", 4, where) > 6) gltf.fail(where, "unknown 'mode'");
+}
+
+void check_texture_info(const GltfChecker& gltf, const Json& owner, const char* key,
+                        const std::string& where) {
+    const Json* info = gltf.object_in(owner, key, where);
+    if (info == nullptr) return;
+    gltf.index(*info, "index", "textures", where + '.' + key);
+    gltf.whole_or(*info, "texCoord", 0, where + '.' + key);
+}
+
+void check_material(const GltfChecker& gltf, const Json& material, const std::string& where) {
+    for (const char* key : {"normalTexture", "occlusionTexture", "emissiveTexture"})
+        check_texture_info(gltf, material, key, where);
+    const Json* pbr = gltf.object_in(material, "pbrMetallicRoughness", where);
+    if (pbr == nullptr) return;
+    check_texture_info(gltf, *pbr, "baseColorTexture", where);
+    check_texture_info(gltf, *pbr, "metallicRoughnessTexture", where);
+    gltf.numbers(*pbr, "baseColorFactor", 4, where);
+}
+
+void check_node(const GltfChecker& gltf, const Json& node, const std::string& where) {
+    gltf.index_or_none(node, "mesh", "meshes", where);
+    gltf.index_or_none(node, "skin", "skins", where);
+    gltf.index_or_none(node, "camera", "cameras", where);
+    check_indices(gltf, node, "children", "nodes", where);
+    gltf.numbers(node, "matrix", 16, where);
+    gltf.numbers(node, "translation", 3, where);
+    gltf.numbers(node, "rotation", 4, where);
+    gltf.numbers(node, "scale", 3, where);
+    gltf.numbers(node, "weights", 0, where);
+}
+
+/// Checks that each node has at most one parent, and that walking down from the roots reaches every
+/// node.
+void check_trees(const GltfChecker& gltf) {
+    const Json& nodes = gltf.list("nodes");
+    std::vector<std::int64_t> parent(nodes.size(), -1);
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        if (!nodes[i].contains("children")) continue;
+        for (const Json& child : nodes[i]["children"]) {
+            const auto c = static_cast<std::size_t>(child.get<double>());
+            if (parent[c] >= 0 || c == i)
+                gltf.fail(place("nodes", c), "has more than one parent, or is its own child");
+            parent[c] = static_cast<std::int64_t>(i);
+        }
+    }
+    std::vector<std::size_t> open;
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+        if (parent[i] < 0) open.push_back(i);
+    std::size_t reached = 0;
+    for (; reached < open.size(); ++reached) {
+        if (!nodes[open[reached]].contains("children")) continue;
+        for (const Json& child : nodes[open[reached]]["children"])
+            open.push_back(static_cast<std::size_t>(child.get<double>()));
+    }
+    if (reached != nodes.size())
+        gltf.fail("nodes", "some nodes are their own ancestors; the nodes must form trees");
+}
+
+void check_animation(const GltfChecker& gltf, const Json& animation, const std::string& where,
+                     ZerosAsked& zeros) {
+    std::size_t samplers = 0;
+    for_each_in(gltf, animation, "samplers", where, [&](const Json& s, const std::string& name) {
+        for (const char* key : {"input", "output"})
+            zeros.add(gltf.index(s, key, "accessors", name), name + '.' + key);
+        gltf.string_in(s, "interpolation", name);
+        ++samplers;
+    });
+    for_each_in(gltf, animation, "channels", where, [&](const Json& c, const std::string& name) {
+        if (gltf.whole(c, "sampler", name) >= samplers)
+            gltf.fail(name, "'sampler' is out of range");
+        const Json* target = gltf.object_in(c, "target", name);
+        if (target == nullptr) return;
+        gltf.index_or_none(*target, "node", "nodes", name + ".target");
+        gltf.string_in(*target, "path", name + ".target");
+    });
+}
+
+}  // namespace
+
+void check_gltf_scene(const GltfChecker& gltf) {
+    ZerosAsked zeros(gltf);
+    for_each(gltf, "textures", [&](const Json& texture, const std::string& where) {
+        gltf.index_or_none(texture, "source", "images", where);
+        gltf.index_or_none(texture, "sampler", "samplers", where);
+    });
+    for_each(gltf, "materials", [&](const Json& material, const std::string& where) {
+        check_material(gltf, material, where);
+    });
+    for_each(gltf, "meshes", [&](const Json& mesh, const std::string& where) {
+        const Json* primitives = gltf.array_in(mesh, "primitives", where);
+        if (primitives == nullptr) gltf.fail(where, "'primitives' is missing");
+        for_each_in(gltf, mesh, "primitives", where, [&](const Json& p, const std::string& name) {
+            check_primitive(gltf, p, name, zeros);
+        });
+        gltf.numbers(mesh, "weights", 0, where);
+    });
+    for_each(gltf, "skins", [&](const Json& skin, const std::string& where) {
+        check_indices(gltf, skin, "joints", "nodes", where);
+        gltf.index_or_none(skin, "skeleton", "nodes", where);
+        check_accessor_use(gltf, skin, "inverseBindMatrices", where, zeros);
+    });
+    for_each(gltf, "nodes",
+             [&](const Json& node, const std::string& where) { check_node(gltf, node, where); });
+    check_trees(gltf);
+    for_each(gltf, "scenes", [&](const Json& scene, const std::string& where) {
+        check_indices(gltf, scene, "nodes", "nodes", where);
+    });
+    gltf.index_or_none(gltf.root(), "scene", "scenes", "glTF");
+    for_each(gltf, "animations", [&](const Json& animation, const std::string& where) {
+        check_animation(gltf, animation, where, zeros);
+    });
+}
+
+}  // namespace burl

@@ -1,0 +1,33 @@
+#pragma once
+// The outer shell of a glTF: its JSON text, the GLB's binary chunk, and the files it names.
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "atlas/file/file_buffer.h"
+
+namespace burl {
+
+/// The JSON text and the binary chunk of a glTF file.
+struct GltfParts {
+    std::string_view json;
+    std::uint64_t binary_bytes = 0;  ///< length of the GLB's binary chunk; 0 without one
+    bool is_glb = false;
+};
+
+/// Splits a .glb into its chunks, or takes a .gltf as JSON. Throws Error(invalid_file) when a GLB's
+/// lengths do not fit the file.
+GltfParts split_gltf(const FileBuffer& file);
+
+/// Whether the uri starts with "data:".
+bool is_data_uri(std::string_view uri);
+
+/// Number of bytes that a base64 data uri decodes to; -1 for one that tinygltf cannot decode.
+std::int64_t data_uri_bytes(std::string_view uri);
+
+/// The uri with %XX decoded, if it names a file in the glTF's folder or below: no scheme, no
+/// absolute path, no "..", no backslash. Empty otherwise.
+std::string confined_file_name(std::string_view uri);
+
+}  // namespace burl

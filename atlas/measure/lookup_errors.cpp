@@ -1,0 +1,156 @@
+#include "atlas/measure/lookup_errors.h"
+
+#include <cmath>
+
+#include <tbb/parallel_for.h>
+
+#include "atlas/measure/anisotropic.h"
+#include "atlas/measure/bilinear.h"
+#include "atlas/measure/chart_borders.h"
+#include "atlas/measure/foreign.h"
+#include "atlas/measure/mismatch.h"
+
+namespace burl {
+
+namespace {
+
+constexpr std::size_t seam_samples = 50000;
+constexpr std::uint64_t seam_seed = 3;
+
+/// Accumulates the root mean square of colour differences.
+class MeanSquare {
+  public:
+    void add(const Vec3d& difference) {
+        squares_ += mean_square(difference);
+        ++count_;
+    }
+    double root() const { return count_ == 0 ? 0.0 : std::sqrt(squares_ / double(count_)); }
+    std::size_t count() const { return count_; }
+
+  private:
+    double squares_ = 0.0;
+    std::size_t count_ = 0;
+};
+
+double decibel(double rmse) {
+    return -20.0 * std::log10(rmse);
+}
+
+Image<Vec3f> stored(const Image<Vec3f>& image, const StoredValue& in_8bit) {
+    Image<Vec3f> result = image;
+    tbb::parallel_for(std::size_t{0}, result.height(), [&](std::size_t y) {
+        for (Vec3f& value : result.row(y))
+            for (int k = 0; k < 3; ++k) value[k] = float(in_8bit(double(value[k])));
+    });
+    return result;
+}
+
+MipChain<Vec3f> stored_chain(const Image<Vec3f>& image, const StoredValue& in_8bit) {
+    MipChain<Vec3f> chain;
+    chain.levels.push_back(stored(image, in_8bit));
+    while (chain.levels.back().width() > 1)
+        chain.levels.push_back(stored(halve(chain.levels.back()), in_8bit));
+    return chain;
+}
+
+/// Lookups of one chain of levels at points of the surface.
+struct Lookups {
+    const Mesh& mesh;
+    const Atlas& atlas;
+    const SurfaceTruth& truth;
+    const MipChain<Vec3f>& chain;
+
+    double plain(std::uint32_t l) const {
+        const auto& points = l == 0 ? truth.points : truth.level_points;
+        const auto& values = l == 0 ? truth.values : truth.levels[l - 1].means;
+        return lookup_rmse(atlas, chain.levels[l], points, values);
+    }
+
+    double grazing(std::uint32_t l) const {
+        const double sigma = std::ldexp(truth.texel, int(l) - 1);
+        const GrazingTruth& grazing = truth.grazing;
+        std::vector<Vec3d> seen(grazing.points.size());
+        tbb::parallel_for(std::size_t{0}, seen.size(), [&](std::size_t i) {
+            const SurfacePoint& point = grazing.points[i];
+            const auto in_texture = [&](const Vec3d& v) {
+                return mapped(mesh, atlas, point.triangle, v);
+            };
+            const FootprintAxes& axes = grazing.axes[i];
+            seen[i] = anisotropic(chain, place(atlas, point),
+                                  texel_footprint(in_texture(grazing_stretch * sigma * axes.along),
+                                                  in_texture(sigma * axes.across)));
+        });
+        MeanSquare errors;
+        for (std::size_t i = 0; i < seen.size(); ++i)
+            errors.add(seen[i] - grazing.levels[l - 1].means[i]);
+        return errors.root();
+    }
+};
+
+void measure_seams(const Atlas& atlas, const Image<Vec3f>& image, const ChartBorders& borders,
+                   const SurfaceTruth& truth, LookupErrors& errors) {
+    MeanSquare seam, interior;
+    for (std::size_t i = 0; i < truth.points.size(); ++i) {
+        const Vec2d at = place(atlas, truth.points[i]);
+        (borders.near(at) ? seam : interior).add(bilinear(image, at) - truth.values[i]);
+    }
+    errors.seam_rmse = seam.root();
+    errors.interior_rmse = interior.root();
+    if (!truth.points.empty())
+        errors.seam_points = double(seam.count()) / double(truth.points.size());
+}
+
+/// Measures the errors of all levels stored as floats, and everything else that does not depend on
+/// storage in 8 bits.
+void measure_levels(const Lookups& lookups, const TextureValues& texture,
+                    std::span<const MeshEdge> edges, LookupErrors& errors) {
+    const auto& [mesh, atlas, truth, chain] = lookups;
+    const std::vector<std::uint32_t> charts = measure_charts(mesh, atlas, edges).of_triangle;
+    const SeamPoints seams = seam_points(mesh, atlas, edges, seam_samples, seam_seed);
+    for (std::uint32_t l = 0; l <= truth.levels.size(); ++l) {
+        LevelError error;
+        error.level = l;
+        error.rmse = lookups.plain(l);
+        error.truth_noise = l == 0 ? 0.0 : truth.levels[l - 1].noise;
+        error.mismatch = mismatch(seams, chain.levels[l], atlas.options.size);
+        const ForeignShare share = foreign_share(atlas, texture, charts, truth.level_points, l);
+        error.foreign = share.foreign;
+        error.other_chart = share.other_chart;
+        if (l > 0 && l <= truth.grazing.levels.size())
+            error.grazing =
+                GrazingError{lookups.grazing(l), 0.0, truth.grazing.levels[l - 1].noise};
+        errors.levels.push_back(error);
+    }
+}
+
+void measure_8bit(const Lookups& lookups, LookupErrors& errors) {
+    for (LevelError& error : errors.levels) {
+        error.rmse_8bit = lookups.plain(error.level);
+        if (error.grazing) error.grazing->rmse_8bit = lookups.grazing(error.level);
+    }
+}
+
+}  // namespace
+
+double lookup_rmse(const Atlas& atlas, const Image<Vec3f>& level,
+                   std::span<const SurfacePoint> points, std::span<const Vec3d> values) {
+    const double scale = double(level.width()) / atlas.options.size;
+    MeanSquare errors;
+    for (std::size_t i = 0; i < points.size(); ++i)
+        errors.add(bilinear(level, place(atlas, points[i]) * scale) - values[i]);
+    return errors.root();
+}
+
+LookupErrors measure_lookups(const Mesh& mesh, const Atlas& atlas, const TextureValues& texture,
+                             std::span<const MeshEdge> edges, const SurfaceTruth& truth,
+                             const StoredValue& in_8bit) {
+    LookupErrors errors;
+    measure_seams(atlas, texture.values, ChartBorders(atlas, edges), truth, errors);
+    measure_levels({mesh, atlas, truth, build_mip_chain(texture.values)}, texture, edges, errors);
+    measure_8bit({mesh, atlas, truth, stored_chain(texture.values, in_8bit)}, errors);
+    errors.psnr = decibel(errors.levels[0].rmse);
+    errors.psnr_8bit = decibel(errors.levels[0].rmse_8bit);
+    return errors;
+}
+
+}  // namespace burl

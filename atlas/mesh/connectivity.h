@@ -1,0 +1,31 @@
+#pragma once
+// Adjacency of triangles across edges, from OpenMesh's half-edges. Faces are added one by one;
+// where an edge or vertex is complex (non-manifold) the face gets vertices of its own, so no face
+// is lost and ids stay the mesh's.
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "atlas/mesh/mesh.h"
+
+namespace burl {
+
+/// Neighbours of all triangles, and counts of edges and shells.
+struct Connectivity {
+    /// neighbours[t][k] is the triangle across edge k of triangle t (from corner k to corner
+    /// (k+1)%3), or -1.
+    std::vector<std::array<std::int32_t, 3>> neighbours;
+    std::uint64_t interior_edges = 0;  ///< edges with two faces
+    std::uint64_t boundary_edges = 0;  ///< edges with one face, those made by splitting included
+    /// Number of faces that OpenMesh takes only with vertices of their own (complex edge or
+    /// vertex).
+    std::uint64_t split_faces = 0;
+    std::uint64_t shells = 0;  ///< components of triangles connected across edges
+};
+
+/// The mesh's connectivity. Neighbours are symmetric: neighbours[a][k] == b implies some j with
+/// neighbours[b][j] == a, on the same two points. Degenerate triangles (a repeated point) have no
+/// neighbours.
+Connectivity build_connectivity(const Mesh& mesh);
+
+}  // namespace burl

@@ -1,0 +1,78 @@
+#pragma once
+// The triangle mesh every stage starts from: welded points, triangles in file order, and everything
+// else per corner, so that an STL (no shared vertices) and its OBJ (shared ones) are the same mesh
+// to the atlas.
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "atlas/base/vec.h"
+
+namespace burl {
+
+/// The points of a triangle's three corners, in order.
+using Triangle = std::array<std::uint32_t, 3>;
+
+/// Attributes of triangle corners; each vector is empty or has 3 * triangle count entries, corner k
+/// of triangle t at 3t+k.
+struct CornerAttributes {
+    std::vector<Vec3f> normals;                        ///< unit vectors in the space of `positions`
+    std::vector<Vec4f> colors;                         ///< linear RGBA, 1 is full scale
+    std::vector<Vec2d> uvs;                            ///< texture coordinates; row 0 has v = 0
+    std::vector<std::array<std::uint16_t, 4>> joints;  ///< joint indices into the source's skin
+    std::vector<Vec4f> weights;                        ///< weights of `joints`, sum 1
+};
+
+/// A run of consecutive triangles that is drawn as one object, with its instances.
+struct Part {
+    std::string name;
+    std::uint32_t first_triangle = 0;
+    std::uint32_t triangle_count = 0;
+    /// Transforms of the instances relative to `positions`, which are those of the first instance:
+    /// element 0 is the identity.
+    std::vector<Mat4d> instances{Mat4d(1.0)};
+};
+
+/// Repairs and omissions of a mesh's reading; the programs print every count that is not zero.
+struct MeshNotes {
+    std::uint64_t polygons = 0;              ///< faces with more than three corners, triangulated
+    std::uint64_t degenerate_triangles = 0;  ///< triangles with a repeated point or zero area
+    std::uint64_t duplicate_triangles = 0;   ///< triangles on the same points as an earlier one
+    std::uint64_t unreferenced_points = 0;   ///< points that no triangle uses, left out
+    std::uint64_t merged_points = 0;         ///< file vertices that coincide with an earlier one
+    /// Points, lines and curves that the format may carry beside faces.
+    std::uint64_t ignored_elements = 0;
+    std::vector<std::string> sentences;  ///< further notes, each a line on stderr
+};
+
+/// A triangle mesh with everything that its file says of corners and parts.
+struct Mesh {
+    std::string name;                 ///< file name without folder and extension
+    std::vector<Vec3d> positions;     ///< distinct points, numbered by first use in `triangles`
+    std::vector<Triangle> triangles;  ///< triangles in file order; every face is kept
+    /// The number, from 0, of each triangle's face in the file.
+    std::vector<std::uint32_t> source_faces;
+    CornerAttributes corners;
+    std::vector<Part> parts;  ///< parts that cover all triangles in order; at least one
+    MeshNotes notes;
+};
+
+/// An axis-aligned bounding box (AABB).
+struct Box3 {
+    Vec3d low{0.0}, high{0.0};
+    Vec3d centre() const { return 0.5 * low + 0.5 * high; }
+    Vec3d size() const { return high - low; }
+    double longest_side() const;
+};
+
+/// The bounding box of all points; the zero box for an empty mesh.
+Box3 bounding_box(const Mesh& mesh);
+
+/// Area of triangle t, in squared mesh units.
+double triangle_area(const Mesh& mesh, std::size_t t);
+
+/// Longest edge of triangle t, in mesh units.
+double longest_edge(const Mesh& mesh, std::size_t t);
+
+}  // namespace burl

@@ -1,0 +1,197 @@
+// L-BFGS on the stretch of a rectangle map. The first guess of the Hessian's inverse are two
+// Laplacian factors, one per coordinate, because u and v are free on different sides; they are
+// weighted by the surface's extent in that direction, which makes the first step right for any
+// proportions.
+#include <algorithm>
+#include <cmath>
+#include <deque>
+
+#include "atlas/patch/laplacian.h"
+#include "atlas/patch/rectangle_map.h"
+
+namespace burl {
+namespace {
+
+/// Number of steps from which L-BFGS estimates the Hessian.
+constexpr std::size_t memory = 6;
+constexpr double keep_from_collapse = 0.8;  ///< longest step, relative to that to a collapse
+
+using Field = std::vector<Vec2d>;
+
+double dot(const Field& a, const Field& b) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < a.size(); ++i) sum += glm::dot(a[i], b[i]);
+    return sum;
+}
+
+void add_scaled(Field& a, double factor, const Field& b) {
+    for (std::size_t i = 0; i < a.size(); ++i) a[i] += factor * b[i];
+}
+
+std::vector<bool> free_vertices(const std::vector<SideMask>& sides, unsigned held_by) {
+    std::vector<bool> is_free(sides.size());
+    for (std::size_t v = 0; v < sides.size(); ++v) is_free[v] = (sides[v] & held_by) == 0;
+    return is_free;
+}
+
+/// One descent on a map's energy.
+class Descent {
+  public:
+    Descent(const Patch& patch, const WeightedEdges& edges, RectangleMap& map,
+            std::optional<double> aspect)
+        : map_(map),
+          aspect_(aspect),
+          measure_(patch),
+          free_u_(free_vertices(map.sides, 0b1010)),
+          free_v_(free_vertices(map.sides, 0b0101)),
+          laplacian_u_(edges, free_u_),
+          laplacian_v_(edges, free_v_) {}
+
+    int run(const DescentOptions& options) {
+        if (!laplacian_u_.factored() || !laplacian_v_.factored()) return 0;
+        map_.stretch = measure_(map_.uv);
+        if (!map_.stretch.finite()) return 0;
+        Field gradient = gradient_here();
+        int done = 0;
+        double gain_before = 0.0;
+        while (done < options.iterations) {
+            const double before = energy(map_.stretch);
+            const Field old_uv = map_.uv, old_gradient = gradient;
+            if (!step_along(direction(gradient), gradient)) {
+                if (pairs_.empty()) break;
+                pairs_.clear();
+                continue;
+            }
+            ++done;
+            const double here = energy(map_.stretch), gain = before - here;
+            if (here <= options.wanted && gain < options.least_gain * before) break;
+            if (out_of_reach(here, std::max(gain, gain_before), done, options)) break;
+            gain_before = gain;
+            gradient = gradient_here();
+            remember(old_uv, old_gradient, gradient);
+        }
+        return done;
+    }
+
+  private:
+    /// A step of the descent with the change of the gradient along it; inverse_product is 1 / (move
+    /// . change).
+    struct Pair {
+        Field move, change;
+        double inverse_product;
+    };
+
+    /// Whether the wanted energy is out of reach at the rate of the last gains, which only get
+    /// smaller once the first four iterations are over.
+    static bool out_of_reach(double energy, double gain, int done, const DescentOptions& options) {
+        return done >= 4 && energy - options.wanted > gain * (options.iterations - done);
+    }
+
+    double energy(const Stretch& s) const {
+        const double area2 = s.area * s.area;
+        if (!s.finite()) return std::numeric_limits<double>::infinity();
+        return aspect_ ? 0.5 * (s.x / *aspect_ + s.y * *aspect_) / area2 : s.distortion();
+    }
+
+    Field gradient_here() const {
+        const Stretch& s = map_.stretch;
+        const double aspect = aspect_.value_or(s.best_aspect()), area2 = s.area * s.area;
+        Field g = measure_.gradient(map_.uv, 0.5 / (aspect * area2), 0.5 * aspect / area2);
+        for (std::size_t v = 0; v < g.size(); ++v) {
+            if (!free_u_[v]) g[v].x = 0.0;
+            if (!free_v_[v]) g[v].y = 0.0;
+        }
+        return g;
+    }
+
+    void precondition(Field& field) const {
+        std::vector<double> one(field.size());
+        const double aspect = map_.stretch.best_aspect();
+        for (std::size_t v = 0; v < field.size(); ++v) one[v] = field[v].x;
+        laplacian_u_.apply_inverse(one, one);
+        for (std::size_t v = 0; v < field.size(); ++v) field[v].x = one[v] / aspect;
+        for (std::size_t v = 0; v < field.size(); ++v) one[v] = field[v].y;
+        laplacian_v_.apply_inverse(one, one);
+        for (std::size_t v = 0; v < field.size(); ++v) field[v].y = one[v] * aspect;
+    }
+
+    /// The direction of descent by the two-loop recursion of L-BFGS.
+    Field direction(const Field& gradient) const {
+        Field d = gradient;
+        std::vector<double> share(pairs_.size());
+        for (std::size_t i = pairs_.size(); i-- > 0;) {
+            share[i] = pairs_[i].inverse_product * dot(pairs_[i].move, d);
+            add_scaled(d, -share[i], pairs_[i].change);
+        }
+        precondition(d);
+        for (Vec2d& value : d) value *= scale_;
+        for (std::size_t i = 0; i < pairs_.size(); ++i)
+            add_scaled(d, share[i] - pairs_[i].inverse_product * dot(pairs_[i].change, d),
+                       pairs_[i].move);
+        for (Vec2d& value : d) value = -value;
+        return d;
+    }
+
+    /// Moves along d, halving the step until the energy falls enough (Armijo); false, with nothing
+    /// moved, if it never does.
+    bool step_along(const Field& d, const Field& gradient) {
+        const double slope = dot(d, gradient), before = energy(map_.stretch);
+        if (!(slope < 0.0)) return false;
+        const double limit = keep_from_collapse * measure_.step_to_collapse(map_.uv, d);
+        double step = pairs_.empty() ? first_step(d, limit) : std::min(1.0, limit);
+        Field moved;
+        for (int halvings = 0; halvings < 30; ++halvings, step *= 0.5) {
+            moved = map_.uv;
+            add_scaled(moved, step, d);
+            const Stretch stretch = measure_(moved);
+            if (!(energy(stretch) <= before + 1e-4 * step * slope)) continue;
+            map_.uv = std::move(moved);
+            map_.stretch = stretch;
+            return true;
+        }
+        return false;
+    }
+
+    /// The first step along d, while its scale is unknown: at most a tenth of the rectangle.
+    static double first_step(const Field& d, double limit) {
+        double longest = 0.0;
+        for (const Vec2d& value : d)
+            longest = std::max({longest, std::abs(value.x), std::abs(value.y)});
+        return std::min(limit, 0.1 / longest);
+    }
+
+    void remember(const Field& old_uv, const Field& old_gradient, const Field& gradient) {
+        Pair pair{map_.uv, gradient, 0.0};
+        add_scaled(pair.move, -1.0, old_uv);
+        add_scaled(pair.change, -1.0, old_gradient);
+        const double product = dot(pair.move, pair.change);
+        if (!(product > 0.0)) return;
+        pair.inverse_product = 1.0 / product;
+        Field image = pair.change;
+        precondition(image);
+        scale_ = product / dot(pair.change, image);
+        pairs_.push_back(std::move(pair));
+        if (pairs_.size() > memory) pairs_.pop_front();
+    }
+
+    RectangleMap& map_;
+    std::optional<double> aspect_;
+    StretchMeasure measure_;
+    std::vector<bool> free_u_, free_v_;
+    PatchLaplacian laplacian_u_, laplacian_v_;
+    std::deque<Pair> pairs_;
+    double scale_ = 1.0;
+};
+
+}  // namespace
+
+int descend(const Patch& patch, RectangleMap& map, const DescentOptions& options) {
+    return descend(patch, weighted_edges(patch), map, options);
+}
+
+int descend(const Patch& patch, const WeightedEdges& edges, RectangleMap& map,
+            const DescentOptions& options) {
+    return Descent(patch, edges, map, options.aspect).run(options);
+}
+
+}  // namespace burl

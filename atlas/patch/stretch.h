@@ -1,0 +1,66 @@
+#pragma once
+// The stretch of a map from a rectangle to a patch, which says how badly the map samples the patch.
+// For a bilinear lookup the error grows with how far the surface point s moves per texel, so the
+// measure is the stretch of the *inverse* map (after Sander, Snyder, Gortler & Hoppe, "Texture
+// mapping progressive meshes", 2001): X = sum A |ds/du|^2 and Y = sum A |ds/dv|^2 over the unit
+// square. D = sqrt(XY) / A^2 does not depend on the rectangle's proportions; by Cauchy-Schwarz it
+// is at least 1, and 1 only for a map that is a flat rectangle's own. A flipped triangle has
+// infinite stretch.
+#include <array>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "atlas/patch/patch.h"
+
+namespace burl {
+
+/// Weight of triangles that close holes, relative to their area.
+inline constexpr double fan_weight = 0.02;
+
+/// X and Y of a map, and the area of the patch.
+struct Stretch {
+    double x = std::numeric_limits<double>::infinity();  ///< X and Y in mesh units^4
+    double y = std::numeric_limits<double>::infinity();
+    double area = 0.0;  ///< area in mesh units^2, with the weights of holes' fans
+
+    bool finite() const { return x < std::numeric_limits<double>::infinity(); }
+    /// The distortion D >= 1; infinite when a triangle is flipped or collapsed.
+    double distortion() const;
+    /// Width over height of the rectangle that samples both directions alike.
+    double best_aspect() const;
+};
+
+/// Computes the stretch of maps of one patch, and its gradient.
+class StretchMeasure {
+  public:
+    /// Lays the patch's triangles flat; the patch need not outlive the object.
+    explicit StretchMeasure(const Patch& patch);
+
+    /// The stretch of the map that puts the vertices at `uv` in the unit square.
+    Stretch operator()(std::span<const Vec2d> uv) const;
+
+    /// The stretch of each triangle: the distance that the surface point moves per step in the
+    /// square, as the root mean square over all directions of a rectangle with this aspect. No
+    /// triangle may be flipped.
+    std::vector<double> of_triangles(std::span<const Vec2d> uv, double aspect) const;
+
+    /// The gradient d(factor_x X + factor_y Y)/d(uv) at each vertex. No triangle may be flipped.
+    std::vector<Vec2d> gradient(std::span<const Vec2d> uv, double factor_x, double factor_y) const;
+
+    /// The largest t for which no triangle of uv + t direction has collapsed yet; infinite if none
+    /// ever does.
+    double step_to_collapse(std::span<const Vec2d> uv, std::span<const Vec2d> direction) const;
+
+  private:
+    /// A triangle laid flat: corner 0 at the origin, corner 1 at p1, corner 2 at p2.
+    struct Flat {
+        Triangle vertices;
+        Vec2d p1, p2;
+        double weight;
+    };
+    std::vector<Flat> triangles_;
+    double area_ = 0.0;
+};
+
+}  // namespace burl

@@ -1,0 +1,62 @@
+// Chooses the reader by the file's extension and turns what it parsed into a Mesh.
+#include "atlas/read/read_mesh.h"
+
+#include <algorithm>
+#include <new>
+#include <stdexcept>
+
+#include "atlas/base/error.h"
+#include "atlas/file/file_extension.h"
+#include "atlas/mesh/mesh_builder.h"
+#include "atlas/read/readers.h"
+
+namespace burl {
+namespace {
+
+using Parser = PolygonSoup (*)(const FileBuffer&, const ReadOptions&);
+
+/// The parser for the path's extension. Throws Error(unsupported) when there is none.
+Parser parser_for(const std::string& path) {
+    const std::string extension = lower_extension(path);
+    if (extension == ".obj") return parse_obj;
+    if (extension == ".ply") return parse_ply;
+    if (extension == ".stl") return parse_stl;
+    if (extension == ".off") return parse_off;
+    if (extension == ".gltf" || extension == ".glb") return parse_gltf;
+    throw Error(ExitCode::unsupported,
+                fmt::format("{}: cannot read {}; use .obj, .ply, .stl, .off, .gltf or .glb", path,
+                            extension.empty() ? "a mesh without extension"
+                                              : fmt::format("'{}' meshes", extension)));
+}
+
+/// Runs `step`, turning exhausted memory into an Error.
+template <typename Step>
+auto with_memory_error(const std::string& path, const Step& step) {
+    try {
+        return step();
+    } catch (const std::bad_alloc&) {
+        throw Error(ExitCode::runtime, fmt::format("{}: not enough memory to read the mesh", path));
+    } catch (const std::length_error&) {
+        throw Error(ExitCode::runtime, fmt::format("{}: not enough memory to read the mesh", path));
+    }
+}
+
+}  // namespace
+
+PolygonSoup parse_mesh(const FileBuffer& file, const ReadOptions& options) {
+    const Parser parse = parser_for(file.path);
+    if (file.size == 0) throw invalid_file(file.path, 0, "the file is empty");
+    return with_memory_error(file.path, [&] { return parse(file, options); });
+}
+
+PolygonSoup parse_mesh(const std::string& path, const ReadOptions& options) {
+    parser_for(path);  // an unknown format is reported before a missing file
+    return parse_mesh(with_memory_error(path, [&] { return read_file(path); }), options);
+}
+
+Mesh read_mesh(const std::string& path, const ReadOptions& options) {
+    PolygonSoup soup = parse_mesh(path, options);
+    return with_memory_error(path, [&] { return build_mesh(std::move(soup), path, options); });
+}
+
+}  // namespace burl

@@ -1,0 +1,40 @@
+#pragma once
+// The colour map c of p = c(f): stops interpolated in linear light, the index clamped or taken
+// modulo one (Hart et al. 1999, eq. 2).
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "atlas/base/image.h"
+#include "atlas/base/vec.h"
+
+namespace burl {
+
+/// The index of f outside [0, 1): f modulo one, or f clamped to [0, 1].
+enum class Wrap { repeat, clamp };
+
+/// A colour at a position of the map.
+struct ColorStop {
+    /// A position in [0, 1], non-decreasing along the map; two equal positions make a jump.
+    double position = 0.0;
+    Rgb8 color;  ///< sRGB-encoded
+    bool operator==(const ColorStop&) const = default;
+};
+
+/// A colour map of at least one stop. Between two stops the colour is interpolated in linear light.
+/// Exactly at a stop it is that stop's colour; where several share a position, the last one's (so a
+/// jump belongs to its right side). One stop is a constant. With `clamp` the ends go on with the
+/// first and the last colour. With `repeat` the index of f is f - floor(f), and the interval from
+/// the last stop to the first one plus one interpolates across the wrap (so a map whose first stop
+/// is 0 and last is 1 jumps there, unless the colours agree).
+struct ColorMap {
+    Wrap wrap = Wrap::repeat;
+    std::vector<ColorStop> stops;
+    bool operator==(const ColorMap&) const = default;
+};
+
+/// c(f) in linear light: the float64 reference.
+Vec3d evaluate_color(const ColorMap& map, double f);
+
+}  // namespace burl

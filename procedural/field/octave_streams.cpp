@@ -1,0 +1,240 @@
+#include "procedural/field/octave_streams.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <utility>
+
+#include "procedural/kernels/simplex_kernel.h"
+#include "procedural/model/band_limit.h"
+#include "procedural/numbers/simd_level.h"
+
+namespace burl {
+
+namespace {
+
+/// The crossovers: an octave that crosses fewer planes of the lattice per texel, |dx| + |dy| + |dz|
+/// for a step of a texel, is faster with shared corners. Hashes cost more where vectors have fewer
+/// than 16 lanes. Measured with `burl bench kernels`.
+constexpr double most_crossings(bool slopes, bool wide_vectors) {
+    if (!wide_vectors) return 5.0 / 16;
+    return slopes ? 8.0 / 32 : 7.0 / 32;
+}
+
+/// Where scan-line polynomials are faster, by 3 % or more, than both others with AVX-512 and with
+/// AVX2: one table for every instruction set, since they round otherwise, and of the span alone.
+/// Measured with `burl bench kernels`.
+struct ScanRange {
+    NoiseKind kind;
+    bool linear;                ///< of value noise
+    std::size_t octaves = 0;    ///< at most
+    double shortest = 0.0;      ///< span, in texels
+    double most_crossings = 0;  ///< of the finest octave
+};
+constexpr ScanRange scan_ranges[] = {
+    {NoiseKind::value, true, 1, 128, 3.0 / 16},    {NoiseKind::value, true, 1, 256, 5.0 / 16},
+    {NoiseKind::value, true, 1, 1024, 7.0 / 16},   {NoiseKind::value, true, 2, 256, 3.0 / 16},
+    {NoiseKind::value, true, 24, 512, 1.0 / 8},    {NoiseKind::value, false, 1, 256, 1.0 / 32},
+    {NoiseKind::value, false, 1, 512, 1.0 / 4},    {NoiseKind::value, false, 2, 512, 1.0 / 64},
+    {NoiseKind::perlin, false, 24, 128, 1.0 / 32}, {NoiseKind::perlin, false, 24, 256, 3.0 / 16},
+    {NoiseKind::perlin, false, 1, 256, 1.0 / 4},   {NoiseKind::perlin, false, 1, 1024, 5.0 / 16}};
+
+/// For texels from number `at` on.
+void add_weighted(float weight, const OctaveSums& part, std::size_t at, std::size_t count,
+                  bool slopes, OctaveSums& sums) {
+    const auto add = [&](const float* from, float* to) {
+        for (std::size_t j = at; j < at + count; ++j) to[j] += weight * from[j];
+    };
+    add(part.values, sums.values);
+    if (!slopes) return;
+    for (int axis = 0; axis < 3; ++axis)
+        add(part.gradients.along[axis], sums.gradients.along[axis]);
+}
+
+}  // namespace
+
+OctaveStreams::OctaveStreams(std::span<const Octave> octaves, Kernel kernel, bool band_limit,
+                             const Skips& skips)
+    : kernel_(kernel), band_limit_(band_limit), skips_(skips), wide_vectors_(simd_lanes() >= 16) {
+    for (OctaveGroup& octaves_of : group_octaves(octaves)) {
+        Group& group = groups_.emplace_back(Group{std::move(octaves_of)});
+        group.scans = scan_limits(group);
+        if (kernel == Kernel::scanline && group.kind != NoiseKind::simplex)
+            group.shortest_scan = 0.0;
+        else if (!group.scans.empty())
+            group.shortest_scan = group.scans.back().shortest;
+    }
+}
+
+/// Whether a group is added up by scan-line polynomials on a piece's span, which nothing but the
+/// span decides. (Some octaves this way and some the other is slower than either.)
+bool OctaveStreams::scans(const Group& group, const Piece& piece) const {
+    const double length = std::max(piece.length, piece.solid.first + double(piece.solid.count));
+    if (length < group.shortest_scan || length > longest_scan_line) return false;
+    if (kernel_ == Kernel::scanline) return true;
+    const auto allowed = std::ranges::find_if(
+        group.scans, [&](const ScanLimit& limit) { return length >= limit.shortest; });
+    const Vec3d step = glm::abs(group.lattice_from_solid.linear * piece.solid.step);
+    return step.x + step.y + step.z < allowed->most_crossings;
+}
+
+/// What the table allows a group, longest spans first and with them the most crossings.
+std::vector<OctaveStreams::ScanLimit> OctaveStreams::scan_limits(const Group& group) const {
+    std::vector<ScanLimit> limits;
+    const bool linear = group.kind == NoiseKind::value && group.fade == Fade::linear;
+    for (const ScanRange& range : scan_ranges)
+        if (kernel_ == Kernel::automatic && range.kind == group.kind && range.linear == linear &&
+            group.octaves.size() <= range.octaves)
+            limits.push_back(
+                {range.shortest, std::ldexp(range.most_crossings, 1 - int(group.octaves.size()))});
+    std::ranges::sort(limits, std::greater(), &ScanLimit::shortest);
+    for (std::size_t i = limits.size(); i-- > 1;)
+        limits[i - 1].most_crossings =
+            std::max(limits[i - 1].most_crossings, limits[i].most_crossings);
+    return limits;
+}
+
+/// Number of a group's coarsest octaves that share corners where the first crosses so many planes
+/// of the lattice per texel.
+std::size_t OctaveStreams::sharing(const Group& group, double crossings, bool slopes) const {
+    if (kernel_ == Kernel::direct || group.kind == NoiseKind::simplex) return 0;
+    if (kernel_ == Kernel::share) return group.octaves.size();
+    const double most = most_crossings(slopes, wide_vectors_);
+    std::size_t count = 0;
+    while (count < group.octaves.size() && std::ldexp(crossings, int(count)) < most) ++count;
+    return count;
+}
+
+void OctaveStreams::add_octave(const Group& group, const StreamOctave& octave, const Plan& plan,
+                               std::size_t count, const StreamBuffers& buffers, OctaveSums& sums) {
+    const NoiseKind kind = group.kind;
+    const Fade fade = group.fade;
+    const double radius2 = group.radius2;
+    const LatticeStream& lattice = buffers.lattice;
+    const CellRuns& runs = buffers.runs;
+    const bool shared = std::size_t(octave.doublings) < plan.shared;
+    if (kind == NoiseKind::simplex && plan.slopes)
+        add_simplex_octave_and_gradient(octave, radius2, lattice, count, sums.values,
+                                        sums.gradients);
+    else if (kind == NoiseKind::simplex)
+        add_simplex_octave(octave, radius2, lattice, count, sums.values);
+    else if (plan.slopes && shared)
+        add_octave_and_gradient_shared(kind, fade, octave, lattice, runs, count, sums.values,
+                                       sums.gradients);
+    else if (plan.slopes)
+        add_octave_and_gradient(kind, fade, octave, lattice, count, sums.values, sums.gradients);
+    else if (shared)
+        add_octave_shared(kind, fade, octave, lattice, runs, count, sums.values);
+    else
+        add_octave_direct(kind, fade, octave, lattice, count, sums.values);
+}
+
+/// Only what the pieces' texels can show: an octave of which some show a part is evaluated by
+/// itself; what weighs 1 adds the same bits as without a limit.
+void OctaveStreams::add_limited(const Group& group, const Plan& plan, std::span<const Piece> pieces,
+                                std::size_t count, StreamBuffers& buffers) const {
+    const Mat3d& map = group.lattice_from_solid.linear;
+    buffers.squares.clear();
+    for (const Piece& piece : pieces) {
+        const double square = longer_squared(map * piece.solid.step, map * piece.down);
+        buffers.squares.push_back(square < lattice_limit ? square : lattice_limit);
+    }
+    const auto [least, most] = std::ranges::minmax(buffers.squares);
+    for (std::size_t k = group.octaves.size(); k-- > 0;) {
+        const double finer = std::ldexp(1.0, 2 * int(k));
+        if (band_weight(finer * least) == 0.0 && skips_.allows(Skip::band_limit)) {
+            buffers.work.skip_octaves(Skip::band_limit, count);
+            continue;
+        }
+        buffers.work.octaves += count;
+        if (band_weight(finer * most) == 1.0) {
+            add_octave(group, group.octaves[k], plan, count, buffers, buffers.sums);
+            continue;
+        }
+        buffers.part.clear(count, plan.slopes);
+        add_octave(group, group.octaves[k], plan, count, buffers, buffers.part);
+        std::size_t at = 0;
+        for (std::size_t i = 0; i < pieces.size(); ++i) {
+            const auto weight = float(band_weight(finer * buffers.squares[i]));
+            const std::size_t texels = pieces[i].solid.count;
+            if (weight > 0.0f)
+                add_weighted(weight, buffers.part, at, texels, plan.slopes, buffers.sums);
+            at += texels;
+        }
+    }
+}
+
+/// Coordinates, and the runs of cells that octaves share.
+OctaveStreams::Plan OctaveStreams::prepare(const Group& group, std::span<const Piece> pieces,
+                                           std::size_t count, StreamBuffers& buffers, bool slopes,
+                                           const TexelOffsets* offsets) const {
+    const Affine3& map = group.lattice_from_solid;
+    const double planes = fill_stream(map, group.finest(), pieces, buffers.lattice, group.period());
+    if (offsets) move_stream(map, pieces, *offsets, buffers.lattice);
+    return plan_of(group, planes, count, buffers, slopes);
+}
+
+OctaveStreams::Plan OctaveStreams::prepare_lines(const Group& group, const SpanLines& lines,
+                                                 StreamBuffers& buffers) const {
+    const double planes = fill_stream(group.lattice_from_solid, group.finest(), lines,
+                                      buffers.lattice, group.period());
+    return plan_of(group, planes, lines.texels, buffers, false);
+}
+
+/// For so many texels whose lines cross so many planes.
+OctaveStreams::Plan OctaveStreams::plan_of(const Group& group, double planes, std::size_t count,
+                                           StreamBuffers& buffers, bool slopes) const {
+    const Plan plan{sharing(group, planes / double(count), slopes), slopes};
+    if (plan.shared > 0) find_runs(buffers.lattice, int(plan.shared) - 1, count, buffers.runs);
+    return plan;
+}
+
+void OctaveStreams::add_streamed(const Group& group, std::span<const Piece> pieces,
+                                 std::size_t count, StreamBuffers& buffers, double* values,
+                                 SlopeBatch* slopes, const TexelOffsets* offsets) const {
+    const Plan plan = prepare(group, pieces, count, buffers, slopes != nullptr, offsets);
+    buffers.sums.clear(count, plan.slopes);
+    if (band_limit_)
+        add_limited(group, plan, pieces, count, buffers);
+    else
+        for (std::size_t k = group.octaves.size(); k-- > 0;) {
+            add_octave(group, group.octaves[k], plan, count, buffers, buffers.sums);
+            buffers.work.octaves += count;
+        }
+    const double unit = group.scale * stream_unit(group.kind);
+    add_sums(unit, buffers.sums.values, count, values);
+    if (slopes) add_slopes(group.lattice_from_solid, unit, pieces, buffers.sums.gradients, *slopes);
+}
+
+void OctaveStreams::add_scanned(const Group& group, std::span<const Piece> pieces,
+                                std::size_t count, StreamBuffers& buffers, double* values) const {
+    map_scan_lines(group.lattice_from_solid, group.finest(), pieces, buffers.lines);
+    buffers.sums.clear(count, false);
+    for (std::size_t k = group.octaves.size(); k-- > 0;)
+        add_octave_scanline(group.kind, group.fade, group.octaves[k], buffers.lines,
+                            buffers.segments, buffers.sums.values);
+    buffers.work.octaves += group.octaves.size() * count;
+    add_sums(group.scale * stream_unit(group.kind), buffers.sums.values, count, values);
+}
+
+void OctaveStreams::add_values(const Group& group, std::span<const Piece> pieces,
+                               StreamBuffers& buffers, double* values) const {
+    for_each_way(group, pieces, [&](std::span<const Piece> part, std::size_t count, bool scanned) {
+        if (scanned)
+            add_scanned(group, part, count, buffers, values);
+        else
+            add_streamed(group, part, count, buffers, values, nullptr, nullptr);
+        values += count;
+    });
+}
+
+void OctaveStreams::add(std::span<const Piece> pieces, std::size_t count, StreamBuffers& buffers,
+                        double* values, SlopeBatch* slopes, const TexelOffsets* offsets) const {
+    for (const Group& group : groups_)
+        if (slopes || offsets || band_limit_)
+            add_streamed(group, pieces, count, buffers, values, slopes, offsets);
+        else
+            add_values(group, pieces, buffers, values);
+}
+
+}  // namespace burl

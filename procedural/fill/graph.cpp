@@ -1,0 +1,81 @@
+#include "procedural/fill/graph.h"
+
+#include "procedural/color/pixel_encoder.h"
+#include "procedural/fill/graph_points.h"
+#include "procedural/fill/graph_texels.h"
+
+namespace burl {
+
+namespace {
+
+/// The work of the texels of some rows by the evaluator; octaves are those of the value program of
+/// the same graph.
+SynthesisWork work_of(const SolidAtlas& solid, const RowWindow& rows, const ValueProgram& program,
+                      const Filter& filter) {
+    const std::uint64_t samples =
+        filter.kind == FilterKind::supersample ? std::uint64_t(filter.samples) : 1;
+    SynthesisWork work;
+    const std::uint64_t outside = texels_outside(solid, rows);
+    work.skip_texels(Skip::unread_texels, outside);
+    work.texels = std::uint64_t(solid.size) * rows.count() - outside;
+    work.octaves = work.texels * samples * program.octaves();
+    return work;
+}
+
+struct GraphColor {
+    Vec3d operator()(const TexelPlace&, double, double, const GraphSample& sample) const {
+        return sample.color();
+    }
+};
+
+template <class Pixel>
+Image<Pixel> synthesize_points(const SolidAtlas& solid, const TextureGraph& graph,
+                               const Affine3& map, const Filter& filter, int threads,
+                               const Economy& economy, const RowWindow& rows) {
+    const GraphValues values(graph, &economy.skips);
+    GraphValues::Scratch scratch = values.make_scratch();
+    Image<Pixel> image(solid.size, rows.count(),
+                       PixelEncoder<Pixel>()(values(Vec3d(0.0), scratch)));
+    fill_points(solid, map, values, filter, threads, economy, RowBand(image, rows.first));
+    return image;
+}
+
+template <class Pixel>
+Image<Pixel> synthesize(const SolidAtlas& solid, const TextureGraph& graph, const Affine3& map,
+                        const Filter& filter, int threads, PrecisionKind precision,
+                        const Economy& economy, const RowWindow& window = {}) {
+    const RowWindow rows = window.of(solid.size);
+    const bool points = filter.kind == FilterKind::none || filter.kind == FilterKind::supersample;
+    if (points && precision == PrecisionKind::float32)
+        return synthesize_points<Pixel>(solid, graph, map, filter, threads, economy, rows);
+    const PixelEncoder<Pixel> encode{};
+    const GraphEvaluator evaluate(graph, filter, precision);
+    Image<Pixel> image(solid.size, rows.count(), encode(evaluate(Vec3d(0.0)).color()));
+    fill_texels(solid, map, evaluate, filter, GraphColor{}, encode, threads,
+                RowBand(image, rows.first), economy.stop);
+    if (economy.work) *economy.work += work_of(solid, rows, GraphValues(graph).program(), filter);
+    return image;
+}
+
+}  // namespace
+
+Image<Rgb8> synthesize_graph_rgb8(const SolidAtlas& solid, const TextureGraph& graph,
+                                  const Affine3& map, const Filter& filter, int threads,
+                                  PrecisionKind precision, const Economy& economy) {
+    return synthesize<Rgb8>(solid, graph, map, filter, threads, precision, economy);
+}
+
+Image<Rgb16> synthesize_graph_rgb16(const SolidAtlas& solid, const TextureGraph& graph,
+                                    const Affine3& map, const Filter& filter, int threads,
+                                    PrecisionKind precision, const Economy& economy) {
+    return synthesize<Rgb16>(solid, graph, map, filter, threads, precision, economy);
+}
+
+Image<RgbF> synthesize_graph_rgbf(const SolidAtlas& solid, const TextureGraph& graph,
+                                  const Affine3& map, const Filter& filter, int threads,
+                                  PrecisionKind precision, const Economy& economy,
+                                  const RowWindow& rows) {
+    return synthesize<RgbF>(solid, graph, map, filter, threads, precision, economy, rows);
+}
+
+}  // namespace burl

@@ -1,0 +1,36 @@
+#pragma once
+// Synthesis of a normal map of the recipe's bumps: per texel the bumped normal, in the tangent
+// frame that a viewer has there or in the object's space. All arithmetic is float64.
+#include <span>
+
+#include "atlas/base/image.h"
+#include "atlas/mesh/mesh.h"
+#include "atlas/solid/atlas.h"
+#include "atlas/solid/solid_atlas.h"
+#include "procedural/batch/filter.h"
+#include "procedural/graph/bump.h"
+
+namespace burl {
+
+/// The surface as a viewer shades it: per triangle corner (element 3t+k) a unit normal, and for
+/// tangent-space maps a unit tangent with the bitangent's sign (fill/tangent_frame.h). Without
+/// tangents the map is in object space.
+struct ShadingFrames {
+    const Mesh& mesh;  ///< mesh whose triangles the atlas places
+    const Atlas& atlas;
+    std::span<const Vec3d> positions;  ///< the mesh's points in the SolidAtlas's space
+    std::span<const Vec3f> normals;    ///< normals in the SolidAtlas's space
+    std::span<const Vec4f> tangents;   ///< tangents in the SolidAtlas's space
+};
+
+/// The normal map of a bump, which must not be empty. With filter `none` a texel has the normal at
+/// its centre, with `supersample` the mean of normals, otherwise the normal of the height as its
+/// nodes filter it over the texel. `texture_from_atlas` maps the SolidAtlas's space to the
+/// texture's. Texels outside every span, and of triangles without a frame, are (0, 0, 1). `threads`
+/// 0 means all. Rgb8 and Rgb16 hold linear codes, RgbF components from -1 to 1.
+template <class Pixel>
+Image<Pixel> synthesize_normals(const SolidAtlas& solid, const ShadingFrames& frames,
+                                const Bump& bump, const Affine3& texture_from_atlas,
+                                const Filter& filter, int threads);
+
+}  // namespace burl

@@ -1,0 +1,181 @@
+#include "procedural/glsl/plain.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <vector>
+
+namespace burl {
+
+namespace {
+
+bool in_name(char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
+
+/// Calls visit(name, begin, end) for the words that do not begin with a digit, in order.
+template <class Visit>
+void for_names(std::string_view text, Visit visit) {
+    for (std::size_t begin = 0; begin < text.size();) {
+        std::size_t end = begin;
+        while (end < text.size() && in_name(text[end])) ++end;
+        if (end == begin) {
+            ++begin;
+            continue;
+        }
+        if (std::isdigit(static_cast<unsigned char>(text[begin])) == 0)
+            visit(text.substr(begin, end - begin), begin, end);
+        begin = end;
+    }
+}
+
+/// Calls visit(line) for every line, its line feed included.
+template <class Visit>
+void for_lines(std::string_view text, Visit visit) {
+    while (!text.empty()) {
+        const std::size_t length = std::min(text.find('\n'), text.size() - 1) + 1;
+        visit(text.substr(0, length));
+        text.remove_prefix(length);
+    }
+}
+
+/// The text with only the second branch of every #if REAL_IS_DOUBLE.
+std::string float_branches(std::string_view text) {
+    std::string kept;
+    bool conditional = false, dropped = false;
+    for_lines(text, [&](std::string_view line) {
+        if (line.starts_with("#if REAL_IS_DOUBLE")) {
+            conditional = dropped = true;
+        } else if (conditional && line.starts_with("#else")) {
+            dropped = false;
+        } else if (conditional && line.starts_with("#endif")) {
+            conditional = dropped = false;
+        } else if (!dropped) {
+            kept += line;
+        }
+    });
+    return kept;
+}
+
+struct Replacement {
+    std::string_view name, by;
+};
+constexpr std::array replacements{Replacement{"real", "float"}, Replacement{"real2", "vec2"},
+                                  Replacement{"real3", "vec3"}, Replacement{"real4", "vec4"}};
+
+/// The length of a number in parentheses, such as "(0.5)", at the start of the text; 0 if there is
+/// none.
+std::size_t bracketed_number(std::string_view text) {
+    if (!text.starts_with('(')) return 0;
+    std::size_t end = 1;
+    while (end < text.size() &&
+           (std::isdigit(static_cast<unsigned char>(text[end])) != 0 || text[end] == '.'))
+        ++end;
+    return end > 1 && end < text.size() && text[end] == ')' ? end + 1 : 0;
+}
+
+}  // namespace
+
+std::string glsl_in_float(std::string_view text) {
+    const std::string branches = float_branches(text);
+    std::string plain;
+    std::size_t done = 0;
+    for_names(branches, [&](std::string_view name, std::size_t begin, std::size_t end) {
+        if (begin < done) return;
+        const std::string_view rest = std::string_view(branches).substr(end);
+        const auto* known = std::ranges::find(replacements, name, &Replacement::name);
+        if (known == replacements.end() && name != "exact") return;
+        plain += branches.substr(done, begin - done);
+        done = end;
+        if (name == "exact") {
+            done += rest.starts_with(' ') ? 1 : 0;
+        } else if (const std::size_t number = name == "real" ? bracketed_number(rest) : 0) {
+            plain += rest.substr(1, number - 2);
+            done += number;
+        } else {
+            plain += known->by;
+        }
+    });
+    return plain + branches.substr(done);
+}
+
+namespace {
+
+/// A definition of a function, struct, uniform, macro or constants.
+struct Definition {
+    std::string text;  ///< text with comments
+    std::string code;  ///< text without comments
+    bool needed = false;
+};
+
+std::string_view without_comment(std::string_view line) {
+    return line.substr(0, line.find("//"));
+}
+
+std::vector<Definition> definitions_of(std::string_view text) {
+    std::vector<Definition> all;
+    Definition open;
+    int depth = 0;
+    for_lines(text, [&](std::string_view line) {
+        const std::string_view code = without_comment(line);
+        const std::size_t last = code.find_last_not_of(" \n");
+        if (last == std::string_view::npos && line.size() == 1 && open.code.empty()) {
+            // After a blank line the comment before it belongs to no definition.
+            open = {};
+            return;
+        }
+        open.text += line;
+        if (last == std::string_view::npos) return;
+        open.code += code;
+        for (const char c : code) depth += c == '{' || c == '(' ? 1 : c == '}' || c == ')' ? -1 : 0;
+        const bool ends = open.code.starts_with('#') || code[last] == ';' || code[last] == '}';
+        if (depth != 0 || !ends) return;
+        all.push_back(std::move(open));
+        open = {};
+    });
+    return all;
+}
+
+/// Whether the definition is that of the name: the name stands before its body or value and is not
+/// the type of a parameter.
+bool defines(const Definition& definition, std::string_view name) {
+    const std::string_view code = definition.code;
+    if (code.starts_with("struct"))
+        return code.substr(7).starts_with(name) && !in_name(code[7 + name.size()]);
+    const std::size_t body = code.find('{'), bracket = code.find('('), equals = code.find('=');
+    const bool function = bracket < body && body != std::string_view::npos && bracket < equals;
+    bool found = false;
+    for_names(code, [&](std::string_view word, std::size_t begin, std::size_t end) {
+        if (word != name || begin > body) return;
+        if (function) {
+            found = found || end == bracket;
+            return;
+        }
+        const std::size_t next = code.find_first_not_of(' ', end);
+        const char after = next == std::string_view::npos ? '\n' : code[next];
+        found = found || after == '=' || after == ';' || after == ',' || after == '[' ||
+                code.starts_with("#define");
+    });
+    return found;
+}
+
+}  // namespace
+
+std::string glsl_needed_by(std::string_view root, std::string_view text) {
+    std::vector<Definition> all = definitions_of(text);
+    std::vector<std::string> names{std::string(root)};
+    for (std::size_t i = 0; i < names.size(); ++i)
+        for (Definition& definition : all) {
+            if (definition.needed || !defines(definition, names[i])) continue;
+            definition.needed = true;
+            for_names(definition.code, [&](std::string_view name, std::size_t, std::size_t) {
+                if (std::ranges::find(names, name) == names.end()) names.emplace_back(name);
+            });
+        }
+    std::string kept;
+    for (const Definition& definition : all)
+        if (definition.needed) kept += (kept.empty() ? "" : "\n") + definition.text;
+    return kept;
+}
+
+}  // namespace burl

@@ -1,0 +1,67 @@
+#include "procedural/glsl/text.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace burl {
+
+std::string glsl_number(double value, GlslReal real) {
+    std::string text =
+        real == GlslReal::float64 ? fmt::format("{}", value) : fmt::format("{}", float(value));
+    if (text.find_first_of(".e") == std::string::npos) text += ".0";
+    if (real == GlslReal::float64) text += "lf";
+    return text;
+}
+
+std::string glsl_operand(const std::string& text) {
+    return text.starts_with('-') ? fmt::format("({})", text) : text;
+}
+
+std::string glsl_sum(const std::vector<double>& factors, const std::vector<std::string>& terms,
+                     double constant, GlslReal real) {
+    std::string sum;
+    const auto add = [&](bool negative, const std::string& term) {
+        const char* sign = sum.empty() ? (negative ? "-" : "") : (negative ? " - " : " + ");
+        sum += sign;
+        sum += term;
+    };
+    for (std::size_t i = 0; i < terms.size(); ++i) {
+        const double size = std::abs(factors[i]);
+        add(factors[i] < 0.0,
+            size == 1.0 ? terms[i] : fmt::format("{} * {}", glsl_number(size, real), terms[i]));
+    }
+    if (constant != 0.0 || sum.empty()) add(constant < 0.0, glsl_number(std::abs(constant), real));
+    return sum;
+}
+
+std::string glsl_buffer_tables(std::span<const GlslTable> tables, GlslReal real) {
+    std::string text;
+    for (const GlslTable& table : tables)
+        text += real == GlslReal::float64
+                    ? fmt::format(
+                          "uniform usamplerBuffer {0};\n"
+                          "double {0}_at(int i) {{ return packDouble2x32(texelFetch({0}, i).xy); "
+                          "}}\n",
+                          table.name)
+                    : fmt::format(
+                          "uniform samplerBuffer {0};\n"
+                          "float {0}_at(int i) {{ return texelFetch({0}, i).x; }}\n",
+                          table.name);
+    return text;
+}
+
+std::string glsl_constant_tables(std::span<const GlslTable> tables, GlslReal real) {
+    std::string text;
+    for (const GlslTable& table : tables) {
+        std::vector<std::string> numbers;
+        for (const double x : table.numbers) numbers.push_back(glsl_number(x, real));
+        text += fmt::format(
+            "const real {0}[{1}] = real[{1}](\n    {2});\n\n"
+            "real {0}_at(int i) {{\n    return {0}[i];\n}}\n\n",
+            table.name, numbers.size(), fmt::join(numbers, ",\n    "));
+    }
+    return text;
+}
+
+}  // namespace burl

@@ -1,0 +1,61 @@
+#pragma once
+// Evaluation of a texture graph in batches: node after node, each over the arrays of all points,
+// with forward-mode derivatives. Everything is float64, which is the reference, or sums of noise
+// are evaluated by the vectorised kernels in float32. A point's result does not depend on the other
+// points of its batch.
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "procedural/graph/batch.h"
+
+namespace burl {
+
+/// The result of a graph with its gradient with respect to the solid point: one channel for a
+/// number; red, green, blue (linear light, multiplied by alpha) and alpha for a colour.
+struct GraphSample {
+    std::array<Dual, 4> channels;
+    Wire wire = Wire::number;
+
+    /// Linear light over black; a number is a grey.
+    Vec3d color() const {
+        if (wire == Wire::number) return Vec3d(channels[0].value);
+        return {channels[0].value, channels[1].value, channels[2].value};
+    }
+};
+
+class GraphEvaluator {
+  public:
+    /// The arrays of one thread, reusable for any number of batches.
+    using Scratch = std::vector<Channel>;
+
+    /// The graph must be valid (graph_from_json makes only valid ones) and not empty. `filter`
+    /// decides how color_map and field average over footprints (docs/reference/nodes.md).
+    /// `precision`, float64 or float32, is that of sums of noise.
+    explicit GraphEvaluator(const TextureGraph& graph,
+                            const Filter& filter = {FilterKind::trapezoid},
+                            PrecisionKind precision = PrecisionKind::float64);
+
+    Scratch make_scratch() const { return Scratch(channel_count_); }
+    const TextureGraph& graph() const { return graph_; }
+
+    /// samples[i] = the result at points[i] over footprints[i], or at points where no footprints
+    /// are given; any number of points.
+    void operator()(std::span<const Vec3d> points, std::span<const Footprint> footprints,
+                    Scratch& scratch, std::span<GraphSample> samples) const;
+
+    /// The result at one point.
+    GraphSample operator()(const Vec3d& point, const Footprint& footprint = {}) const;
+
+  private:
+    void evaluate_batch(std::span<const Footprint> footprints, Scratch& scratch) const;
+    std::span<Channel> channels(Scratch& scratch, std::size_t node) const;
+
+    TextureGraph graph_;
+    bool float32_;
+    std::vector<PreparedNode> prepared_;
+    std::vector<std::size_t> first_channel_;
+    std::size_t channel_count_ = 0;
+};
+
+}  // namespace burl

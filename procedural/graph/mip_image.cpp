@@ -1,0 +1,226 @@
+#include "procedural/graph/mip_image.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <numbers>
+
+#include "procedural/color/srgb.h"
+#include "procedural/numbers/elementary.h"
+
+namespace burl {
+
+namespace {
+
+/// The size from which a coordinate has no useful fraction of a texel.
+constexpr double farthest = 0x1p40;
+
+/// The index of texel x within [0, size), or -1 where the wrap gives black.
+std::ptrdiff_t wrapped(double x, std::size_t size, ImageWrap wrap) {
+    const double n = double(size);
+    if (wrap == ImageWrap::clamp) return std::ptrdiff_t(std::clamp(x, 0.0, n - 1.0));
+    if (wrap == ImageWrap::repeat) return std::ptrdiff_t(x - n * std::floor(x / n));
+    return x >= 0.0 && x < n ? std::ptrdiff_t(x) : -1;
+}
+
+/// Lanczos's filter of two lobes, x in units of its radius.
+double lanczos(double x) {
+    const double y = std::numbers::pi * std::abs(x);
+    if (y >= std::numbers::pi) return 0.0;
+    if (y < 1e-5) return 1.0;
+    return std::sin(2.0 * y) / (2.0 * y) * std::sin(y) / y;
+}
+
+/// The four source texels of a target texel, and their weights, which add up to one.
+struct Taps {
+    std::array<std::ptrdiff_t, 4> index{};
+    std::array<double, 4> weight{};
+};
+
+/// The taps that resample a row of `from` texels to `to` texels.
+std::vector<Taps> lanczos_taps(std::size_t from, std::size_t to, ImageWrap wrap) {
+    std::vector<Taps> all(to);
+    for (std::size_t i = 0; i < to; ++i) {
+        const double centre = (double(i) + 0.5) * double(from) / double(to);
+        const double first = std::floor(centre - 1.5);
+        double sum = 0.0;
+        for (std::size_t k = 0; k < 4; ++k) {
+            const double at = first + double(k);
+            all[i].index[k] = wrapped(at, from, wrap);
+            all[i].weight[k] = lanczos((at + 0.5 - centre) / 2.0);
+            sum += all[i].weight[k];
+        }
+        for (double& weight : all[i].weight) weight /= sum;
+    }
+    return all;
+}
+
+RgbF mixed(const Taps& taps, const auto& texel_at) {
+    std::array<double, 3> sum{};
+    for (std::size_t k = 0; k < 4; ++k) {
+        if (taps.index[k] < 0) continue;
+        const RgbF texel = texel_at(std::size_t(taps.index[k]));
+        sum[0] += taps.weight[k] * double(texel.r);
+        sum[1] += taps.weight[k] * double(texel.g);
+        sum[2] += taps.weight[k] * double(texel.b);
+    }
+    return {float(std::max(sum[0], 0.0)), float(std::max(sum[1], 0.0)),
+            float(std::max(sum[2], 0.0))};
+}
+
+/// The image resampled along rows, then along columns; a side that is a power of two stays as it
+/// is.
+Image<RgbF> with_power_of_two_sides(Image<RgbF> image, ImageWrap wrap) {
+    const std::size_t width = std::bit_ceil(image.width()), height = std::bit_ceil(image.height());
+    if (width != image.width()) {
+        const std::vector<Taps> taps = lanczos_taps(image.width(), width, wrap);
+        Image<RgbF> wide(width, image.height());
+        for (std::size_t y = 0; y < image.height(); ++y)
+            for (std::size_t x = 0; x < width; ++x)
+                wide(x, y) = mixed(taps[x], [&](std::size_t k) { return image(k, y); });
+        image = std::move(wide);
+    }
+    if (height != image.height()) {
+        const std::vector<Taps> taps = lanczos_taps(image.height(), height, wrap);
+        Image<RgbF> high(width, height);
+        for (std::size_t y = 0; y < height; ++y)
+            for (std::size_t x = 0; x < width; ++x)
+                high(x, y) = mixed(taps[y], [&](std::size_t k) { return image(x, k); });
+        image = std::move(high);
+    }
+    return image;
+}
+
+/// The means of 2 x 2 texels, or of two where one side is 1 already.
+Image<RgbF> halved(const Image<RgbF>& image) {
+    const std::size_t dx = image.width() > 1, dy = image.height() > 1;
+    Image<RgbF> result(image.width() >> dx, image.height() >> dy);
+    for (std::size_t y = 0; y < result.height(); ++y)
+        for (std::size_t x = 0; x < result.width(); ++x) {
+            const std::size_t i = x << dx, j = y << dy;
+            const RgbF a = image(i, j), b = image(i + dx, j), c = image(i, j + dy),
+                       d = image(i + dx, j + dy);
+            result(x, y) = {0.25f * (a.r + b.r + c.r + d.r), 0.25f * (a.g + b.g + c.g + d.g),
+                            0.25f * (a.b + b.b + c.b + d.b)};
+        }
+    return result;
+}
+
+/// The image in linear light.
+Image<RgbF> decoded(const Image<Rgb8>& image) {
+    std::array<float, 256> linear{};
+    for (std::size_t code = 0; code < 256; ++code)
+        linear[code] = float(srgb_decode(double(code) / 255.0));
+    Image<RgbF> result(image.width(), image.height());
+    for (std::size_t y = 0; y < image.height(); ++y)
+        for (std::size_t x = 0; x < image.width(); ++x) {
+            const Rgb8 c = image(x, y);
+            result(x, y) = {linear[c.r], linear[c.g], linear[c.b]};
+        }
+    return result;
+}
+
+/// The blend (1 - w) a + w b.
+ImageSample blend(const ImageSample& a, const ImageSample& b, double w) {
+    return {(1.0 - w) * a.color + w * b.color, (1.0 - w) * a.by_s + w * b.by_s,
+            (1.0 - w) * a.by_t + w * b.by_t};
+}
+
+}  // namespace
+
+MipImage::MipImage(const Image<Rgb8>& image, ImageWrap wrap) : wrap_(wrap) {
+    levels_.push_back(with_power_of_two_sides(decoded(image), wrap));
+    while (levels_.back().width() > 1 || levels_.back().height() > 1)
+        levels_.push_back(halved(levels_.back()));
+}
+
+Vec3d MipImage::texel(std::size_t level, double x, double y) const {
+    const Image<RgbF>& image = levels_[level];
+    const std::ptrdiff_t i = wrapped(x, image.width(), wrap_),
+                         j = wrapped(y, image.height(), wrap_);
+    if (i < 0 || j < 0) return Vec3d(0.0);
+    const RgbF& c = image(std::size_t(i), std::size_t(j));
+    return {c.r, c.g, c.b};
+}
+
+ImageSample MipImage::bilinear(std::size_t level, double s, double t) const {
+    if (!(std::abs(s) < farthest && std::abs(t) < farthest)) return {texel(level, 0, 0), {}, {}};
+    const double width = double(levels_[level].width()), height = double(levels_[level].height());
+    const double x = s * width - 0.5, y = t * height - 0.5;
+    const double i = std::floor(x), j = std::floor(y), u = x - i, v = y - j;
+    const Vec3d a = texel(level, i, j), b = texel(level, i + 1, j), c = texel(level, i, j + 1),
+                d = texel(level, i + 1, j + 1);
+    const Vec3d low = (1.0 - u) * a + u * b, high = (1.0 - u) * c + u * d;
+    return {(1.0 - v) * low + v * high, width * ((1.0 - v) * (b - a) + v * (d - c)),
+            height * (high - low)};
+}
+
+ImageSample MipImage::trilinear(double s, double t, double width) const {
+    const double last = double(levels_.size() - 1);
+    const double level = width > 0.0 ? last + binary_log(width) : -1.0;
+    if (!(level > 0.0)) return bilinear(0, s, t);
+    if (level >= last) return {texel(levels_.size() - 1, 0, 0), {}, {}};
+    const double below = std::floor(level);
+    return blend(bilinear(std::size_t(below), s, t), bilinear(std::size_t(below) + 1, s, t),
+                 level - below);
+}
+
+ImageSample MipImage::ewa(double s, double t, Vec2d first, Vec2d second, double anisotropy) const {
+    if (glm::dot(first, first) < glm::dot(second, second)) std::swap(first, second);
+    const double longer = glm::length(first);
+    double shorter = glm::length(second);
+    if (!(longer < farthest)) return {texel(levels_.size() - 1, 0, 0), {}, {}};
+    if (shorter * anisotropy < longer && shorter > 0.0) {
+        second *= longer / (shorter * anisotropy);
+        shorter = longer / anisotropy;
+    }
+    if (!(shorter > 0.0)) return trilinear(s, t, longer / anisotropy);
+    const double last = double(levels_.size() - 1);
+    const double level = std::max(0.0, last + binary_log(shorter));
+    if (level >= last) return {texel(levels_.size() - 1, 0, 0), {}, {}};
+    const double below = std::floor(level);
+    return blend(ellipse(std::size_t(below), s, t, first, second),
+                 ellipse(std::size_t(below) + 1, s, t, first, second), level - below);
+}
+
+ImageSample MipImage::ellipse(std::size_t level, double s, double t, const Vec2d& first,
+                              const Vec2d& second) const {
+    if (!(std::abs(s) < farthest && std::abs(t) < farthest)) return {texel(level, 0, 0), {}, {}};
+    const Vec2d size(double(levels_[level].width()), double(levels_[level].height()));
+    const double x = s * size.x - 0.5, y = t * size.y - 0.5;
+    const Vec2d p = first * size, q = second * size;
+    // r^2 = a dx^2 + b dx dy + c dy^2, which is 1 on the ellipse of the two steps, one texel wider.
+    double a = p.y * p.y + q.y * q.y + 1.0, b = -2.0 * (p.x * p.y + q.x * q.y),
+           c = p.x * p.x + q.x * q.x + 1.0;
+    const double scale = 1.0 / (a * c - 0.25 * b * b);
+    a *= scale, b *= scale, c *= scale;
+    const double determinant = 4.0 * a * c - b * b;
+    const double reach_x = 2.0 * std::sqrt(c / determinant),
+                 reach_y = 2.0 * std::sqrt(a / determinant);
+    ImageSample sum;
+    double weights = 0.0, weights_by_x = 0.0, weights_by_y = 0.0;
+    constexpr double falloff = -2.8853900817779268;  // -2 / ln 2
+    const double end = binary_power(falloff);
+    for (double j = std::ceil(y - reach_y); j <= y + reach_y; ++j)
+        for (double i = std::ceil(x - reach_x); i <= x + reach_x; ++i) {
+            const double dx = i - x, dy = j - y;
+            const double r2 = a * dx * dx + b * dx * dy + c * dy * dy;
+            if (r2 >= 1.0) continue;
+            const double gauss = binary_power(falloff * r2), weight = gauss - end;
+            const double by_x = 2.0 * gauss * (2.0 * a * dx + b * dy),
+                         by_y = 2.0 * gauss * (b * dx + 2.0 * c * dy);
+            const Vec3d color = texel(level, i, j);
+            sum.color += weight * color;
+            sum.by_s += by_x * color;
+            sum.by_t += by_y * color;
+            weights += weight;
+            weights_by_x += by_x;
+            weights_by_y += by_y;
+        }
+    const Vec3d mean = sum.color / weights;
+    return {mean, size.x * (sum.by_s - weights_by_x * mean) / weights,
+            size.y * (sum.by_t - weights_by_y * mean) / weights};
+}
+
+}  // namespace burl

@@ -1,0 +1,53 @@
+#pragma once
+// The table of the nodes that a texture graph can have: names, inputs, parameters with their
+// ranges, meaning and source. Parsing, checking, `burl list nodes`, --set and
+// docs/reference/nodes.md follow it.
+#include <array>
+#include <span>
+#include <string_view>
+
+#include "procedural/batch/parameter.h"
+#include "procedural/graph/batch.h"
+
+namespace burl {
+
+/// An input of a node type.
+struct NodeInput {
+    std::string_view key;
+    Wire wire = Wire::number;   ///< a number counts as an opaque grey for `color`
+    bool sets_wire = false;     ///< whether a colour here makes the result a colour
+    std::string_view fallback;  ///< the default as JSON; empty where the input is required
+    std::string_view tip;
+};
+
+/// The result of a node: a number, a colour, a colour if any input that sets the type is one
+/// (`inputs`), or the result of its input evaluated at the point that the node makes (`inner`).
+enum class NodeResult { number, color, inputs, inner };
+
+/// A type of node: an entry of the table.
+struct NodeType {
+    std::string_view name;
+    NodeResult result = NodeResult::number;
+    void (*evaluate)(const NodeCall& call) = nullptr;
+    std::string_view text, source;
+    std::array<NodeInput, 4> input_list{};
+    std::array<Parameter, 10> parameter_list{};
+
+    std::span<const NodeInput> inputs() const;
+    /// The parameters; `path` is the key alone. A parameter whose default is null may be left out
+    /// and is then stored as infinity.
+    std::span<const Parameter> parameters() const;
+    const NodeInput* input(std::string_view key) const;
+};
+
+/// The table of all types of nodes.
+std::span<const NodeType> graph_table();
+
+/// The type of that name; null if there is none.
+const NodeType* find_node(std::string_view name);
+
+inline const NodeType& type_of(const GraphNode& node) {
+    return graph_table()[node.type];
+}
+
+}  // namespace burl

@@ -1,0 +1,238 @@
+#include "procedural/graph/value_program.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "procedural/noise/lattice_site.h"
+#include "procedural/noise/value_noise.h"
+
+namespace burl {
+
+namespace {
+
+/// The input and output arrays of a step.
+struct StepArrays {
+    std::array<const double*, 4> inputs{};
+    std::array<double*, 3> outputs{};
+    std::size_t count = 0;
+};
+
+void run_work(const ValueOperation& work, const StepArrays& arrays, GraphEvaluator::Scratch&) {
+    apply(work, arrays.inputs, arrays.count, arrays.outputs[0]);
+}
+
+void run_work(const NoiseSum& work, const StepArrays& arrays, GraphEvaluator::Scratch&) {
+    add_up(work, {arrays.inputs[0], arrays.inputs[1], arrays.inputs[2]}, arrays.count,
+           arrays.outputs[0]);
+}
+
+void run_work(const ColorPieces& work, const StepArrays& arrays, GraphEvaluator::Scratch&) {
+    look_up(work, arrays.inputs[0], arrays.count, arrays.outputs);
+}
+
+/// The node `dots` without a footprint: square (i, j) has three numbers of `cell` noise.
+void run_work(const DotsWeight& work, const StepArrays& arrays, GraphEvaluator::Scratch&) {
+    const Period<2> period{work.period_u, work.period_v};
+    const double shift = 0.5 - work.radius;
+    for (std::size_t j = 0; j < arrays.count; ++j) {
+        const double x = arrays.inputs[0][j], y = arrays.inputs[1][j];
+        const auto square = lattice_site<double, 2>({x + 0.5, y + 0.5}, period);
+        const auto random = [&](int across, int down) {
+            return shift *
+                   lattice_value(square.index(0, across), square.index(1, down), 0, work.seed);
+        };
+        double& weight = arrays.outputs[0][j];
+        weight = 0.0;
+        if (!(random(0, 0) >= 0.0)) continue;
+        const double dx = x - (std::floor(x + 0.5) + random(1, 2));
+        const double dy = y - (std::floor(y + 0.5) + random(4, 9));
+        weight = work.radius - std::sqrt(dx * dx + dy * dy) >= 0.0 ? 1.0 : 0.0;
+    }
+}
+
+void run_work(const ImageLookup& work, const StepArrays& arrays, GraphEvaluator::Scratch&) {
+    for (std::size_t j = 0; j < arrays.count; ++j) {
+        const double s = arrays.inputs[0][j], t = arrays.inputs[1][j];
+        const Vec3d color = work.pixels->bilinear(0, s, t).color;
+        for (int c = 0; c < 3; ++c) arrays.outputs[std::size_t(c)][j] = color[c];
+    }
+}
+
+void run_work(const GraphSlope& work, const StepArrays& arrays, GraphEvaluator::Scratch& scratch) {
+    std::array<Vec3d, value_batch> points;
+    std::array<GraphSample, value_batch> samples;
+    for (std::size_t j = 0; j < arrays.count; ++j)
+        points[j] = {arrays.inputs[0][j], arrays.inputs[1][j], arrays.inputs[2][j]};
+    (*work.graph)({points.data(), arrays.count}, {}, scratch, {samples.data(), arrays.count});
+    for (std::size_t j = 0; j < arrays.count; ++j)
+        arrays.outputs[0][j] = glm::dot(work.direction, samples[j].channels[0].slope);
+}
+
+}  // namespace
+
+ValueProgram::ValueProgram(const Skips* skips)
+    : share_(!skips || skips->allows(Skip::subtrees)),
+      fix_(!skips || skips->allows(Skip::constants)) {}
+
+std::vector<Register> ValueProgram::add(ValueWork work, std::vector<Register> inputs,
+                                        std::size_t count) {
+    ValueStep step{std::move(work), std::move(inputs), {}, node_};
+    const auto known = std::ranges::find_if(steps_, [&](const ValueStep& before) {
+        return before.work == step.work &&
+               std::ranges::equal(before.inputs, step.inputs,
+                                  [&](Register a, Register b) { return same(a, b); });
+    });
+    if (known != steps_.end() && share_) {
+        shared_.push_back(known->outputs.front());
+        return known->outputs;
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+        step.outputs.push_back(registers_++);
+        const Register first = known == steps_.end() ? step.outputs[i] : known->outputs[i];
+        original_.push_back(original_.size() > first ? original_[first] : first);
+    }
+    return steps_.emplace_back(std::move(step)).outputs;
+}
+
+Register ValueProgram::add(ValueOp op, std::vector<Register> inputs,
+                           const std::array<double, 4>& p) {
+    return add(ValueOperation{op, p}, std::move(inputs)).front();
+}
+
+const double* ValueProgram::constant_of(Register r) const {
+    for (const ValueStep& step : steps_) {
+        const auto* operation = std::get_if<ValueOperation>(&step.work);
+        if (step.outputs.front() == r && operation && operation->op == ValueOp::constant)
+            return &operation->parameters[0];
+    }
+    return nullptr;
+}
+
+void ValueProgram::drop_unread(const std::vector<Register>& results) {
+    std::vector<bool> read(registers_, false);
+    for (const Register r : results) read[r] = true;
+    std::vector<ValueStep> kept;
+    for (std::size_t i = steps_.size(); i-- > 0;) {
+        ValueStep& step = steps_[i];
+        if (std::none_of(step.outputs.begin(), step.outputs.end(),
+                         [&](Register r) { return read[r]; }))
+            continue;
+        for (const Register r : step.inputs) read[r] = true;
+        kept.push_back(std::move(step));
+    }
+    steps_.assign(std::make_move_iterator(kept.rbegin()), std::make_move_iterator(kept.rend()));
+}
+
+void ValueProgram::put_fixed_first() {
+    std::vector<bool> varies(registers_, false);
+    varies[0] = varies[1] = varies[2] = true;
+    for (const ValueStep& step : steps_)
+        if (std::any_of(step.inputs.begin(), step.inputs.end(),
+                        [&](Register r) { return varies[r]; }))
+            for (const Register r : step.outputs) varies[r] = true;
+    const auto rest = std::stable_partition(steps_.begin(), steps_.end(), [&](const ValueStep& s) {
+        return !varies[s.outputs.front()];
+    });
+    fixed_steps_ = fix_ ? std::size_t(rest - steps_.begin()) : 0;
+}
+
+/// Assigns registers to arrays, of which each is free after the last step that reads it; arrays of
+/// fixed steps and results are never free.
+void ValueProgram::share_arrays(std::vector<Register>& results) {
+    constexpr auto always = std::numeric_limits<std::size_t>::max();
+    std::vector<std::size_t> last(registers_, 0);
+    for (std::size_t i = 0; i < steps_.size(); ++i) {
+        for (const Register r : steps_[i].outputs) last[r] = i < fixed_steps_ ? always : i;
+        for (const Register r : steps_[i].inputs) last[r] = std::max(last[r], i);
+    }
+    for (const Register r : results) last[r] = always;
+    last[0] = last[1] = last[2] = always;
+
+    std::vector<Register> array(registers_, 0), free;
+    array[1] = 1, array[2] = 2;
+    Register arrays = 3;
+    for (std::size_t i = 0; i < steps_.size(); ++i) {
+        for (const Register r : steps_[i].outputs) {
+            array[r] = free.empty() ? arrays++ : free.back();
+            if (!free.empty()) free.pop_back();
+        }
+        std::vector<Register> done = steps_[i].inputs;
+        done.insert(done.end(), steps_[i].outputs.begin(), steps_[i].outputs.end());
+        std::sort(done.begin(), done.end());
+        done.erase(std::unique(done.begin(), done.end()), done.end());
+        for (const Register r : done)
+            if (last[r] == i) free.push_back(array[r]);
+        for (Register& r : steps_[i].inputs) r = array[r];
+        for (Register& r : steps_[i].outputs) r = array[r];
+    }
+    for (Register& r : results) r = array[r];
+    registers_ = arrays;
+}
+
+std::vector<Register> ValueProgram::finish(std::vector<Register> results) {
+    drop_unread(results);
+    put_fixed_first();
+    shared_octaves_ = octaves_of_shared();
+    share_arrays(results);
+    return results;
+}
+
+namespace {
+
+std::size_t octaves_of(const ValueStep& step) {
+    const auto* sum = std::get_if<NoiseSum>(&step.work);
+    return sum ? sum->octaves.size() : 0;
+}
+
+void run_step(const ValueStep& step, std::size_t count, ValueProgram::Scratch& scratch,
+              GraphEvaluator::Scratch& graph) {
+    StepArrays arrays;
+    arrays.count = count;
+    for (std::size_t k = 0; k < step.inputs.size(); ++k) arrays.inputs[k] = scratch[step.inputs[k]];
+    for (std::size_t k = 0; k < step.outputs.size(); ++k)
+        arrays.outputs[k] = scratch[step.outputs[k]];
+    std::visit([&](const auto& work) { run_work(work, arrays, graph); }, step.work);
+}
+
+}  // namespace
+
+std::size_t ValueProgram::octaves() const {
+    std::size_t count = 0;
+    for (std::size_t i = fixed_steps_; i < steps_.size(); ++i) count += octaves_of(steps_[i]);
+    return count;
+}
+
+/// The octaves that a point would take besides if common subexpressions were evaluated again.
+std::size_t ValueProgram::octaves_of_shared() const {
+    std::size_t count = 0;
+    for (std::size_t i = fixed_steps_; i < steps_.size(); ++i)
+        count += octaves_of(steps_[i]) *
+                 std::size_t(std::ranges::count(shared_, steps_[i].outputs.front()));
+    return count;
+}
+
+ValueProgram::Scratch ValueProgram::make_scratch() const {
+    Scratch scratch;
+    scratch.arrays.resize(registers_);
+    scratch.graphs.resize(steps_.size());
+    for (std::size_t i = 0; i < steps_.size(); ++i)
+        if (const auto* slope = std::get_if<GraphSlope>(&steps_[i].work))
+            scratch.graphs[i] = slope->graph->make_scratch();
+    for (std::size_t i = 0; i < fixed_steps_; ++i)
+        run_step(steps_[i], value_batch, scratch, scratch.graphs[i]);
+    return scratch;
+}
+
+void ValueProgram::run(std::size_t count, Scratch& scratch) const {
+    SynthesisWork& work = scratch.work;
+    for (std::size_t i = 0; i < fixed_steps_; ++i)
+        work.skip_octaves(Skip::constants, octaves_of(steps_[i]) * count);
+    work.skip_octaves(Skip::subtrees, shared_octaves_ * count);
+    for (std::size_t i = fixed_steps_; i < steps_.size(); ++i) {
+        work.octaves += octaves_of(steps_[i]) * count;
+        run_step(steps_[i], count, scratch, scratch.graphs[i]);
+    }
+}
+
+}  // namespace burl

@@ -1,0 +1,42 @@
+#include "procedural/kept/rows.h"
+
+#include <new>
+
+#if defined(__linux__)
+#include <sys/mman.h>
+#endif
+
+namespace burl {
+
+void* allot_kept(std::size_t bytes) {
+    constexpr std::size_t cache_line = 64, large_page = std::size_t(1) << 21;
+    const std::size_t step = bytes < 2 * large_page ? cache_line : large_page;
+    void* const memory = std::aligned_alloc(step, (bytes / step + 1) * step);
+    if (!memory) throw std::bad_alloc();
+#if defined(MADV_HUGEPAGE)
+    // Whole ones only: nothing is taken that is not used. Advice, which may be refused.
+    if (step == large_page) ::madvise(memory, bytes / large_page * large_page, MADV_HUGEPAGE);
+#endif
+    return memory;
+}
+
+KeptRows::KeptRows(const SolidAtlas& solid) {
+    std::size_t kept = 0;
+    for (std::size_t y = 0; y < solid.size; ++y) {
+        begin_.push_back(kept);
+        run_begin_.push_back(runs_.size());
+        for (const Span& span : solid.row(y)) {
+            const bool goes_on =
+                runs_.size() > run_begin_.back() && runs_.back().x + runs_.back().count == span.x;
+            if (!goes_on) runs_.push_back({span.x, 0});
+            runs_.back().count += span.count;
+            kept += span.count;
+            texels_ += span.count;
+        }
+        kept = (kept + batch_padding - 1) / batch_padding * batch_padding;
+    }
+    begin_.push_back(kept);
+    run_begin_.push_back(runs_.size());
+}
+
+}  // namespace burl

@@ -1,0 +1,25 @@
+#pragma once
+// The texture as JSON: a tree of nodes, here a color_map over a field (f = quadric + noise).
+// docs/reference/recipes.md lists the keys.
+#include <nlohmann/json_fwd.hpp>
+
+#include "procedural/model/texture.h"
+
+namespace burl {
+
+/// Reads the value of a recipe's "texture" key. Keys, types and ranges must have been checked. Keys
+/// that are left out have the defaults of the structs; a missing map is black to white.
+Texture texture_from_json(const nlohmann::ordered_json& json);
+
+/// JSON that texture_from_json reads back to an equal Texture.
+nlohmann::ordered_json texture_to_json(const Texture& texture);
+
+/// The "stops" of a colour map: pairs of a position and "#rrggbb".
+nlohmann::ordered_json stops_to_json(const std::vector<ColorStop>& stops);
+
+/// The colour written as "#rrggbb".
+Rgb8 color_from_hex(const std::string& text);
+/// The text "#rrggbb" of a colour.
+std::string color_to_hex(const Rgb8& color);
+
+}  // namespace burl

@@ -1,5 +1,0 @@
-// The size of a level, worked out from level 0: software OpenGL gives neighbouring pixels that ask
-// for different levels one's size.
-ivec2 level_size(sampler2D image, int level) {
-    return max(textureSize(image, 0) >> level, 1);
-}

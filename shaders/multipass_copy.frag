@@ -1,6 +1,0 @@
-// An image as it is, of the channels that the colour mask lets pass.
-out vec4 color;
-
-void main() {
-    color = stored(numbers(first));
-}

@@ -1,9 +1,0 @@
-// The index image as the field whose colours it stands for. After real.glsl and multipass.glsl.
-real field(ivec2 texel) {
-    float t = numbers(first).x;
-#if FIXED8 && COLOR_REPEATS
-    return real(t + 0.5) / real(256.0);
-#else
-    return real(t) / real(one);
-#endif
-}

@@ -1,0 +1,37 @@
+// The numbers of a shader that has the host's bits; the first part of a shader. `real` is float64
+// where the context has it, for coordinates and sums; otherwise float32, with which results agree
+// to 2e-6. `exact` keeps a compiler from reordering the operations behind a variable ((a + b) - b
+// is not a). BURL_FLOAT64, defined before as 1 or 0, decides; or BURL_FLOAT32, which stands for 0.
+#if defined(BURL_FLOAT32) && !defined(BURL_FLOAT64)
+#define BURL_FLOAT64 0
+#endif
+#ifndef BURL_FLOAT64
+#extension GL_ARB_gpu_shader_fp64 : enable
+#ifdef GL_ARB_gpu_shader_fp64
+#define BURL_FLOAT64 1
+#else
+#define BURL_FLOAT64 0
+#endif
+#endif
+#extension GL_ARB_gpu_shader5 : enable
+
+#ifndef real
+#if BURL_FLOAT64
+#define real double
+#define real2 dvec2
+#define real3 dvec3
+#define real4 dvec4
+#else
+#define real float
+#define real2 vec2
+#define real3 vec3
+#define real4 vec4
+#endif
+#endif
+#define REAL_IS_DOUBLE BURL_FLOAT64
+
+#ifdef GL_ARB_gpu_shader5
+#define exact precise
+#else
+#define exact
+#endif

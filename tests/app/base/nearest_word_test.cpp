@@ -1,0 +1,21 @@
+#include "app/base/nearest_word.h"
+
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace burl {
+namespace {
+
+TEST(NearestWord, CountsEdits) {
+    const std::vector<std::string_view> words{"amplitude", "frequency", "phase", "gain"};
+    EXPECT_EQ(nearest_word("amplitde", words), "amplitude");
+    EXPECT_EQ(nearest_word("gian", words), "gain");
+    EXPECT_EQ(nearest_word("Phase", words), "phase");
+    EXPECT_EQ(nearest_word("zzzzzz", words), "");
+    EXPECT_EQ(nearest_word("brightness", words), "");  // shares letters with all of them
+    EXPECT_EQ(nearest_word("x", {}), "");
+}
+
+}  // namespace
+}  // namespace burl

@@ -1,0 +1,64 @@
+// Edits of stops leave maps that recipes accept, and a stop added changes no colour.
+#include "app/editor/session/stops.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "procedural/color/srgb.h"
+#include "procedural/model/texture.h"
+
+namespace burl {
+namespace {
+
+const std::vector<ColorStop> three{{0.1, {0, 0, 0}}, {0.5, {255, 0, 0}}, {0.9, {255, 255, 255}}};
+
+TEST(EditStops, AMovedStopStaysBetweenItsNeighbours) {
+    EXPECT_EQ(with_stop_moved(three, 1, 0.6)[1].position, 0.6);
+    EXPECT_EQ(with_stop_moved(three, 1, 0.95)[1].position, 0.9);
+    EXPECT_EQ(with_stop_moved(three, 1, -3.0)[1].position, 0.1);
+    EXPECT_EQ(with_stop_moved(three, 0, -3.0)[0].position, 0.0);
+    EXPECT_EQ(with_stop_moved(three, 2, 3.0)[2].position, 1.0);
+}
+
+TEST(EditStops, AnAddedStopChangesNoColour) {
+    for (const Wrap wrap : {Wrap::clamp, Wrap::repeat}) {
+        const ColorMap before{wrap, three};
+        for (const double place : {0.0, 0.05, 0.3, 0.5, 0.77, 1.0}) {
+            std::size_t at = 99;
+            const ColorMap after{wrap, with_stop_added(before, place, at)};
+            ASSERT_EQ(after.stops.size(), 4u);
+            EXPECT_EQ(after.stops[at].position, place);
+            for (std::size_t i = 1; i < 4; ++i)
+                EXPECT_LE(after.stops[i - 1].position, after.stops[i].position);
+            const auto a = map_colors(before, 101), b = map_colors(after, 101);
+            for (std::size_t i = 0; i < a.size(); ++i) {
+                EXPECT_LE(std::abs(a[i].r - b[i].r), 2) << place << ' ' << i;
+                EXPECT_LE(std::abs(a[i].g - b[i].g), 2) << place << ' ' << i;
+                EXPECT_LE(std::abs(a[i].b - b[i].b), 2) << place << ' ' << i;
+            }
+        }
+    }
+}
+
+TEST(EditStops, TheLastStopStays) {
+    std::vector<ColorStop> stops = three;
+    stops = with_stop_removed(stops, 1);
+    EXPECT_EQ(stops, (std::vector<ColorStop>{three[0], three[2]}));
+    stops = with_stop_removed(stops, 0);
+    stops = with_stop_removed(stops, 0);
+    EXPECT_EQ(stops, std::vector<ColorStop>{three[2]});
+}
+
+TEST(EditStops, MapColorsAreTheDefinitions) {
+    const ColorMap map{Wrap::clamp, three};
+    const auto colors = map_colors(map, 11);
+    for (std::size_t i = 0; i < 10; ++i) {
+        const Vec3d exact = evaluate_color(map, double(i) / 10.0);
+        EXPECT_NEAR(srgb_encode(exact.x) * 255.0, colors[i].r, 0.5001);
+        EXPECT_NEAR(srgb_encode(exact.y) * 255.0, colors[i].g, 0.5001);
+    }
+}
+
+}  // namespace
+}  // namespace burl

@@ -1,0 +1,366 @@
+// The editor under a hand that does anything: pointer, keys, files and other programs at random,
+// the same in every run of a seed. Whatever happens, it goes on, every recipe is one that reads
+// back, and undo leads to where it began.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <random>
+
+#include "app/base/atomic_file.h"
+#include "app/base/embedded.h"
+#include "app/base/stopwatch.h"
+#include "tests/app/editor/window/fixture.h"
+#include "tests/app/support/scratch_folder.h"
+
+namespace burl {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double longest_frame = 120.0;  // seconds; more is a hang, however busy the machine is
+
+/// The working folder, until the end.
+class WorkingFolder {
+  public:
+    explicit WorkingFolder(const std::string& folder) { fs::current_path(folder); }
+    ~WorkingFolder() { fs::current_path(before_); }
+    WorkingFolder(const WorkingFolder&) = delete;
+    WorkingFolder& operator=(const WorkingFolder&) = delete;
+
+  private:
+    fs::path before_ = fs::current_path();
+};
+
+using Events = std::vector<InputEvent>;
+
+InputEvent pointer_to(const glm::dvec2& at) {
+    return {InputKind::move, at};
+}
+
+InputEvent button_event(int number, bool down) {
+    InputEvent event{InputKind::button};
+    event.button = number;
+    event.down = down;
+    return event;
+}
+
+InputEvent key_event(const std::string& name, bool down) {
+    InputEvent event{InputKind::key};
+    event.text = name;
+    event.down = down;
+    return event;
+}
+
+/// Frames of events, from what is on the screen.
+class RandomHand {
+  public:
+    RandomHand(unsigned seed, std::vector<std::string> files)
+        : random_(seed), files_(std::move(files)) {}
+
+    unsigned below(std::size_t count) { return unsigned(random_() % count); }
+    bool chance(unsigned percent) { return below(100) < percent; }
+
+    std::vector<Events> next(const EditItems& items, const glm::ivec2& size) {
+        size_ = glm::dvec2(size);
+        if (!held_.empty() && chance(40)) return {std::exchange(held_, {})};
+        const unsigned what = below(100);
+        if (what < 34) return click(place(items));
+        if (what < 62) return drag(place(items));
+        if (what < 84) return key();
+        if (what < 89) return wheel(place(items));
+        if (what < 94) return type();
+        if (what < 97) return drop();
+        if (what < 99) return resize();
+        return {{{InputKind::close}}};
+    }
+
+  private:
+    template <class List>
+    const auto& one_of(const List& list) {
+        return *std::next(std::begin(list), below(std::size(list)));
+    }
+
+    glm::dvec2 anywhere() { return {below(unsigned(size_.x)), below(unsigned(size_.y))}; }
+
+    /// A place on an item, most of the time.
+    glm::dvec2 place(const EditItems& items) {
+        if (items.all().empty() || chance(15)) return anywhere();
+        const auto& [name, rect] = one_of(items.all());
+        if (name == "atlas.size" || name == "file:..") return anywhere();
+        const glm::dvec2 share{below(101), below(101)};
+        return rect.low + (rect.high - rect.low) * share / 100.0;
+    }
+
+    std::vector<Events> click(const glm::dvec2& at) {
+        const int number = chance(80) ? 0 : int(below(3));
+        std::vector<Events> frames{{pointer_to(at)}};
+        for (int times = chance(15) ? 2 : 1; times > 0; --times) {
+            frames.push_back({button_event(number, true)});
+            frames.push_back({button_event(number, false)});
+        }
+        return frames;
+    }
+
+    std::vector<Events> drag(const glm::dvec2& from) {
+        const int number = chance(85) ? 0 : int(below(3));
+        const glm::dvec2 by{double(below(241)) - 120.0, chance(50) ? double(below(121)) - 60.0 : 0};
+        const unsigned steps = 1 + below(6);
+        const std::string modifier = chance(25) ? one_of(modifiers) : "";
+        std::vector<Events> frames{{pointer_to(from)}, {button_event(number, true)}};
+        if (!modifier.empty()) frames[1].insert(frames[1].begin(), key_event(modifier, true));
+        for (unsigned i = 1; i <= steps; ++i) {
+            frames.push_back({pointer_to(from + by * (double(i) / steps))});
+            if (chance(6))
+                for (Events& some : key()) frames.push_back(std::move(some));
+        }
+        Events up{button_event(number, false)};
+        if (!modifier.empty()) up.push_back(key_event(modifier, false));
+        if (chance(4))
+            held_.insert(held_.end(), up.begin(), up.end());
+        else
+            frames.push_back(up);
+        return frames;
+    }
+
+    std::vector<Events> key() {
+        Events down, up;
+        const std::string name = chance(50) ? one_of(shortcuts) : one_of(keys);
+        for (std::size_t begin = 0; begin <= name.size();) {
+            const std::size_t end = std::min(name.find('+', begin), name.size());
+            down.push_back(key_event(name.substr(begin, end - begin), true));
+            up.push_back(key_event(name.substr(begin, end - begin), false));
+            begin = end + 1;
+        }
+        if (!chance(3)) return {down, up};
+        held_.insert(held_.end(), up.begin(), up.end());
+        return {down};
+    }
+
+    std::vector<Events> wheel(const glm::dvec2& at) {
+        InputEvent turned{InputKind::wheel};
+        turned.at = {0.0, double(below(7)) - 3.0};
+        return {{pointer_to(at)}, {turned}};
+    }
+
+    /// No '/', which could lead a dialog out of the folder.
+    std::vector<Events> type() {
+        InputEvent typed{InputKind::text};
+        typed.text = one_of(texts);
+        if (chance(50)) return {{typed}};
+        return {{typed}, {key_event("Enter", true)}, {key_event("Enter", false)}};
+    }
+
+    std::vector<Events> drop() {
+        InputEvent dropped{InputKind::drop};
+        for (unsigned i = chance(80) ? 1 : 2; i > 0; --i) dropped.files.push_back(one_of(files_));
+        return {{dropped}};
+    }
+
+    std::vector<Events> resize() {
+        InputEvent resized{InputKind::resize};
+        resized.at = {64.0 + below(400), 64.0 + below(300)};
+        if (chance(60)) resized.at = {400.0, 320.0};
+        return {{resized}};
+    }
+
+    static constexpr std::array<const char*, 3> modifiers{"Ctrl", "Shift", "Alt"};
+    static constexpr std::array<const char*, 30> shortcuts{"Ctrl+Z",
+                                                           "Ctrl+Z",
+                                                           "Ctrl+Y",
+                                                           "Ctrl+Shift+Z",
+                                                           "Ctrl+S",
+                                                           "Ctrl+O",
+                                                           "Ctrl+E",
+                                                           "Ctrl+Shift+S",
+                                                           "Ctrl+C",
+                                                           "Ctrl+V",
+                                                           "Ctrl+Shift+C",
+                                                           "Ctrl+Q",
+                                                           "F5",
+                                                           "K",
+                                                           "I",
+                                                           "Delete",
+                                                           "Space",
+                                                           "V",
+                                                           "W",
+                                                           "B",
+                                                           "P",
+                                                           "G",
+                                                           "X",
+                                                           "A",
+                                                           "Escape",
+                                                           "Escape",
+                                                           "Enter",
+                                                           "Tab",
+                                                           "Ctrl+Plus",
+                                                           "Ctrl+Minus"};
+    static constexpr std::array<const char*, 34> keys{
+        "Left", "Right", "Up",   "Down", "Shift+Left", "Ctrl+Up", "PageUp",   "PageDown", "Home",
+        "End",  "F",     "1",    "3",    "7",          "L",       "T",        "Comma",    "Period",
+        "F1",   "F12",   "Tab",  "0",    "Ctrl+0",     "Ctrl+A",  "Insert",   "Shift",    "Alt",
+        "Ctrl", "Q",     "Down", "Tab",  "Backspace",  "Alt+F4",  "Shift+Tab"};
+    static constexpr std::array<const char*, 16> texts{
+        "1",   "0.5",    "-3",    "1e30", "nan", "abc", "out.glb",  "out.obj",
+        "#ff", "r.json", "m.obj", "..",   ".",   "é☃",  "new.json", "x.frag"};
+
+    std::mt19937 random_;
+    std::vector<std::string> files_;
+    Events held_;  ///< what will let go of what is down
+    glm::dvec2 size_{1.0};
+};
+
+class GlEditRandomTest : public GlTest {
+  protected:
+    static constexpr const char* small = "atlas.size=32";
+
+    void make_files() const {
+        const auto recipe = [&](const std::string& name, const std::string& preset) {
+            write_file(folder / name, to_json(load_recipe(preset, {small, "atlas.tries=1"})));
+        };
+        recipe("r.json", "marble");
+        recipe("moves.json", "forming-marble");
+        recipe("windy.json", "windy");
+        write_file(folder / "m.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n");
+        write_file(folder / "pose.obj", "v 0 0 1\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n");
+        write_file(folder / "bad.obj", "v 0 0 0\nf 1 2 3\n");
+        write_file(folder / "bad.json", "{\"burl\": 1, \"texture\": 7}");
+    }
+    std::vector<std::string> files() const {
+        std::vector<std::string> paths{"sample:cube", "sample:torus", folder / "missing.obj"};
+        for (const char* name :
+             {"r.json", "moves.json", "windy.json", "m.obj", "bad.obj", "bad.json"})
+            paths.push_back(folder / name);
+        return paths;
+    }
+
+    void start() {
+        editor.reset();
+        EditorOptions options;
+        options.mesh = folder / "m.obj";
+        options.recipe = folder / "r.json";
+        options.autosave = folder / "state/autosave.json";
+        options.recent = folder / "state/recent";
+        options.gallery = false;
+        make_files();  // whatever was saved there
+        auto unseen = create_unseen_window(create_osmesa_context(), {400, 320});
+        window = unseen.get();
+        editor = std::make_unique<EditorProgram>(std::move(unseen), options);
+        first = editor->session().recipe();
+    }
+
+    void frame(const Events& events) {
+        for (const InputEvent& event : events) {
+            log << print_json_value(to_json(event)) << '\n';
+            if (event.kind == InputKind::resize) window->resize(glm::ivec2(event.at));
+        }
+        log << std::flush;  // which outlives a crash
+        double seconds = 0.0;
+        timed(seconds, [&] { editor->frame(events); });
+        EXPECT_LT(seconds, longest_frame);
+        window->present();
+        confine();
+    }
+
+    /// Undoes at once what would make textures, exports or the folder large, and closes a dialog
+    /// that leaves the folder: both are allowed, and no subject here.
+    void confine() {
+        EditSession& session = editor->session();
+        if (session.recipe().atlas.size > 64) session.set({small});
+        if (session.recipe().animation.seconds * session.recipe().animation.rate > 8.0) {
+            KeyedAnimation shorter = session.recipe().animation;
+            shorter.seconds = 2.0;
+            shorter.rate = 4;
+            session.change_keys(std::move(shorter));
+        }
+        if (editor->dialog().is_open() && !editor->dialog().folder().starts_with(folder.path()))
+            editor->dialog().cancel();
+    }
+
+    void settle() { editor->play(InputScript{window->size(), {{ScriptStep::Kind::settle}}}, ""); }
+
+    /// Somebody else's programs write files that are open.
+    void interfere(RandomHand& hand) const {
+        static constexpr std::array<const char*, 3> presets{"wood", "checks", "windy"};
+        if (hand.chance(50))
+            write_file(folder / "r.json", to_json(load_recipe(presets[hand.below(3)], {small})));
+        else
+            write_file(folder / "m.obj", hand.chance(50)
+                                             ? "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
+                                             : "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n");
+    }
+
+    void expect_sound() {
+        settle();
+        const Recipe& recipe = editor->session().recipe();
+        EXPECT_EQ(parse_recipe(to_json(recipe), folder / "r.json"), recipe);
+    }
+
+    /// All the way back and forth.
+    void expect_undo_leads_home() {
+        EditHistory& history = editor->session().history();
+        history.end_gesture();
+        while (history.can_redo()) history.redo();
+        const Recipe last = history.recipe();
+        const std::string path = history.path();
+        while (history.can_undo()) history.undo();
+        EXPECT_EQ(history.recipe(), first);
+        while (history.can_redo()) history.redo();
+        EXPECT_EQ(history.recipe(), last);
+        EXPECT_EQ(history.path(), path);
+    }
+
+    /// The number of events, of which the editor got as many at least.
+    void survive(unsigned seed, std::size_t count) {
+        const WorkingFolder here(folder.path());
+        log.open(folder / "events");
+        start();
+        settle();
+        RandomHand hand(seed, files());
+        std::size_t events = 0, edits = 0, restarts = 0;
+        for (std::size_t action = 0; events < count && !HasFailure(); ++action) {
+            SCOPED_TRACE(fmt::format("seed {}, event {}", seed, events));
+            const std::uint64_t before = editor->session().history().revision();
+            for (const Events& some : hand.next(editor->items(), window->size())) {
+                frame(some);
+                events += some.size();
+            }
+            edits += editor->session().history().revision() != before ? 1 : 0;
+            if (action % 100 == 50) interfere(hand);
+            if (action % 50 == 49) expect_sound();
+            if (!editor->wants_to_close()) continue;
+            expect_undo_leads_home();
+            start();
+            ++restarts;
+        }
+        expect_sound();
+        expect_undo_leads_home();
+        EXPECT_GT(edits, count / 200) << restarts;
+        editor.reset();
+    }
+
+    ScratchFolder folder;
+    std::ofstream log;
+    GlWindow* window = nullptr;
+    std::unique_ptr<EditorProgram> editor;
+    Recipe first;
+};
+
+TEST_F(GlEditRandomTest, SurvivesSomeHundredEvents) {
+    survive(1, 400);
+}
+
+class LongEditorRandom : public GlEditRandomTest, public testing::WithParamInterface<unsigned> {};
+
+TEST_P(LongEditorRandom, SurvivesManyEvents) {
+    survive(GetParam(), 25000);
+}
+
+INSTANTIATE_TEST_SUITE_P(LongAll, LongEditorRandom, testing::Range(1U, 7U));
+
+}  // namespace
+}  // namespace burl

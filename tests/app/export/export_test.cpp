@@ -1,0 +1,119 @@
+// The door itself: which file name means what, what is refused before the work, and that a failed
+// export leaves nothing.
+#include "app/export/export.h"
+
+#include <csignal>
+#include <fstream>
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include "app/export/command_files.h"
+#include "app/image/image_io.h"
+#include "atlas/base/error.h"
+#include "procedural/color/srgb.h"
+#include "tests/app/support/sample_scene.h"
+#include "tests/app/support/scratch_folder.h"
+
+namespace burl {
+namespace {
+
+template <class Action>
+std::pair<ExitCode, std::string> failure(Action action) {
+    try {
+        action();
+    } catch (const Error& e) {
+        return {e.code(), e.what()};
+    }
+    return {ExitCode::ok, ""};
+}
+
+TEST(Export, UnknownExtensionsAreAUsageErrorThatListsTheKnown) {
+    const ScratchFolder folder;
+    for (const std::string name : {"a.xyz", "a", "glb", "a.glb.bak", ""}) {
+        const auto [code, message] = failure([&] { output_paths(folder / name); });
+        EXPECT_EQ(code, ExitCode::usage) << name;
+        for (const char* known : {".glb", ".gltf", ".obj", ".png", ".exr"}) {
+            EXPECT_NE(message.find(known), std::string::npos) << message;
+        }
+    }
+    for (const char* name : {"a.glb", "a.GLB", "b.Gltf", "c.obj", "d.png", "e.exr"}) {
+        EXPECT_NO_THROW(output_paths(folder / name)) << name;
+    }
+}
+
+TEST(Export, BadPlacesAreFoundBeforeTheWork) {
+    const ScratchFolder folder;
+    std::ofstream(folder / "file") << "x";
+    std::filesystem::create_directory(folder / "folder.glb");
+    std::filesystem::create_directory(folder / "a.png");
+    for (const char* name : {"missing/a.glb", "file/a.glb", "folder.glb", "a.obj", "a.gltf"}) {
+        const auto [code, message] = failure([&] {
+            CommandFiles files;
+            for (const std::string& path : output_paths(folder / name)) files.write(path);
+        });
+        EXPECT_EQ(code, ExitCode::io) << name;
+        EXPECT_NE(message.find(folder.path()), std::string::npos) << message;
+    }
+}
+
+TEST(Export, NamesItsFilesAndItsImage) {
+    EXPECT_EQ(output_paths("x/a.obj"), (std::vector<std::string>{"x/a.obj", "x/a.mtl", "x/a.png"}));
+    EXPECT_EQ(output_paths("a.b.gltf"),
+              (std::vector<std::string>{"a.b.gltf", "a.b.bin", "a.b.png"}));
+    EXPECT_EQ(output_paths("a.glb"), (std::vector<std::string>{"a.glb"}));
+    EXPECT_EQ(wanted_kind("a.exr", 8), ImageKind::rgb_float);
+    EXPECT_EQ(wanted_kind("a.png", 16), ImageKind::rgb16);
+    EXPECT_EQ(wanted_kind("a.glb", 8), ImageKind::rgb8);
+}
+
+TEST(Export, EveryKindOfImageGoesIntoEveryPicture) {
+    const ScratchFolder folder;
+    const Mesh mesh = cube_mesh();
+    const Atlas atlas = pair_atlas(mesh, 16);
+    const Image<Rgb8> image8 = sample_image(16);
+    Image<Rgb16> image16(16, 16);
+    Image<RgbF> image_float(16, 16);
+    const auto linear = [](std::uint8_t c) { return float(srgb_decode(c / 255.0)); };
+    for (std::size_t y = 0; y < 16; ++y) {
+        for (std::size_t x = 0; x < 16; ++x) {
+            const Rgb8 p = image8(x, y);
+            image16(x, y) = {std::uint16_t(p.r * 257), std::uint16_t(p.g * 257),
+                             std::uint16_t(p.b * 257)};
+            image_float(x, y) = {linear(p.r), linear(p.g), linear(p.b)};
+        }
+    }
+    std::vector<std::uintmax_t> exr_sizes;
+    for (const BakedImage& image :
+         {BakedImage(image8), BakedImage(image16), BakedImage(image_float)}) {
+        export_scene(folder / "a.png", mesh, atlas, image, {});
+        EXPECT_EQ(read_png(folder / "a.png"), image8) << image.index();
+        export_scene(folder / "a.exr", mesh, atlas, image, {});
+        exr_sizes.push_back(std::filesystem::file_size(folder / "a.exr"));
+    }
+    EXPECT_EQ(exr_sizes[0], exr_sizes[2]) << "the same light, so the same file";
+    EXPECT_EQ(exr_sizes[1], exr_sizes[2]);
+}
+
+TEST(Export, AFullDiskLeavesNothing) {
+    const ScratchFolder folder;
+    const Mesh mesh = sphere_mesh(30, 40);
+    const Atlas atlas = pair_atlas(mesh, 64);
+    rlimit before{};
+    ::getrlimit(RLIMIT_FSIZE, &before);
+    const auto old_handler = std::signal(SIGXFSZ, SIG_IGN);
+    for (const char* name : {"a.glb", "a.gltf", "a.obj", "a.png", "a.exr"}) {
+        const rlimit limit{200, before.rlim_max};
+        ::setrlimit(RLIMIT_FSIZE, &limit);
+        const auto [code, message] =
+            failure([&] { export_scene(folder / name, mesh, atlas, sample_image(64), {}); });
+        ::setrlimit(RLIMIT_FSIZE, &before);
+        EXPECT_EQ(code, ExitCode::io) << name;
+        EXPECT_NE(message.find("File too large"), std::string::npos) << message;
+        EXPECT_EQ(folder.entries(), 0u) << name;
+    }
+    std::signal(SIGXFSZ, old_handler);
+}
+
+}  // namespace
+}  // namespace burl

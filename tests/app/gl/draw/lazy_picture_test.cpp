@@ -1,0 +1,146 @@
+// Pictures of textures that hold nothing but what the pictures look up, against pictures of baked
+// files and of whole textures.
+#include "app/gl/draw/lazy_picture.h"
+
+#include <gtest/gtest.h>
+
+#include "app/bake/levels.h"
+#include "app/bake/normals.h"
+#include "app/export/export.h"
+#include "tests/app/gl/device/fixture.h"
+#include "tests/app/support/sample_scene.h"
+#include "tests/app/support/scratch_folder.h"
+
+namespace burl {
+namespace {
+
+using GlLazyPictureTest = GlTest;
+
+/// A ball in front of another, seen from +z.
+Mesh two_balls() {
+    Mesh mesh = sphere_mesh(12, 24);
+    const Mesh ball = mesh;
+    const auto points = std::uint32_t(mesh.positions.size());
+    for (const Vec3d& p : ball.positions) mesh.positions.push_back(0.8 * p - Vec3d(0.2, 0, 2.5));
+    for (const Triangle& t : ball.triangles)
+        mesh.triangles.push_back({t[0] + points, t[1] + points, t[2] + points});
+    add_whole_part(mesh);
+    return mesh;
+}
+
+Pipeline pipeline_of(AtlasKind kind, std::uint32_t size, const std::string& recipe_name = "marble",
+                     Mesh mesh = two_balls()) {
+    Recipe recipe = load_recipe(recipe_name);
+    recipe.atlas.kind = kind;
+    recipe.atlas.size = size;
+    if (kind == AtlasKind::patch || kind == AtlasKind::quad)
+        recipe.atlas.overscan = Overscan::bilinear;
+    Pipeline pipeline(std::move(mesh));
+    pipeline.set_recipe(recipe);
+    return pipeline;
+}
+
+LazyOptions small_picture(std::optional<TextureFilter> filter = {}) {
+    LazyOptions options;
+    options.picture = {{80, 60}, true, 2};
+    options.filter = filter;
+    return options;
+}
+
+constexpr std::array views{View{0.0, 0.0, 2.0}, View{30.0, 20.0, 3.5}, View{110.0, -60.0, 9.0},
+                           View{0.0, 10.0, 0.6}};
+
+/// Equal to the picture of everything; the texels that were not made for it.
+std::uint64_t expect_same_picture(GlContext& context, Pipeline& pipeline, const View& view,
+                                  LazyOptions options,
+                                  std::initializer_list<std::uint32_t> cells = {8}) {
+    options.skips.forbid(Skip::unseen_tiles);
+    const LazyPicture whole = render_lazily(context, pipeline, view, options);
+    EXPECT_GE(whole.work.texels_made, whole.work.texels_whole);
+    options.skips = {};
+    std::uint64_t spared = 0;
+    for (const std::uint32_t cell : cells) {
+        options.cell = cell;
+        const LazyPicture lazy = render_lazily(context, pipeline, view, options);
+        EXPECT_EQ(differing(lazy.picture, whole.picture), 0u);
+        spared += whole.work.texels_made - lazy.work.texels_made;
+        EXPECT_GE(lazy.work.texels_made, lazy.work.texels_read);
+        EXPECT_GT(lazy.work.texels_read, 0u);
+        EXPECT_GT(lazy.work.tiles, 0u);
+    }
+    return spared;
+}
+
+TEST_F(GlLazyPictureTest, EqualsThePictureOfEverything) {
+    for (const AtlasKind kind : {AtlasKind::uniform, AtlasKind::area, AtlasKind::length,
+                                 AtlasKind::quad, AtlasKind::patch}) {
+        Pipeline pipeline = pipeline_of(kind, 256);
+        for (const View& view : {views[0], views[2]})
+            expect_same_picture(*context, pipeline, view, small_picture());
+        EXPECT_GT(expect_same_picture(*context, pipeline, views[3], small_picture(), {1, 32}), 0u);
+    }
+}
+
+TEST_F(GlLazyPictureTest, UnderEveryLookupFilter) {
+    for (const AtlasKind kind : {AtlasKind::area, AtlasKind::quad, AtlasKind::patch}) {
+        // Where it can be, no power of two.
+        Pipeline pipeline = pipeline_of(kind, kind == AtlasKind::quad ? 256 : 250);
+        for (const TextureFilter filter :
+             {TextureFilter::nearest, TextureFilter::linear, TextureFilter::mip})
+            EXPECT_GT(expect_same_picture(*context, pipeline, views[3], small_picture(filter)), 0u);
+        expect_same_picture(*context, pipeline, views[1], small_picture(TextureFilter::mip));
+    }
+}
+
+/// The same as by way of a file.
+TEST_F(GlLazyPictureTest, EqualsThePictureOfABakedFile) {
+    const ScratchFolder scratch;
+    for (const auto& [recipe, direct] :
+         {std::pair{"marble", true}, std::pair{"hammered", false}, std::pair{"hammered", true}})
+        for (const AtlasKind kind : {AtlasKind::area, AtlasKind::quad, AtlasKind::patch}) {
+            Pipeline pipeline = pipeline_of(kind, 128, recipe);
+            const bool levels = kind != AtlasKind::area;
+            ExportOptions options;
+            options.normals = bake_normals(pipeline, normals_asked("", pipeline.recipe(), "a.glb"),
+                                           8, options.crease_degrees);
+            BakedImage image = pipeline.synthesize<Rgb8>();
+            if (levels) {
+                const Image<RgbF> linear = pipeline.synthesize<RgbF>();
+                options.levels =
+                    bake_levels(pipeline, linear, {7, {.direct = direct}}, ImageKind::rgb8);
+                image = convert_to(linear, ImageKind::rgb8);
+            }
+            const std::string path = scratch / "a.glb";
+            export_scene(path, pipeline.atlas_mesh(), pipeline.atlas(), image, options);
+            const Scene scene = load_scene(path);
+            for (const View& view : {views[1], views[3]}) {
+                LazyOptions lazy = small_picture();
+                lazy.rule.direct = direct;
+                const Camera camera = orbit_camera(view, bounding_sphere(scene), lazy.picture.size);
+                EXPECT_EQ(differing(render_scene(*context, scene, camera, lazy.picture),
+                                    render_lazily(*context, pipeline, view, lazy).picture),
+                          0u)
+                    << recipe << " " << to_string(kind);
+            }
+        }
+}
+
+/// Of two balls in a line one is seen, of one ball a half at most.
+TEST_F(GlLazyPictureTest, LeavesOutWhatIsHidden) {
+    const auto made = [&](const Mesh& mesh, const View& view) {
+        Pipeline pipeline = pipeline_of(AtlasKind::patch, 512, "marble", mesh);
+        LazyOptions options = small_picture();
+        options.cell = 1;
+        options.picture.size = {400, 300};
+        const ViewWork work = render_lazily(*context, pipeline, view, options).work;
+        return double(work.texels_made) / double(work.texels_whole);
+    };
+    EXPECT_LT(made(sphere_mesh(12, 24), {0, 0, 4.0}), 0.55);
+    EXPECT_GT(made(sphere_mesh(12, 24), {0, 0, 4.0}), 0.3);
+    const double in_line = made(two_balls(), {0, 0, 3.5}), beside = made(two_balls(), {90, 0, 3.5});
+    EXPECT_LT(in_line, 0.75 * beside);
+    EXPECT_LT(made(sphere_mesh(12, 24), {0, 0, 1.2}), 0.2) << "a close look shows a part";
+}
+
+}  // namespace
+}  // namespace burl

@@ -1,0 +1,109 @@
+// Odd meshes in textures too small for them: an atlas there always is, no texel has two owners, no
+// triangle is turned over or lies on another, and those without area in the texture are counted.
+#include <cmath>
+#include <filesystem>
+
+#include <gtest/gtest.h>
+
+#include "atlas/build/mesh_atlas.h"
+#include "atlas/measure/shape.h"
+#include "atlas/measure/texels.h"
+#include "atlas/patch/frame.h"
+#include "atlas/read/read_mesh.h"
+#include "tests/atlas/support/made_patches.h"
+#include "tests/paths.h"
+
+namespace burl {
+namespace {
+
+std::vector<made::Named> hostile_meshes() {
+    std::vector<made::Named> meshes = made::all();
+    meshes.push_back({"tube", made::tube(12, 6, 3.0)});
+    meshes.push_back({"ring", made::ring(12, 8)});
+    meshes.push_back({"box", made::box(3)});
+    meshes.push_back({"many pieces", made::soup(300, 5)});
+    const std::filesystem::path nasty = test::source_folder() + "/assets/meshes/nasty";
+    for (const auto& file : std::filesystem::directory_iterator(nasty))
+        meshes.push_back({file.path().filename().string(), read_mesh(file.path().string())});
+    return meshes;
+}
+
+/// How many texels have an owner; fails where one has two.
+std::size_t owned_texels(const SolidAtlas& solid) {
+    std::size_t owned = 0;
+    for (std::size_t y = 0; y < solid.size; ++y) {
+        std::uint32_t next = 0;
+        for (const Span& span : solid.row(y)) {
+            EXPECT_GE(span.x, next);
+            EXPECT_LE(span.x + span.count, solid.size);
+            EXPECT_LT(span.map, solid.maps.size());
+            next = span.x + span.count;
+            owned += span.count;
+        }
+    }
+    return owned;
+}
+
+/// Triangles whose place says that they may have no area there.
+std::size_t counted_without_area(const MeshAtlas& atlas) {
+    if (const PatchAtlas* patches = atlas.patches()) return patches->unmapped;
+    return atlas.atlas().notes.minimal_cells + atlas.atlas().notes.shared_triangles;
+}
+
+void expect_sound(const Mesh& mesh, const MeshAtlas& made, std::uint32_t size) {
+    const Atlas& atlas = made.atlas();
+    const Mesh& surface = made.mesh(mesh);
+    ASSERT_EQ(atlas.options.size, size);
+    ASSERT_EQ(atlas.corners.size(), surface.triangles.size());
+    for (const auto& corners : atlas.corners)
+        for (const Vec2d& corner : corners) EXPECT_TRUE(std::isfinite(corner.x + corner.y));
+    const std::size_t owned = owned_texels(rasterize(mesh, made, surface.positions));
+    const bool fills = made.patches() || std::has_single_bit(size);
+    EXPECT_GT(owned, 0u);
+    EXPECT_TRUE(!fills || owned == std::size_t{size} * size);
+    const TexelMetrics texels = measure_texels(atlas);
+    EXPECT_EQ(texels.overlapped, 0u);
+    EXPECT_EQ(texels.outside, 0u);
+    const ShapeMetrics shape = measure_shape(surface, atlas, atlas.charts, atlas.chart_count);
+    EXPECT_EQ(shape.flipped, 0u);
+    EXPECT_LE(shape.vanished, counted_without_area(made));
+}
+
+/// A triangle on a line may have got an area by rounding alone, and lose it with the mesh's own
+/// points.
+TEST(HostileAtlas, PlanesThatLoseTheirHeightKeepTheirPlaces) {
+    const Patch bent =
+        made::whole(made::mesh_of({{0, 0, 0}, {2, 0, 0}, {1, 1e-7, 0}}, {{0, 1, 2}}));
+    MappedPatch mapped;
+    mapped.patch = bent;
+    mapped.planar = map_planar(bent);
+    ASSERT_TRUE(mapped.planar);
+    mapped.uv = mapped.planar->uv;
+    PatchMaps maps;
+    maps.patches.push_back(mapped);
+    to_mesh_frame(maps, made::mesh_of({{0, 0, 0}, {2, 0, 0}, {1, 0, 0}}, {{0, 1, 2}}));
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_NEAR(maps.patches[0].uv[i].x, mapped.uv[i].x, 1e-6);
+        EXPECT_NEAR(maps.patches[0].uv[i].y, mapped.uv[i].y, 1e-6);
+    }
+}
+
+TEST(HostileAtlas, EveryMeshHasAnAtlasOfEverySize) {
+    for (const auto& [name, mesh] : hostile_meshes()) {
+        const Connectivity connectivity = build_connectivity(mesh);
+        for (const AtlasKind kind : {AtlasKind::patch, AtlasKind::quad})
+            for (const std::uint32_t size : {1u, 2u, 3u, 5u, 8u, 17u, 64u}) {
+                if (!made::allowed(kind, size)) continue;
+                SCOPED_TRACE(name + ' ' + std::string(to_string(kind)) + ' ' +
+                             std::to_string(size));
+                AtlasOptions options;
+                options.kind = kind;
+                options.size = size;
+                options.tries = 1;
+                expect_sound(mesh, build_atlas(mesh, connectivity, options), size);
+            }
+    }
+}
+
+}  // namespace
+}  // namespace burl

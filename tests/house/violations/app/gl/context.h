@@ -1,0 +1,2 @@
+// Right: the one place for OpenGL.
+#include <glad/gl.h>

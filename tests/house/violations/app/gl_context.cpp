@@ -1,2 +1,0 @@
-// Right: the one place for GL.
-#include <glad/gl.h>

@@ -1,0 +1,4 @@
+// Right.
+#include <vector>
+
+#include "atlas/base/vec.h"

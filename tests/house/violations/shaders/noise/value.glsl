@@ -1,0 +1,1 @@
+// Value noise, which is below what draws. After draw/mesh.frag.

@@ -1,0 +1,151 @@
+#pragma once
+// A small graph for every node of the table, and helpers shared by the tests of graphs.
+#include <array>
+#include <random>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "procedural/graph/evaluator.h"
+#include "procedural/graph/json.h"
+
+namespace burl {
+
+/// A graph as JSON that uses one node.
+struct GraphCase {
+    std::string_view node, json;
+};
+
+// Inputs vary over the solid, so that every product and chain rule counts.
+inline constexpr std::array graph_cases{
+    GraphCase{"constant", R"({"node": "constant", "value": "#8040c0a0"})"},
+    GraphCase{"coordinate",
+              R"({"node": "coordinate", "direction": [0.5, -2, 1.5], "offset": 0.3})"},
+    GraphCase{"add", R"({"node": "add", "a": {"node": "fbm"}, "b": {"node": "coordinate"}})"},
+    GraphCase{"multiply",
+              R"({"node": "multiply", "a": {"node": "fbm"}, "b": {"node": "coordinate"}})"},
+    GraphCase{"min", R"({"node": "min", "a": {"node": "fbm"}, "b": {"node": "fbm", "seed": 9}})"},
+    GraphCase{"max", R"({"node": "max", "a": {"node": "fbm"}, "b": {"node": "fbm", "seed": 9}})"},
+    GraphCase{"abs", R"({"node": "abs", "input": {"node": "fbm"}})"},
+    GraphCase{"power", R"({"node": "power", "exponent": 2.5,
+        "input": {"node": "add", "a": 0.5, "b": {"node": "fbm"}}})"},
+    GraphCase{"sin", R"({"node": "sin", "input": {"node": "multiply", "a": 5,
+        "b": {"node": "fbm", "octaves": 2}}})"},
+    // The slope of a plane is constant, so the gradient 0, which is all that the node gives, is
+    // right.
+    GraphCase{"slope", R"({"node": "slope", "direction": [1, -2, 3],
+        "input": {"node": "coordinate", "direction": [0.5, 4, 2]}})"},
+    GraphCase{"floor", R"({"node": "floor", "input": {"node": "coordinate"}})"},
+    GraphCase{"fract", R"({"node": "fract", "input": {"node": "coordinate"}})"},
+    GraphCase{"smoothstep", R"({"node": "smoothstep", "low": -0.4, "high": 0.6,
+        "input": {"node": "fbm"}})"},
+    GraphCase{"scale", R"({"node": "scale", "a": "#ff804020", "b": {"node": "fbm"}})"},
+    GraphCase{"mix", R"({"node": "mix", "a": {"node": "marble", "spline": "bspline"},
+        "b": "#20408060", "amount": {"node": "fbm"}})"},
+    GraphCase{"bilerp", R"({"node": "bilerp", "v00": 0.1, "v01": {"node": "fbm"}, "v10": "#ff0080",
+        "v11": 2})"},
+    GraphCase{"color_map", R"({"node": "color_map", "wrap": "repeat",
+        "stops": [[0, "#102030"], [0.3, "#f0e0d0"], [0.7, "#4080c0"], [1, "#102030"]],
+        "input": {"node": "fbm"}})"},
+    GraphCase{"layer_over", R"({"node": "layer_over", "top": "#80ff4080",
+        "base": {"node": "scale", "a": "#ff0000c0", "b": {"node": "fbm"}},
+        "opacity": {"node": "smoothstep", "input": {"node": "coordinate"}}})"},
+    GraphCase{"image", R"({"node": "map_uv", "scale": [0.3, 0.2],
+        "input": {"node": "image", "file": "image.png", "lookup": "ewa"}})"},
+    GraphCase{"uv", R"({"node": "uv"})"},
+    GraphCase{"checkerboard", R"({"node": "checkerboard", "a": {"node": "fbm"}, "b": "#ff8000"})"},
+    GraphCase{"checkerboard_3d",
+              R"({"node": "checkerboard_3d", "a": {"node": "fbm"}, "b": "#ff8000"})"},
+    GraphCase{"stripes", R"({"node": "stripes", "direction": [1, 2, -1], "period": 0.7,
+        "a": {"node": "fbm"}})"},
+    GraphCase{"ramp", R"({"node": "ramp", "direction": [1, 2, -1], "period": 0.7, "a": "#ff8000",
+        "b": {"node": "fbm"}})"},
+    GraphCase{"sine", R"({"node": "sine", "direction": [1, 2, -1], "period": 0.7})"},
+    GraphCase{"rings", R"({"node": "rings", "spacing": 0.4, "a": {"node": "fbm"}})"},
+    GraphCase{"wood_grain", R"({"node": "wood_grain", "spacing": 0.4, "wobble": 0.3, "wobbles": 4,
+        "twist": 1.5, "profile": "ramp"})"},
+    GraphCase{"field", R"({"node": "field", "quadric": {"A": 1, "F": -0.5, "I": 2}, "noise": [
+        {"kind": "perlin", "octaves": 3, "matrix": [1, 2, 0, 0.1, 0, 1, -1, 0.2, 0.5, 0, 3, 0.3]},
+        {"kind": "value", "fade": "quintic", "frequency": [2, 3, 1]}]})"},
+    GraphCase{"fbm", R"({"node": "fbm", "octaves": 5, "lacunarity": 1.9, "gain": 0.6})"},
+    GraphCase{"wrinkled", R"({"node": "wrinkled", "octaves": 3, "seed": 5})"},
+    GraphCase{"windy", R"({"node": "windy", "octaves": 4})"},
+    GraphCase{"marble", R"({"node": "marble", "variation": 2, "octaves": 3})"},
+    GraphCase{"bumps", R"({"node": "bumps", "frequency": [3, 2, 1], "a": {"node": "fbm"},
+        "b": "#ffffff"})"},
+    GraphCase{"dots", R"({"node": "dots", "a": {"node": "fbm"}, "b": "#ff0000"})"},
+    GraphCase{"transform", R"({"node": "transform", "scale": [2, 0.5, 1], "rotate": [30, 40, -50],
+        "translate": [1, 2, 3], "matrix": [1, 0.5, 0, 1, 0, 2, 0.3, 0, -0.5, 0, 1, 2],
+        "input": {"node": "fbm", "octaves": 2}})"},
+    GraphCase{"warp", R"({"node": "warp", "strength": 0.4, "octaves": 2,
+        "input": {"node": "fbm", "octaves": 2}})"},
+    GraphCase{"map_uv", R"({"node": "map_uv", "scale": [3, -2], "offset": [0.5, 0.1],
+        "input": {"node": "fbm", "octaves": 2}})"},
+    GraphCase{"map_spherical", R"({"node": "map_spherical", "input": {"node": "map_uv",
+        "scale": [4, 8], "input": {"node": "fbm", "octaves": 2}}})"},
+    GraphCase{"map_cylindrical", R"({"node": "map_cylindrical", "height": "normalized",
+        "input": {"node": "map_uv", "scale": [8, 4], "input": {"node": "fbm", "octaves": 2}}})"},
+    GraphCase{"map_planar", R"({"node": "map_planar", "vs": [1, 0.5, -2], "vt": [0, 1, 1],
+        "offset": [0.25, 4], "input": {"node": "fbm", "octaves": 2}})"}};
+
+inline Image<Rgb8> random_image(std::size_t width, std::size_t height) {
+    std::mt19937 random(3);
+    Image<Rgb8> image(width, height);
+    for (std::size_t y = 0; y < image.height(); ++y)
+        for (Rgb8& c : image.row(y))
+            c = {std::uint8_t(random()), std::uint8_t(random()), std::uint8_t(random())};
+    return image;
+}
+
+/// Returns the image that every case reads.
+inline Image<Rgb8> case_image(const std::string&) {
+    return random_image(12, 16);
+}
+
+inline TextureGraph graph_of(std::string_view json) {
+    return graph_from_json(nlohmann::ordered_json::parse(json),
+                           [](const std::string& file, ImageWrap wrap) {
+                               return std::make_shared<const MipImage>(case_image(file), wrap);
+                           });
+}
+
+/// Returns one channel at a point.
+inline Dual sample_of(const TextureGraph& graph, const Vec3d& point,
+                      const Footprint& footprint = {}, std::size_t channel = 0) {
+    return GraphEvaluator(graph)(point, footprint).channels[channel];
+}
+
+inline double value_of(std::string_view json, const Vec3d& point, const Footprint& footprint = {}) {
+    return sample_of(graph_of(json), point, footprint).value;
+}
+
+inline std::vector<Vec3d> random_points(std::size_t count, double reach, std::uint32_t seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> coordinate(-reach, reach);
+    std::vector<Vec3d> points(count);
+    for (Vec3d& p : points) p = {coordinate(random), coordinate(random), coordinate(random)};
+    return points;
+}
+
+/// Expects that a batch of points gives, to the bit, what every point gives by itself.
+inline void expect_batches_equal_points(const GraphEvaluator& evaluate,
+                                        const std::vector<Vec3d>& points,
+                                        const std::vector<Footprint>& footprints,
+                                        std::string_view name) {
+    GraphEvaluator::Scratch scratch = evaluate.make_scratch(), other = evaluate.make_scratch();
+    std::vector<GraphSample> all(points.size());
+    evaluate(points, footprints, scratch, all);
+    for (std::size_t i = 0; i < points.size(); i += 23) {
+        GraphSample one;
+        evaluate({&points[i], 1}, {&footprints[i], 1}, other, {&one, 1});
+        for (std::size_t c = 0; c < 4; ++c) {
+            EXPECT_EQ(one.channels[c].value, all[i].channels[c].value) << name;
+            EXPECT_EQ(one.channels[c].slope, all[i].channels[c].slope) << name;
+        }
+    }
+}
+
+}  // namespace burl
