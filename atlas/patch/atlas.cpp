@@ -21,8 +21,8 @@
 
 #include <tbb/parallel_for.h>
 
+#include "atlas/chart/coarse_map.h"
 #include "atlas/patch/candidates.h"
-#include "atlas/patch/coarse_map.h"
 #include "atlas/patch/frame.h"
 
 namespace burl {

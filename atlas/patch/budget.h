@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "atlas/patch/stretch.h"
+#include "atlas/chart/stretch.h"
 
 namespace burl {
 

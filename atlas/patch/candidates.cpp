@@ -7,7 +7,7 @@
 
 #include <tbb/parallel_for.h>
 
-#include "atlas/patch/coarse_mesh.h"
+#include "atlas/chart/coarse_mesh.h"
 
 namespace burl {
 namespace {

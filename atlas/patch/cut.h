@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "atlas/patch/patch.h"
+#include "atlas/chart/patch.h"
 
 namespace burl {
 

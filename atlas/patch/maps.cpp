@@ -8,7 +8,7 @@
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
-#include "atlas/patch/coarse_map.h"
+#include "atlas/chart/coarse_map.h"
 #include "atlas/patch/cut.h"
 
 namespace burl {

@@ -6,10 +6,10 @@
 #include <optional>
 #include <stop_token>
 
+#include "atlas/chart/patch.h"
+#include "atlas/chart/planar_map.h"
+#include "atlas/chart/rectangle_map.h"
 #include "atlas/patch/partition.h"
-#include "atlas/patch/patch.h"
-#include "atlas/patch/planar_map.h"
-#include "atlas/patch/rectangle_map.h"
 
 namespace burl {
 

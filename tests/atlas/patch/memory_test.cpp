@@ -5,7 +5,7 @@
 #include <tbb/global_control.h>
 
 #include "atlas/build/mesh_atlas.h"
-#include "atlas/patch/coarse_map.h"
+#include "atlas/chart/coarse_map.h"
 #include "tests/atlas/support/made_patches.h"
 #include "tests/counted_memory.h"
 

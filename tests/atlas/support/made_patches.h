@@ -9,7 +9,7 @@
 #include <numeric>
 #include <random>
 
-#include "atlas/patch/patch.h"
+#include "atlas/chart/patch.h"
 #include "tests/atlas/support/made_meshes.h"
 
 namespace burl::made {

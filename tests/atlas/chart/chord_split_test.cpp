@@ -1,5 +1,5 @@
 // Splitting chords: afterwards there are none, and the surface is the same.
-#include "atlas/patch/chord_split.h"
+#include "atlas/chart/chord_split.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // A round visits vertices by the area of their triangles, smallest first, and locks the ring of
 // every vertex that is removed.
-#include "atlas/patch/edge_collapse.h"
+#include "atlas/chart/edge_collapse.h"
 
 #include <algorithm>
 #include <cmath>

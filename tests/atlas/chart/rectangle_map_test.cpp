@@ -1,6 +1,6 @@
 // Maps of disks onto rectangles: one to one, exact where there is an exact answer, never worse
 // after the descent, and the same every time.
-#include "atlas/patch/rectangle_map.h"
+#include "atlas/chart/rectangle_map.h"
 
 #include <gtest/gtest.h>
 

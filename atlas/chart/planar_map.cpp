@@ -1,7 +1,7 @@
 // The rectangle of least area round a point set has a side along an edge of the convex hull
 // (Freeman & Shapira, "Determining the minimum-area encasing rectangle for an arbitrary closed
 // curve", 1975); every hull edge is tried.
-#include "atlas/patch/planar_map.h"
+#include "atlas/chart/planar_map.h"
 
 #include <algorithm>
 #include <cmath>

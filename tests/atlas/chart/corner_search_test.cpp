@@ -1,11 +1,11 @@
 // Corner search against exhaustive search on small patches, and Laplacians against their
 // definition.
-#include "atlas/patch/corner_search.h"
+#include "atlas/chart/corner_search.h"
 
 #include <gtest/gtest.h>
 
-#include "atlas/patch/laplacian.h"
-#include "atlas/patch/rectangle_map.h"
+#include "atlas/chart/laplacian.h"
+#include "atlas/chart/rectangle_map.h"
 #include "tests/atlas/support/made_patches.h"
 
 namespace burl {

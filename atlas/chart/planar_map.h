@@ -5,8 +5,8 @@
 // no gutter can be wrong.
 #include <optional>
 
-#include "atlas/patch/patch.h"
-#include "atlas/patch/stretch.h"
+#include "atlas/chart/patch.h"
+#include "atlas/chart/stretch.h"
 
 namespace burl {
 

@@ -9,10 +9,10 @@
 #include <optional>
 #include <vector>
 
-#include "atlas/patch/chord_split.h"
-#include "atlas/patch/corner_search.h"
-#include "atlas/patch/laplacian.h"
-#include "atlas/patch/stretch.h"
+#include "atlas/chart/chord_split.h"
+#include "atlas/chart/corner_search.h"
+#include "atlas/chart/laplacian.h"
+#include "atlas/chart/stretch.h"
 
 namespace burl {
 

@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-#include "atlas/patch/patch.h"
+#include "atlas/chart/patch.h"
 
 namespace burl {
 

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "atlas/patch/patch.h"
+#include "atlas/chart/patch.h"
 
 namespace burl {
 

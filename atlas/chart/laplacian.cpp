@@ -1,6 +1,6 @@
 // The only source that includes Eigen, which compiles slowly. Elimination order and factor depend
 // on the numbering alone, so the same patch gives the same bits.
-#include "atlas/patch/laplacian.h"
+#include "atlas/chart/laplacian.h"
 
 #include <algorithm>
 #include <numeric>

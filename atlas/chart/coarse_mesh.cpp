@@ -1,14 +1,14 @@
 // The relation of fine to coarse triangles: a fine triangle starts at the heir of its own number
 // and walks over neighbours to the coarse triangle nearest to its centroid, so that it never jumps
 // to another sheet.
-#include "atlas/patch/coarse_mesh.h"
+#include "atlas/chart/coarse_mesh.h"
 
 #include <algorithm>
 #include <numeric>
 #include <tuple>
 
-#include "atlas/patch/edge_collapse.h"
-#include "atlas/patch/patch.h"
+#include "atlas/chart/edge_collapse.h"
+#include "atlas/chart/patch.h"
 
 namespace burl {
 namespace {

@@ -1,7 +1,7 @@
 // Vertices are the classes of corners that meet across common edges (union-find), numbered by their
 // first corner. Each class is a fan or an umbrella round one point, so at most one border half-edge
 // leaves a vertex, and loops can be followed without choices.
-#include "atlas/patch/patch.h"
+#include "atlas/chart/patch.h"
 
 #include <algorithm>
 #include <numeric>

@@ -1,15 +1,15 @@
 // Candidates are solved for in batches: first some of equal and unequal proportions all round the
 // outline, then the best with each corner moved by 5 % and 2 % of the outline.
-#include "atlas/patch/corner_search.h"
+#include "atlas/chart/corner_search.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <numeric>
 
-#include "atlas/patch/chord_split.h"
-#include "atlas/patch/laplacian.h"
-#include "atlas/patch/stretch.h"
+#include "atlas/chart/chord_split.h"
+#include "atlas/chart/laplacian.h"
+#include "atlas/chart/stretch.h"
 
 namespace burl {
 namespace {

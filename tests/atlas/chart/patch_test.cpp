@@ -1,5 +1,5 @@
 // Patches of shapes whose topology is known, and what cutting must and must not change.
-#include "atlas/patch/patch.h"
+#include "atlas/chart/patch.h"
 
 #include <gtest/gtest.h>
 

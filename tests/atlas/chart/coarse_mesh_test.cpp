@@ -1,10 +1,10 @@
 // Coarse meshes lie on the fine ones, keep their topology, and every fine triangle finds one near
 // it.
-#include "atlas/patch/coarse_mesh.h"
+#include "atlas/chart/coarse_mesh.h"
 
 #include <gtest/gtest.h>
 
-#include "atlas/patch/edge_collapse.h"
+#include "atlas/chart/edge_collapse.h"
 #include "atlas/patch/partition.h"
 #include "tests/atlas/support/made_patches.h"
 

@@ -2,13 +2,13 @@
 // the place of the neighbour into which its vertex was collapsed and sees it, so close enough to
 // that place there is always a point that the whole ring sees, too; the mean value coordinates of
 // the surface (Floater, "Mean value coordinates", 2003) are taken where the ring sees their point.
-#include "atlas/patch/coarse_map.h"
+#include "atlas/chart/coarse_map.h"
 
 #include <algorithm>
 #include <limits>
 
-#include "atlas/patch/coarse_mesh.h"
-#include "atlas/patch/stretch_sweeps.h"
+#include "atlas/chart/coarse_mesh.h"
+#include "atlas/chart/stretch_sweeps.h"
 
 namespace burl {
 namespace {

@@ -1,7 +1,7 @@
 // Derivatives of a triangle's map: with (u,v) of the corners q0, q1, q2 and det = twice the
 // triangle's area in the unit square, ds/du = (p1 (v2-v0) + p2 (v0-v1)) / det, ds/dv = (p1 (u0-u2)
 // + p2 (u1-u0)) / det.
-#include "atlas/patch/stretch.h"
+#include "atlas/chart/stretch.h"
 
 #include <algorithm>
 #include <cmath>

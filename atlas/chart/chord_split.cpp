@@ -1,7 +1,7 @@
 // Splitting by cases: a triangle with one, two or three chords becomes two, three or four. Pieces
 // are joined through a table of the halves of each original edge, so no search for neighbours is
 // needed.
-#include "atlas/patch/chord_split.h"
+#include "atlas/chart/chord_split.h"
 
 #include <array>
 

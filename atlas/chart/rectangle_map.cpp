@@ -1,11 +1,11 @@
 // Mapping with chosen corners: the corner search has already solved for nearly the same patch, so
 // the descent starts from its harmonic map.
-#include "atlas/patch/rectangle_map.h"
+#include "atlas/chart/rectangle_map.h"
 
 #include <cmath>
 #include <numeric>
 
-#include "atlas/patch/laplacian.h"
+#include "atlas/chart/laplacian.h"
 
 namespace burl {
 namespace {

@@ -6,8 +6,8 @@
 // vertices, so both maps have the same outline.
 #include <optional>
 
-#include "atlas/patch/edge_collapse.h"
-#include "atlas/patch/rectangle_map.h"
+#include "atlas/chart/edge_collapse.h"
+#include "atlas/chart/rectangle_map.h"
 
 namespace burl {
 

@@ -5,7 +5,7 @@
 // good on the whole and rough in detail only, as one carried over from a coarser patch.
 #include <span>
 
-#include "atlas/patch/patch.h"
+#include "atlas/chart/patch.h"
 
 namespace burl {
 

@@ -2,13 +2,13 @@
 // corners and G the Gram matrix of the surface's edges from q, it is f / d^2, where f = |G1 (b-q).y
 // - G2 (a-q).y|^2 / aspect + |G1 (b-q).x - G2 (a-q).x|^2 aspect, a quadratic in q, and d = (a-q) x
 // (b-q), which is linear in q.
-#include "atlas/patch/stretch_sweeps.h"
+#include "atlas/chart/stretch_sweeps.h"
 
 #include <cmath>
 #include <limits>
 
-#include "atlas/patch/corner_search.h"
-#include "atlas/patch/stretch.h"
+#include "atlas/chart/corner_search.h"
+#include "atlas/chart/stretch.h"
 
 namespace burl {
 namespace {

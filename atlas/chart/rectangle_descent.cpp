@@ -6,8 +6,8 @@
 #include <cmath>
 #include <deque>
 
-#include "atlas/patch/laplacian.h"
-#include "atlas/patch/rectangle_map.h"
+#include "atlas/chart/laplacian.h"
+#include "atlas/chart/rectangle_map.h"
 
 namespace burl {
 namespace {

@@ -1,6 +1,6 @@
 // The stretch against its closed form on affine maps, its gradient against differences, and the
 // step to a collapse against a search.
-#include "atlas/patch/stretch.h"
+#include "atlas/chart/stretch.h"
 
 #include <gtest/gtest.h>
 

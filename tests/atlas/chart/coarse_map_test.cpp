@@ -1,10 +1,10 @@
 // Maps carried over from coarser patches: one to one, with the same border, nearly as good as the
 // map of the fine patch, and smoothing never makes one worse.
-#include "atlas/patch/coarse_map.h"
+#include "atlas/chart/coarse_map.h"
 
 #include <gtest/gtest.h>
 
-#include "atlas/patch/stretch_sweeps.h"
+#include "atlas/chart/stretch_sweeps.h"
 #include "tests/atlas/support/made_patches.h"
 
 namespace burl {
