@@ -1,5 +1,5 @@
 # No link of a page is dead: what `](path)`, `](path#heading)` and `src="path"` of a .md file name is there, and so is every page that
-# any file names as docs/NAME.md. Links to other hosts are not looked at. Usage: cmake -DROOT=folder -P links.cmake
+# any file names as docs/NAME.md, and every source that a page names. Links to other hosts are not looked at. Usage: cmake -DROOT=folder -P links.cmake
 cmake_minimum_required(VERSION 3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/files.cmake)
 string(ASCII 1 close)  # stands for ] and keeps CMake's lists whole, in which brackets have a meaning
@@ -98,6 +98,22 @@ foreach(file ${sources} ${pages})
     foreach(name ${names})
         if(NOT EXISTS ${ROOT}/${name})
             list(APPEND complaints "${file}: there is no ${name}")
+        endif()
+    endforeach()
+endforeach()
+
+# Sources that a page names in backquotes are there, but for examples: NAME, ROOM, and what CONTRIBUTING.md says is new.
+foreach(page ${pages})
+    file(READ ${ROOT}/${page} content)
+    string(REGEX MATCHALL "`(atlas|procedural|app|shaders|tests)/[a-z0-9_/-]+\\.(h|cpp|glsl|frag|vert)`( and `[._a-z]+`)?(, new)?" names "${content}")
+    list(REMOVE_DUPLICATES names)
+    foreach(name ${names})
+        if(name MATCHES ", new$" OR NOT name MATCHES "^`([^`]+)`")
+            continue()
+        endif()
+        set(name ${CMAKE_MATCH_1})
+        if(NOT EXISTS ${ROOT}/${name})
+            list(APPEND complaints "${page}: there is no ${name}")
         endif()
     endforeach()
 endforeach()

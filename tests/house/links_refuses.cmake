@@ -12,7 +12,8 @@ set(expected
     "docs/dead.md:5: dead.md#gone leads nowhere: docs/dead.md has no heading gone"
     "docs/dead.md:5: #gone leads nowhere: docs/dead.md has no heading gone"
     "docs/dead.md:6: gone.png leads nowhere: there is no docs/gone.png"
-    "docs/dead.md: there is no docs/gone.md")
+    "docs/dead.md: there is no docs/gone.md"
+    "docs/dead.md: there is no atlas/base/gone.cpp")
 foreach(line ${expected})
     string(FIND "\n${output}" "\n${line}" place)
     if(place EQUAL -1)
