@@ -64,7 +64,7 @@ struct KeptSynthesis::Evaluation {
     const PointColors<Pixel>& colors;
     Pixel background;
     KeptBatch kept;  ///< caches of the whole picture
-    double* field;   ///< where f is cached; null: it is not
+    double* field;   ///< cache of f; null: f is not cached
     /// Whether the quadric and all octaves are in the cache.
     bool all_known;
 };
