@@ -100,8 +100,8 @@ class Pipeline {
     template <class Pixel>
     Image<Pixel> normal_map(double crease_degrees, bool tangent_space);
 
-    /// Frees the solid points, some 170 bytes per triangle, which textures alone need; they are
-    /// computed again when they are needed.
+    /// Frees the solid points, some 170 bytes per triangle, and the cached textures and normal
+    /// maps; they are computed again when they are needed.
     void release_texels() { forget_solid(); }
     /// Frees the triangles' neighbours, 12 bytes per triangle, which layouts alone need;
     /// connectivity() has only its counts until another layout is made.

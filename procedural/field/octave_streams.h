@@ -35,7 +35,7 @@ struct StreamBuffers {
     CellRuns runs;
     OctaveSums sums;
     OctaveSums part;  ///< one octave's sums, before they are weighted or cached
-    /// Per piece the squared length of the texel's longer side in the lattice.
+    /// Squared length of the texel's longer side in the lattice, one per piece.
     std::vector<double> squares;
     std::vector<ScanLine> lines;
     ScanSegments segments;
@@ -46,8 +46,8 @@ struct StreamBuffers {
 /// may use one object, each with its own buffers.
 class OctaveStreams {
   public:
-    /// With `band_limit` every octave is weighted by band_weight of the texel's longer side;
-    /// octaves of weight 0 are not evaluated where `skips` allows that.
+    /// Sums `octaves` by `kernel`; with `band_limit` every octave is weighted by band_weight of the
+    /// texel's longer side; octaves of weight 0 are not evaluated where `skips` allows that.
     explicit OctaveStreams(std::span<const Octave> octaves, Kernel kernel = Kernel::automatic,
                            bool band_limit = false, const Skips& skips = {});
 

@@ -16,8 +16,8 @@ namespace burl {
 /// construction: several threads may use one object, each with its own batch.
 class FieldSampler {
   public:
-    /// With `band_limit` octaves are faded to their mean where a texel cannot show them
-    /// (procedural/model/band_limit.h).
+    /// Samples the field of `texture`; with `band_limit` octaves are faded to their mean where a
+    /// texel cannot show them (procedural/model/band_limit.h).
     FieldSampler(const Texture& texture, bool band_limit, Kernel kernel = Kernel::automatic,
                  const Skips& skips = {});
 

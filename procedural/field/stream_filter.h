@@ -18,7 +18,7 @@ struct FilterBuffers {
     alignas(64) std::int32_t entries[batch_capacity + batch_padding];
     /// Indices of the texels that find_bent selected.
     std::uint32_t bent[batch_capacity + 2 * batch_padding];
-    std::vector<std::uint16_t> texels[4];  ///< per kernel the indices of its texels in the batch
+    std::vector<std::uint16_t> texels[4];  ///< indices of the batch's texels, sorted by kernel
     FootprintStream stream;
 };
 

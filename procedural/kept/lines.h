@@ -65,7 +65,7 @@ class KeptLines {
     KeptArray<double> start_[3], step_[3];
     KeptArray<std::uint32_t> counts_;
     std::vector<std::uint32_t> longest_;  ///< texels of every row's longest span
-    std::vector<std::uint8_t> known_;     ///< per row whether its lines are valid
+    std::vector<std::uint8_t> known_;     ///< flag of each row: whether its lines are valid
 };
 
 }  // namespace burl

@@ -20,7 +20,7 @@ inline constexpr double longest_scan_line = 0x1p22;
 /// so that the bits do not depend on where pieces begin and end.
 struct ScanLine {
     LatticeLine line;
-    /// Texels of the whole span.
+    /// Length of the whole span in texels.
     double length = 0.0;
     Vec3d texels_per_cell{0.0};  ///< texels per cell on each axis; infinite if the step is 0
 };
@@ -37,7 +37,7 @@ struct ScanSegments {
     /// The largest number of coefficients per segment, those of Perlin's noise.
     static constexpr std::size_t most_numbers = 22;
     std::size_t count = 0;
-    /// 64-bit words of `borders`.
+    /// The number of 64-bit words in `borders`.
     static constexpr std::size_t words = batch_capacity / 64 + 1;
     /// Bit set with one bit per texel, set for the first texel of every segment.
     std::uint64_t borders[words];
