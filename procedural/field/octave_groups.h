@@ -19,7 +19,7 @@ struct OctaveGroup {
     /// Squared radius of simplex noise's kernel.
     double radius2 = 0.0;
     Affine3 lattice_from_solid;  ///< map of the first octave
-    double scale = 0.0;  ///< scale of the first octave, to which all weights are relative
+    double scale = 0.0;          ///< scale of the first octave, to which all weights are relative
     std::vector<StreamOctave> octaves;
 
     /// The number of doublings of the finest octave.

@@ -27,8 +27,8 @@ constexpr double most_crossings(bool slopes, bool wide_vectors) {
 /// kernels`.
 struct ScanRange {
     NoiseKind kind;
-    bool linear;              ///< linear fade, of value noise
-    std::size_t octaves = 0;  ///< largest number of octaves
+    bool linear;                ///< value noise with the linear fade
+    std::size_t octaves = 0;    ///< largest number of octaves in a group
     double shortest = 0.0;      ///< length of the shortest span in texels
     double most_crossings = 0;  ///< lattice planes per texel that the finest octave may cross
 };
