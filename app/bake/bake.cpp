@@ -34,8 +34,9 @@ void tell_fallback(const Pipeline& pipeline, const Atlas& atlas) {
     if (!why.empty()) warn(fmt::format("{}: {}", pipeline.mesh().name, why));
 }
 
-/// The recipe's atlas. Triangles that get too few texels are told before the work (DESIGN section
-/// 6), but for strips, which may not hold the mesh at all: their error is the one thing to say.
+/// The recipe's atlas. A warning about triangles that get too few texels is printed before the
+/// layout, but for strips after it: they may not hold the mesh at all, and then the error alone is
+/// printed.
 const MeshAtlas& lay_out(Pipeline& pipeline) {
     const AtlasKind kind = pipeline.recipe().atlas.kind;
     const bool strips = kind != AtlasKind::patch && kind != AtlasKind::quad;
@@ -62,7 +63,7 @@ ExportOptions export_options(Pipeline& pipeline, const BakePlan& plan, const Mes
     return options;
 }
 
-/// The files of an .exr whose texture is never in memory as a whole.
+/// Writes the files of an .exr band by band; the whole texture is never in memory.
 std::vector<AtomicFile> files_in_bands(Pipeline& pipeline, const BakePlan& plan,
                                        const std::string& path, BakeResult& result) {
     result.normals = bake_normals(pipeline, plan.normals, plan.depth, plan.crease_degrees);
@@ -73,8 +74,8 @@ std::vector<AtomicFile> files_in_bands(Pipeline& pipeline, const BakePlan& plan,
     return std::move(bands.files);
 }
 
-/// The files of a frame. Where it `releases`, the texels' points are given back before the files
-/// are made, whose buffers are as large.
+/// Writes the files of a frame, which are still to be committed. If `releases`, the solid points
+/// are freed before the files are written, whose buffers are as large.
 std::vector<AtomicFile> files_of_frame(Pipeline& pipeline, const BakePlan& plan,
                                        const std::string& path, const MeshPose* pose, bool releases,
                                        BakeResult& result) {
@@ -137,7 +138,7 @@ BakeResult bake(Pipeline& pipeline, const BakePlan& plan, const MeshPose* pose, 
     for (std::size_t i = 0; i < plan.paths.size(); ++i) {
         const bool last = i + 1 == plan.paths.size();
         if (i > 0) pipeline.set_recipe(plan.recipes[i]);
-        result.texture = {};  // two frames' textures need not be held at a time
+        result.texture = {};  // frees the last frame's texture before the next is made
         result.normals.reset();
         std::vector<AtomicFile> files =
             files_of_frame(pipeline, plan, plan.paths[i], pose, last && !needed_later, result);

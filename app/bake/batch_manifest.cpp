@@ -23,7 +23,8 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view entries_key = "bakes", defaults_key = "defaults";
 
-/// The line of every object in the root's array `entries_key`, of JSON that is known to be right.
+/// The lines, counted from 1, of all objects and arrays in the root's array `entries_key`, in JSON
+/// text that has been parsed before.
 class EntryLines {
   public:
     explicit EntryLines(std::string_view text) {
@@ -38,7 +39,7 @@ class EntryLines {
     const std::vector<std::size_t>& lines() const { return lines_; }
 
   private:
-    /// To the quote that ends it.
+    /// The index of the quote that ends the string which begins at index `begin`.
     std::size_t skip_string(std::string_view text, std::size_t begin) {
         std::size_t end = begin + 1;
         while (text[end] != '"') end += text[end] == '\\' ? 2 : 1;
@@ -46,7 +47,7 @@ class EntryLines {
         return end;
     }
     void step(char c) {
-        // Parsed, since a key may be written with escapes.
+        // Keys are parsed, since they may be written with escapes.
         if (c == '[' && depth_ == 1)
             inside_ = Json::parse(last_string_).get<std::string>() == entries_key;
         if ((c == '{' || c == '[') && ++depth_ == 3 && inside_) lines_.push_back(line_);
@@ -57,14 +58,15 @@ class EntryLines {
     std::size_t line_ = 1;
     int depth_ = 0;
     bool inside_ = false;
-    std::string_view last_string_;  // with its quotes
+    std::string_view last_string_;  // the last string at depth 1, with its quotes
     std::vector<std::size_t> lines_;
 };
 
-/// Options of the command line that name files.
+/// Keys whose values are paths; `pose` may be one.
 constexpr std::array<std::string_view, 5> file_keys = {"mesh", "output", "recipe", "solid-map",
                                                        "emit-glsl"};
 
+/// Whether the value of `key` is a path, not a preset or a sample mesh.
 bool names_file(const std::string& key, const std::string& value) {
     if (key == "mesh") return !is_sample_mesh(value);
     if (key == "pose") return is_pose_file(value) && !is_sample_mesh(value);
@@ -77,7 +79,8 @@ Error wrong_value(const std::string& key) {
                  fmt::format("'{}' must be a text, a number, true, false or a list of these", key));
 }
 
-/// As the command line has it.
+/// The value as text of the command line; a relative path starts at `folder`. Throws
+/// Error(invalid_file) if the value is no text or number.
 std::string text_of(const std::string& key, const Json& value, const fs::path& folder) {
     if (value.is_number()) return value.dump();
     if (!value.is_string()) throw wrong_value(key);
@@ -85,6 +88,7 @@ std::string text_of(const std::string& key, const Json& value, const fs::path& f
     return names_file(key, text) ? (folder / text).string() : text;
 }
 
+/// Throws Error(invalid_file) if `burl bake` has no option `key`.
 void check_key(const CLI::App& options, const std::string& key) {
     if (key == "mesh" || options.get_option_no_throw("--" + key)) return;
     std::vector<std::string> names;
@@ -97,6 +101,7 @@ void check_key(const CLI::App& options, const std::string& key) {
                             near.empty() ? "" : fmt::format("; did you mean '{}'?", near)));
 }
 
+/// Adds the option `key` with its value, or one option for each element of a list.
 void add_argument(const std::string& key, const Json& value, const fs::path& folder,
                   std::vector<std::string>& arguments) {
     if (value.is_array()) {
@@ -113,7 +118,7 @@ void add_argument(const std::string& key, const Json& value, const fs::path& fol
     }
 }
 
-/// Reads the entry as arguments of `burl bake`.
+/// Parses the entry as arguments of `burl bake`. Throws Error(invalid_file) or CLI::ParseError.
 void parse_entry(const Json& entry, const fs::path& folder, BatchEntry& result) {
     CLI::App options;
     options.set_help_flag();
@@ -123,12 +128,13 @@ void parse_entry(const Json& entry, const fs::path& folder, BatchEntry& result) 
         check_key(options, item.key());
         add_argument(item.key(), item.value(), folder, arguments);
     }
-    std::ranges::reverse(arguments);  // as CLI11 takes them
+    std::ranges::reverse(arguments);  // CLI11 takes arguments in reverse order
     options.parse(std::move(arguments));
     result.settings = bake_settings(options);
 }
 
-/// The edits of the defaults that the entry does not make otherwise, and then the entry's.
+/// The edits of the recipe (`set`): those of the defaults whose path the entry does not set, then
+/// the entry's.
 Json joined_edits(const Json& defaults, const Json& entry) {
     const auto list = [](const Json& value) { return value.is_array() ? value : Json{value}; };
     const Json own = list(entry);
@@ -143,8 +149,8 @@ Json joined_edits(const Json& defaults, const Json& entry) {
     return edits;
 }
 
-/// The defaults with the entry's own values; edits of the recipe (`set`) follow those of the
-/// defaults, and null takes a default away.
+/// The defaults, overridden by the entry's values; edits of the recipe (`set`) are joined, and the
+/// value null removes a default.
 Json with_defaults(const Json& defaults, const Json& entry) {
     Json merged = defaults;
     for (const auto& item : entry.items()) {
@@ -158,6 +164,7 @@ Json with_defaults(const Json& defaults, const Json& entry) {
     return merged;
 }
 
+/// The entry as a bake with its place in the manifest; errors are stored in it.
 BatchEntry read_entry(const Json& entry, const Json& defaults, const fs::path& folder,
                       const std::string& place) {
     BatchEntry result;
@@ -178,6 +185,7 @@ BatchEntry read_entry(const Json& entry, const Json& defaults, const fs::path& f
     return result;
 }
 
+/// Throws Error(invalid_file) if the manifest is not an object with a list of bakes.
 void check_manifest(const Json& manifest, const std::string& path) {
     const auto fail = [&](const std::string& message) { throw invalid_file(path, 1, message); };
     if (!manifest.is_object() || !manifest.contains(entries_key))
@@ -202,7 +210,7 @@ std::vector<BatchEntry> read_manifest(const std::string& path) {
     const EntryLines entries(text);
     const fs::path folder = fs::path(path).parent_path();
     std::vector<BatchEntry> result;
-    // Entries that are no object have no line of their own.
+    // An entry that is neither object nor array has the line of the last one that is.
     std::size_t objects = 0, line = 1;
     for (const Json& entry : manifest[std::string(entries_key)]) {
         if (entry.is_structured()) line = entries.lines()[objects++];

@@ -1,9 +1,9 @@
 #pragma once
-// The list of bakes that `burl batch` is given. Every entry is one `burl bake`, with the options'
-// long names as keys, so that there is one set of options with one set of checks:
+// The manifest of `burl batch`, a list of bakes in JSON. An entry is one `burl bake`, with the
+// options' long names as keys, so that both verbs share the options and their checks:
 //   {"defaults": {"size": 1024},
 //    "bakes": [{"mesh": "a.obj", "recipe": "marble", "output": "a.png"}, ...]}
-// Files are looked for from the manifest's folder on.
+// Relative paths start at the manifest's folder.
 #include <string>
 #include <vector>
 
@@ -13,16 +13,17 @@
 
 namespace burl {
 
+/// One bake of a manifest.
 struct BatchEntry {
-    std::string where;  ///< "batch.json:7: bake 2 (a.png)", for messages
+    std::string where;  ///< prefix of messages: "batch.json:7: bake 2 (a.png)"
     BakeCommand command{};
-    Json settings{};    ///< bake_settings of the command
-    std::string wrong;  ///< what is wrong with the entry, one sentence; empty: nothing
+    Json settings{};    ///< settings of the command (bake_settings)
+    std::string wrong;  ///< error of the entry, one sentence; empty: none
 };
 
-/// The entries in the manifest's order, each parsed as `burl bake` would parse it: what is wrong
-/// with one is in it. Throws Error: io, or invalid_file ("file:line: ...") for a manifest that is
-/// no list of entries.
+/// The entries of the manifest `path`, in its order, each parsed as `burl bake` parses its options;
+/// an entry's error is stored in it (BatchEntry::wrong). Throws Error(io), or Error(invalid_file)
+/// with "file:line: ..." for a manifest that is not an object with a list of entries.
 std::vector<BatchEntry> read_manifest(const std::string& path);
 
 }  // namespace burl

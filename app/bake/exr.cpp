@@ -13,6 +13,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+/// Seconds that the stages of synthesis, paint and levels have taken so far.
 double stage_seconds(const Pipeline& pipeline) {
     double sum = 0.0;
     for (const Stage stage : {Stage::synthesis, Stage::paint, Stage::levels})

@@ -34,6 +34,7 @@ bool is_forward(const BakeCommand& command) {
     return command.kernel == forward_kernel;
 }
 
+/// The recipes of all frames, for the reference kernel if the command asks for it.
 std::vector<Recipe> recipes_of(const BakeCommand& command) {
     std::vector<Recipe> recipes = frame_recipes(command.recipe, command.animation);
     if (command.kernel == reference_kernel)
@@ -41,6 +42,7 @@ std::vector<Recipe> recipes_of(const BakeCommand& command) {
     return recipes;
 }
 
+/// The files of the mesh, the pose and the recipe.
 std::vector<std::string> files_read(const BakeCommand& command, const Recipe& recipe) {
     std::vector<std::string> files = files_of_mesh(command.mesh);
     if (is_pose_file(command.pose))
@@ -49,7 +51,7 @@ std::vector<std::string> files_read(const BakeCommand& command, const Recipe& re
     return files;
 }
 
-/// The command as a plan. Throws Error where an option is wrong or the recipe cannot be read.
+/// The plan of the command. Throws Error if an option is wrong or the recipe cannot be read.
 BakePlan plan_of(const BakeCommand& command) {
     BakePlan plan;
     plan.kind = wanted_kind(command.out, command.bits());
@@ -91,7 +93,7 @@ std::vector<std::string> BakeJob::outputs(std::uint32_t levels) const {
     return outputs;
 }
 
-/// Refuses outputs that would replace a file that is read or another output.
+/// Throws Error if an output would replace a file that is read or another output.
 void BakeJob::check_files() const {
     CommandFiles files;
     files.read(inputs_);
@@ -102,7 +104,7 @@ void BakeJob::check_files() const {
     files.write(record_path(command_.out));
 }
 
-/// Everything that the command can be wrong about, before any work starts.
+/// Checks the command before any work starts. Throws Error.
 void BakeJob::check() const {
     if (command_.animation.asked() && holds_mesh(command_.out))
         throw Error(ExitCode::usage,
@@ -118,7 +120,7 @@ void BakeJob::check() const {
     check_idle();
 }
 
-/// Refuses what would change nothing.
+/// Throws Error(usage) if an option would have no effect.
 void BakeJob::check_idle() const {
     const auto refuse = [&](std::string_view option, std::string_view why) {
         throw Error(ExitCode::usage, fmt::format("{}: {} does nothing: {}; leave it out",
@@ -141,7 +143,7 @@ void BakeJob::check_idle() const {
     check_edits(command_.recipe, recipe(), command_.animation.keys);
 }
 
-// OpenGL has the bits of the kernels that share theirs.
+// OpenGL gives the bits of the kernels `direct` and `share`, so it takes no other kernel.
 std::shared_ptr<TextureSynthesizer> BakeJob::synthesizer() const {
     const std::string &kernel = command_.kernel, &synth = command_.synth;
     const bool any = kernel == "auto" || kernel == "direct" || kernel == "share";
@@ -208,7 +210,7 @@ Json BakeJob::run(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthe
     return report;
 }
 
-/// What the bake made, and how, as `burl bake --report` writes it.
+/// The report of a bake, as `burl bake --report` writes it.
 Json BakeJob::report_of(Pipeline& pipeline, const BakeResult& result,
                         const TextureSynthesizer* synthesizer, Json seconds) const {
     Json report = bake_json(command_.mesh, outputs(result.levels.count), recipe(), pipeline,
@@ -227,15 +229,15 @@ std::optional<Json> BakeJob::known_report() const {
     if (command_.force || !command_.economy.skips().allows(Skip::up_to_date)) return std::nullopt;
     std::optional<Json> report = report_if_up_to_date(command_.out, made_from_);
     if (!report) return report;
-    // The folder may have been moved, or it is named from elsewhere.
+    // The folder may have been moved, or may be named from another working directory.
     (*report)["input"] = command_.mesh;
     (*report)["outputs"] = outputs(report->at("mip_levels").get<std::uint32_t>());
-    // Normals are measured for reports only.
+    // Normals are measured only if a report is wanted, so the record may lack them.
     const bool lacks = has_normals() && !report->contains("normals");
     return lacks && wants_report() ? std::nullopt : report;
 }
 
-/// Whether that leaves a line for people to be said.
+/// Writes the report to where the command wants it; returns whether a summary is to be printed.
 bool BakeJob::write_reports(const Json& report) const {
     if (!command_.report.empty()) write_json(command_.report, report);
     if (command_.json) write_json("-", report);

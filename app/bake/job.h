@@ -1,7 +1,6 @@
 #pragma once
-// One command of `burl bake`: everything it can be wrong about, its plan (app/bake/bake.h), its
-// report and its record. The mesh comes in a pipeline, which the bakes of a batch share one after
-// the other.
+// One command of `burl bake`: its checks, its plan (app/bake/bake.h), its report and its record.
+// The mesh is in a pipeline, which the bakes of a batch use one after the other.
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -16,39 +15,45 @@
 
 namespace burl {
 
+/// One bake, checked when it is constructed.
 class BakeJob {
   public:
-    /// Loads the recipe of every frame and checks all that can be known before the mesh is read.
+    /// Loads the recipe of every frame and checks all that can be checked before the mesh is read.
     /// `settings` are the command's (bake_settings). Throws Error.
     BakeJob(const BakeCommand& command, const Json& settings);
 
     const BakeCommand& command() const { return command_; }
     /// The recipe of the first frame.
     const Recipe& recipe() const { return plan_.recipes[0]; }
-    /// Every file that is read, or that the mesh's file names.
+    /// All files that are read, or that the mesh's file names.
     const std::vector<std::string>& inputs() const { return inputs_; }
-    /// Every file that will be written, but for reports (strip atlases may have fewer levels).
+    /// All files that will be written, except reports and the record. (Strip atlases may have fewer
+    /// levels than asked for.)
     std::vector<std::string> outputs() const { return outputs(plan_.levels.count); }
 
-    /// All that decides what the outputs will be (app/bake/up_to_date.h), files as they were when
-    /// the job was made: what a batch reads once for many bakes may have changed since.
+    /// All that the outputs depend on (app/bake/up_to_date.h), with the content of files when the
+    /// job was constructed: files that a batch reads once for many bakes may change later.
     const Json& made_from() const { return made_from_; }
 
-    /// Who makes the textures; null: the host. Throws Error.
+    /// The synthesizer of the textures; null: the host. Throws Error if the options contradict each
+    /// other or OpenGL cannot make the recipe.
     std::shared_ptr<TextureSynthesizer> synthesizer() const;
 
-    /// Writes the outputs, the report where one is asked for, and the record of made_from. The
-    /// pipeline has the command's mesh; what a `later` bake does not want is given back early.
-    /// `reading`: seconds that the mesh took. Gives the report. Throws Error.
+    /// Bakes: writes the outputs and the record of made_from, and returns the report. The pipeline
+    /// must hold the command's mesh; memory that a `later` bake does not reuse is freed early.
+    /// `reading` is the time in seconds that reading the mesh took. Throws Error.
     Json run(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthesizer, double reading,
              LaterBake later) const;
 
-    /// The report of an earlier bake whose outputs are up to date and may stay as they are.
+    /// The report of an earlier bake whose outputs are up to date; none if the command has to be
+    /// baked.
     std::optional<Json> known_report() const;
 
-    /// What `burl bake` says about it, and where.
+    /// Writes the report of a bake to where the command asks for it, and prints its summary unless
+    /// --json, --report - or --quiet is given.
     void print(const Json& report) const;
-    /// The same of a report of earlier.
+    /// Writes the report of an earlier bake, marked as up to date, to where the command asks for
+    /// it, and prints a line unless --json, --report - or --quiet is given.
     void print_up_to_date(Json report) const;
 
   private:

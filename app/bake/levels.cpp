@@ -13,7 +13,7 @@ namespace burl {
 
 namespace {
 
-/// A number, or "all".
+/// Parses a number or "all" (`all` levels). Throws Error(usage).
 std::uint32_t count_asked(const std::string& text, std::uint32_t all, ImageKind kind) {
     std::uint32_t count = all;
     if (text != "all") {

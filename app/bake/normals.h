@@ -1,6 +1,5 @@
 #pragma once
-// `burl bake --normals`: the recipe's bumps as a normal map, which space it is in and where it
-// goes.
+// `burl bake --normals`: the recipe's bumps as a normal map, and the space of its normals.
 #include <optional>
 #include <string>
 
@@ -9,14 +8,17 @@
 
 namespace burl {
 
+/// Space of a normal map's normals; none: no normal map.
 enum class NormalSpace { none, tangent, object };
 
-/// `text` is none, tangent or object; empty: tangent if the recipe has bumps. Throws Error(usage)
-/// for normals of a recipe without bumps, and for those of the object in a glTF.
+/// Parses --normals: none, tangent or object; empty means tangent if the recipe has bumps, else
+/// none. Throws Error(usage) if normals are asked for and the recipe has no bumps, and for object
+/// space in a glTF.
 NormalSpace normals_asked(const std::string& text, const Recipe& recipe,
                           const std::string& out_path);
 
-/// 16 bits where `depth` is 16, else 8; nothing for NormalSpace::none.
+/// The normal map of the pipeline's recipe, of 16 bits per channel if `depth` is 16, else 8; none
+/// for NormalSpace::none.
 std::optional<NormalMap> bake_normals(Pipeline& pipeline, NormalSpace space, int depth,
                                       double crease_degrees);
 

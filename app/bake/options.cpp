@@ -97,7 +97,8 @@ void check_report_options(bool json, const std::string& report, bool quiet) {
 
 namespace {
 
-/// Whether an option says nothing of an output's content, or is part of the recipe.
+/// Whether no output depends on the option, or it is part of the recipe, or names the mesh or the
+/// output.
 bool counts_elsewhere(const std::string& name) {
     static constexpr std::array<std::string_view, 15> names = {
         "help",    "mesh",    "output", "recipe", "set",  "filter", "precision", "time",

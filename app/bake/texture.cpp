@@ -23,7 +23,7 @@ Image<Rgb16> converted(const Image<RgbF>& rows, Rgb16) {
     return to_rgb16(rows);
 }
 
-/// The texture and its levels; in floats the texture is never there as a whole.
+/// The texture and its levels, made in bands: the whole float texture is never in memory.
 template <class Pixel>
 BakedTexture bake_in_bands(Pipeline& pipeline, ImageKind kind, const LevelsAsked& levels) {
     const std::size_t size = pipeline.recipe().atlas.size;

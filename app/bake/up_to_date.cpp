@@ -18,7 +18,7 @@ fs::path plain_path(const std::string& file) {
     return fs::absolute(file).lexically_normal();
 }
 
-/// Where a file lies, from the folder of the output on, so that a folder may be moved as a whole.
+/// The path of a file relative to the output's folder, so that a folder may be moved as a whole.
 std::string place_of(const std::string& file, const std::string& out_path) {
     return plain_path(file).lexically_proximate(plain_path(out_path).parent_path()).string();
 }
@@ -29,19 +29,20 @@ Json state_json(const CommittedFile& file) {
             {"inode", file.inode}};
 }
 
+/// Whether a file of the record still has the size, modification time and inode of its record.
 bool as_it_was(const Json& output, const std::string& out_path) {
     const fs::path folder = plain_path(out_path).parent_path();
     const auto now = file_there(folder / output.at("file").get<std::string>());
     return now && output.at("state") == state_json(*now);
 }
 
-/// Names that are not UTF-8 are other ones in print.
+/// The JSON after printing and parsing, which change strings that are not UTF-8.
 Json as_printed(const Json& json) {
     return Json::parse(print_json_value(json));
 }
 
-/// The record ends with the digest of all before it, so that one that is damaged is known before it
-/// is looked at.
+/// Text around the digest at the end of a record: the SHA-256 of all text before it, by which a
+/// damaged record is noticed before it is parsed.
 constexpr std::string_view digest_begin = ",\n  \"sha256\": \"", digest_end = "\"\n}\n";
 
 std::string with_digest(const Json& record) {

@@ -1,9 +1,10 @@
 #pragma once
-// Outputs that need not be made again. Beside its output OUT a bake leaves OUT.burl.json: what it
-// was made from (the inputs' content, the whole recipe, the options, the program's version), the
-// files it wrote and its report. Why a file of its own, and nothing in the outputs: a .bin or .mtl
-// has no place for it, one record covers all files of a bake, an output that was edited, replaced
-// or deleted since shows, and the outputs' own bytes go on depending on nothing but the picture.
+// Records of bakes, by which outputs that are up to date are not baked again. A bake of OUT writes
+// the record OUT.burl.json: all that the outputs depend on (the inputs' content, the whole recipe,
+// the options, the program's version), the files that were written, and the report. The record is a
+// file beside the outputs, not a part of them: a .bin or .mtl has no place for it, one record
+// covers all files of a bake, an output that was edited, replaced or deleted later is noticed, and
+// the outputs' bytes depend on the picture alone.
 #include <optional>
 #include <span>
 #include <string>
@@ -15,19 +16,20 @@
 
 namespace burl {
 
-/// "a.png.burl.json".
+/// The path of the record of an output: "a.png.burl.json" for "a.png".
 std::string record_path(const std::string& out_path);
 
-/// Name (without its folder) and SHA-256 of every file; those that cannot be read are left out.
+/// The names (without folders) and SHA-256 of the files, as JSON; files that cannot be read are
+/// left out.
 Json content_of(std::span<const std::string> files, FileDigests& digests);
 
-/// The report of the bake that made `out_path`, if that was made from the same and all its files
-/// are as it left them, by size, time and inode; a record that is missing, damaged or of other
-/// bytes than were written is none.
+/// The report in the record of `out_path`, if the record's made_from equals `made_from` and all its
+/// files have the size, modification time and inode that they were written with. None if the record
+/// is missing or damaged (its digest differs).
 std::optional<Json> report_if_up_to_date(const std::string& out_path, const Json& made_from);
 
-/// Leaves the record beside `out_path` after `outputs` were written: what was committed, since
-/// another bake may have put its own files there meanwhile. Throws Error(io).
+/// Writes the record of `out_path`. `outputs` are the files as they were committed: another bake
+/// may have replaced them since. Throws Error(io).
 void write_record(const std::string& out_path, const Json& made_from,
                   std::span<const CommittedFile> outputs, const Json& report);
 

@@ -16,12 +16,12 @@ namespace {
 
 constexpr std::array<std::uint32_t, 4> sample_counts{1, 4, 16, 64};
 
-/// The level of 1 x 1 texels.
+/// The number of the level of 1 x 1 texels.
 std::uint32_t last_of(const SolidAtlas& solid) {
     return std::uint32_t(std::bit_width(solid.size)) - 1;
 }
 
-/// Level `source` >= 1 itself.
+/// Synthesises level `source` >= 1 by the recipe of samples.
 Image<RgbF> samples(const SolidAtlas& solid, const Recipe& recipe, std::uint32_t source,
                     const LevelSynthesis& synthesize) {
     return synthesize(solid_level(solid, source), sample_recipe(recipe));
@@ -76,7 +76,7 @@ std::vector<Image<RgbF>> direct_levels(const MeshAtlas& atlas, const SolidAtlas&
     while (result.size() < levels) {
         const auto next = std::uint32_t(result.size()) + 1;
         const std::uint32_t source = source_level(atlas, rule, next);
-        std::uint32_t end = next;  // the last level with the same source
+        std::uint32_t end = next;  // the last level that has `source` as its source
         while (end < levels && source_level(atlas, rule, end + 1) == source) ++end;
         if (source == 0) {
             result = means(end);

@@ -21,7 +21,7 @@ ForwardPrecision forward_precision(const Recipe& recipe) {
                                                            : ForwardPrecision::float64;
 }
 
-/// The functions of a kind of pixel.
+/// Table of the synthesis functions for one kind of pixel.
 template <class Pixel>
 struct Fast;
 template <>
@@ -44,7 +44,7 @@ struct Fast<RgbF> {
     }
 };
 
-/// Rows of a recipe without has_fast_way.
+/// The rows `rows` of the texture of a recipe for which has_fast_way is false, in linear light.
 Image<RgbF> rows_by_other_ways(const SolidAtlas& solid, const Recipe& recipe, const HostWay& way,
                                const Economy& economy, const RowWindow& rows) {
     const Affine3 map = texture_from_solid(recipe);
@@ -76,7 +76,7 @@ Image<Pixel> fill_unpainted(const SolidAtlas& solid, const Recipe& recipe, const
     if (way.forward)
         return synthesize_forward<Pixel>(solid, recipe.texture, map, forward_precision(recipe),
                                          way.threads, economy);
-    if (!recipe.graph.empty())  // both precisions in one place
+    if (!recipe.graph.empty())  // one function for both precisions
         return Fast<Pixel>::graph(solid, recipe.graph, map, recipe.filter, way.threads,
                                   bake_precision(recipe), economy);
     if (!has_fast_way(recipe, way))

@@ -1,6 +1,6 @@
 #pragma once
-// A recipe's texture on the host, by whichever of its ways the recipe asks for: the fast one for
-// the 1999 model, another arithmetic texel by texel, forward differences, or a graph of nodes.
+// Synthesis of a recipe's texture on the host: chooses among the vectorised 1999 model, other
+// arithmetic texel by texel, forward differences and graphs of nodes.
 #include "app/recipe/recipe.h"
 #include "atlas/base/image.h"
 #include "procedural/batch/economy.h"
@@ -9,17 +9,18 @@
 
 namespace burl {
 
-/// How the host works; nothing of it but `forward` changes the result.
+/// Options of synthesis on the host. No result depends on `threads`; kernels differ by rounding at
+/// most (procedural/batch/kernel.h).
 struct HostWay {
-    int threads = 0;  ///< 0: all
+    int threads = 0;  ///< number of threads; 0: all
     Kernel kernel = Kernel::automatic;
-    /// By forward differences, in the recipe's precision or else float64; check_forward
-    /// (app/recipe/forward_check.h) must let the recipe pass.
+    /// Whether octaves are evaluated by forward differences, in the recipe's precision or else
+    /// float64; the recipe must pass check_forward (app/recipe/forward_check.h).
     bool forward = false;
     bool operator==(const HostWay&) const = default;
 };
 
-/// Everything of a recipe that a texture of a given atlas depends on, but for the paint over it.
+/// Cache key of an unpainted texture on a given atlas: all parts of the recipe that it depends on.
 struct TextureKey {
     SolidOptions solid{};
     Texture texture{};
@@ -35,23 +36,26 @@ struct TextureKey {
     bool operator==(const TextureKey&) const = default;
 };
 
-/// The atlas's colours; `solid` is in the recipe's space. For Rgb8, Rgb16 and RgbF.
+/// The recipe's texture with its paint on the atlas `solid`, which is in the recipe's space.
+/// Defined for Rgb8, Rgb16 and RgbF (linear light).
 template <class Pixel>
 Image<Pixel> fill_texture(const SolidAtlas& solid, const Recipe& recipe, const HostWay& way,
                           const Economy& economy = {});
-/// The same without the recipe's paint.
+/// The recipe's texture without its paint. Defined for Rgb8, Rgb16 and RgbF.
 template <class Pixel>
 Image<Pixel> fill_unpainted(const SolidAtlas& solid, const Recipe& recipe, const HostWay& way,
                             const Economy& economy = {});
 
-/// The texture in linear light, without paint, in bands as synthesize_rgbf_bands gives them.
+/// Gives the texture in linear light, without paint, to `take` in bands of about `texels` texels,
+/// as synthesize_rgbf_bands does (procedural/fill/synthesize.h).
 void fill_in_bands(const SolidAtlas& solid, const Recipe& recipe, const HostWay& way,
                    const Economy& economy, std::size_t texels, const TakeRows& take);
 
-/// Whether it is the 1999 model in float32 by its fast way, whose parts can be kept
-/// (procedural/kept/kept.h).
+/// Whether the recipe is the 1999 model in float32 without forward differences, which KeptSynthesis
+/// can cache (procedural/kept/kept.h).
 bool has_fast_way(const Recipe& recipe, const HostWay& way);
-/// Whether it is a graph in float32.
+/// Whether the recipe is a graph in float32, which KeptGraph may be able to cache
+/// (procedural/kept/graph.h).
 bool has_fast_graph(const Recipe& recipe, const HostWay& way);
 
 }  // namespace burl

@@ -18,11 +18,12 @@ namespace burl {
 
 namespace {
 
+/// Linear light multiplied by alpha, and alpha; numbers have alpha 1.
 Vec4d color_and_alpha(const GraphSample& sample) {
     return {sample.color(), sample.wire == Wire::number ? 1.0 : sample.channels[3].value};
 }
 
-/// The recipe's texture as a graph, which filters itself.
+/// The recipe's texture as a graph, whose nodes filter.
 TextureGraph graph_of(const Recipe& recipe) {
     return recipe.graph.empty() ? graph_from_json(texture_to_json(recipe.texture)) : recipe.graph;
 }

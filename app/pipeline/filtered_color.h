@@ -1,5 +1,5 @@
 #pragma once
-// The recipe's texture over what a picture sample covers: the filters of a bake
+// The recipe's texture, filtered over the footprint of a picture's sample: the filters of a bake
 // (docs/reference/filtering.md) with the footprint of a sample in place of a texel's.
 #include <functional>
 
@@ -8,17 +8,19 @@
 
 namespace burl {
 
-/// At texture coordinates s, which move by the footprint from one sample to the next: linear light
-/// multiplied by alpha, and alpha. May be called from several threads at once.
+/// Function that gives linear light multiplied by alpha, and alpha, at texture coordinates s. The
+/// footprint is the change of s to the neighbouring samples. May be called from several threads at
+/// once.
 using FilteredColor = std::function<Vec4d(const Vec3d& s, const Footprint& footprint)>;
 
-/// `kind`: any filter that needs no further samples; with `none` footprints do not count, and the
-/// precision is the recipe's, else float64. Throws Error(usage) for filters in fixed point.
+/// The texture filtered by `kind`, which must not be `supersample`. With `none` footprints are
+/// ignored, and the 1999 model is evaluated in the recipe's precision, else float64. Throws
+/// Error(usage) for a filter of a recipe in fixed point.
 FilteredColor filtered_color(const Recipe& recipe, FilterKind kind);
 
-/// The width of the filter in place of the colour, as a grey whose sRGB code is w - 1: black for
-/// one entry of a colour table of 256 or less, white for all of it or more (Hart et al. 1999,
-/// figure 9c). Throws Error(usage) for a recipe whose texture is a graph, which has no single map.
+/// The filter's width instead of the colour (Hart et al. 1999, figure 9c): a grey whose sRGB code
+/// is w - 1 where the footprint covers w entries of a colour table of 256; w is clamped to [1,
+/// 256]. Throws Error(usage) for a recipe whose texture is a graph, which has no single colour map.
 FilteredColor filter_width_grey(const Recipe& recipe);
 
 }  // namespace burl

@@ -1,6 +1,6 @@
 #pragma once
-// A recipe as one of many steps of an undo history keeps it: strokes of paint, of which a picture
-// may have megabytes, are those of the step before wherever they are equal.
+// A recipe as a step of an undo history: strokes of paint, of which a picture may have megabytes,
+// share memory with equal strokes of the step before.
 #include <cstddef>
 #include <memory>
 #include <string>
@@ -11,24 +11,26 @@
 
 namespace burl {
 
+/// A recipe whose strokes may be shared with other steps.
 class KeptRecipe {
   public:
     explicit KeptRecipe(Recipe recipe) : KeptRecipe(std::move(recipe), {}) {}
-    /// `before`: the step before.
+    /// Shares every stroke that equals the stroke of the same index in the step `before`.
     KeptRecipe(Recipe recipe, const KeptRecipe& before)
         : KeptRecipe(std::move(recipe), before.paint_) {}
 
+    /// The whole recipe, with copies of the strokes.
     Recipe recipe() const;
-    /// Does what with_images_for does (app/recipe/images.h).
+    /// Renames the recipe's images as with_images_for does (app/recipe/images.h).
     void name_images(const std::string& from, const std::string& to);
-    /// How many strokes take no memory besides that of another step.
+    /// The number of strokes that share their memory with another step.
     std::size_t shared_strokes() const;
 
   private:
     using Strokes = std::vector<std::shared_ptr<const PaintStroke>>;
     KeptRecipe(Recipe recipe, const Strokes& before);
 
-    Recipe rest_;  ///< without paint
+    Recipe rest_;  ///< the recipe without paint
     Strokes paint_;
 };
 

@@ -9,7 +9,7 @@ namespace burl {
 
 namespace {
 
-/// A span a row.
+/// The square x, y in [-0.5, 0.5), z = 0.01, with one span per row.
 SolidAtlas square(std::uint32_t side) {
     SolidAtlas solid;
     solid.size = side;
@@ -23,7 +23,7 @@ SolidAtlas square(std::uint32_t side) {
     return solid;
 }
 
-/// The least of three after one that does not count.
+/// The least seconds of three runs, after one run that is not timed.
 template <class Work>
 double least_seconds(const Work& work) {
     work();

@@ -1,17 +1,18 @@
 #pragma once
-// Which of two ways makes a recipe's texture faster here, the host's or another one's: by trying.
+// Timing of a recipe's synthesis on this machine, by the host and by another synthesizer.
 #include "app/pipeline/texture_synthesizer.h"
 
 namespace burl {
 
-/// Of one texture in 8 bits, to host memory.
+/// Seconds to synthesise one texture of 8 bits per channel into host memory.
 struct SynthesisSeconds {
     double host = 0.0, other = 0.0;
 };
 
-/// Both ways on a square of `side` x `side` texels through the middle of the unit cube, on all
-/// threads: once to warm up (shaders, tables and maps are made), then three times, of which the
-/// least counts. `synthesizer` must be able to make the recipe (problem()); it forgets its atlas.
+/// Times both ways on a square of `side` x `side` texels near the middle plane of the unit cube
+/// around the origin, on all threads: one run to warm up (shaders, tables and maps are made), then
+/// the least of three runs. synthesizer.problem(recipe) must be empty; forget_atlas() is called at
+/// the end.
 SynthesisSeconds measure_synthesis(TextureSynthesizer& synthesizer, const Recipe& recipe,
                                    std::uint32_t side = 1024);
 

@@ -14,6 +14,7 @@ namespace burl {
 
 namespace {
 
+/// The number of texels in spans.
 std::uint64_t texels_of(const SolidAtlas& solid) {
     std::uint64_t count = 0;
     for (const Span& span : solid.spans) count += span.count;
@@ -30,7 +31,7 @@ std::uint64_t bytes_of(const Image<Pixel>& image) {
     return image.width() * image.height() * sizeof(Pixel);
 }
 
-/// What levels cost; those that are direct count their texels as they are synthesised.
+/// Adds the texels and bytes of levels; the texels of direct levels are counted by their synthesis.
 void add_levels(const std::vector<Image<RgbF>>& levels, const LevelRule& rule, StageCost& cost) {
     for (const Image<RgbF>& level : levels) {
         if (!rule.direct) cost.work.texels += level.width() * level.height();
@@ -40,7 +41,7 @@ void add_levels(const std::vector<Image<RgbF>>& levels, const LevelRule& rule, S
 
 }  // namespace
 
-/// The latest normal map and what it is of.
+/// Cache of the latest normal map, with its key.
 struct Pipeline::KeptNormals {
     Bump bump;
     SolidOptions solid;
@@ -168,7 +169,7 @@ const SolidAtlas& Pipeline::solid(std::uint32_t level) {
     return *coarse.solid;
 }
 
-/// The levels share the cache as they share a chain's texels: 3/4 for level 0, then a quarter each.
+/// The cache of a level; level l has 3/4 * 4^-l of the budget, its share of a MIP chain's texels.
 KeptTexture& Pipeline::kept(std::uint32_t number) {
     const SolidAtlas& points = solid(number);
     Level& level = levels_[number];
@@ -200,7 +201,7 @@ const Image<Pixel>* Pipeline::unpainted(KeptTexture& texture, std::uint32_t leve
     return &image;
 }
 
-/// Paint is kept for as long as the atlas's points are.
+/// The painted texture is cached until the atlas's solid points are freed.
 template <class Pixel>
 const Image<Pixel>* Pipeline::picture(std::uint32_t level, const std::stop_token& stop) {
     KeptTexture& texture = kept(level);
@@ -272,7 +273,7 @@ void Pipeline::synthesize_in_bands(const TakeRows& take, std::size_t texels) {
     records_.add(Stage::paint, painting.count(), paint_cost);
 }
 
-/// Forward differences know no filter, so that direct levels do without them.
+/// Synthesis of direct levels: never by forward differences, which have no filter.
 LevelSynthesis Pipeline::level_synthesis(StageCost& cost) const {
     HostWay way = way_;
     way.forward = false;

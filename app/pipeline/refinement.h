@@ -1,7 +1,7 @@
 #pragma once
-// The pictures of a recipe in the order in which a program that edits it shows them: at once one
-// that answers the slider, then finer ones until the texture itself is there or somebody stops it
-// because the recipe has changed.
+// Progressive refinement of a recipe's picture in an editor: first a level that answers the slider
+// in time, then finer levels up to the texture itself, until a stop is requested because the recipe
+// has changed.
 #include <chrono>
 #include <stop_token>
 
@@ -10,13 +10,13 @@
 
 namespace burl {
 
-/// Whether the slider is still being dragged: then one picture is all.
+/// State of the slider: while it is dragged (`moving`), refine() shows one picture.
 enum class Drag { moving, released };
 
-/// Calls show(level, picture) for one picture of the pipeline's recipe after another, and tells
-/// `choice` what each took. Meant for a thread of its own, which shows what it has and, with a new
-/// recipe, is stopped and called again. Returns whether nobody stopped it. `patience` in seconds as
-/// in LevelChoice::finer_than.
+/// Calls show(level, picture) for one level of the pipeline's recipe after another, and tells
+/// `choice` how long each took. Meant for a worker thread, which is stopped and started again when
+/// the recipe changes. Returns false if `stop` was requested. `patience` is in seconds
+/// (LevelChoice::finer_than).
 template <class Pixel, class Show>
 bool refine(Pipeline& pipeline, LevelChoice& choice, Drag drag, double patience,
             const std::stop_token& stop, const Show& show) {

@@ -1,7 +1,7 @@
 #pragma once
-// What the stages of a pipeline did and what they could leave out: times, and counts that do not
-// depend on the machine. A result that is still valid for a new recipe counts as kept, with what
-// making it took, once that recipe asks for it.
+// Records of a pipeline's stages: times, and machine-independent counts of work done and left out.
+// A cached result that is still valid for a new recipe counts as kept, with the cost of making it,
+// when that recipe first needs it.
 #include <array>
 #include <chrono>
 #include <cstddef>
@@ -13,42 +13,45 @@
 
 namespace burl {
 
-/// In the order in which they need one another.
+/// Stages in the order of their dependencies.
 enum class Stage : unsigned { connectivity, layout, spans, synthesis, paint, levels, normals };
 
 inline constexpr std::array<std::string_view, 7> stage_names = {
     "connectivity", "layout", "spans", "synthesis", "paint", "levels", "normals"};
 
-/// What one run of a stage took.
+/// Cost of one run of a stage.
 struct StageCost {
-    std::uint64_t triangles = 0;  ///< that it went through
-    std::uint64_t bytes = 0;      ///< of its result
-    /// Texels and octave evaluations, and those it did not need by the reason.
+    std::uint64_t triangles = 0;  ///< triangles processed
+    std::uint64_t bytes = 0;      ///< size of the result
+    /// Texels and octaves evaluated, and those left out by reason.
     SynthesisWork work{};
 };
 
+/// Record of one stage over all recipes.
 struct StageRecord {
-    std::uint64_t runs = 0;     ///< how often it was done
-    std::uint64_t kept = 0;     ///< for how many recipes an earlier result did
-    std::uint64_t stopped = 0;  ///< how often somebody did not wait for its end
-    double seconds = 0.0;       ///< of all runs
-    StageCost done{};           ///< by all runs
-    StageCost last{};           ///< by the latest run
-    StageCost spared{};         ///< what the latest runs took whose results did (Skip::stages)
+    std::uint64_t runs = 0;     ///< number of runs that came to their end
+    std::uint64_t kept = 0;     ///< number of recipes that used a cached result
+    std::uint64_t stopped = 0;  ///< number of runs that were stopped
+    double seconds = 0.0;       ///< time of all runs, stopped ones included
+    StageCost done{};           ///< cost of all finished runs
+    StageCost last{};           ///< cost of the latest finished run
+    StageCost spared{};         ///< cost of the runs that cached results spared (Skip::stages)
 };
 
+/// Records of all stages. Not to be used by two threads at a time.
 class StageRecords {
   public:
     const StageRecord& operator[](Stage stage) const { return records_[unsigned(stage)]; }
 
-    /// A recipe was set: results that it leaves valid have not been asked for since.
+    /// Begins a recipe: each stage's cached result may count as kept once.
     void begin_recipe() { unasked_.fill(true); }
-    /// An earlier result of the stage is what the recipe needs; whether that is news.
+    /// Counts a cached result of the stage as kept; false if the recipe has used the stage before.
     bool keep(Stage stage);
-    /// The stage ran to its end.
+    /// Adds a run of the stage that came to its end.
     void add(Stage stage, double seconds, const StageCost& cost);
 
-    /// Runs stage(cost), which gives its result and says what it took, and adds that.
+    /// Calls run(cost), which sets the cost and returns the stage's result, and adds the run with
+    /// its time.
     template <class Run>
     auto time(Stage stage, const Run& run) {
         StageCost cost;
@@ -57,7 +60,8 @@ class StageRecords {
         add(stage, seconds_since(start), cost);
         return result;
     }
-    /// The same where stage(cost) says whether it came to its end.
+    /// Calls run(cost), which sets the cost and returns whether the stage came to its end, and adds
+    /// the run or counts it as stopped.
     template <class Run>
     bool attempt(Stage stage, const Run& run) {
         StageCost cost;

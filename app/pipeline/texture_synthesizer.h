@@ -1,6 +1,6 @@
 #pragma once
-// Another way than the host's to fill an atlas with a recipe's texture, which the pipeline is given
-// without knowing what it is made of (OpenGL, which only the program links).
+// Interface of a synthesizer other than the host, through which the pipeline uses OpenGL without
+// linking it.
 #include <cstdint>
 #include <string>
 #include <variant>
@@ -15,28 +15,33 @@
 
 namespace burl {
 
-/// An image to fill, of one of the kinds of pixels that textures have.
+/// Image to fill, of any kind of pixel that textures have.
 using ImageToFill = std::variant<Image<Rgb8>*, Image<Rgb16>*, Image<RgbF>*>;
 
+/// Fills an atlas with a recipe's texture.
 class TextureSynthesizer {
   public:
     virtual ~TextureSynthesizer() = default;
 
-    /// What it cannot make of the recipe, as a clause; empty where it can make all.
+    /// The reason, as a clause, why this synthesizer cannot make the recipe's texture; empty if it
+    /// can.
     virtual std::string problem(const Recipe& recipe) const = 0;
-    /// The texture of a recipe without problem(), as near to the host's as the way allows. An image
-    /// of the atlas's size is written over. `threads` 0 means all.
+    /// Sets `image` to the texture of a recipe whose problem() is empty, as near to the host's as
+    /// this synthesizer can. An image of the atlas's size is overwritten in place. `threads` 0
+    /// means all.
     virtual void synthesize(const SolidAtlas& solid, const Recipe& recipe, int threads,
                             ImageToFill image) = 0;
-    /// Levels 1 to `levels` of a texture in linear light, as block_levels
+    /// The levels 1 to `levels` of a texture in linear light, averaged as by block_levels
     /// (atlas/build/block_levels.h).
     virtual std::vector<Image<RgbF>> levels(const MeshAtlas& atlas, const Image<RgbF>& texture,
                                             std::uint32_t levels) {
         return block_levels(atlas, texture, levels);
     }
-    /// The atlas of the calls before is about to change or go away.
+    /// Frees all that belongs to the atlas of earlier calls; called before that atlas changes or is
+    /// destroyed.
     virtual void forget_atlas() = 0;
-    /// What all calls so far did: what by, passes, and seconds by what they went into.
+    /// The report of all calls so far as JSON: the device, the passes, and seconds per kind of
+    /// work.
     virtual nlohmann::ordered_json report() const = 0;
 };
 

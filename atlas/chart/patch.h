@@ -30,7 +30,7 @@ struct VertexOrigin {
 struct Patch {
     std::vector<Vec3d> points;          ///< places of the vertices
     std::vector<VertexOrigin> origins;  ///< origins of the vertices
-    std::vector<Triangle> triangles;    ///< their vertices, oriented as on the mesh
+    std::vector<Triangle> triangles;    ///< vertices of each triangle, oriented as on the mesh
     std::vector<std::uint32_t> faces;   ///< mesh triangle that each patch triangle is or lies on
     /// neighbours[t][k] is the patch triangle across edge k of patch triangle t, or -1 on the
     /// border.

@@ -30,6 +30,7 @@ struct RectangleMap {
 
 /// Choices for maps onto rectangles and for the descent on their stretch.
 struct DescentOptions {
+    /// Largest number of iterations of the descent.
     int iterations = 20;
     /// Width over height of the rectangle; free where it is not set.
     std::optional<double> aspect{};
@@ -58,7 +59,8 @@ void relax(const Patch& patch, const WeightedEdges& edges, RectangleMap& map, in
 /// all. Without an aspect the energy is D, with one it is (X/aspect + Y aspect) / (2 A^2); it never
 /// rises. Returns the number of iterations that lowered it.
 int descend(const Patch& patch, RectangleMap& map, const DescentOptions& options = {});
-/// Lowers the stretch like the overload without `edges`, which must be the patch's.
+/// Lowers the stretch with the patch's weighted edges `edges`, which the overload without them
+/// computes.
 int descend(const Patch& patch, const WeightedEdges& edges, RectangleMap& map,
             const DescentOptions& options);
 

@@ -20,8 +20,8 @@ inline constexpr double fan_weight = 0.02;
 
 /// X and Y of a map, and the area of the patch.
 struct Stretch {
-    double x = std::numeric_limits<double>::infinity();  ///< X and Y in mesh units^4
-    double y = std::numeric_limits<double>::infinity();
+    double x = std::numeric_limits<double>::infinity();  ///< X in mesh units^4
+    double y = std::numeric_limits<double>::infinity();  ///< Y in mesh units^4
     double area = 0.0;  ///< area in mesh units^2, with the weights of holes' fans
 
     bool finite() const { return x < std::numeric_limits<double>::infinity(); }

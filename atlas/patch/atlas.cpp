@@ -11,7 +11,7 @@
 //    division of least cost is kept.
 // 5. refit() below: the maps descend on for the proportions that their blocks really got.
 // 6. refine: split chords are carried to the mesh that is exported; place_corners() below sets its
-//    corners and charts in the texture. fit_patches() is steps 1 to 5, place_patches() this one.
+//    corners and charts in the texture. fit_patches() is steps 1 to 5, place_patches() step 6.
 // 7. raster: every texel gets its solid point, by spans of affine maps, and gutters are filled.
 #include "atlas/patch/atlas.h"
 
@@ -29,7 +29,7 @@ namespace burl {
 namespace {
 
 constexpr int refit_iterations = 20;
-constexpr double refit_gain = 1e-4;  ///< relative gain per iteration, below which it ends
+constexpr double refit_gain = 1e-4;  ///< relative gain per iteration, below which a descent ends
 
 /// Descends on every rectangle map of the candidate for the proportions that its block really got.
 void refit(PatchCandidate& candidate, const std::stop_token& stop) {
@@ -47,7 +47,7 @@ void refit(PatchCandidate& candidate, const std::stop_token& stop) {
     });
 }
 
-/// Numbers of patches' vertices as points of the refined mesh; hubs get numbers behind those
+/// Numbers of the patches' vertices as points of the refined mesh; hubs get the numbers behind the
 /// points.
 class PointNumbers {
   public:

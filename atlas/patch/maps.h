@@ -36,7 +36,8 @@ struct PatchMapOptions {
     std::stop_token stop{};
 };
 
-/// Counts of what mapping did; they are printed where they are not zero.
+/// Counts of cuts, closed holes, halvings, projections and added vertices; printed where they are
+/// not zero.
 struct PatchMapNotes {
     std::uint32_t tubes_slit = 0, socks_slit = 0, holes_closed = 0, regions_halved = 0;
     std::uint32_t planar_patches = 0, extra_vertices = 0;

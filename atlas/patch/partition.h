@@ -12,12 +12,12 @@
 
 namespace burl {
 
-/// Lists of mesh triangles, ascending; together every triangle exactly once.
+/// Regions as ascending lists of mesh triangles; every triangle is in exactly one list.
 using Regions = std::vector<std::vector<std::uint32_t>>;
 
 /// Number of regions, seed and least size.
 struct PartitionOptions {
-    std::uint32_t patches = 6;  ///< number to ask for; fragments and shells change it
+    std::uint32_t patches = 6;  ///< number of regions asked for; fragments and shells change it
     int seed = 1;
     /// Smallest area of a region relative to (mesh area / patches); smaller ones are merged into a
     /// neighbour.

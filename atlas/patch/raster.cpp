@@ -83,7 +83,7 @@ using Owners = std::array<std::uint32_t, 4>;
 struct Run {
     std::uint32_t x = 0, count = 0;
     Owners owners{nobody, nobody, nobody, nobody};
-    bool gutter = false;  ///< false: the first owner's map shows them
+    bool gutter = false;  ///< whether the texels are gutter; else the first owner's map shows them
 };
 
 /// Calls visit(run) for texels [from, to) of row y, all in the gutter.

@@ -19,7 +19,7 @@ using AspectCosts = std::array<double, 33>;
 /// A node of the tree: one patch, or two halves.
 struct PatchNode {
     double texels = 0.0;                ///< texels of the blocks below, gutters included
-    double inner = 0.0;                 ///< texels of these between the patches' borders
+    double inner = 0.0;                 ///< texels of the blocks below between the patches' borders
     std::size_t leaves = 1;             ///< number of patches below
     std::int32_t patch = -1;            ///< patch of a leaf; -1: not a leaf
     std::size_t first = 0, second = 0;  ///< numbers of the halves

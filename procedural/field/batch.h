@@ -1,5 +1,5 @@
 #pragma once
-// Texels whose field is evaluated together, and the arrays that takes.
+// A batch of texels whose field is evaluated together, with the scratch arrays of the evaluation.
 #include <vector>
 
 #include "procedural/batch/texel_piece.h"
@@ -9,13 +9,18 @@
 
 namespace burl {
 
-/// What a thread works with: pieces of several spans packed into one stream of texels.
+/// Batch of at most batch_capacity texels, packed from pieces of several spans; one per thread.
 struct FieldBatch {
     std::vector<Piece> pieces;
+    /// Number of texels in all pieces.
     std::size_t count = 0;
+    /// f of every texel, in the order of the pieces.
     alignas(64) double field[batch_capacity + batch_padding];
+    /// df/du and df/dv per texel, filled by FieldSampler::values_and_slopes or
+    /// average_with_corners.
     SlopeBatch slopes;
-    TexelOffsets offsets;  ///< for values_at_offsets
+    /// Sample positions of FieldSampler::values_at_offsets.
+    TexelOffsets offsets;
 
     std::vector<ParabolaLine> parabolas;
     StreamBuffers streams;

@@ -1,6 +1,6 @@
 #include "procedural/field/break_kernel.h"
 
-// This file is compiled once per instruction set.
+// Compiled once per instruction set (Highway).
 // clang-format off
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "procedural/field/break_kernel.cpp"

@@ -1,4 +1,5 @@
-// Corners are evaluated like texels of a row half a step up or down and one longer.
+// A row of corners is evaluated as a row of texels that is shifted by half a texel and one texel
+// longer.
 #include "procedural/field/corner_samples.h"
 
 #include <algorithm>
@@ -7,6 +8,7 @@ namespace burl {
 
 namespace {
 
+/// Appends the batch's field to `values` and empties the batch.
 void flush(const FieldSampler& sampler, FieldBatch& batch, std::vector<double>& values) {
     if (batch.count == 0) return;
     sampler.values(batch);
@@ -15,7 +17,8 @@ void flush(const FieldSampler& sampler, FieldBatch& batch, std::vector<double>& 
     batch.count = 0;
 }
 
-/// The row of corners `side` steps below the texels' centres.
+/// Fills `values` with f at the corners `side` texels below the texels' centres, count + 1 per
+/// piece.
 void sample_row(const FieldSampler& sampler, const std::vector<Piece>& pieces, double side,
                 FieldBatch& batch, std::vector<double>& values) {
     values.clear();
@@ -49,7 +52,7 @@ void average_with_corners(const FieldSampler& sampler, FieldBatch& batch, Corner
         for (std::size_t j = 0; j < piece.solid.count; ++j, ++at) {
             const double a = upper[j], b = upper[j + 1], c = lower[j], d = lower[j + 1];
             const double f = batch.field[at];
-            // The corners' mean is f + (f_uu + f_vv) / 8.
+            // The mean of the four corners is f + (f_uu + f_vv) / 8 to second order.
             batch.field[at] = f + (0.25 * ((a - f) + (b - f) + (c - f) + (d - f))) / 3.0;
             batch.slopes.u[at] = float(0.5 * ((b - a) + (d - c)));
             batch.slopes.v[at] = float(0.5 * ((c - a) + (d - b)));

@@ -1,5 +1,5 @@
 #pragma once
-// The noise of octaves kept from one texture to the next: what it depends on, and where it lies.
+// The cached noise of octaves, kept from one texture to the next: its key and its place in memory.
 #include <cstddef>
 #include <span>
 
@@ -8,40 +8,47 @@
 
 namespace burl {
 
-/// All that an octave's kept numbers depend on, besides the texels and the kernel. Scale and offset
-/// are not among them.
+/// Cache key of an octave's noise: all that the numbers depend on besides the texels and the
+/// kernel. The noise is cached without the octave's scale and offset, which are no part of the key.
 struct NoiseKey {
     NoiseSpec noise;
     OctaveShape shape = OctaveShape::plain;
-    Affine3 lattice_from_solid;  ///< of the first octave that shares its coordinates
-    int doublings = 0;           ///< from there to this octave
-    int most_doublings = 0;      ///< from there to the finest of them
+    /// Map to the lattice of the group's first octave; an octave without a kernel is a group.
+    Affine3 lattice_from_solid;
+    int doublings = 0;       ///< number of doublings from the group's lattice to this octave's
+    int most_doublings = 0;  ///< number of doublings of the group's finest octave
     bool operator==(const NoiseKey&) const = default;
 };
 
-/// An octave's numbers for all texels of a picture.
+/// An octave's cached noise, one float per texel of the picture.
 struct KeptNoise {
-    float* noise = nullptr;  ///< null: not kept, worked out every time
-    bool known = false;      ///< they are there already
+    float* noise = nullptr;  ///< null: the octave is not cached and evaluated every time
+    bool known = false;      ///< whether `noise` is valid, or a known prefix holds the octave
 };
-/// The sum of quadric, constants and some groups of octaves (kept_start.h), for all texels.
+/// Cached prefix of the field's sum, one number per texel of the picture: the quadric, the
+/// constants and the leading groups of octaves (kept_start.h).
 struct FieldStart {
-    double* values = nullptr;  ///< null: not kept
-    bool known = false;
-    std::size_t groups = 0, octaves = 0;  ///< how many are in it, the first ones
+    double* values = nullptr;             ///< null: no prefix is cached
+    bool known = false;                   ///< whether `values` holds the prefix
+    std::size_t groups = 0, octaves = 0;  ///< numbers of leading groups and octaves in the prefix
 };
-/// As many octaves as a sampler has keys, and the first texel of a batch among the numbers. Numbers
-/// are read (not written) up to batch_padding beyond the last texel. Octaves of a start that is
-/// known are not read. Where all is known, batches need no pieces, nor where lines are there that
-/// FieldSampler::needs_pieces takes instead.
+/// The caches of a picture's field and the place of one batch in them. `octaves` has one entry per
+/// key of FieldSampler::noise_keys. Kernels read, but do not write, up to batch_padding numbers
+/// beyond the last texel. The octaves of a known prefix are not read. A batch needs no pieces if
+/// the quadric and every octave are known, or if `lines` is set and FieldSampler::needs_pieces is
+/// false.
 struct KeptBatch {
     std::span<const KeptNoise> octaves;
-    double* quadric = nullptr;  ///< its values; null: not kept
+    double* quadric = nullptr;  ///< cached values of the quadric; null: not cached
+    /// Whether `quadric` holds valid values.
     bool quadric_known = false;
+    /// Index of the batch's first texel in all cached arrays.
     std::size_t at = 0;
     FieldStart start{};
-    const SpanLines* lines = nullptr;  ///< of the batch; null: it has pieces
+    /// Span lines of the batch's texels; null: the batch has pieces.
+    const SpanLines* lines = nullptr;
 
+    /// The batch with the octaves [first, first + count) alone.
     KeptBatch part(std::size_t first, std::size_t count) const {
         return {octaves.subspan(first, count), quadric, quadric_known, at, start, lines};
     }

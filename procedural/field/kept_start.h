@@ -1,6 +1,7 @@
 #pragma once
-// While a slider moves some of a field's octaves again and again, the sum of what comes before them
-// stays: it is kept, one number a texel instead of the quadric's and every octave's.
+// The cached prefix of a field's sum. While a slider changes the same octaves again and again, the
+// sum of the quadric and of the groups before them stays valid; caching it costs one number per
+// texel instead of one for the quadric and one for every octave.
 #include <optional>
 #include <vector>
 
@@ -9,9 +10,11 @@
 
 namespace burl {
 
-/// All that a field is summed from, in order, besides the texels, the kernel, and octaves without a
-/// vectorised kernel, which come last.
+/// The summands of a field, in the order they are added: the cache key of a prefix besides the
+/// texels and the kernel. Octaves without a vectorised kernel are added last and belong to no
+/// prefix.
 struct FieldSum {
+    /// A group of octaves (octave_groups.h): its scale, and the weight and key of each octave.
     struct Group {
         double scale = 0.0;
         std::vector<float> weights{};
@@ -19,20 +22,23 @@ struct FieldSum {
         bool operator==(const Group&) const = default;
     };
     Quadric quadric{};
+    /// Sum of the octaves' offsets.
     double constant = 0.0;
     std::vector<Group> groups{};
     bool operator==(const FieldSum&) const = default;
 };
 
-/// Of one field after the other.
+/// Decides, for one field after another, which prefix of the sum is cached and whether it is valid.
 class KeptStart {
   public:
-    /// What this field shares with the one before, in `values`, which nobody else may have written
-    /// since, or null: nothing is kept.
+    /// Begins a field with the sum `sum`; gives the prefix that it shares with the field before, to
+    /// be cached in `values`. The caller must not have written to `values` since the last call of
+    /// end() without forget(). If `values` is null or no group is shared, nothing is cached and the
+    /// prefix is empty.
     FieldStart begin(FieldSum sum, double* values);
-    /// The field is there; `complete`: at all texels.
+    /// Ends the field; the prefix counts as valid if it was written for all texels (`complete`).
     void end(bool complete);
-    /// The values are others from now on.
+    /// Marks the cached prefix as invalid.
     void forget() { known_.reset(); }
 
   private:

@@ -6,7 +6,8 @@ namespace burl {
 
 namespace {
 
-/// By how much b's lattice is finer than a's in all directions, if it is so exactly.
+/// The factor r with b = r * a, exact in float64 for every coefficient; none if there is no such
+/// factor.
 std::optional<double> ratio_of(const Affine3& b, const Affine3& a) {
     for (int column = 0; column < 3; ++column)
         for (int row = 0; row < 3; ++row) {

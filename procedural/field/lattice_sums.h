@@ -1,6 +1,6 @@
 #pragma once
-// A texture's octaves as sums in lattices of their own: octaves that differ by frequency and seed
-// alone share one, so that its coordinates are worked out once.
+// A texture's octaves grouped by lattice: consecutive octaves that differ in frequency, seed and
+// scale alone share one lattice, whose coordinates are computed once.
 #include <span>
 #include <vector>
 
@@ -9,13 +9,13 @@
 
 namespace burl {
 
-/// The sum at the lattice coordinates.
+/// A sum of octaves, evaluated at lattice coordinates.
 struct LatticeSum {
-    Affine3 lattice;  ///< from the solid
+    Affine3 lattice;  ///< map from solid to lattice coordinates
     NoiseSum sum;
 };
 
-/// In the octaves' order, their offsets left out.
+/// The sums of `octaves`, in the octaves' order; the octaves' offsets are in none.
 std::vector<LatticeSum> lattice_sums(std::span<const Octave> octaves);
 
 }  // namespace burl

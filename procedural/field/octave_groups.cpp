@@ -8,6 +8,7 @@ namespace burl {
 
 namespace {
 
+/// Whether `octave` may share the lattice coordinates of `before`, the octave before it.
 bool doubles(const Octave& octave, const Octave& before) {
     const Affine3 &map = octave.lattice_from_solid, &half = before.lattice_from_solid;
     return octave.scale != 0.0 && octave.noise.kind == before.noise.kind &&
@@ -16,6 +17,7 @@ bool doubles(const Octave& octave, const Octave& before) {
            std::abs(octave.scale) <= 0.5 * std::abs(before.scale);
 }
 
+/// An empty group with the kind, the map and the scale of `first`.
 OctaveGroup group_from(const Octave& first) {
     OctaveGroup group;
     group.kind = first.noise.kind;

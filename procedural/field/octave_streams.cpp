@@ -13,23 +13,24 @@ namespace burl {
 
 namespace {
 
-/// The crossovers: an octave that crosses fewer planes of the lattice per texel, |dx| + |dy| + |dz|
-/// for a step of a texel, is faster with shared corners. Hashes cost more where vectors have fewer
-/// than 16 lanes. Measured with `burl bench kernels`.
+/// Crossover between kernels: an octave that crosses fewer lattice planes per texel, |dx| + |dy| +
+/// |dz| for a step of one texel, is faster with shared corners. Hashes cost more where vectors have
+/// fewer than 16 lanes. Measured with `burl bench kernels`.
 constexpr double most_crossings(bool slopes, bool wide_vectors) {
     if (!wide_vectors) return 5.0 / 16;
     return slopes ? 8.0 / 32 : 7.0 / 32;
 }
 
-/// Where scan-line polynomials are faster, by 3 % or more, than both others with AVX-512 and with
-/// AVX2: one table for every instruction set, since they round otherwise, and of the span alone.
-/// Measured with `burl bench kernels`.
+/// Range in which scan-line polynomials are faster, by 3 % or more, than the direct and the sharing
+/// kernel, with AVX-512 and with AVX2. Their rounding differs from both others', so the choice must
+/// not depend on the instruction set or on anything but the span. Measured with `burl bench
+/// kernels`.
 struct ScanRange {
     NoiseKind kind;
-    bool linear;                ///< of value noise
-    std::size_t octaves = 0;    ///< at most
-    double shortest = 0.0;      ///< span, in texels
-    double most_crossings = 0;  ///< of the finest octave
+    bool linear;                ///< value noise with the linear fade
+    std::size_t octaves = 0;    ///< largest number of octaves in a group
+    double shortest = 0.0;      ///< length of the shortest span in texels
+    double most_crossings = 0;  ///< lattice planes per texel that the finest octave may cross
 };
 constexpr ScanRange scan_ranges[] = {
     {NoiseKind::value, true, 1, 128, 3.0 / 16},    {NoiseKind::value, true, 1, 256, 5.0 / 16},
@@ -39,7 +40,7 @@ constexpr ScanRange scan_ranges[] = {
     {NoiseKind::perlin, false, 24, 128, 1.0 / 32}, {NoiseKind::perlin, false, 24, 256, 3.0 / 16},
     {NoiseKind::perlin, false, 1, 256, 1.0 / 4},   {NoiseKind::perlin, false, 1, 1024, 5.0 / 16}};
 
-/// For texels from number `at` on.
+/// Adds `weight` times `part` to `sums` for the texels [at, at + count).
 void add_weighted(float weight, const OctaveSums& part, std::size_t at, std::size_t count,
                   bool slopes, OctaveSums& sums) {
     const auto add = [&](const float* from, float* to) {
@@ -66,8 +67,8 @@ OctaveStreams::OctaveStreams(std::span<const Octave> octaves, Kernel kernel, boo
     }
 }
 
-/// Whether a group is added up by scan-line polynomials on a piece's span, which nothing but the
-/// span decides. (Some octaves this way and some the other is slower than either.)
+/// Whether a group is added up by scan-line polynomials on a piece; the piece's whole span alone
+/// decides. (Mixing both ways within a group is slower than either.)
 bool OctaveStreams::scans(const Group& group, const Piece& piece) const {
     const double length = std::max(piece.length, piece.solid.first + double(piece.solid.count));
     if (length < group.shortest_scan || length > longest_scan_line) return false;
@@ -78,7 +79,8 @@ bool OctaveStreams::scans(const Group& group, const Piece& piece) const {
     return step.x + step.y + step.z < allowed->most_crossings;
 }
 
-/// What the table allows a group, longest spans first and with them the most crossings.
+/// The limits that scan_ranges sets a group: sorted by falling span length, with crossings that
+/// never grow as spans get shorter.
 std::vector<OctaveStreams::ScanLimit> OctaveStreams::scan_limits(const Group& group) const {
     std::vector<ScanLimit> limits;
     const bool linear = group.kind == NoiseKind::value && group.fade == Fade::linear;
@@ -94,8 +96,8 @@ std::vector<OctaveStreams::ScanLimit> OctaveStreams::scan_limits(const Group& gr
     return limits;
 }
 
-/// Number of a group's coarsest octaves that share corners where the first crosses so many planes
-/// of the lattice per texel.
+/// The number of a group's coarsest octaves that share corners if the first crosses `crossings`
+/// lattice planes per texel.
 std::size_t OctaveStreams::sharing(const Group& group, double crossings, bool slopes) const {
     if (kernel_ == Kernel::direct || group.kind == NoiseKind::simplex) return 0;
     if (kernel_ == Kernel::share) return group.octaves.size();
@@ -129,8 +131,9 @@ void OctaveStreams::add_octave(const Group& group, const StreamOctave& octave, c
         add_octave_direct(kind, fade, octave, lattice, count, sums.values);
 }
 
-/// Only what the pieces' texels can show: an octave of which some show a part is evaluated by
-/// itself; what weighs 1 adds the same bits as without a limit.
+/// Adds the band-limited octaves of a group: an octave that some pieces attenuate is evaluated by
+/// itself and weighted piece by piece; an octave of weight 1 on all pieces adds the bits that it
+/// adds without a limit.
 void OctaveStreams::add_limited(const Group& group, const Plan& plan, std::span<const Piece> pieces,
                                 std::size_t count, StreamBuffers& buffers) const {
     const Mat3d& map = group.lattice_from_solid.linear;
@@ -164,7 +167,8 @@ void OctaveStreams::add_limited(const Group& group, const Plan& plan, std::span<
     }
 }
 
-/// Coordinates, and the runs of cells that octaves share.
+/// Fills the stream of lattice coordinates, and the runs of cells of the octaves that share
+/// corners.
 OctaveStreams::Plan OctaveStreams::prepare(const Group& group, std::span<const Piece> pieces,
                                            std::size_t count, StreamBuffers& buffers, bool slopes,
                                            const TexelOffsets* offsets) const {
@@ -181,7 +185,7 @@ OctaveStreams::Plan OctaveStreams::prepare_lines(const Group& group, const SpanL
     return plan_of(group, planes, lines.texels, buffers, false);
 }
 
-/// For so many texels whose lines cross so many planes.
+/// The plan for `count` texels whose lines cross `planes` lattice planes in all.
 OctaveStreams::Plan OctaveStreams::plan_of(const Group& group, double planes, std::size_t count,
                                            StreamBuffers& buffers, bool slopes) const {
     const Plan plan{sharing(group, planes / double(count), slopes), slopes};

@@ -1,6 +1,6 @@
 #pragma once
-// The octaves of a texture that vectorised kernels know, added up group by group
-// (octave_groups.h), each in the way that is fastest for its pieces.
+// The octaves of a texture that have a vectorised kernel, added up group by group
+// (octave_groups.h), each group by the kernel that is fastest for its pieces.
 #include <algorithm>
 #include <limits>
 #include <vector>
@@ -15,11 +15,13 @@
 
 namespace burl {
 
-/// Sums of octaves, their gradients where wanted.
+/// Sums of octaves over a batch, in units of stream_unit, with their gradients where slopes are
+/// wanted.
 struct OctaveSums {
     alignas(64) float values[batch_capacity + batch_padding];
     GradientSums gradients;
 
+    /// Sets `count` sums and their padding to 0, and the gradients if `slopes`.
     void clear(std::size_t count, bool slopes) {
         std::fill_n(values, count + batch_padding, 0.0f);
         if (!slopes) return;
@@ -27,62 +29,70 @@ struct OctaveSums {
     }
 };
 
-/// What a thread works with.
+/// Scratch arrays of OctaveStreams, one per thread.
 struct StreamBuffers {
     LatticeStream lattice;
     CellRuns runs;
     OctaveSums sums;
-    OctaveSums part;  ///< an octave that some pieces show in part only
+    OctaveSums part;  ///< one octave's sums, before they are weighted or cached
+    /// Squared length of the texel's longer side in the lattice, one per piece.
     std::vector<double> squares;
     std::vector<ScanLine> lines;
     ScanSegments segments;
     SynthesisWork work;  ///< octaves evaluated and left out with these buffers
 };
 
+/// Sum of the octaves of a texture that have a kernel. Constant after construction: several threads
+/// may use one object, each with its own buffers.
 class OctaveStreams {
   public:
-    /// With `band_limit` octaves that a texel cannot show are left out of the sum, and not
-    /// evaluated either where `skips` allows that.
+    /// Sums `octaves` by `kernel`; with `band_limit` every octave is weighted by band_weight of the
+    /// texel's longer side; octaves of weight 0 are not evaluated where `skips` allows that.
     explicit OctaveStreams(std::span<const Octave> octaves, Kernel kernel = Kernel::automatic,
                            bool band_limit = false, const Skips& skips = {});
 
-    /// values[j] += the octaves that have a kernel, without their offsets, at the centres of the
-    /// pieces' texels, `count` in all, or at their `offsets`. Within a group the sum is float32,
-    /// from the finest octave to the coarsest; groups are added up in float64. `slopes`, if wanted,
-    /// += their changes; that leaves no trace in the values.
+    /// values[j] += the octaves that have a kernel, without their constant offsets, at the centres
+    /// of the pieces' texels, `count` in all, or at `offsets` from there. Within a group the sum is
+    /// float32, from the finest octave to the coarsest; groups are added up in float64. The changes
+    /// per texel along u and v are added to `slopes` if it is not null, which changes no bit of the
+    /// values.
     void add(std::span<const Piece> pieces, std::size_t count, StreamBuffers& buffers,
              double* values, SlopeBatch* slopes = nullptr,
              const TexelOffsets* offsets = nullptr) const;
 
-    /// What the numbers depend on that add_kept keeps, in its order.
+    /// The keys of the octaves' cached noise, in the order of KeptBatch::octaves.
     std::vector<NoiseKey> noise_keys() const;
-    /// What sums are made of, group by group.
+    /// The summands of every group, in the order they are added.
     std::vector<FieldSum::Group> sum_groups() const;
-    /// As add() without slopes and offsets, to the bit, but evaluates only octaves whose noise is
-    /// not known, and keeps it, as it does the start that is to be kept; a known one is in the
-    /// values already. Where all are known it needs no pieces. Not with a band limit. Of a start
-    /// that is known the values take the numbers.
+    /// Adds the octaves with the bits of add() without slopes and offsets, but evaluates only
+    /// octaves whose noise is not cached, and fills the caches of `kept` that are not yet known. If
+    /// kept.start is known, its numbers replace the values and only the groups after it are added.
+    /// `pieces` may be empty if all octaves are known, or if kept.lines is set and needs_pieces is
+    /// false. Not allowed with a band limit.
     void add_kept(std::span<const Piece> pieces, std::size_t count, const KeptBatch& kept,
                   StreamBuffers& buffers, double* values) const;
-    /// Whether a batch needs pieces whose longest span has so many texels, or the kept lines of its
-    /// spans do.
+    /// Whether add_kept needs pieces for a batch whose longest span has `longest` texels: if not,
+    /// span lines do, since no octave that is still unknown goes by scan lines.
     bool needs_pieces(const KeptBatch& kept, double longest) const;
 
   private:
-    /// Spans this long are added up by scan-line polynomials where the first octave crosses fewer
-    /// planes per texel.
+    /// Limit of scan-line polynomials: spans of at least `shortest` texels use them if the first
+    /// octave crosses fewer than `most_crossings` lattice planes per texel.
     struct ScanLimit {
         double shortest = 0.0, most_crossings = 0.0;
     };
+    /// Group of octaves with the limits of its scan-line polynomials, sorted by falling span
+    /// length.
     struct Group : OctaveGroup {
         std::vector<ScanLimit> scans{};
-        double shortest_scan = std::numeric_limits<double>::infinity();  ///< of those it may scan
+        /// Length in texels of the shortest span that may be scanned; infinite: none may.
+        double shortest_scan = std::numeric_limits<double>::infinity();
     };
-    /// How a group's octaves are added up.
+    /// The kernels that add up a group's octaves.
     struct Plan {
-        std::size_t shared = 0;  ///< number of its coarsest octaves that share corners
+        std::size_t shared = 0;  ///< number of the coarsest octaves, which share corners
         bool slopes = false;
-        bool scanned = false;  ///< instead
+        bool scanned = false;  ///< whether all octaves are scan-line polynomials
     };
     std::vector<ScanLimit> scan_limits(const Group& group) const;
     bool scans(const Group& group, const Piece& piece) const;
@@ -119,8 +129,8 @@ class OctaveStreams {
     bool wide_vectors_;
 };
 
-/// Calls visit(pieces, their number of texels, whether they are scanned) for pieces that follow one
-/// another and are added up in the same way.
+/// Calls visit(pieces, texels, scanned) for every maximal run of consecutive pieces that are added
+/// up in the same way: by scan-line polynomials (`scanned`) or by streams.
 template <class Visit>
 void OctaveStreams::for_each_way(const Group& group, std::span<const Piece> pieces,
                                  Visit&& visit) const {

@@ -1,5 +1,5 @@
-// Sums of octaves of which some are known from the texture before (kept_noise.h): the same
-// additions, but only what is new is evaluated.
+// Sums of octaves with cached noise (kept_noise.h): the additions are those of a sum from scratch,
+// but only octaves that are not in the cache are evaluated.
 #include <algorithm>
 #include <utility>
 
@@ -10,7 +10,7 @@ namespace burl {
 
 namespace {
 
-/// A group of which everything is known.
+/// Adds a group whose octaves are all in the cache.
 void add_known_group(const OctaveGroup& group, const KeptBatch& kept, std::size_t count,
                      SynthesisWork& work, double* values) {
     std::vector<KeptSummand> summands;
@@ -55,7 +55,8 @@ std::vector<NoiseKey> OctaveStreams::noise_keys() const {
     return keys;
 }
 
-/// buffers.sums = the group's octaves; the others' noise is kept on the way.
+/// buffers.sums = the sum of the group's octaves; noise that has a place in the cache but is not
+/// known is evaluated and stored there.
 void OctaveStreams::add_kept_octaves(const Group& group, const Plan& plan, std::size_t count,
                                      const KeptBatch& kept, StreamBuffers& buffers) const {
     buffers.sums.clear(count, false);
@@ -105,7 +106,7 @@ void OctaveStreams::add_kept_pieces(const Group& group, std::span<const Piece> p
     });
 }
 
-/// values = lines.needed + the group.
+/// values[j] = lines.needed[j] + the group's sum, from span lines instead of pieces.
 void OctaveStreams::add_kept_lines(const Group& group, const SpanLines& lines,
                                    const KeptBatch& kept, StreamBuffers& buffers,
                                    double* values) const {
@@ -134,7 +135,7 @@ void OctaveStreams::add_kept(std::span<const Piece> pieces, std::size_t count,
         if (start.values && !start.known && start.groups == groups)
             std::copy_n(values, count, start.values + kept.at);
     };
-    // Where the values so far are: in the start, until something is added.
+    // The sum so far: in the cached prefix until something is added, then in `values`.
     const double* from = start.known ? start.values + kept.at : values;
     const auto fetch = [&] {
         if (from != values) std::copy_n(from, count, values);

@@ -1,5 +1,5 @@
-// Octaves with a vectorised kernel go by streams, the others are evaluated texel by texel in
-// float32.
+// Evaluation of the field: octaves with a vectorised kernel by OctaveStreams, the others texel by
+// texel in float32.
 #include "procedural/field/sampler.h"
 
 #include <algorithm>
@@ -14,11 +14,12 @@ namespace burl {
 
 namespace {
 
-/// A piece in an octave's lattice coordinates. What leaves the lattice stays at its origin.
+/// A piece in an octave's lattice coordinates; a coordinate that leaves the lattice (lattice_limit)
+/// is 0 on the whole line.
 struct LatticePiece {
     LatticeLine line;
     Vec3d down{0.0};
-    std::size_t at = 0;  ///< of its first texel in the batch
+    std::size_t at = 0;  ///< index of the piece's first texel in the batch
 
     LatticePiece(const Affine3& map, const Piece& piece, std::size_t first)
         : line(lattice_line(map, piece.solid, piece.length)),
@@ -28,7 +29,7 @@ struct LatticePiece {
             if (!(std::abs(down[axis]) < lattice_limit)) down[axis] = 0.0;
     }
 
-    /// Of texel j, at its offset if there are any.
+    /// The lattice point of texel j, at its offset if `offsets` is not null.
     Point<3> point(std::size_t j, const TexelOffsets* offsets) const {
         double x = line.first + double(j);
         if (offsets) x += double(offsets->u[at + j]);
@@ -38,6 +39,7 @@ struct LatticePiece {
     }
 };
 
+/// values[j] += scale * the octave's shaped noise, for the texels of one piece.
 void add_values(const Octave& octave, double scale, const LatticePiece& piece,
                 const TexelOffsets* offsets, double* values) {
     for (std::size_t j = 0; j < piece.line.count; ++j) {
@@ -46,13 +48,14 @@ void add_values(const Octave& octave, double scale, const LatticePiece& piece,
     }
 }
 
-/// The octave as it is, without its scale.
+/// noise[j] = the octave's shaped noise without scale and offset, for the texels of one piece.
 void fill_noise(const Octave& octave, const LatticePiece& piece, float* noise) {
     for (std::size_t j = 0; j < piece.line.count; ++j)
         noise[piece.at + j] =
             shaped(octave.shape, noise_value<float, 3>(octave.noise, piece.point(j, nullptr)));
 }
 
+/// Adds the octave to the values, and its derivatives along the texel's sides to the slopes.
 void add_values_and_slopes(const Octave& octave, double scale, const LatticePiece& piece,
                            double* values, SlopeBatch& slopes) {
     for (std::size_t j = 0; j < piece.line.count; ++j) {
@@ -65,8 +68,8 @@ void add_values_and_slopes(const Octave& octave, double scale, const LatticePiec
     }
 }
 
-/// What is evaluated of a texture: those without amplitude come last, so that they change nothing
-/// about how the others are grouped.
+/// The octaves that are evaluated. Where `skips` forbids leaving out octaves of amplitude 0, they
+/// come last, so that they do not change the grouping of the others.
 std::vector<Octave> octaves_of(const Texture& texture, const Skips& skips) {
     std::vector<Octave> octaves = expand_octaves(texture);
     if (skips.allows(Skip::zero_terms)) return octaves;
@@ -85,7 +88,7 @@ FieldSampler::FieldSampler(const Texture& texture, bool band_limit, Kernel kerne
     if (skips.allows(Skip::zero_terms)) idle_octaves_ = idle_octaves(texture).size();
     for (const Octave& octave : octaves_of(texture, skips)) {
         constant_ += octave.offset;
-        // (Octaves with a kernel have the mean 0.)
+        // (The mean of octaves with a kernel is 0.)
         if (!has_kernel(octave))
             scalar_octaves_.push_back({octave, band_limit ? octave_mean(octave) : 0.0});
     }
@@ -146,20 +149,22 @@ void FieldSampler::fill_quadric(FieldBatch& batch) const {
     add_constant(batch);
 }
 
-/// The quadric along a line is a parabola.
+/// batch.field = the quadric, which along the line of a piece is a parabola.
 void FieldSampler::fill_parabolas_of(FieldBatch& batch) const {
     batch.parabolas.resize(batch.pieces.size());
     make_parabolas(quadric_, 0.0, batch.pieces, batch.parabolas);
     fill_parabolas(batch.parabolas, batch.field);
 }
 
-/// The noise's constant parts, apart from the quadric, which can so be kept when they change.
+/// Adds the sum of the octaves' offsets. Separate from the quadric, whose cached values thus stay
+/// valid when an offset changes.
 void FieldSampler::add_constant(FieldBatch& batch) const {
     count_idle(batch);
     if (constant_ == 0.0) return;
     for (std::size_t j = 0; j < batch.count; ++j) batch.field[j] += constant_;
 }
 
+/// Counts the octaves of amplitude 0 as left out.
 void FieldSampler::count_idle(FieldBatch& batch) const {
     batch.streams.work.skip_octaves(Skip::zero_terms, idle_octaves_ * batch.count);
 }

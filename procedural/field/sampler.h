@@ -1,6 +1,7 @@
 #pragma once
-// The texture's field f for batches of texels, with its change along the texel's two sides where a
-// filter asks for it (Hart et al. 1999, eq. 10 to 12), or at places other than the texels' centres.
+// The texture's field f for batches of texels, with its derivatives along the texel's sides where a
+// filter asks for them (Hart et al. 1999, eq. 10 to 12), or at positions other than the texels'
+// centres.
 #include <memory>
 #include <vector>
 
@@ -10,34 +11,39 @@
 
 namespace burl {
 
-/// Every texel is computed from its own span's start and its distance from it, so the batches'
-/// limits leave no trace.
+/// Evaluates f for batches of texels. A texel is computed from its span's start and its distance
+/// from there, so that its bits do not depend on how spans are cut into batches. Constant after
+/// construction: several threads may use one object, each with its own batch.
 class FieldSampler {
   public:
-    /// With `band_limit` octaves that a texel cannot show are left out, their mean stays.
+    /// Samples the field of `texture`; with `band_limit` octaves are faded to their mean where a
+    /// texel cannot show them (procedural/model/band_limit.h).
     FieldSampler(const Texture& texture, bool band_limit, Kernel kernel = Kernel::automatic,
                  const Skips& skips = {});
 
-    /// batch.field = f at the centres of the texels of batch.pieces.
+    /// Sets batch.field to f at the centres of the texels of batch.pieces.
     void values(FieldBatch& batch) const;
-    /// The same to the bit, but evaluates only octaves whose noise is not known, and keeps it, as
-    /// it does a start that is to be kept (OctaveStreams::add_kept). Not with a band limit.
+    /// Sets batch.field with the bits of values(batch), but evaluates only octaves whose noise is
+    /// not cached, and fills the caches of `kept` (OctaveStreams::add_kept). Not allowed with a
+    /// band limit.
     void values(FieldBatch& batch, const KeptBatch& kept) const;
-    /// Whether that needs pieces where the longest span has so many texels, or lines serve as well.
+    /// Whether values(batch, kept) needs pieces for a batch whose longest span has `longest`
+    /// texels; if not, kept.lines does.
     bool needs_pieces(const KeptBatch& kept, double longest) const;
-    /// What the kept noise depends on, octave by octave.
+    /// The keys of the octaves' cached noise, in the order of KeptBatch::octaves.
     std::vector<NoiseKey> noise_keys() const;
+    /// The summands of f, of which a prefix may be cached (kept_start.h).
     FieldSum sum() const { return {quadric_, constant_, streams_.sum_groups()}; }
-    /// Besides, batch.slopes = df/du and df/dv per texel.
+    /// Sets batch.field to f at the texels' centres and batch.slopes to df/du and df/dv per texel.
     void values_and_slopes(FieldBatch& batch) const;
-    /// batch.field = f at batch.offsets.
+    /// Sets batch.field to f at the offsets batch.offsets from the texels' centres, in texels.
     void values_at_offsets(FieldBatch& batch) const;
 
   private:
-    /// An octave without a kernel.
+    /// An octave without a vectorised kernel.
     struct ScalarOctave {
         Octave octave;
-        double mean = 0.0;  ///< without its offset
+        double mean = 0.0;  ///< mean of the octave without its offset; 0 without a band limit
     };
     void fill_quadric(FieldBatch& batch) const;
     void fill_parabolas_of(FieldBatch& batch) const;
@@ -52,7 +58,7 @@ class FieldSampler {
     OctaveStreams streams_;
     std::vector<ScalarOctave> scalar_octaves_;
     double constant_ = 0.0;
-    std::size_t idle_octaves_ = 0;  ///< left out, of no amplitude
+    std::size_t idle_octaves_ = 0;  ///< number of octaves of amplitude 0, which are left out
     bool band_limit_;
     Skips skips_;
 };

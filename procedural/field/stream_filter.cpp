@@ -1,4 +1,5 @@
-// Kernels overlap in what they can do; the choice is the cheapest one that cancels nothing.
+// Choice of a kernel per texel: the cheapest one that is free of cancellation at the footprint's
+// widths.
 #include "procedural/field/stream_filter.h"
 
 #include <algorithm>
@@ -11,8 +12,8 @@ namespace burl {
 
 namespace {
 
-/// Wider than this is as good as infinite: with `repeat` the mean is reached to within 1e-9, with
-/// `clamp` the halves to within 1e-12.
+/// Largest widths of a footprint, to which wider ones are reduced: with `repeat` the mean of the
+/// map is then reached to within 1e-9, with `clamp` the halves to within 1e-12.
 constexpr double widest_periodic = 0x1p30, widest_clamped = 0x1p40;
 
 }  // namespace
@@ -20,7 +21,7 @@ constexpr double widest_periodic = 0x1p30, widest_clamped = 0x1p40;
 StreamFilter::StreamFilter(const MapPieces& map, bool both_axes)
     : pieces_(map), breaks_(map), distance_(map), both_axes_(both_axes) {}
 
-/// None where anything is not finite.
+/// The widths of a texel's filter, both 0 if f or a slope is not finite.
 FilterWidths StreamFilter::widths(double f, float u, float v) const {
     const FilterWidths both = FilterWidths::of(double(u), double(v));
     if (!std::isfinite(f + both.wide + both.narrow)) return {};
@@ -47,7 +48,8 @@ void StreamFilter::sort(const double* f, const SlopeBatch& slopes, std::size_t c
     }
 }
 
-/// Reduces f so that adding half a width rounds nothing off it.
+/// Fills the stream with footprints whose f is reduced to the map's period or range, so that adding
+/// half a width rounds nothing off.
 void StreamFilter::pack(const std::vector<std::uint16_t>& texels, const double* f,
                         const SlopeBatch& slopes, FootprintStream& stream) const {
     const bool repeat = breaks_.wrap == Wrap::repeat;

@@ -7,7 +7,7 @@
 
 namespace burl {
 
-/// The first channel as it is.
+/// Stores the first channel as it is, in float64.
 template <>
 class BatchEncoder<double> {
   public:
@@ -19,14 +19,15 @@ class BatchEncoder<double> {
 
 namespace {
 
-/// The graph of the number below the colour map, without the map's colours.
+/// The graph below the colour map, whose colours are cleared so that they are no part of the cache
+/// key.
 TextureGraph number_below(TextureGraph graph) {
     graph.textures[graph.nodes.back().texture] = {};
     graph.nodes.pop_back();
     return graph;
 }
 
-/// The colour map over the first coordinate of the point.
+/// The graph of the colour map alone, over the first coordinate of the point.
 TextureGraph map_alone(const TextureGraph& graph) {
     GraphNode number, map = graph.nodes.back();
     number.type = std::uint32_t(find_node("coordinate") - graph_table().data());
@@ -39,6 +40,7 @@ TextureGraph map_alone(const TextureGraph& graph) {
     return alone;
 }
 
+/// The pixel at the origin, for texels outside every span.
 template <class Pixel>
 Pixel background_of(const TextureGraph& graph) {
     const GraphValues values(graph);
@@ -46,6 +48,7 @@ Pixel background_of(const TextureGraph& graph) {
     return PixelEncoder<Pixel>()(values(Vec3d(0.0), scratch));
 }
 
+/// The texture without the cache.
 template <class Pixel>
 Image<Pixel> from_scratch(const SolidAtlas& solid, const TextureGraph& graph, const Affine3& map,
                           int threads, const Economy& economy) {
@@ -58,7 +61,7 @@ Image<Pixel> from_scratch(const SolidAtlas& solid, const TextureGraph& graph, co
         return synthesize_graph_rgbf(solid, graph, map, {}, threads, fast, economy);
 }
 
-/// Colours of the values kept, a run of texels at a time.
+/// Colours a row of cached values, run by run.
 template <class Pixel>
 void color_row(const GraphValues& map, std::span<const KeptRows::Run> runs,
                std::span<const double> values, GraphValues::Scratch& scratch,
@@ -79,7 +82,7 @@ bool KeptGraph::splits(const TextureGraph& graph, const Filter& filter) {
     const GraphNode& last = graph.nodes.back();
     if (type_of(last).name != "color_map" || last.inputs.front() != graph.nodes.size() - 2)
         return false;
-    // Nobody else has the map's colours.
+    // The map's texture must have no other user.
     return std::ranges::count(graph.nodes, last.texture, &GraphNode::texture) == 1;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
-// Graphs whose outermost node is a colour map, synthesised again and again while somebody edits the
-// colours: the number below the map is kept, and the next texture looks its colours up alone.
+// Cache for graphs whose outermost node is a colour map, while somebody edits the colours: the
+// map's input, one number per texel, stays in the cache, and the next texture only looks colours
+// up.
 #include <cstddef>
 #include <optional>
 
@@ -13,27 +14,32 @@
 
 namespace burl {
 
-/// Textures of one atlas. Not to be used by two threads at a time.
+/// Synthesis of graphs on one atlas with a cache of the colour map's input. Not to be used by two
+/// threads at a time.
 class KeptGraph {
   public:
-    /// `solid` must outlive this. 8 bytes a texel are kept, if `budget` allows them.
+    /// `solid` must outlive this object. The cache takes 8 bytes per texel of the whole square; if
+    /// `budget`, in bytes, is less, nothing is cached.
     KeptGraph(const SolidAtlas& solid, std::size_t budget)
         : solid_(&solid), rows_(solid), budget_(budget) {}
 
-    /// Whether the graph is a colour map over a number, in point samples.
+    /// Whether the cache serves the graph: its last node is a colour map over the node before,
+    /// nobody else uses the map's texture, and the filter is `none`.
     static bool splits(const TextureGraph& graph, const Filter& filter);
 
-    /// The bytes of synthesize_graph_rgb8, _rgb16 or _rgbf, for Pixel Rgb8, Rgb16 or RgbF, without
-    /// filter and in float32, of a graph that splits. An image of the atlas's size is written over.
+    /// Sets `image` to the bytes of synthesize_graph_rgb8, _rgb16 or _rgbf, for Pixel Rgb8, Rgb16
+    /// or RgbF, in float32 without a filter. splits() must hold for the graph. `threads` 0 means
+    /// all. If economy.stop is requested, the image is unspecified.
     template <class Pixel>
     void synthesize(const TextureGraph& graph, const Affine3& texture_from_atlas, int threads,
                     Image<Pixel>& image, const Economy& economy = {});
 
-    /// Bytes kept of texels.
+    /// The size of the cache in bytes.
     std::size_t bytes() const { return values_.width() * values_.height() * sizeof(double); }
 
   private:
-    /// What the number depends on.
+    /// Cache key of the numbers besides the atlas: the graph below the map, and the map from atlas
+    /// to texture space.
     struct Key {
         TextureGraph graph{};
         Affine3 map{};
@@ -45,7 +51,7 @@ class KeptGraph {
     std::size_t budget_;
     Image<double> values_;
     std::optional<Key> known_;
-    std::uint64_t octaves_ = 0;  ///< per texel
+    std::uint64_t octaves_ = 0;  ///< octaves that a texel's number takes
 };
 
 }  // namespace burl

@@ -14,11 +14,12 @@ namespace burl {
 
 namespace {
 
+/// Whether the filter needs the derivatives of f.
 bool wants_slopes(FilterKind kind) {
     return kind != FilterKind::none && kind != FilterKind::supersample;
 }
 
-/// A batch's colours, which were looked up.
+/// Stores the pixels of a batch whose colours were looked up.
 template <class Pixel>
 void paint(const PointColors<Pixel>& colors, const double* f, std::size_t count,
            const ColorBuffers& buffers, RowPainter<Pixel>& painter) {
@@ -27,6 +28,7 @@ void paint(const PointColors<Pixel>& colors, const double* f, std::size_t count,
     });
 }
 
+/// Shades a batch and stores its pixels.
 template <class Shader>
 void paint(const Shader& shader, ShadedBatch& batch, RowPainter<typename Shader::Pixel>& painter) {
     shader.shade(batch);
@@ -35,6 +37,7 @@ void paint(const Shader& shader, ShadedBatch& batch, RowPainter<typename Shader:
     });
 }
 
+/// The texture without the cache.
 template <class Pixel>
 Image<Pixel> from_scratch(const SolidAtlas& solid, const Texture& texture, const Affine3& map,
                           int threads, const Filter& filter, Kernel kernel,
@@ -49,18 +52,20 @@ Image<Pixel> from_scratch(const SolidAtlas& solid, const Texture& texture, const
 
 }  // namespace
 
+/// Batch of one thread with the arrays of its colours.
 struct KeptSynthesis::Batch : FieldBatch {
     ColorBuffers colors;
 };
 
-/// How the rows of a texture are worked out.
+/// Parameters of evaluate_row that all rows of a texture share.
 template <class Pixel>
 struct KeptSynthesis::Evaluation {
     const FieldSampler& sampler;
     const PointColors<Pixel>& colors;
     Pixel background;
-    KeptBatch kept;  ///< of the whole picture
-    double* field;   ///< null: f is not kept
+    KeptBatch kept;  ///< caches of the whole picture
+    double* field;   ///< cache of f; null: f is not cached
+    /// Whether the quadric and all octaves are in the cache.
     bool all_known;
 };
 
@@ -87,7 +92,7 @@ KeptSynthesis::FieldKey KeptSynthesis::field_key(const Texture& texture, const F
     return {texture.quadric, texture.noise, kind, filter.band_limit};
 }
 
-/// Octaves are compared with those in their places before.
+/// Notes what changed since the last texture; octave k is compared with octave k of that texture.
 void KeptSynthesis::note_changes(const std::vector<NoiseKey>& keys, const FieldKey& field) {
     octave_changes_.resize(keys.size());
     for (std::size_t k = 0; k < keys.size(); ++k)
@@ -175,7 +180,7 @@ void KeptSynthesis::evaluate(const Texture& texture, int threads, const Economy&
     std::vector<KeptNoise> kept;
     for (KeptOctave& octave : octaves) {
         const bool started = start.known && kept.size() < start.octaves;
-        if (started && !octave.known) octave.noise = {};  // it will not be evaluated
+        if (started && !octave.known) octave.noise = {};  // the prefix holds the octave
         kept.push_back({octave.noise.data(), octave.known || started});
     }
     const bool quadric_known = known_quadric_ == texture.quadric;

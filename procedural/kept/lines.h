@@ -1,6 +1,6 @@
 #pragma once
-// The lines of an atlas's spans, kept from one texture to the next: where only octaves move, they
-// spare a look at every triangle's map and the making of pieces.
+// Cache of the lines of an atlas's spans in texture space: while only octaves change, it spares the
+// reading of every triangle's map and the building of pieces.
 #include <vector>
 
 #include "atlas/solid/solid_atlas.h"
@@ -9,26 +9,31 @@
 
 namespace burl {
 
+/// Cached span lines of one atlas, filled row by row. Different rows may be used by different
+/// threads at a time.
 class KeptLines {
   public:
-    /// `solid` must outlive it. Nothing is kept yet.
+    /// `solid` must outlive this object. The cache is empty.
     explicit KeptLines(const SolidAtlas& solid) : solid_(&solid) {}
 
-    /// What it takes to keep them: 52 bytes a span and a little a row; nobody keeps those of an
-    /// atlas that was cut.
+    /// The size of a full cache in bytes: 52 per span and span_padding spans more per row; the
+    /// largest size_t for an atlas that was cut, which is not supported.
     std::size_t bytes_wanted() const;
+    /// The size of the allotted arrays in bytes.
     std::size_t bytes() const { return known_.empty() ? 0 : bytes_wanted(); }
-    /// From now on they are kept, or no longer.
+    /// Allots the arrays; their rows are filled on first use.
     void keep();
+    /// Frees the arrays.
     void drop();
     bool kept() const { return !known_.empty(); }
-    /// The texels are others from now on.
+    /// Marks all rows as invalid.
     void forget() { std::ranges::fill(known_, std::uint8_t(0)); }
 
-    /// Texels of a row's longest span.
+    /// The number of texels in the longest span of row y.
     std::uint32_t longest(std::size_t y) const { return longest_[y]; }
-    /// Calls visit(lines) for the texels of a row, a batch at a time. Rows that are not known are
-    /// filled from the maps first: one thread to a row.
+    /// Calls visit(lines) for the texels of row y, in batches of at most batch_capacity texels. A
+    /// row that is not valid is filled from the maps first; two threads must not use the same row
+    /// at a time.
     template <class Visit>
     void for_each_batch(std::size_t y, const std::vector<TexelMap>& maps, const Visit& visit) {
         if (!known_[y]) fill_row(y, maps);
@@ -49,7 +54,8 @@ class KeptLines {
     }
 
   private:
-    /// Where a row's numbers begin: with room after it, so that no vector reaches into the next.
+    /// The index of a row's first span in the arrays; span_padding spans follow every row, so that
+    /// no vector reaches into the next.
     std::size_t begin(std::size_t y) const { return solid_->row_begin[y] + y * span_padding; }
     std::size_t numbers() const { return solid_->spans.size() + solid_->size * span_padding; }
     SpanLines lines_from(std::size_t number) const;
@@ -58,8 +64,8 @@ class KeptLines {
     const SolidAtlas* solid_;
     KeptArray<double> start_[3], step_[3];
     KeptArray<std::uint32_t> counts_;
-    std::vector<std::uint32_t> longest_;  ///< per row
-    std::vector<std::uint8_t> known_;     ///< which rows are
+    std::vector<std::uint32_t> longest_;  ///< texels of every row's longest span
+    std::vector<std::uint8_t> known_;     ///< flag of each row: whether its lines are valid
 };
 
 }  // namespace burl

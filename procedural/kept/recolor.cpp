@@ -9,7 +9,8 @@ namespace burl {
 
 namespace {
 
-/// color(first number, count, buffers, painter) paints a batch.
+/// Recolours all rows; color(at, count, buffers, painter) paints the batch of `count` numbers from
+/// index `at` on.
 template <class Pixel, class Color>
 void recolor(const RecolorTask& task, const Pixel& background, Image<Pixel>& image,
              const Color& color) {

@@ -1,5 +1,5 @@
 #pragma once
-// New colours of a field that is kept (synthesize_kept.h).
+// New colours of a cached field (procedural/kept/kept.h).
 #include "atlas/base/image.h"
 #include "procedural/batch/economy.h"
 #include "procedural/color/map.h"
@@ -7,7 +7,8 @@
 
 namespace burl {
 
-/// The texels whose numbers lie in `rows`, of an image of `size` x `size`.
+/// Parameters of recolouring: the layout of the cached numbers, the image's side in texels, and the
+/// threads (0: all).
 struct RecolorTask {
     const KeptRows& rows;
     std::size_t size = 0;
@@ -15,11 +16,13 @@ struct RecolorTask {
     const Economy& economy;
 };
 
-/// Colours of f, unfiltered, as synthesize_rgb8 and its like have them; for Rgb8, Rgb16 and RgbF.
+/// Sets `image` to the unfiltered colours of the cached f, with the bytes of synthesize_rgb8,
+/// _rgb16 or _rgbf. Defined for Rgb8, Rgb16 and RgbF.
 template <class Pixel>
 void recolor_field(const RecolorTask& task, const ColorMap& map, const double* field,
                    Image<Pixel>& image);
-/// The same from f's places (color_table.h), which are written first where they are not `known`.
+/// Sets `image` to the unfiltered colours of the cached f from its entries in the colour table
+/// (procedural/color/table.h); `places` are computed first if they are not `known`.
 void recolor_places(const RecolorTask& task, const ColorMap& map, const double* field, bool known,
                     std::int32_t* places, Image<Rgb8>& image);
 

@@ -1,4 +1,5 @@
-// What is kept of texels from one texture to the next within the budget, most useful first.
+// The cache's memory: arrays are allotted within the budget in order of priority, and reused from
+// one texture to the next.
 #include <algorithm>
 #include <utility>
 
@@ -6,14 +7,14 @@
 
 namespace burl {
 
-/// The memory stays, for what comes next.
+/// Invalidates the cache, whose memory stays for the next texture.
 void KeptSynthesis::forget() {
     moved_ = true;
     known_field_.reset();
     start_.forget();
     lines_.forget();
     known_quadric_.reset();
-    for (KeptOctave& octave : octaves_) octave.key.doublings = -1;  // nobody's
+    for (KeptOctave& octave : octaves_) octave.key.doublings = -1;  // no octave has this key
 }
 
 void KeptSynthesis::forget_octaves() {
@@ -47,8 +48,9 @@ bool KeptSynthesis::keep_field(bool slopes) {
     return fits;
 }
 
-/// Places for the keys' noise, those of before where they hold it already. What is not evaluated
-/// after all because of an exception is forgotten.
+/// Allots arrays for the noise of `keys`: an octave that is cached keeps its array, others take
+/// over freed arrays. The member octaves_ is left empty, so that an exception leaves nothing that
+/// was not evaluated.
 std::vector<KeptSynthesis::KeptOctave> KeptSynthesis::keep(const std::vector<NoiseKey>& keys) {
     const std::size_t most = bytes_per_texel();
     std::size_t rest = keep_field(false) ? most - sizeof(double) : 0;
@@ -94,7 +96,7 @@ std::vector<KeptSynthesis::KeptOctave> KeptSynthesis::keep(const std::vector<Noi
     return octaves;
 }
 
-/// Whether there is room for them.
+/// Allots the colour table's entries; false if the budget has no room for them.
 bool KeptSynthesis::keep_entries() {
     if (entries_.data()) return true;
     if (bytes() + rows_.size() * sizeof(std::int32_t) > budget_) return false;

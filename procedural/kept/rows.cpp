@@ -14,7 +14,8 @@ void* allot_kept(std::size_t bytes) {
     void* const memory = std::aligned_alloc(step, (bytes / step + 1) * step);
     if (!memory) throw std::bad_alloc();
 #if defined(MADV_HUGEPAGE)
-    // Whole ones only: nothing is taken that is not used. Advice, which may be refused.
+    // Advice for whole large pages only, so that no memory is taken that is not used; the system
+    // may refuse it.
     if (step == large_page) ::madvise(memory, bytes / large_page * large_page, MADV_HUGEPAGE);
 #endif
     return memory;

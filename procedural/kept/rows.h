@@ -1,6 +1,6 @@
 #pragma once
-// Where numbers lie that are kept of an atlas's texels from one texture to the next: row by row
-// without the texels that nobody owns, and back from there into an image.
+// Layout of cached numbers per texel of an atlas: row by row, compacted to the texels of spans, and
+// the scatter of compacted rows back into an image.
 #include <algorithm>
 #include <cstdlib>
 #include <memory>
@@ -12,11 +12,12 @@
 
 namespace burl {
 
-/// Memory that begins on a line of the cache, in large pages where there is much of it and the
-/// system lends them: it is read from end to end for every texture. For std::free.
+/// Allocates `bytes` aligned to a cache line, or to large pages (2 MiB, by madvise) where it is at
+/// least two of them; the whole array is read for every texture. To be freed by std::free. Throws
+/// std::bad_alloc.
 void* allot_kept(std::size_t bytes);
 
-/// Uninitialised numbers that begin on a line of the cache.
+/// Array of uninitialised numbers, aligned as by allot_kept.
 template <class T>
 class KeptArray {
   public:
@@ -31,26 +32,29 @@ class KeptArray {
     std::unique_ptr<T, Free> data_;
 };
 
+/// Layout of an array that holds one number per texel of a span, ordered by row, then x.
 class KeptRows {
   public:
-    /// Texels that follow one another in a row.
+    /// Run of consecutive texels of a row, across spans.
     struct Run {
         std::uint32_t x = 0, count = 0;
     };
 
     explicit KeptRows(const SolidAtlas& solid);
 
-    /// Numbers an array of them holds: rows begin at multiples of batch_padding, so that no vector
-    /// reaches from one into the next.
+    /// The length of an array in this layout. Rows begin at multiples of batch_padding, so that no
+    /// vector reaches from one row into the next.
     std::size_t size() const { return begin_.back(); }
-    /// Texels that somebody owns.
+    /// The number of texels in spans.
     std::size_t texels() const { return texels_; }
-    /// Where a row's numbers begin.
+    /// The index of the first number of row y.
     std::size_t begin(std::size_t y) const { return begin_[y]; }
+    /// The runs of row y, from left to right.
     std::span<const Run> runs(std::size_t y) const {
         return {runs_.data() + run_begin_[y], run_begin_[y + 1] - run_begin_[y]};
     }
-    /// Calls visit(first number, count) for the texels of a row, a batch at a time.
+    /// Calls visit(at, count) for batches of at most batch_capacity texels of row y, `at` being the
+    /// index of the batch's first number.
     template <class Visit>
     void for_each_batch(std::size_t y, const Visit& visit) const {
         std::size_t left = 0;
@@ -63,12 +67,13 @@ class KeptRows {
 
   private:
     std::vector<Run> runs_;
-    std::vector<std::size_t> run_begin_;  ///< N+1 offsets into runs_
-    std::vector<std::size_t> begin_;      ///< N+1 offsets
+    std::vector<std::size_t> run_begin_;  ///< N+1 offsets into runs_, row by row
+    std::vector<std::size_t> begin_;      ///< N+1 offsets into an array of numbers, row by row
     std::size_t texels_ = 0;
 };
 
-/// Puts a row's colours, which come in order, where they belong, and the background between them.
+/// Scatters a row's compacted colours to their runs; the constructor fills the gaps between runs
+/// with the background.
 template <class Pixel>
 class RowPainter {
   public:
@@ -82,7 +87,8 @@ class RowPainter {
         std::fill(row.begin() + std::ptrdiff_t(x), row.end(), background);
     }
 
-    /// The next `count` texels: write(at, count, pixels) writes some of them, from number `at` on.
+    /// Writes the next `count` texels: calls write(at, part, pixels) for every run that they touch,
+    /// `at` counting from 0 in this call and `part` texels being consecutive in `pixels`.
     template <class Write>
     void operator()(std::size_t count, const Write& write) {
         for (std::size_t at = 0; at < count;) {
@@ -96,7 +102,7 @@ class RowPainter {
 
   private:
     const KeptRows::Run* run_;
-    std::size_t done_ = 0;  ///< texels of the run
+    std::size_t done_ = 0;  ///< texels of the current run that are written
     std::span<Pixel> row_;
 };
 

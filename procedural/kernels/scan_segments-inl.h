@@ -1,8 +1,8 @@
-// Which texels of scan lines lie in one lattice cell, and where, for every instruction set: per
-// axis the crossings of planes are counted along the line ("Bresenham Noise", Kameya & Hart, walks
-// them one by one), and a segment's cell is that of its middle, so that a crossing which rounding
-// moved by a texel cannot put all of them into the wrong one. Included once per instruction set
-// (hence the toggled guard), after hwy/foreach_target.h.
+// Segments of scan lines, the runs of texels that lie in one lattice cell, for every instruction
+// set. The crossings of a line with lattice planes are computed per axis ("Bresenham Noise", Kameya
+// & Hart, walks them one by one); a segment's cell is the cell of its middle, so that a crossing
+// which rounding moves by a texel cannot put the whole segment into the wrong cell. Included once
+// per instruction set (hence the toggled guard), after hwy/foreach_target.h.
 #if defined(BURL_SCAN_SEGMENTS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef BURL_SCAN_SEGMENTS_INL_H
 #undef BURL_SCAN_SEGMENTS_INL_H
@@ -22,18 +22,21 @@ HWY_BEFORE_NAMESPACE();
 namespace burl {
 namespace HWY_NAMESPACE {
 
-/// Where the segments of a piece's first and last texel begin and end, counted from the first one:
-/// the largest and the smallest of the lanes.
+/// Begin of the segment of a piece's first texel (the largest lane) and end of the segment of its
+/// last texel (the smallest lane), in texels relative to the piece's first texel.
 struct PieceEnds {
     Double begin, end;
 };
 
-/// An axis in which a line crosses a plane in every other texel or more is not worth counting.
+/// The step, in cells per texel, from which on every texel of a line is a segment: a plane is
+/// crossed at least every other texel.
 constexpr double fast_step = 0.5;
-/// And what moves so little on a whole line need not change its cell.
+/// The change on a whole line, in cells, up to which an axis crosses no plane.
 constexpr double no_step = 0x1p-40;
 
-/// Plane k in the line's direction is behind the texels from ceil((k - start) / step) on.
+/// Marks the texels that are the first after a crossing on one axis, and narrows `ends` to the
+/// segments of the piece's first and last texel: plane k, counted in the line's direction, is
+/// crossed before texel ceil((k - start) / step).
 HWY_ATTR HWY_INLINE void MarkCrossings(const ScanLine& scan, int axis, double scale,
                                        std::uint8_t* marks, PieceEnds& ends) {
     const Doubles d;
@@ -64,7 +67,7 @@ HWY_ATTR HWY_INLINE void MarkCrossings(const ScanLine& scan, int axis, double sc
     }
 }
 
-/// Marks the first texels of a piece's segments.
+/// Marks the first texels of a piece's segments; `begin` and `end` are those of PieceEnds.
 HWY_ATTR void MarkPiece(const ScanLine& scan, double scale, std::uint8_t* marks, double& begin,
                         double& end) {
     const Doubles d;
@@ -75,14 +78,14 @@ HWY_ATTR void MarkPiece(const ScanLine& scan, double scale, std::uint8_t* marks,
     end = hn::GetLane(hn::MinOfLanes(d, ends.end));
 }
 
-/// Segments that begin in texels before this one.
+/// The number of segments that begin before `texel`.
 HWY_ATTR HWY_INLINE std::size_t SegmentsBefore(std::size_t texel, const std::uint32_t* before,
                                                const ScanSegments& segments) {
     const std::uint64_t earlier = (std::uint64_t(1) << texel % 64) - 1;
     return before[texel / 64] + std::size_t(std::popcount(segments.borders[texel / 64] & earlier));
 }
 
-/// Of 64 bytes, which are not 0.
+/// Bit set of 64 bytes: bit i is set if byte i is not 0.
 HWY_ATTR HWY_INLINE std::uint64_t MarkedBits(const std::uint8_t* marks) {
     std::uint64_t bits = 0;
 #if HWY_TARGET == HWY_SCALAR
@@ -101,8 +104,9 @@ HWY_ATTR HWY_INLINE std::uint64_t MarkedBits(const std::uint8_t* marks) {
     return bits;
 }
 
-/// The first texels of a batch's segments, whose marks are bytes, and per 64 texels how many begin
-/// before them.
+/// Lists the segments of a batch from its marks, one byte per texel: `first` gets the segments'
+/// first texels and then `count`; before[w] gets the number of segments that begin before texel 64
+/// w.
 HWY_ATTR void ListSegments(const std::uint8_t* marks, std::size_t count, std::uint32_t* first,
                            std::uint32_t* before, ScanSegments& segments) {
     std::uint32_t found = 0;
@@ -119,7 +123,8 @@ HWY_ATTR void ListSegments(const std::uint8_t* marks, std::size_t count, std::ui
     first[found] = std::uint32_t(count);
 }
 
-/// Cells and places along an axis of texels of a line, and its step.
+/// Sets the cells, positions and steps on one axis of `count` segments from number `at` on, whose
+/// middles lie at start + middles[i] * step.
 HWY_ATTR void PlaceMiddles(const double* middles, std::size_t count, double start, double step,
                            int axis, std::size_t at, ScanSegments& segments) {
     const Doubles d;
@@ -140,8 +145,9 @@ HWY_ATTR void PlaceMiddles(const double* middles, std::size_t count, double star
     }
 }
 
-/// The middles of a piece's segments, as texels of its line and of the batch. `first` are the first
-/// texels of the segments and of the one after the last; `begins` and `ends` as PieceEnds.
+/// Computes the middles of a piece's `count` segments as texel indices of its line (`middles`) and
+/// of the batch (`batch_middles`). `first` holds count + 1 first texels of segments in the batch;
+/// `begins` and `ends` are those of PieceEnds.
 HWY_ATTR void FindMiddles(const ScanLine& scan, double begins, double ends, std::size_t at,
                           const std::uint32_t* first, std::size_t count, double* middles,
                           float* batch_middles) {
@@ -165,12 +171,13 @@ HWY_ATTR void FindMiddles(const ScanLine& scan, double begins, double ends, std:
         middles[i] += by;
         batch_middles[i] = float(middles[i] - offset);
     };
-    // The parts of segments that other pieces hold.
+    // The first and the last segment may continue in other pieces.
     move(0, 0.5 * begins);
     move(count - 1, 0.5 * (ends - double(scan.line.count)));
 }
 
-/// Returns the number of texels.
+/// Finds the segments of all lines in the lattice of the octave with `doublings`; returns the
+/// number of texels.
 HWY_ATTR std::size_t FindSegments(std::span<const ScanLine> lines, int doublings,
                                   ScanSegments& segments) {
     const double scale = std::ldexp(1.0, doublings);

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <type_traits>
 
-// This file is compiled once per instruction set.
+// Compiled once per instruction set (Highway).
 // clang-format off
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "procedural/kernels/scanline_kernel.cpp"
@@ -21,7 +21,7 @@ HWY_BEFORE_NAMESPACE();
 namespace burl {
 namespace HWY_NAMESPACE {
 
-/// 0, 1, 2 ... as LaneNumbers.
+/// The vector 0, 1, 2, ... in float32.
 HWY_ATTR HWY_INLINE Float FloatLaneNumbers() {
     HWY_ALIGN static constexpr float numbers[] = {0, 1, 2,  3,  4,  5,  6,  7,
                                                   8, 9, 10, 11, 12, 13, 14, 15};
@@ -34,22 +34,24 @@ HWY_ATTR HWY_INLINE void SumAndDifference(Float& low, Float& high) {
     high = hn::Sub(high, low), low = sum;
 }
 
-/// Turns the numbers at a cell's corners, bit a of whose number is axis a, into eight times the
-/// coefficients of products of weights in [-1,1].
+/// Turns the values at a cell's corners (bit a of a corner's index is its side on axis a) into
+/// eight times the coefficients of a trilinear polynomial of weights in [-1, 1]: coefficient c
+/// belongs to the product of the weights whose bits are set in c.
 HWY_ATTR HWY_INLINE void Transform(Float* n) {
     for (std::size_t bit = 1; bit < 8; bit *= 2)
         for (std::size_t c = 0; c < 8; ++c)
             if (!(c & bit)) SumAndDifference(n[c], n[c + bit]);
 }
 
-/// Blend of eight numbers by weights.
+/// The trilinear polynomial with the coefficients n at the weights (x, y, z).
 HWY_ATTR HWY_INLINE Float Blend(const Float* n, Float x, Float y, Float z) {
     const auto edge = [&](std::size_t c) HWY_ATTR { return hn::Add(n[c], hn::Mul(x, n[c + 1])); };
     const Float low = hn::Add(edge(0), hn::Mul(y, edge(2)));
     return hn::Add(low, hn::Mul(z, hn::Add(edge(4), hn::Mul(y, edge(6)))));
 }
 
-/// Mixed hashes of a vector of segments' corners.
+/// h[c] = the mixed hashes of corner c of the cells of a vector of segments, beginning with segment
+/// i.
 HWY_ATTR HWY_INLINE void CornerHashes(Bit seed, const ScanSegments& segments, std::size_t i,
                                       Bit* h) {
     const auto cell = [&](int axis) HWY_ATTR { return hn::Load(Bits(), segments.cells[axis] + i); };
@@ -62,13 +64,14 @@ HWY_ATTR HWY_INLINE void CornerHashes(Bit seed, const ScanSegments& segments, st
     }
 }
 
+/// n = the coefficients (Transform) of value noise, from the corners' hashes.
 HWY_ATTR HWY_INLINE void CornerValues(const Bit* h, Float* n) {
     for (std::size_t c = 0; c < 8; ++c) n[c] = ValueOf(h[c]);
     Transform(n);
 }
 
-/// Fades v = 2 w - 1 of twice the place, t.
-HWY_ATTR HWY_INLINE Float ScanFade(SmoothFade, Float t) {  // t (3/2 - t^2 / 2)
+/// The fade v = 2 w - 1 of t, twice the position in the cell: t (3/2 - t^2 / 2) for SmoothFade.
+HWY_ATTR HWY_INLINE Float ScanFade(SmoothFade, Float t) {
     const Floats d;
     const Float square = hn::Mul(t, t);
     return hn::Mul(t, hn::Sub(hn::Set(d, 1.5f), hn::Mul(hn::Set(d, 0.5f), square)));
@@ -77,15 +80,17 @@ HWY_ATTR HWY_INLINE Float ScanFade(QuinticFade fade, Float t) {
     return fade(t);
 }
 
-/// Fade on an axis at texel number t from the segment's middle on.
+/// The fade on an axis, t texels after the segment's middle: coefficient k is twice the position of
+/// the middle, coefficient k + 3 twice the step.
 template <class FadeFunction, class Take>
 HWY_ATTR HWY_INLINE Float FadeAlong(const Take& take, std::size_t k, Float t) {
     return ScanFade(FadeFunction(), hn::Add(take(k), hn::Mul(t, take(k + 3))));
 }
 
-/// What a segment's texels share, per kind of noise: Fill() works it out from the hashes of the
-/// corners, twice the place of the segment's middle and twice the step; Noise() is eight times the
-/// noise of texel number t from the middle on.
+/// Coefficients of value noise with a fade. Every form (ValueForm, CubicForm, PerlinForm) defines
+/// two functions: Fill() computes a segment's coefficients from the corners' hashes, twice the
+/// position of the segment's middle and twice the step; Noise() gives eight times the noise t
+/// texels after the middle, where take(k) gives coefficient k.
 template <class FadeFunction>
 struct ValueForm {
     static constexpr std::size_t numbers = 14;
@@ -104,6 +109,7 @@ struct ValueForm {
     }
 };
 
+/// Coefficients of value noise with the linear fade: a cubic polynomial of t.
 struct CubicForm {
     static constexpr std::size_t numbers = 4;
     static HWY_ATTR HWY_INLINE void Fill(const Bit* h, const Float* place, const Float* step,
@@ -136,13 +142,15 @@ struct CubicForm {
     }
 };
 
+/// Coefficients of Perlin's noise: eight linear functions of t, then positions and steps of the
+/// fades.
 struct PerlinForm {
     static constexpr std::size_t numbers = 22;
     static HWY_ATTR HWY_INLINE void Fill(const Bit* h, const Float* place, const Float* step,
                                          Float* numbers) {
         const PerlinCorner corner;
         const Float lower = hn::Set(Floats(), 1.0f), upper = hn::Set(Floats(), -1.0f);
-        Float corners[8];  // from the middle of the cell: whole numbers, whose sums are exact
+        Float corners[8];  // relative to the cell's centre: integers, whose sums are exact
         for (std::size_t c = 0; c < 8; ++c) {
             corners[c] =
                 corner(h[c], c & 1 ? upper : lower, c & 2 ? upper : lower, c & 4 ? upper : lower);
@@ -168,6 +176,7 @@ struct PerlinForm {
     }
 };
 
+/// Fills the coefficients of all segments for one octave.
 template <class Form>
 HWY_ATTR void FillNumbers(std::uint32_t seed, ScanSegments& segments) {
     const Floats d;
@@ -187,7 +196,7 @@ HWY_ATTR void FillNumbers(std::uint32_t seed, ScanSegments& segments) {
     }
 }
 
-/// How many bits are set up to each.
+/// The number of bits of `bits` that are set up to each lane's bit, inclusive.
 template <class D>
 HWY_ATTR HWY_INLINE hn::Vec<D> CountBits(D d, std::uint32_t bits) {
 #if HWY_TARGET != HWY_SCALAR
@@ -201,8 +210,9 @@ HWY_ATTR HWY_INLINE hn::Vec<D> CountBits(D d, std::uint32_t bits) {
         return hn::PromoteTo(d, hn::LoadU(hn::Rebind<std::uint8_t, D>(), bits_up_to[bits].data()));
 }
 
-/// Vectors of texels of one segment take its numbers as they are; with `ask` false, as those of
-/// several segments do (share_kernels).
+/// Adds the octave to the sums of `count` texels. With `ask` a vector whose texels lie in one
+/// segment broadcasts that segment's coefficients; without it, and for other vectors, every lane
+/// looks its segment's coefficients up.
 template <class Form, bool ask>
 HWY_ATTR void AddTexels(float octave_weight, const ScanSegments& segments, std::size_t count,
                         float* sums) {
@@ -236,6 +246,7 @@ HWY_ATTR void AddTexels(float octave_weight, const ScanSegments& segments, std::
     }
 }
 
+/// Adds an octave; vectors are tested for a single segment only where segments are long on average.
 template <class Form>
 HWY_ATTR void AddScanOf(const StreamOctave& octave, std::span<const ScanLine> lines,
                         ScanSegments& segments, float* sums) {

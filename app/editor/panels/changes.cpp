@@ -20,6 +20,7 @@ bool equal(const ScreenRect& a, const ScreenRect& b) {
     return equal(a.low, b.low) && equal(a.high, b.high);
 }
 
+/// The AABB of two rectangles; empty ones do not count.
 ScreenRect around(const ScreenRect& a, const ScreenRect& b) {
     if (a.empty()) return b;
     if (b.empty()) return a;
@@ -27,6 +28,7 @@ ScreenRect around(const ScreenRect& a, const ScreenRect& b) {
             {std::max(a.high.x, b.high.x), std::max(a.high.y, b.high.y)}};
 }
 
+/// Adds a dirty rectangle; beyond most_rectangles the last one grows to hold it.
 void add(std::vector<ScreenRect>& rectangles, const ScreenRect& rectangle) {
     if (rectangle.empty()) return;
     if (rectangles.size() < most_rectangles)
@@ -61,7 +63,8 @@ std::vector<ScreenChanges::Piece> ScreenChanges::pieces_of(const ImDrawData& dat
     return pieces;
 }
 
-/// Of some of its triangles, with a pixel to spare, as far as it is drawn.
+/// The AABB of the triangles [begin, end) of a draw command, with a margin of a pixel, clipped to
+/// the command's rectangle.
 ScreenRect ScreenChanges::extent(const Piece& piece, std::size_t begin, std::size_t end) {
     constexpr float far = std::numeric_limits<float>::max();
     ScreenRect box{{far, far}, {-far, -far}};
@@ -75,7 +78,8 @@ ScreenRect ScreenChanges::extent(const Piece& piece, std::size_t begin, std::siz
                                {std::ceil(box.high.x) + 1.0f, std::ceil(box.high.y) + 1.0f}});
 }
 
-/// Of one clip and texture: what lies between the triangles that both begin and end with.
+/// Adds the dirty rectangle of a draw command whose clip rectangle and texture have not changed:
+/// the AABB of the triangles that are left without the common first and last ones.
 void ScreenChanges::compare(const Piece& before, const Piece& now,
                             std::vector<ScreenRect>& changes) {
     const std::vector<Triangle>&a = before.triangles, &b = now.triangles;

@@ -1,6 +1,7 @@
 #pragma once
-// Where a frame of Dear ImGui's lists differs from the last one, so that only that is drawn again:
-// a software OpenGL takes longer for the user interface than a texture's synthesis does.
+// Dirty rectangles of the user interface: the parts of the screen where a frame of Dear ImGui's
+// draw lists differs from the last one, so that only they are drawn again. A software OpenGL takes
+// longer to draw the user interface than the host takes to synthesise a texture.
 #include <imgui.h>
 
 #include <functional>
@@ -8,18 +9,21 @@
 
 namespace burl {
 
-/// In ImGui's screen coordinates, y down.
+/// Rectangle in Dear ImGui's screen coordinates, y down.
 struct ScreenRect {
     ImVec2 low{}, high{};
     bool empty() const { return low.x >= high.x || low.y >= high.y; }
 };
+/// The intersection of two rectangles, which may be empty().
 ScreenRect common(const ScreenRect& a, const ScreenRect& b);
 
+/// Dirty rectangles from one frame to the next.
 class ScreenChanges {
   public:
-    /// Rectangles outside of which the screen still shows what these lists say, given that it shows
-    /// what the last call's do; they may overlap. `still`: whether a texture has the texels that it
-    /// had then. Everything at the first call and whenever the screen's size is another one.
+    /// The dirty rectangles of a frame: outside of them the last call's frame and this one show the
+    /// same. They may overlap. still(texture) tells whether the texture's texels have not changed
+    /// since the last call. The whole screen is dirty at the first call, and when the screen's size
+    /// or scale or the number of draw commands has changed.
     std::vector<ScreenRect> update(const ImDrawData& data,
                                    const std::function<bool(ImTextureID)>& still);
 
@@ -27,7 +31,7 @@ class ScreenChanges {
     struct Triangle {
         ImDrawVert corners[3];
     };
-    /// What one command draws.
+    /// Triangles of one draw command, with its clip rectangle and texture.
     struct Piece {
         ScreenRect clip{};
         ImTextureID texture{};

@@ -10,7 +10,7 @@ bool is_modifier(const std::string& key) {
     return key == "Ctrl" || key == "Shift" || key == "Alt";
 }
 
-/// Whether a frame of `first` may show `next` as well.
+/// Whether `next` may be in the same frame as `first`, an earlier event.
 bool go_together(const InputEvent& first, const InputEvent& next) {
     switch (next.kind) {
         case InputKind::move:

@@ -6,7 +6,7 @@ namespace burl {
 
 namespace {
 
-constexpr int rests = 4;  // for every frame's own time
+constexpr int rests = 4;  // pause after a frame in units of the frame's time
 constexpr EditPace::Clock::duration longest_rest = std::chrono::milliseconds(125);
 
 }  // namespace

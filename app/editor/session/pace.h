@@ -1,7 +1,7 @@
 #pragma once
-// How often the editor draws while it opens a mesh: where OpenGL is software, frames take the
-// processors that the mesh waits for, so that drawing gets a share of the time only. Where a
-// graphics card draws, every refresh of the display still has its frame.
+// Frame pacing while the editor opens a mesh: with software OpenGL drawing competes with the
+// opening of the mesh for processors, so it gets a share of the time only. With a graphics card
+// every refresh of the display still has its frame.
 #include <chrono>
 #include <span>
 
@@ -9,23 +9,25 @@
 
 namespace burl {
 
+/// Time at which the next frame is due, from the time that the last one took.
 class EditPace {
   public:
     using Clock = std::chrono::steady_clock;
 
-    /// A frame took so long and ends now.
+    /// Notes that a frame which took `took` ends now.
     void drew(Clock::duration took) { due_ = Clock::now() + rest_after(took); }
-    /// Until the next frame is due; 0: it is.
+    /// The seconds until the next frame is due; 0: it is due.
     double seconds_left() const;
 
-    /// Drawing has a fifth of the time, but a frame is never more than an eighth of a second late.
+    /// The pause after a frame that took `took`: four times as long, so that drawing has a fifth of
+    /// the time, but at most 1/8 s.
     static Clock::duration rest_after(Clock::duration took);
 
   private:
     Clock::time_point due_{};
 };
 
-/// Whether all that happens is the pointer going over the window.
+/// Whether all events are moves of the pointer.
 bool passes_by(std::span<const InputEvent> events);
 
 }  // namespace burl
