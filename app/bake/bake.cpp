@@ -9,7 +9,6 @@
 
 #include "app/bake/exr.h"
 #include "app/bake/texture.h"
-#include "app/base/messages.h"
 #include "app/base/stopwatch.h"
 #include "app/export/emit.h"
 #include "app/export/solid_map_file.h"
@@ -23,33 +22,40 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-void warn_if_starved(const Pipeline& pipeline) {
+void tell_shortage(const Pipeline& pipeline, const BakePlan& plan) {
     const std::string problem =
         shortage(capacity(pipeline.mesh().triangles.size(), pipeline.recipe().atlas));
-    if (!problem.empty()) warn(fmt::format("{}: {}", pipeline.mesh().name, problem));
+    if (!problem.empty() && plan.tell)
+        plan.tell(fmt::format("{}: {}", pipeline.mesh().name, problem));
 }
 
-void tell_fallback(const Pipeline& pipeline, const Atlas& atlas) {
+void tell_fallback(const Pipeline& pipeline, const BakePlan& plan, const Atlas& atlas) {
     const std::string& why = atlas.notes.fallback;
-    if (!why.empty()) warn(fmt::format("{}: {}", pipeline.mesh().name, why));
+    if (!why.empty() && plan.tell) plan.tell(fmt::format("{}: {}", pipeline.mesh().name, why));
 }
 
 /// The recipe's atlas. A warning about triangles that get too few texels is printed before the
 /// layout, but for strips after it: they may not hold the mesh at all, and then the error alone is
 /// printed.
-const MeshAtlas& lay_out(Pipeline& pipeline) {
+const MeshAtlas& lay_out(Pipeline& pipeline, const BakePlan& plan) {
     const AtlasKind kind = pipeline.recipe().atlas.kind;
     const bool strips = kind != AtlasKind::patch && kind != AtlasKind::quad;
-    if (!strips) warn_if_starved(pipeline);
+    if (!strips) tell_shortage(pipeline, plan);
     const MeshAtlas& atlas = pipeline.mesh_atlas();
-    tell_fallback(pipeline, atlas.atlas());
-    if (strips) warn_if_starved(pipeline);
+    tell_fallback(pipeline, plan, atlas.atlas());
+    if (strips) tell_shortage(pipeline, plan);
     return atlas;
 }
 
-std::string shader_text(const BakePlan& plan, const Mesh& mesh) {
-    const Recipe& recipe = plan.recipes[0];
-    return plan.shader.empty() ? "" : emit_glsl(recipe, texture_from_mesh(recipe, mesh));
+std::string shader_text(const BakePlan& plan, const Pipeline& pipeline) {
+    const Recipe& recipe = pipeline.recipe();
+    return plan.shader.empty() ? "" : emit_glsl(recipe, texture_from_mesh(recipe, pipeline.mesh()));
+}
+
+void set_frame(Pipeline& pipeline, const BakePlan& plan, std::size_t number) {
+    const Recipe recipe = plan.recipe(number);
+    check_lattice(recipe, pipeline.mesh());
+    pipeline.set_recipe(recipe);
 }
 
 ExportOptions export_options(Pipeline& pipeline, const BakePlan& plan, const MeshPose* pose) {
@@ -119,14 +125,10 @@ void commit(std::vector<AtomicFile>& files, BakeResult& result) {
 
 }  // namespace
 
-void check_mesh(const BakePlan& plan, const Mesh& mesh) {
-    for (const Recipe& recipe : plan.recipes) check_lattice(recipe, mesh);
-}
-
 BakeResult bake(Pipeline& pipeline, const BakePlan& plan, const MeshPose* pose, LaterBake later) {
-    const std::string shader = shader_text(plan, pipeline.mesh());
-    pipeline.set_recipe(plan.recipes[0]);
-    const MeshAtlas& atlas = lay_out(pipeline);
+    set_frame(pipeline, plan, 0);
+    const std::string shader = shader_text(plan, pipeline);
+    const MeshAtlas& atlas = lay_out(pipeline, plan);
     if (later == LaterBake::none) pipeline.release_neighbours();
     const SolidAtlas& points = pipeline.solid();
     BakeResult result;
@@ -137,7 +139,7 @@ BakeResult bake(Pipeline& pipeline, const BakePlan& plan, const MeshPose* pose, 
         later == LaterBake::atlas || !plan.solid_map.empty() || plan.normals != NormalSpace::none;
     for (std::size_t i = 0; i < plan.paths.size(); ++i) {
         const bool last = i + 1 == plan.paths.size();
-        if (i > 0) pipeline.set_recipe(plan.recipes[i]);
+        if (i > 0) set_frame(pipeline, plan, i);
         result.texture = {};  // frees the last frame's texture before the next is made
         result.normals.reset();
         std::vector<AtomicFile> files =

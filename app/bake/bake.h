@@ -1,7 +1,7 @@
 #pragma once
 // One bake from a mesh to its files: mesh -> connectivity -> atlas -> solid points -> field and
 // colour -> levels -> files. `burl bake`, `burl batch` and the editor's export are this function.
-#include <memory>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,7 +18,12 @@ namespace burl {
 /// The files that a bake writes, and the recipes that they show.
 struct BakePlan {
     std::vector<std::string> paths{};  ///< outputs, one per frame; a bake without frames has one
-    std::vector<Recipe> recipes{};     ///< recipes of the paths, with one atlas and solid space
+    /// The recipe of the path of that number; all have one atlas and one solid space. It is asked
+    /// for when its frame is due, so that a long animation need not be in memory at once.
+    std::function<Recipe(std::size_t)> recipe{};
+    /// Is told, before the work, of an atlas that is too small or not of the kind asked for; empty:
+    /// nobody is.
+    std::function<void(const std::string&)> tell{};
     ImageKind kind = ImageKind::rgb8;  ///< kind of image of the textures (wanted_kind)
     int depth = 8;                     ///< bits of textures in sRGB and of normal maps, 8 or 16
     double crease_degrees = 40.0;      ///< crease angle of computed normals (app/surface/normals.h)
@@ -46,13 +51,10 @@ struct BakeResult {
     double writing = 0.0;             ///< seconds spent on files rather than on stages
 };
 
-/// Throws Error if a recipe's lattice is too fine for the mesh (check_lattice); called before any
-/// work.
-void check_mesh(const BakePlan& plan, const Mesh& mesh);
-
 /// Bakes the pipeline's mesh and writes the plan's files; if `pose` is not null, the mesh is
 /// exported in that pose. All files of a frame are committed together or not at all. Memory that a
-/// `later` bake does not reuse is freed early. Throws Error.
+/// `later` bake does not reuse is freed early. Throws Error, also where a frame's lattice is too
+/// fine for the mesh (check_lattice); frames before it have been written.
 BakeResult bake(Pipeline& pipeline, const BakePlan& plan, const MeshPose* pose = nullptr,
                 LaterBake later = LaterBake::none);
 

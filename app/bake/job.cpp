@@ -21,6 +21,7 @@
 #include "app/gl/fill/synthesizer.h"
 #include "app/options/idle_options.h"
 #include "app/recipe/forward_check.h"
+#include "app/recipe/lattice_check.h"
 #include "app/surface/load_pose.h"
 #include "atlas/base/error.h"
 
@@ -35,11 +36,11 @@ bool is_forward(const BakeCommand& command) {
 }
 
 /// The recipes of all frames, for the reference kernel if the command asks for it.
-std::vector<Recipe> recipes_of(const BakeCommand& command) {
+std::shared_ptr<const std::vector<Recipe>> recipes_of(const BakeCommand& command) {
     std::vector<Recipe> recipes = frame_recipes(command.recipe, command.animation);
     if (command.kernel == reference_kernel)
         std::for_each(recipes.begin(), recipes.end(), apply_reference);
-    return recipes;
+    return std::make_shared<const std::vector<Recipe>>(std::move(recipes));
 }
 
 /// The files of the mesh, the pose and the recipe.
@@ -52,14 +53,16 @@ std::vector<std::string> files_read(const BakeCommand& command, const Recipe& re
 }
 
 /// The plan of the command. Throws Error if an option is wrong or the recipe cannot be read.
-BakePlan plan_of(const BakeCommand& command) {
+BakePlan plan_of(const BakeCommand& command,
+                 const std::shared_ptr<const std::vector<Recipe>>& recipes) {
     BakePlan plan;
     plan.kind = wanted_kind(command.out, command.bits());
     plan.paths = frame_paths(command.out, command.animation);
-    plan.recipes = recipes_of(command);
+    plan.recipe = [recipes](std::size_t number) { return (*recipes)[number]; };
+    plan.tell = [](const std::string& what) { warn(what); };
     plan.depth = command.bits();
     plan.crease_degrees = command.crease_degrees();
-    const Recipe& first = plan.recipes[0];
+    const Recipe& first = recipes->front();
     plan.levels = levels_asked(command.levels, command.level_rule, first.atlas.size, plan.kind);
     plan.normals = normals_asked(command.normals, first, command.out);
     plan.compress = command.compress;
@@ -72,9 +75,12 @@ BakePlan plan_of(const BakeCommand& command) {
 }  // namespace
 
 BakeJob::BakeJob(const BakeCommand& command, const Json& settings)
-    : command_(command), plan_(plan_of(command)), inputs_(files_read(command, recipe())) {
+    : command_(command),
+      recipes_(recipes_of(command)),
+      plan_(plan_of(command, recipes_)),
+      inputs_(files_read(command, recipe())) {
     check();
-    if (is_forward(command_)) std::ranges::for_each(plan_.recipes, check_forward);
+    if (is_forward(command_)) std::ranges::for_each(*recipes_, check_forward);
     made_from_ = what_it_is_made_from(settings);
 }
 
@@ -133,7 +139,7 @@ void BakeJob::check_idle() const {
     const auto why_no_kernel = [kernel = kernel_named(command_.kernel)](const Recipe& recipe) {
         return idle_kernel(recipe, kernel);
     };
-    if (std::ranges::find(plan_.recipes, "", why_no_kernel) == plan_.recipes.end())
+    if (std::ranges::find(*recipes_, "", why_no_kernel) == recipes_->end())
         refuse("--kernel " + command_.kernel, why_no_kernel(recipe()));
     if (!command_.pose.empty() && !mesh)
         refuse("--pose", "a texture alone is the same in all of them");
@@ -157,11 +163,11 @@ std::shared_ptr<TextureSynthesizer> BakeJob::synthesizer() const {
                     "--gl says where OpenGL comes from, and the host makes the texture; add "
                     "--synth gl, gl-multipass or auto, or leave --gl out");
     const std::string platform = command_.platform.empty() ? gl_platforms()[0] : command_.platform;
-    if (synth == multipass_synth) return choose_multipass(multipass, platform, plan_.recipes);
+    if (synth == multipass_synth) return choose_multipass(multipass, platform, *recipes_);
     const SynthesisChoice choice = synth == "host" || !any ? SynthesisChoice::host
                                    : synth == "gl"         ? SynthesisChoice::gl
                                                            : SynthesisChoice::automatic;
-    return choose_synthesizer(choice, platform, plan_.recipes);
+    return choose_synthesizer(choice, platform, *recipes_);
 }
 
 Json BakeJob::what_it_is_made_from(const Json& settings) const {
@@ -175,9 +181,9 @@ Json BakeJob::what_it_is_made_from(const Json& settings) const {
                       {"recipe", Json::parse(to_json(recipe()))},
                       {"options", settings}};
     if (files.empty() || files[0] != command_.mesh) made_from["sample"] = command_.mesh;
-    if (plan_.recipes.size() > 1) {
+    if (recipes_->size() > 1) {
         Sha256 hash;
-        for (const Recipe& recipe : plan_.recipes) hash.add(to_json(recipe));
+        for (const Recipe& recipe : *recipes_) hash.add(to_json(recipe));
         made_from["frames"] = hash.digest();
     }
     return made_from;
@@ -195,7 +201,7 @@ void BakeJob::set_up(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> syn
 Json BakeJob::run(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthesizer,
                   double reading, LaterBake later) const {
     const auto start = Clock::now();
-    check_mesh(plan_, pipeline.mesh());
+    for (const Recipe& recipe : *recipes_) check_lattice(recipe, pipeline.mesh());
     std::optional<MeshPose> pose;
     if (!command_.pose.empty())
         pose = load_pose(command_.mesh, command_.pose, command_.meshes.read);

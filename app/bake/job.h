@@ -24,7 +24,7 @@ class BakeJob {
 
     const BakeCommand& command() const { return command_; }
     /// The recipe of the first frame.
-    const Recipe& recipe() const { return plan_.recipes[0]; }
+    const Recipe& recipe() const { return recipes_->front(); }
     /// All files that are read, or that the mesh's file names.
     const std::vector<std::string>& inputs() const { return inputs_; }
     /// All files that will be written, except reports and the record. (Strip atlases may have fewer
@@ -71,6 +71,7 @@ class BakeJob {
     bool wants_report() const { return command_.json || !command_.report.empty(); }
 
     BakeCommand command_;
+    std::shared_ptr<const std::vector<Recipe>> recipes_;  ///< one per frame, which plan_ gives, too
     BakePlan plan_;
     std::vector<std::string> inputs_;
     Json made_from_;

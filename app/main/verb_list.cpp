@@ -28,13 +28,14 @@ struct Entry {
     std::string name, text;
 };
 
-/// By atlas kinds.
-constexpr std::array<const char*, enum_names<AtlasKind>.size()> atlas_texts{
-    "every triangle the same shape (Carr & Hart 4.1)",
-    "triangles sized by their area (Carr & Hart 4.2)",
-    "triangles sized by their longest edge (Carr & Hart 4.2)",
-    "pairs in a balanced quadtree of surface clusters (Carr & Hart 4.3)",
-    "few patches on full rectangles, for any lookup (the default)"};
+/// What an atlas kind is, in the order of AtlasKind.
+constexpr auto atlas_texts = std::to_array<const char*>(
+    {"every triangle the same shape (Carr & Hart 4.1)",
+     "triangles sized by their area (Carr & Hart 4.2)",
+     "triangles sized by their longest edge (Carr & Hart 4.2)",
+     "pairs in a balanced quadtree of surface clusters (Carr & Hart 4.3)",
+     "few patches on full rectangles, for any lookup (the default)"});
+static_assert(atlas_texts.size() == enum_names<AtlasKind>.size());
 
 std::vector<Entry> recipe_entries() {
     std::vector<Entry> entries;

@@ -80,7 +80,10 @@ void Pipeline::set_forward(bool forward) {
 }
 
 void Pipeline::set_synthesizer(std::shared_ptr<TextureSynthesizer> synthesizer) {
-    if (synthesizer != synthesizer_) forget_pictures();
+    if (synthesizer != synthesizer_) {
+        if (synthesizer_) synthesizer_->forget_atlas();
+        forget_pictures();
+    }
     synthesizer_ = std::move(synthesizer);
 }
 

@@ -120,6 +120,7 @@ template <class Owner, class Member>
 RecipeParameter row(std::string_view path, Member Owner::*member, const Range& range,
                     std::string_view tip, const ParameterUse& use = {}) {
     using Value = typename Item<Member>::Value;
+    static_assert(!std::is_enum_v<Value> || NamedEnum<Value>, "enum_names has no words for it");
     const auto& [low, high, step, unit, words] = range;
     Parameter parameter{path, parameter_type<Value>(), low, high, step, 1, unit, "", words, tip};
     if constexpr (NamedEnum<Value>)

@@ -46,7 +46,7 @@ bool number_fits(const Parameter& p, const Json& value) {
     return std::isfinite(x) && x >= p.low && x <= p.high;
 }
 
-bool is_color(const std::string& text) {
+bool is_hex_color(const std::string& text) {
     return text.size() == 7 && text[0] == '#' &&
            text.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
 }
@@ -73,7 +73,7 @@ bool fits(const Parameter& p, const Json& value) {
         case ParameterType::text:
             return value.is_string() && is_utf8(value);
         case ParameterType::color:
-            return value.is_string() && is_color(value.get_ref<const std::string&>());
+            return value.is_string() && is_hex_color(value.get_ref<const std::string&>());
         case ParameterType::choice: {
             const auto words = split_choices(p.choices);
             return value.is_string() &&

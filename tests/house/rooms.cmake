@@ -1,6 +1,6 @@
 # Who may include whom: the rooms of rooms.txt; tests all, assets only atlas, and nobody tests. A shader includes those that its
-# comments name, for GLSL knows no includes. Only rooms that include OpenGL, and
-# the tests of app/gl and app/editor/window, name its headers. Usage: cmake -DROOT=folder [-DROOMS=file] -P rooms.cmake
+# comments name, for GLSL knows no includes. Only rooms that include OpenGL, and the tests of app/gl, app/bench/gl and
+# app/editor/window, name its headers. Usage: cmake -DROOT=folder [-DROOMS=file] -P rooms.cmake
 cmake_minimum_required(VERSION 3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/files.cmake)
 if(NOT ROOMS)

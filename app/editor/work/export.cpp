@@ -69,22 +69,21 @@ void check_outputs(const ExportRequest& request) {
 }
 
 /// What `burl bake` with bake_options() does.
-BakePlan plan_of(const ExportRequest& request, std::vector<Recipe> recipes,
-                 std::vector<std::string> paths) {
+BakePlan plan_of(const ExportRequest& request) {
     BakePlan plan;
     plan.kind = wanted_kind(request.out, export_depth);
     plan.depth = export_depth;
     plan.levels = export_levels(request);
     plan.normals = normals_asked("", request.recipe, request.out);
-    plan.recipes = std::move(recipes);
-    plan.paths = std::move(paths);
+    plan.recipe = [&request](std::size_t) { return request.recipe; };
+    plan.paths = {request.out};
     plan.measures = false;
     return plan;
 }
 
 void bake_plan(const ExportRequest& request, const BakePlan& plan, std::size_t cache) {
     Pipeline pipeline(load_mesh(request.mesh));
-    check_mesh(plan, pipeline.mesh());
+    check_lattice(plan.recipe(0), pipeline.mesh());
     std::optional<MeshPose> pose;
     if (!request.pose.empty() && holds_mesh(request.out))
         pose = load_pose(request.mesh, request.pose);
@@ -123,7 +122,7 @@ std::vector<std::string> export_files(const ExportRequest& request) {
 void bake_file(const ExportRequest& request) {
     check_outputs(request);
     if (is_shader_file(request.out)) return write_shader(request);
-    bake_plan(request, plan_of(request, {request.recipe}, {request.out}), 0);
+    bake_plan(request, plan_of(request), 0);
 }
 
 void bake_frames(const ExportRequest& request) {
@@ -134,14 +133,14 @@ void bake_frames(const ExportRequest& request) {
     constexpr std::size_t cache = std::size_t(512) << 20;
     const KeyedAnimation& animation = request.recipe.animation;
     const int frames = frame_count(animation);
-    std::vector<Recipe> recipes;
-    std::vector<std::string> paths;
-    for (int i = 0; i < frames; ++i) {
-        recipes.push_back(recipe_at(request.recipe, frame_seconds(animation, i, frames)));
-        paths.push_back(frame_path(request.out, std::size_t(i) + 1));
-    }
-    BakePlan plan = plan_of(request, std::move(recipes), std::move(paths));
+    BakePlan plan = plan_of(request);
     plan.levels = {};
+    plan.recipe = [&](std::size_t number) {
+        return recipe_at(request.recipe, frame_seconds(animation, int(number), frames));
+    };
+    plan.paths.clear();
+    for (int i = 0; i < frames; ++i)
+        plan.paths.push_back(frame_path(request.out, std::size_t(i) + 1));
     bake_plan(request, plan, cache);
 }
 

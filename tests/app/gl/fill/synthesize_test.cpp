@@ -177,6 +177,19 @@ TEST_F(GlSynthesizeTest, TexelsAtAChangeOfColourHaveTheHostsBytes) {
     EXPECT_EQ(differing(drawn, on_host<Rgb8>(solid, texture, solid_map)), 0u);
 }
 
+TEST_F(GlSynthesizeTest, StepsFarFieldsAndSimplexHaveTheHostsBytes) {
+    GlSynthesis gl(*context);
+    SynthesizeSubject subject("sample:teapot", 64);
+    Recipe flat = with_noise({});
+    flat.texture.quadric = {};
+    flat.texture.quadric.j = 0.5;  // every texel at a step of the colours
+    flat.texture.colors = {Wrap::repeat, {{0.0, {9, 9, 9}}, {0.5, {9, 9, 9}}, {0.5, {99, 9, 9}}}};
+    Recipe far = load_recipe("marble"), simplex = far;
+    far.texture.quadric.j = 1e7;
+    simplex.texture.noise[0].kind = NoiseKind::simplex;
+    for (const Recipe& recipe : {flat, far, simplex}) expect_equal<Rgb8>(gl, subject, recipe);
+}
+
 TEST_F(GlSynthesizeTest, TilesAndThreadsLeaveNoTrace) {
     GlSynthesisLimits limits;
     limits.tile = 24;
