@@ -1,5 +1,4 @@
-// The nodes of colours averaged over a footprint, as graph/colors.cpp and graph/noise.cpp define
-// them.
+// The steps of checkerboards and colours with gradients, as graph/dual_colors.cpp evaluates them.
 #include <fmt/format.h>
 
 #include "procedural/color/marble_spline.h"
@@ -7,103 +6,73 @@
 
 namespace burl {
 
-namespace {
-
-/// The channels of a variable of type DualColor, with alpha 1.
-GlslNode opaque(const GlslNodeCall& call, const std::string& color) {
-    return {{fmt::format("{}.r", color), fmt::format("{}.g", color), fmt::format("{}.b", color),
-             call.text->constant(1.0)}};
+/// The expression of black minus white along one axis of a checkerboard. Without a footprint all
+/// methods of antialiasing give the board itself.
+std::string GlslDuals::stripes_of(Antialiasing antialiasing, const std::string& x) {
+    const std::string steps = fmt::format("{}, {}, {}", x, along(x, 'u'), along(x, 'v'));
+    if (!filtering_ || antialiasing == Antialiasing::none)
+        return fmt::format("stripes_over_box({}, {}, {})", x, number(0.0), number(0.0));
+    if (antialiasing == Antialiasing::closed_form)
+        return fmt::format("stripes_over_box({})", steps);
+    const Rgb8 black{0, 0, 0}, white{255, 255, 255};
+    const ColorMap stripes{Wrap::repeat, {{0.0, black}, {0.5, black}, {0.5, white}, {1.0, white}}};
+    return fmt::format("stripes_over_both({}, {})", filtering_->maps.add(stripes), steps);
 }
 
-GlslNode color_map(const GlslNodeCall& call) {
-    GlslDuals& text = *call.text;
-    const std::string map =
-        text.filtering()->maps.add(call.graph->textures[call.node->texture].colors);
-    const std::string f = call.input(0);
-    const FilterKind kind = text.filtering()->filter.kind;
-    const bool both = kind == FilterKind::trapezoid || kind == FilterKind::trapezoid2;
-    return opaque(call, text.variable("DualColor",
-                                      fmt::format("dual_color({}, {}, {}, {}, {})", map, f,
-                                                  text.along(f, 'u'), text.along(f, 'v'), both)));
-}
-
-GlslNode layer_over(const GlslNodeCall& call) {
-    GlslDuals& text = *call.text;
-    const std::string opacity = text.dual(fmt::format(
-        "dual_min({}, dual_max({}, {}))", text.constant(1.0), text.constant(0.0), call.input(2)));
-    const std::string shows = text.dual(
-        fmt::format("{} - dual_product({}, {})", text.constant(1.0), opacity, call.input(0, 3)));
-    return call.channels([&](std::size_t c) {
-        return fmt::format("dual_product({}, {}) + dual_product({}, {})", opacity, call.input(0, c),
-                           shows, call.input(1, c));
-    });
-}
-
-GlslNode uv(const GlslNodeCall& call) {
-    GlslDuals& text = *call.text;
-    const auto fraction = [&](std::size_t i) {
-        return text.dual(
-            fmt::format("box_fract({}, {})", call.axis(i), text.box_width(call.axis(i))));
+std::string GlslDuals::supersampled(std::size_t axes) const {
+    const auto moved = [&](char step) {
+        return fmt::format("real3({}, {}, {})", along(in(0), step), along(in(1), step),
+                           along(in(2), step));
     };
-    const std::string u = fraction(0);
-    return {{u, fraction(1), text.constant(0.0), text.constant(1.0)}};
+    return fmt::format("dual(supersampled_board(real3({}.x, {}.x, {}.x), {}, {}, {}))", in(0),
+                       in(1), in(2), moved('u'), moved('v'), axes);
 }
 
-/// The text "real3[9](...)" of the control points times the brightness.
-std::string marble_points(const GlslDuals& text) {
-    std::string list;
-    for (const auto& color : marble_colors)
-        list += fmt::format("{}real3({}, {}, {})", list.empty() ? "" : ", ",
-                            text.number(marble_brightness * color[0]),
-                            text.number(marble_brightness * color[1]),
-                            text.number(marble_brightness * color[2]));
-    return fmt::format("real3[{}]({})", marble_colors.size(), list);
+GlslDuals::Names GlslDuals::step(const Checkerboard& board) {
+    if (filtering_ && board.antialiasing == Antialiasing::supersample)
+        return {dual(supersampled(board.axes))};
+    std::string sign;
+    for (std::size_t i = 0; i < board.axes; ++i) {
+        const std::string stripes = dual(stripes_of(board.antialiasing, in(i)));
+        sign = i == 0 ? stripes : dual(fmt::format("dual_product({}, {})", sign, stripes));
+    }
+    return {dual(fmt::format("{} - {} * {}", constant(0.5), number(0.5), sign))};
 }
 
-GlslNode marble(const GlslNodeCall& call) {
-    GlslDuals& text = *call.text;
-    const double scale = call.parameter("scale");
-    const std::string noise = glsl_octaves_at(call, Vec3d(scale));
-    const std::string vein =
-        text.dual(fmt::format("{} * {} + {} * {}", text.number(scale), call.axis(1),
-                              glsl_operand(text.number(call.parameter("variation"))), noise));
-    const std::string t = text.dual(
-        fmt::format("{} + {} * dual_sin({})", text.constant(0.5), text.number(0.5), vein));
-    return opaque(call, text.variable("DualColor",
-                                      fmt::format("dual_spline({}, {}, {})", t, marble_points(text),
-                                                  call.parameter("spline") == 1.0)));
+GlslDuals::Names GlslDuals::color(const std::string& expression) {
+    const std::string name = variable("DualColor", expression);
+    return {name + ".r", name + ".g", name + ".b"};
 }
 
-/// The text "real2(...)" of the change of the first two coordinates along a step.
-std::string moved(const GlslNodeCall& call, char step) {
-    return fmt::format("real2({}, {})", call.text->along(call.axis(0), step),
-                       call.text->along(call.axis(1), step));
+GlslDuals::Names GlslDuals::step(const MapColors& colors) {
+    const FilterKind kind = filtering_->filter.kind;
+    const bool both = kind == FilterKind::trapezoid || kind == FilterKind::trapezoid2;
+    return color(fmt::format("dual_color({}, {}, {}, {}, {})", filtering_->maps.add(*colors.colors),
+                             in(0), along(in(0), 'u'), along(in(0), 'v'), both));
 }
 
-GlslNode image(const GlslNodeCall& call) {
-    GlslDuals& text = *call.text;
-    const auto& pixels = call.graph->images[call.node->image].pixels;
-    const std::string at = fmt::format("{}, {}, {}.x, {}.x", text.functions().image(pixels),
-                                       pixels->levels().size(), call.axis(0), call.axis(1));
-    const int wrap = int(call.parameter("wrap"));
-    const std::string u = moved(call, 'u'), v = moved(call, 'v');
+GlslDuals::Names GlslDuals::step(const MarbleColors& colors) {
+    Names points;
+    for (const auto& c : marble_colors)
+        points.push_back(real3(marble_brightness * Vec3d(c[0], c[1], c[2])));
+    return color(fmt::format("dual_spline({}, real3[{}]({}), {})", in(0), points.size(),
+                             fmt::join(points, ", "), colors.smooth));
+}
+
+GlslDuals::Names GlslDuals::step(const ImageColors& image) {
+    const std::string at = fmt::format("{}, {}, {}.x, {}.x", functions_.image(image.pixels),
+                                       image.pixels->levels().size(), in(0), in(1));
+    const auto moved = [&](char step) {
+        return fmt::format("real2({}, {})", along(in(0), step), along(in(1), step));
+    };
+    const std::string u = moved('u'), v = moved('v');
+    const int wrap = int(image.pixels->wrap());
     const std::string sample =
-        call.parameter("lookup") == 1.0
-            ? fmt::format("ewa_sample({}, {}, {}, {}, {})", at, u, v,
-                          text.number(call.parameter("anisotropy")), wrap)
+        image.ewa
+            ? fmt::format("ewa_sample({}, {}, {}, {}, {})", at, u, v, number(image.anisotropy),
+                          wrap)
             : fmt::format("trilinear_sample({}, trilinear_width({}, {}), {})", at, u, v, wrap);
-    return opaque(call, text.variable("DualColor", fmt::format("dual_image({}, {}, {})", sample,
-                                                               call.axis(0), call.axis(1))));
-}
-
-constexpr std::array colors_table{NamedGlslNode{"color_map", color_map},
-                                  NamedGlslNode{"layer_over", layer_over}, NamedGlslNode{"uv", uv},
-                                  NamedGlslNode{"marble", marble}, NamedGlslNode{"image", image}};
-
-}  // namespace
-
-std::span<const NamedGlslNode> glsl_color_nodes() {
-    return colors_table;
+    return color(fmt::format("dual_image({}, {}, {})", sample, in(0), in(1)));
 }
 
 }  // namespace burl

@@ -18,6 +18,10 @@ std::string GlslDuals::constant(double value) const {
     return fmt::format("dual({})", number(value));
 }
 
+std::string GlslDuals::real3(const Vec3d& v) const {
+    return fmt::format("real3({}, {}, {})", number(v.x), number(v.y), number(v.z));
+}
+
 std::string GlslDuals::variable(const std::string& type, const std::string& expression) {
     std::string name = new_name("d");
     line(fmt::format("{} {} = {};", type, name, expression));
@@ -33,141 +37,144 @@ std::string GlslDuals::box_width(const std::string& x) const {
     return fmt::format("length_of({}, {})", along(x, 'u'), along(x, 'v'));
 }
 
-/// The name of a float variable with the number of octaves that the footprint shows.
-std::string GlslDuals::visible(std::size_t octaves, double lacunarity,
-                               const std::array<std::string, 3>& point) {
-    return variable(
-        "float",
-        fmt::format("float(visible_octaves({}, {}, {}, step_u, step_v, {}, {}))", point[0],
-                    point[1], point[2], number(std::log2(lacunarity)), number(double(octaves))));
-}
-
-std::string GlslDuals::octaves(const NoiseSum& sum, const std::array<std::string, 3>& point,
-                               const std::optional<GlslFade>& fade) {
-    const std::string kept =
-        filtering_ && fade ? visible(sum.octaves.size(), fade->lacunarity, point) : "";
-    const GlslSum written = sums_.slopes(sum, {point[0] + ".x", point[1] + ".x", point[2] + ".x"},
-                                         kept, fade ? fade->mean : 0.0, new_name("n"));
-    lines_ += written.lines;
-    return dual(
-        fmt::format("dual_at({}, {}, {}, {})", written.result, point[0], point[1], point[2]));
-}
-
-std::string GlslDuals::lattice_octaves(const NoiseSum& sum, const std::string& point) {
-    const GlslSum written =
-        sums_.slopes(sum, {point + ".x", point + ".y", point + ".z"}, "", 0.0, new_name("n"));
-    lines_ += written.lines;
-    return written.result;
-}
-
-double GlslNodeCall::parameter(std::string_view key, std::size_t component) const {
-    NodeCall call;
-    call.node = node;
-    return call.parameter(key, component);
-}
-
-Vec3d GlslNodeCall::vector(std::string_view key) const {
-    return {parameter(key, 0), parameter(key, 1), parameter(key, 2)};
-}
-
-std::string GlslNodeCall::input(std::size_t k, std::size_t c) const {
-    const std::vector<std::string>& channels = inputs[k]->channels;
-    if (c < channels.size()) return channels[c];
-    return c < 3 ? channels[0] : text->constant(1.0);
-}
-
-std::string GlslNodeCall::along(const Vec3d& d, double offset) const {
-    std::vector<double> factors;
+/// The expression of the inputs' sum with these factors, without the terms of factor 0.
+std::string GlslDuals::sum(const std::vector<double>& factors, double offset) const {
+    std::vector<double> used;
     std::vector<std::string> terms;
-    for (int i = 0; i < 3; ++i) {
-        if (d[i] == 0.0) continue;
-        factors.push_back(d[i]);
-        terms.push_back(axis(std::size_t(i)));
+    for (std::size_t k = 0; k < factors.size(); ++k) {
+        if (factors[k] == 0.0) continue;
+        used.push_back(factors[k]);
+        terms.push_back(in(k));
     }
-    if (terms.empty()) return text->constant(offset);
-    std::string sum = glsl_sum(factors, terms, 0.0, text->functions().real());
-    if (offset != 0.0) sum += " + " + text->constant(offset);
-    return sum;
+    if (terms.empty()) return constant(offset);
+    const std::string text = glsl_sum(used, terms, 0.0, functions_.real());
+    return offset == 0.0 ? text : fmt::format("{} + {}", text, constant(offset));
 }
 
-GlslNode GlslNodeCall::blend(const std::string& weight) const {
-    const std::string w = text->dual(weight);
-    return channels([&](std::size_t c) {
-        return fmt::format("dual_lerp({}, {}, {})", w, input(0, c), input(1, c));
-    });
+/// The call "FUNCTION(input 0, input 1, ...)".
+std::string GlslDuals::inputs_of(const char* function) const {
+    return fmt::format("{}({})", function, fmt::join(inputs_, ", "));
 }
 
-namespace {
-
-GlslNode written(const GlslNodeCall& call) {
-    const std::string_view name = type_of(*call.node).name;
-    for (const auto& table :
-         {glsl_math_nodes(), glsl_pattern_nodes(), glsl_noise_nodes(), glsl_color_nodes()})
-        for (const NamedGlslNode& known : table)
-            if (known.node == name) return known.write(call);
-    return {{call.text->constant(0.0)}};
-}
-
-/// A flag per node: whether the last node needs it.
-std::vector<bool> needed_nodes(const TextureGraph& graph) {
-    std::vector<bool> needed(graph.nodes.size(), false);
-    needed.back() = true;
-    for (std::size_t n = graph.nodes.size(); n-- > 1;) {
-        if (!needed[n]) continue;
-        needed[graph.nodes[n].place] = true;
-        for (const std::uint32_t input : graph.nodes[n].inputs) needed[input] = true;
+std::string GlslDuals::expression(const ValueOperation& work) const {
+    const auto [p, q, r, s] = work.parameters;
+    switch (work.op) {
+        case ValueOp::constant:
+            return constant(p);
+        case ValueOp::affine:
+            return sum({p, q, r}, s);
+        case ValueOp::linear:
+            return sum({p}, q);
+        case ValueOp::combine:
+            return sum({p, q});
+        case ValueOp::add:
+            return fmt::format("{} + {}", in(0), in(1));
+        case ValueOp::multiply:
+            return inputs_of("dual_product");
+        case ValueOp::products:
+            return fmt::format("dual_product({}, {}) + dual_product({}, {})", in(0), in(1), in(2),
+                               in(3));
+        case ValueOp::ratio:
+            return inputs_of("dual_ratio");
+        case ValueOp::minimum:
+            return inputs_of("dual_min");
+        case ValueOp::maximum:
+            return inputs_of("dual_max");
+        case ValueOp::absolute:
+            return inputs_of("dual_abs");
+        case ValueOp::floor:
+            return inputs_of("dual_floor");
+        case ValueOp::fract:
+            return inputs_of("dual_fract");
+        case ValueOp::odd:
+            return fmt::format("dual(odd_cell({}.x))", in(0));
+        case ValueOp::at_least:
+            return fmt::format("dual({}.x >= {} ? {} : {})", in(0), number(p), number(1.0),
+                               number(0.0));
+        case ValueOp::smoothstep:
+            return fmt::format("dual_smoothstep({}, {}, {})", number(p), number(q), in(0));
+        case ValueOp::lerp:
+            return inputs_of("dual_lerp");
+        case ValueOp::length:
+            return inputs_of("dual_length");
+        case ValueOp::power:
+            if (p == 0.0) return constant(1.0);
+            return p == std::floor(p) ? fmt::format("dual_whole_power({}, {}u)", in(0), p)
+                                      : fmt::format("dual_power({}, {})", in(0), number(p));
+        case ValueOp::sine:
+            return inputs_of("dual_sin");
+        case ValueOp::angle:
+            return inputs_of("dual_angle");
     }
-    return needed;
+    return constant(0.0);
 }
 
-/// Writes the nodes, one after the other, and returns the last one's channels.
-GlslNode write_nodes(const TextureGraph& graph, GlslDuals& text) {
-    const auto solid = [&](const char* axis, const std::array<double, 3>& slope) {
-        return text.dual(fmt::format("real4(solid.{}, {}, {}, {})", axis, text.number(slope[0]),
-                                     text.number(slope[1]), text.number(slope[2])));
-    };
-    std::vector<GlslNode> nodes;
-    nodes.reserve(graph.nodes.size());
-    nodes.push_back({{solid("x", {1, 0, 0}), solid("y", {0, 1, 0}), solid("z", {0, 0, 1})}});
-    const std::vector<bool> needed = needed_nodes(graph);
-    for (std::size_t n = 1; n < graph.nodes.size(); ++n) {
-        const GraphNode& node = graph.nodes[n];
-        if (!needed[n]) {
-            nodes.emplace_back();
-            continue;
-        }
-        GlslNodeCall call;
-        call.graph = &graph;
-        call.node = &node;
-        for (std::size_t k = 0; k < node.inputs.size(); ++k)
-            call.inputs[k] = &nodes[node.inputs[k]];
-        call.place = &nodes[node.place];
-        call.text = &text;
-        text.line(fmt::format("// {} (node {})", type_of(node).name, n));
-        nodes.push_back(written(call));
+GlslDuals::Names GlslDuals::step(const ValueOperation& work) {
+    if (work.op == ValueOp::constant) return {constant(work.parameters[0])};
+    return {dual(expression(work))};
+}
+
+GlslDuals::Names GlslDuals::step(const BoxMean& mean) {
+    const char* function = mean.function == ValueOp::odd     ? "box_odd"
+                           : mean.function == ValueOp::fract ? "box_fract"
+                                                             : "box_sin";
+    return {dual(fmt::format("{}({}, {})", function, in(0), box_width(in(0))))};
+}
+
+GlslDuals::Names GlslDuals::step(const BoxStep& share) {
+    const std::string above = dual(
+        fmt::format("({}) - {}", sum({share.factor}, share.offset), constant(share.threshold)));
+    return {dual(fmt::format("box_step({}, {})", above, box_width(above)))};
+}
+
+GlslDuals::Names GlslDuals::step(const PositiveTurn&) {
+    return {dual(fmt::format("{0}.x < {1} ? {0} + {2} : {0}", in(0), number(0.0), constant(1.0)))};
+}
+
+GlslDuals::Names GlslDuals::step(const SlopeAlong& slope) {
+    return {dual(fmt::format("dual(dot_of({}, {}.yzw))", real3(slope.direction), in(0)))};
+}
+
+std::vector<std::string> GlslDuals::write(const TextureGraph& graph) {
+    GraphProgram program = program_of(graph);
+    program.results.resize(std::min<std::size_t>(program.results.size(), 3));  // over black
+    drop_unread(program.steps, std::span<const Register>(program.results), program.registers);
+    Names names(program.registers);
+    for (std::size_t i = 0; i < 3; ++i)
+        names[i] = dual(fmt::format("real4(solid.{}, {}, {}, {})", "xyz"[i], number(i == 0),
+                                    number(i == 1), number(i == 2)));
+    std::uint32_t node = 0;
+    for (const GraphStep& next : program.steps) {
+        if (next.node != node)
+            line(fmt::format("// {} (node {})", type_of(graph.nodes[next.node]).name, next.node));
+        node = next.node;
+        inputs_.clear();
+        for (const Register r : next.inputs) inputs_.push_back(names[r]);
+        const Names outputs = std::visit([&](const auto& work) { return step(work); }, next.work);
+        for (std::size_t k = 0; k < outputs.size(); ++k) names[next.outputs[k]] = outputs[k];
     }
-    return nodes.back();
+    Names results;
+    for (const Register r : program.results) results.push_back(names[r]);
+    return results;
 }
-
-}  // namespace
 
 std::string glsl_gradient_function(const TextureGraph& graph, const std::string& name,
                                    GlslFunctions& functions) {
     GlslDuals text(functions, nullptr);
-    const GlslNode result = write_nodes(graph, text);
+    const std::string result = text.write(graph).front();
     return fmt::format("real4 {}(real3 solid) {{\n{}    return {};\n}}\n\n", name, text.lines(),
-                       result.channels[0]);
+                       result);
 }
 
 std::string glsl_filtered_function(const TextureGraph& graph, const std::string& name,
                                    GlslFunctions& functions, GlslFiltering& filtering) {
     GlslDuals text(functions, &filtering);
-    GlslNode result = write_nodes(graph, text);
-    if (result.channels.size() == 1) result.channels.resize(3, result.channels.front());
+    std::vector<std::string> results = text.write(graph);
+    results.resize(3, results.front());
     return fmt::format(
         "real3 {}(real3 solid, real3 step_u, real3 step_v) {{\n{}"
         "    return real3({}.x, {}.x, {}.x);\n}}\n\n",
-        name, text.lines(), result.channels[0], result.channels[1], result.channels[2]);
+        name, text.lines(), results[0], results[1], results[2]);
 }
 
 }  // namespace burl

@@ -1,13 +1,14 @@
 #pragma once
-// Evaluation of a texture graph in batches: node after node, each over the arrays of all points,
-// with forward-mode derivatives. Everything is float64, which is the reference, or sums of noise
-// are evaluated by the vectorised kernels in float32. A point's result does not depend on the other
-// points of its batch.
+// Evaluation of a texture graph in batches: the steps of its program (program.h) one after the
+// other, each over the arrays of all points, with forward-mode derivatives. Everything is float64,
+// which is the reference, or sums of noise are evaluated by the vectorised kernels in float32. A
+// point's result does not depend on the other points of its batch.
 #include <memory>
 #include <span>
 #include <vector>
 
-#include "procedural/graph/batch.h"
+#include "procedural/batch/precision.h"
+#include "procedural/graph/duals.h"
 
 namespace burl {
 
@@ -36,7 +37,7 @@ class GraphEvaluator {
                             const Filter& filter = {FilterKind::trapezoid},
                             PrecisionKind precision = PrecisionKind::float64);
 
-    Scratch make_scratch() const { return Scratch(channel_count_); }
+    Scratch make_scratch() const;
     const TextureGraph& graph() const { return graph_; }
 
     /// samples[i] = the result at points[i] over footprints[i], or at points where no footprints
@@ -48,14 +49,17 @@ class GraphEvaluator {
     GraphSample operator()(const Vec3d& point, const Footprint& footprint = {}) const;
 
   private:
-    void evaluate_batch(std::span<const Footprint> footprints, Scratch& scratch) const;
-    std::span<Channel> channels(Scratch& scratch, std::size_t node) const;
+    struct Step {
+        DualFunction run;
+        std::vector<Register> inputs, outputs;
+    };
+    static void run(const Step& step, std::span<const Footprint> footprints, Scratch& scratch);
 
     TextureGraph graph_;
-    bool float32_;
-    std::vector<PreparedNode> prepared_;
-    std::vector<std::size_t> first_channel_;
-    std::size_t channel_count_ = 0;
+    std::vector<Step> steps_;
+    std::size_t fixed_ = 0;  ///< number of leading steps that do not depend on the point
+    std::vector<Register> results_;
+    std::size_t channels_ = 0;
 };
 
 }  // namespace burl

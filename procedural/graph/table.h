@@ -1,15 +1,19 @@
 #pragma once
 // The table of the nodes that a texture graph can have: names, inputs, parameters with their
-// ranges, meaning and source. Parsing, checking, `burl list nodes`, --set and
-// docs/reference/nodes.md follow it.
+// ranges, meaning, source and definition. Parsing, checking, `burl list nodes`, --set and
+// docs/reference/nodes.md follow it. Its rows stand with the nodes' definitions (nodes_....cpp).
 #include <array>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "procedural/batch/parameter.h"
-#include "procedural/graph/batch.h"
+#include "procedural/graph/graph.h"
+#include "procedural/graph/step_registers.h"
 
 namespace burl {
+
+class NodeOps;
 
 /// An input of a node type.
 struct NodeInput {
@@ -28,7 +32,9 @@ enum class NodeResult { number, color, inputs, inner };
 struct NodeType {
     std::string_view name;
     NodeResult result = NodeResult::number;
-    void (*evaluate)(const NodeCall& call) = nullptr;
+    /// Adds the node's steps to a program and returns the registers of the node's channels, or of
+    /// the point that it makes.
+    std::vector<Register> (*define)(NodeOps& node) = nullptr;
     std::string_view text, source;
     std::array<NodeInput, 4> input_list{};
     std::array<Parameter, 10> parameter_list{};
@@ -49,5 +55,20 @@ const NodeType* find_node(std::string_view name);
 inline const NodeType& type_of(const GraphNode& node) {
     return graph_table()[node.type];
 }
+
+/// The parameters of a node by their keys.
+class NodeParameters {
+  public:
+    explicit NodeParameters(const GraphNode& node) : node_(node) {}
+
+    const GraphNode& self() const { return node_; }
+    /// Component `component` of a parameter; 0 where the node's type has none with that key.
+    double parameter(std::string_view key, std::size_t component = 0) const;
+    /// The first three components of a parameter.
+    Vec3d vector(std::string_view key) const;
+
+  private:
+    const GraphNode& node_;
+};
 
 }  // namespace burl

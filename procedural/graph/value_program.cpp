@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "procedural/noise/lattice_site.h"
 #include "procedural/noise/value_noise.h"
@@ -109,21 +108,6 @@ const double* ValueProgram::constant_of(Register r) const {
     return nullptr;
 }
 
-void ValueProgram::drop_unread(const std::vector<Register>& results) {
-    std::vector<bool> read(registers_, false);
-    for (const Register r : results) read[r] = true;
-    std::vector<ValueStep> kept;
-    for (std::size_t i = steps_.size(); i-- > 0;) {
-        ValueStep& step = steps_[i];
-        if (std::none_of(step.outputs.begin(), step.outputs.end(),
-                         [&](Register r) { return read[r]; }))
-            continue;
-        for (const Register r : step.inputs) read[r] = true;
-        kept.push_back(std::move(step));
-    }
-    steps_.assign(std::make_move_iterator(kept.rbegin()), std::make_move_iterator(kept.rend()));
-}
-
 void ValueProgram::put_fixed_first() {
     std::vector<bool> varies(registers_, false);
     varies[0] = varies[1] = varies[2] = true;
@@ -137,44 +121,11 @@ void ValueProgram::put_fixed_first() {
     fixed_steps_ = fix_ ? std::size_t(rest - steps_.begin()) : 0;
 }
 
-/// Assigns registers to arrays, of which each is free after the last step that reads it; arrays of
-/// fixed steps and results are never free.
-void ValueProgram::share_arrays(std::vector<Register>& results) {
-    constexpr auto always = std::numeric_limits<std::size_t>::max();
-    std::vector<std::size_t> last(registers_, 0);
-    for (std::size_t i = 0; i < steps_.size(); ++i) {
-        for (const Register r : steps_[i].outputs) last[r] = i < fixed_steps_ ? always : i;
-        for (const Register r : steps_[i].inputs) last[r] = std::max(last[r], i);
-    }
-    for (const Register r : results) last[r] = always;
-    last[0] = last[1] = last[2] = always;
-
-    std::vector<Register> array(registers_, 0), free;
-    array[1] = 1, array[2] = 2;
-    Register arrays = 3;
-    for (std::size_t i = 0; i < steps_.size(); ++i) {
-        for (const Register r : steps_[i].outputs) {
-            array[r] = free.empty() ? arrays++ : free.back();
-            if (!free.empty()) free.pop_back();
-        }
-        std::vector<Register> done = steps_[i].inputs;
-        done.insert(done.end(), steps_[i].outputs.begin(), steps_[i].outputs.end());
-        std::sort(done.begin(), done.end());
-        done.erase(std::unique(done.begin(), done.end()), done.end());
-        for (const Register r : done)
-            if (last[r] == i) free.push_back(array[r]);
-        for (Register& r : steps_[i].inputs) r = array[r];
-        for (Register& r : steps_[i].outputs) r = array[r];
-    }
-    for (Register& r : results) r = array[r];
-    registers_ = arrays;
-}
-
 std::vector<Register> ValueProgram::finish(std::vector<Register> results) {
-    drop_unread(results);
+    drop_unread(steps_, std::span<const Register>(results), registers_);
     put_fixed_first();
     shared_octaves_ = octaves_of_shared();
-    share_arrays(results);
+    registers_ = share_arrays(steps_, fixed_steps_, std::span<Register>(results), registers_).count;
     return results;
 }
 

@@ -10,23 +10,12 @@
 
 #include "procedural/batch/economy.h"
 #include "procedural/graph/evaluator.h"
-#include "procedural/graph/value_kernels.h"
-#include "procedural/kernels/noise_sum.h"
+#include "procedural/graph/program.h"
 
 namespace burl {
 
 /// The largest number of points in a batch: few enough that all arrays of a graph fit the L2 cache.
 inline constexpr std::size_t value_batch = 256;
-
-/// The number of an array; 0, 1 and 2 are the points' coordinates.
-using Register = std::uint32_t;
-
-/// The weight of `inside` in the node `dots`, 1 within a disk, at a point's first two coordinates.
-struct DotsWeight {
-    std::uint32_t seed = 0, period_u = 0, period_v = 0;
-    double radius = 0.0;
-    bool operator==(const DotsWeight&) const = default;
-};
 
 /// The colour of an image at a point's first two coordinates: bilinear, for there is no footprint.
 struct ImageLookup {
@@ -98,10 +87,7 @@ class ValueProgram {
     std::size_t octaves() const;
 
   private:
-    void drop_unread(const std::vector<Register>& results);
     void put_fixed_first();
-    void share_arrays(std::vector<Register>& results);
-
     std::size_t octaves_of_shared() const;
 
     std::vector<ValueStep> steps_;

@@ -9,6 +9,7 @@
 #include "procedural/graph/box_means.h"
 #include "procedural/model/texture_json.h"
 #include "procedural/noise/mean_noise.h"
+#include "procedural/noise/noise.h"
 #include "tests/procedural/graph/cases.h"
 
 namespace burl {

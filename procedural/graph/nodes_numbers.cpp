@@ -1,0 +1,144 @@
+// Numbers and arithmetic; the weighted sums of pbrt's scale, mix and bilerp textures, which leave
+// filtering to their inputs.
+#include "procedural/color/srgb.h"
+#include "procedural/graph/node_ops.h"
+#include "procedural/graph/rows.h"
+
+namespace burl::nodes {
+
+namespace {
+
+/// The definition of a node that is an operation on its inputs.
+template <ValueOp op>
+Outputs of_inputs(NodeOps& node) {
+    std::vector<Register> inputs;
+    for (std::size_t k = 0; k < node.self().inputs.size(); ++k) inputs.push_back(node.input(k));
+    return {node.apply(op, std::move(inputs))};
+}
+
+Outputs constant(NodeOps& node) {
+    const std::vector<double>& p = node.self().parameters;
+    if (node.channels() == 1) return {node.constant(p[0])};
+    const double alpha = p[3] / 255.0;
+    Outputs result;
+    for (std::size_t c = 0; c < 3; ++c)
+        result.push_back(node.constant(alpha * srgb_decode(p[c] / 255.0)));
+    result.push_back(node.constant(alpha));
+    return result;
+}
+
+Outputs coordinate(NodeOps& node) {
+    return {node.along(node.vector("direction"), node.parameter("offset"))};
+}
+
+Outputs power_of(NodeOps& node) {
+    return {node.apply(ValueOp::power, {node.input(0)}, {node.parameter("exponent")})};
+}
+
+Outputs slope_of(NodeOps& node) {
+    return {node.apply(SlopeAlong{node.vector("direction")}, {node.input(0)})};
+}
+
+Outputs smoothstep(NodeOps& node) {
+    return {node.apply(ValueOp::smoothstep, {node.input(0)},
+                       {node.parameter("low"), node.parameter("high")})};
+}
+
+Outputs scale(NodeOps& node) {
+    Outputs result;
+    for (std::size_t c = 0; c < node.channels(); ++c)
+        result.push_back(node.multiply(node.input(0, c), node.input(1, c)));
+    return result;
+}
+
+Outputs mix(NodeOps& node) {
+    return node.blend(node.input(2));
+}
+
+Outputs bilerp(NodeOps& node) {
+    const Register u = node.axis(0), v = node.axis(1);
+    Outputs result;
+    for (std::size_t c = 0; c < node.channels(); ++c)
+        result.push_back(node.lerp(u, node.lerp(v, node.input(0, c), node.input(1, c)),
+                                   node.lerp(v, node.input(2, c), node.input(3, c))));
+    return result;
+}
+
+constexpr Inputs two_numbers{a_number("a", "a number"), a_number("b", "a number")};
+
+constexpr std::array number_rows{
+    NodeType{"constant", NodeResult::inputs, constant,
+             "a number or an sRGB colour, `value`; also written as the bare value", pbrt},
+    NodeType{"coordinate",
+             NodeResult::number,
+             coordinate,
+             "direction . point + offset",
+             own,
+             {},
+             {several("direction", 3, "[1,0,0]", "weights of the point's coordinates"),
+              real("offset", -1e6, 1e6, "0", "added")}},
+    NodeType{"add", NodeResult::number, of_inputs<ValueOp::add>, "a + b", own, two_numbers},
+    NodeType{"multiply", NodeResult::number, of_inputs<ValueOp::multiply>, "a b", own, two_numbers},
+    NodeType{"min", NodeResult::number, of_inputs<ValueOp::minimum>, "the smaller of a and b", own,
+             two_numbers},
+    NodeType{"max", NodeResult::number, of_inputs<ValueOp::maximum>, "the larger of a and b", own,
+             two_numbers},
+    NodeType{"abs", NodeResult::number, of_inputs<ValueOp::absolute>, "the absolute value of input",
+             own, one_number},
+    NodeType{"power",
+             NodeResult::number,
+             power_of,
+             "input^exponent; a negative input counts as 0 unless the exponent is whole",
+             own,
+             one_number,
+             {real("exponent", 0, 64, "2", "the exponent")}},
+    NodeType{"sin", NodeResult::number, of_inputs<ValueOp::sine>, "sin(input), in radians", own,
+             one_number},
+    NodeType{"slope",
+             NodeResult::number,
+             slope_of,
+             "direction . gradient of input with respect to the solid point; its own is given as 0",
+             "DNoise of Perlin 1985",
+             one_number,
+             {several("direction", 3, "[1,0,0]", "along which input's growth is taken")}},
+    NodeType{"floor", NodeResult::number, of_inputs<ValueOp::floor>,
+             "the largest whole number not above input", own, one_number},
+    NodeType{"fract", NodeResult::number, of_inputs<ValueOp::fract>, "input - floor(input)", slides,
+             one_number},
+    NodeType{"smoothstep",
+             NodeResult::number,
+             smoothstep,
+             "0 up to low, 1 from high on, 3u^2 - 2u^3 between",
+             own,
+             one_number,
+             {real("low", -1e6, 1e6, "0", "where it leaves 0"),
+              real("high", -1e6, 1e6, "1", "where it reaches 1; at or below low: a step")}},
+    NodeType{"scale",
+             NodeResult::inputs,
+             scale,
+             "a b, channel by channel",
+             pbrt,
+             {any("a", "a factor"), any("b", "a factor")}},
+    NodeType{"mix",
+             NodeResult::inputs,
+             mix,
+             "(1 - amount) a + amount b",
+             pbrt,
+             {any("a", "at amount 0", "0"), any("b", "at amount 1", "1"),
+              a_number("amount", "weight of b", "0.5")}},
+    NodeType{"bilerp",
+             NodeResult::inputs,
+             bilerp,
+             "four values interpolated by the point's first two coordinates, u and v",
+             pbrt,
+             {any("v00", "at u = 0, v = 0", "0"), any("v01", "at u = 0, v = 1", "1"),
+              any("v10", "at u = 1, v = 0", "0"), any("v11", "at u = 1, v = 1", "1")}},
+};
+
+}  // namespace
+
+std::span<const NodeType> numbers() {
+    return number_rows;
+}
+
+}  // namespace burl::nodes

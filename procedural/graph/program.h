@@ -1,0 +1,113 @@
+#pragma once
+// The program of a texture graph: a straight list of steps on numbered registers, which hold a
+// number per point. The nodes' definitions (node_ops.h) add the steps. Three back ends execute or
+// write them: values alone (values.h), values with gradients (duals.h, evaluator.h), and GLSL with
+// gradients (glsl/duals.h). A mean over the footprint is, of a point sample, the function itself.
+#include <memory>
+#include <variant>
+#include <vector>
+
+#include "procedural/graph/graph.h"
+#include "procedural/graph/step_registers.h"
+#include "procedural/graph/value_kernels.h"
+#include "procedural/kernels/noise_sum.h"
+
+namespace burl {
+
+/// The mean over the footprint of `function`, which is odd, fract or sine, exact where the input is
+/// linear across it (box_means.h).
+struct BoxMean {
+    ValueOp function = ValueOp::odd;
+};
+
+/// The share of the footprint where factor x + offset is at least the threshold.
+struct BoxStep {
+    double factor = 1.0, offset = 0.0, threshold = 0.0;
+};
+
+/// The turn x, or x + 1 where x is below 0: from (-1/2, 1/2] to [0, 1).
+struct PositiveTurn {};
+
+/// The derivative of the input along a direction of solid space; its own gradient counts as 0.
+struct SlopeAlong {
+    Vec3d direction{0.0};
+};
+
+/// The method by which a checkerboard averages over the footprint (docs/reference/nodes.md).
+enum class Antialiasing { none, closed_form, supersample, trapezoid };
+
+/// The share of odd cells around a point in a board of unit squares (2 axes) or unit cubes (3).
+struct Checkerboard {
+    Antialiasing antialiasing = Antialiasing::none;
+    std::size_t axes = 2;
+};
+
+/// The sum of octaves sum_k gain^k shape(n_{seed+k}(scale lacunarity^k p)) at a point p.
+struct OctaveSum {
+    NoiseSpec noise;
+    double octaves = 1.0, lacunarity = 2.0, gain = 0.5;
+    OctaveShape shape = OctaveShape::plain;  ///< plain or absolute
+    double scale = 1.0;
+    bool fades = true;  ///< whether octaves that the footprint does not show fade
+
+    /// The mean of shape(n), which replaces octaves that have faded.
+    double mean() const;
+    /// The octaves before the first of weight 0, their frequencies times `factor`.
+    NoiseSum sum(double factor = 1.0) const;
+};
+
+/// The field f of a texture of the 1999 model at a point (Hart et al. 1999, equation 1).
+struct FieldAt {
+    const Texture* texture = nullptr;
+};
+
+/// The mean over the footprint of a colour map at a number: red, green and blue, linear light.
+struct MapColors {
+    const ColorMap* colors = nullptr;
+};
+
+/// The colour of pbrt's marble at a number in [0, 1], red, green and blue, linear light: a spline
+/// of four neighbouring control points.
+struct MarbleColors {
+    bool smooth = false;  ///< the uniform cubic B-spline instead of Bernstein's polynomials
+};
+
+/// The weight of `inside` in the node `dots`, 1 within a disk, at a point's first two coordinates.
+struct DotsWeight {
+    std::uint32_t seed = 0, period_u = 0, period_v = 0;
+    double radius = 0.0;
+    bool operator==(const DotsWeight&) const = default;
+};
+
+/// The mean over the footprint of an image at a point's first two coordinates: red, green and blue,
+/// linear light.
+struct ImageColors {
+    std::shared_ptr<const MipImage> pixels;
+    bool ewa = false;         ///< elliptically weighted average instead of trilinear lookup
+    double anisotropy = 8.0;  ///< largest ratio of an ellipse's axes
+};
+
+/// The work of a step.
+using GraphWork =
+    std::variant<ValueOperation, BoxMean, BoxStep, PositiveTurn, SlopeAlong, Checkerboard,
+                 OctaveSum, FieldAt, MapColors, MarbleColors, DotsWeight, ImageColors>;
+
+/// A step of a program: work with the registers that it reads and fills.
+struct GraphStep {
+    GraphWork work;
+    std::vector<Register> inputs, outputs;
+    std::uint32_t node = 0;  ///< node of the graph that added the step
+};
+
+/// The steps of a graph, each behind those that fill its inputs.
+struct GraphProgram {
+    std::vector<GraphStep> steps;
+    std::vector<Register> results;  ///< channels of the graph's last node
+    std::size_t registers = 3;      ///< number of registers
+};
+
+/// The program of all nodes of a graph, in their order. The graph must be valid and not empty, and
+/// must outlive the program, which points into it.
+GraphProgram program_of(const TextureGraph& graph);
+
+}  // namespace burl
