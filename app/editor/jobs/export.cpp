@@ -1,4 +1,4 @@
-#include "app/editor/work/export.h"
+#include "app/editor/jobs/export.h"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 
 #include "app/bake/bake.h"
 #include "app/base/atomic_file.h"
-#include "app/editor/work/reader.h"
+#include "app/editor/jobs/reader.h"
 #include "app/export/command_files.h"
 #include "app/export/emit.h"
 #include "app/options/animation.h"
