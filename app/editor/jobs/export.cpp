@@ -68,7 +68,7 @@ void check_outputs(const ExportRequest& request) {
     for (const std::string& file : written_files(request)) files.write(file);
 }
 
-/// What `burl bake` with bake_options() does.
+/// The plan by which `burl bake` with bake_options() writes the same files.
 BakePlan plan_of(const ExportRequest& request) {
     BakePlan plan;
     plan.kind = wanted_kind(request.out, export_depth);
