@@ -28,7 +28,7 @@ struct Entry {
     std::string name, text;
 };
 
-/// What an atlas kind is, in the order of AtlasKind.
+/// Each atlas kind in a clause, in the order of AtlasKind.
 constexpr auto atlas_texts = std::to_array<const char*>(
     {"every triangle the same shape (Carr & Hart 4.1)",
      "triangles sized by their area (Carr & Hart 4.2)",

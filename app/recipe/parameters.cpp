@@ -107,7 +107,7 @@ std::string_view default_text(const Json& json) {
     return kept(fmt::format("[{}]", fmt::join(json.get<std::vector<double>>(), ",")));
 }
 
-/// What a number may be, both ends included, what one notch of a slider moves it by, and its unit;
+/// The range of a number, both ends included, the step of one notch of a slider, and its unit;
 /// the words for a bool's false and true, separated by "|".
 struct Range {
     double low = 0.0, high = 0.0, step = 0.0;

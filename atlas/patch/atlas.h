@@ -49,7 +49,7 @@ struct PatchAtlas {
 
 /// The best division of the mesh into patches for the texture, each patch with the map that suits
 /// its block. Nothing when the texture cannot hold the patches, or when `stop` was requested first.
-/// Of the options, size and tries matter.
+/// Only size and tries of the options matter.
 std::optional<PatchCandidate> fit_patches(const Mesh& mesh, const Connectivity& connectivity,
                                           const AtlasOptions& options,
                                           const std::stop_token& stop = {});

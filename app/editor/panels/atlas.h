@@ -1,8 +1,8 @@
 #pragma once
 // The controls around the view of the atlas: mode and MIP level above it, the legend and the facts
 // of the texel under the pointer below.
+#include "app/editor/jobs/view_maker.h"
 #include "app/editor/panels/panels.h"
-#include "app/editor/work/view_maker.h"
 #include "app/scene/sheet_frame.h"
 
 namespace burl {

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "app/editor/jobs/figures.h"
 #include "app/editor/panels/items.h"
 #include "app/editor/session/session.h"
-#include "app/editor/work/figures.h"
 #include "app/pipeline/stage_records.h"
 
 namespace burl {

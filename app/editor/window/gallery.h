@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "app/editor/work/thumbnails.h"
+#include "app/editor/jobs/thumbnails.h"
 #include "app/gl/device/objects.h"
 
 namespace burl {
@@ -19,7 +19,7 @@ class GlEditGallery {
     GlEditGallery(const GladGLContext& gl, std::function<void()> wake);
 
     /// The thumbnail of a preset, side x side pixels, drawn in the background when first asked for
-    /// (app/editor/work/thumbnails.h); null: not ready. The OpenGL context must be current.
+    /// (app/editor/jobs/thumbnails.h); null: not ready. The OpenGL context must be current.
     ImTextureID picture(const std::string& preset, int side);
 
     /// While held, no thumbnail is begun.

@@ -6,11 +6,11 @@
 #include <memory>
 #include <optional>
 
+#include "app/editor/jobs/baker.h"
 #include "app/editor/tools/camera.h"
 #include "app/editor/window/lines.h"
 #include "app/editor/window/places.h"
 #include "app/editor/window/texture.h"
-#include "app/editor/work/baker.h"
 #include "app/gl/device/target.h"
 #include "app/gl/draw/scene.h"
 

@@ -5,6 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "app/editor/jobs/baker.h"
+#include "app/editor/jobs/export.h"
+#include "app/editor/jobs/open_files.h"
+#include "app/editor/jobs/posed_pick.h"
 #include "app/editor/panels/files.h"
 #include "app/editor/panels/items.h"
 #include "app/editor/panels/move.h"
@@ -20,10 +24,6 @@
 #include "app/editor/window/imgui.h"
 #include "app/editor/window/object.h"
 #include "app/editor/window/window.h"
-#include "app/editor/work/baker.h"
-#include "app/editor/work/export.h"
-#include "app/editor/work/open_files.h"
-#include "app/editor/work/posed_pick.h"
 
 namespace burl {
 

@@ -4,7 +4,7 @@
 #include <memory>
 #include <optional>
 
-#include "app/editor/work/view_maker.h"
+#include "app/editor/jobs/view_maker.h"
 #include "app/gl/device/target.h"
 #include "app/scene/sheet_frame.h"
 

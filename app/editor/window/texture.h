@@ -3,7 +3,7 @@
 // of its MIP levels.
 #include <vector>
 
-#include "app/editor/work/levels.h"
+#include "app/editor/jobs/levels.h"
 #include "app/gl/device/objects.h"
 
 namespace burl {

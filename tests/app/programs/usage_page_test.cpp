@@ -14,7 +14,8 @@ namespace {
 
 using OptionNames = std::set<std::string>;
 
-/// What begins with one or two dashes and a small letter, at the text's begin or after one of "
+/// The names that begin with one or two dashes and a small letter, at the text's begin or after one
+/// of "
 /// `,;(".
 OptionNames options_in(const std::string& text) {
     const std::string letters = "abcdefghijklmnopqrstuvwxyz", rest = letters + "0123456789-";

@@ -93,7 +93,7 @@ Statistics statistics(const NoiseSpec& noise, int count) {
     return s;
 }
 
-/// What docs/reference/noise.md's table says for three dimensions: bounds that hold, and mean and
+/// A row of docs/reference/noise.md's table for three dimensions: bounds that hold, and mean and
 /// variance.
 struct StatedStatistics {
     const char* name;

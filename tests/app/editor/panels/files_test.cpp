@@ -14,9 +14,9 @@
 
 #include "app/base/atomic_file.h"
 #include "app/base/file_bytes.h"
+#include "app/editor/jobs/export.h"
+#include "app/editor/jobs/reader.h"
 #include "app/editor/session/autosave.h"
-#include "app/editor/work/export.h"
-#include "app/editor/work/reader.h"
 #include "app/image/image_io.h"
 #include "app/pipeline/pipeline.h"
 #include "atlas/base/error.h"

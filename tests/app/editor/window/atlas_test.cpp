@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/editor/work/export.h"
+#include "app/editor/jobs/export.h"
 #include "tests/app/editor/window/fixture.h"
 
 namespace burl {

@@ -7,7 +7,7 @@
 #include <filesystem>
 
 #include "app/base/file_bytes.h"
-#include "app/editor/work/export.h"
+#include "app/editor/jobs/export.h"
 #include "app/scene/shading.h"
 #include "atlas/base/error.h"
 #include "tests/app/editor/window/fixture.h"

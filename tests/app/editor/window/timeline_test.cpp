@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "app/base/file_bytes.h"
-#include "app/editor/work/export.h"
+#include "app/editor/jobs/export.h"
 #include "app/recipe/key_edit.h"
 #include "app/recipe/keyed_recipe.h"
 #include "atlas/base/error.h"

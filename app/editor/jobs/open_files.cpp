@@ -1,4 +1,4 @@
-#include "app/editor/work/open_files.h"
+#include "app/editor/jobs/open_files.h"
 
 #include <utility>
 

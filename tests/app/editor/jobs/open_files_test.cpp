@@ -1,6 +1,6 @@
 // The files that an editor has open: read beside everything else, again when they change, and
 // remembered.
-#include "app/editor/work/open_files.h"
+#include "app/editor/jobs/open_files.h"
 
 #include <gtest/gtest.h>
 

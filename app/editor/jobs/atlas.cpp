@@ -1,4 +1,4 @@
-#include "app/editor/work/atlas.h"
+#include "app/editor/jobs/atlas.h"
 
 #include <algorithm>
 #include <bit>

@@ -1,4 +1,4 @@
-#include "app/editor/work/export.h"
+#include "app/editor/jobs/export.h"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 
 #include "app/bake/bake.h"
 #include "app/base/atomic_file.h"
-#include "app/editor/work/reader.h"
+#include "app/editor/jobs/reader.h"
 #include "app/export/command_files.h"
 #include "app/export/emit.h"
 #include "app/options/animation.h"
@@ -68,7 +68,7 @@ void check_outputs(const ExportRequest& request) {
     for (const std::string& file : written_files(request)) files.write(file);
 }
 
-/// What `burl bake` with bake_options() does.
+/// The plan by which `burl bake` with bake_options() writes the same files.
 BakePlan plan_of(const ExportRequest& request) {
     BakePlan plan;
     plan.kind = wanted_kind(request.out, export_depth);

@@ -1,4 +1,4 @@
-#include "app/editor/work/posed_pick.h"
+#include "app/editor/jobs/posed_pick.h"
 
 #include <utility>
 

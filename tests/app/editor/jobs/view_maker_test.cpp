@@ -1,5 +1,5 @@
 // What the editor's views wish for is made, once, and given back when nobody looks.
-#include "app/editor/work/view_maker.h"
+#include "app/editor/jobs/view_maker.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "app/editor/work/baker.h"
+#include "app/editor/jobs/baker.h"
 
 #include <bit>
 #include <chrono>
@@ -6,7 +6,7 @@
 
 #include <tbb/parallel_invoke.h>
 
-#include "app/editor/work/atlas.h"
+#include "app/editor/jobs/atlas.h"
 #include "app/gl/draw/view_scene.h"
 #include "app/pipeline/refinement.h"
 #include "app/recipe/lattice_check.h"

@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-#include "app/editor/work/baker.h"
+#include "app/editor/jobs/baker.h"
 
 namespace burl {
 

@@ -1,4 +1,4 @@
-#include "app/editor/work/worker.h"
+#include "app/editor/jobs/worker.h"
 
 #include <exception>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "app/editor/work/figures.h"
+#include "app/editor/jobs/figures.h"
 
 #include <algorithm>
 #include <cmath>

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/editor/work/errands.h"
+#include "app/editor/jobs/errands.h"
 #include "app/recipe/recipe.h"
 #include "atlas/base/image.h"
 

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "app/editor/work/errands.h"
-#include "app/editor/work/levels.h"
-#include "app/editor/work/worker.h"
+#include "app/editor/jobs/errands.h"
+#include "app/editor/jobs/levels.h"
+#include "app/editor/jobs/worker.h"
 #include "app/measure/atlas_sheet.h"
 #include "app/pipeline/level_choice.h"
 #include "app/pipeline/pipeline.h"
@@ -98,7 +98,7 @@ class EditBaker {
     StageRecords records() const;
 
     /// Whether the recipe's own atlas is being laid out in the background while a quad atlas is
-    /// shown (app/editor/work/atlas.h).
+    /// shown (app/editor/jobs/atlas.h).
     bool laying_out() const;
 
     /// Whether neither the worker nor the job queue has anything to do.

@@ -1,4 +1,4 @@
-#include "app/editor/work/reader.h"
+#include "app/editor/jobs/reader.h"
 
 #include <algorithm>
 #include <chrono>

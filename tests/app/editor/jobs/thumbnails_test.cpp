@@ -1,5 +1,5 @@
 // The gallery's balls: round, lit, of the recipe's colours, and made once beside the program.
-#include "app/editor/work/thumbnails.h"
+#include "app/editor/jobs/thumbnails.h"
 
 #include <gtest/gtest.h>
 

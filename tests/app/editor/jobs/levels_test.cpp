@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-#include "app/editor/work/levels.h"
+#include "app/editor/jobs/levels.h"
 #include "procedural/color/srgb.h"
 
 namespace burl {

@@ -1,6 +1,6 @@
 // The editor's baker with large meshes: pairs at once, then the recipe's own atlas, and neither
 // closing nor another mesh waits for that.
-#include "app/editor/work/baker.h"
+#include "app/editor/jobs/baker.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "app/bench/meshes.h"
-#include "app/editor/work/atlas.h"
+#include "app/editor/jobs/atlas.h"
 #include "app/surface/sample_meshes.h"
 
 namespace burl {

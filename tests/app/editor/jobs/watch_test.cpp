@@ -1,5 +1,5 @@
 // Files that change on disk: a change is told once, when it rests, and what is known already never.
-#include "app/editor/work/watch.h"
+#include "app/editor/jobs/watch.h"
 
 #include <gtest/gtest.h>
 

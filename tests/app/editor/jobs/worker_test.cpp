@@ -1,5 +1,5 @@
 // The worker of the editor: the last request is always served, and nothing older finishes after it.
-#include "app/editor/work/worker.h"
+#include "app/editor/jobs/worker.h"
 
 #include <gtest/gtest.h>
 

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "app/editor/work/watch.h"
+#include "app/editor/jobs/watch.h"
 #include "app/recipe/recipe.h"
 #include "atlas/base/error.h"
 #include "atlas/mesh/mesh.h"

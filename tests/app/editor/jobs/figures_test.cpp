@@ -1,6 +1,6 @@
 // The editor's figures of an atlas against those of atlas/measure/metrics.h, which have other
 // sources: the atlas's own corners in place of the scene's coordinates.
-#include "app/editor/work/figures.h"
+#include "app/editor/jobs/figures.h"
 
 #include <gtest/gtest.h>
 

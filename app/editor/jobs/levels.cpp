@@ -1,4 +1,4 @@
-#include "app/editor/work/levels.h"
+#include "app/editor/jobs/levels.h"
 
 #include <algorithm>
 #include <bit>

@@ -1,4 +1,4 @@
-#include "app/editor/work/view_maker.h"
+#include "app/editor/jobs/view_maker.h"
 
 #include <utility>
 

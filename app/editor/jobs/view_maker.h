@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "app/editor/work/baker.h"
-#include "app/editor/work/worker.h"
+#include "app/editor/jobs/baker.h"
+#include "app/editor/jobs/worker.h"
 #include "app/measure/atlas_sheet.h"
 #include "app/measure/texture_error.h"
 #include "app/scene/surface_lines.h"

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "app/editor/jobs/reader.h"
+#include "app/editor/jobs/watch.h"
 #include "app/editor/session/recent.h"
-#include "app/editor/work/reader.h"
-#include "app/editor/work/watch.h"
 
 namespace burl {
 

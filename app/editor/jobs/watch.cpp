@@ -1,4 +1,4 @@
-#include "app/editor/work/watch.h"
+#include "app/editor/jobs/watch.h"
 
 #include <algorithm>
 #include <utility>

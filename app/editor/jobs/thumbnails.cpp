@@ -1,4 +1,4 @@
-#include "app/editor/work/thumbnails.h"
+#include "app/editor/jobs/thumbnails.h"
 
 #include <fmt/format.h>
 

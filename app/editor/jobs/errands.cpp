@@ -1,4 +1,4 @@
-#include "app/editor/work/errands.h"
+#include "app/editor/jobs/errands.h"
 
 #include <utility>
 

@@ -4,8 +4,8 @@
 #include <memory>
 #include <mutex>
 
-#include "app/editor/work/baker.h"
-#include "app/editor/work/worker.h"
+#include "app/editor/jobs/baker.h"
+#include "app/editor/jobs/worker.h"
 
 namespace burl {
 
