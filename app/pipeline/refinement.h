@@ -38,14 +38,14 @@ class LevelChoice {
 };
 
 /// State of the slider: while it is dragged (`moving`), refine() shows one picture.
-enum class Drag { moving, released };
+enum class SliderState { moving, released };
 
 /// Calls show(level, picture) for one level of the pipeline's recipe after another, and tells
 /// `choice` how long each took. Meant for a worker thread, which is stopped and started again when
 /// the recipe changes. Returns false if `stop` was requested. `patience` is in seconds
 /// (LevelChoice::finer_than).
 template <class Pixel, class Show>
-bool refine(Pipeline& pipeline, LevelChoice& choice, Drag drag, double patience,
+bool refine(Pipeline& pipeline, LevelChoice& choice, SliderState slider, double patience,
             const std::stop_token& stop, const Show& show) {
     for (std::uint32_t level = choice.level();; level = choice.finer_than(level, patience)) {
         const auto start = std::chrono::steady_clock::now();
@@ -54,7 +54,7 @@ bool refine(Pipeline& pipeline, LevelChoice& choice, Drag drag, double patience,
         const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
         choice.took(level, took.count());
         show(level, *picture);
-        if (level == 0 || drag == Drag::moving) return true;
+        if (level == 0 || slider == SliderState::moving) return true;
     }
 }
 
