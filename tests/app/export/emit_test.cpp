@@ -30,7 +30,7 @@ using testing::Not;
 
 class GlEmitTest : public GlTest {
   protected:
-    /// What the shader's main function draws from the solid map.
+    /// The values that the shader's main function draws from the solid map.
     std::vector<float> draw(const std::string& shader, const SolidMap& map, const Vec3d& base) {
         const GladGLContext& gl = context->gl();
         const GlProgram program = GlProgram::from_source(

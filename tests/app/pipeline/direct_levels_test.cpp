@@ -52,7 +52,7 @@ struct SampledSurface {
                             {.kind = kind, .size = size, .tries = 1})),
           solid(rasterize(mesh, atlas, atlas.mesh(mesh).positions)) {}
 
-    /// What the map that owns a place shows there; in texels, not on a texel's side.
+    /// The value that the map which owns a place shows there; in texels, not on a texel's side.
     double at(double x, double y) const {
         for (const Span& span : solid.row(std::size_t(y)))
             if (x >= span.x && x < span.x + span.count) {

@@ -17,7 +17,7 @@ namespace {
 const std::vector<std::string> askew{"solid.scale=1.5", "solid.rotate=[20,-130,75]",
                                      "solid.translate=[0.3,-7,2.25]"};
 
-/// What `askew` stands for.
+/// The transform of `askew`, worked out by hand.
 Vec3d by_hand(const Vec3d& point) {
     const auto turn = [](double degrees, const Vec3d& axis) {
         return glm::rotate(Mat4d(1.0), glm::radians(degrees), axis);

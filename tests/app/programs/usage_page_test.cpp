@@ -40,7 +40,7 @@ std::string section_of(const std::string& verb) {
     return page.substr(begin, end - begin);
 }
 
-/// What stands in the first cells of its tables.
+/// The options that the first cells of the section's tables name.
 OptionNames options_of_tables(const std::string& section) {
     OptionNames names;
     std::istringstream lines(section);

@@ -121,7 +121,7 @@ TEST(QuadTurns, BlocksSideBySideShareTheirEdges) {
     EXPECT_GT(double(same), 0.7 * double(all));
 }
 
-/// The same blocks, exchanged at random among those of the same sides.
+/// The atlas with its blocks exchanged at random among those of equal sides.
 Atlas in_random_order(const Atlas& atlas, std::uint32_t seed) {
     Atlas shuffled = atlas;
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::size_t>> classes;

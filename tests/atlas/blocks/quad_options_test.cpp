@@ -55,7 +55,7 @@ Mesh two_sheets() {
     return made::mesh_of(mesh.positions, mesh.triangles);
 }
 
-/// Of the squares of 16 x 16 texels, how many show triangles of both sheets.
+/// The number of squares of 16 x 16 texels that show triangles of both sheets.
 std::size_t mixed_squares(const Mesh& mesh, const Atlas& atlas) {
     const std::vector<std::uint32_t> maps = shown(rasterize(mesh, atlas, mesh.positions));
     std::map<std::size_t, std::set<bool>> sheets;

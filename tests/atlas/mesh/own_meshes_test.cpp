@@ -28,7 +28,7 @@ Mesh nasty(const std::string& name) {
     return read_mesh(test::source_folder() + "/assets/meshes/nasty/" + name + ".obj");
 }
 
-/// What counting directed edges tells.
+/// Counts of a mesh, from its directed edges alone.
 struct Counts {
     long points = 0, edges = 0, faces = 0;
     long shells = 0;     ///< components connected across edges

@@ -29,7 +29,7 @@ struct Built {
         ADD_FAILURE() << "nobody owns " << x << ", " << y;
         return Vec3d(0.0);
     }
-    /// What a bilinear lookup of the solid coordinate gives.
+    /// The solid coordinate by bilinear lookup.
     Vec3d lookup(const Vec2d& at) const {
         const double x = std::floor(at.x - 0.5), y = std::floor(at.y - 0.5);
         const double fx = at.x - 0.5 - x, fy = at.y - 0.5 - y;

@@ -26,7 +26,7 @@ Vec3d strip_point(int column, int row, double bend) {
             x * std::sin(bend * x) + y * std::cos(bend * x), z};
 }
 
-/// As an .obj of quads whose points have a number from `first` on, in columns.
+/// The text of an .obj: a bent strip of quads, in columns of two points.
 std::string strip_obj(double bend, int columns = 12) {
     std::string text;
     for (int c = 0; c <= columns; ++c)

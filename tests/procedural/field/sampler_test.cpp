@@ -49,7 +49,7 @@ std::vector<double> field_of(const FieldBatch& batch) {
     return {batch.field, batch.field + batch.count};
 }
 
-/// What f errs by: 3e-7 of every amplitude, of octaves without a kernel up to 1e-6.
+/// The largest error of f: 3e-7 of every amplitude, and up to 1e-6 of octaves without a kernel.
 double error_of(const std::vector<Octave>& octaves) {
     double sum = 0.1;
     for (const Octave& octave : octaves) sum += std::abs(octave.scale);

@@ -62,7 +62,7 @@ Texture random_texture(std::mt19937& random, bool with_quadric) {
     return texture;
 }
 
-/// What the contract refers to: the octaves' amplitudes and the size of lattice coordinates.
+/// The octaves' amplitudes and the size of lattice coordinates, by which errors are bounded.
 struct Magnitude {
     double amplitudes = 0.0, coordinates = 0.0;
 };

@@ -112,7 +112,7 @@ Errors errors_in_units(const Texture& texture, unsigned fraction_bits) {
     return errors;
 }
 
-/// What the header states. The smooth fade's slope is 3/2, of noise in [0,1]; frequencies go up
+/// The bound is the header's. The smooth fade's slope is 3/2, of noise in [0,1]; frequencies go up
 /// with the octaves as amplitudes go down.
 TEST(FixedField, ErrsByAStatedNumberOfUnits) {
     // Quadric: 2 axes of slope 4, and |s| + 1 units each; noise: half of 20, slope 3/2 times

@@ -49,8 +49,8 @@ Difference difference_of(const TextureGraph& graph, double reach, std::size_t co
     return difference;
 }
 
-/// What a node may err by, where that is more than rounding in float64: noise in float32 times what
-/// the case's numbers multiply it by, and jumps at values of noise.
+/// The error that a node may have, where that is more than rounding in float64: noise in float32
+/// times what the case's numbers multiply it by, and jumps at values of noise.
 struct Allowed {
     std::string_view node;
     double max = 1e-12;

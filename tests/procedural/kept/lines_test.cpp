@@ -16,7 +16,7 @@ namespace {
 
 const Affine3 map{2.0 * Mat3d(1.0), Vec3d(0.5, 0.0, -3.0)};
 
-/// Of rows shorter and longer than a batch, the latter only two.
+/// An atlas of rows shorter than a batch, or of two rows that are longer.
 SolidAtlas atlas_of(std::uint32_t size) {
     SolidAtlas solid = SyntheticAtlas{size, size > 1000 ? 700u : 11u, 10.0, 0.02, true}.make(3);
     if (size < 1000) return solid;

@@ -129,7 +129,8 @@ float faded(Fade fade, float t) {
     return t * (1.875f - square * (1.25f - 0.375f * square));
 }
 
-/// What add_octave_* has to give at a texel, in float32 in the order of the kernels' additions.
+/// The noise that add_octave_* must give at a texel, in float32 in the order of the kernels'
+/// additions.
 float expected_noise(const NoiseName& k, const StreamOctave& octave,
                      const std::array<std::uint64_t, 3>& coordinates) {
     std::array<std::uint32_t, 3> cell{};

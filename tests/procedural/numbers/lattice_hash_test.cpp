@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::array seeds{0u, 1u, 12345u, 4000000000u};
 
-/// What `number(i, j, k)` gives over a cube about the origin, i fastest.
+/// The values of `number(i, j, k)` over a cube about the origin, i fastest.
 template <class Number>
 auto block(std::uint32_t size, Number&& number) {
     std::vector<decltype(number(0u, 0u, 0u))> values;

@@ -90,8 +90,8 @@ TEST(Multipass, HashesAreTheHostsLatticeValues) {
     EXPECT_EQ(corner, 8u);
 }
 
-/// What a plan's 8-bit noise should be: of the host's lattice values at the weights its fractions
-/// stand for, as 0..255.
+/// A plan's 8-bit noise at p from 0 to 255: the host's lattice values at the weights that its
+/// fractions stand for.
 double fixed_noise_at(const MultipassOctave& octave, const Vec3d& p) {
     const double parts = std::ldexp(1.0, int(octave.bits.fraction()));
     double sum = 0.0;

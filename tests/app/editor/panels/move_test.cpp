@@ -74,7 +74,7 @@ class EditMoveTest : public GlEditProgramTest {
     static Affine3 map_of(EditorProgram& editor) {
         return texture_from_solid(editor.session().recipe());
     }
-    /// Of the finest picture, bilinear.
+    /// The colour under the pointer, by bilinear lookup of the finest picture.
     static Vec3d color_at(EditorProgram& editor, const Vec2d& pointer) {
         settled(editor);
         const Image<Rgb8>& texels = editor.baker().picture()->texels;

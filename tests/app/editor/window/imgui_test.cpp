@@ -28,7 +28,7 @@ class GlImGuiTest : public GlTest {
         if (window) ImGui::DestroyContext();
     }
 
-    /// What `paint` draws over black.
+    /// The picture that `paint` draws over black.
     template <class Paint>
     Image<Rgb8> drawn(const Paint& paint) {
         const GladGLContext& gl = window->context().gl();
@@ -44,7 +44,7 @@ class GlImGuiTest : public GlTest {
         return read_screen(*window, gl);
     }
 
-    /// What the screen shows after an update is what drawing all of it would show.
+    /// After an update the screen shows the picture that drawing all of it gives.
     void expect_update_draws(GlImGui& renderer, const GlImGui::OpaqueImage& image,
                              unsigned frame) const {
         const GladGLContext& gl = window->context().gl();

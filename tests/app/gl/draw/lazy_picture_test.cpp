@@ -92,7 +92,7 @@ TEST_F(GlLazyPictureTest, UnderEveryLookupFilter) {
     }
 }
 
-/// The same as by way of a file.
+/// A lazy picture equals the one drawn from a baked file.
 TEST_F(GlLazyPictureTest, EqualsThePictureOfABakedFile) {
     const ScratchFolder scratch;
     for (const auto& [recipe, direct] :
@@ -125,7 +125,7 @@ TEST_F(GlLazyPictureTest, EqualsThePictureOfABakedFile) {
         }
 }
 
-/// Of two balls in a line one is seen, of one ball a half at most.
+/// Two balls in a line show one of them, and one ball shows a half at most.
 TEST_F(GlLazyPictureTest, LeavesOutWhatIsHidden) {
     const auto made = [&](const Mesh& mesh, const View& view) {
         Pipeline pipeline = pipeline_of(AtlasKind::patch, 512, "marble", mesh);

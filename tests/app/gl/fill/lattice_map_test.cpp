@@ -51,7 +51,7 @@ std::size_t differences(const GlTarget& target, std::size_t number,
     return wrong;
 }
 
-/// Of both textures, from the host's fill.
+/// The number of texels of both textures that differ from the host's fill.
 std::size_t differences(const GlContext& context, MapFill fill, const SolidAtlas& solid,
                         const Affine3& move, const std::optional<LatticeStreamKey>& stream,
                         const std::optional<Quadric>& q, const GlTile& tile) {

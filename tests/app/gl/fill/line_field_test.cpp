@@ -74,7 +74,7 @@ Texture texture_of(std::vector<NoiseTerm> terms) {
 
 const SyntheticAtlas coarse{64, 16, 0.4, 0.03};
 
-/// Of all kinds that have a stream kernel.
+/// A texture of all kinds of noise that have a stream kernel.
 Texture streamed_texture() {
     return texture_of({term_of(NoiseKind::value, 2), term_of(NoiseKind::perlin, 1),
                        term_of(NoiseKind::simplex, 1)});

@@ -37,7 +37,7 @@ struct Distance {
     double largest = 0.0, squares = 0.0;
 };
 
-/// Of the colour map's index, from the host's.
+/// The distance of the colour map's index from the host's.
 Distance distance_of(GlMultipassSynthesis& gl, const SolidAtlas& solid, const Recipe& recipe) {
     const Texture& texture = recipe.texture;
     const Affine3 map = texture_from_solid(recipe);
