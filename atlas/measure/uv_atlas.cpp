@@ -15,8 +15,7 @@ namespace {
 constexpr std::uint32_t nobody = std::numeric_limits<std::uint32_t>::max();
 
 double determinant(const std::array<Vec2d, 3>& corners) {
-    const Vec2d u = corners[1] - corners[0], v = corners[2] - corners[0];
-    return u.x * v.y - u.y * v.x;
+    return cross(corners[1] - corners[0], corners[2] - corners[0]);
 }
 
 std::int32_t nearest_texel(double coordinate, std::uint32_t size) {
