@@ -9,8 +9,7 @@
 #include <tbb/parallel_for.h>
 
 #include "atlas/base/each_index.h"
-#include "atlas/solid/block_corners.h"
-#include "atlas/solid/overscan.h"
+#include "atlas/solid/block.h"
 
 namespace burl {
 

@@ -27,7 +27,7 @@ struct Span {
     std::uint32_t x = 0, count = 0, map = 0;
 };
 
-/// The uncut span that a part was cut from (solid/tiles.h).
+/// The uncut span that a part was cut from (cut_to() in texel_set.h).
 struct WholeSpan {
     std::uint32_t x = 0, count = 0;
 };

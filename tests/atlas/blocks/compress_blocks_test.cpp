@@ -8,7 +8,6 @@
 #include <set>
 
 #include "atlas/base/error.h"
-#include "atlas/blocks/pack_blocks.h"
 #include "atlas/measure/bilinear.h"
 #include "atlas/solid/solid_atlas.h"
 #include "tests/atlas/support/made_meshes.h"
