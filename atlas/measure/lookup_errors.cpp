@@ -6,8 +6,7 @@
 
 #include <tbb/parallel_for.h>
 
-#include "atlas/measure/anisotropic.h"
-#include "atlas/measure/bilinear.h"
+#include "atlas/measure/lookup.h"
 #include "atlas/measure/seams.h"
 
 namespace burl {

@@ -28,7 +28,7 @@ ForeignShare foreign_share(const Atlas& atlas, const TextureValues& texture,
                            std::span<const SurfacePoint> points, std::uint32_t level);
 
 /// Errors of anisotropic lookups with footprints eight times as long as wide
-/// (atlas/measure/anisotropic.h).
+/// (atlas/measure/lookup.h).
 struct GrazingError {
     double rmse = 0.0, rmse_8bit = 0.0, truth_noise = 0.0;
 };

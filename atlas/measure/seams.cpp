@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "atlas/base/random_unit.h"
-#include "atlas/measure/bilinear.h"
+#include "atlas/measure/lookup.h"
 #include "atlas/measure/surface_mean.h"
 
 namespace burl {

@@ -7,7 +7,7 @@
 
 #include "atlas/build/mesh_atlas.h"
 #include "atlas/measure/atlas_measures.h"
-#include "atlas/patch/frame.h"
+#include "atlas/patch/atlas.h"
 #include "atlas/read/read_mesh.h"
 #include "tests/atlas/support/made_patches.h"
 #include "tests/paths.h"
