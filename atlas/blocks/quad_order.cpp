@@ -126,10 +126,11 @@ std::size_t halve_many(std::span<QuadItem> items, std::size_t least, std::size_t
     const std::span<QuadItem> rest = items.subspan(low, high - low);
     std::sort(rest.begin(), rest.end(), by_key);
     const std::size_t count = low + best_cut(rest, 0, rest.size(), before, whole).count;
-    const std::size_t kept = std::clamp(count, least, most);
-    if (kept != count)
-        std::nth_element(items.begin(), items.begin() + std::ptrdiff_t(kept), items.end(), by_key);
-    return kept;
+    const std::size_t allowed = std::clamp(count, least, most);
+    if (allowed != count)
+        std::nth_element(items.begin(), items.begin() + std::ptrdiff_t(allowed), items.end(),
+                         by_key);
+    return allowed;
 }
 
 constexpr std::size_t few_cells = 24;  // up to here cells are halved by place

@@ -28,31 +28,12 @@ std::optional<EdgeSide> opposite(const Mesh& mesh, const Connectivity& connectiv
     return std::nullopt;
 }
 
-/// Disjoint sets (union-find) whose representative is the lowest member.
-class Components {
-  public:
-    explicit Components(std::size_t count) : parent_(count) {
-        std::iota(parent_.begin(), parent_.end(), 0u);
-    }
-    std::uint32_t find(std::uint32_t i) {
-        while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-        return i;
-    }
-    void join(std::uint32_t a, std::uint32_t b) {
-        a = find(a), b = find(b);
-        parent_[std::max(a, b)] = std::min(a, b);
-    }
-
-  private:
-    std::vector<std::uint32_t> parent_;
-};
-
-void number_charts(const Mesh& mesh, Components& components, ChartMetrics& metrics) {
+void number_charts(const Mesh& mesh, DisjointSets& charts, ChartMetrics& metrics) {
     const std::vector<double> areas = triangle_areas(mesh).areas;
     std::vector<char> has_area;
     metrics.of_triangle.resize(mesh.triangles.size());
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-        const std::uint32_t root = components.find(t);
+        const std::uint32_t root = charts.find(t);
         if (root == t) {
             metrics.of_triangle[t] = metrics.count++;
             has_area.push_back(0);
@@ -108,20 +89,20 @@ double edge_length(const Mesh& mesh, const MeshEdge& edge) {
 
 ChartMetrics measure_charts(const Mesh& mesh, const Atlas& atlas, std::span<const MeshEdge> edges) {
     ChartMetrics metrics;
-    Components components(mesh.triangles.size());
+    DisjointSets charts(mesh.triangles.size());
     double length = 0.0;
     for (const MeshEdge& edge : edges) {
         if (!edge.interior) continue;
         const double here = edge_length(mesh, edge);
         length += here;
         if (joined(atlas, edge)) {
-            components.join(edge.first.triangle, edge.second.triangle);
+            charts.join(edge.first.triangle, edge.second.triangle);
         } else {
             metrics.seam_length += here;
         }
     }
     if (length > 0.0) metrics.seam_share = metrics.seam_length / length;
-    number_charts(mesh, components, metrics);
+    number_charts(mesh, charts, metrics);
     metrics.vertices = distinct_vertices(mesh, atlas);
     if (!mesh.positions.empty())
         metrics.vertex_ratio = double(metrics.vertices) / double(mesh.positions.size());

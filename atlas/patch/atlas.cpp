@@ -31,6 +31,22 @@ namespace {
 
 constexpr double frame_steps = 1 << 24;  ///< steps of coordinates a side of the unit frame
 
+/// The mesh in the unit frame, in which patches are decided on, with positions and triangles only:
+/// positions are (p - low) / longest side rounded to multiples of 2^-24, with `low` and side of the
+/// mesh's box. Scaling or moving the mesh changes them by next to nothing, so that partition,
+/// corners and packing come out the same. A mesh whose box is empty or a point stays as it is.
+Mesh in_unit_frame(const Mesh& mesh) {
+    Mesh result;
+    result.triangles = mesh.triangles;
+    result.positions = mesh.positions;
+    const Box3 box = bounding_box(mesh);
+    const double side = box.longest_side();
+    if (!(side > 0.0)) return result;
+    for (Vec3d& p : result.positions)
+        p = glm::floor((p - box.low) / side * frame_steps + 0.5) / frame_steps;
+    return result;
+}
+
 /// Sets the patch's points from their origins: mesh points, middles of two of them, and the
 /// centroids of closed holes.
 void place_vertices(Patch& patch, const Mesh& mesh) {
@@ -256,18 +272,6 @@ std::optional<PatchAtlas> build_patch_atlas(const Mesh& mesh, const Connectivity
     const std::optional<PatchCandidate> fitted = fit_patches(mesh, connectivity, options, stop);
     if (!fitted) return std::nullopt;
     return place_patches(mesh, *fitted, options);
-}
-
-Mesh in_unit_frame(const Mesh& mesh) {
-    Mesh result;
-    result.triangles = mesh.triangles;
-    result.positions = mesh.positions;
-    const Box3 box = bounding_box(mesh);
-    const double side = box.longest_side();
-    if (!(side > 0.0)) return result;
-    for (Vec3d& p : result.positions)
-        p = glm::floor((p - box.low) / side * frame_steps + 0.5) / frame_steps;
-    return result;
 }
 
 void to_mesh_frame(PatchMaps& maps, const Mesh& mesh) {

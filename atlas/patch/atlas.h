@@ -71,12 +71,6 @@ std::optional<PatchAtlas> build_patch_atlas(const Mesh& mesh, const Connectivity
 /// refined mesh's triangles come first, then those of gutters, closed holes and planes.
 SolidAtlas rasterize_patches(const PatchAtlas& atlas, std::span<const Vec3d> positions);
 
-/// The mesh in the unit frame, in which patches are decided on, with positions and triangles only:
-/// positions are (p - low) / longest side rounded to multiples of 2^-24, with `low` and side of the
-/// mesh's box. Scaling or moving the mesh changes them by next to nothing, so that partition,
-/// corners and packing come out the same. A mesh whose box is empty or a point stays as it is.
-Mesh in_unit_frame(const Mesh& mesh);
-
 /// Gives the vertices of maps made in the unit frame the mesh's own positions, and planes, areas
 /// and stretches its units. Inner places of rectangle maps stay as they are; planar patches are
 /// projected anew.
