@@ -13,8 +13,8 @@
 #include "app/export/emit.h"
 #include "app/export/solid_map_file.h"
 #include "app/recipe/lattice_check.h"
-#include "atlas/base/freed_memory.h"
-#include "atlas/build/atlas_pose.h"
+#include "atlas/base/memory.h"
+#include "atlas/build/mesh_atlas.h"
 
 namespace burl {
 

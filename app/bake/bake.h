@@ -11,7 +11,7 @@
 #include "app/bake/normals.h"
 #include "app/export/export.h"
 #include "app/pipeline/pipeline.h"
-#include "atlas/measure/metrics.h"
+#include "atlas/measure/atlas_measures.h"
 
 namespace burl {
 

@@ -12,9 +12,10 @@
 #include "atlas/blocks/pairing.h"
 #include "atlas/blocks/quad_cells.h"
 #include "atlas/blocks/quad_tree.h"
+#include "atlas/build/mesh_atlas.h"
+#include "atlas/measure/atlas_measures.h"
 #include "atlas/measure/lookup_errors.h"
-#include "atlas/measure/metrics.h"
-#include "atlas/measure/refined_points.h"
+#include "atlas/measure/surface_points.h"
 #include "procedural/model/metric_marble.h"
 
 namespace burl {

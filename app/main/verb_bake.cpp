@@ -9,7 +9,7 @@
 #include "app/bake/job.h"
 #include "app/main/verbs.h"
 #include "atlas/base/error.h"
-#include "atlas/base/freed_memory.h"
+#include "atlas/base/memory.h"
 
 namespace burl {
 

@@ -23,7 +23,7 @@
 #include "app/export/command_files.h"
 #include "app/main/verbs.h"
 #include "atlas/base/error.h"
-#include "atlas/base/freed_memory.h"
+#include "atlas/base/memory.h"
 
 namespace burl {
 

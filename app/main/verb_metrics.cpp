@@ -21,7 +21,7 @@
 #include "app/options/idle_options.h"
 #include "app/recipe/parameters.h"
 #include "atlas/base/error.h"
-#include "atlas/measure/refined_points.h"
+#include "atlas/measure/surface_points.h"
 #include "atlas/measure/uv_atlas.h"
 
 namespace burl {

@@ -4,7 +4,7 @@
 
 #include "app/measure/metric_texture.h"
 #include "app/measure/normal_error.h"
-#include "atlas/measure/refined_points.h"
+#include "atlas/measure/surface_points.h"
 
 namespace burl {
 

@@ -7,7 +7,7 @@
 #include "app/surface/normals.h"
 #include "atlas/base/mip_chain.h"
 #include "atlas/base/random_unit.h"
-#include "atlas/measure/bilinear.h"
+#include "atlas/measure/lookup.h"
 #include "atlas/solid/weights.h"
 #include "procedural/color/srgb.h"
 

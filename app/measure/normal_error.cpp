@@ -7,7 +7,7 @@
 #include "app/pipeline/texture_color.h"
 #include "app/surface/normals.h"
 #include "app/surface/tangents.h"
-#include "atlas/measure/bilinear.h"
+#include "atlas/measure/lookup.h"
 
 namespace burl {
 

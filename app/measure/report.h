@@ -6,7 +6,7 @@
 
 #include "app/pipeline/pipeline.h"
 #include "atlas/build/capacity.h"
-#include "atlas/measure/metrics.h"
+#include "atlas/measure/atlas_measures.h"
 
 namespace burl {
 

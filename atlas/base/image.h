@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "atlas/base/pixel_memory.h"
+#include "atlas/base/memory.h"
 
 namespace burl {
 

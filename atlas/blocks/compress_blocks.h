@@ -2,6 +2,8 @@
 // Compression of a texture: blocks of a quad atlas that look alike share one place in the texture,
 // which shrinks by the texels saved (proposed as future work in Carr & Hart 2001, section 6).
 #include <cstdint>
+#include <span>
+#include <vector>
 
 #include "atlas/base/image.h"
 #include "atlas/solid/atlas.h"
@@ -30,5 +32,23 @@ struct Compressed {
 /// for other kinds than quad. Pixel is Rgb8, Rgb16 or RgbF.
 template <class Pixel>
 Compressed<Pixel> compress_blocks(Atlas atlas, const Image<Pixel>& image, double most_error);
+
+/// A block of 2^log_width x 2^log_height texels; pack_blocks() sets its place (x, y).
+struct PackedBlock {
+    int log_width = 0, log_height = 0;
+    std::uint32_t x = 0, y = 0;
+};
+
+/// Sides of the packed rectangle in texels.
+struct PackedSize {
+    std::uint32_t width = 0, height = 0;
+};
+
+/// Places the blocks in a rectangle, each at multiples of its sides, so that MIP levels mix blocks
+/// only where a block is smaller than their texels, and returns its sides. The width is the power
+/// of two, from the widest block's to `most_width`, with the least area, where every doubling of
+/// the sides' ratio counts as 3 % more area. Rows are as high as the highest block still to be
+/// placed; the rest of a row beside a block is halved down for smaller blocks.
+PackedSize pack_blocks(std::span<PackedBlock> blocks, std::uint32_t most_width);
 
 }  // namespace burl

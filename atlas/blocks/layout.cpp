@@ -12,8 +12,7 @@
 #include "atlas/blocks/pairing.h"
 #include "atlas/blocks/strips.h"
 #include "atlas/solid/atlas.h"
-#include "atlas/solid/block_corners.h"
-#include "atlas/solid/overscan.h"
+#include "atlas/solid/block.h"
 #include "atlas/solid/weights.h"
 
 namespace burl {
@@ -62,18 +61,8 @@ std::vector<Block> make_blocks(std::span<const Cell> cells, const RowPlan& plan,
     return blocks;
 }
 
-void place_corners(Atlas& atlas, std::span<const Cell> cells) {
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-        const Cell& cell = cells[i];
-        const bool joins_right = i + 1 < cells.size() && atlas.blocks[i + 1].joins_left;
-        const BlockCorners places =
-            block_corners(atlas.blocks[i], atlas.options.overscan, joins_right);
-        for (std::size_t k = 0; k < 3; ++k) {
-            atlas.corners[std::size_t(cell.lower)][(cell.lower_corner + k) % 3] = places.lower[k];
-            if (cell.upper < 0) continue;
-            atlas.corners[std::size_t(cell.upper)][(cell.upper_corner + k) % 3] = places.upper[k];
-        }
-    }
+bool joins_right(const Atlas& atlas, std::size_t block) {
+    return block + 1 < atlas.blocks.size() && atlas.blocks[block + 1].joins_left;
 }
 
 /// Numbers the charts: a strip is one chart; two unrelated triangles in a block are two.
@@ -104,8 +93,7 @@ LayoutNotes layout_notes(const Atlas& atlas) {
     notes.texels_total = std::uint64_t{atlas.options.size} * atlas.options.size;
     for (std::size_t i = 0; i < atlas.blocks.size(); ++i) {
         note_block(notes, atlas.blocks[i], atlas.options.overscan);
-        const bool joins_right = i + 1 < atlas.blocks.size() && atlas.blocks[i + 1].joins_left;
-        if (joins_right && !atlas.blocks[i].joins_left) ++notes.strips;
+        if (joins_right(atlas, i) && !atlas.blocks[i].joins_left) ++notes.strips;
     }
     return notes;
 }
@@ -158,7 +146,8 @@ Atlas layout_atlas(const Mesh& mesh, const Connectivity& connectivity,
     atlas.corners.resize(mesh.triangles.size());
     atlas.charts.resize(mesh.triangles.size());
     atlas.blocks = make_blocks(cells, plan, options);
-    place_corners(atlas, cells);
+    for (std::size_t i = 0; i < atlas.blocks.size(); ++i)
+        place_corners(atlas, atlas.blocks[i], joins_right(atlas, i));
     number_charts(atlas);
     atlas.notes = layout_notes(atlas);
     return atlas;

@@ -1,7 +1,8 @@
 #pragma once
 // Clustering of the quad atlas's cells: recursive coordinate bisection (RCB) of the cells' centres
-// by weighted median; quad_graph.h holds the alternative. Everything is decided on integers, so
-// that the mesh's unit of length does not matter and no two runs differ.
+// by weighted median, or bisection of the graph of neighbouring pairs, as in the paper (Carr & Hart
+// 2001, section 4.3), by a multilevel partitioner (Karypis & Kumar). Everything is decided on
+// integers, so that the mesh's unit of length does not matter and no two runs differ.
 #include <array>
 #include <cstdint>
 #include <functional>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "atlas/blocks/quad_cells.h"
+#include "atlas/mesh/mesh.h"
 
 namespace burl {
 
@@ -42,5 +44,25 @@ struct Halve {
 /// to 24 items, along the axis with the most even cut. Returns the number of items in the first
 /// half.
 std::size_t halve_by_place(std::span<QuadItem> items, const HalfBounds& bounds);
+
+/// The graph of cells and their neighbours in compressed sparse rows; the weight of an edge is the
+/// length of the cells' common border, 64 for the mesh's mean edge. Clusters made by its bisection
+/// have short borders and are mostly, though not always, connected on the surface.
+class QuadGraph {
+  public:
+    /// `opposite` is the result of opposite_half_edges().
+    QuadGraph(const Mesh& mesh, std::span<const std::int32_t> opposite,
+              std::span<const QuadCell> cells);
+
+    /// Halves the items (see Halve) by graph bisection. Up to 24 items, and halves that would break
+    /// the bounds, are halved by halve_by_place() instead.
+    std::size_t halve(std::span<QuadItem> items, const HalfBounds& bounds);
+
+  private:
+    void add_to_last_row(std::int32_t target, std::int32_t length);
+
+    std::vector<std::int32_t> begin_, targets_, lengths_;
+    std::vector<std::int32_t> local_;  ///< index of each cell among the items being halved, else -1
+};
 
 }  // namespace burl

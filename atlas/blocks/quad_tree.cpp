@@ -14,7 +14,7 @@
 
 #include "atlas/base/each_index.h"
 #include "atlas/blocks/quad_arrangement.h"
-#include "atlas/solid/overscan.h"
+#include "atlas/solid/block.h"
 
 namespace burl {
 

@@ -145,7 +145,7 @@ std::uint8_t widest_corner(const Mesh& mesh, std::int32_t t) {
     return best;
 }
 
-Cell lone_cell(std::int32_t t, std::uint8_t corner, float weight) {
+Cell cell_of_single(std::int32_t t, std::uint8_t corner, float weight) {
     Cell cell;
     cell.lower = t;
     cell.lower_corner = corner;
@@ -172,7 +172,7 @@ std::vector<Cell> single_cells(const Mesh& mesh, std::span<const std::int8_t> pa
     for (std::size_t i = 0; i < singles.size(); ++i) {
         const std::int32_t t = singles[i];
         const float weight = weights[std::size_t(t)];
-        Cell cell = lone_cell(t, widest_corner(mesh, t), weight);
+        Cell cell = cell_of_single(t, widest_corner(mesh, t), weight);
         if (i + 1 < singles.size() && can_share(weight, weights[std::size_t(singles[i + 1])])) {
             cell.upper = singles[++i];
             cell.upper_corner = widest_corner(mesh, cell.upper);
@@ -202,9 +202,9 @@ std::vector<Cell> part_strangers(std::span<const Cell> cells, std::span<const fl
             continue;
         }
         parted.push_back(
-            lone_cell(cell.lower, cell.lower_corner, weights[std::size_t(cell.lower)]));
+            cell_of_single(cell.lower, cell.lower_corner, weights[std::size_t(cell.lower)]));
         parted.push_back(
-            lone_cell(cell.upper, cell.upper_corner, weights[std::size_t(cell.upper)]));
+            cell_of_single(cell.upper, cell.upper_corner, weights[std::size_t(cell.upper)]));
     }
     return parted;
 }

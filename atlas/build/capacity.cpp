@@ -9,9 +9,9 @@
 namespace burl {
 namespace {
 
-/// Number of loose pieces up to which the layout, which knows their areas, decides whether they
+/// Number of shells up to which the layout, which knows their areas, decides whether they
 /// fit.
-constexpr std::uint32_t many_pieces = 64;
+constexpr std::uint32_t many_shells = 64;
 
 /// Smallest size with so many texels (a power of two for quad); 0 where it exceeds max_atlas_size.
 std::uint32_t size_for(double texels, AtlasKind kind) {
@@ -54,7 +54,7 @@ std::string shortage(const Capacity& c) {
 std::string why_no_patches(const Connectivity& connectivity, std::uint32_t size) {
     const double each =
         double(size) * size / double(std::max<std::uint64_t>(connectivity.shells, 1));
-    if (connectivity.shells <= many_pieces || each >= least_texels_per_piece) return "";
+    if (connectivity.shells <= many_shells || each >= least_texels_per_shell) return "";
     return fmt::format("{} loose pieces would have {:.3g} texels each, too few for patches",
                        connectivity.shells, each);
 }

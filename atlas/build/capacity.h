@@ -12,8 +12,8 @@ namespace burl {
 /// Texels per triangle, T: from `good_texels_per_triangle` on triangles are sampled well, below
 /// `poor_texels_per_triangle` a colour per vertex shows as much.
 inline constexpr double good_texels_per_triangle = 25.0, poor_texels_per_triangle = 5.0;
-/// Texels per loose piece below which gutters leave a patch too few inner texels.
-inline constexpr double least_texels_per_piece = 256.0;
+/// Texels per shell (connected component) below which gutters leave a patch too few inner texels.
+inline constexpr double least_texels_per_shell = 256.0;
 
 /// Figures of how well a texture of `size` x `size` texels holds a mesh of `triangles` triangles.
 struct Capacity {

@@ -1,11 +1,13 @@
 #include "atlas/build/mesh_atlas.h"
 
 #include <bit>
+#include <utility>
 
 #include <fmt/format.h>
 
-#include "atlas/base/freed_memory.h"
+#include "atlas/base/memory.h"
 #include "atlas/build/capacity.h"
+#include "atlas/read/pose.h"
 
 namespace burl {
 
@@ -48,6 +50,25 @@ std::optional<MeshAtlas> pack(const Mesh& mesh, const Connectivity& connectivity
                      fmt::format("the patches do not fit {0} x {0} texels", options.size)));
 }
 
+/// Appends to `result` a corner half-way between two corners of the pose, or at one of them (a ==
+/// b).
+void append_corner(const MeshPose& pose, std::size_t a, std::size_t b, MeshPose& result) {
+    const Vec3d &p = pose.positions[a], &q = pose.positions[b];
+    result.positions.push_back(a == b ? p : 0.5 * p + 0.5 * q);
+    if (pose.normals.empty()) return;
+    const Vec3f n = pose.normals[a];
+    result.normals.push_back(a == b ? n : n + pose.normals[b]);
+}
+
+/// The input mesh's corner (3 face + k) at which the face has the point; the k-th if the face has
+/// the point twice and that corner is one of them.
+std::size_t corner_at(const Mesh& mesh, std::uint32_t face, std::uint32_t point, std::size_t k) {
+    const Triangle& triangle = mesh.triangles[face];
+    const std::size_t first = 3 * std::size_t{face};
+    if (triangle[k] == point) return first + k;
+    return triangle[0] == point ? first : triangle[1] == point ? first + 1 : first + 2;
+}
+
 }  // namespace
 
 const Atlas& MeshAtlas::atlas() const {
@@ -78,6 +99,30 @@ SolidAtlas rasterize(const Mesh& input, const MeshAtlas& atlas, std::span<const 
                                : rasterize(input, atlas.atlas(), positions);
     if (input.triangles.size() > many_triangles) return_freed_memory();
     return solid;
+}
+
+MeshPose atlas_pose(const MeshPose& pose, const Mesh& input, const MeshAtlas& atlas) {
+    check_pose(pose, input);
+    const PatchAtlas* patches = atlas.patches();
+    if (!patches) return pose;
+    const RefinedMesh& refined = patches->refined;
+    const std::size_t count = refined.mesh.triangles.size();
+    MeshPose result{pose.name, {}};
+    result.positions.reserve(3 * count);
+    auto cut = refined.cut_faces.begin();
+    std::uint32_t face = 0;
+    for (std::size_t t = 0; t < count; ++face) {
+        const bool is_cut = cut != refined.cut_faces.end() && cut->face == face;
+        const std::size_t end = t + (is_cut ? cut->pieces : 1);
+        if (is_cut) ++cut;
+        for (; t < end; ++t)
+            for (std::size_t k = 0; k < 3; ++k) {
+                const VertexOrigin origin = refined.origin(refined.mesh.triangles[t][k]);
+                append_corner(pose, corner_at(input, face, origin.a, k),
+                              corner_at(input, face, origin.b, k), result);
+            }
+    }
+    return result;
 }
 
 }  // namespace burl

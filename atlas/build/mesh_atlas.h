@@ -7,6 +7,8 @@
 
 namespace burl {
 
+struct MeshPose;  // atlas/read/pose.h
+
 /// An atlas of any kind.
 class MeshAtlas {
   public:
@@ -38,5 +40,10 @@ std::optional<MeshAtlas> build_atlas(const Mesh& mesh, const Connectivity& conne
 
 /// The solid points of all texels; `positions` are those of atlas.mesh(input) in the space wanted.
 SolidAtlas rasterize(const Mesh& input, const MeshAtlas& atlas, std::span<const Vec3d> positions);
+
+/// The pose of the mesh whose triangles the atlas places, made of the pose of the mesh that the
+/// atlas was built for: the middles that a patch atlas puts on edges are the middles of the posed
+/// edges. Throws Error as check_pose() does.
+MeshPose atlas_pose(const MeshPose& pose, const Mesh& input, const MeshAtlas& atlas);
 
 }  // namespace burl

@@ -108,4 +108,10 @@ std::uint32_t split_chords(Patch& patch, std::span<const SideMask> sides) {
     return added;
 }
 
+std::uint32_t split_border_chords(Patch& patch) {
+    std::vector<SideMask> border(patch.points.size(), 0);
+    for (const HalfEdge h : patch.loops[0]) border[patch.start(h)] = 1;
+    return split_chords(patch, border);
+}
+
 }  // namespace burl

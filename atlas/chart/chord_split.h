@@ -24,4 +24,7 @@ using SideMask = std::uint8_t;
 /// the place of the triangle.
 std::uint32_t split_chords(Patch& patch, std::span<const SideMask> sides);
 
+/// Splits every inner edge of a disk whose two ends lie on its border; see split_chords().
+std::uint32_t split_border_chords(Patch& patch);
+
 }  // namespace burl

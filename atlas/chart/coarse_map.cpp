@@ -70,12 +70,6 @@ std::optional<Vec2d> near_first(const Ring& ring) {
     return std::nullopt;
 }
 
-std::uint32_t split_border_chords(Patch& patch) {
-    std::vector<SideMask> border(patch.points.size(), 0);
-    for (const HalfEdge h : patch.loops[0]) border[patch.start(h)] = 1;
-    return split_chords(patch, border);
-}
-
 /// Sets the fine map from the coarse one, smoothed; false, and no change, where the fine map flips.
 bool carry_map(const Patch& patch, const CoarseMap& coarse, RectangleMap& map) {
     auto uv = carry_to_fine(patch, coarse.level, coarse.map.uv);

@@ -54,10 +54,8 @@ void place_on_sides(const Patch& patch, const Corners& corners, const std::vecto
     }
 }
 
-Patch split_all(Patch patch) {
-    std::vector<SideMask> border(patch.points.size(), 0);
-    for (const HalfEdge h : patch.loops[0]) border[patch.start(h)] = 1;
-    split_chords(patch, border);
+Patch with_chords_split(Patch patch) {
+    split_border_chords(patch);
     return patch;
 }
 
@@ -65,7 +63,7 @@ Patch split_all(Patch patch) {
 class CornerSearch {
   public:
     explicit CornerSearch(const Patch& patch)
-        : patch_(split_all(patch)),
+        : patch_(with_chords_split(patch)),
           position_(loop_positions(patch_)),
           edges_(weighted_edges(patch_)),
           laplacian_(edges_, inner_vertices(patch_)),

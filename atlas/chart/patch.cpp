@@ -13,25 +13,6 @@ HalfEdge next_in_triangle(HalfEdge h) {
     return h - h % 3 + (h % 3 + 1) % 3;
 }
 
-/// Disjoint sets (union-find); the smallest member stands for its set.
-class DisjointSets {
-  public:
-    explicit DisjointSets(std::size_t count) : parent_(count) {
-        std::iota(parent_.begin(), parent_.end(), 0u);
-    }
-    std::uint32_t find(std::uint32_t i) {
-        while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-        return i;
-    }
-    void join(std::uint32_t i, std::uint32_t j) {
-        i = find(i), j = find(j);
-        parent_[std::max(i, j)] = std::min(i, j);
-    }
-
-  private:
-    std::vector<std::uint32_t> parent_;
-};
-
 DisjointSets corners_that_meet(const Patch& patch) {
     DisjointSets sets(3 * patch.triangles.size());
     for (HalfEdge h = 0; h < 3 * patch.triangles.size(); ++h) {

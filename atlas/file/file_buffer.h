@@ -1,7 +1,11 @@
 #pragma once
 // A whole file in memory. Readers parse from one contiguous buffer, so a file that is cut or
 // changed while it is read can at worst give an error, never a fault (as a memory map could).
+#include <algorithm>
+#include <array>
+#include <bit>
 #include <cstddef>
+#include <cstring>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -23,5 +27,18 @@ FileBuffer read_file(const std::string& path);
 
 /// A buffer that holds a copy of `content`; `path` is only its name in messages.
 FileBuffer buffer_from(std::string_view content, std::string path);
+
+/// The number stored at `bytes`, at any alignment; `swapped` says that its byte order is not this
+/// machine's.
+template <typename Value>
+Value load(const char* bytes, bool swapped = false) {
+    std::array<char, sizeof(Value)> raw;
+    std::memcpy(raw.data(), bytes, sizeof(Value));
+    if (swapped) std::reverse(raw.begin(), raw.end());
+    return std::bit_cast<Value>(raw);
+}
+
+/// Whether this machine stores the highest byte of a number first.
+inline constexpr bool big_endian_machine = std::endian::native == std::endian::big;
 
 }  // namespace burl

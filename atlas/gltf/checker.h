@@ -72,12 +72,9 @@ class GltfChecker {
 std::string place(const char* name, std::size_t i);
 
 /// Throws Error(invalid_file) unless views lie inside the `byteLength` of their buffers, accessors
-/// lie inside their views, and images name existing views. (check_data.cpp)
-void check_gltf_data(const GltfChecker& gltf);
-
-/// Throws Error(invalid_file) unless meshes, materials, textures, nodes, skins, scenes, animations
+/// lie inside their views, images, meshes, materials, textures, nodes, skins, scenes, animations
 /// and the choice of the scene to draw refer to things that exist, nodes form trees, and accessors
-/// without data are used for at most 2^20 elements in all. (check_scene.cpp)
-void check_gltf_scene(const GltfChecker& gltf);
+/// without data are used for at most 2^20 elements in all. (check.cpp)
+void check_gltf(const GltfChecker& gltf);
 
 }  // namespace burl

@@ -261,8 +261,7 @@ tinygltf::Model load_gltf(const FileBuffer& file) {
         const Json& buffers = gltf.list("buffers");
         for (std::size_t i = 0; i < buffers.size(); ++i)
             check_buffer(gltf, buffers[i], i, parts, folder, files);
-        check_gltf_data(gltf);
-        check_gltf_scene(gltf);
+        check_gltf(gltf);
         for (const Json& image : gltf.list("images")) read_image(gltf, image, folder, files);
     }
     tinygltf::Model model = parse_checked(file, parts, files);

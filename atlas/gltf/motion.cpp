@@ -1,19 +1,20 @@
 #include "atlas/gltf/motion.h"
 
-#include <tiny_gltf.h>
-
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <unordered_set>
 
+#include <fmt/format.h>
+#include <tiny_gltf.h>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
 
 #include "atlas/base/error.h"
 #include "atlas/gltf/accessor.h"
-#include "atlas/gltf/targets.h"
 
 namespace burl {
+
 namespace {
 
 /// A node's transform as translation, rotation (a quaternion x, y, z, w) and scale.
@@ -170,6 +171,43 @@ GltfMotion motion_at(const tinygltf::Model& model, std::size_t animation, double
     for (std::size_t n = 0; n < parts.size(); ++n)
         if (moved[n]) motion.local[n] = parts[n].matrix();
     return motion;
+}
+
+std::size_t target_count(const tinygltf::Mesh& mesh) {
+    std::size_t count = 0;
+    for (const tinygltf::Primitive& primitive : mesh.primitives)
+        count = std::max(count, primitive.targets.size());
+    return count;
+}
+
+std::vector<std::string> target_names(const tinygltf::Mesh& mesh) {
+    const std::size_t count = target_count(mesh);
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < count; ++i) names.push_back(fmt::format("{}", i));
+    if (!mesh.extras.IsObject() || !mesh.extras.Has("targetNames")) return names;
+    const tinygltf::Value& given = mesh.extras.Get("targetNames");
+    if (!given.IsArray()) return names;
+    for (std::size_t i = 0; i < std::min(count, given.ArrayLen()); ++i)
+        if (const tinygltf::Value& name = given.Get(int(i));
+            name.IsString() && !name.Get<std::string>().empty())
+            names[i] = name.Get<std::string>();
+    return names;
+}
+
+std::vector<std::string> target_names(const tinygltf::Model& model) {
+    std::vector<std::string> names;
+    std::unordered_set<std::string> known;
+    for (const tinygltf::Mesh& mesh : model.meshes)
+        for (std::string& name : target_names(mesh))
+            if (known.insert(name).second) names.push_back(std::move(name));
+    return names;
+}
+
+std::optional<std::size_t> find_target(const tinygltf::Mesh& mesh, const std::string& name) {
+    const std::vector<std::string> names = target_names(mesh);
+    const auto found = std::ranges::find(names, name);
+    if (found == names.end()) return {};
+    return std::size_t(found - names.begin());
 }
 
 }  // namespace burl

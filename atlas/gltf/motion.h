@@ -1,6 +1,8 @@
 #pragma once
-// Transforms of a glTF's nodes at a moment of one of its animations (specification 3.11 and
-// appendix C), so that a skinned or moved mesh can be seen in that pose.
+// What moves a glTF's vertices: transforms of its nodes at a moment of one of its animations
+// (specification 3.11 and appendix C), and morph targets, other places and normals for a mesh's
+// vertices (3.7.2.2).
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,6 +10,7 @@
 
 namespace tinygltf {
 class Model;
+struct Mesh;
 }  // namespace tinygltf
 
 namespace burl {
@@ -34,5 +37,18 @@ std::vector<double> animation_ends(const tinygltf::Model& model);
 /// the file in messages.
 GltfMotion motion_at(const tinygltf::Model& model, std::size_t animation, double seconds,
                      const std::string& path);
+
+/// Number of morph targets of the mesh: the largest of its primitives.
+std::size_t target_count(const tinygltf::Mesh& mesh);
+
+/// Names of the mesh's morph targets: `extras.targetNames`, else "0", "1", ...
+std::vector<std::string> target_names(const tinygltf::Mesh& mesh);
+
+/// Names of the morph targets of all meshes of the file, each once, in the order of their first
+/// mesh.
+std::vector<std::string> target_names(const tinygltf::Model& model);
+
+/// Index of the mesh's morph target `name`; nothing where it has none.
+std::optional<std::size_t> find_target(const tinygltf::Mesh& mesh, const std::string& name);
 
 }  // namespace burl

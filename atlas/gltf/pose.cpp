@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 
 #include "atlas/base/error.h"
-#include "atlas/gltf/targets.h"
+#include "atlas/gltf/motion.h"
 
 namespace burl {
 namespace {

@@ -3,17 +3,32 @@
 // there. Errors of colours are root mean squares over the channels.
 #include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "atlas/base/mip_chain.h"
 #include "atlas/measure/charts.h"
+#include "atlas/measure/surface_points.h"
 #include "atlas/measure/surface_truth.h"
 #include "atlas/measure/texture_values.h"
 
 namespace burl {
 
+/// Bleeding: the shares, 0 to 1, of lookups' weight on texels outside the point's own chart.
+struct ForeignShare {
+    double foreign = 0.0;      ///< share on texels of another chart or of none
+    double other_chart = 0.0;  ///< share on texels that hold another chart's value
+};
+
+/// Mean shares over the points for plain bilinear lookups in level `level`, whose texels are means
+/// of 4^level texels (for sizes that are no power of two, of the texels they touch). `charts` holds
+/// each triangle's chart.
+ForeignShare foreign_share(const Atlas& atlas, const TextureValues& texture,
+                           std::span<const std::uint32_t> charts,
+                           std::span<const SurfacePoint> points, std::uint32_t level);
+
 /// Errors of anisotropic lookups with footprints eight times as long as wide
-/// (atlas/measure/anisotropic.h).
+/// (atlas/measure/lookup.h).
 struct GrazingError {
     double rmse = 0.0, rmse_8bit = 0.0, truth_noise = 0.0;
 };

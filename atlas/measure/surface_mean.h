@@ -6,8 +6,22 @@
 #include <vector>
 
 #include "atlas/measure/surface_points.h"
+#include "atlas/mesh/mesh.h"
 
 namespace burl {
+
+/// A part of a triangle, for quadrature: a point in it, and its area.
+struct SurfaceSample {
+    Vec3d point{0.0};
+    double area = 0.0;
+    std::uint32_t triangle = 0;
+};
+
+/// Samples of parts at most `edge` > 0 long, as surface_means() cuts them, in the order of the
+/// triangles; only samples whose point `wanted` accepts are returned. Triangles longer than edge /
+/// 2 are cut at least once, so that two seeds differ.
+std::vector<SurfaceSample> sample_surface(const Mesh& mesh, double edge, std::uint64_t seed,
+                                          const std::function<bool(const Vec3d&)>& wanted);
 
 /// A texture: linear colour at a solid point. A grey texture has three equal channels.
 using SolidColor = std::function<Vec3d(const Vec3d&)>;
@@ -37,9 +51,9 @@ struct Elongation {
 /// The mean of f over the surface around each point, with weight exp(-r^2 / 2 sigma^2), r the
 /// straight distance, within 2.6 sigma, leaving out triangles that face away from the point's own
 /// (normals at 90 degrees or more). Quadrature: triangles are bisected at their longest edge, near
-/// its middle at random after `seed`, into pieces of at most 1.5 sigma and at most the larger of
+/// its middle at random after `seed`, into parts of at most 1.5 sigma and at most the larger of
 /// `detail` and sigma / 4, each one sample at its centroid; slivers whose area is below 1/20 of the
-/// square of that length stay whole with a random point. Where that takes more than 2^24 pieces
+/// square of that length stay whole with a random point. Where that takes more than 2^24 parts
 /// they become larger. Two seeds give independent errors. The mesh's coordinates are of the order
 /// of 1; f has no detail finer than about `detail`.
 ///

@@ -7,6 +7,8 @@
 
 namespace burl {
 
+class MeshAtlas;  // atlas/build/mesh_atlas.h
+
 /// A point of a mesh's surface.
 struct SurfacePoint {
     std::uint32_t triangle = 0;
@@ -33,5 +35,10 @@ inline Vec2d place(const Atlas& atlas, const SurfacePoint& p) {
 
 /// Unit normal of a triangle; zero for a triangle without area.
 Vec3d face_normal(const Mesh& mesh, std::uint32_t triangle);
+
+/// The points, of `input`, as points of atlas.mesh(input) at the same places of the surface, so
+/// that atlases that split triangles are judged at the same points as those that do not.
+std::vector<SurfacePoint> refined_points(const Mesh& input, const MeshAtlas& atlas,
+                                         std::vector<SurfacePoint> points);
 
 }  // namespace burl

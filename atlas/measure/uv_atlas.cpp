@@ -15,31 +15,7 @@ namespace {
 constexpr std::uint32_t nobody = std::numeric_limits<std::uint32_t>::max();
 
 double determinant(const std::array<Vec2d, 3>& corners) {
-    const Vec2d u = corners[1] - corners[0], v = corners[2] - corners[0];
-    return u.x * v.y - u.y * v.x;
-}
-
-std::int32_t nearest_texel(double coordinate, std::uint32_t size) {
-    return std::int32_t(std::clamp(std::floor(coordinate), 0.0, size - 1.0));
-}
-
-/// The affine map of a triangle, anchored at the texel nearest to its first corner; constant for a
-/// triangle without area in the texture.
-TexelMap texel_map(const std::array<Vec2d, 3>& corners, const std::array<Vec3d, 3>& points,
-                   std::uint32_t size) {
-    TexelMap map;
-    map.origin = points[0];
-    const double det = determinant(corners);
-    if (det == 0.0 || !std::isfinite(det)) return map;
-    const Vec2d u = corners[1] - corners[0], v = corners[2] - corners[0];
-    const Vec3d along_u = points[1] - points[0], along_v = points[2] - points[0];
-    map.step_x = (along_u * v.y - along_v * u.y) / det;
-    map.step_y = (along_v * u.x - along_u * v.x) / det;
-    map.anchor_x = nearest_texel(corners[0].x, size);
-    map.anchor_y = nearest_texel(corners[0].y, size);
-    map.origin += (map.anchor_x + 0.5 - corners[0].x) * map.step_x +
-                  (map.anchor_y + 0.5 - corners[0].y) * map.step_y;
-    return map;
+    return cross(corners[1] - corners[0], corners[2] - corners[0]);
 }
 
 Image<std::uint32_t> owners(const Atlas& atlas) {
@@ -94,8 +70,9 @@ SolidAtlas rasterize_uvs(const Mesh& mesh, const Atlas& atlas, std::span<const V
     }
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         const auto& [a, b, c] = mesh.triangles[t];
-        solid.maps.push_back(
-            texel_map(atlas.corners[t], {positions[a], positions[b], positions[c]}, solid.size));
+        solid.maps.push_back(affine_map(atlas.corners[t],
+                                        {positions[a], positions[b], positions[c]}, {0, 0},
+                                        {solid.size, solid.size}));
     }
     return solid;
 }

@@ -1,9 +1,11 @@
 #pragma once
-// Adjacency of triangles across edges, from OpenMesh's half-edges. Faces are added one by one;
-// where an edge or vertex is complex (non-manifold) the face gets vertices of its own, so no face
-// is lost and ids stay the mesh's.
+// Adjacency of triangles across edges, from OpenMesh's half-edges, and disjoint sets to join them.
+// Faces are added one by one; where an edge or vertex is complex (non-manifold) the face gets
+// vertices of its own, so no face is lost and ids stay the mesh's.
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <numeric>
 #include <vector>
 
 #include "atlas/mesh/mesh.h"
@@ -27,5 +29,24 @@ struct Connectivity {
 /// neighbours[b][j] == a, on the same two points. Degenerate triangles (a repeated point) have no
 /// neighbours.
 Connectivity build_connectivity(const Mesh& mesh);
+
+/// Disjoint sets (union-find); the smallest member stands for its set.
+class DisjointSets {
+  public:
+    explicit DisjointSets(std::size_t count) : parent_(count) {
+        std::iota(parent_.begin(), parent_.end(), 0u);
+    }
+    std::uint32_t find(std::uint32_t i) {
+        while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+        return i;
+    }
+    void join(std::uint32_t i, std::uint32_t j) {
+        i = find(i), j = find(j);
+        parent_[std::max(i, j)] = std::min(i, j);
+    }
+
+  private:
+    std::vector<std::uint32_t> parent_;
+};
 
 }  // namespace burl

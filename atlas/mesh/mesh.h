@@ -75,4 +75,14 @@ double triangle_area(const Mesh& mesh, std::size_t t);
 /// Longest edge of triangle t, in mesh units.
 double longest_edge(const Mesh& mesh, std::size_t t);
 
+/// A user's choices of how a file becomes a mesh.
+struct ReadOptions {
+    /// Welding distance as a share of the box's longest side: closer points are welded; 0 welds
+    /// points with the same bits (-0 counts as 0).
+    double weld = 0.0;
+    /// Whether each glTF instance gets triangles of its own, in scene space, instead of sharing
+    /// those of the first instance.
+    bool unshare_instances = false;
+};
+
 }  // namespace burl

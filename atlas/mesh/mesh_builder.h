@@ -3,7 +3,6 @@
 // renumber, count.
 #include "atlas/mesh/mesh.h"
 #include "atlas/mesh/polygon_soup.h"
-#include "atlas/mesh/read_options.h"
 
 namespace burl {
 

@@ -1,6 +1,6 @@
 // Welding by one open-addressing hash table: keyed by the coordinates' bits for exact welding, by
 // grid cells twice as wide as the distance for tolerant welding, where the point's cell and its
-// neighbours on the near sides hold every candidate (kept points lie apart, so a cell holds few).
+// neighbours on the near sides hold every candidate (welded points lie apart, so a cell holds few).
 #include "atlas/mesh/weld.h"
 
 #include <bit>
@@ -69,41 +69,41 @@ class IdTable {
 /// Welds points with the same bits.
 class ExactWelder {
   public:
-    std::uint32_t id_of(const Vec3d& p, std::vector<Vec3d>& kept) {
+    std::uint32_t id_of(const Vec3d& p, std::vector<Vec3d>& positions) {
         const std::uint64_t hash = hash_of(p);
         const std::uint32_t found =
-            table_.find(hash, [&](std::uint32_t id) { return kept[id] == p; });
+            table_.find(hash, [&](std::uint32_t id) { return positions[id] == p; });
         if (found != no_index) return found;
-        table_.insert(hash, static_cast<std::uint32_t>(kept.size()));
-        kept.push_back(p);
-        return static_cast<std::uint32_t>(kept.size() - 1);
+        table_.insert(hash, static_cast<std::uint32_t>(positions.size()));
+        positions.push_back(p);
+        return static_cast<std::uint32_t>(positions.size() - 1);
     }
 
   private:
     IdTable table_;
 };
 
-/// Welds each point to the earliest kept point within `distance`.
+/// Welds each point to the earliest welded point within `distance`.
 class TolerantWelder {
   public:
     TolerantWelder(const Vec3d& low, double distance)
         // A little wider than 2 * distance, so that rounding never puts a candidate two cells away.
         : low_(low), distance_(distance), cell_width_(distance * (2.0 + 1e-6)) {}
 
-    std::uint32_t id_of(const Vec3d& p, std::vector<Vec3d>& kept) {
+    std::uint32_t id_of(const Vec3d& p, std::vector<Vec3d>& positions) {
         const Vec3d place = (p - low_) / cell_width_;
         const Vec3d cell = glm::floor(place);
-        const std::uint32_t found = earliest_near(p, cell, place - cell, kept);
+        const std::uint32_t found = earliest_near(p, cell, place - cell, positions);
         if (found != no_index) return found;
-        table_.insert(hash_of(cell), static_cast<std::uint32_t>(kept.size()));
-        kept.push_back(p);
-        return static_cast<std::uint32_t>(kept.size() - 1);
+        table_.insert(hash_of(cell), static_cast<std::uint32_t>(positions.size()));
+        positions.push_back(p);
+        return static_cast<std::uint32_t>(positions.size() - 1);
     }
 
   private:
-    /// The first kept point within the distance, among the eight cells that can hold one.
+    /// The first welded point within the distance, among the eight cells that can hold one.
     std::uint32_t earliest_near(const Vec3d& p, const Vec3d& cell, const Vec3d& fraction,
-                                const std::vector<Vec3d>& kept) const {
+                                const std::vector<Vec3d>& positions) const {
         const Vec3d side(fraction.x < 0.5 ? -1.0 : 1.0, fraction.y < 0.5 ? -1.0 : 1.0,
                          fraction.z < 0.5 ? -1.0 : 1.0);
         std::uint32_t best = no_index;
@@ -111,7 +111,7 @@ class TolerantWelder {
             const Vec3d pick(n & 1, n >> 1 & 1, n >> 2);
             const Vec3d near = cell + side * pick + 0.0;  // + 0.0: a cell of -0 must hash as 0
             table_.find(hash_of(near), [&](std::uint32_t id) {
-                if (id < best && glm::distance(kept[id], p) <= distance_) best = id;
+                if (id < best && glm::distance(positions[id], p) <= distance_) best = id;
                 return false;
             });
         }

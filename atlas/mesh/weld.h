@@ -16,8 +16,8 @@ struct WeldedPoints {
     std::uint64_t merged = 0;            ///< used points that coincide with an earlier one
 };
 
-/// Welds `points` in the order `corners` uses them; each point goes to the earliest kept one with
-/// the same bits (-0 counts as 0), or, for distance > 0, to the earliest kept one within
+/// Welds `points` in the order `corners` uses them; each point goes to the earliest welded one with
+/// the same bits (-0 counts as 0), or, for distance > 0, to the earliest welded one within
 /// `distance`. The result does not depend on how often a file repeats a vertex.
 WeldedPoints weld_points(const std::vector<Vec3d>& points, std::vector<std::uint32_t> corners,
                          double distance);

@@ -1,6 +1,7 @@
 // The steps of the patch atlas, in order, with their files; docs/reference/patch-atlas.md tells
 // why.
-// 1. frame: the mesh is moved into a unit box, so that its scale and place change nothing.
+// 1. in_unit_frame() below: the mesh is moved into a unit box, so that its scale and place change
+//    nothing; after step 5 to_mesh_frame() gives the maps the mesh's own positions.
 // 2. candidates: several divisions are judged in parallel, for a large mesh on a coarse copy
 //    (coarse_mesh, edge_collapse). Each division is a partition or follows creases (partition).
 // 3. maps: every region becomes a patch with a map from the unit square. Flat ones are projected
@@ -23,10 +24,86 @@
 
 #include "atlas/chart/coarse_map.h"
 #include "atlas/patch/candidates.h"
-#include "atlas/patch/frame.h"
 
 namespace burl {
+
 namespace {
+
+constexpr double frame_steps = 1 << 24;  ///< steps of coordinates a side of the unit frame
+
+/// The mesh in the unit frame, in which patches are decided on, with positions and triangles only:
+/// positions are (p - low) / longest side rounded to multiples of 2^-24, with `low` and side of the
+/// mesh's box. Scaling or moving the mesh changes them by next to nothing, so that partition,
+/// corners and packing come out the same. A mesh whose box is empty or a point stays as it is.
+Mesh in_unit_frame(const Mesh& mesh) {
+    Mesh result;
+    result.triangles = mesh.triangles;
+    result.positions = mesh.positions;
+    const Box3 box = bounding_box(mesh);
+    const double side = box.longest_side();
+    if (!(side > 0.0)) return result;
+    for (Vec3d& p : result.positions)
+        p = glm::floor((p - box.low) / side * frame_steps + 0.5) / frame_steps;
+    return result;
+}
+
+/// Sets the patch's points from their origins: mesh points, middles of two of them, and the
+/// centroids of closed holes.
+void place_vertices(Patch& patch, const Mesh& mesh) {
+    const auto is_hub = [&](std::size_t v) { return patch.origins[v] == VertexOrigin{}; };
+    for (std::size_t v = 0; v < patch.points.size(); ++v) {
+        const VertexOrigin& origin = patch.origins[v];
+        if (is_hub(v))
+            patch.points[v] = Vec3d(0.0);
+        else if (origin.a == origin.b)
+            patch.points[v] = mesh.positions[origin.a];
+        else
+            patch.points[v] = 0.5 * mesh.positions[origin.a] + 0.5 * mesh.positions[origin.b];
+    }
+    std::vector<double> rim(patch.points.size(), 0.0);
+    for (std::size_t t = 0; t < patch.triangles.size(); ++t)
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Triangle& c = patch.triangles[t];
+            if (!is_hub(c[k])) continue;
+            patch.points[c[k]] += patch.points[c[(k + 1) % 3]] + patch.points[c[(k + 2) % 3]];
+            rim[c[k]] += 2.0;
+        }
+    for (std::size_t v = 0; v < rim.size(); ++v)
+        if (rim[v] > 0.0) patch.points[v] /= rim[v];
+}
+
+/// Projects a planar patch again into the rectangle round it along the map's directions. Where that
+/// has no height, as for a triangle without area that only the unit frame's rounding gave some, the
+/// map's places stay.
+void project_anew(MappedPatch& mapped) {
+    PlanarMap& plane = *mapped.planar;
+    const Vec3d u = glm::normalize(plane.along_u), v = glm::normalize(plane.along_v);
+    const Vec3d& first = mapped.patch.points[0];
+    Vec2d low(0.0), high(0.0);
+    std::vector<Vec2d> flat;
+    for (const Vec3d& point : mapped.patch.points) {
+        flat.emplace_back(glm::dot(point - first, u), glm::dot(point - first, v));
+        low = glm::min(low, flat.back());
+        high = glm::max(high, flat.back());
+    }
+    const Vec2d size = high - low;
+    for (int axis = 0; axis < 2; ++axis) {
+        if (!(size[axis] > 0.0)) continue;
+        for (std::size_t i = 0; i < flat.size(); ++i)
+            plane.uv[i][axis] = (flat[i][axis] - low[axis]) / size[axis];
+    }
+    plane.origin = first + low.x * u + low.y * v;
+    plane.along_u = size.x * u;
+    plane.along_v = size.y * v;
+    mapped.uv = plane.uv;
+}
+
+void scale(Stretch& stretch, double side) {
+    const double square = side * side;
+    stretch.area *= square;
+    stretch.x *= square * square;
+    stretch.y *= square * square;
+}
 
 constexpr int refit_iterations = 20;
 constexpr double refit_gain = 1e-4;  ///< relative gain per iteration, below which a descent ends
@@ -195,6 +272,20 @@ std::optional<PatchAtlas> build_patch_atlas(const Mesh& mesh, const Connectivity
     const std::optional<PatchCandidate> fitted = fit_patches(mesh, connectivity, options, stop);
     if (!fitted) return std::nullopt;
     return place_patches(mesh, *fitted, options);
+}
+
+void to_mesh_frame(PatchMaps& maps, const Mesh& mesh) {
+    double side = bounding_box(mesh).longest_side();
+    if (!(side > 0.0)) side = 1.0;
+    for (MappedPatch& mapped : maps.patches) {
+        place_vertices(mapped.patch, mesh);
+        if (mapped.planar) {
+            project_anew(mapped);
+            scale(mapped.planar->stretch, side);
+        }
+        if (mapped.rectangle) scale(mapped.rectangle->stretch, side);
+        scale(mapped.stretch, side);
+    }
 }
 
 }  // namespace burl

@@ -8,6 +8,7 @@
 #include <stop_token>
 
 #include "atlas/patch/candidates.h"
+#include "atlas/patch/maps.h"
 #include "atlas/patch/refine.h"
 #include "atlas/solid/solid_atlas.h"
 
@@ -69,5 +70,10 @@ std::optional<PatchAtlas> build_patch_atlas(const Mesh& mesh, const Connectivity
 /// s(-k) = 2 s(0) - s(k), a planar patch's block by its plane. Spans name maps: those of the
 /// refined mesh's triangles come first, then those of gutters, closed holes and planes.
 SolidAtlas rasterize_patches(const PatchAtlas& atlas, std::span<const Vec3d> positions);
+
+/// Gives the vertices of maps made in the unit frame the mesh's own positions, and planes, areas
+/// and stretches its units. Inner places of rectangle maps stay as they are; planar patches are
+/// projected anew.
+void to_mesh_frame(PatchMaps& maps, const Mesh& mesh);
 
 }  // namespace burl

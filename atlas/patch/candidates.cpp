@@ -74,15 +74,10 @@ PatchDemand demand_of(const MappedPatch& mapped) {
     return demand;
 }
 
-std::uint32_t wanted_gutter(std::uint32_t size) {
-    return std::max(size / 128, 1u);
-}
-
 void lay_out(PatchCandidate& candidate, std::uint32_t size, int layouts) {
     std::vector<PatchDemand> demands;
     for (const MappedPatch& mapped : candidate.maps.patches) demands.push_back(demand_of(mapped));
-    auto layout =
-        layout_patches(demands, {.size = size, .gutter = wanted_gutter(size), .tries = layouts});
+    auto layout = layout_patches(demands, {.size = size, .tries = layouts});
     candidate.cost = std::numeric_limits<double>::infinity();
     if (!layout) return;
     candidate.cost = layout->cost() * (1.0 + per_patch * double(demands.size()));

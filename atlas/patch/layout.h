@@ -51,7 +51,7 @@ struct PatchLayoutOptions {
     std::uint32_t size = 1024;  ///< N, the texture's side in texels
     /// The gutter in texels to start from; default N / 128, at least 1. It is halved until the
     /// patches fit, and where that makes up for the bleeding.
-    std::optional<std::uint32_t> gutter;
+    std::optional<std::uint32_t> gutter{};
     int tries = 8;  ///< trees over differently rotated centres to try
 };
 

@@ -140,21 +140,21 @@ class RegionMapper {
 
     static Regions keep(Patch patch, PlanarMap map, PatchMaps& result) {
         ++result.notes.planar_patches;
-        MappedPatch& kept = result.patches.emplace_back();
-        kept.patch = std::move(patch);
-        kept.uv = map.uv;
-        kept.stretch = map.stretch;
-        kept.planar = std::move(map);
+        MappedPatch& mapped = result.patches.emplace_back();
+        mapped.patch = std::move(patch);
+        mapped.uv = map.uv;
+        mapped.stretch = map.stretch;
+        mapped.planar = std::move(map);
         return {};
     }
 
     static Regions keep(Patch patch, RectangleMap map, PatchMaps& result) {
-        MappedPatch& kept = result.patches.emplace_back();
-        kept.patch = std::move(patch);
-        if (map.coarse) kept.patch.neighbours = {};
-        kept.uv = std::move(map.uv);
-        kept.stretch = map.stretch;
-        kept.rectangle = std::move(map);
+        MappedPatch& mapped = result.patches.emplace_back();
+        mapped.patch = std::move(patch);
+        if (map.coarse) mapped.patch.neighbours = {};
+        mapped.uv = std::move(map.uv);
+        mapped.stretch = map.stretch;
+        mapped.rectangle = std::move(map);
         return {};
     }
 

@@ -42,29 +42,29 @@ void flip_ears(const Connectivity& connectivity, Labels& labels) {
     }
 }
 
-/// Numbers of the connected pieces of equal label, ordered by their first triangle.
-Labels connected_pieces(const Connectivity& connectivity, const Labels& labels) {
+/// Numbers of the connected components of equal label, ordered by their first triangle.
+Labels connected_components(const Connectivity& connectivity, const Labels& labels) {
     constexpr std::uint32_t none = 0xffffffffu;
-    Labels piece(labels.size(), none);
+    Labels component(labels.size(), none);
     std::uint32_t count = 0;
     std::vector<std::uint32_t> open;
     for (std::uint32_t start = 0; start < labels.size(); ++start) {
-        if (piece[start] != none) continue;
-        piece[start] = count;
+        if (component[start] != none) continue;
+        component[start] = count;
         open.push_back(start);
         while (!open.empty()) {
             const std::uint32_t t = open.back();
             open.pop_back();
             for (const std::int32_t side : connectivity.neighbours[t]) {
                 const auto n = static_cast<std::uint32_t>(side);
-                if (side < 0 || piece[n] != none || labels[n] != labels[t]) continue;
-                piece[n] = count;
+                if (side < 0 || component[n] != none || labels[n] != labels[t]) continue;
+                component[n] = count;
                 open.push_back(n);
             }
         }
         ++count;
     }
-    return piece;
+    return component;
 }
 
 Regions regions_of(const Labels& labels) {
@@ -77,28 +77,30 @@ Regions regions_of(const Labels& labels) {
     return regions;
 }
 
-/// Merges pieces that are too small into the neighbour with most common border, smallest first,
-/// until no such piece with a neighbour is left.
+/// Merges components that are too small into the neighbour with most common border, smallest first,
+/// until no such component with a neighbour is left.
 class Merger {
   public:
-    Merger(const Mesh& mesh, const Connectivity& connectivity, Labels& pieces) : pieces_(pieces) {
+    Merger(const Mesh& mesh, const Connectivity& connectivity, Labels& components)
+        : components_(components) {
         const std::uint32_t count =
-            pieces.empty() ? 0 : *std::max_element(pieces.begin(), pieces.end()) + 1;
+            components.empty() ? 0 : *std::max_element(components.begin(), components.end()) + 1;
         area_.assign(count, 0.0);
         border_.resize(count);
         into_.resize(count);
         std::iota(into_.begin(), into_.end(), 0u);
-        for (std::uint32_t t = 0; t < pieces.size(); ++t) {
-            area_[pieces[t]] += triangle_area(mesh, t);
+        for (std::uint32_t t = 0; t < components.size(); ++t) {
+            area_[components[t]] += triangle_area(mesh, t);
             for (std::size_t k = 0; k < 3; ++k) {
                 const std::int32_t n = connectivity.neighbours[t][k];
-                if (n < 0 || pieces[static_cast<std::size_t>(n)] == pieces[t]) continue;
-                border_[pieces[t]][pieces[static_cast<std::size_t>(n)]] += edge_length(mesh, t, k);
+                if (n < 0 || components[static_cast<std::size_t>(n)] == components[t]) continue;
+                border_[components[t]][components[static_cast<std::size_t>(n)]] +=
+                    edge_length(mesh, t, k);
             }
         }
     }
 
-    double area(std::uint32_t piece) const { return area_[piece]; }
+    double area(std::uint32_t component) const { return area_[component]; }
 
     template <class TooSmall>
     void run(const TooSmall& too_small) {
@@ -113,8 +115,8 @@ class Merger {
             merge(p, to);
             if (too_small(to) && !border_[to].empty()) small.emplace(area_[to], to);
         }
-        for (std::uint32_t& piece : pieces_) {
-            while (into_[piece] != piece) piece = into_[piece];
+        for (std::uint32_t& component : components_) {
+            while (into_[component] != component) component = into_[component];
         }
     }
 
@@ -138,26 +140,27 @@ class Merger {
         border_[p].clear();
     }
 
-    Labels& pieces_;
+    Labels& components_;
     std::vector<double> area_;
     std::vector<std::map<std::uint32_t, double>> border_;
     std::vector<std::uint32_t> into_;
 };
 
-void merge_smaller_than(double least, const Mesh& mesh, const Connectivity& connectivity,
-                        Labels& pieces) {
-    Merger merger(mesh, connectivity, pieces);
+/// The regions of these components, those merged that are smaller than options.least_share says.
+Regions merge_small(const Mesh& mesh, const Connectivity& connectivity, Labels components,
+                    const PartitionOptions& options) {
+    double area = 0.0;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) area += triangle_area(mesh, t);
+    const double least = options.least_share * area / options.patches;
+    Merger merger(mesh, connectivity, components);
     merger.run([&](std::uint32_t p) { return merger.area(p) < least; });
+    return regions_of(components);
 }
 
 Regions tidy_regions(const Mesh& mesh, const Connectivity& connectivity, Labels labels,
                      const PartitionOptions& options) {
     flip_ears(connectivity, labels);
-    Labels pieces = connected_pieces(connectivity, labels);
-    double area = 0.0;
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) area += triangle_area(mesh, t);
-    merge_smaller_than(options.least_share * area / options.patches, mesh, connectivity, pieces);
-    return regions_of(pieces);
+    return merge_small(mesh, connectivity, connected_components(connectivity, labels), options);
 }
 
 /// Labels of two halves with as many triangles each, separated along the axis of largest extent.
@@ -198,34 +201,30 @@ Regions partition_mesh(const Mesh& mesh, const Connectivity& connectivity,
 Regions crease_regions(const Mesh& mesh, const Connectivity& connectivity, double degrees,
                        const PartitionOptions& options) {
     const double least_cosine = std::cos(degrees * std::numbers::pi / 180.0);
-    // Flooding is finding the connected pieces of a mesh whose creases are no connections.
+    // Flooding is finding the connected components of a mesh whose creases are no connections.
     Connectivity smooth = connectivity;
     for (std::uint32_t t = 0; t < smooth.neighbours.size(); ++t)
         for (std::int32_t& n : smooth.neighbours[t])
             if (n >= 0 && dihedral_cosine(mesh, t, static_cast<std::uint32_t>(n)) <= least_cosine)
                 n = -1;
-    const Labels labels = connected_pieces(smooth, Labels(mesh.triangles.size(), 0));
-    Labels pieces = labels;
-    double area = 0.0;
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) area += triangle_area(mesh, t);
-    merge_smaller_than(options.least_share * area / options.patches, mesh, connectivity, pieces);
-    return regions_of(pieces);
+    return merge_small(mesh, connectivity,
+                       connected_components(smooth, Labels(mesh.triangles.size(), 0)), options);
 }
 
 Regions regions_of_labels(const Mesh& mesh, const Connectivity& connectivity,
                           std::vector<std::uint32_t> labels) {
     flip_ears(connectivity, labels);
-    Labels pieces = connected_pieces(connectivity, labels);
-    Merger merger(mesh, connectivity, pieces);
-    std::map<std::uint32_t, std::uint32_t> largest;  // largest piece of each label
-    for (std::uint32_t t = 0; t < pieces.size(); ++t) {
-        const auto [place, fresh] = largest.emplace(labels[t], pieces[t]);
-        if (merger.area(pieces[t]) > merger.area(place->second)) place->second = pieces[t];
+    Labels components = connected_components(connectivity, labels);
+    Merger merger(mesh, connectivity, components);
+    std::map<std::uint32_t, std::uint32_t> largest;  // largest component of each label
+    for (std::uint32_t t = 0; t < components.size(); ++t) {
+        const auto [place, fresh] = largest.emplace(labels[t], components[t]);
+        if (merger.area(components[t]) > merger.area(place->second)) place->second = components[t];
     }
-    std::vector<bool> fragment(pieces.size(), true);
-    for (const auto& [label, piece] : largest) fragment[piece] = false;
+    std::vector<bool> fragment(components.size(), true);
+    for (const auto& [label, component] : largest) fragment[component] = false;
     merger.run([&](std::uint32_t p) { return fragment[p]; });
-    return regions_of(pieces);
+    return regions_of(components);
 }
 
 Regions bisect_region(const Mesh& mesh, const Connectivity& connectivity,
@@ -245,9 +244,9 @@ Regions bisect_region(const Mesh& mesh, const Connectivity& connectivity,
     }
     for (const std::uint32_t face : faces) local[face] = -1;
     if (faces.size() >= few_faces) flip_ears(own, half);
-    Regions regions = regions_of(connected_pieces(own, half));
+    Regions regions = regions_of(connected_components(own, half));
     if (regions.size() == 1 && faces.size() > 1)
-        regions = regions_of(connected_pieces(own, halves_by_extent(mesh, faces)));
+        regions = regions_of(connected_components(own, halves_by_extent(mesh, faces)));
     for (auto& region : regions)
         for (std::uint32_t& face : region) face = faces[face];
     return regions;

@@ -33,13 +33,13 @@ Regions partition_mesh(const Mesh& mesh, const Connectivity& connectivity,
 Regions crease_regions(const Mesh& mesh, const Connectivity& connectivity, double degrees,
                        const PartitionOptions& options = {});
 
-/// Connected regions of the labels, one label per triangle: ears are flipped, and all pieces of a
-/// label but the largest are given to the neighbour with which they share most border, if they have
-/// any.
+/// Connected regions of the labels, one label per triangle: ears are flipped, and all components of
+/// a label but the largest are given to the neighbour with which they share most border, if they
+/// have any.
 Regions regions_of_labels(const Mesh& mesh, const Connectivity& connectivity,
                           std::vector<std::uint32_t> labels);
 
-/// Divides one connected region in two (or more connected pieces): along the dual graph, or across
+/// Divides one connected region in two (or more components): along the dual graph, or across
 /// the longest extent where there are few triangles. `faces` come back undivided only if they are a
 /// single triangle. `local` is scratch memory of one entry per mesh triangle, -1 on entry and on
 /// return.

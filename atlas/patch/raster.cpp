@@ -15,27 +15,10 @@ namespace {
 
 constexpr std::uint32_t nobody = std::numeric_limits<std::uint32_t>::max();
 
-/// The affine map that takes three places to points, anchored at a texel of the block; constant
-/// where the places are on a line.
-TexelMap affine_map(const std::array<Vec2d, 3>& places, const std::array<Vec3d, 3>& points,
-                    const PatchBlock& block) {
-    const Vec2d u = places[1] - places[0], v = places[2] - places[0];
-    const Vec3d along_u = points[1] - points[0], along_v = points[2] - points[0];
-    const auto anchor = [](double at, std::uint32_t first, std::uint32_t count) {
-        return static_cast<std::int32_t>(
-            std::clamp(std::floor(at), double(first), double(first) + count - 1.0));
-    };
-    TexelMap map;
-    map.origin = points[0];
-    const double det = cross(u, v);
-    map.anchor_x = anchor(places[0].x, block.x, block.width);
-    map.anchor_y = anchor(places[0].y, block.y, block.height);
-    if (det == 0.0) return map;
-    map.step_x = (along_u * v.y - along_v * u.y) / det;
-    map.step_y = (along_v * u.x - along_u * v.x) / det;
-    map.origin += (map.anchor_x + 0.5 - places[0].x) * map.step_x +
-                  (map.anchor_y + 0.5 - places[0].y) * map.step_y;
-    return map;
+/// The affine map that takes three places to points, anchored at a texel of the block.
+TexelMap map_in_block(const std::array<Vec2d, 3>& places, const std::array<Vec3d, 3>& points,
+                      const PatchBlock& block) {
+    return affine_map(places, points, {block.x, block.y}, {block.width, block.height});
 }
 
 /// The inner texels (x, y) that a gutter texel is made of, with their factors.
@@ -204,7 +187,7 @@ class Rasterizer {
                 solid_.maps.push_back({points[0], Vec3d(0.0), Vec3d(0.0), 0, 0});
             else
                 solid_.maps.push_back(
-                    affine_map(atlas_.atlas.corners[t], points, atlas_.layout.blocks[p]));
+                    map_in_block(atlas_.atlas.corners[t], points, atlas_.layout.blocks[p]));
         }
     }
 
@@ -235,7 +218,7 @@ class Rasterizer {
                 const std::uint32_t v = fan.points[k];
                 at[k] = v < known ? positions_[v] : Vec3d(hubs_[v - known]) / hubs_[v - known].w;
             }
-            add_map(affine_map(fan.places, at, atlas_.layout.blocks[p]), patch.triangle);
+            add_map(map_in_block(fan.places, at, atlas_.layout.blocks[p]), patch.triangle);
         }
     }
 
@@ -317,7 +300,7 @@ class Rasterizer {
         const PatchBlock& block = atlas_.layout.blocks[p];
         const auto& [a, b, c] = patch.plane->points;
         const std::uint32_t map = add_map(
-            affine_map(patch.plane->places, {positions_[a], positions_[b], positions_[c]}, block),
+            map_in_block(patch.plane->places, {positions_[a], positions_[b], positions_[c]}, block),
             patch.triangle);
         for (std::uint32_t y = block.y; y < block.y + block.height; ++y)
             add_span(y, {block.x, block.width, map});

@@ -19,6 +19,12 @@ struct RefinedMesh {
     /// Origins of the points beyond the mesh's own: the two mesh points half-way between which each
     /// lies.
     std::vector<VertexOrigin> extra_points;
+
+    /// The origin of any point of `mesh`, of one of the mesh's own, too.
+    VertexOrigin origin(std::uint32_t point) const {
+        const std::size_t own = mesh.positions.size() - extra_points.size();
+        return point < own ? VertexOrigin{point, point} : extra_points[point - own];
+    }
 };
 
 /// The refined mesh and the origins of its triangles.

@@ -14,7 +14,6 @@
 #include "atlas/gltf/pose.h"
 #include "atlas/gltf/primitive.h"
 #include "atlas/gltf/scene.h"
-#include "atlas/gltf/skin.h"
 #include "atlas/read/readers.h"
 
 namespace burl {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "atlas/read/ply_body.h"
+#include "atlas/read/ply_file.h"
 #include "atlas/read/readers.h"
 
 namespace burl {

@@ -12,7 +12,6 @@
 
 #include "atlas/file/file_buffer.h"
 #include "atlas/mesh/mesh.h"
-#include "atlas/mesh/read_options.h"
 
 namespace burl {
 

@@ -4,7 +4,6 @@
 #include <string>
 
 #include "atlas/mesh/mesh.h"
-#include "atlas/mesh/read_options.h"
 
 namespace burl {
 

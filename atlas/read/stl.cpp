@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "atlas/base/error.h"
-#include "atlas/file/byte_reader.h"
+#include "atlas/file/file_buffer.h"
 #include "atlas/file/text_scanner.h"
 #include "atlas/read/readers.h"
 

@@ -67,7 +67,7 @@ inline constexpr std::uint32_t max_atlas_size = 16384;
 /// Texels [x, x+width) x [y, y+height) shared by one or two right triangles whose legs lie along
 /// the block's sides. `lower` has its right angle at the low-x, low-y end, `upper` (-1: none) is
 /// turned by 180 degrees and moved right by `overscan` columns. In the block's row j (0-based) the
-/// texels with column < split(j) belong to `lower`, the others to `upper` (atlas/solid/overscan.h).
+/// texels with column < split(j) belong to `lower`, the others to `upper` (atlas/solid/block.h).
 /// In a rising block all this is mirrored in x, so that the hypotenuse rises with x.
 struct Block {
     std::uint32_t x = 0, y = 0, width = 0, height = 0;

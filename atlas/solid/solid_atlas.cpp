@@ -9,8 +9,7 @@
 #include <tbb/parallel_for.h>
 
 #include "atlas/base/each_index.h"
-#include "atlas/solid/block_corners.h"
-#include "atlas/solid/overscan.h"
+#include "atlas/solid/block.h"
 
 namespace burl {
 
@@ -21,13 +20,13 @@ std::int32_t anchor(double corner, std::uint32_t first, std::uint32_t count) {
     return static_cast<std::int32_t>(std::clamp(std::floor(corner), double(first), last));
 }
 
-/// The affine map that takes the triangle's corners in the texture to its points, anchored at a
-/// texel of its block.
+/// The affine map that takes the triangle's corners in the texture, which have area, to its points,
+/// anchored at a texel of its block. Its origin is rounded otherwise than affine_map()'s.
 TexelMap texel_map(const std::array<Vec2d, 3>& corners, const std::array<Vec3d, 3>& points,
                    const Block& block) {
     const Vec2d u = corners[1] - corners[0], v = corners[2] - corners[0];
     const Vec3d along_u = points[1] - points[0], along_v = points[2] - points[0];
-    const double determinant = u.x * v.y - u.y * v.x;
+    const double determinant = cross(u, v);
     TexelMap map;
     map.step_x = (along_u * v.y - along_v * u.y) / determinant;
     map.step_y = (along_v * u.x - along_u * v.x) / determinant;
@@ -181,6 +180,25 @@ void make_spans(SolidAtlas& solid, const Atlas& atlas, std::span<const std::uint
 }
 
 }  // namespace
+
+TexelMap affine_map(const std::array<Vec2d, 3>& places, const std::array<Vec3d, 3>& points,
+                    const std::array<std::uint32_t, 2>& low,
+                    const std::array<std::uint32_t, 2>& sides) {
+    TexelMap map;
+    map.origin = points[0];
+    const Vec2d u = places[1] - places[0], v = places[2] - places[0];
+    const double det = cross(u, v);
+    if (!std::isfinite(det)) return map;
+    map.anchor_x = anchor(places[0].x, low[0], sides[0]);
+    map.anchor_y = anchor(places[0].y, low[1], sides[1]);
+    if (det == 0.0) return map;
+    const Vec3d along_u = points[1] - points[0], along_v = points[2] - points[0];
+    map.step_x = (along_u * v.y - along_v * u.y) / det;
+    map.step_y = (along_v * u.x - along_u * v.x) / det;
+    map.origin += (map.anchor_x + 0.5 - places[0].x) * map.step_x +
+                  (map.anchor_y + 0.5 - places[0].y) * map.step_y;
+    return map;
+}
 
 SolidAtlas rasterize(const Mesh& mesh, const Atlas& atlas, std::span<const Vec3d> positions) {
     SolidAtlas solid;

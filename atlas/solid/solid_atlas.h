@@ -22,12 +22,19 @@ struct TexelMap {
     }
 };
 
+/// The affine map that takes three places in the texture to points, anchored at the texel of a
+/// rectangle (its low texel and its sides) that is nearest to the first place. It is constant where
+/// the places are on a line or not finite.
+TexelMap affine_map(const std::array<Vec2d, 3>& places, const std::array<Vec3d, 3>& points,
+                    const std::array<std::uint32_t, 2>& low,
+                    const std::array<std::uint32_t, 2>& sides);
+
 /// Texels [x, x+count) of one row, all of which show (or extrapolate) one triangle by one map.
 struct Span {
     std::uint32_t x = 0, count = 0, map = 0;
 };
 
-/// The uncut span that a part was cut from (solid/tiles.h).
+/// The uncut span that a part was cut from (cut_to() in texel_set.h).
 struct WholeSpan {
     std::uint32_t x = 0, count = 0;
 };

@@ -8,6 +8,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "atlas/solid/solid_atlas.h"
+
 namespace burl {
 
 inline constexpr std::uint32_t tile_side = 32;  ///< side of a tile in texels
@@ -79,5 +81,14 @@ class TexelSet {
     std::uint32_t size_, words_;  ///< texels a side, and words of 32 texels a row
     std::vector<std::uint32_t> bits_;
 };
+
+/// The atlas cut to `wanted`, a set for a texture of its size. A texel gets the same bytes in the
+/// part as in the whole atlas: its coordinates are still worked out from the uncut span's start,
+/// and what depends on a span's length depends on the uncut span's, also where an atlas is cut
+/// twice.
+SolidAtlas cut_to(const SolidAtlas& solid, const TexelSet& wanted);
+
+/// Number of texels of all spans.
+std::uint64_t texel_count(const SolidAtlas& solid);
 
 }  // namespace burl

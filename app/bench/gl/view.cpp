@@ -11,7 +11,7 @@
 #include "app/gl/draw/lazy_picture.h"
 #include "app/gl/draw/view_scene.h"
 #include "app/surface/sample_meshes.h"
-#include "atlas/solid/tiles.h"
+#include "atlas/solid/texel_set.h"
 
 namespace burl {
 

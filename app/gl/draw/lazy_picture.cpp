@@ -4,7 +4,7 @@
 
 #include "app/base/stopwatch.h"
 #include "app/gl/draw/view_scene.h"
-#include "atlas/solid/tiles.h"
+#include "atlas/solid/texel_set.h"
 
 namespace burl {
 

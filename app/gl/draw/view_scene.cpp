@@ -11,7 +11,7 @@
 #include "app/surface/normals.h"
 #include "app/surface/tangents.h"
 #include "atlas/base/each_index.h"
-#include "atlas/build/atlas_pose.h"
+#include "atlas/build/mesh_atlas.h"
 
 namespace burl {
 

@@ -5,7 +5,7 @@
 #include "app/surface/normal_frames.h"
 #include "atlas/build/block_levels.h"
 #include "atlas/solid/level.h"
-#include "atlas/solid/tiles.h"
+#include "atlas/solid/texel_set.h"
 #include "procedural/batch/row_tasks.h"
 #include "procedural/color/srgb.h"
 #include "procedural/fill/normals.h"

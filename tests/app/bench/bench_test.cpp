@@ -8,7 +8,7 @@
 #include "app/bench/levels.h"
 #include "app/bench/meshes.h"
 #include "app/bench/precision.h"
-#include "atlas/measure/metrics.h"
+#include "atlas/measure/atlas_measures.h"
 
 namespace burl {
 namespace {

@@ -1,5 +1,5 @@
 // Memory of images: aligned, as large as asked for, set only where a value is given.
-#include "atlas/base/pixel_memory.h"
+#include "atlas/base/memory.h"
 
 #include <cstdint>
 #include <cstring>

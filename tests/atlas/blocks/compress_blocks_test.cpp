@@ -8,8 +8,7 @@
 #include <set>
 
 #include "atlas/base/error.h"
-#include "atlas/blocks/pack_blocks.h"
-#include "atlas/measure/bilinear.h"
+#include "atlas/measure/lookup.h"
 #include "atlas/solid/solid_atlas.h"
 #include "tests/atlas/support/made_meshes.h"
 

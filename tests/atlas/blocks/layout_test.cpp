@@ -7,7 +7,7 @@
 #include <tuple>
 
 #include "atlas/base/error.h"
-#include "atlas/measure/metrics.h"
+#include "atlas/measure/atlas_measures.h"
 #include "tests/atlas/support/made_meshes.h"
 
 namespace burl {

@@ -6,7 +6,7 @@
 #include <map>
 #include <set>
 
-#include "atlas/measure/metrics.h"
+#include "atlas/measure/atlas_measures.h"
 #include "tests/atlas/support/made_meshes.h"
 
 namespace burl {

@@ -6,9 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "atlas/build/mesh_atlas.h"
-#include "atlas/measure/shape.h"
-#include "atlas/measure/texels.h"
-#include "atlas/patch/frame.h"
+#include "atlas/measure/atlas_measures.h"
+#include "atlas/patch/atlas.h"
 #include "atlas/read/read_mesh.h"
 #include "tests/atlas/support/made_patches.h"
 #include "tests/paths.h"

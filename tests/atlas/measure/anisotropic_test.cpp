@@ -1,5 +1,5 @@
 // Anisotropic lookups against closed forms: linear functions, waves, ellipses by brute force.
-#include "atlas/measure/anisotropic.h"
+#include "atlas/measure/lookup.h"
 
 #include <gtest/gtest.h>
 

@@ -7,10 +7,8 @@
 
 #include <tbb/global_control.h>
 
-#include "atlas/measure/bilinear.h"
-#include "atlas/measure/chart_borders.h"
-#include "atlas/measure/foreign.h"
-#include "atlas/measure/mismatch.h"
+#include "atlas/measure/lookup.h"
+#include "atlas/measure/seams.h"
 #include "atlas/measure/uv_atlas.h"
 #include "tests/atlas/support/made_meshes.h"
 

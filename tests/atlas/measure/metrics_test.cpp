@@ -1,5 +1,5 @@
 // Coverage, relative scale and density against values worked out by hand.
-#include "atlas/measure/metrics.h"
+#include "atlas/measure/atlas_measures.h"
 
 #include <gtest/gtest.h>
 

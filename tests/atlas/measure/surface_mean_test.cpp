@@ -6,7 +6,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "atlas/measure/surface_samples.h"
 #include "atlas/measure/surface_truth.h"
 #include "tests/atlas/support/kept_wave.h"
 #include "tests/atlas/support/made_meshes.h"

@@ -1,6 +1,6 @@
 // The patch atlas from mesh to texels: every texel has one owner, inner texels show what lies at
 // their centre, gutters reflect it, and the refined mesh is the same surface.
-#include "atlas/measure/refined_points.h"
+#include "atlas/patch/atlas.h"
 
 #include <gtest/gtest.h>
 
@@ -8,6 +8,8 @@
 #include <thread>
 
 #include "atlas/base/error.h"
+#include "atlas/build/mesh_atlas.h"
+#include "atlas/measure/surface_points.h"
 #include "tests/atlas/support/made_patches.h"
 
 namespace burl {

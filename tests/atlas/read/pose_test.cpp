@@ -8,7 +8,6 @@
 #include <fstream>
 #include <sstream>
 
-#include "atlas/build/atlas_pose.h"
 #include "atlas/build/mesh_atlas.h"
 #include "atlas/read/read_mesh.h"
 #include "tests/atlas/support/gltf_files.h"

@@ -1,5 +1,5 @@
 // Overscan counts and ownership against the definition: which texels a lookup can read.
-#include "atlas/solid/overscan.h"
+#include "atlas/solid/block.h"
 
 #include <gtest/gtest.h>
 

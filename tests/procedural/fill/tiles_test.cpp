@@ -1,6 +1,6 @@
 // Textures of a part of an atlas against those of the whole: bytes must agree wherever the part
 // reaches, whatever kernel, filter or precision makes them.
-#include "atlas/solid/tiles.h"
+#include "atlas/solid/texel_set.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
-// The editor's figures of an atlas against those of atlas/measure/metrics.h, which have other
-// sources: the atlas's own corners in place of the scene's coordinates.
+// The editor's figures of an atlas against those of atlas/measure/atlas_measures.h, which have
+// other sources: the atlas's own corners in place of the scene's coordinates.
 #include "app/editor/jobs/figures.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 
 #include "app/gl/draw/view_scene.h"
 #include "app/surface/sample_meshes.h"
-#include "atlas/measure/metrics.h"
+#include "atlas/measure/atlas_measures.h"
 
 namespace burl {
 namespace {

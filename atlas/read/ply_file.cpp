@@ -1,5 +1,5 @@
 // Parses PLY headers line by line.
-#include "atlas/read/ply_header.h"
+#include "atlas/read/ply_file.h"
 
 #include <array>
 #include <optional>

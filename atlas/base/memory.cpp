@@ -1,11 +1,14 @@
-#include "atlas/base/pixel_memory.h"
+#include "atlas/base/memory.h"
 
-#include <cstdlib>
+#include <cstdlib>  // also says whether the C library is GNU's
 #include <limits>
 #include <new>
 
 #ifdef __linux__
 #include <sys/mman.h>
+#endif
+#if defined(__GLIBC__)
+#include <malloc.h>
 #endif
 
 namespace burl {
@@ -31,6 +34,18 @@ void* allocate_pixels(std::size_t bytes) {
 
 void free_pixels(void* pixels) noexcept {
     std::free(pixels);
+}
+
+void return_freed_memory() {
+#if defined(__GLIBC__)
+    ::malloc_trim(0);
+#endif
+}
+
+void return_large_blocks([[maybe_unused]] std::size_t triangles) {
+#if defined(__GLIBC__)
+    if (triangles > many_triangles) ::mallopt(M_MMAP_THRESHOLD, 1 << 20);
+#endif
 }
 
 }  // namespace burl

@@ -1,10 +1,9 @@
-#include "atlas/measure/anisotropic.h"
+#include "atlas/measure/lookup.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "atlas/measure/bilinear.h"
 #include "atlas/measure/surface_mean.h"
 
 namespace burl {
