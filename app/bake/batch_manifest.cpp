@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/base/file_bytes.h"
-#include "app/base/nearest_word.h"
+#include "app/base/messages.h"
 #include "app/recipe/recipe.h"
 #include "app/surface/load_pose.h"
 #include "app/surface/sample_meshes.h"

@@ -5,7 +5,6 @@
 
 #include "app/base/atomic_file.h"
 #include "app/image/image_io.h"
-#include "app/image/level_names.h"
 
 namespace burl {
 

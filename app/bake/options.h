@@ -7,7 +7,6 @@
 #include "app/gl/device/context.h"
 #include "app/options/animation.h"
 #include "app/options/command_options.h"
-#include "app/options/economy_options.h"
 #include "app/options/multipass_options.h"
 
 namespace CLI {

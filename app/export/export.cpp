@@ -11,7 +11,6 @@
 #include "app/export/obj.h"
 #include "app/image/convert_image.h"
 #include "app/image/image_io.h"
-#include "app/image/level_names.h"
 #include "app/surface/normals.h"
 #include "app/surface/posed_corners.h"
 #include "app/surface/tangents.h"

@@ -9,7 +9,7 @@
 
 #include "app/base/atomic_file.h"
 #include "app/export/gltf_scene.h"
-#include "app/image/level_names.h"
+#include "app/image/image_io.h"
 #include "atlas/base/error.h"
 
 namespace burl {

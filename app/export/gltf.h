@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "app/base/atomic_file.h"
-#include "app/base/byte_sink.h"
+#include "app/base/file_bytes.h"
 #include "app/export/vertices.h"
 #include "atlas/mesh/mesh.h"
 #include "atlas/solid/atlas.h"

@@ -9,7 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/export/placed_vertices.h"
+#include "app/export/vertices.h"
 #include "atlas/base/error.h"
 
 namespace burl {

@@ -12,7 +12,7 @@
 
 #include "app/base/atomic_file.h"
 #include "app/base/unique_rows.h"
-#include "app/image/level_names.h"
+#include "app/image/image_io.h"
 #include "app/surface/node_transform.h"
 #include "atlas/base/error.h"
 

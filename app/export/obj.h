@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/base/atomic_file.h"
-#include "app/base/byte_sink.h"
+#include "app/base/file_bytes.h"
 #include "atlas/mesh/mesh.h"
 #include "atlas/solid/atlas.h"
 

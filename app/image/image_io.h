@@ -1,11 +1,15 @@
 #pragma once
 // PNG files through libpng. libpng stays inside image_io.cpp: its long jumps come out as Error.
+#include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "app/base/byte_sink.h"
+#include <fmt/core.h>
+
+#include "app/base/file_bytes.h"
 #include "app/image/palette.h"
 #include "atlas/base/image.h"
 
@@ -60,5 +64,21 @@ std::vector<std::uint8_t> encode_png(const IndexedImage& image);
 /// Writes the file, whole or not at all (app/base/atomic_file.h). Throws Error(io).
 void write_png(const std::string& path, const Image<Rgb8>& image);
 void write_png(const std::string& path, const Image<Rgb16>& image);
+
+// Names of the files beside a texture: MIP levels a.1.png, a.2.png, ... of a.png, and the normal
+// map a_normal.png.
+
+/// The extension that replaces the texture's own for MIP level `level` >= 1.
+inline std::string level_extension(std::size_t level) {
+    return fmt::format(".{}.png", level);
+}
+
+/// The path of the normal map beside an output file of any kind.
+inline std::string normal_map_path(const std::string& out_path) {
+    const std::filesystem::path path(out_path);
+    return std::filesystem::path(path)
+        .replace_filename(path.stem().string() + "_normal.png")
+        .string();
+}
 
 }  // namespace burl

@@ -1,5 +1,6 @@
 #pragma once
 // Options that several verbs share, so that recipes and atlases are given the same way everywhere.
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
@@ -8,6 +9,7 @@
 #include "app/recipe/images.h"
 #include "app/recipe/recipe.h"
 #include "atlas/read/read_mesh.h"
+#include "procedural/batch/economy.h"
 #include "procedural/batch/kernel.h"
 
 namespace CLI {
@@ -104,7 +106,20 @@ void apply_reference(Recipe& recipe);
 /// The kernel of this name in kernel_names; `automatic` for any other name.
 Kernel kernel_named(const std::string& name);
 
-/// Prints the reader's notes on stderr, a line each, which begins with the file's name.
-void print_notes(const std::string& path, const MeshNotes& notes);
+/// Options about computations that a texture may leave out or reuse: --no-skip and --cache.
+struct EconomyOptions {
+    std::vector<std::string> forbidden;     ///< words of skip_names, or "all"
+    std::optional<double> cache_megabytes;  ///< --cache, in units of 1024^2 bytes
+
+    /// Adds --no-skip.
+    void add_skips(CLI::App& verb);
+    /// Adds --cache.
+    void add_cache(CLI::App& verb);
+
+    Skips skips() const;
+    /// The cache size in bytes: the value of --cache, or else 1 GiB where `several` textures of one
+    /// atlas will be made and 0 for a single one.
+    std::size_t cache_bytes(bool several) const;
+};
 
 }  // namespace burl

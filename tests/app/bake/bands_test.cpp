@@ -5,7 +5,7 @@
 #include "app/bake/texture.h"
 #include "app/base/file_bytes.h"
 #include "app/image/convert_image.h"
-#include "app/image/level_names.h"
+#include "app/image/image_io.h"
 #include "app/paint/texture.h"
 #include "app/recipe/parameters.h"
 #include "app/surface/sample_meshes.h"
