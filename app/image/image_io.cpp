@@ -7,6 +7,7 @@
 #include <csetjmp>
 #include <cstring>
 #include <exception>
+#include <filesystem>
 
 #include <png.h>
 #include <zlib.h>
@@ -299,6 +300,15 @@ void write_png(const std::string& path, const Image<Rgb16>& image) {
     AtomicFile file(path);
     encode_png(image, sink_of(file));
     file.commit();
+}
+
+std::string level_extension(std::size_t level) {
+    return fmt::format(".{}.png", level);
+}
+
+std::string normal_map_path(const std::string& out_path) {
+    std::filesystem::path path(out_path);
+    return path.replace_filename(path.stem().string() + "_normal.png").string();
 }
 
 }  // namespace burl

@@ -1,13 +1,9 @@
 #pragma once
 // PNG files through libpng. libpng stays inside image_io.cpp: its long jumps come out as Error.
-#include <cstddef>
 #include <cstdint>
-#include <filesystem>
 #include <span>
 #include <string>
 #include <vector>
-
-#include <fmt/core.h>
 
 #include "app/base/file_bytes.h"
 #include "app/image/palette.h"
@@ -65,20 +61,10 @@ std::vector<std::uint8_t> encode_png(const IndexedImage& image);
 void write_png(const std::string& path, const Image<Rgb8>& image);
 void write_png(const std::string& path, const Image<Rgb16>& image);
 
-// Names of the files beside a texture: MIP levels a.1.png, a.2.png, ... of a.png, and the normal
-// map a_normal.png.
+/// The extension that replaces a texture's own for the PNG of its MIP level `level` >= 1: ".1.png".
+std::string level_extension(std::size_t level);
 
-/// The extension that replaces the texture's own for MIP level `level` >= 1.
-inline std::string level_extension(std::size_t level) {
-    return fmt::format(".{}.png", level);
-}
-
-/// The path of the normal map beside an output file of any kind.
-inline std::string normal_map_path(const std::string& out_path) {
-    const std::filesystem::path path(out_path);
-    return std::filesystem::path(path)
-        .replace_filename(path.stem().string() + "_normal.png")
-        .string();
-}
+/// The path of the normal map beside an output file of any kind: "a_normal.png" for "a.obj".
+std::string normal_map_path(const std::string& out_path);
 
 }  // namespace burl
