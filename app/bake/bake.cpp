@@ -7,14 +7,13 @@
 
 #include <fmt/format.h>
 
-#include "app/bake/exr.h"
 #include "app/bake/texture.h"
 #include "app/base/stopwatch.h"
 #include "app/export/emit.h"
-#include "app/export/solid_map_file.h"
 #include "app/recipe/lattice_check.h"
 #include "atlas/base/freed_memory.h"
 #include "atlas/build/atlas_pose.h"
+#include "atlas/build/capacity.h"
 
 namespace burl {
 

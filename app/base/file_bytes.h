@@ -1,6 +1,7 @@
 #pragma once
-// Contents of files as bytes, whole or in pieces: the file of a texture of 16384 x 16384 texels does
-// not fit into memory beside the texture and its atlas. Errors give the operating system's reason.
+// Contents of files as bytes, whole or in pieces: the file of a texture of 16384 x 16384 texels
+// does not fit into memory beside the texture and its atlas. Errors give the operating system's
+// reason.
 #include <cstdint>
 #include <functional>
 #include <span>
@@ -11,10 +12,6 @@ namespace burl {
 
 /// Receives a file's content in pieces, each valid during the call only. May throw.
 using ByteSink = std::function<void(std::span<const std::uint8_t>)>;
-
-/// Writes a file's whole content to the sink, the same bytes at every call. An empty function means
-/// that there is no such file.
-using ByteSource = std::function<void(const ByteSink&)>;
 
 /// The content of a regular file, or of a pipe up to 256 MiB. Throws Error(io) naming the path and
 /// the reason (missing, a folder, a device, no permission).

@@ -23,9 +23,7 @@ class Stopwatch {
     explicit Stopwatch(double& sum) : sum_(sum) {}
     Stopwatch(const Stopwatch&) = delete;
     Stopwatch& operator=(const Stopwatch&) = delete;
-    ~Stopwatch() {
-        sum_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-    }
+    ~Stopwatch() { sum_ += seconds_since(start_); }
 
   private:
     double& sum_;

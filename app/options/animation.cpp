@@ -87,20 +87,6 @@ double value_at(const Key& key, int i, int n, bool loop) {
     return key.whole ? std::round(value) : value;
 }
 
-/// The recipe of a frame. An error of load_keyed() that begins with --set is thrown with --animate
-/// and the frame instead.
-Recipe load_frame(const RecipeOptions& options, double seconds, int frame) {
-    try {
-        return recipe_at(options.load_keyed(), seconds);
-    } catch (const Error& error) {
-        std::string sentence = error.what();
-        constexpr std::string_view set = "--set";
-        if (!sentence.starts_with(set)) throw;
-        sentence.replace(0, set.size(), "--animate");
-        throw Error(error.code(), fmt::format("{} (frame {})", sentence, frame + 1));
-    }
-}
-
 /// The parsed --animate options of a recipe. Throws Error(usage) for a number that is set or moved
 /// twice.
 std::vector<Key> parse_keys(const MovedRecipe& moved, const KeyedAnimation& own) {
@@ -134,12 +120,21 @@ struct Track {
     std::vector<Key> keys;
 };
 
-/// The track's recipe at frame `frame` of n, `seconds` after the first frame.
+/// The track's recipe at frame `frame` of n, `seconds` after the first frame. An error of
+/// load_keyed() that begins with --set is thrown with --animate and the frame instead.
 Recipe recipe_in_frame(const Track& track, double seconds, int frame, int n, bool loop) {
     RecipeOptions options = track.options;
     for (const Key& key : track.keys)
         options.settings.push_back(fmt::format("{}={}", key.path, value_at(key, frame, n, loop)));
-    return load_frame(options, seconds, frame);
+    try {
+        return recipe_at(options.load_keyed(), seconds);
+    } catch (const Error& error) {
+        std::string sentence = error.what();
+        constexpr std::string_view set = "--set";
+        if (!sentence.starts_with(set)) throw;
+        sentence.replace(0, set.size(), "--animate");
+        throw Error(error.code(), fmt::format("{} (frame {})", sentence, frame + 1));
+    }
 }
 
 /// The recipes of a single picture, at the times of --time.

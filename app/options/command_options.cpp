@@ -258,35 +258,6 @@ void add_threads(CLI::App& verb, int& threads) {
         ->check(CLI::Range(0, 1024));
 }
 
-void add_kernel(CLI::App& verb, std::string& kernel) {
-    std::vector<std::string> names;
-    for (const NamedKernel& one : kernel_names) names.emplace_back(one.name);
-    names.insert(names.end(), {forward_kernel, reference_kernel});
-    verb.add_option(
-            "--kernel", kernel,
-            "How noise is computed: auto, the fastest; direct or share "
-            "(cells hashed once for all their texels), with the same result; scanline (polynomials "
-            "along rows, without a filter), which rounds otherwise; forward, by forward "
-            "differences along scan lines "
-            "in float64 (or --precision float32): value noise, no filter; or reference, texel by "
-            "texel in float64, the same as --precision float64")
-        ->check(one_of(names))
-        ->capture_default_str();
-}
-
-void apply_reference(Recipe& recipe) {
-    if (recipe.precision.kind.value_or(PrecisionKind::float64) != PrecisionKind::float64)
-        throw Error(ExitCode::usage,
-                    "--kernel reference computes in float64, but another precision is asked for; "
-                    "leave one of the two out");
-    recipe.precision.kind = PrecisionKind::float64;
-}
-
-Kernel kernel_named(const std::string& name) {
-    const auto* found = std::ranges::find(kernel_names, name, &NamedKernel::name);
-    return found == kernel_names.end() ? Kernel::automatic : found->kernel;
-}
-
 void EconomyOptions::add_skips(CLI::App& verb) {
     std::vector<std::string> words(skip_names.begin(), skip_names.end());
     words.emplace_back(all_skips);

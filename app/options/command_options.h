@@ -10,7 +10,6 @@
 #include "app/recipe/recipe.h"
 #include "atlas/read/read_mesh.h"
 #include "procedural/batch/economy.h"
-#include "procedural/batch/kernel.h"
 
 namespace CLI {
 class App;
@@ -93,19 +92,6 @@ CLI::Validator one_of(const std::vector<std::string>& words);
 
 /// Adds --threads, 0 for all.
 void add_threads(CLI::App& verb, int& threads);
-/// The --kernel that sums forward differences (app/recipe/forward_check.h); its textures differ
-/// from those of the other kernels.
-inline constexpr const char* forward_kernel = "forward";
-/// The --kernel that means --precision float64.
-inline constexpr const char* reference_kernel = "reference";
-/// Adds --kernel: one of kernel_names, forward_kernel or reference_kernel.
-void add_kernel(CLI::App& verb, std::string& kernel);
-/// Sets the precision that --kernel reference means. Throws Error(usage) where the recipe asks for
-/// another.
-void apply_reference(Recipe& recipe);
-/// The kernel of this name in kernel_names; `automatic` for any other name.
-Kernel kernel_named(const std::string& name);
-
 /// Options about computations that a texture may leave out or reuse: --no-skip and --cache.
 struct EconomyOptions {
     std::vector<std::string> forbidden;     ///< words of skip_names, or "all"

@@ -24,7 +24,6 @@ class PaintTiles {
     /// there. `solid` must outlive this. 0 threads means all.
     PaintTiles(const SolidAtlas& solid, int threads, const RowWindow& rows = {});
 
-    std::uint32_t size() const { return solid_->size; }  ///< the side of the texture in texels
     std::uint32_t columns() const { return columns_; }
     std::size_t count() const { return boxes_.size(); }
     /// The bounding box of the solid points of a tile's texels; low > high where it has none.
