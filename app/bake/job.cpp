@@ -172,7 +172,8 @@ void BakeJob::check_idle() const {
         refuse("--pose", "a texture alone is the same in all of them");
     if (command_.pose.empty()) refuse_edits(command_.recipe, {&idle_pose, 1});
     constexpr IdleKey still_pose{"pose", "frames are textures alone, which no pose changes"};
-    refuse_moves(command_.animation.keys, {&still_pose, 1});
+    if (command_.animation.asked())
+        refuse_edits(command_.recipe, {&still_pose, 1}, command_.animation.keys);
     check_edits(command_.recipe, recipe(), command_.animation.keys);
 }
 

@@ -28,11 +28,10 @@ struct IdleKey {
     std::string_view key, why;
 };
 
-/// Throws Error(usage) for a --set of one of the keys or of a key below it.
-void refuse_edits(const RecipeOptions& options, std::span<const IdleKey> keys);
-
-/// Throws Error(usage) for a move (--animate PATH=FROM:TO) of one of the keys or of a key below it.
-void refuse_moves(std::span<const std::string> moves, std::span<const IdleKey> keys);
+/// Throws Error(usage) for a --set, or for a move (--animate PATH=FROM:TO), of one of the keys or
+/// of a key below it.
+void refuse_edits(const RecipeOptions& options, std::span<const IdleKey> keys,
+                  std::span<const std::string> moves = {});
 
 /// The key that has no effect on meshes without a pose.
 inline constexpr IdleKey idle_pose{"pose", "there is no --pose"};

@@ -9,6 +9,7 @@ namespace burl {
 
 namespace {
 
+/// The number of texels in a band of paint_over().
 constexpr std::size_t texels_at_once = std::size_t(1) << 20;
 
 }  // namespace
