@@ -7,13 +7,12 @@
 
 #include <fmt/format.h>
 
-#include "app/bake/exr.h"
 #include "app/bake/texture.h"
 #include "app/base/stopwatch.h"
 #include "app/export/emit.h"
-#include "app/export/solid_map_file.h"
 #include "app/recipe/lattice_check.h"
 #include "atlas/base/memory.h"
+#include "atlas/build/capacity.h"
 #include "atlas/build/mesh_atlas.h"
 
 namespace burl {

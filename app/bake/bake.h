@@ -6,9 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/bake/compress.h"
-#include "app/bake/levels.h"
-#include "app/bake/normals.h"
+#include "app/bake/texture.h"
 #include "app/export/export.h"
 #include "app/pipeline/pipeline.h"
 #include "atlas/measure/atlas_measures.h"
@@ -29,7 +27,7 @@ struct BakePlan {
     double crease_degrees = 40.0;      ///< crease angle of computed normals (app/surface/normals.h)
     LevelsAsked levels{};
     NormalSpace normals = NormalSpace::none;
-    std::optional<double> compress{};  ///< the largest error of --compress (app/bake/compress.h)
+    std::optional<double> compress{};  ///< the largest error of --compress (app/bake/texture.h)
     std::string solid_map{};           ///< path of the solid map; empty: none
     std::string shader{};              ///< path of the texture as GLSL; empty: none
     bool measures = true;              ///< whether the atlas is measured for a report
@@ -47,7 +45,7 @@ struct BakeResult {
     LevelsAsked levels{};  ///< MIP levels that were written; strip atlases have few
     std::optional<NormalMap> normals{};
     BakedAtlas texture{};  ///< texture; empty if it was written in bands (comes_in_bands)
-    std::optional<Vec3d> solid_base;  ///< solid map's base (app/export/solid_map_file.h)
+    std::optional<Vec3d> solid_base;  ///< solid map's base (app/export/emit.h)
     double writing = 0.0;             ///< seconds spent on files rather than on stages
 };
 

@@ -1,7 +1,6 @@
 #include "app/bake/batch_manifest.h"
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <string_view>
 
@@ -9,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/base/file_bytes.h"
-#include "app/base/nearest_word.h"
+#include "app/base/messages.h"
 #include "app/recipe/recipe.h"
 #include "app/surface/load_pose.h"
 #include "app/surface/sample_meshes.h"
@@ -62,16 +61,12 @@ class EntryLines {
     std::vector<std::size_t> lines_;
 };
 
-/// Keys whose values are paths; `pose` may be one.
-constexpr std::array<std::string_view, 5> file_keys = {"mesh", "output", "recipe", "solid-map",
-                                                       "emit-glsl"};
-
 /// Whether the value of `key` is a path, not a preset or a sample mesh.
 bool names_file(const std::string& key, const std::string& value) {
     if (key == "mesh") return !is_sample_mesh(value);
     if (key == "pose") return is_pose_file(value) && !is_sample_mesh(value);
     if (key == "recipe") return !names_preset(value);
-    return std::ranges::find(file_keys, key) != file_keys.end();
+    return key == "output" || key == "solid-map" || key == "emit-glsl";
 }
 
 Error wrong_value(const std::string& key) {

@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "app/bake/compress.h"
 #include "app/bake/report.h"
 #include "app/bake/up_to_date.h"
 #include "app/base/atomic_file.h"
@@ -31,8 +30,20 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-bool is_forward(const BakeCommand& command) {
-    return command.kernel == forward_kernel;
+/// Sets the precision that --kernel reference means. Throws Error(usage) where the recipe asks for
+/// another.
+void apply_reference(Recipe& recipe) {
+    if (recipe.precision.kind.value_or(PrecisionKind::float64) != PrecisionKind::float64)
+        throw Error(ExitCode::usage,
+                    "--kernel reference computes in float64, but another precision is asked for; "
+                    "leave one of the two out");
+    recipe.precision.kind = PrecisionKind::float64;
+}
+
+/// The kernel of this name in kernel_names; `automatic` for any other name.
+Kernel kernel_named(const std::string& name) {
+    const auto* found = std::ranges::find(kernel_names, name, &NamedKernel::name);
+    return found == kernel_names.end() ? Kernel::automatic : found->kernel;
 }
 
 /// The recipes of all frames, for the reference kernel if the command asks for it.
@@ -72,6 +83,24 @@ BakePlan plan_of(const BakeCommand& command,
     return plan;
 }
 
+/// The options of --synth gl-multipass. Throws Error(usage) where one is given without it.
+MultipassOptions multipass_options(const BakeCommand& command) {
+    const std::string given = !command.gl_precision.empty()    ? "--gl-precision"
+                              : !command.gl_randomizer.empty() ? "--gl-randomizer"
+                              : command.gl_equalize            ? "--gl-equalize"
+                                                               : "";
+    if (command.synth != multipass_synth && !given.empty())
+        throw Error(ExitCode::usage, fmt::format("{} is of --synth {}; add that or leave it out",
+                                                 given, multipass_synth));
+    MultipassOptions options;
+    if (command.gl_precision == "16f") options.precision = PassPrecision::float16;
+    if (command.gl_precision == "8") options.precision = PassPrecision::fixed8;
+    if (command.gl_randomizer == "table") options.randomizer = Randomizer::table;
+    if (command.gl_randomizer == "bits") options.randomizer = Randomizer::bits;
+    options.equalize = command.gl_equalize;
+    return options;
+}
+
 }  // namespace
 
 BakeJob::BakeJob(const BakeCommand& command, const Json& settings)
@@ -80,20 +109,14 @@ BakeJob::BakeJob(const BakeCommand& command, const Json& settings)
       plan_(plan_of(command, recipes_)),
       inputs_(files_read(command, recipe())) {
     check();
-    if (is_forward(command_)) std::ranges::for_each(*recipes_, check_forward);
+    if (command_.kernel == forward_kernel) std::ranges::for_each(*recipes_, check_forward);
     made_from_ = what_it_is_made_from(settings);
 }
 
-std::vector<std::string> BakeJob::texture_outputs(std::uint32_t levels) const {
+std::vector<std::string> BakeJob::outputs(std::uint32_t levels) const {
     std::vector<std::string> outputs;
     for (const std::string& path : plan_.paths)
-        for (std::string& file : output_paths(path, levels, has_normals()))
-            outputs.push_back(std::move(file));
-    return outputs;
-}
-
-std::vector<std::string> BakeJob::outputs(std::uint32_t levels) const {
-    std::vector<std::string> outputs = texture_outputs(levels);
+        std::ranges::move(output_paths(path, levels, has_normals()), std::back_inserter(outputs));
     for (const std::string& path : {command_.solid_map, command_.emitted_glsl})
         if (!path.empty()) outputs.push_back(path);
     return outputs;
@@ -103,9 +126,8 @@ std::vector<std::string> BakeJob::outputs(std::uint32_t levels) const {
 void BakeJob::check_files() const {
     CommandFiles files;
     files.read(inputs_);
-    for (const std::string& path : texture_outputs(plan_.levels.count)) files.write(path);
-    if (!command_.solid_map.empty()) files.write(command_.solid_map, ".exr");
-    if (!command_.emitted_glsl.empty()) files.write(command_.emitted_glsl);
+    for (const std::string& path : outputs())
+        files.write(path, path == command_.solid_map ? ".exr" : "");
     if (!command_.report.empty() && command_.report != "-") files.write(command_.report);
     files.write(record_path(command_.out));
 }
@@ -118,7 +140,12 @@ void BakeJob::check() const {
                                 "once without --frames: its texture coordinates fit every frame",
                                 command_.out));
     check_files();
-    check_compress(command_.compress, recipe().atlas.kind);
+    const AtlasKind kind = recipe().atlas.kind;
+    if (command_.compress && kind != AtlasKind::quad)
+        throw Error(ExitCode::usage,
+                    fmt::format("--compress: only blocks of the quad atlas can share a place, this "
+                                "one is {}; use --atlas quad",
+                                to_string(kind)));
     if (command_.compress && has_normals())
         throw Error(ExitCode::usage,
                     "--compress: blocks alike in colour may differ in their normals; add --normals "
@@ -145,7 +172,8 @@ void BakeJob::check_idle() const {
         refuse("--pose", "a texture alone is the same in all of them");
     if (command_.pose.empty()) refuse_edits(command_.recipe, {&idle_pose, 1});
     constexpr IdleKey still_pose{"pose", "frames are textures alone, which no pose changes"};
-    refuse_moves(command_.animation.keys, {&still_pose, 1});
+    if (command_.animation.asked())
+        refuse_edits(command_.recipe, {&still_pose, 1}, command_.animation.keys);
     check_edits(command_.recipe, recipe(), command_.animation.keys);
 }
 
@@ -153,7 +181,7 @@ void BakeJob::check_idle() const {
 std::shared_ptr<TextureSynthesizer> BakeJob::synthesizer() const {
     const std::string &kernel = command_.kernel, &synth = command_.synth;
     const bool any = kernel == "auto" || kernel == "direct" || kernel == "share";
-    const MultipassOptions multipass = command_.multipass.options(synth);
+    const MultipassOptions multipass = multipass_options(command_);
     if (!any && synth.starts_with("gl"))
         throw Error(ExitCode::usage,
                     fmt::format("--kernel {} is the host's alone; leave it or --synth {} out",
@@ -189,15 +217,6 @@ Json BakeJob::what_it_is_made_from(const Json& settings) const {
     return made_from;
 }
 
-void BakeJob::set_up(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthesizer) const {
-    pipeline.set_threads(command_.threads);
-    pipeline.set_kernel(kernel_named(command_.kernel));
-    pipeline.set_forward(is_forward(command_));
-    pipeline.set_synthesizer(std::move(synthesizer));
-    pipeline.set_skips(command_.economy.skips());
-    pipeline.set_cache(command_.economy.cache_bytes(plan_.paths.size() > 1));
-}
-
 Json BakeJob::run(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthesizer,
                   double reading, LaterBake later) const {
     const auto start = Clock::now();
@@ -205,7 +224,12 @@ Json BakeJob::run(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthe
     std::optional<MeshPose> pose;
     if (!command_.pose.empty())
         pose = load_pose(command_.mesh, command_.pose, command_.meshes.read);
-    set_up(pipeline, synthesizer);
+    pipeline.set_threads(command_.threads);
+    pipeline.set_kernel(kernel_named(command_.kernel));
+    pipeline.set_forward(command_.kernel == forward_kernel);
+    pipeline.set_synthesizer(synthesizer);
+    pipeline.set_skips(command_.economy.skips());
+    pipeline.set_cache(command_.economy.cache_bytes(plan_.paths.size() > 1));
     const BakeResult result = bake(pipeline, plan_, pose ? &*pose : nullptr, later);
     Json seconds = {{"read", reading}};
     seconds.update(times_json(pipeline.records()));
@@ -219,9 +243,8 @@ Json BakeJob::run(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthe
 /// The report of a bake, as `burl bake --report` writes it.
 Json BakeJob::report_of(Pipeline& pipeline, const BakeResult& result,
                         const TextureSynthesizer* synthesizer, Json seconds) const {
-    Json report = bake_json(command_.mesh, outputs(result.levels.count), recipe(), pipeline,
-                            *result.metrics, result.levels, std::move(seconds));
-    if (result.texture.compressed) report["compressed"] = compress_json(result.texture);
+    Json report = bake_json(command_.mesh, outputs(result.levels.count), recipe(), pipeline, result,
+                            std::move(seconds));
     if (synthesizer) report["synthesis"] = synthesizer->report();
     if (const auto& base = result.solid_base)
         report["solid_map"] = {{"file", command_.solid_map}, {"base", {base->x, base->y, base->z}}};
@@ -239,26 +262,16 @@ std::optional<Json> BakeJob::known_report() const {
     (*report)["input"] = command_.mesh;
     (*report)["outputs"] = outputs(report->at("mip_levels").get<std::uint32_t>());
     // Normals are measured only if a report is wanted, so the record may lack them.
-    const bool lacks = has_normals() && !report->contains("normals");
-    return lacks && wants_report() ? std::nullopt : report;
-}
-
-/// Writes the report to where the command wants it; returns whether a summary is to be printed.
-bool BakeJob::write_reports(const Json& report) const {
-    if (!command_.report.empty()) write_json(command_.report, report);
-    if (command_.json) write_json("-", report);
-    return !command_.json && !command_.quiet && command_.report != "-";
-}
-
-void BakeJob::print_up_to_date(Json report) const {
-    report["up_to_date"] = true;
-    if (write_reports(report)) print_line(fmt::format("{}: up to date", plan_.paths.front()));
+    if (has_normals() && wants_report() && !report->contains("normals")) return std::nullopt;
+    (*report)["up_to_date"] = true;
+    return report;
 }
 
 void BakeJob::print(const Json& report) const {
-    if (!write_reports(report)) return;
-    print_summary(report, plan_.paths);
-    if (report.contains("compressed")) print_compressed(report["compressed"]);
+    if (!command_.report.empty()) write_json(command_.report, report);
+    if (command_.json) write_json("-", report);
+    if (!command_.json && !command_.quiet && command_.report != "-")
+        print_summary(report, plan_.paths);
 }
 
 }  // namespace burl

@@ -45,28 +45,22 @@ class BakeJob {
     Json run(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthesizer, double reading,
              LaterBake later) const;
 
-    /// The report of an earlier bake whose outputs are up to date; none if the command has to be
-    /// baked.
+    /// The report of an earlier bake whose outputs are up to date, marked as such; none if the
+    /// command has to be baked.
     std::optional<Json> known_report() const;
 
-    /// Writes the report of a bake to where the command asks for it, and prints its summary unless
-    /// --json, --report - or --quiet is given.
+    /// Writes a report to where the command asks for it, and prints its summary unless --json,
+    /// --report - or --quiet is given.
     void print(const Json& report) const;
-    /// Writes the report of an earlier bake, marked as up to date, to where the command asks for
-    /// it, and prints a line unless --json, --report - or --quiet is given.
-    void print_up_to_date(Json report) const;
 
   private:
-    void set_up(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthesizer) const;
     Json report_of(Pipeline& pipeline, const BakeResult& result,
                    const TextureSynthesizer* synthesizer, Json seconds) const;
-    std::vector<std::string> texture_outputs(std::uint32_t levels) const;
     std::vector<std::string> outputs(std::uint32_t levels) const;
     void check() const;
     void check_files() const;
     void check_idle() const;
     Json what_it_is_made_from(const Json& settings) const;
-    bool write_reports(const Json& report) const;
     bool has_normals() const { return plan_.normals != NormalSpace::none; }
     bool wants_report() const { return command_.json || !command_.report.empty(); }
 

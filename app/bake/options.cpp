@@ -11,8 +11,42 @@
 
 #include "app/recipe/parameters.h"
 #include "atlas/base/error.h"
+#include "procedural/batch/kernel.h"
 
 namespace burl {
+
+namespace {
+
+/// Adds --kernel.
+void add_kernel(CLI::App& verb, std::string& kernel) {
+    std::vector<std::string> names;
+    for (const NamedKernel& one : kernel_names) names.emplace_back(one.name);
+    names.insert(names.end(), {forward_kernel, reference_kernel});
+    verb.add_option(
+            "--kernel", kernel,
+            "How noise is computed: auto, the fastest; direct or share "
+            "(cells hashed once for all their texels), with the same result; scanline (polynomials "
+            "along rows, without a filter), which rounds otherwise; forward, by forward "
+            "differences along scan lines "
+            "in float64 (or --precision float32): value noise, no filter; or reference, texel by "
+            "texel in float64, the same as --precision float64")
+        ->check(one_of(names))
+        ->capture_default_str();
+}
+
+/// Whether no output depends on the option, or it is part of the recipe, or names the mesh or the
+/// output.
+bool counts_elsewhere(const std::string& name) {
+    static constexpr std::array<std::string_view, 15> names = {
+        "help",    "mesh",    "output", "recipe", "set",  "filter", "precision", "time",
+        "threads", "no-skip", "cache",  "force",  "json", "report", "quiet"};
+    return std::ranges::find(names, name) != names.end() ||
+           std::ranges::any_of(parameters(), [&](const RecipeParameter& parameter) {
+               return parameter.use.option.ends_with("--" + name);
+           });
+}
+
+}  // namespace
 
 void add_bake_options(CLI::App& verb, BakeCommand& command) {
     verb.add_option("mesh", command.mesh, "Mesh file: .obj .ply .stl .off .gltf .glb")->required();
@@ -67,7 +101,15 @@ void add_bake_options(CLI::App& verb, BakeCommand& command) {
                     "OpenGL of --synth: osmesa (software, the default) or egl (a graphics "
                     "processor)")
         ->check(one_of(std::vector<std::string>(gl_platforms().begin(), gl_platforms().end())));
-    command.multipass.add(verb);
+    verb.add_option("--gl-precision", command.gl_precision,
+                    "Images of --synth gl-multipass: 32f (the default), 16f or 8 bits a channel")
+        ->check(one_of({"32f", "16f", "8"}));
+    verb.add_option("--gl-randomizer", command.gl_randomizer,
+                    "Random numbers of --synth gl-multipass: hash (the default, as on the host), "
+                    "table, or bits (8 bits only)")
+        ->check(one_of({"hash", "table", "bits"}));
+    verb.add_flag("--gl-equalize", command.gl_equalize,
+                  "Make the Gaussian numbers of --gl-randomizer bits white");
 }
 
 void add_run_options(CLI::App& verb, BakeCommand& command) {
@@ -94,22 +136,6 @@ void check_report_options(bool json, const std::string& report, bool quiet) {
         throw Error(ExitCode::usage,
                     "--json and --report - both print the report; leave one of them out");
 }
-
-namespace {
-
-/// Whether no output depends on the option, or it is part of the recipe, or names the mesh or the
-/// output.
-bool counts_elsewhere(const std::string& name) {
-    static constexpr std::array<std::string_view, 15> names = {
-        "help",    "mesh",    "output", "recipe", "set",  "filter", "precision", "time",
-        "threads", "no-skip", "cache",  "force",  "json", "report", "quiet"};
-    return std::ranges::find(names, name) != names.end() ||
-           std::ranges::any_of(parameters(), [&](const RecipeParameter& parameter) {
-               return parameter.use.option.ends_with("--" + name);
-           });
-}
-
-}  // namespace
 
 Json bake_settings(const CLI::App& verb) {
     Json settings = Json::object();

@@ -7,8 +7,6 @@
 #include "app/gl/device/context.h"
 #include "app/options/animation.h"
 #include "app/options/command_options.h"
-#include "app/options/economy_options.h"
-#include "app/options/multipass_options.h"
 
 namespace CLI {
 class App;
@@ -27,9 +25,11 @@ struct BakeCommand {
     int threads = 0;
     std::optional<int> depth;      ///< bits per channel; none: 8
     std::optional<double> crease;  ///< crease angle in degrees; none: 40
-    std::string levels, level_rule, normals, solid_map, emitted_glsl, kernel = "auto";
-    std::string synth = "host", platform{};  ///< platform is that of OpenGL; empty: the first
-    MultipassCommand multipass;
+    std::string levels, level_rule, normals, solid_map, emitted_glsl;
+    std::string kernel = "auto";  ///< a name of kernel_names, forward_kernel or reference_kernel
+    std::string synth = "host", platform{};   ///< platform is that of OpenGL; empty: the first
+    std::string gl_precision, gl_randomizer;  ///< words of multipass_synth; empty: its defaults
+    bool gl_equalize = false;
     std::optional<double> compress;
     bool json = false, quiet = false;  ///< print the JSON report, or nothing, on stdout
     bool force = false;                ///< bake even if the outputs are up to date
@@ -37,6 +37,14 @@ struct BakeCommand {
     int bits() const { return depth.value_or(8); }
     double crease_degrees() const { return crease.value_or(40.0); }
 };
+
+/// The --synth that evaluates the papers' passes over whole images.
+inline constexpr const char* multipass_synth = "gl-multipass";
+/// The --kernel that sums forward differences (app/recipe/forward_check.h); its textures differ
+/// from those of the other kernels.
+inline constexpr const char* forward_kernel = "forward";
+/// The --kernel that means --precision float64.
+inline constexpr const char* reference_kernel = "reference";
 
 /// Adds the mesh, the output, and all options that the output's content depends on.
 void add_bake_options(CLI::App& verb, BakeCommand& command);

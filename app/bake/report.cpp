@@ -8,23 +8,58 @@
 
 namespace burl {
 
+namespace {
+
+/// The results of compression: blocks and places, texels and bytes before and after, and the
+/// largest error.
+Json compress_json(const BakedAtlas& baked) {
+    const CompressNotes& notes = *baked.compressed;
+    const std::uint64_t bytes = std::visit(
+        [](const auto& image) { return std::uint64_t{sizeof(image(0, 0))}; }, baked.image);
+    const Vec2d extent = baked.packed->extent();
+    return {{"width", std::uint64_t(extent.x)},
+            {"height", std::uint64_t(extent.y)},
+            {"blocks", notes.blocks},
+            {"places", notes.places},
+            {"texels_before", notes.texels_before},
+            {"texels_after", notes.texels_after},
+            {"bytes_before", bytes * notes.texels_before},
+            {"bytes_after", bytes * notes.texels_after},
+            {"largest_error", notes.largest_error}};
+}
+
+void print_compressed(const Json& compressed) {
+    const auto number = [&](const char* key) { return compressed[key].get<std::uint64_t>(); };
+    fmt::print(
+        "compressed to {} x {}: {} of {} blocks kept, {:.1f} % of the texels and bytes saved, "
+        "largest error {:.4f}\n",
+        number("width"), number("height"), number("places"), number("blocks"),
+        100.0 * (1.0 - double(number("texels_after")) / double(number("texels_before"))),
+        compressed["largest_error"].get<double>());
+}
+
+}  // namespace
+
 Json bake_json(const std::string& input, const std::vector<std::string>& outputs,
-               const Recipe& recipe, Pipeline& pipeline, const AtlasMetrics& metrics,
-               const LevelsAsked& levels, Json seconds) {
-    Json atlas = metrics_json(pipeline.atlas(), metrics);
+               const Recipe& recipe, Pipeline& pipeline, const BakeResult& result, Json seconds) {
+    const LevelsAsked& levels = result.levels;
+    Json atlas = metrics_json(pipeline.atlas(), *result.metrics);
     if (const PatchAtlas* patches = pipeline.mesh_atlas().patches())
         atlas["patch"] = patches_json(*patches);
-    return {{"input", input},
-            {"outputs", outputs},
-            {"recipe", Json::parse(to_json(recipe))},
-            {"mesh", mesh_json(pipeline.mesh(), pipeline.connectivity())},
-            {"atlas", std::move(atlas)},
-            {"capacity", capacity_json(capacity(pipeline.mesh().triangles.size(), recipe.atlas))},
-            {"mip_levels", levels.count},
-            {"level_rule", levels.count == 0 ? Json() : Json(to_string(levels.rule))},
-            {"seconds", std::move(seconds)},
-            {"stages", stages_json(pipeline.records())},
-            {"versions", versions_json()}};
+    Json report{
+        {"input", input},
+        {"outputs", outputs},
+        {"recipe", Json::parse(to_json(recipe))},
+        {"mesh", mesh_json(pipeline.mesh(), pipeline.connectivity())},
+        {"atlas", std::move(atlas)},
+        {"capacity", capacity_json(capacity(pipeline.mesh().triangles.size(), recipe.atlas))},
+        {"mip_levels", levels.count},
+        {"level_rule", levels.count == 0 ? Json() : Json(to_string(levels.rule))},
+        {"seconds", std::move(seconds)},
+        {"stages", stages_json(pipeline.records())},
+        {"versions", versions_json()}};
+    if (result.texture.compressed) report["compressed"] = compress_json(result.texture);
+    return report;
 }
 
 Json normals_json(Pipeline& pipeline, const NormalMap& map, double crease_degrees) {
@@ -39,6 +74,8 @@ Json normals_json(Pipeline& pipeline, const NormalMap& map, double crease_degree
 }
 
 void print_summary(const Json& report, const std::vector<std::string>& paths) {
+    if (report.contains("up_to_date"))
+        return print_line(fmt::format("{}: up to date", paths.front()));
     const Json& atlas = report["atlas"];
     std::string name = paths.front();
     if (paths.size() > 1) name += " to " + paths.back();
@@ -47,6 +84,7 @@ void print_summary(const Json& report, const std::vector<std::string>& paths) {
         name, report["mesh"]["triangles"].get<std::uint64_t>(), atlas["kind"].get<std::string>(),
         atlas["size"].get<int>(), atlas["size"].get<int>(), 100.0 * atlas["coverage"].get<double>(),
         atlas["relative_scale"].get<double>(), report["seconds"]["total"].get<double>()));
+    if (report.contains("compressed")) print_compressed(report["compressed"]);
 }
 
 }  // namespace burl

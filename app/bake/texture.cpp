@@ -1,14 +1,51 @@
 #include "app/bake/texture.h"
 
 #include <algorithm>
+#include <bit>
+#include <charconv>
+#include <chrono>
 #include <utility>
 
-#include "app/image/convert_image.h"
+#include "app/base/messages.h"
+#include "app/base/stopwatch.h"
+#include "app/export/formats.h"
+#include "app/image/exr_io.h"
+#include "app/image/image_io.h"
+#include "atlas/base/error.h"
 #include "atlas/build/block_levels.h"
 
 namespace burl {
 
 namespace {
+
+/// Parses a number or "all" (`all` levels). Throws Error(usage).
+std::uint32_t count_asked(const std::string& text, std::uint32_t all, ImageKind kind) {
+    std::uint32_t count = all;
+    if (text != "all") {
+        const char* end = text.data() + text.size();
+        const auto [stop, failure] = std::from_chars(text.data(), end, count);
+        if (failure != std::errc() || stop != end)
+            throw Error(
+                ExitCode::usage,
+                fmt::format("--levels {}: must be a number of MIP levels, all, average or direct",
+                            text));
+    }
+    return kind == ImageKind::rgb_float && count > 0 ? all : std::min(count, all);
+}
+
+/// The levels that a bake of the pipeline's recipe has, fewer than asked for on strip atlases.
+LevelsAsked levels_there_are(Pipeline& pipeline, const LevelsAsked& asked, ImageKind kind) {
+    const MeshAtlas& atlas = pipeline.mesh_atlas();
+    const std::uint32_t last = last_level(atlas);
+    if (asked.count <= last) return asked;
+    const bool all = kind == ImageKind::rgb_float;
+    warn(
+        fmt::format("{}: MIP levels above {} of the {} atlas mix unrelated triangles and {}; "
+                    "use --atlas quad or patch for more",
+                    pipeline.mesh().name, last, to_string(atlas.atlas().options.kind),
+                    all ? "are of little use" : "are left out"));
+    return {all ? asked.count : last, asked.rule};
+}
 
 BakedImage synthesize(Pipeline& pipeline, ImageKind kind) {
     if (kind == ImageKind::rgb16) return pipeline.synthesize<Rgb16>();
@@ -16,43 +53,127 @@ BakedImage synthesize(Pipeline& pipeline, ImageKind kind) {
     return pipeline.synthesize<Rgb8>();
 }
 
-Image<Rgb8> converted(const Image<RgbF>& rows, Rgb8) {
-    return to_rgb8(rows);
-}
-Image<Rgb16> converted(const Image<RgbF>& rows, Rgb16) {
-    return to_rgb16(rows);
-}
-
 /// The texture and its levels, made in bands: the whole float texture is never in memory.
 template <class Pixel>
-BakedTexture bake_in_bands(Pipeline& pipeline, ImageKind kind, const LevelsAsked& levels) {
+BakedTexture bake_in_bands(Pipeline& pipeline, ImageKind kind, const LevelsAsked& levels,
+                           Image<Pixel> (*converted)(const Image<RgbF>&)) {
     const std::size_t size = pipeline.recipe().atlas.size;
     auto image = Image<Pixel>::unset(size, size);
     const auto take = [&](std::size_t first, const Image<RgbF>& rows) {
-        std::ranges::copy(converted(rows, Pixel()).pixels(), &image(0, first));
+        std::ranges::copy(converted(rows).pixels(), &image(0, first));
     };
     std::vector<BakedImage> coarser =
         convert_to(pipeline.levels_in_bands(levels.count, levels.rule, take), kind);
     return {std::move(image), std::move(coarser)};
 }
 
+/// Seconds that the stages of synthesis, paint and levels have taken so far.
+double stage_seconds(const Pipeline& pipeline) {
+    double sum = 0.0;
+    for (const Stage stage : {Stage::synthesis, Stage::paint, Stage::levels})
+        sum += pipeline.records()[stage].seconds;
+    return sum;
+}
+
+AtomicFile write_texture(Pipeline& pipeline, const std::string& path, const LevelsAsked& levels) {
+    const std::size_t size = pipeline.recipe().atlas.size;
+    const auto rows_to = [](const RowSink& sink) {
+        return [&sink](std::size_t, const Image<RgbF>& rows) { sink(rows); };
+    };
+    if (levels.count == 0)
+        return write_exr_rows(path, size, size, [&](const RowSink& sink) {
+            pipeline.synthesize_in_bands(rows_to(sink));
+        });
+    return write_exr_levels(path, size, size, [&](const RowSink& sink) {
+        return pipeline.levels_in_bands(levels.count, levels.rule, rows_to(sink));
+    });
+}
+
 }  // namespace
+
+LevelsAsked levels_asked(const std::string& text, const std::string& rule, std::uint32_t size,
+                         ImageKind kind) {
+    if (text.empty()) return {};
+    const bool names_rule = text == "average" || text.starts_with("direct");
+    const std::uint32_t all = size == 0 ? 0u : std::uint32_t(std::bit_width(size)) - 1;
+    LevelsAsked asked;
+    asked.rule = level_rule_named(names_rule ? text : rule.empty() ? "average" : rule);
+    asked.count = names_rule ? all : count_asked(text, all, kind);
+    if (names_rule && !rule.empty() && asked.rule != level_rule_named(rule))
+        throw Error(ExitCode::usage, fmt::format("--levels {} and --level-rule {} are two rules, "
+                                                 "give one of them",
+                                                 text, rule));
+    return asked;
+}
+
+NormalSpace normals_asked(const std::string& text, const Recipe& recipe,
+                          const std::string& out_path) {
+    if (text == "none") return NormalSpace::none;
+    if (recipe.bump.empty()) {
+        if (text.empty()) return NormalSpace::none;
+        throw Error(
+            ExitCode::usage,
+            fmt::format("--normals {}: the recipe has no \"bump\" to make normals of; give it "
+                        "one, such as --set 'bump.input={{\"node\": \"fbm\"}}'",
+                        text));
+    }
+    if (text != "object") return NormalSpace::tangent;
+    if (is_gltf(out_path))
+        throw Error(ExitCode::usage,
+                    fmt::format("{}: glTF knows normals in tangent space only; use --normals "
+                                "tangent, or write a .png, .exr or .obj",
+                                out_path));
+    return NormalSpace::object;
+}
+
+BakedTexture bake_texture(Pipeline& pipeline, ImageKind kind, const LevelsAsked& levels) {
+    if (levels.count == 0) return {synthesize(pipeline, kind)};
+    const LevelsAsked known = levels_there_are(pipeline, levels, kind);
+    const bool wanted = known.count > 0 && kind != ImageKind::rgb_float;
+    if (wanted && comes_in_bands(pipeline, known))
+        return kind == ImageKind::rgb8 ? bake_in_bands<Rgb8>(pipeline, kind, known, to_rgb8)
+                                       : bake_in_bands<Rgb16>(pipeline, kind, known, to_rgb16);
+    Image<RgbF> texture = pipeline.synthesize<RgbF>();
+    std::vector<BakedImage> coarser =
+        convert_to(pipeline.levels(texture, known.count, known.rule), kind);
+    return {convert_to(std::move(texture), kind), std::move(coarser)};
+}
+
+std::optional<NormalMap> bake_normals(Pipeline& pipeline, NormalSpace space, int depth,
+                                      double crease_degrees) {
+    if (space == NormalSpace::none) return std::nullopt;
+    const bool tangent = space == NormalSpace::tangent;
+    if (depth == 16) return NormalMap{pipeline.normal_map<Rgb16>(crease_degrees, tangent), tangent};
+    return NormalMap{pipeline.normal_map<Rgb8>(crease_degrees, tangent), tangent};
+}
+
+BakedAtlas compressed_bake(const Atlas& atlas, BakedImage image,
+                           const std::optional<double>& most_error) {
+    if (!most_error) return {std::nullopt, std::move(image), std::nullopt};
+    return std::visit(
+        [&](const auto& picture) {
+            auto result = compress_blocks(atlas, picture, *most_error);
+            return BakedAtlas{std::move(result.atlas), std::move(result.image), result.notes};
+        },
+        image);
+}
 
 bool comes_in_bands(Pipeline& pipeline, const LevelsAsked& levels) {
     return pipeline.has_bands() && (levels.count == 0 || halves_in_bands(pipeline.mesh_atlas()));
 }
 
-BakedTexture bake_texture(Pipeline& pipeline, ImageKind kind, const LevelsAsked& levels) {
-    if (levels.count == 0) return {synthesize(pipeline, kind)};
-    const LevelsAsked known{levels_there_are(pipeline, levels, kind), levels.rule};
-    const bool wanted = known.count > 0 && kind != ImageKind::rgb_float;
-    if (wanted && comes_in_bands(pipeline, known))
-        return kind == ImageKind::rgb8 ? bake_in_bands<Rgb8>(pipeline, kind, known)
-                                       : bake_in_bands<Rgb16>(pipeline, kind, known);
-    Image<RgbF> texture = pipeline.synthesize<RgbF>();
-    std::vector<BakedImage> coarser =
-        convert_to(pipeline.levels(texture, known.count, known.rule), kind);
-    return {convert_to(std::move(texture), kind), std::move(coarser)};
+BandsWritten write_exr_in_bands(Pipeline& pipeline, const std::string& path,
+                                const LevelsAsked& asked, const NormalMap* normals) {
+    const LevelsAsked levels =
+        asked.count > 0 ? levels_there_are(pipeline, asked, ImageKind::rgb_float) : asked;
+    pipeline.solid();
+    const auto start = std::chrono::steady_clock::now();
+    const double before = stage_seconds(pipeline);
+    std::vector<AtomicFile> files;
+    if (normals) encode_png(*normals, sink_of(files.emplace_back(normal_map_path(path))));
+    files.push_back(write_texture(pipeline, path, levels));
+    const double stages = stage_seconds(pipeline) - before;
+    return {levels.count, std::move(files), seconds_since(start) - stages};
 }
 
 }  // namespace burl

@@ -15,7 +15,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/base/byte_sink.h"
+#include "app/base/file_bytes.h"
 
 namespace burl {
 

@@ -1,12 +1,17 @@
 #pragma once
-// The content of a file as bytes; errors give the operating system's reason.
+// Contents of files as bytes, whole or in pieces: the file of a texture of 16384 x 16384 texels
+// does not fit into memory beside the texture and its atlas. Errors give the operating system's
+// reason.
 #include <cstdint>
+#include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
-#include "app/base/byte_sink.h"
-
 namespace burl {
+
+/// Receives a file's content in pieces, each valid during the call only. May throw.
+using ByteSink = std::function<void(std::span<const std::uint8_t>)>;
 
 /// The content of a regular file, or of a pipe up to 256 MiB. Throws Error(io) naming the path and
 /// the reason (missing, a folder, a device, no permission).

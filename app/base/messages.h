@@ -1,6 +1,7 @@
 #pragma once
-// Lines printed for people. Text from somebody's file cannot send commands to the terminal that
-// shows it.
+// Messages for people: printed lines, and the word that somebody may have meant. Text from
+// somebody's file cannot send commands to the terminal that shows it.
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -16,5 +17,9 @@ void print_line(std::string_view line);
 
 /// Prints a printable() line to stderr; a stderr that cannot be written to is ignored.
 void warn(std::string_view sentence);
+
+/// The candidate with the smallest edit distance to `word`; empty when there is none that shares
+/// more than it lacks.
+std::string_view nearest_word(std::string_view word, std::span<const std::string_view> candidates);
 
 }  // namespace burl

@@ -17,25 +17,14 @@ inline double seconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// Adds the wall-clock seconds of its lifetime to a sum.
-class Stopwatch {
-  public:
-    explicit Stopwatch(double& sum) : sum_(sum) {}
-    Stopwatch(const Stopwatch&) = delete;
-    Stopwatch& operator=(const Stopwatch&) = delete;
-    ~Stopwatch() {
-        sum_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-    }
-
-  private:
-    double& sum_;
-    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
-
 /// The result of work(), whose wall-clock seconds are added to `sum`.
 template <class Work>
 auto timed(double& sum, const Work& work) {
-    const Stopwatch stopwatch(sum);
+    const struct Stopwatch {
+        double& sum;
+        std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
+        ~Stopwatch() { sum += seconds_since(start); }
+    } stopwatch{sum};
     return work();
 }
 

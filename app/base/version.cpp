@@ -1,5 +1,7 @@
 #include "app/base/version.h"
 
+#include <algorithm>
+
 #include <OpenEXR/OpenEXRConfig.h>
 #include <OpenMesh/Core/System/config.h>
 #include <fmt/format.h>
@@ -9,8 +11,10 @@
 #include <glm/glm.hpp>
 #include <nlohmann/json.hpp>
 
+#include "atlas/base/error.h"
 #include "procedural/batch/texel_batch.h"
 #include "procedural/numbers/simd_level.h"
+#include "procedural/numbers/simd_target.h"
 
 namespace burl {
 
@@ -43,6 +47,14 @@ std::string version_text() {
         text += fmt::format("\n  {} {}", name, version);
     }
     return text;
+}
+
+void limit_simd(const std::string& level) {
+    const std::vector<std::string> names = simd_targets();
+    if (std::ranges::find(names, level) == names.end())
+        throw Error(ExitCode::usage, fmt::format("--simd {}: must be one of this machine's, {}",
+                                                 level, fmt::join(names, ", ")));
+    use_simd_target(level);
 }
 
 }  // namespace burl

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
-#include "app/base/nearest_word.h"
+#include "app/base/messages.h"
 #include "app/direct/forward_cube.h"
 #include "app/direct/picture.h"
 #include "atlas/base/error.h"

@@ -166,11 +166,8 @@ std::vector<PictureRecipes> picture_recipes(const DirectOptions& options,
     const ShownRecipes shown(options);
     const std::vector<MovedRecipe> recipes = shown.with_edits(animation);
     for (const MovedRecipe& recipe : recipes) {
-        refuse_edits(recipe.options, idle_keys);
-        refuse_moves(recipe.keys, idle_keys);
-        if (!options.pose.empty()) continue;
-        refuse_edits(recipe.options, {&idle_pose, 1});
-        refuse_moves(recipe.keys, {&idle_pose, 1});
+        refuse_edits(recipe.options, idle_keys, recipe.keys);
+        if (options.pose.empty()) refuse_edits(recipe.options, {&idle_pose, 1}, recipe.keys);
     }
     const std::vector<std::vector<Recipe>> frames = frame_recipes(recipes, animation);
     for (std::size_t i = 0; i < recipes.size(); ++i)

@@ -1,11 +1,19 @@
 #include "app/export/emit.h"
 
+#include <ImfChannelList.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfOutputFile.h>
+#include <ImfVecAttribute.h>
 #include <fmt/format.h>
 
 #include "app/base/shader_source.h"
 #include "app/base/version.h"
+#include "app/image/exr_stream.h"
+#include "app/pipeline/pipeline.h"
 #include "procedural/glsl/graph.h"
 #include "procedural/glsl/plain.h"
+#include "procedural/maps/point_map.h"
 
 namespace burl {
 
@@ -72,6 +80,35 @@ std::string images_text(const GlslTexture& texture, const TextureGraph& graph) {
     return text;
 }
 
+constexpr const char* axes[] = {"X", "Y", "Z", "A"};
+constexpr const char* owner = "owner";
+
+Imf::Header header_of(const SolidMap& map, const Vec3d& base) {
+    Imf::Header header(int(map.owners.width()), int(map.owners.height()));
+    header.compression() = Imf::ZIP_COMPRESSION;
+    for (const char* axis : axes) header.channels().insert(axis, Imf::Channel(Imf::FLOAT));
+    header.channels().insert(owner, Imf::Channel(Imf::UINT));
+    header.insert("base", Imf::V3dAttribute(Imath::V3d(base.x, base.y, base.z)));
+    return header;
+}
+
+/// A slice over one component of the pixels, which OpenEXR only reads although it takes char*.
+template <class Pixel>
+Imf::Slice slice_of(Imf::PixelType type, const Image<Pixel>& image, std::size_t component) {
+    auto* base = const_cast<char*>(reinterpret_cast<const char*>(image.pixels().data()));
+    return {type, base + 4 * component, sizeof(Pixel), sizeof(Pixel) * image.width()};
+}
+
+void encode(Imf::OStream& stream, const SolidMap& map, const Vec3d& base) {
+    Imf::OutputFile file(stream, header_of(map, base));
+    Imf::FrameBuffer frame;
+    for (std::size_t c = 0; c < std::size(axes); ++c)
+        frame.insert(axes[c], slice_of(Imf::FLOAT, map.local, c));
+    frame.insert(owner, slice_of(Imf::UINT, map.owners, 0));
+    file.setFrameBuffer(frame);
+    file.writePixels(int(map.owners.height()));
+}
+
 }  // namespace
 
 std::string emit_glsl(const Recipe& recipe, const Affine3& texture_from_mesh) {
@@ -85,6 +122,16 @@ std::string emit_glsl(const Recipe& recipe, const Affine3& texture_from_mesh) {
     return header(recipe) + images_text(texture, graph) + "\n" +
            glsl_needed_by("texture_color", glsl_in_float(text)) + "\n" + matrix(texture_from_mesh) +
            "\n" + main_function;
+}
+
+WrittenSolidMap write_solid_map(const std::string& path, Pipeline& pipeline, int threads) {
+    const SolidAtlas& solid = pipeline.solid();
+    const Affine3 map = texture_from_solid(pipeline.recipe());
+    const Vec3d base = solid_base(solid, map);
+    const SolidMap content =
+        fill_solid_map(solid, map, base, {0, 0, solid.size, solid.size}, threads);
+    return {base, write_exr_stream(path, "solid map", solid.size, solid.size,
+                                   [&](Imf::OStream& stream) { encode(stream, content, base); })};
 }
 
 }  // namespace burl

@@ -2,26 +2,17 @@
 // The output of results: a baked image with or without its mesh, in the format of the file name.
 // Formats, samplers and the attributes kept of the input: docs/reference/export.md.
 #include <optional>
-#include <span>
 #include <string>
-#include <string_view>
 #include <variant>
 #include <vector>
 
 #include "app/base/atomic_file.h"
-#include "app/image/exr_io.h"
-#include "atlas/base/image.h"
+#include "app/image/convert_image.h"
 #include "atlas/mesh/mesh.h"
 #include "atlas/read/pose.h"
 #include "atlas/solid/atlas.h"
 
 namespace burl {
-
-enum class ImageKind { rgb8, rgb16, rgb_float };
-
-/// The pixels of a baked image, in the order of ImageKind. 8 and 16 bits are sRGB-encoded, floats
-/// are linear light.
-using BakedImage = std::variant<Image<Rgb8>, Image<Rgb16>, Image<RgbF>>;
 
 /// A normal map in linear codes (procedural/fill/tangent_frame.h), as large as the texture.
 struct NormalMap {
@@ -40,23 +31,16 @@ struct ExportPose {
 struct ExportOptions {
     /// The crease angle of computed normals (app/surface/normals.h).
     double crease_degrees = 40.0;
-    ExrDepth exr_depth = ExrDepth::half;  ///< the sample format of .exr files
-    std::string recipe_json{};            ///< the recipe for the glTF's asset.extras; may be empty
-    std::string recipe_name{};            ///< the recipe's name, the second part of the material's
-    std::vector<BakedImage> levels{};     ///< MIP levels 1, 2, ... (atlas/build/block_levels.h)
+    std::string recipe_json{};         ///< the recipe for the glTF's asset.extras; may be empty
+    std::string recipe_name{};         ///< the recipe's name, the second part of the material's
+    std::vector<BakedImage> levels{};  ///< MIP levels 1, 2, ... (atlas/build/block_levels.h)
     std::optional<NormalMap> normals{};
     /// The pose becomes a morph target in .glb and .gltf; .obj is written as posed. Images are
     /// those of the mesh at rest.
     std::optional<ExportPose> pose{};
 };
 
-/// Checks the path of a picture or report before any work. Throws Error: usage unless the name ends
-/// in `extension` (in lower case; empty: any); io where the folder is not writable or the path is
-/// one of the input files `taken`.
-void check_side_output(const std::string& path, std::string_view extension,
-                       std::span<const std::string> taken);
-
-/// All files that export_scene writes, `out_path` first: "a.obj" gives a.obj, a.mtl and a.png, and
+/// All files that scene_files writes, `out_path` first: "a.obj" gives a.obj, a.mtl and a.png, and
 /// with MIP levels a.1.png, a.2.png, ...; .glb and .exr contain their levels. Normals add
 /// a_normal.png, except for .glb. Throws Error(usage) unless the extension is one of .glb, .gltf,
 /// .obj, .png, .exr (any case), listing them.
@@ -71,24 +55,18 @@ bool is_gltf(const std::string& out_path);
 /// Error(usage) for an unknown extension.
 bool holds_mesh(const std::string& out_path);
 
-/// The image kind that export_scene writes without conversion: float for .exr, else 16 bits where
-/// `depth` is 16 and 8 bits otherwise.
+/// The kind of images in the output: float for .exr, else 16 bits where `depth` is 16 and 8 bits
+/// otherwise.
 ImageKind wanted_kind(const std::string& out_path, int depth);
 
-/// Writes all files of an output, which are then committed together by the caller. `image` is as
-/// large as atlas.extent(); another kind than wanted_kind() is converted (float is clamped and
-/// sRGB-encoded; 8 and 16 bits are decoded for .exr). Normals in tangent space become part of the
+/// Writes all files of an output, which are then committed together by the caller, or none is
+/// (app/base/atomic_file.h). `image` is as large as atlas.extent(); it and its levels are of
+/// wanted_kind(). Normals in tangent space become part of the
 /// material (glTF's normalTexture, with tangents; OBJ's norm), those in object space a file beside
 /// it, which .glb and .gltf must not be given. Throws Error: as output_paths, and io when a write
 /// fails.
 std::vector<AtomicFile> scene_files(const std::string& out_path, const Mesh& mesh,
                                     const Atlas& atlas, const BakedImage& image,
                                     const ExportOptions& options = {});
-
-/// Writes and commits all files or none (app/base/atomic_file.h), and returns their states. Throws
-/// Error as scene_files does.
-std::vector<CommittedFile> export_scene(const std::string& out_path, const Mesh& mesh,
-                                        const Atlas& atlas, const BakedImage& image,
-                                        const ExportOptions& options = {});
 
 }  // namespace burl

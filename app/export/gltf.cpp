@@ -1,5 +1,6 @@
-// The containers of glTF; gltf_scene.cpp makes the document.
-#include "app/export/gltf.h"
+// The containers of glTF 2.0; gltf_scene.cpp makes the document. The JSON and buffers are written
+// here rather than by a library, so that the texture is a plain bufferView (not a data URI), bounds
+// are those of the floats written, and every byte goes through AtomicFile.
 
 #include <array>
 #include <filesystem>
@@ -7,9 +8,10 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/base/atomic_file.h"
 #include "app/export/gltf_scene.h"
-#include "app/image/level_names.h"
+#include "app/image/image_io.h"
+#include "app/surface/normals.h"
+#include "app/surface/tangents.h"
 #include "atlas/base/error.h"
 
 namespace burl {
@@ -77,9 +79,10 @@ void write_meshes(AtomicFile& file, const GltfScene& scene) {
 
 /// Appends the image to the buffer and stores its offset and length in its bufferView. Throws
 /// Error(unsupported) beyond 4 GiB.
-void write_image(AtomicFile& file, GltfScene& scene, const ByteSource& png, std::size_t view) {
+template <class Picture>
+void write_image(AtomicFile& file, GltfScene& scene, const Picture& image, std::size_t view) {
     std::uint64_t size = 0;
-    png([&](std::span<const std::uint8_t> bytes) {
+    encode_png(image, [&](std::span<const std::uint8_t> bytes) {
         size += bytes.size();
         if (scene.binary_size + size > most_bytes) throw too_long(file.target());
         file.write(bytes);
@@ -91,31 +94,43 @@ void write_image(AtomicFile& file, GltfScene& scene, const ByteSource& png, std:
     scene.binary_size += size + padding_after(size).size();
 }
 
-struct NamedImage {
-    std::string name;
-    ByteSource png;
-};
+/// The vertex arrays of the mesh in its atlas; normals and tangents per corner are freed on return.
+std::vector<PartVertices> vertices_of(const SceneContent& content) {
+    const auto& [path, mesh, atlas, image, options] = content;
+    const std::vector<Vec3f> normals = corner_normals(mesh, options.crease_degrees);
+    std::vector<Vec2d> uvs;
+    std::vector<Vec4f> tangents;
+    if (options.normals && options.normals->tangent_space) {
+        uvs = corner_uvs(atlas);
+        tangents = corner_tangents(mesh.positions, mesh.triangles, uvs, normals);
+    }
+    if (!options.pose) return export_vertices(mesh, atlas, normals, tangents);
+    const PosedCorners posed = posed_corners(mesh, options.pose->corners, normals, uvs);
+    return export_vertices(mesh, atlas, normals, tangents, &posed);
+}
 
-/// The texture, its MIP levels, then the normal map.
-std::vector<NamedImage> images_of(const GltfContent& content) {
-    std::vector<NamedImage> images{{content.name, content.png}};
-    for (const ByteSource& level : content.levels)
-        images.push_back({fmt::format("{} level {}", content.name, images.size()), level});
-    if (content.normal_png) images.push_back({content.name + " normals", content.normal_png});
-    return images;
+/// The names of the texture, its MIP levels, then the normal map.
+std::vector<std::string> image_names(const SceneContent& content) {
+    const std::string name = material_name(content);
+    std::vector<std::string> names{name};
+    for (std::size_t l = 1; l <= content.options.levels.size(); ++l)
+        names.push_back(fmt::format("{} level {}", name, l));
+    if (content.options.normals) names.push_back(name + " normals");
+    return names;
 }
 
 }  // namespace
 
 // Lengths of images are known only once they are encoded: the head is first written with the
 // largest numbers, and at the end overwritten with the true ones.
-AtomicFile write_glb(const GltfContent& content) {
-    GltfScene scene = build_gltf_scene(content);
-    const std::vector<NamedImage> images = images_of(content);
-    const std::size_t views = scene.json["bufferViews"].size();
-    for (std::size_t i = 0; i < images.size(); ++i) {
-        scene.json["images"].push_back(
-            {{"name", images[i].name}, {"bufferView", views + i}, {"mimeType", "image/png"}});
+AtomicFile write_glb(const SceneContent& content) {
+    const std::vector<PartVertices> vertices = vertices_of(content);
+    GltfScene scene = build_gltf_scene(content, vertices);
+    std::size_t view = scene.json["bufferViews"].size();
+    for (const std::string& name : image_names(content)) {
+        scene.json["images"].push_back({{"name", name},
+                                        {"bufferView", scene.json["bufferViews"].size()},
+                                        {"mimeType", "image/png"}});
         scene.json["bufferViews"].push_back(
             {{"buffer", 0}, {"byteOffset", most_bytes}, {"byteLength", most_bytes}});
     }
@@ -124,8 +139,9 @@ AtomicFile write_glb(const GltfContent& content) {
     AtomicFile file(content.path);
     file.write(glb_head("", length, 0));
     write_meshes(file, scene);
-    for (std::size_t i = 0; i < images.size(); ++i)
-        write_image(file, scene, images[i].png, views + i);
+    write_image(file, scene, content.image, view);
+    for (const BakedImage& level : content.options.levels) write_image(file, scene, level, ++view);
+    if (const auto& normals = content.options.normals) write_image(file, scene, *normals, ++view);
     scene.json["buffers"][0]["byteLength"] = scene.binary_size;
     const std::string head = glb_head(dump(scene.json, -1), length, scene.binary_size);
     if (head.size() + scene.binary_size > most_bytes) throw too_long(content.path);
@@ -133,31 +149,30 @@ AtomicFile write_glb(const GltfContent& content) {
     return file;
 }
 
-std::vector<AtomicFile> write_gltf(const GltfContent& content) {
-    const std::string& path = content.path;
-    GltfScene scene = build_gltf_scene(content);
-    const std::filesystem::path base(path);
+std::vector<AtomicFile> write_gltf(const SceneContent& content) {
+    const std::vector<PartVertices> vertices = vertices_of(content);
+    GltfScene scene = build_gltf_scene(content, vertices);
     const auto beside = [&](const std::string& extension) {
-        return std::filesystem::path(base).replace_extension(extension);
+        return std::filesystem::path(content.path).replace_extension(extension).string();
     };
-    const auto uri = [](const std::filesystem::path& file) {
-        return percent_encoded(file.filename().string());
+    const auto uri = [](const std::string& file) {
+        return percent_encoded(std::filesystem::path(file).filename().string());
     };
-    std::vector<AtomicFile> files;
-    files.reserve(4 + content.levels.size());
-    const std::vector<NamedImage> images = images_of(content);
-    for (std::size_t i = 0; i < images.size(); ++i) {
-        std::filesystem::path file = normal_map_path(path);
-        if (i <= content.levels.size()) file = beside(i == 0 ? ".png" : level_extension(i));
+    const std::size_t levels = content.options.levels.size();
+    const std::vector<std::string> names = image_names(content);
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const std::string file = i > levels ? normal_map_path(content.path)
+                                            : beside(i == 0 ? ".png" : level_extension(i));
         scene.json["images"].push_back(
-            {{"name", images[i].name}, {"uri", uri(file)}, {"mimeType", "image/png"}});
-        images[i].png(sink_of(files.emplace_back(file.string())));
+            {{"name", names[i]}, {"uri", uri(file)}, {"mimeType", "image/png"}});
     }
+    const std::string buffer = beside(".bin");
     scene.json["buffers"] =
-        Json::array({{{"uri", uri(beside(".bin"))}, {"byteLength", scene.binary_size}}});
-
-    write_meshes(files.emplace_back(beside(".bin").string()), scene);
-    files.emplace_back(path).write(dump(scene.json, 2) + "\n");
+        Json::array({{{"uri", uri(buffer)}, {"byteLength", scene.binary_size}}});
+    std::vector<AtomicFile> files;
+    add_images(files, content, beside(".png"));
+    write_meshes(files.emplace_back(buffer), scene);
+    files.emplace_back(content.path).write(dump(scene.json, 2) + "\n");
     return files;
 }
 

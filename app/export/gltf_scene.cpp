@@ -9,7 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/export/placed_vertices.h"
+#include "app/export/vertices.h"
 #include "atlas/base/error.h"
 
 namespace burl {
@@ -42,12 +42,15 @@ std::size_t append(Json& array, Json value) {
     return array.size() - 1;
 }
 
-/// Appends an accessor with a bufferView of its own; returns its index.
+/// Appends an accessor with a bufferView of its own at the end of the buffer; returns its index.
 std::size_t add_accessor(GltfScene& scene, std::span<const std::uint8_t> bytes, Gl target,
                          Gl component, std::size_t count, const char* type) {
-    const std::size_t view = add_buffer_view(scene, bytes.size());
+    const std::size_t view = append(scene.json["bufferViews"], {{"buffer", 0},
+                                                                {"byteOffset", scene.binary_size},
+                                                                {"byteLength", bytes.size()},
+                                                                {"target", int(target)}});
     scene.binary.push_back(bytes);
-    scene.json["bufferViews"][view]["target"] = int(target);
+    scene.binary_size += bytes.size() + padding_after(bytes.size()).size();
     return append(scene.json["accessors"], {{"bufferView", view},
                                             {"componentType", int(component)},
                                             {"count", count},
@@ -94,7 +97,7 @@ struct PrimitiveIds {
 };
 
 std::size_t add_mesh(GltfScene& scene, const std::string& name, const PrimitiveIds& ids,
-                     const GltfTarget& target) {
+                     const std::optional<ExportPose>& pose) {
     Json attributes{{"POSITION", ids.position}, {"NORMAL", ids.normal}, {"TEXCOORD_0", ids.uv}};
     if (ids.tangent) attributes["TANGENT"] = *ids.tangent;
     if (ids.block) attributes["_BURL_BLOCK"] = *ids.block;
@@ -102,8 +105,8 @@ std::size_t add_mesh(GltfScene& scene, const std::string& name, const PrimitiveI
     if (!ids.target.is_null()) primitive["targets"] = Json::array({ids.target});
     Json mesh{{"name", name}, {"primitives", Json::array({primitive})}};
     if (!ids.target.is_null()) {
-        mesh["weights"] = Json::array({target.weight});
-        mesh["extras"]["targetNames"] = Json::array({target.name});
+        mesh["weights"] = Json::array({pose->weight});
+        mesh["extras"]["targetNames"] = Json::array({pose->corners.name});
     }
     return append(scene.json["meshes"], std::move(mesh));
 }
@@ -169,7 +172,7 @@ PrimitiveIds add_primitive(GltfScene& scene, const PartVertices& v) {
 }
 
 /// Throws Error(unsupported) where a position is beyond the range of 32-bit floats.
-void check_range(const GltfContent& content, const PartVertices& vertices) {
+void check_range(const SceneContent& content, const PartVertices& vertices) {
     const auto refuse = [&](const std::string& what) {
         throw Error(ExitCode::unsupported,
                     fmt::format("{}: {} farther than the 32-bit floats of a glTF reach; write an "
@@ -180,17 +183,18 @@ void check_range(const GltfContent& content, const PartVertices& vertices) {
         refuse(fmt::format("a placement of \"{}\" takes points",
                            content.mesh.parts[vertices.part].name));
     if (!all_finite(vertices.target.positions))
-        refuse(fmt::format("the pose \"{}\" moves points", content.target.name));
+        refuse(fmt::format("the pose \"{}\" moves points", content.options.pose->corners.name));
 }
 
-void add_part(GltfScene& scene, const GltfContent& content, const PartVertices& vertices,
+void add_part(GltfScene& scene, const SceneContent& content, const PartVertices& vertices,
               UniqueNames& names) {
     const Part& part = content.mesh.parts[vertices.part];
+    const std::optional<ExportPose>& pose = content.options.pose;
     const std::string fallback_name = content.mesh.name.empty() ? "mesh" : content.mesh.name;
     const std::string name = part.name.empty() ? fallback_name : part.name;
     check_range(content, vertices);
     const PrimitiveIds ids = add_primitive(scene, vertices);
-    const std::size_t mesh = add_mesh(scene, name, ids, content.target);
+    const std::size_t mesh = add_mesh(scene, name, ids, pose);
     for (const Mat4d& instance : part.instances) {
         if (const auto place = decompose(centred(instance, vertices))) {
             add_node(scene, names(name), mesh, *place);
@@ -199,17 +203,18 @@ void add_part(GltfScene& scene, const GltfContent& content, const PartVertices& 
         const PartVertices& moved = scene.placed.emplace_back(placed(vertices, instance));
         check_range(content, moved);
         const PrimitiveIds moved_ids = add_primitive(scene, moved);
-        add_node(scene, names(name), add_mesh(scene, name, moved_ids, content.target),
-                 node_of_placed(moved));
+        add_node(scene, names(name), add_mesh(scene, name, moved_ids, pose), node_of_placed(moved));
     }
 }
 
-Json asset(const GltfContent& content) {
-    Json burl{{"atlas", to_string(content.atlas.kind)},
-              {"overscan", to_string(content.atlas.overscan)},
-              {"size", content.atlas.size}};
-    if (content.atlas.kind == AtlasKind::quad) burl["weight"] = to_string(content.atlas.weight);
-    if (!content.recipe_json.empty()) burl["recipe"] = content.recipe_json;
+Json asset(const SceneContent& content) {
+    const AtlasOptions& atlas = content.atlas.options;
+    const std::string& recipe = content.options.recipe_json;
+    Json burl{{"atlas", to_string(atlas.kind)},
+              {"overscan", to_string(atlas.overscan)},
+              {"size", atlas.size}};
+    if (atlas.kind == AtlasKind::quad) burl["weight"] = to_string(atlas.weight);
+    if (!recipe.empty()) burl["recipe"] = recipe;
     return {{"version", "2.0"},
             {"generator", "Burl " BURL_VERSION},
             {"extras", {{"burl", std::move(burl)}}}};
@@ -227,23 +232,23 @@ Json sampler(const AtlasOptions& atlas) {
 
 /// The material, double-sided: a solid texture is the same on both sides, and open sheets and
 /// meshes with inconsistent winding look whole.
-Json material(const GltfContent& content) {
+Json material(const SceneContent& content) {
     Json json{
-        {"name", content.name},
+        {"name", material_name(content)},
         {"pbrMetallicRoughness",
          {{"baseColorTexture", {{"index", 0}}}, {"metallicFactor", 0.0}, {"roughnessFactor", 0.6}}},
         {"doubleSided", true}};
-    if (content.normal_png) json["normalTexture"] = {{"index", 1}};
+    if (content.options.normals) json["normalTexture"] = {{"index", 1}};
     return json;
 }
 
 /// The base colour texture, then the normal map.
-Json textures(const GltfContent& content) {
-    const std::size_t levels = content.levels.size();
+Json textures(const SceneContent& content) {
+    const std::size_t levels = content.options.levels.size();
     Json color{{"sampler", 0}, {"source", 0}};
     for (std::size_t l = 1; l <= levels; ++l) color["extras"]["burl_levels"].push_back(l);
     Json result = Json::array({color});
-    if (content.normal_png) result.push_back({{"sampler", 0}, {"source", 1 + levels}});
+    if (content.options.normals) result.push_back({{"sampler", 0}, {"source", 1 + levels}});
     return result;
 }
 
@@ -259,14 +264,7 @@ std::span<const std::uint8_t> padding_after(std::uint64_t bytes) {
     return {zeros.data(), std::size_t(-bytes % 4)};
 }
 
-std::size_t add_buffer_view(GltfScene& scene, std::uint64_t bytes) {
-    const std::uint64_t offset = scene.binary_size;
-    scene.binary_size += bytes + padding_after(bytes).size();
-    return append(scene.json["bufferViews"],
-                  {{"buffer", 0}, {"byteOffset", offset}, {"byteLength", bytes}});
-}
-
-GltfScene build_gltf_scene(const GltfContent& content) {
+GltfScene build_gltf_scene(const SceneContent& content, std::span<const PartVertices> vertices) {
     GltfScene scene;
     scene.json["asset"] = asset(content);
     scene.json["scene"] = 0;
@@ -275,10 +273,10 @@ GltfScene build_gltf_scene(const GltfContent& content) {
         scene.json[array] = Json::array();
     }
     UniqueNames names;
-    for (const PartVertices& vertices : content.vertices) add_part(scene, content, vertices, names);
+    for (const PartVertices& part : vertices) add_part(scene, content, part, names);
     scene.json["materials"] = Json::array({material(content)});
     scene.json["textures"] = textures(content);
-    scene.json["samplers"] = Json::array({sampler(content.atlas)});
+    scene.json["samplers"] = Json::array({sampler(content.atlas.options)});
     return scene;
 }
 

@@ -7,7 +7,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/export/gltf.h"
+#include "app/export/formats.h"
+#include "app/export/vertices.h"
 #include "app/scene/scene.h"
 
 namespace burl {
@@ -31,12 +32,9 @@ TextureFilter baked_filter(const AtlasOptions& atlas);
 /// Builds meshes (one per part, one primitive each), nodes (one per placement), material, sampler
 /// and textures. Images are left to the caller: 0 is the texture, l its MIP level l, and the one
 /// after these the normal map, if any. The texture's extras.burl_levels lists the levels. The scene
-/// refers to the content's vertices, which must outlive it. Throws Error(unsupported) for points
-/// beyond the range of 32-bit floats.
-GltfScene build_gltf_scene(const GltfContent& content);
-
-/// Appends a bufferView of so many bytes at the end of the buffer; returns its index.
-std::size_t add_buffer_view(GltfScene& scene, std::uint64_t bytes);
+/// refers to the vertices, which must outlive it. Throws Error(unsupported) for points beyond the
+/// range of 32-bit floats.
+GltfScene build_gltf_scene(const SceneContent& content, std::span<const PartVertices> vertices);
 
 /// The zeros that pad so many bytes to a multiple of 4.
 std::span<const std::uint8_t> padding_after(std::uint64_t bytes);

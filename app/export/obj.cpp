@@ -1,5 +1,6 @@
-// Text is built in one buffer per kind of line and written in large pieces.
-#include "app/export/obj.h"
+// Wavefront OBJ output. Text holds every digit, so positions are the input's doubles in its own
+// coordinates, rather than centred floats. It is built in one buffer per kind of line and written
+// in large pieces.
 
 #include <array>
 #include <bit>
@@ -10,11 +11,12 @@
 #include <fmt/compile.h>
 #include <fmt/format.h>
 
-#include "app/base/atomic_file.h"
 #include "app/base/unique_rows.h"
-#include "app/image/level_names.h"
+#include "app/export/formats.h"
+#include "app/image/image_io.h"
 #include "app/surface/node_transform.h"
-#include "atlas/base/error.h"
+#include "app/surface/normals.h"
+#include "app/surface/posed_corners.h"
 
 namespace burl {
 namespace {
@@ -46,10 +48,14 @@ std::string one_line(std::string name) {
 }
 
 /// The name with spaces and "#" replaced, which end names or lines for readers.
-std::string material_name(std::string name) {
+std::string without_spaces(std::string name) {
     for (char& c : name)
         if (static_cast<unsigned char>(c) <= ' ' || c == '#' || c == '\x7f') c = '_';
     return name;
+}
+
+std::string file_name(const std::string& path) {
+    return std::filesystem::path(path).filename().string();
 }
 
 /// For each corner the numbers, from 1, of its vt and vn lines; the normals of the vn lines; and
@@ -171,32 +177,36 @@ Text obj_text(const Mesh& mesh, const Atlas& atlas, std::span<const Vec3f> norma
     return text;
 }
 
+/// Writes the files of a mesh with these normals, one per triangle corner.
+std::vector<AtomicFile> write_files(const SceneContent& content, const Mesh& mesh,
+                                    std::span<const Vec3f> normals) {
+    const auto beside = [&](const char* extension) {
+        return std::filesystem::path(content.path).replace_extension(extension);
+    };
+    const std::string texture = beside(".png").string(), library = beside(".mtl").string();
+    const std::string name = without_spaces(material_name(content));
+    const Text text = obj_text(mesh, content.atlas, normals, file_name(library), name);
+    std::string material = fmt::format(
+        "newmtl {}\nKa 0 0 0\nKd 1 1 1\nKs 0 0 0\nillum 1\nmap_Kd {}\n", name, file_name(texture));
+    const auto& bumps = content.options.normals;
+    if (bumps && bumps->tangent_space)
+        material += fmt::format("norm {}\n", file_name(normal_map_path(content.path)));
+    std::vector<AtomicFile> files;
+    add_images(files, content, texture);
+    files.emplace_back(library).write(material);
+    files.emplace_back(content.path).write(std::string_view(text.data(), text.size()));
+    return files;
+}
+
 }  // namespace
 
-std::vector<AtomicFile> write_obj(const std::string& path, const ObjContent& content) {
-    const auto beside = [&](const std::string& extension) {
-        return std::filesystem::path(path).replace_extension(extension);
-    };
-    const auto name = [](const std::filesystem::path& file) { return file.filename().string(); };
-    const std::string called = material_name(content.name);
-    const Text text =
-        obj_text(content.mesh, content.atlas, content.normals, name(beside(".mtl")), called);
-    std::string material =
-        fmt::format("newmtl {}\nKa 0 0 0\nKd 1 1 1\nKs 0 0 0\nillum 1\nmap_Kd {}\n", called,
-                    name(beside(".png")));
-    std::vector<AtomicFile> files;
-    files.reserve(4 + content.levels.size());
-    for (std::size_t l = 1; l <= content.levels.size(); ++l)
-        content.levels[l - 1](sink_of(files.emplace_back(beside(level_extension(l)).string())));
-    if (content.normal_png) {
-        content.normal_png(sink_of(files.emplace_back(normal_map_path(path))));
-        if (content.tangent_space)
-            material += fmt::format("norm {}\n", name(normal_map_path(path)));
-    }
-    content.png(sink_of(files.emplace_back(beside(".png").string())));
-    files.emplace_back(beside(".mtl").string()).write(material);
-    files.emplace_back(path).write(std::string_view(text.data(), text.size()));
-    return files;
+std::vector<AtomicFile> write_obj(const SceneContent& content) {
+    const Mesh& mesh = content.mesh;
+    const std::vector<Vec3f> rest = corner_normals(mesh, content.options.crease_degrees);
+    if (!content.options.pose) return write_files(content, mesh, rest);
+    const auto& [pose, weight] = *content.options.pose;
+    return write_files(content, posed_mesh(mesh, pose, weight),
+                       blended_normals(rest, posed_corners(mesh, pose, rest).normals, weight));
 }
 
 }  // namespace burl

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "app/surface/node_transform.h"
 #include "app/surface/posed_corners.h"
 #include "atlas/mesh/mesh.h"
 #include "atlas/solid/atlas.h"
@@ -45,5 +46,17 @@ std::vector<PartVertices> export_vertices(const Mesh& mesh, const Atlas& atlas,
                                           std::span<const Vec3f> normals,
                                           std::span<const Vec4f> tangents = {},
                                           const PosedCorners* posed = nullptr);
+
+/// The placement of a glTF node for the arrays, whose positions are relative to their centre and
+/// scale. A node translates, rotates and scales; any other placement must be applied to the
+/// vertices (placed).
+Mat4d centred(const Mat4d& placement, const PartVertices& vertices);
+
+/// The part's arrays transformed by a placement that no node can express (shear, flattening):
+/// positions relative to the placed centre; triangles reversed where the placement mirrors.
+PartVertices placed(const PartVertices& vertices, const Mat4d& placement);
+
+/// The translation and scale of a node for arrays that placed() has made.
+NodeTransform node_of_placed(const PartVertices& vertices);
 
 }  // namespace burl

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <exception>
 #include <vector>
 
 #include <ImfChannelList.h>
@@ -11,9 +10,7 @@
 #include <ImfOutputFile.h>
 #include <ImfTiledOutputFile.h>
 
-#include "app/base/atomic_file.h"
 #include "app/image/exr_stream.h"
-#include "atlas/base/error.h"
 
 namespace burl {
 namespace {
@@ -21,81 +18,76 @@ namespace {
 constexpr std::size_t tile_side = 64;
 constexpr std::size_t rows_at_once = 256;  ///< a multiple of ZIP's 16, so that threads share them
 
-/// Rows of an image as a frame buffer of OpenEXR, as 32-bit floats or converted to halves.
-class Band {
+constexpr const char* what_it_is = "OpenEXR image";  ///< in errors
+constexpr const char* channels[] = {"R", "G", "B"};
+
+/// Rows of an image as a frame buffer of OpenEXR, converted to halves.
+class HalfRows {
   public:
-    Band(const Image<RgbF>& image, ExrDepth depth) : image_(image), depth_(depth) {}
+    explicit HalfRows(const Image<RgbF>& image) : image_(image) {}
 
     /// The frame buffer of rows [begin, end) of an image whose row 0 is scan line `line` of the
     /// file; valid until the next call.
     Imf::FrameBuffer rows(std::size_t begin, std::size_t end, std::size_t line = 0) {
-        if (depth_ == ExrDepth::float_full) return frame(image_.row(0).data(), line, Imf::FLOAT);
         halves_.clear();
         for (std::size_t y = begin; y < end; ++y)
             for (const RgbF& p : image_.row(y))
                 halves_.push_back({Imath::half(p.r), Imath::half(p.g), Imath::half(p.b)});
-        return frame(halves_.data(), line + begin, Imf::HALF);
+        return frame(line + begin);
     }
 
   private:
-    /// A frame buffer over `pixels`, the first of them at the beginning of scan line `first`.
-    /// OpenEXR's slices take char* although they are only read here, and are addressed from scan
-    /// line 0.
-    template <class Component>
-    Imf::FrameBuffer frame(const Rgb<Component>* pixels, std::size_t first,
-                           Imf::PixelType type) const {
-        constexpr std::size_t step = sizeof(Rgb<Component>);
+    /// A frame buffer whose halves begin at scan line `first`. OpenEXR's slices take char* although
+    /// they are only read here, and are addressed from scan line 0.
+    Imf::FrameBuffer frame(std::size_t first) const {
+        constexpr std::size_t step = sizeof(Rgb<Imath::half>);
         const std::size_t stride = step * image_.width();
-        const auto base = reinterpret_cast<std::uintptr_t>(pixels) - first * stride;
+        const auto base = reinterpret_cast<std::uintptr_t>(halves_.data()) - first * stride;
         Imf::FrameBuffer frame;
-        const char* names[] = {"R", "G", "B"};
         for (std::size_t c = 0; c < 3; ++c) {
-            auto* at = reinterpret_cast<char*>(base + c * sizeof(Component));
-            frame.insert(names[c], Imf::Slice(type, at, step, stride));
+            auto* at = reinterpret_cast<char*>(base + c * sizeof(Imath::half));
+            frame.insert(channels[c], Imf::Slice(Imf::HALF, at, step, stride));
         }
         return frame;
     }
 
     const Image<RgbF>& image_;
-    ExrDepth depth_;
     std::vector<Rgb<Imath::half>> halves_;
 };
 
-Imf::Header header_of(std::size_t width, std::size_t height, ExrDepth depth) {
-    const Imf::PixelType type = depth == ExrDepth::half ? Imf::HALF : Imf::FLOAT;
+Imf::Header header_of(std::size_t width, std::size_t height) {
     Imf::Header header(static_cast<int>(width), static_cast<int>(height));
     header.compression() = Imf::ZIP_COMPRESSION;
-    for (const char* name : {"R", "G", "B"}) header.channels().insert(name, Imf::Channel(type));
+    for (const char* name : channels) header.channels().insert(name, Imf::Channel(Imf::HALF));
     return header;
 }
 
 /// Writes a whole level, one row of tiles at a time.
-void write_level(Imf::TiledOutputFile& file, int level, const Image<RgbF>& image, ExrDepth depth) {
-    Band band(image, depth);
+void write_level(Imf::TiledOutputFile& file, int level, const Image<RgbF>& image) {
+    HalfRows half(image);
     for (int tile = 0; tile < file.numYTiles(level); ++tile) {
         const std::size_t begin = tile_side * std::size_t(tile);
-        file.setFrameBuffer(band.rows(begin, std::min(begin + tile_side, image.height())));
+        file.setFrameBuffer(half.rows(begin, std::min(begin + tile_side, image.height())));
         file.writeTiles(0, file.numXTiles(level) - 1, tile, tile, level);
     }
 }
 
-Imf::Header tiled_header(std::size_t width, std::size_t height, ExrDepth depth) {
-    Imf::Header header = header_of(width, height, depth);
+Imf::Header tiled_header(std::size_t width, std::size_t height) {
+    Imf::Header header = header_of(width, height);
     header.setTileDescription({tile_side, tile_side, Imf::MIPMAP_LEVELS, Imf::ROUND_DOWN});
     return header;
 }
 
-void encode_levels(Imf::OStream& stream, std::span<const Image<RgbF>* const> levels,
-                   ExrDepth depth) {
-    Imf::TiledOutputFile file(stream, tiled_header(levels[0]->width(), levels[0]->height(), depth));
-    for (int l = 0; l < file.numLevels(); ++l) write_level(file, l, *levels[std::size_t(l)], depth);
+void encode_levels(Imf::OStream& stream, std::span<const Image<RgbF>* const> levels) {
+    Imf::TiledOutputFile file(stream, tiled_header(levels[0]->width(), levels[0]->height()));
+    for (int l = 0; l < file.numLevels(); ++l) write_level(file, l, *levels[std::size_t(l)]);
 }
 
 /// Collects rows of level 0 and writes each row of tiles once all its rows are there.
 class TileRows {
   public:
-    TileRows(Imf::TiledOutputFile& file, std::size_t width, std::size_t height, ExrDepth depth)
-        : file_(file), height_(height), depth_(depth), rows_(width, tile_side) {}
+    TileRows(Imf::TiledOutputFile& file, std::size_t width, std::size_t height)
+        : file_(file), height_(height), rows_(width, tile_side) {}
 
     void add(const Image<RgbF>& rows) {
         for (std::size_t y = 0; y < rows.height(); ++y) {
@@ -107,79 +99,55 @@ class TileRows {
   private:
     void write() {
         const std::size_t tile = (next_ - 1) / tile_side, begin = tile * tile_side;
-        Band band(rows_, depth_);
-        file_.setFrameBuffer(band.rows(0, next_ - begin, begin));
+        HalfRows half(rows_);
+        file_.setFrameBuffer(half.rows(0, next_ - begin, begin));
         file_.writeTiles(0, file_.numXTiles(0) - 1, int(tile), int(tile), 0);
     }
 
     Imf::TiledOutputFile& file_;
     std::size_t height_, next_ = 0;
-    ExrDepth depth_;
     Image<RgbF> rows_;
 };
 
 /// Writes the rows at the file's current scan line.
-void write_rows(Imf::OutputFile& file, const Image<RgbF>& image, ExrDepth depth) {
-    Band band(image, depth);
+void write_rows(Imf::OutputFile& file, const Image<RgbF>& image) {
+    HalfRows half(image);
     const auto line = std::size_t(file.currentScanLine());
     for (std::size_t y = 0; y < image.height(); y += rows_at_once) {
         const std::size_t end = std::min(y + rows_at_once, image.height());
-        file.setFrameBuffer(band.rows(y, end, line));
+        file.setFrameBuffer(half.rows(y, end, line));
         file.writePixels(int(end - y));
     }
-}
-
-/// The file that encode(stream) has written. Throws the file's own error where it has one, else
-/// Error(runtime) with OpenEXR's message.
-template <class Encode>
-AtomicFile write_whole(const std::string& path, std::size_t width, std::size_t height,
-                       const Encode& encode) {
-    AtomicFile file(path);
-    ExrFileStream stream(file);
-    try {
-        encode(stream);
-    } catch (const Error&) {
-        throw;
-    } catch (const std::exception& e) {
-        stream.check();
-        throw Error(ExitCode::runtime,
-                    fmt::format("the OpenEXR image of {} x {} could not be encoded: {}", width,
-                                height, e.what()));
-    }
-    stream.check();
-    return file;
 }
 
 }  // namespace
 
 AtomicFile write_exr_rows(const std::string& path, std::size_t width, std::size_t height,
-                          const RowSource& source, ExrDepth depth) {
-    return write_whole(path, width, height, [&](Imf::OStream& stream) {
-        Imf::OutputFile file(stream, header_of(width, height, depth));
-        source([&](const Image<RgbF>& rows) { write_rows(file, rows, depth); });
+                          const RowSource& source) {
+    return write_exr_stream(path, what_it_is, width, height, [&](Imf::OStream& stream) {
+        Imf::OutputFile file(stream, header_of(width, height));
+        source([&](const Image<RgbF>& rows) { write_rows(file, rows); });
     });
 }
 
-AtomicFile write_exr(const std::string& path, const Image<RgbF>& image, ExrDepth depth) {
+AtomicFile write_exr(const std::string& path, const Image<RgbF>& image) {
     const auto whole = [&](const RowSink& sink) { sink(image); };
-    return write_exr_rows(path, image.width(), image.height(), whole, depth);
+    return write_exr_rows(path, image.width(), image.height(), whole);
 }
 
-AtomicFile write_exr_levels(const std::string& path, std::span<const Image<RgbF>* const> levels,
-                            ExrDepth depth) {
-    return write_whole(path, levels[0]->width(), levels[0]->height(),
-                       [&](Imf::OStream& stream) { encode_levels(stream, levels, depth); });
+AtomicFile write_exr_levels(const std::string& path, std::span<const Image<RgbF>* const> levels) {
+    return write_exr_stream(path, what_it_is, levels[0]->width(), levels[0]->height(),
+                            [&](Imf::OStream& stream) { encode_levels(stream, levels); });
 }
 
 AtomicFile write_exr_levels(const std::string& path, std::size_t width, std::size_t height,
-                            const LevelSource& source, ExrDepth depth) {
-    return write_whole(path, width, height, [&](Imf::OStream& stream) {
-        Imf::TiledOutputFile file(stream, tiled_header(width, height, depth));
-        TileRows tiles(file, width, height, depth);
+                            const LevelSource& source) {
+    return write_exr_stream(path, what_it_is, width, height, [&](Imf::OStream& stream) {
+        Imf::TiledOutputFile file(stream, tiled_header(width, height));
+        TileRows tiles(file, width, height);
         const std::vector<Image<RgbF>> levels =
             source([&](const Image<RgbF>& rows) { tiles.add(rows); });
-        for (std::size_t l = 0; l < levels.size(); ++l)
-            write_level(file, int(l + 1), levels[l], depth);
+        for (std::size_t l = 0; l < levels.size(); ++l) write_level(file, int(l + 1), levels[l]);
     });
 }
 

@@ -1,36 +1,17 @@
 #pragma once
-// Output streams of OpenEXR into memory or into an AtomicFile.
+// Files that OpenEXR writes through an AtomicFile.
 #include <algorithm>
 #include <cstdint>
-#include <cstring>
 #include <exception>
 #include <span>
-#include <vector>
+#include <string>
 
 #include <ImfIO.h>
 
 #include "app/base/atomic_file.h"
+#include "atlas/base/error.h"
 
 namespace burl {
-
-/// A stream into a vector of bytes, which must outlive it.
-class ExrStream : public Imf::OStream {
-  public:
-    explicit ExrStream(std::vector<std::uint8_t>& bytes) : Imf::OStream("image"), bytes_(bytes) {}
-
-    void write(const char data[], int count) override {
-        const std::size_t end = position_ + std::size_t(count);
-        if (end > bytes_.size()) bytes_.resize(end);
-        std::memcpy(bytes_.data() + position_, data, std::size_t(count));
-        position_ = end;
-    }
-    std::uint64_t tellp() override { return position_; }
-    void seekp(std::uint64_t position) override { position_ = position; }
-
-  private:
-    std::vector<std::uint8_t>& bytes_;
-    std::size_t position_ = 0;
-};
 
 /// A stream into the file, which must outlive it. OpenEXR seeks back to fill in its offset table,
 /// which goes through AtomicFile::overwrite. An exception of the file is kept, since OpenEXR may
@@ -69,5 +50,25 @@ class ExrFileStream : public Imf::OStream {
     std::uint64_t position_ = 0, end_ = 0;  // position_ <= end_
     std::exception_ptr failure_;
 };
+
+/// The file that encode(stream) writes. Throws Error: io, or runtime where OpenEXR cannot encode
+/// `what` ("OpenEXR image", say) of `width` x `height` pixels.
+template <class Encode>
+AtomicFile write_exr_stream(const std::string& path, const char* what, std::size_t width,
+                            std::size_t height, const Encode& encode) {
+    AtomicFile file(path);
+    ExrFileStream stream(file);
+    try {
+        encode(stream);
+    } catch (const Error&) {
+        throw;
+    } catch (const std::exception& e) {
+        stream.check();
+        throw Error(ExitCode::runtime, fmt::format("the {} of {} x {} could not be encoded: {}",
+                                                   what, width, height, e.what()));
+    }
+    stream.check();
+    return file;
+}
 
 }  // namespace burl

@@ -7,6 +7,7 @@
 #include <csetjmp>
 #include <cstring>
 #include <exception>
+#include <filesystem>
 
 #include <png.h>
 #include <zlib.h>
@@ -199,14 +200,14 @@ void encode_to(const ByteSink& sink, const Raster& raster, int level, PngContent
                                                raster.width, raster.height, writer.message.text));
 }
 
-std::vector<std::uint8_t> encode(const Raster& raster, int level, PngContent content) {
+std::vector<std::uint8_t> encode(const Raster& raster, int level) {
     std::vector<std::uint8_t> out;
     out.reserve(raster.stride() * raster.height / 2 + 1024);
     encode_to(
         [&](std::span<const std::uint8_t> bytes) {
             out.insert(out.end(), bytes.begin(), bytes.end());
         },
-        raster, level, content);
+        raster, level, PngContent::color);
     return out;
 }
 
@@ -259,12 +260,12 @@ PngSize png_size(const std::string& path) {
     return {png_get_uint_32(&head[16]), png_get_uint_32(&head[20])};
 }
 
-std::vector<std::uint8_t> encode_png(const Image<Rgb8>& image, int level, PngContent content) {
-    return encode(raster_of(image), level, content);
+std::vector<std::uint8_t> encode_png(const Image<Rgb8>& image, int level) {
+    return encode(raster_of(image), level);
 }
 
-std::vector<std::uint8_t> encode_png(const Image<Rgb16>& image, int level, PngContent content) {
-    return encode(raster_of(image), level, content);
+std::vector<std::uint8_t> encode_png(const Image<Rgb16>& image, int level) {
+    return encode(raster_of(image), level);
 }
 
 void encode_png(const Image<Rgb8>& image, const ByteSink& sink, PngContent content) {
@@ -281,12 +282,12 @@ std::vector<std::uint8_t> encode_png(const IndexedImage& image) {
     if (!is_grey(image)) {
         raster.color_type = PNG_COLOR_TYPE_PALETTE;
         raster.palette = image.colors;
-        return encode(raster, 9, PngContent::color);
+        return encode(raster, 9);
     }
     for (std::size_t y = 0; y < pixels.height(); ++y)
         for (std::uint8_t& pixel : pixels.row(y)) pixel = image.colors[pixel].r;
     raster.color_type = PNG_COLOR_TYPE_GRAY;
-    return encode(raster, 9, PngContent::color);
+    return encode(raster, 9);
 }
 
 void write_png(const std::string& path, const Image<Rgb8>& image) {
@@ -295,10 +296,13 @@ void write_png(const std::string& path, const Image<Rgb8>& image) {
     file.commit();
 }
 
-void write_png(const std::string& path, const Image<Rgb16>& image) {
-    AtomicFile file(path);
-    encode_png(image, sink_of(file));
-    file.commit();
+std::string level_extension(std::size_t level) {
+    return fmt::format(".{}.png", level);
+}
+
+std::string normal_map_path(const std::string& out_path) {
+    std::filesystem::path path(out_path);
+    return path.replace_filename(path.stem().string() + "_normal.png").string();
 }
 
 }  // namespace burl

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/base/byte_sink.h"
+#include "app/base/file_bytes.h"
 #include "app/image/palette.h"
 #include "atlas/base/image.h"
 
@@ -41,10 +41,8 @@ enum class PngContent { color, data };
 
 /// The content of a PNG file, row 0 on top. `level` is zlib's, 0..9. The image has at least one
 /// pixel. Throws Error(runtime) when it cannot be encoded (a side above 2^20, say).
-std::vector<std::uint8_t> encode_png(const Image<Rgb8>& image, int level = default_png_level,
-                                     PngContent content = PngContent::color);
-std::vector<std::uint8_t> encode_png(const Image<Rgb16>& image, int level = default_png_level,
-                                     PngContent content = PngContent::color);
+std::vector<std::uint8_t> encode_png(const Image<Rgb8>& image, int level = default_png_level);
+std::vector<std::uint8_t> encode_png(const Image<Rgb16>& image, int level = default_png_level);
 
 /// Encodes at default_png_level and passes the bytes to the sink as they are produced: beside a
 /// texture of 16384 x 16384 texels there is no memory for its file. Exceptions of the sink are
@@ -59,6 +57,11 @@ std::vector<std::uint8_t> encode_png(const IndexedImage& image);
 
 /// Writes the file, whole or not at all (app/base/atomic_file.h). Throws Error(io).
 void write_png(const std::string& path, const Image<Rgb8>& image);
-void write_png(const std::string& path, const Image<Rgb16>& image);
+
+/// The extension that replaces a texture's own for the PNG of its MIP level `level` >= 1: ".1.png".
+std::string level_extension(std::size_t level);
+
+/// The path of the normal map beside an output file of any kind: "a_normal.png" for "a.obj".
+std::string normal_map_path(const std::string& out_path);
 
 }  // namespace burl

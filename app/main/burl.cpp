@@ -21,7 +21,6 @@
 
 #include "app/base/atomic_file.h"
 #include "app/base/messages.h"
-#include "app/base/nearest_word.h"
 #include "app/base/version.h"
 #include "app/main/verbs.h"
 #include "atlas/base/error.h"

@@ -15,19 +15,15 @@ namespace burl {
 
 namespace {
 
-Json bake(const BakeJob& job) {
+void run_bake(const BakeCommand& command, const Json& settings) {
+    const BakeJob job(command, settings);
+    if (const auto known = job.known_report()) return job.print(*known);
     const std::shared_ptr<TextureSynthesizer> synthesizer = job.synthesizer();
     const auto start = std::chrono::steady_clock::now();
     Pipeline pipeline(job.command().meshes.load(job.command().mesh));
     return_large_blocks(pipeline.mesh().triangles.size());
     const std::chrono::duration<double> reading = std::chrono::steady_clock::now() - start;
-    return job.run(pipeline, synthesizer, reading.count(), LaterBake::none);
-}
-
-void run_bake(const BakeCommand& command, const Json& settings) {
-    const BakeJob job(command, settings);
-    if (const auto known = job.known_report()) return job.print_up_to_date(*known);
-    job.print(bake(job));
+    job.print(job.run(pipeline, synthesizer, reading.count(), LaterBake::none));
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/base/messages.h"
-#include "app/base/simd_limit.h"
+#include "app/base/version.h"
 #include "app/bench/atlas.h"
 #include "app/bench/bench.h"
 #include "app/bench/command.h"

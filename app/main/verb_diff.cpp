@@ -5,7 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include "app/export/export.h"
+#include "app/export/command_files.h"
 #include "app/image/image_diff.h"
 #include "app/image/image_io.h"
 #include "app/main/verbs.h"
@@ -40,7 +40,9 @@ Json diff_json(const DiffCommand& command, const ImageDiff& diff) {
 
 void run_diff(DiffCommand command) {
     if (!command.out.empty()) {
-        check_side_output(command.out, ".png", std::array{command.a, command.b});
+        CommandFiles files;
+        files.read(std::array{command.a, command.b});
+        files.write(command.out, ".png");
     }
     if (command.surface) command.options.ignore = background_srgb;
     const ImageDiff diff = diff_images(read_png(command.a), read_png(command.b), command.options);

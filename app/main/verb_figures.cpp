@@ -7,7 +7,7 @@
 #include "app/base/atomic_file.h"
 #include "app/base/messages.h"
 #include "app/direct/figures.h"
-#include "app/export/export.h"
+#include "app/export/command_files.h"
 #include "app/image/palette.h"
 #include "app/main/verbs.h"
 #include "atlas/base/error.h"
@@ -53,7 +53,7 @@ void run_figures(const FiguresCommand& command) {
     std::vector<std::string> paths;
     for (const Figure& figure : chosen) {
         paths.push_back((std::filesystem::path(command.folder) / (figure.name + ".png")).string());
-        check_side_output(paths.back(), ".png", {});
+        CommandFiles().write(paths.back(), ".png");
     }
     for (std::size_t i = 0; i < chosen.size(); ++i) {
         const Image<Rgb8> picture = draw_figure(chosen[i]);

@@ -19,7 +19,7 @@
 #include "app/main/verbs.h"
 #include "app/measure/report.h"
 #include "app/options/animation.h"
-#include "app/options/economy_options.h"
+#include "app/options/command_options.h"
 #include "app/options/idle_options.h"
 #include "app/recipe/lattice_check.h"
 #include "app/scene/scene.h"

@@ -18,6 +18,13 @@ namespace {
 
 constexpr int most_frames = 9999;
 
+/// A number that changes linearly from the first frame to the last.
+struct Key {
+    std::string path;  ///< the path of one number, such as "texture.input.noise.0.phase.2"
+    double from = 0.0, to = 0.0;
+    bool whole = false;  ///< whether the parameter is an integer: values are rounded
+};
+
 bool parse_number(std::string_view text, double& number) {
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
     return error == std::errc() && end == text.data() + text.size() && std::isfinite(number);
@@ -52,18 +59,32 @@ void check_path(Key& key, const std::string& text) {
                                              text, key.path, to_string(parameter->type)));
 }
 
-/// The recipe of a frame. An error of load_keyed() that begins with --set is thrown with --animate
-/// and the frame instead.
-Recipe load_frame(const RecipeOptions& options, double seconds, int frame) {
-    try {
-        return recipe_at(options.load_keyed(), seconds);
-    } catch (const Error& error) {
-        std::string sentence = error.what();
-        constexpr std::string_view set = "--set";
-        if (!sentence.starts_with(set)) throw;
-        sentence.replace(0, set.size(), "--animate");
-        throw Error(error.code(), fmt::format("{} (frame {})", sentence, frame + 1));
-    }
+/// Parses "PATH=FROM:TO". Throws Error(usage) unless FROM and TO are finite numbers and PATH is one
+/// number outside the atlas; a path that the parameter table does not have is left to load_recipe.
+Key parse_key(const std::string& text) {
+    const std::size_t equals = text.find('='), colon = text.find(':', equals);
+    Key key;
+    if (equals == std::string::npos || equals == 0 || colon == std::string::npos)
+        throw Error(ExitCode::usage,
+                    fmt::format("--animate: \"{}\" must have the form PATH=FROM:TO", text));
+    key.path = text.substr(0, equals);
+    const std::string_view values = text;
+    const std::string_view from = values.substr(equals + 1, colon - equals - 1);
+    const std::string_view to = values.substr(colon + 1);
+    check_path(key, text);
+    if (!parse_number(from, key.from) || !parse_number(to, key.to))
+        throw Error(ExitCode::usage,
+                    fmt::format("--animate {}: FROM and TO must be numbers, but they are \"{}\" "
+                                "and \"{}\"",
+                                text, from, to));
+    return key;
+}
+
+/// The key's value at frame i of n (from 0).
+double value_at(const Key& key, int i, int n, bool loop) {
+    const double t = double(i) / double(loop ? n : n - 1);
+    const double value = (1.0 - t) * key.from + t * key.to;
+    return key.whole ? std::round(value) : value;
 }
 
 /// The parsed --animate options of a recipe. Throws Error(usage) for a number that is set or moved
@@ -99,12 +120,21 @@ struct Track {
     std::vector<Key> keys;
 };
 
-/// The track's recipe at frame `frame` of n, `seconds` after the first frame.
+/// The track's recipe at frame `frame` of n, `seconds` after the first frame. An error of
+/// load_keyed() that begins with --set is thrown with --animate and the frame instead.
 Recipe recipe_in_frame(const Track& track, double seconds, int frame, int n, bool loop) {
     RecipeOptions options = track.options;
     for (const Key& key : track.keys)
         options.settings.push_back(fmt::format("{}={}", key.path, value_at(key, frame, n, loop)));
-    return load_frame(options, seconds, frame);
+    try {
+        return recipe_at(options.load_keyed(), seconds);
+    } catch (const Error& error) {
+        std::string sentence = error.what();
+        constexpr std::string_view set = "--set";
+        if (!sentence.starts_with(set)) throw;
+        sentence.replace(0, set.size(), "--animate");
+        throw Error(error.code(), fmt::format("{} (frame {})", sentence, frame + 1));
+    }
 }
 
 /// The recipes of a single picture, at the times of --time.
@@ -137,31 +167,6 @@ void AnimationOptions::add(CLI::App& verb) {
     animate->needs(count);
     verb.add_flag("--loop", loop, "The frame after the last one is the first: TO is never reached")
         ->needs(count);
-}
-
-Key parse_key(const std::string& text) {
-    const std::size_t equals = text.find('='), colon = text.find(':', equals);
-    Key key;
-    if (equals == std::string::npos || equals == 0 || colon == std::string::npos)
-        throw Error(ExitCode::usage,
-                    fmt::format("--animate: \"{}\" must have the form PATH=FROM:TO", text));
-    key.path = text.substr(0, equals);
-    const std::string_view values = text;
-    const std::string_view from = values.substr(equals + 1, colon - equals - 1);
-    const std::string_view to = values.substr(colon + 1);
-    check_path(key, text);
-    if (!parse_number(from, key.from) || !parse_number(to, key.to))
-        throw Error(ExitCode::usage,
-                    fmt::format("--animate {}: FROM and TO must be numbers, but they are \"{}\" "
-                                "and \"{}\"",
-                                text, from, to));
-    return key;
-}
-
-double value_at(const Key& key, int i, int n, bool loop) {
-    const double t = double(i) / double(loop ? n : n - 1);
-    const double value = (1.0 - t) * key.from + t * key.to;
-    return key.whole ? std::round(value) : value;
 }
 
 std::vector<std::vector<Recipe>> frame_recipes(std::span<const MovedRecipe> recipes,
@@ -203,9 +208,8 @@ std::vector<Recipe> frame_recipes(const RecipeOptions& options, const AnimationO
 }
 
 std::string frame_path(const std::string& out_path, std::size_t number) {
-    const std::filesystem::path path(out_path);
-    return std::filesystem::path(path)
-        .replace_extension(fmt::format(".{:04}{}", number, path.extension().string()))
+    std::filesystem::path path(out_path);
+    return path.replace_extension(fmt::format(".{:04}{}", number, path.extension().string()))
         .string();
 }
 

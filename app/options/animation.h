@@ -10,13 +10,6 @@
 
 namespace burl {
 
-/// A number that changes linearly from the first frame to the last.
-struct Key {
-    std::string path;  ///< the path of one number, such as "texture.input.noise.0.phase.2"
-    double from = 0.0, to = 0.0;
-    bool whole = false;  ///< whether the parameter is an integer: values are rounded
-};
-
 /// The options --animate, --frames and --loop.
 struct AnimationOptions {
     std::vector<std::string> keys;
@@ -28,16 +21,9 @@ struct AnimationOptions {
     bool asked() const { return frames > 0; }
 };
 
-/// Parses "PATH=FROM:TO". Throws Error(usage) unless FROM and TO are finite numbers and PATH is one
-/// number outside the atlas; a path that the parameter table does not have is left to load_recipe.
-Key parse_key(const std::string& text);
-
-/// The key's value at frame i of n (from 0): exactly FROM at the first and TO at the last; in a
-/// loop frame n would have TO.
-double value_at(const Key& key, int i, int n, bool loop);
-
 /// The recipe of every frame, with the options' own edits applied first; a single recipe without
-/// --frames. Throws Error as load_recipe does, naming --animate, before any frame is made, and
+/// --frames. A number of --animate is FROM in the first frame and TO in the last, in a loop in the
+/// one after it. Throws Error as load_recipe does, naming --animate, before any frame is made, and
 /// Error(usage) where nothing changes over time.
 std::vector<Recipe> frame_recipes(const RecipeOptions& options, const AnimationOptions& animation);
 

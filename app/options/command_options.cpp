@@ -10,7 +10,6 @@
 #include <CLI/CLI.hpp>
 
 #include "app/base/messages.h"
-#include "app/base/nearest_word.h"
 #include "app/recipe/keyed_recipe.h"
 #include "app/recipe/names.h"
 #include "app/recipe/parameters.h"
@@ -89,6 +88,11 @@ Error with_option(const Error& error, const std::vector<RecipeEdit>& edits) {
     }
     return error;
 }
+
+/// The word of --no-skip that stands for all skip_names.
+constexpr const char* all_skips = "all";
+
+constexpr double megabyte = 1024.0 * 1024.0, usual_megabytes = 1024.0, most_megabytes = 1 << 20;
 
 }  // namespace
 
@@ -212,7 +216,8 @@ Mesh MeshOptions::load(const std::string& path) const {
                                 "out",
                                 path));
     Mesh mesh = is_sample_mesh(path) ? sample_mesh(path, read) : read_mesh(path, read);
-    print_notes(path, mesh.notes);
+    for (const std::string& sentence : sentences_of(mesh.notes))
+        warn(fmt::format("{}: {}", path, sentence));
     return mesh;
 }
 
@@ -253,38 +258,36 @@ void add_threads(CLI::App& verb, int& threads) {
         ->check(CLI::Range(0, 1024));
 }
 
-void add_kernel(CLI::App& verb, std::string& kernel) {
-    std::vector<std::string> names;
-    for (const NamedKernel& one : kernel_names) names.emplace_back(one.name);
-    names.insert(names.end(), {forward_kernel, reference_kernel});
-    verb.add_option(
-            "--kernel", kernel,
-            "How noise is computed: auto, the fastest; direct or share "
-            "(cells hashed once for all their texels), with the same result; scanline (polynomials "
-            "along rows, without a filter), which rounds otherwise; forward, by forward "
-            "differences along scan lines "
-            "in float64 (or --precision float32): value noise, no filter; or reference, texel by "
-            "texel in float64, the same as --precision float64")
-        ->check(one_of(names))
-        ->capture_default_str();
+void EconomyOptions::add_skips(CLI::App& verb) {
+    std::vector<std::string> words(skip_names.begin(), skip_names.end());
+    words.emplace_back(all_skips);
+    verb.add_option("--no-skip", forbidden,
+                    "Do work that is otherwise left out, by its name, or all; may be repeated. "
+                    "The result is the same")
+        ->allow_extra_args(false)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+        ->check(one_of(words));
 }
 
-void apply_reference(Recipe& recipe) {
-    if (recipe.precision.kind.value_or(PrecisionKind::float64) != PrecisionKind::float64)
-        throw Error(ExitCode::usage,
-                    "--kernel reference computes in float64, but another precision is asked for; "
-                    "leave one of the two out");
-    recipe.precision.kind = PrecisionKind::float64;
+void EconomyOptions::add_cache(CLI::App& verb) {
+    verb.add_option("--cache", cache_megabytes,
+                    "Memory for what one texture leaves to the next, in MB (1024 for --frames, "
+                    "else 0)")
+        ->check(in_range(0.0, most_megabytes));
 }
 
-Kernel kernel_named(const std::string& name) {
-    const auto* found = std::ranges::find(kernel_names, name, &NamedKernel::name);
-    return found == kernel_names.end() ? Kernel::automatic : found->kernel;
+Skips EconomyOptions::skips() const {
+    Skips skips;
+    for (std::size_t k = 0; k < skip_names.size(); ++k)
+        if (std::ranges::any_of(forbidden, [&](const std::string& word) {
+                return word == skip_names[k] || word == all_skips;
+            }))
+            skips.forbid(Skip(k));
+    return skips;
 }
 
-void print_notes(const std::string& path, const MeshNotes& notes) {
-    for (const std::string& sentence : sentences_of(notes))
-        warn(fmt::format("{}: {}", path, sentence));
+std::size_t EconomyOptions::cache_bytes(bool several) const {
+    return std::size_t(cache_megabytes.value_or(several ? usual_megabytes : 0.0) * megabyte);
 }
 
 }  // namespace burl

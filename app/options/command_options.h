@@ -1,5 +1,6 @@
 #pragma once
 // Options that several verbs share, so that recipes and atlases are given the same way everywhere.
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
@@ -8,7 +9,7 @@
 #include "app/recipe/images.h"
 #include "app/recipe/recipe.h"
 #include "atlas/read/read_mesh.h"
-#include "procedural/batch/kernel.h"
+#include "procedural/batch/economy.h"
 
 namespace CLI {
 class App;
@@ -91,20 +92,20 @@ CLI::Validator one_of(const std::vector<std::string>& words);
 
 /// Adds --threads, 0 for all.
 void add_threads(CLI::App& verb, int& threads);
-/// The --kernel that sums forward differences (app/recipe/forward_check.h); its textures differ
-/// from those of the other kernels.
-inline constexpr const char* forward_kernel = "forward";
-/// The --kernel that means --precision float64.
-inline constexpr const char* reference_kernel = "reference";
-/// Adds --kernel: one of kernel_names, forward_kernel or reference_kernel.
-void add_kernel(CLI::App& verb, std::string& kernel);
-/// Sets the precision that --kernel reference means. Throws Error(usage) where the recipe asks for
-/// another.
-void apply_reference(Recipe& recipe);
-/// The kernel of this name in kernel_names; `automatic` for any other name.
-Kernel kernel_named(const std::string& name);
+/// Options about computations that a texture may leave out or reuse: --no-skip and --cache.
+struct EconomyOptions {
+    std::vector<std::string> forbidden;     ///< words of skip_names, or "all"
+    std::optional<double> cache_megabytes;  ///< --cache, in units of 1024^2 bytes
 
-/// Prints the reader's notes on stderr, a line each, which begins with the file's name.
-void print_notes(const std::string& path, const MeshNotes& notes);
+    /// Adds --no-skip.
+    void add_skips(CLI::App& verb);
+    /// Adds --cache.
+    void add_cache(CLI::App& verb);
+
+    Skips skips() const;
+    /// The cache size in bytes: the value of --cache, or else 1 GiB where `several` textures of one
+    /// atlas will be made and 0 for a single one.
+    std::size_t cache_bytes(bool several) const;
+};
 
 }  // namespace burl

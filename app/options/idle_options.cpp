@@ -58,20 +58,17 @@ void check_edits(const RecipeOptions& options, const Recipe& recipe,
     for (const std::string& move : moves) check(path_of_move(move), "--animate " + move);
 }
 
-void refuse_edits(const RecipeOptions& options, std::span<const IdleKey> keys) {
+void refuse_edits(const RecipeOptions& options, std::span<const IdleKey> keys,
+                  std::span<const std::string> moves) {
+    const auto check = [&](std::string_view path, const std::string& said) {
+        for (const auto& [key, why] : keys)
+            if (lies_in(path, key))
+                throw Error(ExitCode::usage,
+                            fmt::format("{} does nothing: {}; leave it out", said, why));
+    };
     for (const RecipeEdit& edit : options.edits())
-        for (const auto& [key, why] : keys)
-            if (edit.said.starts_with("--set") && lies_in(edit.path, key))
-                throw Error(ExitCode::usage,
-                            fmt::format("{} does nothing: {}; leave it out", edit.said, why));
-}
-
-void refuse_moves(std::span<const std::string> moves, std::span<const IdleKey> keys) {
-    for (const std::string& move : moves)
-        for (const auto& [key, why] : keys)
-            if (lies_in(path_of_move(move), key))
-                throw Error(ExitCode::usage,
-                            fmt::format("--animate {} does nothing: {}; leave it out", move, why));
+        if (edit.said.starts_with("--set")) check(edit.path, edit.said);
+    for (const std::string& move : moves) check(path_of_move(move), "--animate " + move);
 }
 
 }  // namespace burl

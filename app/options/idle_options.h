@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "app/options/command_options.h"
+#include "procedural/batch/kernel.h"
 
 namespace burl {
 
@@ -18,7 +19,7 @@ std::string idle_reason(const Recipe& recipe, std::string_view path);
 void check_edits(const RecipeOptions& options, const Recipe& recipe,
                  std::span<const std::string> moves = {});
 
-/// The reason why a kernel (--kernel, app/options/command_options.h) has no effect on the recipe's
+/// The reason why a kernel (--kernel, app/bake/options.h) has no effect on the recipe's
 /// texture; empty where it has one.
 std::string idle_kernel(const Recipe& recipe, Kernel kernel);
 
@@ -27,11 +28,10 @@ struct IdleKey {
     std::string_view key, why;
 };
 
-/// Throws Error(usage) for a --set of one of the keys or of a key below it.
-void refuse_edits(const RecipeOptions& options, std::span<const IdleKey> keys);
-
-/// Throws Error(usage) for a move (--animate PATH=FROM:TO) of one of the keys or of a key below it.
-void refuse_moves(std::span<const std::string> moves, std::span<const IdleKey> keys);
+/// Throws Error(usage) for a --set, or for a move (--animate PATH=FROM:TO), of one of the keys or
+/// of a key below it.
+void refuse_edits(const RecipeOptions& options, std::span<const IdleKey> keys,
+                  std::span<const std::string> moves = {});
 
 /// The key that has no effect on meshes without a pose.
 inline constexpr IdleKey idle_pose{"pose", "there is no --pose"};

@@ -38,6 +38,19 @@ std::string dimensions_of(NoiseKind kind) {
     return fmt::format("{} to {}", all.front(), all.back());
 }
 
+/// The sum of all octaves, the first with `seed`.
+template <class Real, std::size_t N>
+NoiseSample<Real, N> sum_octaves(const NoiseOptions& options, std::uint32_t seed,
+                                 const Point<N>& p) {
+    return fractal_sum<Real>(options.fractal, p, [&](std::uint32_t k, const Point<N>& q) {
+        NoiseSpec octave = options.noise;
+        octave.seed = seed + k;
+        for (std::uint32_t& period : octave.period)
+            period = std::uint32_t(period * std::pow(options.fractal.lacunarity, k));
+        return sample_noise<Real>(octave, q);
+    });
+}
+
 }  // namespace
 
 void NoiseOptions::add(CLI::App& verb) {
@@ -117,23 +130,6 @@ void NoiseOptions::resolve(std::size_t dimensions) {
                             largest_period));
     }
 }
-
-namespace {
-
-/// The sum of all octaves, the first with `seed`.
-template <class Real, std::size_t N>
-NoiseSample<Real, N> sum_octaves(const NoiseOptions& options, std::uint32_t seed,
-                                 const Point<N>& p) {
-    return fractal_sum<Real>(options.fractal, p, [&](std::uint32_t k, const Point<N>& q) {
-        NoiseSpec octave = options.noise;
-        octave.seed = seed + k;
-        for (std::uint32_t& period : octave.period)
-            period = std::uint32_t(period * std::pow(options.fractal.lacunarity, k));
-        return sample_noise<Real>(octave, q);
-    });
-}
-
-}  // namespace
 
 template <class Real, std::size_t N>
 NoiseSample<Real, N> sample_noise(const NoiseOptions& options, const Point<N>& p) {

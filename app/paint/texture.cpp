@@ -1,6 +1,7 @@
 #include "app/paint/texture.h"
 
 #include <algorithm>
+#include <type_traits>
 
 #include "procedural/batch/row_tasks.h"
 
@@ -8,30 +9,22 @@ namespace burl {
 
 namespace {
 
-/// The number of sRGB codes of a component; 0 for floats.
+/// The number of texels in a band of paint_over().
 constexpr std::size_t texels_at_once = std::size_t(1) << 20;
-
-template <class Pixel>
-struct Codes {
-    static constexpr std::size_t count = 0;
-};
-template <class Code>
-requires std::is_integral_v<Code>
-struct Codes<Rgb<Code>> {
-    static constexpr std::size_t count = std::size_t(SrgbEncoder<Code>::max_code) + 1;
-};
 
 }  // namespace
 
 template <class Pixel>
-PaintMixer<Pixel>::PaintMixer() : decoded_(Codes<Pixel>::count) {
+PaintMixer<Pixel>::PaintMixer() {
+    if constexpr (!std::is_same_v<Pixel, RgbF>)
+        decoded_.resize(std::size_t(SrgbEncoder<decltype(Pixel::r)>::max_code) + 1);
     for (std::size_t code = 0; code < decoded_.size(); ++code)
         decoded_[code] = float(srgb_decode(double(code) / double(decoded_.size() - 1)));
 }
 
 template <class Pixel>
 Vec3f PaintMixer<Pixel>::light(const Pixel& pixel) const {
-    if constexpr (Codes<Pixel>::count == 0)
+    if constexpr (std::is_same_v<Pixel, RgbF>)
         return {pixel.r, pixel.g, pixel.b};
     else
         return {decoded_[pixel.r], decoded_[pixel.g], decoded_[pixel.b]};

@@ -9,7 +9,8 @@ namespace burl {
 
 namespace {
 
-constexpr double spacing = 0.2;  // the least distance between a stroke's points, in radii
+/// The least and the largest distance between successive points of a stroke, in radii.
+constexpr double spacing = 0.2, longest_lead = 2.5;
 constexpr double steps_per_unit = 1e6;
 
 Vec3d rounded(const Vec3d& point) {

@@ -1,6 +1,5 @@
 #pragma once
 // A brush in a user's hand: how successive points on the surface extend a recipe's strokes.
-#include <optional>
 #include <vector>
 
 #include "app/recipe/recipe.h"
@@ -20,13 +19,10 @@ inline constexpr double least_brush_radius = 0.002, largest_brush_radius = 0.5;
 /// The tool with its radius multiplied by 1.1^tenths, within the range of radii.
 PaintTool resized(PaintTool tool, int tenths);
 
-/// The largest distance, in radii, between successive points of one stroke. Farther points are on
-/// another part of the surface, behind an edge, and the surface in between was not touched.
-inline constexpr double longest_lead = 2.5;
-
 /// The recipe with the brush moved to a solid point. A new stroke begins where `leads` is false or
-/// the last point is too far; otherwise the recipe is unchanged where the last point is nearer than
-/// 0.2 radii. Points are rounded to 1e-6.
+/// the last point is farther than 2.5 radii: on another part of the surface, behind an edge, and
+/// the surface in between was not touched. Otherwise the recipe is unchanged where the last point
+/// is nearer than 0.2 radii. Points are rounded to 1e-6.
 Recipe painted_at(Recipe recipe, const PaintTool& tool, const Vec3d& point, bool leads);
 
 /// `count` points of a circle about `centre` in the plane with this normal, of any length but 0.

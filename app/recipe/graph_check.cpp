@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/base/nearest_word.h"
+#include "app/base/messages.h"
 #include "app/recipe/model_check.h"
 #include "atlas/base/error.h"
 #include "procedural/graph/table.h"

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "app/base/nearest_word.h"
+#include "app/base/messages.h"
 #include "app/recipe/leaves.h"
 
 namespace burl {

@@ -7,7 +7,7 @@
 
 #include "app/base/embedded.h"
 #include "app/base/file_bytes.h"
-#include "app/base/nearest_word.h"
+#include "app/base/messages.h"
 #include "app/recipe/images.h"
 #include "atlas/base/error.h"
 #include "procedural/numbers/rotation.h"

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "app/base/nearest_word.h"
+#include "app/base/messages.h"
 #include "atlas/base/error.h"
 
 namespace burl {

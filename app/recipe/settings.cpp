@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "app/base/nearest_word.h"
+#include "app/base/messages.h"
 #include "app/recipe/schema_tree.h"
 #include "atlas/base/error.h"
 #include "procedural/graph/json.h"

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "app/base/embedded.h"
-#include "app/base/nearest_word.h"
+#include "app/base/messages.h"
 #include "atlas/base/error.h"
 #include "atlas/mesh/mesh_builder.h"
 #include "atlas/read/readers.h"

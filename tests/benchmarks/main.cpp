@@ -1,4 +1,4 @@
-#include "app/base/simd_limit.h"
+#include "app/base/version.h"
 #include "atlas/base/error.h"
 #include "procedural/batch/texel_batch.h"
 #include "procedural/numbers/simd_level.h"

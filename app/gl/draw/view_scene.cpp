@@ -7,7 +7,7 @@
 #include <tbb/parallel_invoke.h>
 
 #include "app/export/gltf_scene.h"
-#include "app/export/placed_vertices.h"
+#include "app/export/vertices.h"
 #include "app/surface/normals.h"
 #include "app/surface/tangents.h"
 #include "atlas/base/each_index.h"

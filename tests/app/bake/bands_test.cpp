@@ -1,15 +1,15 @@
 // Textures that come a band of rows at a time are those that come whole.
 #include <gtest/gtest.h>
 
-#include "app/bake/exr.h"
 #include "app/bake/texture.h"
 #include "app/base/file_bytes.h"
 #include "app/image/convert_image.h"
-#include "app/image/level_names.h"
+#include "app/image/image_io.h"
 #include "app/paint/texture.h"
 #include "app/recipe/parameters.h"
 #include "app/surface/sample_meshes.h"
 #include "atlas/build/block_levels.h"
+#include "tests/app/support/export_scene.h"
 #include "tests/app/support/scratch_folder.h"
 
 namespace burl {
@@ -54,7 +54,7 @@ TEST(BakeBands, LevelsAreThoseOfTheWholeTexture) {
             const BakedTexture baked = bake_texture(pipeline, image, {.count = 8});
             const Image<RgbF> whole = pipeline.synthesize<RgbF>();
             EXPECT_EQ(baked.image, convert_to(whole, image));
-            EXPECT_EQ(baked.levels, bake_levels(pipeline, whole, {.count = 8}, image));
+            EXPECT_EQ(baked.levels, convert_to(pipeline.levels(whole, 8, {}), image));
         }
     EXPECT_GE(halved, 4);  // quad atlases, and patches whose gutters are not odd
 }
@@ -173,7 +173,8 @@ TEST(BakeBands, FilesAreThoseOfTheWholeTexture) {
         options.normals = normals;
         const Image<RgbF> whole = pipeline.synthesize<RgbF>();
         if (asked.count > 0)
-            options.levels = bake_levels(pipeline, whole, asked, ImageKind::rgb_float);
+            options.levels =
+                convert_to(pipeline.levels(whole, asked.count, asked.rule), ImageKind::rgb_float);
         export_scene(folder / "whole.exr", pipeline.atlas_mesh(), pipeline.atlas(), whole, options);
         for (const bool beside : {false, true}) {
             const auto bytes = [&](const std::string& name) {

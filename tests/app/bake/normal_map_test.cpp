@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "app/bake/normals.h"
+#include "app/bake/texture.h"
 #include "app/export/vertices.h"
 #include "app/measure/normal_error.h"
 #include "app/pipeline/texture_color.h"

@@ -1,4 +1,4 @@
-#include "app/base/nearest_word.h"
+#include "app/base/messages.h"
 
 #include <vector>
 

@@ -4,7 +4,7 @@
 
 #include <hwy/highway.h>
 
-#include "app/base/simd_limit.h"
+#include "app/base/version.h"
 #include "atlas/base/error.h"
 #include "procedural/batch/texel_batch.h"
 #include "procedural/numbers/simd_level.h"

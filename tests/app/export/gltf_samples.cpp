@@ -4,7 +4,7 @@
 #include <string>
 
 #include "app/export/export.h"
-#include "app/image/convert_image.h"
+#include "tests/app/support/export_scene.h"
 #include "tests/app/support/sample_scene.h"
 
 namespace {
@@ -48,7 +48,7 @@ Mesh scaled_cube(double factor) {
 
 void write_16_bit(const std::string& path) {
     const Mesh mesh = cube_mesh();
-    export_scene(path, mesh, pair_atlas(mesh, 64), to_rgb16(sample_image(64)));
+    export_scene(path, mesh, pair_atlas(mesh, 64), Image<Rgb16>(64, 64, {1000, 20000, 65535}));
 }
 
 /// Any normals do: what counts is that the document holds them as it must.

@@ -12,6 +12,7 @@
 #include "app/scene/scene.h"
 #include "app/surface/normals.h"
 #include "app/surface/tangents.h"
+#include "tests/app/support/export_scene.h"
 #include "tests/app/support/sample_scene.h"
 #include "tests/app/support/scratch_folder.h"
 
@@ -78,8 +79,10 @@ TEST(NormalExport, WithoutThereIsNeitherTextureNorTangent) {
 TEST(NormalExport, PngsOfNormalsAreNotMarkedAsColours) {
     const ScratchFolder folder;
     const Mesh mesh = cube_mesh();
-    for (const char* name : {"a.png", "b.exr", "c.obj"})
-        export_scene(folder / name, mesh, pair_atlas(mesh, 64), sample_image(64), with_normals());
+    const Atlas atlas = pair_atlas(mesh, 64);
+    for (const char* name : {"a.png", "c.obj"})
+        export_scene(folder / name, mesh, atlas, sample_image(64), with_normals());
+    export_scene(folder / "b.exr", mesh, atlas, Image<RgbF>(64, 64), with_normals());
     EXPECT_THAT(text_of(folder / "a.png"), HasSubstr("sRGB"));
     for (const char* name : {"a_normal.png", "b_normal.png", "c_normal.png"}) {
         EXPECT_THAT(text_of(folder / name), Not(HasSubstr("sRGB"))) << name;

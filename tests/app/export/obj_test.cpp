@@ -7,6 +7,7 @@
 #include "app/export/export.h"
 #include "app/image/image_io.h"
 #include "app/surface/normals.h"
+#include "tests/app/support/export_scene.h"
 #include "tests/app/support/sample_scene.h"
 #include "tests/app/support/scratch_folder.h"
 

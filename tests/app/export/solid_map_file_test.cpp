@@ -1,5 +1,5 @@
 // Solid maps as files, read back by the OpenEXR library itself.
-#include "app/export/solid_map_file.h"
+#include "app/export/emit.h"
 
 #include <cmath>
 
@@ -14,6 +14,7 @@
 #include "app/pipeline/pipeline.h"
 #include "app/surface/sample_meshes.h"
 #include "atlas/base/error.h"
+#include "procedural/batch/point_map.h"
 #include "tests/app/programs/run_program.h"
 
 namespace burl {

@@ -21,14 +21,29 @@ const char* const square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
 const std::string amplitude = "texture.input.noise.0.amplitude";
 const std::string phase = "texture.input.noise.0.phase.2";
 
+const std::string seed = "texture.input.noise.0.seed";
+
+double between(double from, double to, int i, int last) {
+    const double t = double(i) / double(last);
+    return (1.0 - t) * from + t * to;
+}
+
 TEST(Animation, GoesLinearlyAndExactlyFromOneEndToTheOther) {
-    const Key key{"x", 0.1, 0.7, false}, whole{"x", 1, 4, true};
-    EXPECT_EQ(value_at(key, 0, 7, false), 0.1);
-    EXPECT_EQ(value_at(key, 6, 7, false), 0.7);
-    for (int i = 0; i < 7; ++i) EXPECT_NEAR(value_at(key, i, 7, false), 0.1 + 0.1 * i, 1e-15);
-    for (int i = 0; i < 6; ++i) EXPECT_NEAR(value_at(key, i, 6, true), 0.1 + 0.1 * i, 1e-15);
-    for (int i = 0; i < 10; ++i)
-        EXPECT_EQ(value_at(whole, i, 10, false), 1 + std::round(double(i) / 3)) << i;
+    for (const bool loop : {false, true}) {
+        const int last = loop ? 10 : 9;
+        const auto recipes =
+            frame_recipes(RecipeOptions(), {{amplitude + "=0.1:0.7", seed + "=1:4"}, 10, loop});
+        ASSERT_EQ(recipes.size(), 10u);
+        for (int i = 0; i < 10; ++i) {
+            const double whole = std::round(1.0 + 3.0 * i / last);
+            const std::vector<std::string> edits{
+                fmt::format("{}={}", amplitude, between(0.1, 0.7, i, last)),
+                fmt::format("{}={}", seed, whole)};
+            EXPECT_EQ(recipes[std::size_t(i)], load_recipe("marble", edits)) << i;
+        }
+        EXPECT_EQ(recipes[0], load_recipe("marble", {amplitude + "=0.1", seed + "=1"}));
+        EXPECT_EQ(recipes[9] == load_recipe("marble", {amplitude + "=0.7", seed + "=4"}), !loop);
+    }
 }
 
 TEST(Animation, NumbersItsFiles) {
@@ -49,11 +64,11 @@ TEST(Animation, SetsEveryKeyInEveryFrameAndNothingElse) {
                                 false});
     ASSERT_EQ(recipes.size(), 4u);
     for (int i = 0; i < 4; ++i) {
-        const Recipe expected = load_recipe(
-            "fire", {"texture.input.noise.0.octaves=2", fmt::format("{}={}", phase, -i),
-                     fmt::format("solid.scale={}", value_at({"", 1, 2}, i, 4, false)),
-                     fmt::format("texture.stops.1.0={}", value_at({"", 0.1, 0.4}, i, 4, false)),
-                     fmt::format("texture.input.noise.0.seed={}", 5 + i)});
+        const Recipe expected =
+            load_recipe("fire", {"texture.input.noise.0.octaves=2", fmt::format("{}={}", phase, -i),
+                                 fmt::format("solid.scale={}", between(1, 2, i, 3)),
+                                 fmt::format("texture.stops.1.0={}", between(0.1, 0.4, i, 3)),
+                                 fmt::format("texture.input.noise.0.seed={}", 5 + i)});
         EXPECT_EQ(recipes[std::size_t(i)], expected) << i;
     }
 }

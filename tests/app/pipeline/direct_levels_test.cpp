@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "app/bake/levels.h"
+#include "app/bake/texture.h"
 #include "app/base/embedded.h"
 #include "app/measure/level_errors.h"
 #include "app/pipeline/pipeline.h"

@@ -7,7 +7,7 @@
 
 #include "app/bench/stability/cases.h"
 #include "app/bench/stability/chance.h"
-#include "app/options/economy_options.h"
+#include "app/options/command_options.h"
 #include "app/pipeline/pipeline.h"
 #include "procedural/fill/synthesize.h"
 #include "procedural/kept/kept.h"

@@ -11,6 +11,7 @@
 #include "app/export/export.h"
 #include "app/image/image_io.h"
 #include "atlas/base/error.h"
+#include "tests/app/support/export_scene.h"
 #include "tests/app/support/sample_scene.h"
 #include "tests/app/support/scratch_folder.h"
 

@@ -4,10 +4,10 @@
 
 #include <gtest/gtest.h>
 
-#include "app/bake/levels.h"
-#include "app/bake/normals.h"
+#include "app/bake/texture.h"
 #include "app/export/export.h"
 #include "tests/app/gl/device/fixture.h"
+#include "tests/app/support/export_scene.h"
 #include "tests/app/support/sample_scene.h"
 #include "tests/app/support/scratch_folder.h"
 
@@ -107,7 +107,7 @@ TEST_F(GlLazyPictureTest, EqualsThePictureOfABakedFile) {
             if (levels) {
                 const Image<RgbF> linear = pipeline.synthesize<RgbF>();
                 options.levels =
-                    bake_levels(pipeline, linear, {7, {.direct = direct}}, ImageKind::rgb8);
+                    convert_to(pipeline.levels(linear, 7, {.direct = direct}), ImageKind::rgb8);
                 image = convert_to(linear, ImageKind::rgb8);
             }
             const std::string path = scratch / "a.glb";

@@ -3,12 +3,13 @@
 
 #include <gtest/gtest.h>
 
-#include "app/bake/normals.h"
+#include "app/bake/texture.h"
 #include "app/direct/render.h"
 #include "app/gl/draw/render.h"
 #include "app/image/image_diff.h"
 #include "app/scene/scene.h"
 #include "tests/app/gl/device/fixture.h"
+#include "tests/app/support/export_scene.h"
 #include "tests/app/support/sample_scene.h"
 #include "tests/app/support/scratch_folder.h"
 

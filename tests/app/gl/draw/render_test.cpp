@@ -15,6 +15,7 @@
 #include "app/surface/normals.h"
 #include "tests/app/gl/device/fixture.h"
 #include "tests/app/programs/run_program.h"
+#include "tests/app/support/export_scene.h"
 #include "tests/app/support/sample_scene.h"
 #include "tests/app/support/scratch_folder.h"
 

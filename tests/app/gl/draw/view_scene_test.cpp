@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "app/export/export.h"
+#include "tests/app/support/export_scene.h"
 #include "tests/app/support/sample_scene.h"
 #include "tests/app/support/scratch_folder.h"
 
