@@ -2,7 +2,7 @@
 
 namespace burl {
 
-KeptSynthesis& KeptTexture::terms(const Recipe& recipe, Kernel kernel) {
+CachedSynthesis& KeptTexture::terms(const Recipe& recipe, Kernel kernel) {
     const Affine3 map = texture_from_solid(recipe);
     number_.reset();
     if (!terms_ || terms_->kernel() != kernel) terms_.emplace(*solid_, map, budget_, kernel);
@@ -10,7 +10,7 @@ KeptSynthesis& KeptTexture::terms(const Recipe& recipe, Kernel kernel) {
     return *terms_;
 }
 
-KeptGraph& KeptTexture::number() {
+CachedGraph& KeptTexture::number() {
     terms_.reset();
     if (!number_) number_.emplace(*solid_, budget_);
     return *number_;
@@ -23,7 +23,8 @@ void KeptTexture::fill(const Recipe& recipe, const HostWay& way, const Economy& 
     if (keeps && has_fast_way(recipe, way))
         terms(recipe, way.kernel)
             .synthesize(recipe.texture, way.threads, image, recipe.filter, economy);
-    else if (keeps && has_fast_graph(recipe, way) && KeptGraph::splits(recipe.graph, recipe.filter))
+    else if (keeps && has_fast_graph(recipe, way) &&
+             CachedGraph::splits(recipe.graph, recipe.filter))
         number().synthesize(recipe.graph, texture_from_solid(recipe), way.threads, image, economy);
     else
         image = fill_unpainted<Pixel>(*solid_, recipe, way, economy);
