@@ -7,7 +7,7 @@
 
 #include "atlas/base/vec.h"
 #include "procedural/bresenham/differences.h"
-#include "procedural/noise/fade.h"
+#include "procedural/noise/interpolated_noise.h"
 #include "procedural/noise/lattice_site.h"
 #include "procedural/noise/value_noise.h"
 

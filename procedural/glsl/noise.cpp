@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "procedural/noise/perlin1985.h"
-#include "procedural/noise/published_permutation.h"
+#include "procedural/noise/perlin_noise.h"
 
 namespace burl {
 

@@ -1,9 +1,11 @@
 // The irregular textures: the field of the 1999 model, and those of pbrt after Chuang's slides
 // (2008).
+#include <algorithm>
 #include <cmath>
 
 #include "procedural/graph/node_ops.h"
 #include "procedural/graph/rows.h"
+#include "procedural/noise/names.h"
 
 namespace burl::nodes {
 
@@ -89,8 +91,26 @@ Outputs warp(NodeOps& node) {
     return result;
 }
 
+constexpr std::size_t kind_choices_size = [] {
+    std::size_t size = 0;
+    for (const Named<NoiseKind>& kind : noise_kinds) size += kind.name.size() + 1;
+    return size;
+}();
+/// The names of all kinds of noise, each followed by a bar.
+constexpr std::array<char, kind_choices_size> kind_choices = [] {
+    std::array<char, kind_choices_size> text{};
+    char* at = text.data();
+    for (const Named<NoiseKind>& kind : noise_kinds) {
+        at = std::ranges::copy(kind.name, at).out;
+        *at++ = '|';
+    }
+    return text;
+}();
+static_assert(std::ranges::is_sorted(noise_kinds, {}, &Named<NoiseKind>::value),
+              "nodes store the number of a kind's name");
+
 constexpr Parameter kind_parameter =
-    one_of("kind", "\"perlin\"", "value|perlin|perlin2002|perlin1985|simplex|worley|cell|white",
+    one_of("kind", "\"perlin\"", {kind_choices.data(), kind_choices_size - 1},
            "which noise (docs/reference/noise.md)");
 constexpr Parameter seed_parameter =
     whole("seed", 0, 4294967295.0, "0", "number of the random lattice; octave k uses seed + k");
@@ -165,7 +185,8 @@ constexpr std::array noise_rows{
              two_sides,
              {seed_parameter, real("radius", 0, 0.5, "0.35", "of a disk"),
               whole("period_u", 0, 1e6, "0", "squares after which the disks repeat; 0: never"),
-              whole("period_v", 0, 1e6, "0", "the same along the second coordinate")}},
+              whole("period_v", 0, 1e6, "0",
+                    "squares along the second coordinate after which the disks repeat; 0: never")}},
     NodeType{"warp",
              NodeResult::inner,
              warp,

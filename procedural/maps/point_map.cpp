@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "procedural/batch/row_tasks.h"
-#include "procedural/noise/lattice_line.h"
+#include "procedural/noise/lattice_site.h"
 
 namespace burl {
 

@@ -8,7 +8,7 @@ namespace burl {
 
 /// The point map of an area. Start and step of every span go through `map`, and the texels lie on
 /// the line of these. With `in_lattice`, a coordinate that reaches lattice_limit on a span is 0 on
-/// all of it, as for octaves that are evaluated texel by texel (noise/lattice_line.h). `maps` has
+/// all of it, as for octaves that are evaluated texel by texel (noise/lattice_site.h). `maps` has
 /// as many elements as the atlas has maps.
 PointMap fill_point_map(const SolidAtlas& solid, std::span<const TexelMap> maps, const Affine3& map,
                         bool in_lattice, const TexelArea& area, int threads);
