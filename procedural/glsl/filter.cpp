@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "procedural/color/break_distance.h"
+#include "procedural/color/map_pieces.h"
 #include "procedural/glsl/line_field.h"
 
 namespace burl {

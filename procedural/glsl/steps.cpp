@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "procedural/glsl/color_pieces.h"
 #include "procedural/glsl/duals.h"
 
 namespace burl {
@@ -105,9 +104,7 @@ GlslStep GlslSteps::step(const NoiseSum& sum, const Inputs& inputs) {
 }
 
 GlslStep GlslSteps::step(const ColorPieces& pieces, const Inputs& inputs) {
-    const std::string name = functions_.new_name("color_map");
-    functions_.add(glsl_color_pieces(name, pieces, functions_.real()));
-    return color(fmt::format("{}({})", name, inputs[0]));
+    return color(fmt::format("{}({})", functions_.color_map(pieces), inputs[0]));
 }
 
 GlslStep GlslSteps::step(const DotsWeight& dots, const Inputs& inputs) {

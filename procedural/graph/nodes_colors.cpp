@@ -1,7 +1,6 @@
 // Colours: the map of the 1999 model over any number, Porter and Duff's "over" (1984), and pbrt's
 // image texture.
 #include "procedural/graph/node_ops.h"
-#include "procedural/graph/rows.h"
 
 namespace burl::nodes {
 

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "procedural/graph/node_ops.h"
-#include "procedural/graph/rows.h"
 #include "procedural/noise/names.h"
 
 namespace burl::nodes {

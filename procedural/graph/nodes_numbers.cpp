@@ -2,7 +2,6 @@
 // filtering to their inputs.
 #include "procedural/color/srgb.h"
 #include "procedural/graph/node_ops.h"
-#include "procedural/graph/rows.h"
 
 namespace burl::nodes {
 

@@ -3,7 +3,6 @@
 #include <numbers>
 
 #include "procedural/graph/node_ops.h"
-#include "procedural/graph/rows.h"
 
 namespace burl::nodes {
 

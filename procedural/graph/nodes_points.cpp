@@ -4,7 +4,6 @@
 #include <numbers>
 
 #include "procedural/graph/node_ops.h"
-#include "procedural/graph/rows.h"
 #include "procedural/numbers/rotation.h"
 
 namespace burl::nodes {
