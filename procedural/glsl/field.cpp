@@ -64,7 +64,7 @@ std::string lone_text(std::size_t i) {
 std::string field_text(const FieldShape& shape) {
     std::string text = glsl_field_uniforms(shape) + glsl_lone_functions(shape);
     text +=
-        "// f = q + the octaves' sums.\n"
+        "// The field f: the quadric q and the octaves' sums.\n"
         "real field(ivec2 texel) {\n"
         "    vec2 at = (vec2(texel) + 0.5) * map_scale;\n"
         "    uvec4 cells = textureLod(map_cells[0], at, 0.0);\n"
@@ -146,14 +146,14 @@ std::string glsl_lone_functions(const FieldShape& shape) {
 std::string glsl_field_uniforms(const FieldShape& shape) {
     std::string text = fmt::format(
         "uniform usampler2D map_cells[{0}], map_places[{0}];\n"
-        "uniform vec2 map_scale;  // 1 / their size; lookups are faster on llvmpipe than fetches\n"
-        "uniform real constant;   // of all octaves\n",
+        "uniform vec2 map_scale;  // 1 / the maps' size, for lookups: llvmpipe fetches slower\n"
+        "uniform real constant;   // sum of the octaves' offsets\n",
         shape.maps());
     if (!shape.groups.empty())
         text += fmt::format(
             "uniform uvec3 seeds[{0}];\n"
             "uniform float weights[{0}];\n"
-            "uniform real scales[{1}];  // of groups of octaves\n",
+            "uniform real scales[{1}];  // one factor for each group of octaves\n",
             octave_count(shape), shape.groups.size());
     if (has_simplex(shape)) text += fmt::format("uniform float radii[{}];\n", shape.groups.size());
     if (!shape.lone.empty())
