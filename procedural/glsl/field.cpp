@@ -16,10 +16,6 @@ std::array<std::uint32_t, 3> prepared_seed(NoiseKind kind, std::uint32_t seed) {
     return {LatticeHash::shift(seed, 0), LatticeHash::shift(seed, 1), LatticeHash::shift(seed, 2)};
 }
 
-std::string_view stream_fade_name(Fade fade) {
-    return fade == Fade::linear ? "linear" : fade == Fade::smooth ? "smooth" : "quintic";
-}
-
 /// The lines that add a group's sum to f; its octaves are numbered from `first` on.
 std::string group_text(const FieldShape::Group& group, std::size_t number, std::size_t first) {
     std::string text;
@@ -123,15 +119,17 @@ FieldUniforms FieldOctaves::uniforms() const {
 }
 
 std::string glsl_octave_noise(const FieldShape::Group& group, std::size_t number, std::size_t k,
-                              std::size_t octave) {
+                              std::size_t octave, bool sloped) {
     const std::string site =
         k == 0 ? fmt::format("site{}", number) : fmt::format("doubled(site{}, {})", number, k);
+    const char* suffix = sloped ? "_gradient" : "";
     if (group.kind == NoiseKind::simplex)
-        return fmt::format("stream_simplex({}, seeds[{}], radii[{}])", site, octave, number);
+        return fmt::format("stream_simplex{}({}, seeds[{}], radii[{}])", suffix, site, octave,
+                           number);
     const std::string name = group.kind == NoiseKind::perlin
-                                 ? "stream_perlin"
-                                 : fmt::format("stream_value_{}", stream_fade_name(group.fade));
-    return fmt::format("{}({}, seeds[{}].x)", name, site, octave);
+                                 ? "perlin"
+                                 : fmt::format("value_{}", glsl_fade_name(group.fade));
+    return fmt::format("stream_{}{}({}, seeds[{}].x)", name, suffix, site, octave);
 }
 
 std::string glsl_lone_functions(const FieldShape& shape) {

@@ -95,9 +95,9 @@ std::string GlslFunctions::octave(const NoiseSpec& noise, bool sloped) {
     });
     if (same_kind > 0) name += fmt::format("_{}", same_kind + 1);
     if (has_point_kernel(noise))
-        add(sloped ? glsl_split_sample(noise, name) : glsl_split_noise(noise, name));
+        add(glsl_split_noise(noise, name, sloped));
     else
-        add(sloped ? glsl_site_sample(noise, name) : glsl_site_noise(noise, name));
+        add(glsl_site_noise(noise, name, sloped));
     add("\n");
     octaves_.push_back({noise, sloped, name});
     return name;
@@ -105,7 +105,7 @@ std::string GlslFunctions::octave(const NoiseSpec& noise, bool sloped) {
 
 std::string GlslFunctions::shaped(OctaveShape shape, const std::string& value) {
     if (shape == OctaveShape::plain) return value;
-    const std::string name = shape == OctaveShape::absolute ? "absolute" : "ridged";
+    const std::string_view name = glsl_shape_name(shape);
     if (shapes_.insert(shape).second) add(glsl_octave_shape(shape, name) + "\n");
     return fmt::format("{}({})", name, value);
 }

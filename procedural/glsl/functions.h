@@ -32,7 +32,7 @@ class GlslFunctions {
     std::string color_map(const ColorPieces& pieces);
 
     /// The name of a function for octaves of a noise: glsl_split_noise where it has a kernel,
-    /// otherwise glsl_site_noise; with `sloped` glsl_split_sample or glsl_site_sample.
+    /// otherwise glsl_site_noise.
     std::string octave(const NoiseSpec& noise, bool sloped = false);
     /// The expression that shapes an octave's value.
     std::string shaped(OctaveShape shape, const std::string& value);

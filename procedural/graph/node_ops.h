@@ -114,6 +114,13 @@ inline constexpr Inputs moved_input{any("input", "what is evaluated at the point
 
 inline constexpr std::string_view slides = "Chuang 2008", pbrt = "pbrt (Chuang 2008)", own = "-";
 
+/// A row of the table.
+constexpr NodeType a_node(std::string_view name, NodeResult result, Outputs (*define)(NodeOps&),
+                          std::string_view text, std::string_view source, const Inputs& inputs = {},
+                          const Parameters& parameters = {}) {
+    return {name, result, define, text, source, inputs, parameters};
+}
+
 // The families of nodes in the table's order, each defined in its file nodes_....cpp.
 std::span<const NodeType> numbers();
 std::span<const NodeType> colors();
