@@ -173,18 +173,6 @@ TEST(CachedSynthesis, GivesTheSameBytesWhileSlidersAreDragged) {
     follow_drags(plenty_of_cache, Kernel::scanline);
 }
 
-TEST(CachedSynthesis, EvaluatesAFieldAnewWhoseMemoryAFilterLeftNoRoomFor) {
-    const SolidAtlas solid = SyntheticAtlas{40, 11, 10.0, 0.02, true}.make(1);
-    CachedSynthesis cached(solid, scaled_twice, 8 * 40 * 48);  // no room for slopes
-    Image<Rgb8> image;
-    for (const FilterKind kind : {FilterKind::none, FilterKind::exact, FilterKind::none}) {
-        cached.synthesize(many_terms(), 1, image, {kind, 16, false});
-        EXPECT_EQ(image,
-                  from_scratch<Rgb8>(solid, many_terms(), Kernel::automatic, {kind, 16, false}));
-        EXPECT_FALSE(cached.work().field_cached);
-    }
-}
-
 TEST(CachedSynthesis, EvaluatesNothingThatComesBeforeTheOctavesThatMove) {
     const SolidAtlas solid = SyntheticAtlas{40, 11, 10.0, 0.02, true}.make(1);
     CachedSynthesis cached(solid, scaled_twice, 8 * 40 * 48);  // no room for octaves
