@@ -50,6 +50,7 @@ class FieldCache {
 
     /// Records an unfiltered texture that has the field of the one before.
     void repeat() { history_.record_same_field(); }
+    /// Begins the colouring of the valid f by its entries in the table of 8-bit colours.
     EntriesUse begin_entries(Wrap wrap);
     void end_entries(Wrap wrap, bool complete);
 
