@@ -13,7 +13,6 @@
 
 #include "atlas/base/error.h"
 #include "procedural/batch/texel_batch.h"
-#include "procedural/numbers/simd_level.h"
 #include "procedural/numbers/simd_target.h"
 
 namespace burl {

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "procedural/batch/texel_batch.h"
-#include "procedural/numbers/simd_level.h"
+#include "procedural/numbers/simd_target.h"
 #endif
 
 namespace burl {

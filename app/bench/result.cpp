@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "procedural/batch/texel_batch.h"
-#include "procedural/numbers/simd_level.h"
+#include "procedural/numbers/simd_target.h"
 
 namespace burl {
 

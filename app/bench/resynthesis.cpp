@@ -10,8 +10,8 @@
 #include "app/pipeline/pipeline.h"
 #include "app/recipe/lattice_check.h"
 #include "atlas/base/error.h"
+#include "procedural/cache/synthesis.h"
 #include "procedural/fill/synthesize.h"
-#include "procedural/kept/kept.h"
 
 namespace burl {
 
@@ -37,7 +37,7 @@ struct Edited {
     std::shared_ptr<Pipeline> pipeline;
     Affine3 map;
     Texture texture;
-    KeptSynthesis kept;
+    CachedSynthesis kept;
     Image<Rgb8> image;
     std::size_t octave;  ///< index of the edited term
 

@@ -30,7 +30,7 @@
 #include "app/options/command_options.h"
 #include "atlas/base/error.h"
 #include "procedural/batch/texel_batch.h"
-#include "procedural/numbers/simd_level.h"
+#include "procedural/numbers/simd_target.h"
 
 namespace burl {
 

@@ -51,11 +51,11 @@ Image<Pixel> fill_unpainted(const SolidAtlas& solid, const Recipe& recipe, const
 void fill_in_bands(const SolidAtlas& solid, const Recipe& recipe, const HostWay& way,
                    const Economy& economy, std::size_t texels, const TakeRows& take);
 
-/// Whether the recipe is the 1999 model in float32 without forward differences, which KeptSynthesis
-/// can cache (procedural/kept/kept.h).
+/// Whether the recipe is the 1999 model in float32 without forward differences, which
+/// CachedSynthesis can cache (procedural/cache/synthesis.h).
 bool has_fast_way(const Recipe& recipe, const HostWay& way);
-/// Whether the recipe is a graph in float32, which KeptGraph may be able to cache
-/// (procedural/kept/graph.h).
+/// Whether the recipe is a graph in float32, which CachedGraph may be able to cache
+/// (procedural/cache/graph.h).
 bool has_fast_graph(const Recipe& recipe, const HostWay& way);
 
 }  // namespace burl

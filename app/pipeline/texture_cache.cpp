@@ -26,7 +26,7 @@ template const Image<Rgb16>& PaintCache::show(const Image<Rgb16>&, std::uint64_t
 template const Image<RgbF>& PaintCache::show(const Image<RgbF>&, std::uint64_t,
                                              std::span<const PaintStroke>, std::uint64_t&);
 
-KeptSynthesis& TextureCache::terms(const Recipe& recipe, Kernel kernel) {
+CachedSynthesis& TextureCache::terms(const Recipe& recipe, Kernel kernel) {
     const Affine3 map = texture_from_solid(recipe);
     number_.reset();
     if (!terms_ || terms_->kernel() != kernel) terms_.emplace(*solid_, map, budget_, kernel);
@@ -34,7 +34,7 @@ KeptSynthesis& TextureCache::terms(const Recipe& recipe, Kernel kernel) {
     return *terms_;
 }
 
-KeptGraph& TextureCache::number() {
+CachedGraph& TextureCache::number() {
     terms_.reset();
     if (!number_) number_.emplace(*solid_, budget_);
     return *number_;
@@ -47,7 +47,8 @@ void TextureCache::fill(const Recipe& recipe, const HostWay& way, const Economy&
     if (keeps && has_fast_way(recipe, way))
         terms(recipe, way.kernel)
             .synthesize(recipe.texture, way.threads, image, recipe.filter, economy);
-    else if (keeps && has_fast_graph(recipe, way) && KeptGraph::splits(recipe.graph, recipe.filter))
+    else if (keeps && has_fast_graph(recipe, way) &&
+             CachedGraph::splits(recipe.graph, recipe.filter))
         number().synthesize(recipe.graph, texture_from_solid(recipe), way.threads, image, economy);
     else
         image = fill_unpainted<Pixel>(*solid_, recipe, way, economy);

@@ -11,8 +11,8 @@
 
 #include "app/paint/texture.h"
 #include "app/pipeline/fill_texture.h"
-#include "procedural/kept/graph.h"
-#include "procedural/kept/kept.h"
+#include "procedural/cache/graph.h"
+#include "procedural/cache/synthesis.h"
 
 namespace burl {
 
@@ -48,7 +48,7 @@ class PaintCache {
 class TextureCache {
   public:
     /// `solid` must outlive this object. `budget` is the most bytes that fields and octaves may
-    /// take (KeptSynthesis, KeptGraph); 0: only the picture is cached.
+    /// take (CachedSynthesis, CachedGraph); 0: only the picture is cached.
     TextureCache(const SolidAtlas& solid, std::size_t budget) : solid_(&solid), budget_(budget) {}
 
     const SolidAtlas& solid() const { return *solid_; }
@@ -86,17 +86,17 @@ class TextureCache {
 
   private:
     /// The cache of the 1999 model, for the recipe's map; frees that of a graph.
-    KeptSynthesis& terms(const Recipe& recipe, Kernel kernel);
+    CachedSynthesis& terms(const Recipe& recipe, Kernel kernel);
     /// The cache of a graph; frees that of the 1999 model.
-    KeptGraph& number();
+    CachedGraph& number();
 
     const SolidAtlas* solid_;
     std::size_t budget_;
     std::variant<std::monostate, Image<Rgb8>, Image<Rgb16>, Image<RgbF>> picture_;
     std::optional<TextureKey> key_;
     std::uint64_t number_of_picture_ = 0;
-    std::optional<KeptSynthesis> terms_;  ///< cache of the 1999 model
-    std::optional<KeptGraph> number_;     ///< cache of a graph
+    std::optional<CachedSynthesis> terms_;  ///< cache of the 1999 model
+    std::optional<CachedGraph> number_;     ///< cache of a graph
 };
 
 }  // namespace burl

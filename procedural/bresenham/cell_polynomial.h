@@ -7,7 +7,7 @@
 
 #include "atlas/base/vec.h"
 #include "procedural/bresenham/differences.h"
-#include "procedural/noise/fade.h"
+#include "procedural/noise/interpolated_noise.h"
 #include "procedural/noise/lattice_site.h"
 #include "procedural/noise/value_noise.h"
 
@@ -19,7 +19,7 @@ constexpr std::size_t fade_degree(Fade fade) {
 }
 
 /// The coefficients of a cell's noise: coefficient c belongs to the product of the weights v
-/// (fade.h) of those axes whose bit is set in c.
+/// (noise/interpolated_noise.h) of those axes whose bit is set in c.
 using CellBlend = std::array<double, 8>;
 
 /// The coefficients of the cell whose lower corner is `cell`.

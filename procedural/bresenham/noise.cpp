@@ -3,7 +3,7 @@
 #include "procedural/bresenham/cell_polynomial.h"
 #include "procedural/bresenham/cell_walk.h"
 #include "procedural/bresenham/runs.h"
-#include "procedural/noise/lattice_line.h"
+#include "procedural/noise/lattice_site.h"
 
 namespace burl {
 

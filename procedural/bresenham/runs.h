@@ -6,7 +6,7 @@
 #include <cstdint>
 
 #include "procedural/bresenham/differences.h"
-#include "procedural/noise/lattice_line.h"
+#include "procedural/noise/lattice_site.h"
 
 namespace burl {
 

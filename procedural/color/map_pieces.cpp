@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "procedural/color/srgb.h"
 #include "procedural/color/table.h"
@@ -131,6 +132,22 @@ Vec3d MapPieces::second(double f) const {
     const Piece& p = piece(t);
     const double x = t - p.start;
     return p.second + x * (p.first + x * (p.color / 2.0 + x / 6.0 * p.slope));
+}
+
+BreakDistance::BreakDistance(const MapPieces& map) {
+    const double most = map.breaks().empty() ? std::numeric_limits<float>::max() : 1.0;
+    for (std::uint32_t i = 0; i <= entry_count; ++i) {
+        const double low = double(i) / entry_count, high = double(i + 1) / entry_count;
+        double nearest = most;
+        for (const MapBreak& b : map.breaks())
+            for (const double period : {-1.0, 0.0, 1.0}) {
+                if (map.wrap() == Wrap::clamp && period != 0.0) continue;
+                const double p = b.position + period;
+                nearest = std::min(nearest, std::max({low - p, p - high, 0.0}));
+            }
+        // Rounded down, so that rounding never hides a break.
+        distances_.push_back(float(nearest * (1.0 - 1e-6)));
+    }
 }
 
 }  // namespace burl

@@ -7,7 +7,7 @@
 
 #include "procedural/color/map_filter.h"
 #include "procedural/color/table.h"
-#include "procedural/numbers/binary_log.h"
+#include "procedural/numbers/elementary.h"
 
 namespace burl {
 

@@ -7,7 +7,7 @@
 
 #include "procedural/kernels/simplex_kernel.h"
 #include "procedural/model/band_limit.h"
-#include "procedural/numbers/simd_level.h"
+#include "procedural/numbers/simd_target.h"
 
 namespace burl {
 

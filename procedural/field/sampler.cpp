@@ -7,7 +7,7 @@
 
 #include "procedural/kernels/quadric_kernel.h"
 #include "procedural/model/band_limit.h"
-#include "procedural/noise/lattice_line.h"
+#include "procedural/noise/lattice_site.h"
 #include "procedural/noise/noise.h"
 
 namespace burl {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "procedural/color/kernels.h"
+#include "procedural/color/table.h"
 #include "procedural/field/break_kernel.h"
 
 namespace burl {

@@ -5,9 +5,9 @@
 #include <optional>
 #include <vector>
 
-#include "procedural/color/break_distance.h"
 #include "procedural/color/map_filter.h"
 #include "procedural/color/map_filter_kernels.h"
+#include "procedural/color/map_pieces.h"
 #include "procedural/kernels/slope_kernels.h"
 
 namespace burl {

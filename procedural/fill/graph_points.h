@@ -14,7 +14,7 @@
 #include "procedural/batch/texel_piece.h"
 #include "procedural/batch/work_sum.h"
 #include "procedural/color/pixel_encoder.h"
-#include "procedural/color/srgb_kernels.h"
+#include "procedural/color/srgb.h"
 #include "procedural/graph/values.h"
 #include "procedural/kernels/quadric_kernel.h"
 

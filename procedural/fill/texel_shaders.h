@@ -12,7 +12,6 @@
 #include "procedural/color/filtered_colors.h"
 #include "procedural/color/pixel_encoder.h"
 #include "procedural/color/point_colors.h"
-#include "procedural/color/stream_encoder.h"
 #include "procedural/field/corner_samples.h"
 #include "procedural/field/sampler.h"
 #include "procedural/field/stream_filter.h"

@@ -3,12 +3,30 @@
 // variable of type real4 for each register, which holds a value and its derivatives with respect to
 // the solid point (shaders/graph/dual.glsl).
 #include "procedural/batch/filter.h"
-#include "procedural/glsl/map_tables.h"
+#include "procedural/color/map_pieces.h"
 #include "procedural/glsl/noise_sum.h"
+#include "procedural/glsl/text.h"
 #include "procedural/graph/program.h"
 #include "procedural/model/octaves.h"
 
 namespace burl {
+
+/// The pieces and breaks of a shader's colour maps (color/map_pieces.h) as constant arrays, for
+/// shaders/graph/dual_map.glsl.
+class GlslMapTables {
+  public:
+    explicit GlslMapTables(GlslReal real) : real_(real) {}
+
+    /// Adds a map and returns the expression, of type PieceMap, that stands for it.
+    std::string add(const ColorMap& map);
+    /// The declarations of the arrays, none of them empty.
+    std::string text() const;
+
+  private:
+    GlslReal real_;
+    std::vector<MapPieces::Piece> pieces_;
+    std::vector<MapBreak> breaks_;
+};
 
 /// The filter and the colour maps of steps that average over the footprint (step_u, step_v).
 struct GlslFiltering {

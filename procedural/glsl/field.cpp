@@ -16,10 +16,6 @@ std::array<std::uint32_t, 3> prepared_seed(NoiseKind kind, std::uint32_t seed) {
     return {LatticeHash::shift(seed, 0), LatticeHash::shift(seed, 1), LatticeHash::shift(seed, 2)};
 }
 
-std::string_view stream_fade_name(Fade fade) {
-    return fade == Fade::linear ? "linear" : fade == Fade::smooth ? "smooth" : "quintic";
-}
-
 /// The lines that add a group's sum to f; its octaves are numbered from `first` on.
 std::string group_text(const FieldShape::Group& group, std::size_t number, std::size_t first) {
     std::string text;
@@ -64,7 +60,7 @@ std::string lone_text(std::size_t i) {
 std::string field_text(const FieldShape& shape) {
     std::string text = glsl_field_uniforms(shape) + glsl_lone_functions(shape);
     text +=
-        "// f = q + the octaves' sums.\n"
+        "// The field f: the quadric q and the octaves' sums.\n"
         "real field(ivec2 texel) {\n"
         "    vec2 at = (vec2(texel) + 0.5) * map_scale;\n"
         "    uvec4 cells = textureLod(map_cells[0], at, 0.0);\n"
@@ -123,15 +119,17 @@ FieldUniforms FieldOctaves::uniforms() const {
 }
 
 std::string glsl_octave_noise(const FieldShape::Group& group, std::size_t number, std::size_t k,
-                              std::size_t octave) {
+                              std::size_t octave, bool sloped) {
     const std::string site =
         k == 0 ? fmt::format("site{}", number) : fmt::format("doubled(site{}, {})", number, k);
+    const char* suffix = sloped ? "_gradient" : "";
     if (group.kind == NoiseKind::simplex)
-        return fmt::format("stream_simplex({}, seeds[{}], radii[{}])", site, octave, number);
+        return fmt::format("stream_simplex{}({}, seeds[{}], radii[{}])", suffix, site, octave,
+                           number);
     const std::string name = group.kind == NoiseKind::perlin
-                                 ? "stream_perlin"
-                                 : fmt::format("stream_value_{}", stream_fade_name(group.fade));
-    return fmt::format("{}({}, seeds[{}].x)", name, site, octave);
+                                 ? "perlin"
+                                 : fmt::format("value_{}", glsl_fade_name(group.fade));
+    return fmt::format("stream_{}{}({}, seeds[{}].x)", name, suffix, site, octave);
 }
 
 std::string glsl_lone_functions(const FieldShape& shape) {
@@ -146,14 +144,14 @@ std::string glsl_lone_functions(const FieldShape& shape) {
 std::string glsl_field_uniforms(const FieldShape& shape) {
     std::string text = fmt::format(
         "uniform usampler2D map_cells[{0}], map_places[{0}];\n"
-        "uniform vec2 map_scale;  // 1 / their size; lookups are faster on llvmpipe than fetches\n"
-        "uniform real constant;   // of all octaves\n",
+        "uniform vec2 map_scale;  // 1 / the maps' size, for lookups: llvmpipe fetches slower\n"
+        "uniform real constant;   // sum of the octaves' offsets\n",
         shape.maps());
     if (!shape.groups.empty())
         text += fmt::format(
             "uniform uvec3 seeds[{0}];\n"
             "uniform float weights[{0}];\n"
-            "uniform real scales[{1}];  // of groups of octaves\n",
+            "uniform real scales[{1}];  // one factor for each group of octaves\n",
             octave_count(shape), shape.groups.size());
     if (has_simplex(shape)) text += fmt::format("uniform float radii[{}];\n", shape.groups.size());
     if (!shape.lone.empty())

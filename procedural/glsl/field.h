@@ -62,9 +62,9 @@ struct FieldOctaves {
 };
 
 /// The expression of the noise of octave k of a group, number `octave` of all, at the StreamSite
-/// siteN, N being the group's number.
+/// siteN, N being the group's number; of the noise and its gradient if `sloped`.
 std::string glsl_octave_noise(const FieldShape::Group& group, std::size_t number, std::size_t k,
-                              std::size_t octave);
+                              std::size_t octave, bool sloped = false);
 
 /// The functions lone_noiseN and lone_shapeN of the octaves without a stream kernel.
 std::string glsl_lone_functions(const FieldShape& shape);

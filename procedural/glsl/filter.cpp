@@ -7,27 +7,12 @@
 
 #include <fmt/format.h>
 
-#include "procedural/color/break_distance.h"
+#include "procedural/color/map_pieces.h"
 #include "procedural/glsl/line_field.h"
 
 namespace burl {
 
 namespace {
-
-/// The expression of noise and gradient of octave k of a group, which is number `octave` of all.
-std::string octave_sample(const FieldShape::Group& group, std::size_t number, std::size_t k,
-                          std::size_t octave) {
-    const std::string site =
-        k == 0 ? fmt::format("site{}", number) : fmt::format("doubled(site{}, {})", number, k);
-    if (group.kind == NoiseKind::simplex)
-        return fmt::format("stream_simplex_gradient({}, seeds[{}], radii[{}])", site, octave,
-                           number);
-    const char* name = group.kind == NoiseKind::perlin ? "perlin"
-                       : group.fade == Fade::linear    ? "value_linear"
-                       : group.fade == Fade::smooth    ? "value_smooth"
-                                                       : "value_quintic";
-    return fmt::format("stream_{}_gradient({}, seeds[{}].x)", name, site, octave);
-}
 
 /// The lines that add a group's sum and gradient to f and the slopes; its octaves are numbered from
 /// `first` on.
@@ -46,7 +31,7 @@ std::string group_text(const FieldShape::Group& group, std::size_t number, std::
     for (std::size_t k = group.octaves; k-- > 0;)
         text += fmt::format(
             "    sum{0} = sum{0} + {4}(vec4(weights[{1}], vec3(weights[{1}] * {2}.0)) * {3});\n",
-            number, first + k, 1u << k, octave_sample(group, number, k, first + k),
+            number, first + k, 1u << k, glsl_octave_noise(group, number, k, first + k, true),
             fading ? fmt::format("texelFetch(octave_shares, shares + {}).x * ", first + k) : "");
     return text + fmt::format(
                       "    f += scales[{0}] * real(sum{0}.x);\n"
@@ -61,16 +46,13 @@ std::string group_text(const FieldShape::Group& group, std::size_t number, std::
 std::string lone_functions(const FieldShape& shape) {
     std::string text;
     for (std::size_t i = 0; i < shape.lone.size(); ++i)
-        text += glsl_site_sample(shape.lone[i].noise, fmt::format("lone_sample{}", i));
+        text += glsl_site_noise(shape.lone[i].noise, fmt::format("lone_sample{}", i), true);
     return text;
 }
 
 /// The lines that add octave i of those without a stream kernel to f and the slopes, on the texel's
 /// `line`.
 std::string lone_text(std::size_t i, std::size_t count, OctaveShape shape, bool fading) {
-    const char* shaped = shape == OctaveShape::plain      ? "plain_sample"
-                         : shape == OctaveShape::absolute ? "absolute_sample"
-                                                          : "ridged_sample";
     std::string text = glsl_lone_line(i);
     text += fading ? fmt::format(
                          "    uvec4 term{0} = texelFetch(lone_terms, line.owner * {1} + {0});\n"
@@ -78,13 +60,14 @@ std::string lone_text(std::size_t i, std::size_t count, OctaveShape shape, bool 
                          i, count)
                    : fmt::format("    real scale{0} = lone_scales[{0}];\n", i);
     text += fmt::format(
-        "    vec4 n{0} = {1}(lone_sample{0}(lone_seeds[{0}], point_on(lone{0}, lone{0}.column),\n"
+        "    vec4 n{0} = {1}_sample("
+        "lone_sample{0}(lone_seeds[{0}], point_on(lone{0}, lone{0}.column),\n"
         "                                   lone_times[{0}]));\n"
         "    real3 gradient{0} = real3(n{0}.yzw);\n"
         "    f += scale{0} * real(n{0}.x);\n"
         "    slopes.x += float(scale{0} * dot_product(gradient{0}, lone{0}.step));\n"
         "    slopes.y += float(scale{0} * dot_product(gradient{0}, lone{0}.down));\n",
-        i, shaped);
+        i, glsl_shape_name(shape));
     if (fading) text += fmt::format("    f += real_from_bits(term{0}.z, term{0}.w);\n", i);
     return text;
 }
@@ -94,7 +77,7 @@ std::vector<GlslPart> slope_parts(const FieldShape& shape) {
     std::vector<NoiseSpec> noises;
     for (const FieldShape::Lone& lone : shape.lone) noises.push_back(lone.noise);
     std::vector<GlslPart> parts = glsl_noise_parts(noises);
-    if (!noises.empty()) std::ranges::copy(glsl_gradient_parts(noises), std::back_inserter(parts));
+    std::ranges::copy(glsl_gradient_parts(noises), std::back_inserter(parts));
     for (const char* file :
          {"numbers/real_bits.glsl", "noise/stream_noise.glsl", "noise/stream_gradient.glsl"})
         parts.push_back({file});

@@ -45,7 +45,7 @@ FilterShape filter_shape(const MapBreaks& map, FilterKind kind);
 FilterUniforms filter_uniforms(const MapBreaks& map);
 
 /// Two functions: `bool has_break(real f, vec2 slopes)`, whether a break of the map lies in the
-/// footprint, by the buffer break_distances (color/break_distance.h) - without one the mean is the
+/// footprint, by the buffer break_distances (color/map_pieces.h) - without one the mean is the
 /// colour at f - and `real3 filtered_mean(real f, vec2 slopes)` in linear light. They must follow
 /// color/map_filter.glsl; color/index.glsl may come later.
 std::string glsl_map_filter(const FilterShape& shape);

@@ -1,15 +1,21 @@
 #pragma once
 // The definitions before a shader's texture function, each written once: octaves of noise, shapes,
-// constant arrays, images, and functions that its parts add.
+// colour maps, constant arrays, images, and functions that its parts add.
 #include <set>
 #include <span>
+#include <string>
+#include <string_view>
 #include <utility>
 
-#include "procedural/glsl/color_pieces.h"
 #include "procedural/glsl/text.h"
+#include "procedural/graph/value_kernels.h"
 #include "procedural/kernels/noise_sum.h"
 
 namespace burl {
+
+/// The largest number of pieces of a colour map that are found by comparisons, each of which costs
+/// every texel time; more are found by bisection in a table.
+inline constexpr std::size_t most_compared_pieces = 256;
 
 class GlslFunctions {
   public:
@@ -20,13 +26,13 @@ class GlslFunctions {
 
     /// Adds text that definitions after it may use.
     void add(const std::string& text) { text_ += text; }
-    /// Adds the function of colour pieces and its table.
-    void add(GlslColorPieces pieces);
     /// A new name: "STEM0", "STEM1" and so on.
     std::string new_name(std::string_view stem);
+    /// The name of a function `real3 NAME(real x)`, added for piecewise polynomial colours.
+    std::string color_map(const ColorPieces& pieces);
 
     /// The name of a function for octaves of a noise: glsl_split_noise where it has a kernel,
-    /// otherwise glsl_site_noise; with `sloped` glsl_split_sample or glsl_site_sample.
+    /// otherwise glsl_site_noise.
     std::string octave(const NoiseSpec& noise, bool sloped = false);
     /// The expression that shapes an octave's value.
     std::string shaped(OctaveShape shape, const std::string& value);

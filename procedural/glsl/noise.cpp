@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "procedural/noise/perlin1985.h"
-#include "procedural/noise/published_permutation.h"
+#include "procedural/noise/perlin_noise.h"
 
 namespace burl {
 
@@ -97,12 +97,6 @@ std::vector<GlslPart> gradient_parts_of(NoiseKind kind) {
     return {};
 }
 
-std::string_view fade_function(Fade fade) {
-    return fade == Fade::linear   ? "linear_fade"
-           : fade == Fade::smooth ? "smooth_fade"
-                                  : "quintic_fade";
-}
-
 std::string_view feature_name(WorleyFeature feature) {
     return feature == WorleyFeature::f1   ? "worley_f1"
            : feature == WorleyFeature::f2 ? "worley_f2"
@@ -120,8 +114,9 @@ constexpr Form value_form{"float", "noise"}, sample_form{"vec4", "sample", true}
 std::string fades(Fade fade, bool timed, const Form& form) {
     const std::string t = timed ? "place + place" : "vec4(place + place, 0.0)";
     const char* part = timed ? "" : ".xyz";
-    std::string text = fmt::format("{}({}){}", fade_function(fade), t, part);
-    if (form.sloped) text += fmt::format(", {}_slope({}){}", fade_function(fade), t, part);
+    const std::string_view name = glsl_fade_name(fade);
+    std::string text = fmt::format("{}_fade({}){}", name, t, part);
+    if (form.sloped) text += fmt::format(", {}_fade_slope({}){}", name, t, part);
     return text;
 }
 
@@ -177,18 +172,29 @@ Period<4> cell_periods(const NoiseSpec& noise) {
     return period;
 }
 
-}  // namespace
-
-namespace {
-
 /// Appends the parts that are not in the list yet.
 void add_new(std::vector<GlslPart>& parts, std::vector<GlslPart> more) {
     for (GlslPart& part : more)
         if (std::ranges::find(parts, part) == parts.end()) parts.push_back(std::move(part));
 }
 
-/// The function of an interpolated noise at a cell and a place.
-std::string split_function(const NoiseSpec& noise, std::string_view name, const Form& form) {
+}  // namespace
+
+std::vector<GlslPart> glsl_noise_parts(std::span<const NoiseSpec> noises) {
+    std::vector<GlslPart> parts{{"numbers/real.glsl"}, {"noise/lattice.glsl"}};
+    for (const NoiseSpec& noise : noises) add_new(parts, parts_of(noise.kind));
+    return parts;
+}
+
+std::vector<GlslPart> glsl_gradient_parts(std::span<const NoiseSpec> noises) {
+    std::vector<GlslPart> parts;
+    if (!noises.empty()) parts.push_back({"noise/gradient.glsl"});
+    for (const NoiseSpec& noise : noises) add_new(parts, gradient_parts_of(noise.kind));
+    return parts;
+}
+
+std::string glsl_split_noise(const NoiseSpec& noise, std::string_view name, bool sloped) {
+    const Form& form = sloped ? sample_form : value_form;
     return fmt::format(
         "{} {}(uint seed, uvec3 cell, vec3 place) {{\n"
         "    uvec3 low = cell, high = cell + 1u;\n"
@@ -197,8 +203,8 @@ std::string split_function(const NoiseSpec& noise, std::string_view name, const 
         form.type, name, interpolated(noise, false, form));
 }
 
-/// The function of any noise at a point.
-std::string site_function(const NoiseSpec& noise, std::string_view name, const Form& form) {
+std::string glsl_site_noise(const NoiseSpec& noise, std::string_view name, bool sloped) {
+    const Form& form = sloped ? sample_form : value_form;
     const bool timed = noise.time.has_value();
     const Period<4> period = cell_periods(noise);
     std::string text = fmt::format(
@@ -226,35 +232,14 @@ std::string site_function(const NoiseSpec& noise, std::string_view name, const F
                       size, range, interpolated(noise, timed, form));
 }
 
-}  // namespace
-
-std::vector<GlslPart> glsl_noise_parts(std::span<const NoiseSpec> noises) {
-    std::vector<GlslPart> parts{{"numbers/real.glsl"}, {"noise/lattice.glsl"}};
-    for (const NoiseSpec& noise : noises) add_new(parts, parts_of(noise.kind));
-    return parts;
+std::string_view glsl_fade_name(Fade fade) {
+    return fade == Fade::linear ? "linear" : fade == Fade::smooth ? "smooth" : "quintic";
 }
 
-std::vector<GlslPart> glsl_gradient_parts(std::span<const NoiseSpec> noises) {
-    std::vector<GlslPart> parts;
-    if (!noises.empty()) parts.push_back({"noise/gradient.glsl"});
-    for (const NoiseSpec& noise : noises) add_new(parts, gradient_parts_of(noise.kind));
-    return parts;
-}
-
-std::string glsl_split_noise(const NoiseSpec& noise, std::string_view name) {
-    return split_function(noise, name, value_form);
-}
-
-std::string glsl_split_sample(const NoiseSpec& noise, std::string_view name) {
-    return split_function(noise, name, sample_form);
-}
-
-std::string glsl_site_noise(const NoiseSpec& noise, std::string_view name) {
-    return site_function(noise, name, value_form);
-}
-
-std::string glsl_site_sample(const NoiseSpec& noise, std::string_view name) {
-    return site_function(noise, name, sample_form);
+std::string_view glsl_shape_name(OctaveShape shape) {
+    return shape == OctaveShape::plain      ? "plain"
+           : shape == OctaveShape::absolute ? "absolute"
+                                            : "ridged";
 }
 
 std::string glsl_octave_shape(OctaveShape shape, std::string_view name) {

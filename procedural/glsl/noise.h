@@ -29,20 +29,18 @@ std::vector<GlslPart> glsl_gradient_parts(std::span<const NoiseSpec> noises);
 
 /// The function `float NAME(uint seed, uvec3 cell, vec3 place)` of a noise with has_point_kernel:
 /// the bits of kernels/point_noise-inl.h times its unit. The cell counts modulo 2^32, the place
-/// from its middle.
-std::string glsl_split_noise(const NoiseSpec& noise, std::string_view name);
-
-/// The function `vec4 NAME(uint seed, uvec3 cell, vec3 place)`: the noise and its derivatives along
-/// x, y and z, with the bits of Sample in kernels/point_noise-inl.h times its unit.
-std::string glsl_split_sample(const NoiseSpec& noise, std::string_view name);
+/// from its middle. A `sloped` function gives a vec4, the noise and its derivatives along x, y and
+/// z, with the bits of Sample.
+std::string glsl_split_noise(const NoiseSpec& noise, std::string_view name, bool sloped = false);
 
 /// The function `float NAME(uint seed, real3 p, real time)` of any noise: the bits of
-/// noise_value<float, 3> at p with this seed and, if the noise has a time, this time.
-std::string glsl_site_noise(const NoiseSpec& noise, std::string_view name);
+/// noise_value<float, 3> at p with this seed and, if the noise has a time, this time. A `sloped`
+/// function gives a vec4 of the noise and its gradient: the bits of sample_noise<float, 3>.
+std::string glsl_site_noise(const NoiseSpec& noise, std::string_view name, bool sloped = false);
 
-/// The function `vec4 NAME(uint seed, real3 p, real time)` of any noise with its gradient: the bits
-/// of sample_noise<float, 3>.
-std::string glsl_site_sample(const NoiseSpec& noise, std::string_view name);
+/// The names that shaders' functions have for a fade and for a shape.
+std::string_view glsl_fade_name(Fade fade);
+std::string_view glsl_shape_name(OctaveShape shape);
 
 /// The function `float NAME(float n)` of a shape: n, |n| or (1 - |n|)^2.
 std::string glsl_octave_shape(OctaveShape shape, std::string_view name);

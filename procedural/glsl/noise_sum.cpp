@@ -30,12 +30,6 @@ std::string weighed(const std::string& weight, const std::string& octave) {
     return one ? octave : weight + " * " + octave;
 }
 
-const char* shape_name(OctaveShape shape) {
-    return shape == OctaveShape::plain      ? "plain"
-           : shape == OctaveShape::absolute ? "absolute"
-                                            : "ridged";
-}
-
 std::string float_number(double x) {
     return glsl_number(x, GlslReal::float32);
 }
@@ -91,7 +85,7 @@ std::string GlslNoiseSums::sum_line(const Octaves& all, const std::string& split
         all.kept.empty() ? "1.0"
                          : fmt::format("visible_share({}, float({}))", all.kept, all.number());
     return fmt::format("{0} = {0} + {1}_octave({2}, {3}, {4}, {5}, {6});\n", total,
-                       shape_name(all.sum.shape), noise, weight, steepness, share,
+                       glsl_shape_name(all.sum.shape), noise, weight, steepness, share,
                        float_number(all.kept.empty() ? 0.0 : all.mean));
 }
 
@@ -179,8 +173,8 @@ GlslSum GlslNoiseSums::slopes(const NoiseSum& sum, const Point& point, const std
         kept.empty() ? number(1.0) : fmt::format("visible_part({}, real({}))", kept, all.number());
     const std::string line =
         fmt::format("{0} = add_octave({0}, {1}_sample({2}), {3}, {4}, {5}, {6});\n", total,
-                    shape_name(sum.shape), site_noise(sum, point, true), weight, frequency, share,
-                    number(kept.empty() ? 0.0 : mean));
+                    glsl_shape_name(sum.shape), site_noise(sum, point, true), weight, frequency,
+                    share, number(kept.empty() ? 0.0 : mean));
     return {
         fmt::format("    real4 {} = real4(0.0);\n", total) + loop(sum.octaves.size(), line, true),
         fmt::format("vec4({})", total)};

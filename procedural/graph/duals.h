@@ -2,15 +2,35 @@
 // The steps of a graph's program with forward-mode derivatives: each becomes a function on the
 // channels of a batch of points, which averages over their footprints. Arithmetic is float64, sums
 // of noise are float64 or float32.
+#include <array>
+#include <cstddef>
 #include <functional>
 #include <span>
 
 #include "procedural/batch/filter.h"
 #include "procedural/batch/texel_place.h"
-#include "procedural/graph/channel.h"
 #include "procedural/graph/program.h"
+#include "procedural/numbers/dual.h"
 
 namespace burl {
+
+/// The largest number of points in a batch: every number of a graph is an array of values and three
+/// of slopes, for so many points at a time.
+inline constexpr std::size_t graph_batch_size = 256;
+
+/// The values and slopes of one number at the points of a batch.
+struct alignas(64) Channel {
+    std::array<double, graph_batch_size> value{};
+    std::array<std::array<double, graph_batch_size>, 3> slope{};
+
+    Dual get(std::size_t i) const {
+        return {value[i], Vec3d(slope[0][i], slope[1][i], slope[2][i])};
+    }
+    void set(std::size_t i, const Dual& x) {
+        value[i] = x.value;
+        for (std::size_t axis = 0; axis < 3; ++axis) slope[axis][i] = x.slope[int(axis)];
+    }
+};
 
 /// A point with the derivatives of its coordinates.
 struct DualPoint {

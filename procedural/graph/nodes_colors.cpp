@@ -1,7 +1,6 @@
 // Colours: the map of the 1999 model over any number, Porter and Duff's "over" (1984), and pbrt's
 // image texture.
 #include "procedural/graph/node_ops.h"
-#include "procedural/graph/rows.h"
 
 namespace burl::nodes {
 
@@ -30,29 +29,22 @@ Outputs image(NodeOps& node) {
 }
 
 constexpr std::array color_rows{
-    NodeType{"color_map", NodeResult::color, color_map,
-             "colour `stops` over a number, index repeated or clamped (`wrap`)", "Hart et al. 1999",
-             one_number},
-    NodeType{"layer_over",
-             NodeResult::color,
-             layer_over,
-             "top over base by top's alpha times opacity",
-             "Porter and Duff 1984",
-             {NodeInput{"top", Wire::color, false, "", "the upper layer"},
-              NodeInput{"base", Wire::color, false, "", "what it covers"},
-              a_number("opacity", "factor of top's alpha, clamped to [0,1]", "1")}},
-    NodeType{"image",
-             NodeResult::color,
-             image,
-             "an image over [0,1]^2 of the point's first two coordinates, row 0 from 0 on",
-             pbrt,
-             {},
-             {Parameter{"file", ParameterType::text, 0, 0, 0, 0, "", "", "",
-                        "a PNG, from the recipe's folder on"},
-              one_of("lookup", "\"trilinear\"", "trilinear|ewa",
-                     "between MIP levels, or an elliptically weighted average"),
-              one_of("wrap", "\"repeat\"", "repeat|black|clamp", "what lies beyond the image"),
-              real("anisotropy", 1, 32, "8", "most unequal axes of an ellipse; ewa only")}},
+    a_node("color_map", NodeResult::color, color_map,
+           "colour `stops` over a number, index repeated or clamped (`wrap`)", "Hart et al. 1999",
+           one_number),
+    a_node("layer_over", NodeResult::color, layer_over,
+           "top over base by top's alpha times opacity", "Porter and Duff 1984",
+           {NodeInput{"top", Wire::color, false, "", "the upper layer"},
+            NodeInput{"base", Wire::color, false, "", "what it covers"},
+            a_number("opacity", "factor of top's alpha, clamped to [0,1]", "1")}),
+    a_node("image", NodeResult::color, image,
+           "an image over [0,1]^2 of the point's first two coordinates, row 0 from 0 on", pbrt, {},
+           {Parameter{"file", ParameterType::text, 0, 0, 0, 0, "", "", "",
+                      "a PNG, from the recipe's folder on"},
+            one_of("lookup", "\"trilinear\"", "trilinear|ewa",
+                   "between MIP levels, or an elliptically weighted average"),
+            one_of("wrap", "\"repeat\"", "repeat|black|clamp", "what lies beyond the image"),
+            real("anisotropy", 1, 32, "8", "most unequal axes of an ellipse; ewa only")}),
 };
 
 }  // namespace

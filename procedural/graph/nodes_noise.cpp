@@ -1,9 +1,10 @@
 // The irregular textures: the field of the 1999 model, and those of pbrt after Chuang's slides
 // (2008).
+#include <algorithm>
 #include <cmath>
 
 #include "procedural/graph/node_ops.h"
-#include "procedural/graph/rows.h"
+#include "procedural/noise/names.h"
 
 namespace burl::nodes {
 
@@ -89,8 +90,26 @@ Outputs warp(NodeOps& node) {
     return result;
 }
 
+constexpr std::size_t kind_choices_size = [] {
+    std::size_t size = 0;
+    for (const Named<NoiseKind>& kind : noise_kinds) size += kind.name.size() + 1;
+    return size;
+}();
+/// The names of all kinds of noise, each followed by a bar.
+constexpr std::array<char, kind_choices_size> kind_choices = [] {
+    std::array<char, kind_choices_size> text{};
+    char* at = text.data();
+    for (const Named<NoiseKind>& kind : noise_kinds) {
+        at = std::ranges::copy(kind.name, at).out;
+        *at++ = '|';
+    }
+    return text;
+}();
+static_assert(std::ranges::is_sorted(noise_kinds, {}, &Named<NoiseKind>::value),
+              "nodes store the number of a kind's name");
+
 constexpr Parameter kind_parameter =
-    one_of("kind", "\"perlin\"", "value|perlin|perlin2002|perlin1985|simplex|worley|cell|white",
+    one_of("kind", "\"perlin\"", {kind_choices.data(), kind_choices_size - 1},
            "which noise (docs/reference/noise.md)");
 constexpr Parameter seed_parameter =
     whole("seed", 0, 4294967295.0, "0", "number of the random lattice; octave k uses seed + k");
@@ -111,70 +130,44 @@ constexpr Parameters octave_parameters(std::string_view octaves) {
 }
 
 constexpr std::array noise_rows{
-    NodeType{"field", NodeResult::number, field,
-             "`quadric` plus `noise` terms, as in docs/reference/recipes.md",
-             "Hart et al. 1999, equation 1"},
-    NodeType{"fbm",
-             NodeResult::number,
-             fbm,
-             "sum of gain^k noise(lacunarity^k point)",
-             pbrt,
-             {},
-             octave_parameters("8")},
-    NodeType{"wrinkled",
-             NodeResult::number,
-             wrinkled,
-             "sum of gain^k abs(noise(lacunarity^k point)): turbulence",
-             pbrt,
-             {},
-             octave_parameters("8")},
-    NodeType{"windy",
-             NodeResult::number,
-             windy,
-             "abs(fbm(point / 10), 3 octaves) times fbm(point): gusts that raise waves",
-             pbrt,
-             {},
-             octave_parameters("6")},
-    NodeType{"marble",
-             NodeResult::color,
-             marble,
-             "a spline of nine colours over (1 + sin(t + variation fbm)) / 2",
-             pbrt,
-             {},
-             {kind_parameter, seed_parameter, octaves_parameter("8"), lacunarity_parameter,
-              gain_parameter, real("scale", 1e-6, 1e6, "1", "factor of the point"),
-              real("variation", -1e3, 1e3, "0.2", "how far noise moves the veins"),
-              one_of("spline", "\"bezier\"", "bezier|bspline",
-                     "pbrt's, which jumps where its four colours change, or one that does not"),
-              time_parameter, time_period_parameter}},
-    NodeType{"bumps",
-             NodeResult::inputs,
-             bumps,
-             "b where noise(frequency * point), taken to [0,1], reaches the threshold",
-             slides,
-             two_sides,
-             {kind_parameter, seed_parameter,
-              several("frequency", 3, "[50,50,20]", "cells per unit of s, t and r"),
-              real("threshold", -1, 2, "0.5", "from here on: b"), time_parameter,
-              time_period_parameter}},
-    NodeType{"dots",
-             NodeResult::inputs,
-             dots,
-             "in half of the unit squares a disk of b, moved about within its square",
-             pbrt,
-             two_sides,
-             {seed_parameter, real("radius", 0, 0.5, "0.35", "of a disk"),
-              whole("period_u", 0, 1e6, "0", "squares after which the disks repeat; 0: never"),
-              whole("period_v", 0, 1e6, "0", "the same along the second coordinate")}},
-    NodeType{"warp",
-             NodeResult::inner,
-             warp,
-             "point + strength * three fbm noises of the point",
-             "Perlin 1985",
-             moved_input,
-             {real("strength", -1e6, 1e6, "0.5", "how far the point is moved"), kind_parameter,
-              seed_parameter, octaves_parameter("1"), lacunarity_parameter, gain_parameter,
-              time_parameter, time_period_parameter}},
+    a_node("field", NodeResult::number, field,
+           "`quadric` plus `noise` terms, as in docs/reference/recipes.md",
+           "Hart et al. 1999, equation 1"),
+    a_node("fbm", NodeResult::number, fbm, "sum of gain^k noise(lacunarity^k point)", pbrt, {},
+           octave_parameters("8")),
+    a_node("wrinkled", NodeResult::number, wrinkled,
+           "sum of gain^k abs(noise(lacunarity^k point)): turbulence", pbrt, {},
+           octave_parameters("8")),
+    a_node("windy", NodeResult::number, windy,
+           "abs(fbm(point / 10), 3 octaves) times fbm(point): gusts that raise waves", pbrt, {},
+           octave_parameters("6")),
+    a_node("marble", NodeResult::color, marble,
+           "a spline of nine colours over (1 + sin(t + variation fbm)) / 2", pbrt, {},
+           {kind_parameter, seed_parameter, octaves_parameter("8"), lacunarity_parameter,
+            gain_parameter, real("scale", 1e-6, 1e6, "1", "factor of the point"),
+            real("variation", -1e3, 1e3, "0.2", "how far noise moves the veins"),
+            one_of("spline", "\"bezier\"", "bezier|bspline",
+                   "pbrt's, which jumps where its four colours change, or one that does not"),
+            time_parameter, time_period_parameter}),
+    a_node("bumps", NodeResult::inputs, bumps,
+           "b where noise(frequency * point), taken to [0,1], reaches the threshold", slides,
+           two_sides,
+           {kind_parameter, seed_parameter,
+            several("frequency", 3, "[50,50,20]", "cells per unit of s, t and r"),
+            real("threshold", -1, 2, "0.5", "from here on: b"), time_parameter,
+            time_period_parameter}),
+    a_node("dots", NodeResult::inputs, dots,
+           "in half of the unit squares a disk of b, moved about within its square", pbrt,
+           two_sides,
+           {seed_parameter, real("radius", 0, 0.5, "0.35", "of a disk"),
+            whole("period_u", 0, 1e6, "0", "squares after which the disks repeat; 0: never"),
+            whole("period_v", 0, 1e6, "0",
+                  "squares along the second coordinate after which the disks repeat; 0: never")}),
+    a_node("warp", NodeResult::inner, warp, "point + strength * three fbm noises of the point",
+           "Perlin 1985", moved_input,
+           {real("strength", -1e6, 1e6, "0.5", "how far the point is moved"), kind_parameter,
+            seed_parameter, octaves_parameter("1"), lacunarity_parameter, gain_parameter,
+            time_parameter, time_period_parameter}),
 };
 
 }  // namespace

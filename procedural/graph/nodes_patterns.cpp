@@ -3,7 +3,6 @@
 #include <numbers>
 
 #include "procedural/graph/node_ops.h"
-#include "procedural/graph/rows.h"
 
 namespace burl::nodes {
 
@@ -69,39 +68,30 @@ constexpr Parameters along_parameters{
     real("period", 1e-6, 1e6, "1", "length after which a cell ends")};
 
 constexpr std::array pattern_rows{
-    NodeType{"uv", NodeResult::color, uv,
-             "red and green are the fractions of the point's first two coordinates", pbrt},
-    NodeType{"checkerboard", NodeResult::inputs, board<2>,
-             "unit squares in the point's first two coordinates", pbrt, two_sides,
-             checker_parameters},
-    NodeType{"checkerboard_3d", NodeResult::inputs, board<3>, "unit cubes", pbrt, two_sides,
-             checker_parameters},
-    NodeType{"stripes", NodeResult::inputs, stripes, "slabs one period thick, across a direction",
-             slides, two_sides, along_parameters},
-    NodeType{"ramp", NodeResult::inputs, ramp, "from a to b over each period: mod(x, p) / p",
-             slides, two_sides, along_parameters},
-    NodeType{"sine", NodeResult::inputs, sine_wave,
-             "between a and b as (sin(2 pi x / period) + 1) / 2", slides, two_sides,
-             along_parameters},
-    NodeType{"rings",
-             NodeResult::inputs,
-             rings,
-             "tubes round the r axis",
-             slides,
-             two_sides,
-             {real("spacing", 1e-6, 1e6, "1", "thickness of a ring")}},
-    NodeType{"wood_grain",
-             NodeResult::inputs,
-             wood_grain,
-             "rings of distance / spacing + wobble sin(wobbles angle + twist r)",
-             slides,
-             two_sides,
-             {real("spacing", 1e-6, 1e6, "1", "thickness of a ring"),
-              real("wobble", 0, 1e3, "0.2", "how far a ring strays, in rings"),
-              whole("wobbles", 0, 1000, "5", "how often in one turn"),
-              real("twist", -1e6, 1e6, "0", "radians by which the wobble turns per unit of r"),
-              one_of("profile", "\"hard\"", "hard|ramp",
-                     "rings change from a to b, or rise from a to b and fall back")}},
+    a_node("uv", NodeResult::color, uv,
+           "red and green are the fractions of the point's first two coordinates", pbrt),
+    a_node("checkerboard", NodeResult::inputs, board<2>,
+           "unit squares in the point's first two coordinates", pbrt, two_sides,
+           checker_parameters),
+    a_node("checkerboard_3d", NodeResult::inputs, board<3>, "unit cubes", pbrt, two_sides,
+           checker_parameters),
+    a_node("stripes", NodeResult::inputs, stripes, "slabs one period thick, across a direction",
+           slides, two_sides, along_parameters),
+    a_node("ramp", NodeResult::inputs, ramp, "from a to b over each period: mod(x, p) / p", slides,
+           two_sides, along_parameters),
+    a_node("sine", NodeResult::inputs, sine_wave,
+           "between a and b as (sin(2 pi x / period) + 1) / 2", slides, two_sides,
+           along_parameters),
+    a_node("rings", NodeResult::inputs, rings, "tubes round the r axis", slides, two_sides,
+           {real("spacing", 1e-6, 1e6, "1", "thickness of a ring")}),
+    a_node("wood_grain", NodeResult::inputs, wood_grain,
+           "rings of distance / spacing + wobble sin(wobbles angle + twist r)", slides, two_sides,
+           {real("spacing", 1e-6, 1e6, "1", "thickness of a ring"),
+            real("wobble", 0, 1e3, "0.2", "how far a ring strays, in rings"),
+            whole("wobbles", 0, 1000, "5", "how often in one turn"),
+            real("twist", -1e6, 1e6, "0", "radians by which the wobble turns per unit of r"),
+            one_of("profile", "\"hard\"", "hard|ramp",
+                   "rings change from a to b, or rise from a to b and fall back")}),
 };
 
 }  // namespace

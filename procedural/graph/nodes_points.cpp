@@ -4,7 +4,6 @@
 #include <numbers>
 
 #include "procedural/graph/node_ops.h"
-#include "procedural/graph/rows.h"
 #include "procedural/numbers/rotation.h"
 
 namespace burl::nodes {
@@ -65,42 +64,26 @@ Outputs map_planar(NodeOps& node) {
 }
 
 constexpr std::array point_rows{
-    NodeType{"transform",
-             NodeResult::inner,
-             transform,
-             "matrix (translate + rotate scale point); pbrt's 3-D mapping",
-             pbrt,
-             moved_input,
-             {several("scale", 3, "[1,1,1]", "factors of the coordinates"),
-              several("rotate", 3, "[0,0,0]", "degrees about the first, second and third axis"),
-              several("translate", 3, "[0,0,0]", "added"),
-              several("matrix", 12, "[1,0,0,0,0,1,0,0,0,0,1,0]", "3 rows of 4, applied last")}},
-    NodeType{"map_uv",
-             NodeResult::inner,
-             map_uv,
-             "(scale u + offset, third coordinate) of the point's first two, u",
-             pbrt,
-             moved_input,
-             {several("scale", 2, "[1,1]", "factors"), several("offset", 2, "[0,0]", "added")}},
-    NodeType{"map_spherical", NodeResult::inner, map_spherical,
-             "(angle from the r axis / pi, turn about it in [0,1), distance)", pbrt, moved_input},
-    NodeType{"map_cylindrical",
-             NodeResult::inner,
-             map_cylindrical,
-             "(turn about the r axis in [0,1], height, distance from it)",
-             pbrt,
-             moved_input,
-             {one_of("height", "\"axis\"", "axis|normalized",
-                     "r itself, or (pbrt) r over the distance from the origin")}},
-    NodeType{
-        "map_planar",
-        NodeResult::inner,
-        map_planar,
-        "(vs . point, vt . point, 0) + offset",
-        pbrt,
+    a_node("transform", NodeResult::inner, transform,
+           "matrix (translate + rotate scale point); pbrt's 3-D mapping", pbrt, moved_input,
+           {several("scale", 3, "[1,1,1]", "factors of the coordinates"),
+            several("rotate", 3, "[0,0,0]", "degrees about the first, second and third axis"),
+            several("translate", 3, "[0,0,0]", "added"),
+            several("matrix", 12, "[1,0,0,0,0,1,0,0,0,0,1,0]", "3 rows of 4, applied last")}),
+    a_node("map_uv", NodeResult::inner, map_uv,
+           "(scale u + offset, third coordinate) of the point's first two, u", pbrt, moved_input,
+           {several("scale", 2, "[1,1]", "factors"), several("offset", 2, "[0,0]", "added")}),
+    a_node("map_spherical", NodeResult::inner, map_spherical,
+           "(angle from the r axis / pi, turn about it in [0,1), distance)", pbrt, moved_input),
+    a_node("map_cylindrical", NodeResult::inner, map_cylindrical,
+           "(turn about the r axis in [0,1], height, distance from it)", pbrt, moved_input,
+           {one_of("height", "\"axis\"", "axis|normalized",
+                   "r itself, or (pbrt) r over the distance from the origin")}),
+    a_node(
+        "map_planar", NodeResult::inner, map_planar, "(vs . point, vt . point, 0) + offset", pbrt,
         moved_input,
         {several("vs", 3, "[1,0,0]", "gives the first coordinate"),
-         several("vt", 3, "[0,1,0]", "gives the second"), several("offset", 2, "[0,0]", "added")}},
+         several("vt", 3, "[0,1,0]", "gives the second"), several("offset", 2, "[0,0]", "added")}),
 };
 
 }  // namespace

@@ -1,7 +1,7 @@
 #include "procedural/graph/program.h"
 
 #include "procedural/graph/node_ops.h"
-#include "procedural/noise/mean_noise.h"
+#include "procedural/noise/noise.h"
 
 namespace burl {
 

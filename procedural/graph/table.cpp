@@ -1,6 +1,6 @@
 #include "procedural/graph/table.h"
 
-#include "procedural/graph/rows.h"
+#include "procedural/graph/node_ops.h"
 
 namespace burl {
 

@@ -10,7 +10,7 @@
 
 #include "procedural/kernels/noise_corners-inl.h"
 #include "procedural/noise/perlin1985.h"
-#include "procedural/noise/published_permutation.h"
+#include "procedural/noise/perlin_noise.h"
 
 #ifndef BURL_PERMUTATION_NUMBERS
 #define BURL_PERMUTATION_NUMBERS

@@ -4,8 +4,9 @@
 #include <bit>
 #include <limits>
 
+#include "procedural/batch/point_map.h"
 #include "procedural/batch/row_tasks.h"
-#include "procedural/noise/lattice_line.h"
+#include "procedural/noise/lattice_site.h"
 
 namespace burl {
 
@@ -97,6 +98,19 @@ SolidMap fill_solid_map(const SolidAtlas& solid, const Affine3& map, const Vec3d
         }
     });
     return result;
+}
+
+Image<MapTexel> fill_span_map(const SolidAtlas& solid, const TexelArea& area, int threads) {
+    Image<MapTexel> image(area.width, area.height, {no_owner, 0, 0, 0});
+    for_rows(area, threads, [&](std::size_t y) {
+        for (const Span& span : solid.row(y)) {
+            const WholeSpan whole = solid.whole(span);
+            for_texels(span, y, area, [&](std::size_t x, std::size_t row, std::uint32_t) {
+                image(x, row) = {span.map, whole.x, whole.count, 0};
+            });
+        }
+    });
+    return image;
 }
 
 }  // namespace burl

@@ -19,7 +19,8 @@ struct Named {
 inline constexpr std::array noise_kinds{
     Named{"value", NoiseKind::value, "interpolated lattice values; fade linear, smooth or quintic"},
     Named{"perlin", NoiseKind::perlin, "improved Perlin gradient noise (2002)"},
-    Named{"perlin2002", NoiseKind::perlin2002, "the same with Perlin's published permutation"},
+    Named{"perlin2002", NoiseKind::perlin2002,
+          "improved Perlin gradient noise with his published permutation (2002)"},
     Named{"perlin1985", NoiseKind::perlin1985, "Perlin's original gradient noise and tables"},
     Named{"simplex", NoiseKind::simplex, "Perlin's simplex noise with bit-pattern hash (2001)"},
     Named{"worley", NoiseKind::worley,

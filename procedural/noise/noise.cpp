@@ -2,7 +2,6 @@
 
 #include "procedural/noise/perlin1985.h"
 #include "procedural/noise/perlin_noise.h"
-#include "procedural/noise/random_cells.h"
 #include "procedural/noise/simplex_noise.h"
 #include "procedural/noise/value_noise.h"
 #include "procedural/noise/worley_noise.h"

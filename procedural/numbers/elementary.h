@@ -1,11 +1,13 @@
 #pragma once
-// Sine, angle and power of single numbers, by the range reductions and polynomials that the vector
-// and the shader versions use, too (elementary-inl.h, shaders/numbers/elementary.glsl): all three
-// give the same bits, which mathematical libraries do not.
+// Sine, angle, binary logarithm and power of single numbers, by the range reductions and
+// polynomials that the vector and the shader versions use, too (elementary-inl.h,
+// shaders/numbers/elementary.glsl): all three give the same bits, which mathematical libraries do
+// not.
+#include <bit>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
-
-#include "procedural/numbers/binary_log.h"
 
 namespace burl {
 
@@ -63,6 +65,19 @@ inline double angle_of(double y, double x) {
     if (steep) angle = pi / 2 - angle;
     if (x < 0.0) angle = pi - angle;
     return y < 0.0 ? -angle : angle;
+}
+
+/// log2(x) of a normal number x > 0, to within 1e-13 + 2^-52 |log2(x)|; 1024 or more where x is
+/// infinite or NaN.
+inline double binary_log(double x) {
+    constexpr double series[] = {1.0,      1.0 / 3,  1.0 / 5,  1.0 / 7, 1.0 / 9,
+                                 1.0 / 11, 1.0 / 13, 1.0 / 15, 1.0 / 17};
+    const auto bits = std::bit_cast<std::uint64_t>(x);
+    double exponent = double(bits >> 52) - 1023.0;
+    double m = std::bit_cast<double>((bits & 0x000fffffffffffff) | 0x3ff0000000000000);
+    if (m > 1.4142135623730951) m *= 0.5, exponent += 1.0;
+    const double s = (m - 1.0) / (m + 1.0), z = s * s;
+    return exponent + s * 2.8853900817779268 * polynomial(series, z);
 }
 
 /// 2^x to a relative error of 1e-13; 0 below -1022, infinite from 1023.5 on.

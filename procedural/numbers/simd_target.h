@@ -1,11 +1,18 @@
 #pragma once
 // The instruction set that the kernels run on (Highway, chosen at run time), and how a test or a
 // measurement holds them to another one: results must not depend on it.
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
 
 namespace burl {
+
+/// The number of floats in the instruction set's vectors.
+std::size_t simd_lanes();
+
+/// Highway's name of the instruction set, such as "AVX3".
+std::string simd_level();
 
 /// Names of the instruction sets that the kernels were compiled for and this machine has, the best
 /// first.

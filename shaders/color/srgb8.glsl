@@ -1,4 +1,4 @@
-// 8-bit sRGB codes of linear light, those of SrgbStreamEncoder in procedural/color/srgb_kernels.h.
+// 8-bit sRGB codes of linear light, those of SrgbStreamEncoder in procedural/color/srgb.h.
 // This part must follow numbers/real_bits.glsl. SRGB8_BUCKETS is the number of buckets as a float.
 uniform usamplerBuffer srgb8_buckets;  // halves of the threshold in a bucket, and the code below it
 

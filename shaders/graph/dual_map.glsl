@@ -1,6 +1,6 @@
 // Colour maps averaged over a footprint, as in procedural/color/map_pieces.h and map_filter.cpp.
 // This part must follow graph/dual.glsl and the arrays of pieces and breaks, which
-// procedural/glsl/map_tables.cpp writes.
+// procedural/glsl/duals.cpp writes.
 
 // A colour map: its pieces and breaks in the arrays, and its mean over a period.
 struct PieceMap {

@@ -1,7 +1,7 @@
 // The span of an atlas that a texel lies in (atlas/solid/solid_atlas.h), and the line of solid
 // points that the span shows, for shaders that evaluate points beside the texels' centres. This
 // part must follow numbers/real_bits.glsl.
-uniform usampler2D span_map;        // the map of procedural/maps/span_map.h
+uniform usampler2D span_map;        // the map of procedural/maps/point_map.h
 uniform usamplerBuffer texel_maps;  // TexelMap as it lies in memory, five texels each
 uniform ivec2 tile_origin;          // corner of the target in the atlas
 

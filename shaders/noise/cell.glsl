@@ -1,5 +1,5 @@
 // The noises without interpolation: one random number for each lattice cell, and for each cell of a
-// lattice 2^16 times as fine (procedural/noise/random_cells.h). This part must follow
+// lattice 2^16 times as fine (procedural/noise/value_noise.h). This part must follow
 // noise/lattice.glsl.
 
 float cell_noise(uint seed, uvec3 cell) {

@@ -3,7 +3,7 @@
 
 #include "app/recipe/recipe.h"
 #include "procedural/color/map_filter_kernels.h"
-#include "procedural/color/srgb_kernels.h"
+#include "procedural/color/srgb.h"
 #include "procedural/color/table.h"
 #include "tests/benchmarks/micro_benchmarks.h"
 

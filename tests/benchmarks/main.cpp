@@ -1,7 +1,7 @@
 #include "app/base/version.h"
 #include "atlas/base/error.h"
 #include "procedural/batch/texel_batch.h"
-#include "procedural/numbers/simd_level.h"
+#include "procedural/numbers/simd_target.h"
 #include "tests/benchmarks/micro_benchmarks.h"
 
 namespace {

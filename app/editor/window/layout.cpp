@@ -11,7 +11,7 @@
 #include "app/editor/panels/scale.h"
 #include "app/editor/panels/timeline.h"
 #include "app/editor/window/program.h"
-#include "procedural/numbers/simd_level.h"
+#include "procedural/numbers/simd_target.h"
 
 namespace burl {
 

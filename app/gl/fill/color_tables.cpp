@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "procedural/color/srgb_kernels.h"
+#include "procedural/color/srgb.h"
 #include "procedural/glsl/colors.h"
 
 namespace burl {

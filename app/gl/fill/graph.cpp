@@ -4,7 +4,7 @@
 
 #include "app/base/stopwatch.h"
 #include "app/gl/device/source.h"
-#include "procedural/glsl/color_pieces.h"
+#include "procedural/glsl/functions.h"
 
 namespace burl {
 

@@ -6,9 +6,9 @@
 
 #include "app/gl/fill/color_tables.h"
 #include "app/gl/fill/map_upload.h"
-#include "procedural/color/break_distance.h"
+#include "procedural/color/map_pieces.h"
 #include "procedural/color/mip.h"
-#include "procedural/color/srgb_kernels.h"
+#include "procedural/color/srgb.h"
 #include "procedural/color/sums.h"
 #include "procedural/fill/pieces.h"
 #include "procedural/glsl/colors.h"

@@ -11,7 +11,7 @@
 #include "app/gl/fill/color_tables.h"
 #include "atlas/base/image.h"
 #include "procedural/batch/row_tasks.h"
-#include "procedural/color/srgb_kernels.h"
+#include "procedural/color/srgb.h"
 
 namespace burl {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "app/gl/fill/map_upload.h"
-#include "procedural/maps/span_map.h"
+#include "procedural/maps/point_map.h"
 
 namespace burl {
 

@@ -9,8 +9,8 @@
 #include "app/bench/stability/chance.h"
 #include "app/options/command_options.h"
 #include "app/pipeline/pipeline.h"
+#include "procedural/cache/synthesis.h"
 #include "procedural/fill/synthesize.h"
-#include "procedural/kept/kept.h"
 #include "tests/app/support/sample_scene.h"
 #include "tests/paths.h"
 #include "tests/procedural/support/synthetic_atlas.h"
@@ -112,7 +112,7 @@ Filter random_filter(Chance& chance) {
 TEST(Economy, ShowsInNoByteOfAThousandRecipesAtRandom) {
     const std::vector<NamedTerm> kinds = named_terms();
     const SolidAtlas solid = SyntheticAtlas{20, 7, 3.0, 0.05, true}.make(5);
-    KeptSynthesis kept(solid, {}, large_cache);
+    CachedSynthesis kept(solid, {}, large_cache);
     SynthesisWork with, bare;
     const auto compare = [&]<class Pixel>(std::uint32_t seed, auto synthesize, Image<Pixel> image) {
         SCOPED_TRACE(seed);

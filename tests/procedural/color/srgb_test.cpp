@@ -5,8 +5,6 @@
 
 #include <gtest/gtest.h>
 
-#include "procedural/color/srgb_kernels.h"
-
 namespace burl {
 namespace {
 

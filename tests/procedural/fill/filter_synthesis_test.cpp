@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "procedural/color/break_distance.h"
+#include "procedural/color/map_pieces.h"
 #include "procedural/color/table.h"
 #include "procedural/field/break_kernel.h"
 #include "procedural/fill/synthesize.h"

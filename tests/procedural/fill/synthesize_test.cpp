@@ -6,7 +6,7 @@
 #include "procedural/batch/texel_batch.h"
 #include "procedural/color/srgb.h"
 #include "procedural/noise/noise.h"
-#include "procedural/numbers/simd_level.h"
+#include "procedural/numbers/simd_target.h"
 #include "tests/procedural/noise/cases.h"
 #include "tests/procedural/support/only_target.h"
 #include "tests/procedural/support/synthetic_atlas.h"

@@ -4,7 +4,7 @@
 
 #include "procedural/fill/graph.h"
 #include "procedural/graph/values.h"
-#include "procedural/numbers/simd_level.h"
+#include "procedural/numbers/simd_target.h"
 #include "tests/procedural/graph/cases.h"
 #include "tests/procedural/support/only_target.h"
 #include "tests/procedural/support/synthetic_atlas.h"

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "procedural/graph/value_program.h"
-#include "procedural/numbers/simd_level.h"
+#include "procedural/numbers/simd_target.h"
 #include "tests/procedural/support/only_target.h"
 
 namespace burl {

@@ -8,7 +8,6 @@
 #include "procedural/color/srgb.h"
 #include "procedural/graph/box_means.h"
 #include "procedural/model/texture_json.h"
-#include "procedural/noise/mean_noise.h"
 #include "procedural/noise/noise.h"
 #include "tests/procedural/graph/cases.h"
 

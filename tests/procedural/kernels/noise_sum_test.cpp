@@ -7,7 +7,7 @@
 
 #include "procedural/graph/value_program.h"
 #include "procedural/noise/noise.h"
-#include "procedural/numbers/simd_level.h"
+#include "procedural/numbers/simd_target.h"
 #include "tests/procedural/support/only_target.h"
 
 namespace burl {

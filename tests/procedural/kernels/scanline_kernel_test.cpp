@@ -10,7 +10,7 @@
 
 #include "procedural/field/octave_streams.h"
 #include "procedural/noise/noise.h"
-#include "procedural/numbers/simd_level.h"
+#include "procedural/numbers/simd_target.h"
 #include "tests/procedural/support/random_batch.h"
 
 namespace burl {

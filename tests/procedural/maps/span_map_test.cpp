@@ -1,5 +1,5 @@
 // Span maps against the spans they show.
-#include "procedural/maps/span_map.h"
+#include "procedural/maps/point_map.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "procedural/noise/random_cells.h"
+#include "procedural/noise/value_noise.h"
 #include "tests/procedural/noise/cases.h"
 
 namespace burl {

@@ -17,7 +17,7 @@
 #include "app/gl/fill/synthesizer.h"
 #include "app/pipeline/pipeline.h"
 #include "procedural/fill/graph.h"
-#include "procedural/glsl/color_pieces.h"
+#include "procedural/glsl/functions.h"
 #include "procedural/graph/table.h"
 #include "procedural/noise/names.h"
 #include "tests/app/gl/device/fixture.h"

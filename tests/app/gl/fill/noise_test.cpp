@@ -167,7 +167,7 @@ TEST_P(GlNoise, GradientsAtSitesHaveTheHostsBits) {
         expected.insert(expected.end(), {n.value, n.gradient[0], n.gradient[1], n.gradient[2]});
     }
     const std::string functions =
-        glsl_site_sample(noise, "site_sample") +
+        glsl_site_noise(noise, "site_sample", true) +
         fmt::format("vec4 number(real3 p) {{ return site_sample({}u, p, {:.17e}lf); }}\n",
                     noise.seed, noise.time.value_or(0.0));
     EXPECT_EQ(differences(draw(noise, functions, true), expected), 0u);
@@ -191,7 +191,7 @@ TEST_P(GlNoise, GradientsAtSplitPointsHaveTheKernelsBits) {
             expected.insert(expected.end(), {sums[0][j], sums[1][j], sums[2][j], sums[3][j]});
     }
     const std::string functions =
-        glsl_split_sample(noise, "split_sample") +
+        glsl_split_noise(noise, "split_sample", true) +
         fmt::format(
             "vec4 octave(SplitPoint s, int k, float weight) {{\n"
             "    float kept = float(int(gl_FragCoord.x) + 64 * (int(gl_FragCoord.y) % 4)) / "

@@ -1,30 +1,30 @@
-#include "procedural/kept/lines.h"
+#include "procedural/cache/span_line_cache.h"
 
 #include <limits>
 
 namespace burl {
 
-std::size_t KeptLines::bytes_wanted() const {
+std::size_t SpanLineCache::bytes_wanted() const {
     if (!solid_->wholes.empty()) return std::numeric_limits<std::size_t>::max();
     return numbers() * (6 * sizeof(double) + sizeof(std::uint32_t));
 }
 
-void KeptLines::keep() {
-    if (kept()) return;
-    for (KeptArray<double>& array : start_) array = KeptArray<double>(numbers());
-    for (KeptArray<double>& array : step_) array = KeptArray<double>(numbers());
-    counts_ = KeptArray<std::uint32_t>(numbers());
+void SpanLineCache::allot() {
+    if (allotted()) return;
+    for (CacheArray<double>& array : start_) array = CacheArray<double>(numbers());
+    for (CacheArray<double>& array : step_) array = CacheArray<double>(numbers());
+    counts_ = CacheArray<std::uint32_t>(numbers());
     longest_ = std::vector<std::uint32_t>(solid_->size);
     for (std::size_t y = 0; y < solid_->size; ++y)
         for (const Span& span : solid_->row(y)) longest_[y] = std::max(longest_[y], span.count);
     known_ = std::vector<std::uint8_t>(solid_->size);
 }
 
-void KeptLines::drop() {
-    if (kept()) *this = KeptLines(*solid_);
+void SpanLineCache::free() {
+    if (allotted()) *this = SpanLineCache(*solid_);
 }
 
-SpanLines KeptLines::lines_from(std::size_t number) const {
+SpanLines SpanLineCache::lines_from(std::size_t number) const {
     SpanLines lines;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         lines.start[axis] = start_[axis].data() + number;
@@ -35,7 +35,7 @@ SpanLines KeptLines::lines_from(std::size_t number) const {
 }
 
 /// Fills the lines of a row's spans, with the bits that add_row gives (procedural/fill/pieces.h).
-void KeptLines::fill_row(std::size_t y, const std::vector<TexelMap>& maps) {
+void SpanLineCache::fill_row(std::size_t y, const std::vector<TexelMap>& maps) {
     std::size_t i = begin(y);
     const auto add = [&](const Vec3d& start, const Vec3d& step, std::uint32_t count) {
         for (glm::length_t axis = 0; axis < 3; ++axis) {

@@ -1,5 +1,5 @@
-// Whatever is kept, the bytes are those of a synthesis from scratch, and what can be kept is.
-#include "procedural/kept/kept.h"
+// Whatever is cached, the bytes are those of a synthesis from scratch, and what can be cached is.
+#include "procedural/cache/synthesis.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
@@ -10,8 +10,8 @@
 namespace burl {
 namespace {
 
-constexpr std::size_t kept_plenty = std::size_t(1) << 30;
-const Affine3 kept_twice{2.0 * Mat3d(1.0), Vec3d(0.5, 0.0, -3.0)};
+constexpr std::size_t plenty_of_cache = std::size_t(1) << 30;
+const Affine3 scaled_twice{2.0 * Mat3d(1.0), Vec3d(0.5, 0.0, -3.0)};
 
 /// Terms of every way octaves are added up: chains that double, ones that do not, and noise without
 /// a vectorised kernel.
@@ -32,11 +32,11 @@ template <class Pixel>
 Image<Pixel> from_scratch(const SolidAtlas& solid, const Texture& texture, Kernel kernel,
                           const Filter& filter = {}) {
     if constexpr (std::is_same_v<Pixel, Rgb8>)
-        return synthesize_rgb8(solid, texture, kept_twice, 1, filter, kernel);
+        return synthesize_rgb8(solid, texture, scaled_twice, 1, filter, kernel);
     else if constexpr (std::is_same_v<Pixel, Rgb16>)
-        return synthesize_rgb16(solid, texture, kept_twice, 1, filter, kernel);
+        return synthesize_rgb16(solid, texture, scaled_twice, 1, filter, kernel);
     else
-        return synthesize_rgbf(solid, texture, kept_twice, 1, filter, kernel);
+        return synthesize_rgbf(solid, texture, scaled_twice, 1, filter, kernel);
 }
 
 /// One thing about the texture that a slider would change.
@@ -107,36 +107,36 @@ void follow_edits(Kernel kernel, std::size_t budget, int edits, bool filters = f
             solid.spans.resize(solid.row_begin[2]);
         }
         std::mt19937 random(std::uint32_t(budget % 1000 + block + std::size_t(kernel)));
-        KeptSynthesis kept(solid, kept_twice, budget, kernel);
+        CachedSynthesis cached(solid, scaled_twice, budget, kernel);
         Texture texture = many_terms();
         Filter filter;
         Image<Pixel> image;
         for (int i = 0; i < edits; ++i) {
-            kept.synthesize(texture, std::array{1, 2, 7, 0}[std::size_t(i) % 4], image, filter);
+            cached.synthesize(texture, std::array{1, 2, 7, 0}[std::size_t(i) % 4], image, filter);
             ASSERT_EQ(image, from_scratch<Pixel>(solid, texture, kernel, filter)) << "edit " << i;
-            ASSERT_LE(kept.bytes(), budget);
+            ASSERT_LE(cached.bytes(), budget);
             edit(texture, random);
             if (filters) edit(filter, random);
         }
     }
 }
 
-TEST(KeptSynthesis, GivesTheBytesOfASynthesisFromScratchAfterAnyEdit) {
+TEST(CachedSynthesis, GivesTheBytesOfASynthesisFromScratchAfterAnyEdit) {
     for (const auto& [name, kernel] : kernel_names) {
         SCOPED_TRACE(name);
-        follow_edits<Rgb8>(kernel, kept_plenty, 20);
+        follow_edits<Rgb8>(kernel, plenty_of_cache, 20);
     }
-    follow_edits<Rgb16>(Kernel::automatic, kept_plenty, 5);
-    follow_edits<RgbF>(Kernel::automatic, kept_plenty, 5);
+    follow_edits<Rgb16>(Kernel::automatic, plenty_of_cache, 5);
+    follow_edits<RgbF>(Kernel::automatic, plenty_of_cache, 5);
 }
 
-TEST(KeptSynthesis, GivesTheSameBytesWithEveryFilter) {
-    follow_edits<Rgb8>(Kernel::automatic, kept_plenty, 40, true);
-    follow_edits<Rgb16>(Kernel::automatic, kept_plenty, 10, true);
-    follow_edits<RgbF>(Kernel::scanline, kept_plenty, 10, true);
+TEST(CachedSynthesis, GivesTheSameBytesWithEveryFilter) {
+    follow_edits<Rgb8>(Kernel::automatic, plenty_of_cache, 40, true);
+    follow_edits<Rgb16>(Kernel::automatic, plenty_of_cache, 10, true);
+    follow_edits<RgbF>(Kernel::scanline, plenty_of_cache, 10, true);
 }
 
-TEST(KeptSynthesis, GivesTheSameBytesWithinAnyBudget) {
+TEST(CachedSynthesis, GivesTheSameBytesWithinAnyBudget) {
     for (const std::size_t bytes : {0, 8, 12, 16, 30, 42})
         follow_edits<Rgb8>(Kernel::automatic, bytes * 37 * 48 + 5, 6, bytes % 4 == 0);
 }
@@ -146,7 +146,7 @@ TEST(KeptSynthesis, GivesTheSameBytesWithinAnyBudget) {
 void follow_drags(std::size_t budget, Kernel kernel) {
     const SolidAtlas solid = SyntheticAtlas{40, 11, 10.0, 0.02, true}.make(2);
     std::mt19937 random(std::uint32_t(budget + std::size_t(kernel)));
-    KeptSynthesis kept(solid, kept_twice, budget, kernel);
+    CachedSynthesis cached(solid, scaled_twice, budget, kernel);
     Texture texture = many_terms();
     Image<Rgb8> image;
     for (int drag = 0; drag < 30; ++drag) {
@@ -159,23 +159,23 @@ void follow_drags(std::size_t budget, Kernel kernel) {
             Economy economy;
             economy.stop = stop.get_token();
             if (random() % 5 == 0) stop.request_stop();
-            kept.synthesize(texture, 1, image, {}, economy);
+            cached.synthesize(texture, 1, image, {}, economy);
             if (stop.stop_requested()) continue;
             ASSERT_EQ(image, from_scratch<Rgb8>(solid, texture, kernel)) << "drag " << drag;
-            ASSERT_LE(kept.bytes(), budget);
+            ASSERT_LE(cached.bytes(), budget);
         }
     }
 }
 
-TEST(KeptSynthesis, GivesTheSameBytesWhileSlidersAreDragged) {
+TEST(CachedSynthesis, GivesTheSameBytesWhileSlidersAreDragged) {
     for (const std::size_t bytes : {8, 12, 30, 1000})
         follow_drags(bytes * 40 * 48, Kernel::automatic);
-    follow_drags(kept_plenty, Kernel::scanline);
+    follow_drags(plenty_of_cache, Kernel::scanline);
 }
 
-TEST(KeptSynthesis, EvaluatesNothingThatComesBeforeTheOctavesThatMove) {
+TEST(CachedSynthesis, EvaluatesNothingThatComesBeforeTheOctavesThatMove) {
     const SolidAtlas solid = SyntheticAtlas{40, 11, 10.0, 0.02, true}.make(1);
-    KeptSynthesis kept(solid, kept_twice, 8 * 40 * 48);  // no room for octaves
+    CachedSynthesis cached(solid, scaled_twice, 8 * 40 * 48);  // no room for octaves
     Texture texture = many_terms();
     Image<Rgb8> image;
     const auto move = [&](double& slider) {
@@ -183,44 +183,44 @@ TEST(KeptSynthesis, EvaluatesNothingThatComesBeforeTheOctavesThatMove) {
         SynthesisWork work;
         Economy economy;
         economy.work = &work;
-        kept.synthesize(texture, 1, image, {}, economy);
+        cached.synthesize(texture, 1, image, {}, economy);
         EXPECT_EQ(image, from_scratch<Rgb8>(solid, texture, Kernel::automatic));
-        EXPECT_EQ(work.octaves, kept.work().octaves_evaluated * work.texels);
+        EXPECT_EQ(work.octaves, cached.work().octaves_evaluated * work.texels);
         EXPECT_EQ(work.octaves + work.octaves_skipped[unsigned(Skip::kept_terms)], 7 * work.texels);
-        return kept.work().octaves_evaluated;
+        return cached.work().octaves_evaluated;
     };
     EXPECT_EQ(move(texture.noise[1].phase.x), 7u);
     EXPECT_EQ(move(texture.noise[1].phase.x), 7u);
-    EXPECT_EQ(move(texture.noise[1].phase.x), 7u);  // and keeps what comes before
+    EXPECT_EQ(move(texture.noise[1].phase.x), 7u);  // and caches what comes before
     EXPECT_EQ(move(texture.noise[1].phase.x), 3u);
     EXPECT_EQ(move(texture.noise[2].phase.x), 7u);
     EXPECT_EQ(move(texture.noise[2].phase.x), 7u);
     EXPECT_EQ(move(texture.noise[2].phase.x), 1u);
-    EXPECT_LE(kept.bytes(), 8u * 40 * 48);
+    EXPECT_LE(cached.bytes(), 8u * 40 * 48);
 }
 
-TEST(KeptSynthesis, StartsAnewForAnotherMap) {
+TEST(CachedSynthesis, StartsAnewForAnotherMap) {
     const SolidAtlas solid = SyntheticAtlas{40, 11, 10.0, 0.02, true}.make(1);
-    KeptSynthesis kept(solid, Affine3{}, kept_plenty);
+    CachedSynthesis cached(solid, Affine3{}, plenty_of_cache);
     Image<Rgb8> image;
-    for (const Affine3& map : {Affine3{}, kept_twice, kept_twice, Affine3{}}) {
-        kept.set_map(map);
-        kept.synthesize(many_terms(), 1, image);
+    for (const Affine3& map : {Affine3{}, scaled_twice, scaled_twice, Affine3{}}) {
+        cached.set_map(map);
+        cached.synthesize(many_terms(), 1, image);
         EXPECT_EQ(image, synthesize_rgb8(solid, many_terms(), map, 1));
     }
 }
 
-TEST(KeptSynthesis, DoesNotKeepAnOctaveThatKeepsMoving) {
+TEST(CachedSynthesis, CachesNoOctaveThatIsDragged) {
     const SolidAtlas solid = SyntheticAtlas{40, 11, 10.0, 0.02, true}.make(1);
-    KeptSynthesis kept(solid, kept_twice, kept_plenty);
+    CachedSynthesis cached(solid, scaled_twice, plenty_of_cache);
     Texture texture = many_terms();
     Image<Rgb8> image;
     std::vector<std::size_t> bytes;
     const auto next = [&] {
-        kept.synthesize(texture, 1, image);
+        cached.synthesize(texture, 1, image);
         EXPECT_EQ(image, from_scratch<Rgb8>(solid, texture, Kernel::automatic));
-        bytes.push_back(kept.bytes());
-        return kept.work().octaves_evaluated;
+        bytes.push_back(cached.bytes());
+        return cached.work().octaves_evaluated;
     };
     EXPECT_EQ(next(), 7u);
     for (int i = 0; i < 3; ++i) {
@@ -237,13 +237,13 @@ TEST(KeptSynthesis, DoesNotKeepAnOctaveThatKeepsMoving) {
     EXPECT_EQ(bytes.back(), bytes[0]);
 }
 
-TEST(KeptSynthesis, KeepsAFieldAgainThatHasComeToRest) {
+TEST(CachedSynthesis, CachesAFieldAgainThatHasComeToRest) {
     const SolidAtlas solid = SyntheticAtlas{40, 11, 10.0, 0.02, true}.make(1);
-    KeptSynthesis kept(solid, kept_twice, kept_plenty);
+    CachedSynthesis cached(solid, scaled_twice, plenty_of_cache);
     Texture texture = many_terms();
     Image<Rgb8> image;
     const auto next = [&] {
-        kept.synthesize(texture, 1, image);
+        cached.synthesize(texture, 1, image);
         EXPECT_EQ(image, from_scratch<Rgb8>(solid, texture, Kernel::automatic));
     };
     const auto move_amplitude = [&] {
@@ -253,8 +253,8 @@ TEST(KeptSynthesis, KeepsAFieldAgainThatHasComeToRest) {
     const auto keeps_field_for_colors = [&] {
         texture.colors.stops[0].color.r ^= 1;
         next();
-        EXPECT_EQ(kept.work().octaves_evaluated, 0u);
-        return kept.work().field_kept;
+        EXPECT_EQ(cached.work().octaves_evaluated, 0u);
+        return cached.work().field_cached;
     };
     next();
     for (int i = 0; i < 3; ++i) move_amplitude();
@@ -268,16 +268,16 @@ TEST(KeptSynthesis, KeepsAFieldAgainThatHasComeToRest) {
     EXPECT_TRUE(keeps_field_for_colors());
 }
 
-TEST(KeptSynthesis, CountsWhatItDidAndSpared) {
+TEST(CachedSynthesis, CountsWhatItDidAndSpared) {
     const SolidAtlas solid = SyntheticAtlas{40, 11, 10.0, 0.02, true}.make(1);
     std::uint64_t texels = 0;
     for (const Span& span : solid.spans) texels += span.count;
-    KeptSynthesis kept(solid, kept_twice, kept_plenty);
+    CachedSynthesis cached(solid, scaled_twice, plenty_of_cache);
     Texture texture = many_terms();
     Image<Rgb8> image;
     const auto expect = [&](std::uint64_t octaves, std::uint64_t skipped) {
         SynthesisWork work;
-        kept.synthesize(texture, 0, image, {}, {{}, &work});
+        cached.synthesize(texture, 0, image, {}, {{}, &work});
         EXPECT_EQ(work.texels, texels);
         EXPECT_EQ(work.octaves, octaves * texels);
         EXPECT_EQ(work.octaves_skipped[unsigned(Skip::kept_terms)], skipped * texels);
@@ -290,46 +290,46 @@ TEST(KeptSynthesis, CountsWhatItDidAndSpared) {
     expect(0, 7);
 }
 
-TEST(KeptSynthesis, KeepsWhatItHadWhenItIsStopped) {
+TEST(CachedSynthesis, CachesWhatItHadWhenItIsStopped) {
     const SolidAtlas solid = SyntheticAtlas{40, 11, 10.0, 0.02, true}.make(1);
-    KeptSynthesis kept(solid, kept_twice, kept_plenty);
+    CachedSynthesis cached(solid, scaled_twice, plenty_of_cache);
     Texture texture = many_terms();
     Image<Rgb8> image;
-    kept.synthesize(texture, 1, image);
+    cached.synthesize(texture, 1, image);
     texture.noise[1].phase.x = 0.3;
     std::stop_source stop;
     stop.request_stop();
-    kept.synthesize(texture, 1, image, {}, {{}, nullptr, stop.get_token()});
+    cached.synthesize(texture, 1, image, {}, {{}, nullptr, stop.get_token()});
     texture.noise[2].phase.x = 0.3;
-    kept.synthesize(texture, 1, image);
+    cached.synthesize(texture, 1, image);
     EXPECT_EQ(image, from_scratch<Rgb8>(solid, texture, Kernel::automatic));
-    EXPECT_EQ(kept.work().octaves_evaluated, 3u);
-    EXPECT_EQ(kept.work().octaves_kept, 4u);
+    EXPECT_EQ(cached.work().octaves_evaluated, 3u);
+    EXPECT_EQ(cached.work().octaves_cached, 4u);
 }
 
 /// The work of going from one texture to the other.
-KeptSynthesis::Work work_between(const Texture& from, const Texture& to,
-                                 std::size_t budget = kept_plenty) {
+CachedSynthesis::Work work_between(const Texture& from, const Texture& to,
+                                   std::size_t budget = plenty_of_cache) {
     const SolidAtlas solid = SyntheticAtlas{40, 11, 10.0, 0.02, true}.make(1);
-    KeptSynthesis kept(solid, kept_twice, budget);
+    CachedSynthesis cached(solid, scaled_twice, budget);
     Image<Rgb8> image;
-    kept.synthesize(from, 1, image);
-    EXPECT_FALSE(kept.work().field_kept);
-    EXPECT_EQ(kept.work().octaves_kept, 0u);
-    kept.synthesize(to, 1, image);
-    return kept.work();
+    cached.synthesize(from, 1, image);
+    EXPECT_FALSE(cached.work().field_cached);
+    EXPECT_EQ(cached.work().octaves_cached, 0u);
+    cached.synthesize(to, 1, image);
+    return cached.work();
 }
 
-TEST(KeptSynthesis, EvaluatesOnlyWhatIsNew) {
+TEST(CachedSynthesis, EvaluatesOnlyWhatIsNew) {
     const Texture texture = many_terms();
     Texture to = texture;
     to.colors.stops[0].color = {1, 2, 3};
-    EXPECT_TRUE(work_between(texture, to).field_kept);
+    EXPECT_TRUE(work_between(texture, to).field_cached);
 
-    const auto expect = [&](std::size_t kept, std::size_t evaluated) {
-        const KeptSynthesis::Work work = work_between(texture, to);
-        EXPECT_FALSE(work.field_kept);
-        EXPECT_EQ(work.octaves_kept, kept);
+    const auto expect = [&](std::size_t cached, std::size_t evaluated) {
+        const CachedSynthesis::Work work = work_between(texture, to);
+        EXPECT_FALSE(work.field_cached);
+        EXPECT_EQ(work.octaves_cached, cached);
         EXPECT_EQ(work.octaves_evaluated, evaluated);
         to = texture;
     };
@@ -354,45 +354,45 @@ TEST(KeptSynthesis, EvaluatesOnlyWhatIsNew) {
     expect(3, 4);
 }
 
-TEST(KeptSynthesis, KeepsTheFieldFirstAndThenOctavesWithinTheBudget) {
+TEST(CachedSynthesis, CachesTheFieldFirstAndThenOctavesWithinTheBudget) {
     const Texture texture = many_terms();
     Texture colors = texture, amplitude = texture;
     colors.colors.wrap = Wrap::clamp;
     amplitude.noise[0].amplitude = 0.25;
     const std::size_t texels = 40 * 48;  // rows of 40 take 48 at most
-    EXPECT_FALSE(work_between(texture, colors, 100).field_kept);
-    EXPECT_TRUE(work_between(texture, colors, 8 * texels).field_kept);
-    EXPECT_EQ(work_between(texture, amplitude, 8 * texels).octaves_kept, 0u);
-    const std::size_t kept = work_between(texture, amplitude, 16 * texels).octaves_kept;
-    EXPECT_GE(kept, 2u);
-    EXPECT_LT(kept, 7u);
+    EXPECT_FALSE(work_between(texture, colors, 100).field_cached);
+    EXPECT_TRUE(work_between(texture, colors, 8 * texels).field_cached);
+    EXPECT_EQ(work_between(texture, amplitude, 8 * texels).octaves_cached, 0u);
+    const std::size_t cached = work_between(texture, amplitude, 16 * texels).octaves_cached;
+    EXPECT_GE(cached, 2u);
+    EXPECT_LT(cached, 7u);
 }
 
-TEST(KeptSynthesis, StatesTheBytesItKeeps) {
+TEST(CachedSynthesis, StatesTheBytesItTakes) {
     const SolidAtlas solid = SyntheticAtlas{64, 16, 10.0, 0.02, false}.make(1);
-    KeptSynthesis kept(solid, kept_twice, kept_plenty);
-    EXPECT_EQ(kept.bytes(), 0u);
+    CachedSynthesis cached(solid, scaled_twice, plenty_of_cache);
+    EXPECT_EQ(cached.bytes(), 0u);
     Image<Rgb8> image;
-    kept.synthesize(many_terms(), 1, image);
-    EXPECT_EQ(kept.bytes(), std::size_t(64 * 64 * (8 + 7 * 4 + 8)));
+    cached.synthesize(many_terms(), 1, image);
+    EXPECT_EQ(cached.bytes(), std::size_t(64 * 64 * (8 + 7 * 4 + 8)));
     Texture colors = many_terms();
     colors.colors.stops[0].color = {1, 2, 3};
-    kept.synthesize(colors, 1, image);
-    EXPECT_EQ(kept.bytes(), std::size_t(64 * 64 * (8 + 7 * 4 + 8 + 4)));
+    cached.synthesize(colors, 1, image);
+    EXPECT_EQ(cached.bytes(), std::size_t(64 * 64 * (8 + 7 * 4 + 8 + 4)));
 }
 
-TEST(KeptSynthesis, PaintsWhatNobodyOwnsAnew) {
+TEST(CachedSynthesis, PaintsWhatNobodyOwnsAnew) {
     const SolidAtlas solid = SyntheticAtlas{40, 11, 10.0, 0.02, true}.make(1);
-    KeptSynthesis kept(solid, kept_twice, kept_plenty);
+    CachedSynthesis cached(solid, scaled_twice, plenty_of_cache);
     Image<Rgb8> image(40, 40, Rgb8{1, 2, 3});
     Texture texture = many_terms();
     for (const std::uint8_t red : {std::uint8_t(9), std::uint8_t(77)}) {
         texture.colors.stops[0].color = {red, 0, 0};
-        kept.synthesize(texture, 1, image);
+        cached.synthesize(texture, 1, image);
         EXPECT_EQ(image, from_scratch<Rgb8>(solid, texture, Kernel::automatic));
     }
     Image<Rgb8> other(3, 5);
-    kept.synthesize(texture, 1, other);
+    cached.synthesize(texture, 1, other);
     EXPECT_EQ(other, image);
 }
 

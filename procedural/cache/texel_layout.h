@@ -15,14 +15,15 @@ namespace burl {
 /// Allocates `bytes` aligned to a cache line, or to large pages (2 MiB, by madvise) where it is at
 /// least two of them; the whole array is read for every texture. To be freed by std::free. Throws
 /// std::bad_alloc.
-void* allot_kept(std::size_t bytes);
+void* allot_cache(std::size_t bytes);
 
-/// Array of uninitialised numbers, aligned as by allot_kept.
+/// Array of uninitialised numbers, aligned as by allot_cache.
 template <class T>
-class KeptArray {
+class CacheArray {
   public:
-    KeptArray() = default;
-    explicit KeptArray(std::size_t count) : data_(static_cast<T*>(allot_kept(count * sizeof(T)))) {}
+    CacheArray() = default;
+    explicit CacheArray(std::size_t count)
+        : data_(static_cast<T*>(allot_cache(count * sizeof(T)))) {}
     T* data() const { return data_.get(); }
 
   private:
@@ -33,14 +34,14 @@ class KeptArray {
 };
 
 /// Layout of an array that holds one number per texel of a span, ordered by row, then x.
-class KeptRows {
+class TexelLayout {
   public:
     /// Run of consecutive texels of a row, across spans.
     struct Run {
         std::uint32_t x = 0, count = 0;
     };
 
-    explicit KeptRows(const SolidAtlas& solid);
+    explicit TexelLayout(const SolidAtlas& solid);
 
     /// The length of an array in this layout. Rows begin at multiples of batch_padding, so that no
     /// vector reaches from one row into the next.
@@ -77,10 +78,11 @@ class KeptRows {
 template <class Pixel>
 class RowPainter {
   public:
-    RowPainter(std::span<const KeptRows::Run> runs, std::span<Pixel> row, const Pixel& background)
+    RowPainter(std::span<const TexelLayout::Run> runs, std::span<Pixel> row,
+               const Pixel& background)
         : run_(runs.data()), row_(row) {
         std::size_t x = 0;
-        for (const KeptRows::Run& run : runs) {
+        for (const TexelLayout::Run& run : runs) {
             std::fill(row.begin() + std::ptrdiff_t(x), row.begin() + run.x, background);
             x = run.x + run.count;
         }
@@ -101,7 +103,7 @@ class RowPainter {
     }
 
   private:
-    const KeptRows::Run* run_;
+    const TexelLayout::Run* run_;
     std::size_t done_ = 0;  ///< texels of the current run that are written
     std::span<Pixel> row_;
 };

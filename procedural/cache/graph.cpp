@@ -1,4 +1,4 @@
-#include "procedural/kept/graph.h"
+#include "procedural/cache/graph.h"
 
 #include "procedural/color/pixel_encoder.h"
 #include "procedural/fill/graph.h"
@@ -63,11 +63,11 @@ Image<Pixel> from_scratch(const SolidAtlas& solid, const TextureGraph& graph, co
 
 /// Colours a row of cached values, run by run.
 template <class Pixel>
-void color_row(const GraphValues& map, std::span<const KeptRows::Run> runs,
+void color_row(const GraphValues& map, std::span<const TexelLayout::Run> runs,
                std::span<const double> values, GraphValues::Scratch& scratch,
                std::span<Pixel> row) {
     const BatchEncoder<Pixel> encode;
-    for (const KeptRows::Run& run : runs)
+    for (const TexelLayout::Run& run : runs)
         for (std::size_t done = 0, count = 0; done < run.count; done += count) {
             count = std::min<std::size_t>(run.count - done, value_batch);
             std::copy_n(&values[run.x + done], count, scratch[0]);
@@ -77,7 +77,7 @@ void color_row(const GraphValues& map, std::span<const KeptRows::Run> runs,
 
 }  // namespace
 
-bool KeptGraph::splits(const TextureGraph& graph, const Filter& filter) {
+bool CachedGraph::splits(const TextureGraph& graph, const Filter& filter) {
     if (filter.kind != FilterKind::none || graph.nodes.size() < 3) return false;
     const GraphNode& last = graph.nodes.back();
     if (type_of(last).name != "color_map" || last.inputs.front() != graph.nodes.size() - 2)
@@ -87,8 +87,8 @@ bool KeptGraph::splits(const TextureGraph& graph, const Filter& filter) {
 }
 
 template <class Pixel>
-void KeptGraph::synthesize(const TextureGraph& graph, const Affine3& texture_from_atlas,
-                           int threads, Image<Pixel>& image, const Economy& economy) {
+void CachedGraph::synthesize(const TextureGraph& graph, const Affine3& texture_from_atlas,
+                             int threads, Image<Pixel>& image, const Economy& economy) {
     const std::size_t size = solid_->size;
     if (budget_ / sizeof(double) < size * size) {
         image = from_scratch<Pixel>(*solid_, graph, texture_from_atlas, threads, economy);
@@ -121,11 +121,11 @@ void KeptGraph::synthesize(const TextureGraph& graph, const Affine3& texture_fro
     if (economy.work) *economy.work += work;
 }
 
-template void KeptGraph::synthesize(const TextureGraph&, const Affine3&, int, Image<Rgb8>&,
-                                    const Economy&);
-template void KeptGraph::synthesize(const TextureGraph&, const Affine3&, int, Image<Rgb16>&,
-                                    const Economy&);
-template void KeptGraph::synthesize(const TextureGraph&, const Affine3&, int, Image<RgbF>&,
-                                    const Economy&);
+template void CachedGraph::synthesize(const TextureGraph&, const Affine3&, int, Image<Rgb8>&,
+                                      const Economy&);
+template void CachedGraph::synthesize(const TextureGraph&, const Affine3&, int, Image<Rgb16>&,
+                                      const Economy&);
+template void CachedGraph::synthesize(const TextureGraph&, const Affine3&, int, Image<RgbF>&,
+                                      const Economy&);
 
 }  // namespace burl

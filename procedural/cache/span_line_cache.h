@@ -1,20 +1,21 @@
 #pragma once
 // Cache of the lines of an atlas's spans in texture space: while only octaves change, it spares the
-// reading of every triangle's map and the building of pieces.
+// reading of every triangle's map and the building of pieces. Lines are added row by row on first
+// use.
 #include <vector>
 
 #include "atlas/solid/solid_atlas.h"
 #include "procedural/batch/span_lines.h"
-#include "procedural/kept/rows.h"
+#include "procedural/cache/texel_layout.h"
 
 namespace burl {
 
 /// Cached span lines of one atlas, filled row by row. Different rows may be used by different
 /// threads at a time.
-class KeptLines {
+class SpanLineCache {
   public:
     /// `solid` must outlive this object. The cache is empty.
-    explicit KeptLines(const SolidAtlas& solid) : solid_(&solid) {}
+    explicit SpanLineCache(const SolidAtlas& solid) : solid_(&solid) {}
 
     /// The size of a full cache in bytes: 52 per span and span_padding spans more per row; the
     /// largest size_t for an atlas that was cut, which is not supported.
@@ -22,12 +23,12 @@ class KeptLines {
     /// The size of the allotted arrays in bytes.
     std::size_t bytes() const { return known_.empty() ? 0 : bytes_wanted(); }
     /// Allots the arrays; their rows are filled on first use.
-    void keep();
+    void allot();
     /// Frees the arrays.
-    void drop();
-    bool kept() const { return !known_.empty(); }
+    void free();
+    bool allotted() const { return !known_.empty(); }
     /// Marks all rows as invalid.
-    void forget() { std::ranges::fill(known_, std::uint8_t(0)); }
+    void invalidate() { std::ranges::fill(known_, std::uint8_t(0)); }
 
     /// The number of texels in the longest span of row y.
     std::uint32_t longest(std::size_t y) const { return longest_[y]; }
@@ -62,8 +63,8 @@ class KeptLines {
     void fill_row(std::size_t y, const std::vector<TexelMap>& maps);
 
     const SolidAtlas* solid_;
-    KeptArray<double> start_[3], step_[3];
-    KeptArray<std::uint32_t> counts_;
+    CacheArray<double> start_[3], step_[3];
+    CacheArray<std::uint32_t> counts_;
     std::vector<std::uint32_t> longest_;  ///< texels of every row's longest span
     std::vector<std::uint8_t> known_;     ///< flag of each row: whether its lines are valid
 };

@@ -1,6 +1,6 @@
 // A graph's new colours need nothing below its colour map, and have the bytes of a bake from
 // scratch.
-#include "procedural/kept/graph.h"
+#include "procedural/cache/graph.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -33,13 +33,13 @@ struct Step {
 template <class Pixel, class FromScratch>
 void follow(std::size_t budget, const std::vector<Step>& steps, const FromScratch& from_scratch) {
     const SolidAtlas solid = SyntheticAtlas{70, 11, 1.0, 0.02, true}.make(3);
-    KeptGraph kept(solid, budget);
+    CachedGraph cached(solid, budget);
     Image<Pixel> image;
     for (std::size_t i = 0; i < steps.size(); ++i) {
         const auto& [graph, map, octaves] = steps[i];
-        ASSERT_TRUE(KeptGraph::splits(graph, {}));
+        ASSERT_TRUE(CachedGraph::splits(graph, {}));
         SynthesisWork work;
-        kept.synthesize(graph, map, int(i % 3), image, {{}, &work});
+        cached.synthesize(graph, map, int(i % 3), image, {{}, &work});
         EXPECT_EQ(image, from_scratch(solid, graph, map)) << i;
         EXPECT_GT(work.texels, 3000u);
         if (budget == plenty) {
@@ -47,11 +47,11 @@ void follow(std::size_t budget, const std::vector<Step>& steps, const FromScratc
             EXPECT_EQ(work.octaves_skipped[unsigned(Skip::kept_terms)],
                       (3 - octaves) * work.texels);
         }
-        EXPECT_LE(kept.bytes(), budget);
+        EXPECT_LE(cached.bytes(), budget);
     }
 }
 
-TEST(KeptGraph, LooksColoursUpInTheNumberKept) {
+TEST(CachedGraph, LooksColoursUpInTheCachedNumber) {
     const Affine3 twice{2.0 * Mat3d(1.0), Vec3d(0.5, 0.0, -3.0)};
     const std::vector<Step> steps{
         {mapped(wrinkles, grey), {}, 3},
@@ -75,13 +75,13 @@ TEST(KeptGraph, LooksColoursUpInTheNumberKept) {
                  });
 }
 
-TEST(KeptGraph, SplitsOnlyAColourMapOverItsOwnNumberInPointSamples) {
+TEST(CachedGraph, SplitsOnlyAColourMapOverItsOwnNumberInPointSamples) {
     const TextureGraph graph = mapped(wrinkles, grey);
-    EXPECT_TRUE(KeptGraph::splits(graph, {}));
-    EXPECT_FALSE(KeptGraph::splits(graph, {FilterKind::exact, 16, false}));
-    EXPECT_FALSE(KeptGraph::splits(graph, {FilterKind::supersample, 16, false}));
-    EXPECT_FALSE(KeptGraph::splits(graph_of(R"({"node": "stripes"})"), {}));
-    EXPECT_FALSE(KeptGraph::splits({}, {}));
+    EXPECT_TRUE(CachedGraph::splits(graph, {}));
+    EXPECT_FALSE(CachedGraph::splits(graph, {FilterKind::exact, 16, false}));
+    EXPECT_FALSE(CachedGraph::splits(graph, {FilterKind::supersample, 16, false}));
+    EXPECT_FALSE(CachedGraph::splits(graph_of(R"({"node": "stripes"})"), {}));
+    EXPECT_FALSE(CachedGraph::splits({}, {}));
 }
 
 }  // namespace

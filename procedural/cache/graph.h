@@ -9,18 +9,18 @@
 #include "atlas/solid/solid_atlas.h"
 #include "procedural/batch/economy.h"
 #include "procedural/batch/filter.h"
+#include "procedural/cache/texel_layout.h"
 #include "procedural/graph/graph.h"
-#include "procedural/kept/rows.h"
 
 namespace burl {
 
 /// Synthesis of graphs on one atlas with a cache of the colour map's input. Not to be used by two
 /// threads at a time.
-class KeptGraph {
+class CachedGraph {
   public:
     /// `solid` must outlive this object. The cache takes 8 bytes per texel of the whole square; if
     /// `budget`, in bytes, is less, nothing is cached.
-    KeptGraph(const SolidAtlas& solid, std::size_t budget)
+    CachedGraph(const SolidAtlas& solid, std::size_t budget)
         : solid_(&solid), rows_(solid), budget_(budget) {}
 
     /// Whether the cache serves the graph: its last node is a colour map over the node before,
@@ -47,7 +47,7 @@ class KeptGraph {
     };
 
     const SolidAtlas* solid_;
-    KeptRows rows_;
+    TexelLayout rows_;
     std::size_t budget_;
     Image<double> values_;
     std::optional<Key> known_;

@@ -1,14 +1,14 @@
 // Lines of spans are those of the pieces that a synthesis from scratch makes, and coordinates along
-// them have the same bits; what is kept of them stays within the budget.
-#include "procedural/kept/lines.h"
+// them have the same bits; what is cached of them stays within the budget.
+#include "procedural/cache/span_line_cache.h"
 
 #include <memory>
 
 #include <gtest/gtest.h>
 
+#include "procedural/cache/synthesis.h"
 #include "procedural/fill/pieces.h"
 #include "procedural/fill/synthesize.h"
-#include "procedural/kept/kept.h"
 #include "tests/procedural/support/synthetic_atlas.h"
 
 namespace burl {
@@ -29,8 +29,8 @@ SolidAtlas atlas_of(std::uint32_t size) {
 template <class Visit>
 void for_each_batch(const SolidAtlas& solid, const Visit& visit) {
     const std::vector<TexelMap> maps = moved_maps(solid.maps, map, 1);
-    KeptLines kept(solid);
-    kept.keep();
+    SpanLineCache cached(solid);
+    cached.allot();
     const auto batch = std::make_unique<FieldBatch>();
     for (int time = 0; time < 2; ++time)
         for (std::size_t y = 0; y < solid.size; ++y) {
@@ -43,7 +43,7 @@ void for_each_batch(const SolidAtlas& solid, const Visit& visit) {
             add_row(solid, maps, y, *batch, empty);
             empty();
             std::size_t at = 0;
-            kept.for_each_batch(y, maps, [&](const SpanLines& lines) {
+            cached.for_each_batch(y, maps, [&](const SpanLines& lines) {
                 ASSERT_LT(at, batches.size());
                 visit(batches[at++], lines);
             });
@@ -51,7 +51,7 @@ void for_each_batch(const SolidAtlas& solid, const Visit& visit) {
         }
 }
 
-TEST(KeptLines, AreThoseOfTheRowsPieces) {
+TEST(SpanLineCache, AreThoseOfTheRowsPieces) {
     for (const std::uint32_t size : {40u, 2300u})
         for_each_batch(atlas_of(size),
                        [&](const std::vector<Piece>& pieces, const SpanLines& lines) {
@@ -71,7 +71,7 @@ TEST(KeptLines, AreThoseOfTheRowsPieces) {
 }
 
 /// Near the lattice's origin, near its cells' only, and too far for either.
-TEST(KeptLines, HaveTheCoordinatesOfPieces) {
+TEST(SpanLineCache, HaveTheCoordinatesOfPieces) {
     const auto expected = std::make_unique<LatticeStream>(),
                stream = std::make_unique<LatticeStream>();
     const Mat3d turn(1.5, 0.25, 0, -0.75, 2, 0.5, 0, 0.125, 1);
@@ -97,35 +97,35 @@ Texture two_terms() {
     return texture;
 }
 
-/// Bytes that are kept more once an octave moves; the texture is that from scratch.
-std::size_t kept_by_a_move(const SolidAtlas& solid, KeptSynthesis& kept) {
+/// Bytes that are cached more once an octave moves; the texture is that from scratch.
+std::size_t cached_by_a_move(const SolidAtlas& solid, CachedSynthesis& cached) {
     Image<Rgb8> image;
     Texture texture = two_terms();
-    kept.synthesize(texture, 1, image);
-    const std::size_t bytes = kept.bytes();
+    cached.synthesize(texture, 1, image);
+    const std::size_t bytes = cached.bytes();
     texture.noise[1].phase.x = 0.5;
-    kept.synthesize(texture, 1, image);
+    cached.synthesize(texture, 1, image);
     EXPECT_EQ(image, synthesize_rgb8(solid, texture, map, 1));
-    return kept.bytes() - bytes;
+    return cached.bytes() - bytes;
 }
 
-TEST(KeptLines, AreKeptOnceAnOctaveMoves) {
+TEST(SpanLineCache, AreCachedOnceAnOctaveMoves) {
     const SolidAtlas solid = atlas_of(40);
-    const std::size_t lines = KeptLines(solid).bytes_wanted();
+    const std::size_t lines = SpanLineCache(solid).bytes_wanted();
     EXPECT_GE(lines, 52 * solid.spans.size());
-    KeptSynthesis roomy(solid, map, std::size_t(1) << 30);
-    EXPECT_EQ(kept_by_a_move(solid, roomy), lines);
+    CachedSynthesis roomy(solid, map, std::size_t(1) << 30);
+    EXPECT_EQ(cached_by_a_move(solid, roomy), lines);
     const std::size_t without = roomy.bytes() - lines;
-    KeptSynthesis tight(solid, map, without);
-    EXPECT_EQ(kept_by_a_move(solid, tight), 0u);
+    CachedSynthesis tight(solid, map, without);
+    EXPECT_EQ(cached_by_a_move(solid, tight), 0u);
     EXPECT_EQ(tight.bytes(), without);
 }
 
-TEST(KeptLines, AreNotThoseOfAnAtlasThatWasCut) {
+TEST(SpanLineCache, AreNotThoseOfAnAtlasThatWasCut) {
     SolidAtlas solid = atlas_of(40);
     for (const Span& span : solid.spans) solid.wholes.push_back({span.x, span.count});
-    KeptSynthesis kept(solid, map, std::size_t(1) << 30);
-    EXPECT_EQ(kept_by_a_move(solid, kept), 0u);
+    CachedSynthesis cached(solid, map, std::size_t(1) << 30);
+    EXPECT_EQ(cached_by_a_move(solid, cached), 0u);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // Codes from tables and pixels from codes against loops over single texels.
-#include "procedural/color/kernels.h"
+#include "procedural/color/table.h"
 
 #include <limits>
 #include <random>
@@ -8,7 +8,6 @@
 #include <gtest/gtest.h>
 
 #include "procedural/batch/texel_batch.h"
-#include "procedural/color/table.h"
 
 namespace burl {
 namespace {

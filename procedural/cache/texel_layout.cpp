@@ -1,4 +1,4 @@
-#include "procedural/kept/rows.h"
+#include "procedural/cache/texel_layout.h"
 
 #include <new>
 
@@ -8,7 +8,7 @@
 
 namespace burl {
 
-void* allot_kept(std::size_t bytes) {
+void* allot_cache(std::size_t bytes) {
     constexpr std::size_t cache_line = 64, large_page = std::size_t(1) << 21;
     const std::size_t step = bytes < 2 * large_page ? cache_line : large_page;
     void* const memory = std::aligned_alloc(step, (bytes / step + 1) * step);
@@ -21,22 +21,22 @@ void* allot_kept(std::size_t bytes) {
     return memory;
 }
 
-KeptRows::KeptRows(const SolidAtlas& solid) {
-    std::size_t kept = 0;
+TexelLayout::TexelLayout(const SolidAtlas& solid) {
+    std::size_t numbers = 0;
     for (std::size_t y = 0; y < solid.size; ++y) {
-        begin_.push_back(kept);
+        begin_.push_back(numbers);
         run_begin_.push_back(runs_.size());
         for (const Span& span : solid.row(y)) {
             const bool goes_on =
                 runs_.size() > run_begin_.back() && runs_.back().x + runs_.back().count == span.x;
             if (!goes_on) runs_.push_back({span.x, 0});
             runs_.back().count += span.count;
-            kept += span.count;
+            numbers += span.count;
             texels_ += span.count;
         }
-        kept = (kept + batch_padding - 1) / batch_padding * batch_padding;
+        numbers = (numbers + batch_padding - 1) / batch_padding * batch_padding;
     }
-    begin_.push_back(kept);
+    begin_.push_back(numbers);
     run_begin_.push_back(runs_.size());
 }
 
