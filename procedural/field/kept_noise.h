@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <span>
 
-#include "procedural/batch/span_lines.h"
+#include "procedural/kernels/lattice_stream.h"
 #include "procedural/model/octaves.h"
 
 namespace burl {

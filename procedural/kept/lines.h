@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "atlas/solid/solid_atlas.h"
-#include "procedural/batch/span_lines.h"
+#include "procedural/kernels/lattice_stream.h"
 #include "procedural/kept/rows.h"
 
 namespace burl {

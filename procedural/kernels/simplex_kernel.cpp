@@ -46,11 +46,11 @@ HWY_ATTR HWY_INLINE void AddScaledTo(float* sum, Float weight, Float term) {
     hn::Store(hn::Add(hn::Load(d, sum), hn::Mul(weight, term)), d, sum);
 }
 
-HWY_ATTR void AddSimplexOctave(const StreamOctave& octave, double radius2,
-                               const LatticeStream& stream, std::size_t count, float* sums) {
+HWY_ATTR void AddSimplexOctave(const StreamOctave& octave, const LatticeStream& stream,
+                               const CellRuns*, std::size_t count, float* sums, GradientSums*) {
     const Floats d;
     const SeedShift shift(octave.seed);
-    const Float radius = hn::Set(d, float(radius2)), weight = hn::Set(d, octave.weight);
+    const Float radius = hn::Set(d, float(octave.radius2)), weight = hn::Set(d, octave.weight);
     for (std::size_t j = 0; j < count; j += hn::Lanes(d)) {
         Float noise = hn::Zero(d);
         ForEachCorner(SitesAt(stream, octave.doublings, j), shift.along,
@@ -63,12 +63,12 @@ HWY_ATTR void AddSimplexOctave(const StreamOctave& octave, double radius2,
     }
 }
 
-HWY_ATTR void AddSimplexOctaveAndGradient(const StreamOctave& octave, double radius2,
-                                          const LatticeStream& stream, std::size_t count,
-                                          float* sums, GradientSums& gradients) {
+HWY_ATTR void AddSimplexOctaveAndGradient(const StreamOctave& octave, const LatticeStream& stream,
+                                          const CellRuns*, std::size_t count, float* sums,
+                                          GradientSums* gradients) {
     const Floats d;
     const SeedShift shift(octave.seed);
-    const Float radius = hn::Set(d, float(radius2)), weight = hn::Set(d, octave.weight);
+    const Float radius = hn::Set(d, float(octave.radius2)), weight = hn::Set(d, octave.weight);
     const Float steepness = hn::Set(d, std::ldexp(octave.weight, octave.doublings));
     for (std::size_t j = 0; j < count; j += hn::Lanes(d)) {
         Float noise = hn::Zero(d), along[3] = {noise, noise, noise};
@@ -86,8 +86,12 @@ HWY_ATTR void AddSimplexOctaveAndGradient(const StreamOctave& octave, double rad
             });
         AddScaledTo(sums + j, weight, noise);
         for (int axis = 0; axis < 3; ++axis)
-            AddScaledTo(gradients.along[axis] + j, steepness, along[axis]);
+            AddScaledTo(gradients->along[axis] + j, steepness, along[axis]);
     }
+}
+
+HWY_ATTR OctaveKernel SimplexKernel(bool gradients) {
+    return gradients ? AddSimplexOctaveAndGradient : AddSimplexOctave;
 }
 
 }  // namespace HWY_NAMESPACE
@@ -97,19 +101,10 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace burl {
 
-HWY_EXPORT(AddSimplexOctave);
-HWY_EXPORT(AddSimplexOctaveAndGradient);
+HWY_EXPORT(SimplexKernel);
 
-void add_simplex_octave(const StreamOctave& octave, double radius2, const LatticeStream& stream,
-                        std::size_t count, float* sums) {
-    HWY_DYNAMIC_DISPATCH(AddSimplexOctave)(octave, radius2, stream, count, sums);
-}
-
-void add_simplex_octave_and_gradient(const StreamOctave& octave, double radius2,
-                                     const LatticeStream& stream, std::size_t count, float* sums,
-                                     GradientSums& gradients) {
-    HWY_DYNAMIC_DISPATCH(AddSimplexOctaveAndGradient)
-    (octave, radius2, stream, count, sums, gradients);
+OctaveKernel simplex_kernel(bool gradients) {
+    return HWY_DYNAMIC_DISPATCH(SimplexKernel)(gradients);
 }
 
 }  // namespace burl
