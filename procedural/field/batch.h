@@ -2,7 +2,7 @@
 // A batch of texels whose field is evaluated together, with the scratch arrays of the evaluation.
 #include <vector>
 
-#include "procedural/batch/texel_piece.h"
+#include "procedural/batch/texel_batch.h"
 #include "procedural/field/octave_streams.h"
 #include "procedural/kernels/quadric_kernel.h"
 #include "procedural/kernels/slope_kernels.h"

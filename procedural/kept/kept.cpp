@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "procedural/batch/work_sum.h"
+#include "procedural/batch/economy.h"
 #include "procedural/color/point_colors.h"
 #include "procedural/fill/pieces.h"
 #include "procedural/fill/synthesize.h"
@@ -35,19 +35,6 @@ void paint(const Shader& shader, ShadedBatch& batch, RowPainter<typename Shader:
     painter(batch.count, [&](std::size_t at, std::size_t part, auto* pixels) {
         shader.pixels(batch, at, part, pixels);
     });
-}
-
-/// The texture without the cache.
-template <class Pixel>
-Image<Pixel> from_scratch(const SolidAtlas& solid, const Texture& texture, const Affine3& map,
-                          int threads, const Filter& filter, Kernel kernel,
-                          const Economy& economy) {
-    if constexpr (std::is_same_v<Pixel, Rgb8>)
-        return synthesize_rgb8(solid, texture, map, threads, filter, kernel, economy);
-    else if constexpr (std::is_same_v<Pixel, Rgb16>)
-        return synthesize_rgb16(solid, texture, map, threads, filter, kernel, economy);
-    else
-        return synthesize_rgbf(solid, texture, map, threads, filter, kernel, economy);
 }
 
 }  // namespace
@@ -148,7 +135,6 @@ void KeptSynthesis::evaluate_row(std::size_t y, const Evaluation<Pixel>& to, Bat
         paint(to.colors, batch.field, count, batch.colors, painter);
         batch.streams.work.texels += count;
         kept.at += count;
-        batch.count = 0;
     };
     if (to.all_known)
         return rows_.for_each_batch(y, [&](std::size_t, std::size_t count) { fill(count); });
@@ -157,12 +143,8 @@ void KeptSynthesis::evaluate_row(std::size_t y, const Evaluation<Pixel>& to, Bat
             kept.lines = &lines;
             fill(lines.texels);
         });
-    const auto empty = [&] {
-        if (batch.count > 0) fill(batch.count);
-        batch.pieces.clear();
-    };
-    add_row(*solid_, maps_, y, batch, empty);
-    empty();
+    PieceReader pieces(*solid_, maps_, {y, y + 1});
+    while (pieces.read(batch)) fill(batch.count);
 }
 
 template <class Pixel>
@@ -248,9 +230,9 @@ void KeptSynthesis::evaluate_with(const Shader& shader, const Texture& texture,
         for (std::size_t y = range.begin(); y != range.end(); ++y) {
             RowPainter painter(rows_.runs(y), image.row(y), background);
             std::size_t at = rows_.begin(y);
-            const auto empty = [&] {
+            PieceReader pieces(*solid_, maps_, {y, y + 1});
+            while (pieces.read(*batch)) {
                 const std::size_t count = batch->count;
-                if (count == 0) return;
                 shader.sample(sampler, *batch);
                 std::copy_n(batch->field, count, field_.data() + at);
                 if (slopes) {
@@ -260,11 +242,7 @@ void KeptSynthesis::evaluate_with(const Shader& shader, const Texture& texture,
                 paint(shader, *batch, painter);
                 batch->streams.work.texels += count;
                 at += count;
-                batch->pieces.clear();
-                batch->count = 0;
-            };
-            add_row(*solid_, maps_, y, *batch, empty);
-            empty();
+            }
         }
         work.add(batch->streams.work);
         work.add(batch->corners.batch->streams.work);
@@ -283,8 +261,8 @@ void KeptSynthesis::synthesize_with(const Shader& shader, const Texture& texture
     if (keep_field(wants_slopes(filter.kind)))
         evaluate_with(shader, texture, filter, threads, economy, image);
     else
-        image = from_scratch<Pixel>(*solid_, texture, texture_from_atlas_, threads, filter, kernel_,
-                                    economy);
+        image = synthesize_model<Pixel>(*solid_, texture, texture_from_atlas_, threads, filter,
+                                        kernel_, economy);
 }
 
 template <class Pixel>
@@ -292,8 +270,8 @@ void KeptSynthesis::synthesize(const Texture& texture, int threads, Image<Pixel>
                                const Filter& filter, const Economy& economy) {
     work_ = {};
     if (filter.kind == FilterKind::supersample) {
-        image = from_scratch<Pixel>(*solid_, texture, texture_from_atlas_, threads, filter, kernel_,
-                                    economy);
+        image = synthesize_model<Pixel>(*solid_, texture, texture_from_atlas_, threads, filter,
+                                        kernel_, economy);
         return;
     }
     if (image.width() != solid_->size || image.height() != solid_->size)

@@ -41,14 +41,14 @@ class KeptSynthesis {
     void set_map(const Affine3& texture_from_atlas);
     Kernel kernel() const { return kernel_; }
 
-    /// Sets `image` to the bytes of synthesize_rgb8, _rgb16 or _rgbf, for Pixel Rgb8, Rgb16 or
-    /// RgbF. An image of the atlas's size is overwritten in place, which spares the allocation of a
-    /// cleared one. `threads` 0 means all. An octave or quadric that changes in two calls running,
-    /// as while its slider moves, is not cached until it stops changing. A field that changes in
-    /// two calls running for the same octaves is not cached either: its memory holds the cached
-    /// prefix of the sum (procedural/field/kept_start.h). Filtered, supersampled and band-limited
-    /// textures cache no octaves. If economy.stop is requested, the image is unspecified; cached
-    /// noise of the texture's octaves stays valid.
+    /// Sets `image` to the bytes of synthesize_model, for Pixel Rgb8, Rgb16 or RgbF. An image of
+    /// the atlas's size is overwritten in place, which spares the allocation of a cleared one.
+    /// `threads` 0 means all. An octave or quadric that changes in two calls running, as while its
+    /// slider moves, is not cached until it stops changing. A field that changes in two calls
+    /// running for the same octaves is not cached either: its memory holds the cached prefix of the
+    /// sum (procedural/field/kept_start.h). Filtered, supersampled and band-limited textures cache
+    /// no octaves. If economy.stop is requested, the image is unspecified; cached noise of the
+    /// texture's octaves stays valid.
     template <class Pixel>
     void synthesize(const Texture& texture, int threads, Image<Pixel>& image,
                     const Filter& filter = {}, const Economy& economy = {});

@@ -16,8 +16,8 @@ struct RecolorTask {
     const Economy& economy;
 };
 
-/// Sets `image` to the unfiltered colours of the cached f, with the bytes of synthesize_rgb8,
-/// _rgb16 or _rgbf. Defined for Rgb8, Rgb16 and RgbF.
+/// Sets `image` to the unfiltered colours of the cached f, with the bytes of synthesize_model.
+/// Defined for Rgb8, Rgb16 and RgbF.
 template <class Pixel>
 void recolor_field(const RecolorTask& task, const ColorMap& map, const double* field,
                    Image<Pixel>& image);

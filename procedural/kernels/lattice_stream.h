@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <span>
 
-#include "procedural/batch/texel_piece.h"
+#include "procedural/batch/texel_batch.h"
 
 namespace burl {
 

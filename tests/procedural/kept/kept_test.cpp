@@ -32,11 +32,11 @@ template <class Pixel>
 Image<Pixel> from_scratch(const SolidAtlas& solid, const Texture& texture, Kernel kernel,
                           const Filter& filter = {}) {
     if constexpr (std::is_same_v<Pixel, Rgb8>)
-        return synthesize_rgb8(solid, texture, kept_twice, 1, filter, kernel);
+        return synthesize_model<Rgb8>(solid, texture, kept_twice, 1, filter, kernel);
     else if constexpr (std::is_same_v<Pixel, Rgb16>)
-        return synthesize_rgb16(solid, texture, kept_twice, 1, filter, kernel);
+        return synthesize_model<Rgb16>(solid, texture, kept_twice, 1, filter, kernel);
     else
-        return synthesize_rgbf(solid, texture, kept_twice, 1, filter, kernel);
+        return synthesize_model<RgbF>(solid, texture, kept_twice, 1, filter, kernel);
 }
 
 /// One thing about the texture that a slider would change.
@@ -206,7 +206,7 @@ TEST(KeptSynthesis, StartsAnewForAnotherMap) {
     for (const Affine3& map : {Affine3{}, kept_twice, kept_twice, Affine3{}}) {
         kept.set_map(map);
         kept.synthesize(many_terms(), 1, image);
-        EXPECT_EQ(image, synthesize_rgb8(solid, many_terms(), map, 1));
+        EXPECT_EQ(image, synthesize_model<Rgb8>(solid, many_terms(), map, 1));
     }
 }
 
