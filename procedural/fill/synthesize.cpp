@@ -58,7 +58,10 @@ struct RowLoop {
             fill_outside(rows, batch->streams.work);
             PieceReader pieces(solid, maps, rows);
             while (pieces.read(*batch)) {
-                shader.sample(sampler, *batch);
+                if constexpr (requires { shader.sample(sampler, *batch); })
+                    shader.sample(sampler, *batch);
+                else
+                    sampler.values(*batch);
                 shader.shade(*batch);
                 store(*batch, shader, image);
             }

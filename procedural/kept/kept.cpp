@@ -233,7 +233,10 @@ void KeptSynthesis::evaluate_with(const Shader& shader, const Texture& texture,
             PieceReader pieces(*solid_, maps_, {y, y + 1});
             while (pieces.read(*batch)) {
                 const std::size_t count = batch->count;
-                shader.sample(sampler, *batch);
+                if constexpr (requires { shader.sample(sampler, *batch); })
+                    shader.sample(sampler, *batch);
+                else
+                    sampler.values(*batch);
                 std::copy_n(batch->field, count, field_.data() + at);
                 if (slopes) {
                     std::copy_n(batch->slopes.u, count, slopes_u_.data() + at);
