@@ -79,16 +79,16 @@ FilterSubject checkers(const char* node) {
 
 Image<RgbF> colors(const SolidAtlas& solid, const Recipe& recipe) {
     if (!recipe.graph.empty())
-        return synthesize_graph_rgbf(solid, recipe.graph, {}, recipe.filter, 0);
-    return synthesize_rgbf(solid, recipe.texture, {}, 0, recipe.filter);
+        return synthesize_graph<RgbF>(solid, recipe.graph, {}, recipe.filter, 0);
+    return synthesize_model<RgbF>(solid, recipe.texture, {}, 0, recipe.filter);
 }
 
 /// Bakes on one thread, in 8 bits.
 void bake(const SolidAtlas& solid, const Recipe& recipe) {
     if (!recipe.graph.empty())
-        synthesize_graph_rgb8(solid, recipe.graph, {}, recipe.filter, 1);
+        synthesize_graph<Rgb8>(solid, recipe.graph, {}, recipe.filter, 1);
     else
-        synthesize_rgb8(solid, recipe.texture, {}, 1, recipe.filter);
+        synthesize_model<Rgb8>(solid, recipe.texture, {}, 1, recipe.filter);
 }
 
 TexelMap plane(const Vec3d& origin, double side) {

@@ -71,8 +71,8 @@ std::vector<BenchCase> cases_of(const std::shared_ptr<Pipeline>& pipeline,
     cases.push_back({"from scratch", texels, "texel",
                      [pipeline] {
                          const Recipe& recipe = pipeline->recipe();
-                         synthesize_rgb8(pipeline->solid(), recipe.texture,
-                                         texture_from_solid(recipe), 1);
+                         synthesize_model<Rgb8>(pipeline->solid(), recipe.texture,
+                                                texture_from_solid(recipe), 1);
                      },
                      group});
     add("after a change of colours", [](Edited& e) {

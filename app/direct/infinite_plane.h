@@ -6,7 +6,7 @@
 #include <string>
 
 #include "app/scene/camera.h"
-#include "procedural/batch/texel_place.h"
+#include "procedural/batch/texel_batch.h"
 
 namespace burl {
 

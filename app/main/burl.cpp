@@ -86,11 +86,8 @@ std::string usage_sentence(const CLI::App& program, const CLI::ParseError& wrong
                        arguments[1], did_you_mean(arguments[1], words), fmt::join(verbs, ", "));
 }
 
-/// Runs the verb and returns the exit code. A wrong command line gives one sentence on stderr, help
-/// goes to stdout.
-int run(int argc, char** argv) {
-    CLI::App program{
-        "Burl carves triangle meshes out of procedural wood, marble, stone, cloud and fire."};
+/// Adds the verbs and the version to the program.
+void set_up(CLI::App& program) {
     program.name("burl");
     program.set_version_flag("--version", [] { return burl::version_text(); });
     program.require_subcommand(1);
@@ -104,24 +101,26 @@ int run(int argc, char** argv) {
     burl::add_eval(program);
     burl::add_figures(program);
     burl::add_list(program);
-    try {
-        program.parse(argc, argv);
-    } catch (const CLI::Success& asked) {
-        std::ostringstream text;
-        program.exit(asked, text, text);
-        fmt::print("{}", text.str());
-    } catch (const CLI::ParseError& wrong) {
-        say(usage_sentence(program, wrong, {argv, std::size_t(argc)}));
-        return static_cast<int>(burl::ExitCode::usage);
-    }
-    return 0;
 }
 
-/// Runs the verb, reports errors and returns the exit code. Failures of stdout are left for main to
-/// report.
-int run_and_say(int argc, char** argv) {
+/// Runs the verb, reports errors and returns the exit code. A wrong command line gives one sentence
+/// on stderr, help goes to stdout. Failures of stdout are left for main to report.
+int run(int argc, char** argv) {
     try {
-        return run(argc, argv);
+        CLI::App program{
+            "Burl carves triangle meshes out of procedural wood, marble, stone, cloud and fire."};
+        set_up(program);
+        try {
+            program.parse(argc, argv);
+        } catch (const CLI::Success& asked) {
+            std::ostringstream text;
+            program.exit(asked, text, text);
+            fmt::print("{}", text.str());
+        } catch (const CLI::ParseError& wrong) {
+            say(usage_sentence(program, wrong, {argv, std::size_t(argc)}));
+            return static_cast<int>(burl::ExitCode::usage);
+        }
+        return 0;
     } catch (const burl::Error& error) {
         if (*error.what() != '\0') say(error.what());
         return static_cast<int>(error.code());
@@ -167,5 +166,5 @@ int main(int argc, char** argv) {
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN);
     burl::clean_up_on_signals();
-    return code_with_results(run_and_say(argc, argv));
+    return code_with_results(run(argc, argv));
 }

@@ -7,26 +7,12 @@
 #include <nlohmann/json.hpp>
 
 #include "app/bake/job.h"
+#include "app/base/stopwatch.h"
 #include "app/main/verbs.h"
 #include "atlas/base/error.h"
 #include "atlas/base/memory.h"
 
 namespace burl {
-
-namespace {
-
-void run_bake(const BakeCommand& command, const Json& settings) {
-    const BakeJob job(command, settings);
-    if (const auto known = job.known_report()) return job.print(*known);
-    const std::shared_ptr<TextureSynthesizer> synthesizer = job.synthesizer();
-    const auto start = std::chrono::steady_clock::now();
-    Pipeline pipeline(job.command().meshes.load(job.command().mesh));
-    return_large_blocks(pipeline.mesh().triangles.size());
-    const std::chrono::duration<double> reading = std::chrono::steady_clock::now() - start;
-    job.print(job.run(pipeline, synthesizer, reading.count(), LaterBake::none));
-}
-
-}  // namespace
 
 void add_bake(CLI::App& program) {
     auto* verb =
@@ -41,7 +27,13 @@ void add_bake(CLI::App& program) {
             throw Error(ExitCode::usage,
                         "--cache keeps what one frame leaves to the next; add --frames, or leave "
                         "it out");
-        run_bake(*command, bake_settings(*verb));
+        const BakeJob job(*command, bake_settings(*verb));
+        if (const auto known = job.known_report()) return job.print(*known);
+        const std::shared_ptr<TextureSynthesizer> synthesizer = job.synthesizer();
+        const auto start = std::chrono::steady_clock::now();
+        Pipeline pipeline(command->meshes.load(command->mesh));
+        return_large_blocks(pipeline.mesh().triangles.size());
+        job.print(job.run(pipeline, synthesizer, seconds_since(start), LaterBake::none));
     });
 }
 

@@ -21,43 +21,6 @@ ForwardPrecision forward_precision(const Recipe& recipe) {
                                                            : ForwardPrecision::float64;
 }
 
-/// Table of the synthesis functions for one kind of pixel.
-template <class Pixel>
-struct Fast;
-template <>
-struct Fast<Rgb8> {
-    static constexpr auto model = synthesize_rgb8;
-    static constexpr auto graph = synthesize_graph_rgb8;
-};
-template <>
-struct Fast<Rgb16> {
-    static constexpr auto model = synthesize_rgb16;
-    static constexpr auto graph = synthesize_graph_rgb16;
-};
-template <>
-struct Fast<RgbF> {
-    static constexpr auto model = synthesize_rgbf;
-    static Image<RgbF> graph(const SolidAtlas& solid, const TextureGraph& graph, const Affine3& map,
-                             const Filter& filter, int threads, PrecisionKind precision,
-                             const Economy& economy) {
-        return synthesize_graph_rgbf(solid, graph, map, filter, threads, precision, economy);
-    }
-};
-
-/// The rows `rows` of the texture of a recipe for which has_fast_way is false, in linear light.
-Image<RgbF> rows_by_other_ways(const SolidAtlas& solid, const Recipe& recipe, const HostWay& way,
-                               const Economy& economy, const RowWindow& rows) {
-    const Affine3 map = texture_from_solid(recipe);
-    if (way.forward)
-        return synthesize_forward<RgbF>(solid, recipe.texture, map, forward_precision(recipe),
-                                        way.threads, economy, rows);
-    if (!recipe.graph.empty())
-        return synthesize_graph_rgbf(solid, recipe.graph, map, recipe.filter, way.threads,
-                                     bake_precision(recipe), economy, rows);
-    return synthesize_texels<RgbF>(solid, recipe.texture, map, recipe.precision, recipe.filter,
-                                   way.threads, economy, rows);
-}
-
 }  // namespace
 
 bool has_fast_way(const Recipe& recipe, const HostWay& way) {
@@ -71,19 +34,19 @@ bool has_fast_graph(const Recipe& recipe, const HostWay& way) {
 
 template <class Pixel>
 Image<Pixel> fill_unpainted(const SolidAtlas& solid, const Recipe& recipe, const HostWay& way,
-                            const Economy& economy) {
+                            const Economy& economy, const RowWindow& rows) {
     const Affine3 map = texture_from_solid(recipe);
     if (way.forward)
         return synthesize_forward<Pixel>(solid, recipe.texture, map, forward_precision(recipe),
-                                         way.threads, economy);
+                                         way.threads, economy, rows);
     if (!recipe.graph.empty())  // one function for both precisions
-        return Fast<Pixel>::graph(solid, recipe.graph, map, recipe.filter, way.threads,
-                                  bake_precision(recipe), economy);
+        return synthesize_graph<Pixel>(solid, recipe.graph, map, recipe.filter, way.threads,
+                                       bake_precision(recipe), economy, rows);
     if (!has_fast_way(recipe, way))
         return synthesize_texels<Pixel>(solid, recipe.texture, map, recipe.precision, recipe.filter,
-                                        way.threads, economy);
-    return Fast<Pixel>::model(solid, recipe.texture, map, way.threads, recipe.filter, way.kernel,
-                              economy);
+                                        way.threads, economy, rows);
+    return synthesize_model<Pixel>(solid, recipe.texture, map, way.threads, recipe.filter,
+                                   way.kernel, economy, rows);
 }
 
 template <class Pixel>
@@ -96,13 +59,10 @@ Image<Pixel> fill_texture(const SolidAtlas& solid, const Recipe& recipe, const H
 
 void fill_in_bands(const SolidAtlas& solid, const Recipe& recipe, const HostWay& way,
                    const Economy& economy, std::size_t texels, const TakeRows& take) {
-    if (has_fast_way(recipe, way))
-        return synthesize_rgbf_bands(solid, recipe.texture, texture_from_solid(recipe), way.threads,
-                                     recipe.filter, way.kernel, economy, texels, take);
     const std::size_t least = band_rows * solid.size;
     const std::size_t at_once = band_rows * std::max<std::size_t>(1, texels / least);
     for (std::size_t first = 0; first < solid.size; first += at_once)
-        take(first, rows_by_other_ways(solid, recipe, way, economy, {first, first + at_once}));
+        take(first, fill_unpainted<RgbF>(solid, recipe, way, economy, {first, first + at_once}));
 }
 
 template Image<Rgb8> fill_texture(const SolidAtlas&, const Recipe&, const HostWay&, const Economy&);
@@ -110,10 +70,10 @@ template Image<Rgb16> fill_texture(const SolidAtlas&, const Recipe&, const HostW
                                    const Economy&);
 template Image<RgbF> fill_texture(const SolidAtlas&, const Recipe&, const HostWay&, const Economy&);
 template Image<Rgb8> fill_unpainted(const SolidAtlas&, const Recipe&, const HostWay&,
-                                    const Economy&);
+                                    const Economy&, const RowWindow&);
 template Image<Rgb16> fill_unpainted(const SolidAtlas&, const Recipe&, const HostWay&,
-                                     const Economy&);
+                                     const Economy&, const RowWindow&);
 template Image<RgbF> fill_unpainted(const SolidAtlas&, const Recipe&, const HostWay&,
-                                    const Economy&);
+                                    const Economy&, const RowWindow&);
 
 }  // namespace burl

@@ -1,11 +1,13 @@
 #pragma once
 // Synthesis of a recipe's texture on the host: chooses among the vectorised 1999 model, other
 // arithmetic texel by texel, forward differences and graphs of nodes.
+#include <functional>
+
 #include "app/recipe/recipe.h"
 #include "atlas/base/image.h"
 #include "procedural/batch/economy.h"
 #include "procedural/batch/kernel.h"
-#include "procedural/fill/synthesize.h"
+#include "procedural/batch/row_window.h"
 
 namespace burl {
 
@@ -41,13 +43,19 @@ struct TextureKey {
 template <class Pixel>
 Image<Pixel> fill_texture(const SolidAtlas& solid, const Recipe& recipe, const HostWay& way,
                           const Economy& economy = {});
-/// The recipe's texture without its paint. Defined for Rgb8, Rgb16 and RgbF.
+/// The rows `rows` of the recipe's texture without its paint. Defined for Rgb8, Rgb16 and RgbF.
 template <class Pixel>
 Image<Pixel> fill_unpainted(const SolidAtlas& solid, const Recipe& recipe, const HostWay& way,
-                            const Economy& economy = {});
+                            const Economy& economy = {}, const RowWindow& rows = {});
+
+/// A callback that takes rows of a texture from `first` on, in order.
+using TakeRows = std::function<void(std::size_t first, Image<RgbF> rows)>;
+
+/// The number of rows of which a band has a multiple, except for the last band.
+inline constexpr std::size_t band_rows = 16;
 
 /// Gives the texture in linear light, without paint, to `take` in bands of about `texels` texels,
-/// as synthesize_rgbf_bands does (procedural/fill/synthesize.h).
+/// for callers that do not need all of it at a time.
 void fill_in_bands(const SolidAtlas& solid, const Recipe& recipe, const HostWay& way,
                    const Economy& economy, std::size_t texels, const TakeRows& take);
 

@@ -5,7 +5,7 @@
 #include <functional>
 
 #include "app/recipe/recipe.h"
-#include "procedural/batch/texel_place.h"
+#include "procedural/batch/texel_batch.h"
 
 namespace burl {
 

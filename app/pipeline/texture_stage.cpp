@@ -65,15 +65,15 @@ template <class Pixel>
 Image<Pixel> TextureStage::run(StageContext& context, const SolidAtlas& solid, const Recipe& recipe,
                                std::uint32_t level) {
     if (context.cache > 0) return *show<Pixel>(context, solid, recipe, level, {});
+    const auto start = std::chrono::steady_clock::now();
+    StageCost cost;
     Image<Pixel> image;
-    context.records.time(Stage::synthesis, [&](StageCost& cost) {
-        if (context.synthesizer && level == 0)
-            synthesize_elsewhere(context, solid, recipe, &image, cost);
-        else
-            image = fill_unpainted<Pixel>(solid, recipe, context.way, {context.skips, &cost.work});
-        cost.bytes = bytes_of(image);
-        return true;
-    });
+    if (context.synthesizer && level == 0)
+        synthesize_elsewhere(context, solid, recipe, &image, cost);
+    else
+        image = fill_unpainted<Pixel>(solid, recipe, context.way, {context.skips, &cost.work});
+    cost.bytes = bytes_of(image);
+    context.records.add(Stage::synthesis, seconds_since(start), cost);
     paint(context, solid, recipe, image);
     return image;
 }

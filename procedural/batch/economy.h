@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <mutex>
 #include <stop_token>
 #include <string_view>
 
@@ -58,6 +59,23 @@ struct SynthesisWork {
         return *this;
     }
     bool operator==(const SynthesisWork&) const = default;
+};
+
+/// The sum of SynthesisWork over threads: whole numbers, whose sum does not depend on the order.
+class WorkSum {
+  public:
+    /// The sum is added to `total`, which may be null.
+    explicit WorkSum(SynthesisWork* total) : total_(total) {}
+
+    void add(const SynthesisWork& work) {
+        if (!total_) return;
+        const std::lock_guard lock(mutex_);
+        *total_ += work;
+    }
+
+  private:
+    std::mutex mutex_;
+    SynthesisWork* total_;
 };
 
 /// The work that a synthesis may leave out, the counts that it adds to (`work`; null: none), and a

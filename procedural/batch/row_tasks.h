@@ -16,12 +16,14 @@ using RowRange = tbb::blocked_range<std::size_t>;
 
 /// Calls work(rows) for ranges that make up rows 0 to size - 1, `size` texels each, with at least
 /// about `texels` texels to a range. The ranges decide only which thread works, never the result.
-/// `threads` 0 means all. Where `stop` can be requested, ranges are about `texels` long, and those
-/// that have not begun when it is are left out, so that the result must not be used.
+/// `threads` 0 means all; one thread takes all rows as one range, without oneTBB. Where `stop` can
+/// be requested, ranges are about `texels` long, and those that have not begun when it is are left
+/// out, so that the result must not be used.
 template <class Work>
 void for_row_ranges(std::size_t size, std::size_t texels, int threads, const Work& work,
                     const std::stop_token& stop = {}) {
     const std::size_t grain = std::max<std::size_t>(1, texels / (size + 1));
+    if (threads == 1 && !stop.stop_possible()) return work(RowRange(0, size, grain));
     const auto most =
         tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
     tbb::task_arena arena(threads > 0 ? std::min(threads, int(most)) : tbb::task_arena::automatic);

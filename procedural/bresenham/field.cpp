@@ -5,7 +5,7 @@
 
 #include "procedural/bresenham/cell_polynomial.h"
 #include "procedural/bresenham/cell_walk.h"
-#include "procedural/bresenham/runs.h"
+#include "procedural/bresenham/differences.h"
 #include "procedural/noise/lattice_site.h"
 
 namespace burl {
@@ -121,7 +121,7 @@ ForwardCounts fill_line(FieldLine& field, std::int64_t longest, double* values) 
     ForwardCounts counts;
     counts.cells = std::int64_t(field.octaves.size());
     for (CellStretch at = common_stretch(field); at.first < end; at = common_stretch(field)) {
-        const TexelRange texels{at.first, at.last, begin, end};
+        const CellSpan texels{at.first, at.last, begin, end};
         if (std::min(longest, at.last - at.first) <= std::int64_t(degree)) {
             for (std::int64_t j = texels.wanted_first(); j < texels.wanted_last(); ++j)
                 values[j - begin] = direct_value(field, j);

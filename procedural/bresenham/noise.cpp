@@ -2,7 +2,7 @@
 
 #include "procedural/bresenham/cell_polynomial.h"
 #include "procedural/bresenham/cell_walk.h"
-#include "procedural/bresenham/runs.h"
+#include "procedural/bresenham/differences.h"
 #include "procedural/noise/lattice_site.h"
 
 namespace burl {
@@ -23,7 +23,7 @@ template <class Number, Fade fade>
 void add_stretch(const CellBlend& blend, const CellStretch& stretch, std::int64_t longest,
                  const Target& to, ForwardCounts& counts) {
     constexpr std::size_t degree = 3 * fade_degree(fade);
-    const TexelRange texels{stretch.first, stretch.last, to.begin, to.end};
+    const CellSpan texels{stretch.first, stretch.last, to.begin, to.end};
     if (std::min(longest, stretch.last - stretch.first) <= std::int64_t(degree)) {
         for (std::int64_t j = texels.wanted_first(); j < texels.wanted_last(); ++j)
             to.add(j, blend_at(blend, fade, cell_place(to.line, stretch.cell, j)));

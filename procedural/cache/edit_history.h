@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "procedural/batch/filter.h"
-#include "procedural/field/kept_noise.h"
+#include "procedural/field/kept_start.h"
 #include "procedural/model/texture.h"
 
 namespace burl {

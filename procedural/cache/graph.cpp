@@ -48,19 +48,6 @@ Pixel background_of(const TextureGraph& graph) {
     return PixelEncoder<Pixel>()(values(Vec3d(0.0), scratch));
 }
 
-/// The texture without the cache.
-template <class Pixel>
-Image<Pixel> from_scratch(const SolidAtlas& solid, const TextureGraph& graph, const Affine3& map,
-                          int threads, const Economy& economy) {
-    constexpr PrecisionKind fast = PrecisionKind::float32;
-    if constexpr (std::is_same_v<Pixel, Rgb8>)
-        return synthesize_graph_rgb8(solid, graph, map, {}, threads, fast, economy);
-    else if constexpr (std::is_same_v<Pixel, Rgb16>)
-        return synthesize_graph_rgb16(solid, graph, map, {}, threads, fast, economy);
-    else
-        return synthesize_graph_rgbf(solid, graph, map, {}, threads, fast, economy);
-}
-
 /// Colours a row of cached values, run by run.
 template <class Pixel>
 void color_row(const GraphValues& map, std::span<const TexelLayout::Run> runs,
@@ -91,7 +78,8 @@ void CachedGraph::synthesize(const TextureGraph& graph, const Affine3& texture_f
                              int threads, Image<Pixel>& image, const Economy& economy) {
     const std::size_t size = solid_->size;
     if (budget_ / sizeof(double) < size * size) {
-        image = from_scratch<Pixel>(*solid_, graph, texture_from_atlas, threads, economy);
+        image = synthesize_graph<Pixel>(*solid_, graph, texture_from_atlas, {}, threads,
+                                        PrecisionKind::float32, economy);
         return;
     }
     const Key key{number_below(graph), texture_from_atlas};

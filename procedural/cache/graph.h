@@ -27,9 +27,9 @@ class CachedGraph {
     /// nobody else uses the map's texture, and the filter is `none`.
     static bool splits(const TextureGraph& graph, const Filter& filter);
 
-    /// Sets `image` to the bytes of synthesize_graph_rgb8, _rgb16 or _rgbf, for Pixel Rgb8, Rgb16
-    /// or RgbF, in float32 without a filter. splits() must hold for the graph. `threads` 0 means
-    /// all. If economy.stop is requested, the image is unspecified.
+    /// Sets `image` to the bytes of synthesize_graph, for Pixel Rgb8, Rgb16 or RgbF, in float32
+    /// without a filter. splits() must hold for the graph. `threads` 0 means all. If economy.stop
+    /// is requested, the image is unspecified.
     template <class Pixel>
     void synthesize(const TextureGraph& graph, const Affine3& texture_from_atlas, int threads,
                     Image<Pixel>& image, const Economy& economy = {});

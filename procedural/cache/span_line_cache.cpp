@@ -34,7 +34,8 @@ SpanLines SpanLineCache::lines_from(std::size_t number) const {
     return lines;
 }
 
-/// Fills the lines of a row's spans, with the bits that add_row gives (procedural/fill/pieces.h).
+/// Fills the lines of a row's spans, with the bits that PieceReader gives
+/// (procedural/fill/pieces.h).
 void SpanLineCache::fill_row(std::size_t y, const std::vector<TexelMap>& maps) {
     std::size_t i = begin(y);
     const auto add = [&](const Vec3d& start, const Vec3d& step, std::uint32_t count) {

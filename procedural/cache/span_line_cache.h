@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "atlas/solid/solid_atlas.h"
-#include "procedural/batch/span_lines.h"
 #include "procedural/cache/texel_layout.h"
+#include "procedural/kernels/lattice_stream.h"
 
 namespace burl {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <memory>
 
+#include "procedural/batch/economy.h"
 #include "procedural/batch/row_tasks.h"
-#include "procedural/batch/work_sum.h"
 #include "procedural/color/point_colors.h"
 #include "procedural/fill/pieces.h"
 #include "procedural/fill/synthesize.h"
@@ -78,16 +78,8 @@ void CachedSynthesis::set_map(const Affine3& texture_from_atlas) {
 
 template <class Pixel>
 Image<Pixel> CachedSynthesis::from_scratch(const Job& job) const {
-    const auto synthesize = [&](auto* function) {
-        return function(*solid_, job.texture, texture_from_atlas_, job.threads, job.filter, kernel_,
-                        job.economy);
-    };
-    if constexpr (std::is_same_v<Pixel, Rgb8>)
-        return synthesize(synthesize_rgb8);
-    else if constexpr (std::is_same_v<Pixel, Rgb16>)
-        return synthesize(synthesize_rgb16);
-    else
-        return synthesize(synthesize_rgbf);
+    return synthesize_model<Pixel>(*solid_, job.texture, texture_from_atlas_, job.threads,
+                                   job.filter, kernel_, job.economy);
 }
 
 template <class Pixel>
@@ -105,7 +97,6 @@ void CachedSynthesis::evaluate_row(std::size_t y, const Evaluation<Pixel>& to, B
         paint(to.colors, batch.field, count, batch.colors, painter);
         batch.streams.work.texels += count;
         arrays.at += count;
-        batch.count = 0;
     };
     if (to.use.all_known)
         return layout.for_each_batch(y, [&](std::size_t, std::size_t count) { fill(count); });
@@ -115,12 +106,8 @@ void CachedSynthesis::evaluate_row(std::size_t y, const Evaluation<Pixel>& to, B
             arrays.lines = &lines;
             fill(lines.texels);
         });
-    const auto empty = [&] {
-        if (batch.count > 0) fill(batch.count);
-        batch.pieces.clear();
-    };
-    add_row(*solid_, maps_, y, batch, empty);
-    empty();
+    PieceReader pieces(*solid_, maps_, {y, y + 1});
+    while (pieces.read(batch)) fill(batch.count);
 }
 
 template <class Pixel>
@@ -156,10 +143,13 @@ void CachedSynthesis::evaluate_by(const Shader& shader, const Job& job,
         for (std::size_t y = range.begin(); y != range.end(); ++y) {
             RowPainter painter(memory.layout.runs(y), image.row(y), background);
             std::size_t at = memory.layout.begin(y);
-            const auto empty = [&] {
+            PieceReader pieces(*solid_, maps_, {y, y + 1});
+            while (pieces.read(*batch)) {
                 const std::size_t count = batch->count;
-                if (count == 0) return;
-                shader.sample(sampler, *batch);
+                if constexpr (requires { shader.sample(sampler, *batch); })
+                    shader.sample(sampler, *batch);
+                else
+                    sampler.values(*batch);
                 std::copy_n(batch->field, count, memory.field.data() + at);
                 if (job.key.has_slopes()) {
                     std::copy_n(batch->slopes.u, count, memory.slopes_u.data() + at);
@@ -168,11 +158,7 @@ void CachedSynthesis::evaluate_by(const Shader& shader, const Job& job,
                 paint(shader, *batch, painter);
                 batch->streams.work.texels += count;
                 at += count;
-                batch->pieces.clear();
-                batch->count = 0;
-            };
-            add_row(*solid_, maps_, y, *batch, empty);
-            empty();
+            }
         }
         work.add(batch->streams.work);
         work.add(batch->corners.batch->streams.work);

@@ -36,7 +36,7 @@ class CachedSynthesis {
     void set_map(const Affine3& texture_from_atlas);
     Kernel kernel() const { return kernel_; }
 
-    /// Sets `image` to the bytes of synthesize_rgb8, _rgb16 or _rgbf, for Pixel Rgb8, Rgb16 or
+    /// Sets `image` to the bytes of synthesize_model, for Pixel Rgb8, Rgb16 or
     /// RgbF. An image of the atlas's size is overwritten in place, which spares the allocation of a
     /// cleared one. `threads` 0 means all. Filtered and band-limited textures cache no octaves,
     /// supersampled ones nothing. If economy.stop is requested, the image is unspecified; cached

@@ -52,7 +52,8 @@ std::vector<OctaveGroup> group_octaves(std::span<const Octave> octaves) {
         if (!before || full || !doubles(octave, *before)) groups.push_back(group_from(octave));
         OctaveGroup& group = groups.back();
         const double weight = group.scale != 0.0 ? octave.scale / group.scale : 1.0;
-        group.octaves.push_back({octave.noise.seed, int(group.octaves.size()), float(weight)});
+        group.octaves.push_back(
+            {octave.noise.seed, int(group.octaves.size()), float(weight), group.radius2});
         before = &octave;
     }
     return groups;

@@ -60,6 +60,13 @@ OctaveStreams::OctaveStreams(std::span<const Octave> octaves, Kernel kernel, boo
     for (OctaveGroup& octaves_of : group_octaves(octaves)) {
         Group& group = groups_.emplace_back(Group{std::move(octaves_of)});
         group.scans = scan_limits(group);
+        for (const bool slopes : {false, true}) {
+            const bool simplex = group.kind == NoiseKind::simplex;
+            group.direct[slopes] = simplex  ? simplex_kernel(slopes)
+                                   : slopes ? gradient_kernel(group.kind, group.fade)
+                                            : direct_kernel(group.kind, group.fade);
+            if (!simplex) group.sharing[slopes] = sharing_kernel(group.kind, group.fade, slopes);
+        }
         if (kernel == Kernel::scanline && group.kind != NoiseKind::simplex)
             group.shortest_scan = 0.0;
         else if (!group.scans.empty())
@@ -107,30 +114,6 @@ std::size_t OctaveStreams::sharing(const Group& group, double crossings, bool sl
     return count;
 }
 
-void OctaveStreams::add_octave(const Group& group, const StreamOctave& octave, const Plan& plan,
-                               std::size_t count, const StreamBuffers& buffers, OctaveSums& sums) {
-    const NoiseKind kind = group.kind;
-    const Fade fade = group.fade;
-    const double radius2 = group.radius2;
-    const LatticeStream& lattice = buffers.lattice;
-    const CellRuns& runs = buffers.runs;
-    const bool shared = std::size_t(octave.doublings) < plan.shared;
-    if (kind == NoiseKind::simplex && plan.slopes)
-        add_simplex_octave_and_gradient(octave, radius2, lattice, count, sums.values,
-                                        sums.gradients);
-    else if (kind == NoiseKind::simplex)
-        add_simplex_octave(octave, radius2, lattice, count, sums.values);
-    else if (plan.slopes && shared)
-        add_octave_and_gradient_shared(kind, fade, octave, lattice, runs, count, sums.values,
-                                       sums.gradients);
-    else if (plan.slopes)
-        add_octave_and_gradient(kind, fade, octave, lattice, count, sums.values, sums.gradients);
-    else if (shared)
-        add_octave_shared(kind, fade, octave, lattice, runs, count, sums.values);
-    else
-        add_octave_direct(kind, fade, octave, lattice, count, sums.values);
-}
-
 /// Adds the band-limited octaves of a group: an octave that some pieces attenuate is evaluated by
 /// itself and weighted piece by piece; an octave of weight 1 on all pieces adds the bits that it
 /// adds without a limit.
@@ -150,12 +133,12 @@ void OctaveStreams::add_limited(const Group& group, const Plan& plan, std::span<
             continue;
         }
         buffers.work.octaves += count;
-        if (band_weight(finer * most) == 1.0) {
-            add_octave(group, group.octaves[k], plan, count, buffers, buffers.sums);
-            continue;
-        }
-        buffers.part.clear(count, plan.slopes);
-        add_octave(group, group.octaves[k], plan, count, buffers, buffers.part);
+        const bool whole = band_weight(finer * most) == 1.0;
+        OctaveSums& sums = whole ? buffers.sums : buffers.part;
+        if (!whole) sums.clear(count, plan.slopes);
+        plan.kernel(group, group.octaves[k])(group.octaves[k], buffers.lattice, &buffers.runs,
+                                             count, sums.values, &sums.gradients);
+        if (whole) continue;
         std::size_t at = 0;
         for (std::size_t i = 0; i < pieces.size(); ++i) {
             const auto weight = float(band_weight(finer * buffers.squares[i]));
@@ -193,52 +176,62 @@ OctaveStreams::Plan OctaveStreams::plan_of(const Group& group, double planes, st
     return plan;
 }
 
-void OctaveStreams::add_streamed(const Group& group, std::span<const Piece> pieces,
-                                 std::size_t count, StreamBuffers& buffers, double* values,
-                                 SlopeBatch* slopes, const TexelOffsets* offsets) const {
-    const Plan plan = prepare(group, pieces, count, buffers, slopes != nullptr, offsets);
-    buffers.sums.clear(count, plan.slopes);
+void OctaveStreams::add_streamed(const Group& group, const Run& run, StreamBuffers& buffers,
+                                 double* values, SlopeBatch* slopes,
+                                 const TexelOffsets* offsets) const {
+    const Plan plan = prepare(group, run.pieces, run.texels, buffers, slopes != nullptr, offsets);
+    OctaveSums& sums = buffers.sums;
+    sums.clear(run.texels, plan.slopes);
     if (band_limit_)
-        add_limited(group, plan, pieces, count, buffers);
+        add_limited(group, plan, run.pieces, run.texels, buffers);
     else
         for (std::size_t k = group.octaves.size(); k-- > 0;) {
-            add_octave(group, group.octaves[k], plan, count, buffers, buffers.sums);
-            buffers.work.octaves += count;
+            const StreamOctave& octave = group.octaves[k];
+            plan.kernel(group, octave)(octave, buffers.lattice, &buffers.runs, run.texels,
+                                       sums.values, &sums.gradients);
+            buffers.work.octaves += run.texels;
         }
     const double unit = group.scale * stream_unit(group.kind);
-    add_sums(unit, buffers.sums.values, count, values);
-    if (slopes) add_slopes(group.lattice_from_solid, unit, pieces, buffers.sums.gradients, *slopes);
+    add_sums(unit, sums.values, run.texels, values);
+    if (slopes) add_slopes(group.lattice_from_solid, unit, run.pieces, sums.gradients, *slopes);
 }
 
-void OctaveStreams::add_scanned(const Group& group, std::span<const Piece> pieces,
-                                std::size_t count, StreamBuffers& buffers, double* values) const {
-    map_scan_lines(group.lattice_from_solid, group.finest(), pieces, buffers.lines);
-    buffers.sums.clear(count, false);
+void OctaveStreams::add_scanned(const Group& group, const Run& run, StreamBuffers& buffers,
+                                double* values) const {
+    map_scan_lines(group.lattice_from_solid, group.finest(), run.pieces, buffers.lines);
+    buffers.sums.clear(run.texels, false);
     for (std::size_t k = group.octaves.size(); k-- > 0;)
         add_octave_scanline(group.kind, group.fade, group.octaves[k], buffers.lines,
                             buffers.segments, buffers.sums.values);
-    buffers.work.octaves += group.octaves.size() * count;
-    add_sums(group.scale * stream_unit(group.kind), buffers.sums.values, count, values);
+    buffers.work.octaves += group.octaves.size() * run.texels;
+    add_sums(group.scale * stream_unit(group.kind), buffers.sums.values, run.texels, values);
 }
 
-void OctaveStreams::add_values(const Group& group, std::span<const Piece> pieces,
-                               StreamBuffers& buffers, double* values) const {
-    for_each_way(group, pieces, [&](std::span<const Piece> part, std::size_t count, bool scanned) {
-        if (scanned)
-            add_scanned(group, part, count, buffers, values);
-        else
-            add_streamed(group, part, count, buffers, values, nullptr, nullptr);
-        values += count;
-    });
+/// The longest run that `pieces`, which are not empty, begin with.
+OctaveStreams::Run OctaveStreams::first_run(const Group& group,
+                                            std::span<const Piece> pieces) const {
+    const bool scanned = scans(group, pieces.front());
+    std::size_t end = 0, texels = 0;
+    do texels += pieces[end++].solid.count;
+    while (end < pieces.size() && scans(group, pieces[end]) == scanned);
+    return {pieces.first(end), texels, scanned};
 }
 
 void OctaveStreams::add(std::span<const Piece> pieces, std::size_t count, StreamBuffers& buffers,
                         double* values, SlopeBatch* slopes, const TexelOffsets* offsets) const {
-    for (const Group& group : groups_)
-        if (slopes || offsets || band_limit_)
-            add_streamed(group, pieces, count, buffers, values, slopes, offsets);
-        else
-            add_values(group, pieces, buffers, values);
+    const bool streams_alone = slopes || offsets || band_limit_;
+    for (const Group& group : groups_) {
+        double* to = values;
+        for (std::span<const Piece> rest = pieces; !rest.empty();) {
+            const Run run = streams_alone ? Run{rest, count} : first_run(group, rest);
+            if (run.scanned)
+                add_scanned(group, run, buffers, to);
+            else
+                add_streamed(group, run, buffers, to, slopes, offsets);
+            rest = rest.subspan(run.pieces.size());
+            to += run.texels;
+        }
+    }
 }
 
 }  // namespace burl

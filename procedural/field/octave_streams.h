@@ -9,7 +9,6 @@
 #include "procedural/batch/kernel.h"
 #include "procedural/field/kept_start.h"
 #include "procedural/field/octave_groups.h"
-#include "procedural/kernels/offset_kernel.h"
 #include "procedural/kernels/scanline_kernel.h"
 #include "procedural/kernels/share_kernels.h"
 
@@ -81,37 +80,47 @@ class OctaveStreams {
     struct ScanLimit {
         double shortest = 0.0, most_crossings = 0.0;
     };
-    /// Group of octaves with the limits of its scan-line polynomials, sorted by falling span
-    /// length.
+    /// Group of octaves with its kernels, and the limits of its scan-line polynomials, sorted by
+    /// falling span length.
     struct Group : OctaveGroup {
         std::vector<ScanLimit> scans{};
         /// Length in texels of the shortest span that may be scanned; infinite: none may.
         double shortest_scan = std::numeric_limits<double>::infinity();
+        /// Kernels without and with gradients; `sharing` ones are null for simplex noise.
+        OctaveKernel direct[2] = {}, sharing[2] = {};
     };
     /// The kernels that add up a group's octaves.
     struct Plan {
         std::size_t shared = 0;  ///< number of the coarsest octaves, which share corners
         bool slopes = false;
         bool scanned = false;  ///< whether all octaves are scan-line polynomials
+
+        OctaveKernel kernel(const Group& group, const StreamOctave& octave) const {
+            const bool shares = std::size_t(octave.doublings) < shared;
+            return shares ? group.sharing[slopes] : group.direct[slopes];
+        }
+    };
+    /// Consecutive pieces that are added up in the same way: by scan-line polynomials (`scanned`)
+    /// or by streams.
+    struct Run {
+        std::span<const Piece> pieces;
+        std::size_t texels = 0;
+        bool scanned = false;
     };
     std::vector<ScanLimit> scan_limits(const Group& group) const;
     bool scans(const Group& group, const Piece& piece) const;
     std::size_t sharing(const Group& group, double crossings, bool slopes) const;
-    template <class Visit>
-    void for_each_way(const Group& group, std::span<const Piece> pieces, Visit&& visit) const;
+    Run first_run(const Group& group, std::span<const Piece> pieces) const;
     void add_kept_octaves(const Group& group, const Plan& plan, std::size_t count,
                           const KeptBatch& kept, StreamBuffers& buffers) const;
     void add_kept_lines(const Group& group, const SpanLines& lines, const KeptBatch& kept,
                         StreamBuffers& buffers, double* values) const;
     void add_kept_pieces(const Group& group, std::span<const Piece> pieces, const KeptBatch& kept,
                          StreamBuffers& buffers, double* values) const;
-    void add_values(const Group& group, std::span<const Piece> pieces, StreamBuffers& buffers,
-                    double* values) const;
-    void add_scanned(const Group& group, std::span<const Piece> pieces, std::size_t count,
-                     StreamBuffers& buffers, double* values) const;
-    void add_streamed(const Group& group, std::span<const Piece> pieces, std::size_t count,
-                      StreamBuffers& buffers, double* values, SlopeBatch* slopes,
-                      const TexelOffsets* offsets) const;
+    void add_scanned(const Group& group, const Run& run, StreamBuffers& buffers,
+                     double* values) const;
+    void add_streamed(const Group& group, const Run& run, StreamBuffers& buffers, double* values,
+                      SlopeBatch* slopes, const TexelOffsets* offsets) const;
     void add_limited(const Group& group, const Plan& plan, std::span<const Piece> pieces,
                      std::size_t count, StreamBuffers& buffers) const;
     Plan prepare(const Group& group, std::span<const Piece> pieces, std::size_t count,
@@ -119,8 +128,6 @@ class OctaveStreams {
     Plan prepare_lines(const Group& group, const SpanLines& lines, StreamBuffers& buffers) const;
     Plan plan_of(const Group& group, double planes, std::size_t count, StreamBuffers& buffers,
                  bool slopes) const;
-    static void add_octave(const Group& group, const StreamOctave& octave, const Plan& plan,
-                           std::size_t count, const StreamBuffers& buffers, OctaveSums& sums);
 
     std::vector<Group> groups_;
     Kernel kernel_;
@@ -128,22 +135,5 @@ class OctaveStreams {
     Skips skips_;
     bool wide_vectors_;
 };
-
-/// Calls visit(pieces, texels, scanned) for every maximal run of consecutive pieces that are added
-/// up in the same way: by scan-line polynomials (`scanned`) or by streams.
-template <class Visit>
-void OctaveStreams::for_each_way(const Group& group, std::span<const Piece> pieces,
-                                 Visit&& visit) const {
-    bool next = !pieces.empty() && scans(group, pieces.front());
-    for (std::size_t begin = 0, end = 0; begin < pieces.size(); begin = end) {
-        const bool scanned = next;
-        std::size_t count = 0;
-        do {
-            count += pieces[end].solid.count;
-            next = ++end < pieces.size() && scans(group, pieces[end]);
-        } while (end < pieces.size() && next == scanned);
-        visit(pieces.subspan(begin, end - begin), count, scanned);
-    }
-}
 
 }  // namespace burl

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "procedural/field/kept_sums.h"
 #include "procedural/field/octave_streams.h"
+#include "procedural/kernels/stream_kernels.h"
 
 namespace burl {
 
@@ -74,7 +74,8 @@ void OctaveStreams::add_kept_octaves(const Group& group, const Plan& plan, std::
                 add_octave_scanline(group.kind, group.fade, octave, buffers.lines, buffers.segments,
                                     sums.values);
             else
-                add_octave(group, octave, plan, count, buffers, sums);
+                plan.kernel(group, octave)(octave, buffers.lattice, &buffers.runs, count,
+                                           sums.values, nullptr);
         };
         if (!noise) {
             add_to(buffers.sums);
@@ -91,19 +92,20 @@ void OctaveStreams::add_kept_octaves(const Group& group, const Plan& plan, std::
 void OctaveStreams::add_kept_pieces(const Group& group, std::span<const Piece> pieces,
                                     const KeptBatch& kept, StreamBuffers& buffers,
                                     double* values) const {
-    if (!keeps_any(kept)) return add_values(group, pieces, buffers, values);
     KeptBatch own = kept;
-    for_each_way(group, pieces, [&](std::span<const Piece> part, std::size_t count, bool scanned) {
-        Plan plan{.scanned = scanned};
-        if (scanned)
-            map_scan_lines(group.lattice_from_solid, group.finest(), part, buffers.lines);
+    for (std::span<const Piece> rest = pieces; !rest.empty();) {
+        const Run run = first_run(group, rest);
+        Plan plan{.scanned = run.scanned};
+        if (run.scanned)
+            map_scan_lines(group.lattice_from_solid, group.finest(), run.pieces, buffers.lines);
         else
-            plan = prepare(group, part, count, buffers, false, nullptr);
-        add_kept_octaves(group, plan, count, own, buffers);
-        add_sums(group.scale * stream_unit(group.kind), buffers.sums.values, count, values);
-        own.at += count;
-        values += count;
-    });
+            plan = prepare(group, run.pieces, run.texels, buffers, false, nullptr);
+        add_kept_octaves(group, plan, run.texels, own, buffers);
+        add_sums(group.scale * stream_unit(group.kind), buffers.sums.values, run.texels, values);
+        own.at += run.texels;
+        values += run.texels;
+        rest = rest.subspan(run.pieces.size());
+    }
 }
 
 /// values[j] = lines.needed[j] + the group's sum, from span lines instead of pieces.

@@ -5,11 +5,31 @@
 #include <memory>
 #include <vector>
 
-#include "procedural/field/batch.h"
-#include "procedural/field/kept_noise.h"
+#include "procedural/batch/texel_batch.h"
+#include "procedural/field/kept_start.h"
 #include "procedural/field/octave_streams.h"
+#include "procedural/kernels/quadric_kernel.h"
+#include "procedural/kernels/slope_kernels.h"
 
 namespace burl {
+
+/// Batch of at most batch_capacity texels whose field is evaluated together, packed from pieces of
+/// several spans, with the scratch arrays of the evaluation; one per thread.
+struct FieldBatch {
+    std::vector<Piece> pieces;
+    /// Number of texels in all pieces.
+    std::size_t count = 0;
+    /// f of every texel, in the order of the pieces.
+    alignas(64) double field[batch_capacity + batch_padding];
+    /// df/du and df/dv per texel, filled by FieldSampler::values_and_slopes or
+    /// average_with_corners.
+    SlopeBatch slopes;
+    /// Sample positions of FieldSampler::values_at_offsets.
+    TexelOffsets offsets;
+
+    std::vector<ParabolaLine> parabolas;
+    StreamBuffers streams;
+};
 
 /// Evaluates f for batches of texels. A texel is computed from its span's start and its distance
 /// from there, so that its bits do not depend on how spans are cut into batches. Constant after

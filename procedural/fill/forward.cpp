@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include "procedural/batch/economy.h"
 #include "procedural/batch/row_tasks.h"
-#include "procedural/batch/work_sum.h"
 #include "procedural/bresenham/field.h"
 #include "procedural/color/pixel_encoder.h"
 #include "procedural/color/table.h"

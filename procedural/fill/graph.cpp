@@ -40,10 +40,13 @@ Image<Pixel> synthesize_points(const SolidAtlas& solid, const TextureGraph& grap
     return image;
 }
 
+}  // namespace
+
 template <class Pixel>
-Image<Pixel> synthesize(const SolidAtlas& solid, const TextureGraph& graph, const Affine3& map,
-                        const Filter& filter, int threads, PrecisionKind precision,
-                        const Economy& economy, const RowWindow& window = {}) {
+Image<Pixel> synthesize_graph(const SolidAtlas& solid, const TextureGraph& graph,
+                              const Affine3& map, const Filter& filter, int threads,
+                              PrecisionKind precision, const Economy& economy,
+                              const RowWindow& window) {
     const RowWindow rows = window.of(solid.size);
     const bool points = filter.kind == FilterKind::none || filter.kind == FilterKind::supersample;
     if (points && precision == PrecisionKind::float32)
@@ -57,25 +60,14 @@ Image<Pixel> synthesize(const SolidAtlas& solid, const TextureGraph& graph, cons
     return image;
 }
 
-}  // namespace
-
-Image<Rgb8> synthesize_graph_rgb8(const SolidAtlas& solid, const TextureGraph& graph,
-                                  const Affine3& map, const Filter& filter, int threads,
-                                  PrecisionKind precision, const Economy& economy) {
-    return synthesize<Rgb8>(solid, graph, map, filter, threads, precision, economy);
-}
-
-Image<Rgb16> synthesize_graph_rgb16(const SolidAtlas& solid, const TextureGraph& graph,
-                                    const Affine3& map, const Filter& filter, int threads,
-                                    PrecisionKind precision, const Economy& economy) {
-    return synthesize<Rgb16>(solid, graph, map, filter, threads, precision, economy);
-}
-
-Image<RgbF> synthesize_graph_rgbf(const SolidAtlas& solid, const TextureGraph& graph,
-                                  const Affine3& map, const Filter& filter, int threads,
-                                  PrecisionKind precision, const Economy& economy,
-                                  const RowWindow& rows) {
-    return synthesize<RgbF>(solid, graph, map, filter, threads, precision, economy, rows);
-}
+template Image<Rgb8> synthesize_graph(const SolidAtlas&, const TextureGraph&, const Affine3&,
+                                      const Filter&, int, PrecisionKind, const Economy&,
+                                      const RowWindow&);
+template Image<Rgb16> synthesize_graph(const SolidAtlas&, const TextureGraph&, const Affine3&,
+                                       const Filter&, int, PrecisionKind, const Economy&,
+                                       const RowWindow&);
+template Image<RgbF> synthesize_graph(const SolidAtlas&, const TextureGraph&, const Affine3&,
+                                      const Filter&, int, PrecisionKind, const Economy&,
+                                      const RowWindow&);
 
 }  // namespace burl

@@ -13,24 +13,16 @@
 
 namespace burl {
 
-/// The texture of a graph as an image. `texture_from_atlas` maps the SolidAtlas's space to the
-/// texture's solid coordinates (the recipe's scale). With filter `none` texels are point samples,
-/// with `supersample` means of point samples, with any other kind the nodes filter over them
-/// (docs/reference/nodes.md). `threads` 0 means all. `precision` is float32 or float64. `economy`
-/// decides which work is left out, which changes no byte, and counts work. Texels outside every
-/// span get the colour at the origin.
-Image<Rgb8> synthesize_graph_rgb8(const SolidAtlas& solid, const TextureGraph& graph,
-                                  const Affine3& texture_from_atlas, const Filter& filter,
-                                  int threads, PrecisionKind precision = PrecisionKind::float32,
-                                  const Economy& economy = {});
-Image<Rgb16> synthesize_graph_rgb16(const SolidAtlas& solid, const TextureGraph& graph,
-                                    const Affine3& texture_from_atlas, const Filter& filter,
-                                    int threads, PrecisionKind precision = PrecisionKind::float32,
-                                    const Economy& economy = {});
-/// The rows `rows` of the texture of a graph, in linear light.
-Image<RgbF> synthesize_graph_rgbf(const SolidAtlas& solid, const TextureGraph& graph,
-                                  const Affine3& texture_from_atlas, const Filter& filter,
-                                  int threads, PrecisionKind precision = PrecisionKind::float32,
-                                  const Economy& economy = {}, const RowWindow& rows = {});
+/// The rows `rows` of the texture of a graph as an image of Rgb8, Rgb16 or RgbF.
+/// `texture_from_atlas` maps the SolidAtlas's space to the texture's solid coordinates (the
+/// recipe's scale). With filter `none` texels are point samples, with `supersample` means of point
+/// samples, with any other kind the nodes filter over them (docs/reference/nodes.md). `threads` 0
+/// means all. `precision` is float32 or float64. `economy` decides which work is left out, which
+/// changes no byte, and counts work. Texels outside every span get the colour at the origin.
+template <class Pixel>
+Image<Pixel> synthesize_graph(const SolidAtlas& solid, const TextureGraph& graph,
+                              const Affine3& texture_from_atlas, const Filter& filter, int threads,
+                              PrecisionKind precision = PrecisionKind::float32,
+                              const Economy& economy = {}, const RowWindow& rows = {});
 
 }  // namespace burl

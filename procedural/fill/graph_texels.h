@@ -10,7 +10,7 @@
 #include "procedural/batch/row_tasks.h"
 #include "procedural/batch/row_window.h"
 #include "procedural/batch/sample_pattern.h"
-#include "procedural/batch/texel_place.h"
+#include "procedural/batch/texel_batch.h"
 #include "procedural/graph/evaluator.h"
 
 namespace burl {

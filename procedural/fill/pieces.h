@@ -6,6 +6,7 @@
 
 #include "atlas/solid/solid_atlas.h"
 #include "procedural/batch/row_tasks.h"
+#include "procedural/batch/row_window.h"
 #include "procedural/field/sampler.h"
 
 namespace burl {
@@ -61,7 +62,7 @@ void fill_gaps(std::span<const Span> spans, const Pixel& background, std::span<P
 
 /// The number of spans ahead for which maps are prefetched: neighbouring spans show triangles from
 /// all over the mesh, which hardware does not prefetch.
-inline constexpr std::ptrdiff_t map_prefetch = 8;
+inline constexpr std::size_t map_prefetch = 8;
 
 inline void prefetch(const TexelMap& map) {
     const char* bytes = reinterpret_cast<const char*>(&map);
@@ -97,26 +98,49 @@ inline void add_piece(const WholeSpan& span, const TexelMap& texel, const Vec3d&
     batch.count += count;
 }
 
-/// Adds row y's texels to the batch; `maps` is a list or MovedMaps. Calls full(), which must empty
-/// the batch, whenever the batch is full.
-template <class Maps, class Full>
-void add_row(const SolidAtlas& solid, const Maps& maps, std::size_t y, FieldBatch& batch,
-             const Full& full) {
-    const auto spans = solid.row(y);
-    for (const Span& span : spans) {
-        if (&spans.back() - &span >= map_prefetch)
-            prefetch(stored(maps, (&span)[map_prefetch].map));
-        const TexelMap& texel = maps[span.map];
-        const WholeSpan whole = solid.whole(span);
-        const std::size_t before = span.x - whole.x, end = before + span.count;
-        const Vec3d start = texel(whole.x, std::int64_t(y));
-        for (std::size_t done = before; done < end;) {
-            const std::size_t count = std::min(end - done, batch_capacity - batch.count);
-            add_piece(whole, texel, start, y, done, count, batch);
-            done += count;
-            if (batch.count == batch_capacity) full();
+/// The texels of some rows, read a batch at a time; `Maps` is MovedMaps or a list of TexelMap.
+template <class Maps>
+class PieceReader {
+  public:
+    /// The rows `rows`; the atlas and the maps must outlive the object.
+    PieceReader(const SolidAtlas& solid, const Maps& maps, const RowWindow& rows)
+        : solid_(solid), maps_(maps), y_(rows.first), end_(rows.end) {}
+
+    /// Replaces the batch's pieces by the next texels, batch_capacity of them but for the last
+    /// time; false if there are none left.
+    bool read(FieldBatch& batch) {
+        batch.pieces.clear();
+        batch.count = 0;
+        for (; y_ < end_; ++y_, number_ = 0) {
+            const std::span<const Span> spans = solid_.row(y_);
+            for (; number_ < spans.size(); ++number_, done_ = 0) {
+                if (batch.count == batch_capacity) return true;
+                if (number_ + map_prefetch < spans.size())
+                    prefetch(stored(maps_, spans[number_ + map_prefetch].map));
+                if (!add_rest(spans[number_], batch)) return true;
+            }
         }
+        return batch.count > 0;
     }
-}
+
+  private:
+    /// Adds the texels of the span from number `done_` on; false if the batch has no room for all.
+    bool add_rest(const Span& span, FieldBatch& batch) {
+        const TexelMap& texel = maps_[span.map];
+        const WholeSpan whole = solid_.whole(span);
+        const std::size_t count =
+            std::min<std::size_t>(span.count - done_, batch_capacity - batch.count);
+        add_piece(whole, texel, texel(whole.x, std::int64_t(y_)), y_, span.x - whole.x + done_,
+                  count, batch);
+        done_ += count;
+        return done_ == span.count;
+    }
+
+    const SolidAtlas& solid_;
+    const Maps& maps_;
+    std::size_t y_, end_;
+    std::size_t number_ = 0;  ///< number in its row of the span to be read
+    std::size_t done_ = 0;    ///< texels of that span that have been read
+};
 
 }  // namespace burl

@@ -1,10 +1,8 @@
 #include "procedural/fill/synthesize.h"
 
-#include <algorithm>
 #include <memory>
 #include <utility>
 
-#include "procedural/batch/work_sum.h"
 #include "procedural/fill/pieces.h"
 #include "procedural/fill/texel_shaders.h"
 
@@ -22,26 +20,13 @@ std::pair<std::size_t, std::size_t> run_of(std::span<const Piece> pieces, std::s
     return {end, count};
 }
 
-/// Rows of the texture from `first` on.
-template <class Pixel>
-struct Band {
-    Image<Pixel>& image;
-    std::size_t first = 0;
-
-    Pixel* at(std::size_t x, std::size_t y) const { return &image(x, y - first); }
-    std::span<Pixel> row(std::size_t y) const { return image.row(y - first); }
-};
-
-/// Evaluates and colours the batch, and stores its pixels.
+/// Stores the pixels of a shaded batch.
 template <class Shader>
-void flush(ShadedBatch& batch, const FieldSampler& sampler, const Shader& shader,
-           const Band<typename Shader::Pixel>& band) {
-    if (batch.count == 0) return;
-    shader.sample(sampler, batch);
-    shader.shade(batch);
+void store(const ShadedBatch& batch, const Shader& shader,
+           const RowBand<typename Shader::Pixel>& image) {
     std::size_t at = 0;
     for (std::size_t i = 0; i < batch.pieces.size();) {
-        auto* pixels = band.at(batch.pieces[i].x, batch.pieces[i].y);
+        auto* pixels = &image(batch.pieces[i].x, batch.pieces[i].y);
         const auto [end, count] = run_of(batch.pieces, i);
         if constexpr (requires { shader.pixels(batch, at, count, pixels); })
             shader.pixels(batch, at, count, pixels);
@@ -50,152 +35,108 @@ void flush(ShadedBatch& batch, const FieldSampler& sampler, const Shader& shader
         at += count;
         i = end;
     }
-    batch.pieces.clear();
-    batch.count = 0;
 }
 
-/// Fills the rows of some groups and returns the work done.
+/// The loop over rows of a texture, whose rows threads share out in groups.
 template <class Shader>
-SynthesisWork synthesize_rows(const SolidAtlas& solid, const MovedMaps& maps,
-                              const FieldSampler& sampler, const Shader& shader, const Skips& skips,
-                              const RowGroups& groups, const RowRange& range,
-                              const Band<typename Shader::Pixel>& band) {
-    const auto background = shader.background(0.0);
-    const auto batch = std::make_unique_for_overwrite<ShadedBatch>();
-    SynthesisWork& work = batch->streams.work;
-    const auto empty = [&] { flush(*batch, sampler, shader, band); };
-    for (std::size_t y = groups.begin(range.begin()); y != groups.begin(range.end()); ++y) {
-        if (y % groups.rows == 0) empty();
-        const std::size_t texels = texels_of(solid.row(y));
-        if (skips.allows(Skip::unread_texels)) {
-            work.texels += texels;
-            work.skip_texels(Skip::unread_texels, solid.size - texels);
-            fill_gaps(solid.row(y), background, band.row(y));
-        } else {
-            work.texels += solid.size;
-            for (auto& pixel : band.row(y)) pixel = shader.background(0.0);
+struct RowLoop {
+    const SolidAtlas& solid;
+    const MovedMaps& maps;
+    const FieldSampler& sampler;
+    const Shader& shader;
+    const Skips& skips;
+    const RowGroups& groups;
+    const RowBand<typename Shader::Pixel>& image;
+    WorkSum& work;
+
+    /// Fills the rows of the groups of `range`: f, colours and pixels, batch by batch.
+    void operator()(const RowRange& range) const {
+        const auto batch = std::make_unique_for_overwrite<ShadedBatch>();
+        for (std::size_t group = range.begin(); group != range.end(); ++group) {
+            const RowWindow rows{image.first + groups.begin(group),
+                                 image.first + groups.begin(group + 1)};
+            fill_outside(rows, batch->streams.work);
+            PieceReader pieces(solid, maps, rows);
+            while (pieces.read(*batch)) {
+                if constexpr (requires { shader.sample(sampler, *batch); })
+                    shader.sample(sampler, *batch);
+                else
+                    sampler.values(*batch);
+                shader.shade(*batch);
+                store(*batch, shader, image);
+            }
         }
-        add_row(solid, maps, y, *batch, empty);
+        work.add(batch->streams.work += batch->corners.batch->streams.work);
     }
-    empty();
-    return work += batch->corners.batch->streams.work;
-}
-
-/// A texture prepared for synthesis of some groups of rows at a time.
-template <class Shader>
-class RowSynthesis {
-  public:
-    using Pixel = typename Shader::Pixel;
-
-    RowSynthesis(const SolidAtlas& solid, const Texture& texture, const Affine3& map,
-                 const Filter& filter, Kernel kernel, const Economy& economy, const Shader& shader)
-        : groups(solid.size, 8 * batch_capacity),
-          solid_(solid),
-          economy_(economy),
-          shader_(shader),
-          sampler_(texture, filter.band_limit, kernel, economy.skips),
-          maps_(solid.maps, map) {}
-
-    /// Fills the rows of groups [begin, end); row 0 of the image is the first of them.
-    void fill(std::size_t begin, std::size_t end, int threads, Image<Pixel>& image) const {
-        WorkSum work(economy_.work);
-        const Band<Pixel> band{image, groups.begin(begin)};
-        const auto fill_groups = [&](const RowRange& range) {
-            const RowRange these(begin + range.begin(), begin + range.end());
-            work.add(synthesize_rows(solid_, maps_, sampler_, shader_, economy_.skips, groups,
-                                     these, band));
-        };
-        for_row_ranges(end - begin, 1, threads, fill_groups, economy_.stop);
-    }
-
-    const RowGroups groups;
 
   private:
-    const SolidAtlas& solid_;
-    const Economy& economy_;
-    const Shader& shader_;
-    FieldSampler sampler_;
-    MovedMaps maps_;
+    /// Fills the rows' texels that no span owns, and counts the others.
+    void fill_outside(const RowWindow& rows, SynthesisWork& done) const {
+        const auto background = shader.background(0.0);
+        for (std::size_t y = rows.first; y != rows.end; ++y) {
+            const std::span<typename Shader::Pixel> row(&image(0, y), solid.size);
+            const std::size_t texels = texels_of(solid.row(y));
+            if (skips.allows(Skip::unread_texels)) {
+                done.texels += texels;
+                done.skip_texels(Skip::unread_texels, solid.size - texels);
+                fill_gaps(solid.row(y), background, row);
+            } else {
+                done.texels += solid.size;
+                for (auto& pixel : row) pixel = shader.background(0.0);
+            }
+        }
+    }
 };
 
+/// The rows `window` of an image that a shader makes of the texture's field.
 template <class Shader>
-Image<typename Shader::Pixel> synthesize(const SolidAtlas& solid, const Texture& texture,
-                                         const Affine3& map, const Filter& filter, int threads,
-                                         Kernel kernel, const Economy& economy,
-                                         const Shader& shader) {
-    auto image = Image<typename Shader::Pixel>::unset(solid.size, solid.size);
-    const RowSynthesis<Shader> rows(solid, texture, map, filter, kernel, economy, shader);
-    rows.fill(0, rows.groups.count(), threads, image);
+Image<typename Shader::Pixel> fill_rows(const SolidAtlas& solid, const Texture& texture,
+                                        const Affine3& map, bool band_limit, int threads,
+                                        Kernel kernel, const Economy& economy,
+                                        const RowWindow& window, const Shader& shader) {
+    const RowWindow rows = window.of(solid.size);
+    auto image = Image<typename Shader::Pixel>::unset(solid.size, rows.count());
+    const FieldSampler sampler(texture, band_limit, kernel, economy.skips);
+    const MovedMaps maps(solid.maps, map);
+    RowGroups groups(solid.size, 8 * batch_capacity);
+    groups.size = rows.count();
+    const RowBand band(image, rows.first);
+    WorkSum work(economy.work);
+    const RowLoop<Shader> loop{solid, maps, sampler, shader, economy.skips, groups, band, work};
+    for_row_ranges(groups.count(), 1, threads, loop, economy.stop);
     return image;
-}
-
-/// Returns use(shader) with the shader of the filter.
-template <class Pixel, class Use>
-auto with_colors(const ColorMap& colors, const Filter& filter, const Use& use) {
-    if (filter.kind == FilterKind::none) return use(PointColor<Pixel>(colors));
-    if (filter.kind == FilterKind::supersample)
-        return use(SupersampledColor<Pixel>(colors, filter.samples));
-    return use(FilteredColor<PointColor<Pixel>>(colors, filter.kind));
-}
-
-template <class Pixel>
-Image<Pixel> synthesize_colors(const SolidAtlas& solid, const Texture& texture, const Affine3& map,
-                               const Filter& filter, int threads, Kernel kernel,
-                               const Economy& economy) {
-    return with_colors<Pixel>(texture.colors, filter, [&](const auto& shader) {
-        return synthesize(solid, texture, map, filter, threads, kernel, economy, shader);
-    });
 }
 
 }  // namespace
 
-Image<Rgb8> synthesize_rgb8(const SolidAtlas& solid, const Texture& texture,
-                            const Affine3& texture_from_atlas, int threads, const Filter& filter,
-                            Kernel kernel, const Economy& economy) {
-    return synthesize_colors<Rgb8>(solid, texture, texture_from_atlas, filter, threads, kernel,
-                                   economy);
+template <class Pixel>
+Image<Pixel> synthesize_model(const SolidAtlas& solid, const Texture& texture, const Affine3& map,
+                              int threads, const Filter& filter, Kernel kernel,
+                              const Economy& economy, const RowWindow& rows) {
+    const bool limit = filter.band_limit;
+    const ColorMap& colors = texture.colors;
+    if (filter.kind == FilterKind::none)
+        return fill_rows(solid, texture, map, limit, threads, kernel, economy, rows,
+                         PointColor<Pixel>(colors));
+    if (filter.kind == FilterKind::supersample)
+        return fill_rows(solid, texture, map, limit, threads, kernel, economy, rows,
+                         SupersampledColor<Pixel>(colors, filter.samples));
+    return fill_rows(solid, texture, map, limit, threads, kernel, economy, rows,
+                     FilteredColor<PointColor<Pixel>>(colors, filter.kind));
 }
 
-Image<Rgb16> synthesize_rgb16(const SolidAtlas& solid, const Texture& texture,
-                              const Affine3& texture_from_atlas, int threads, const Filter& filter,
-                              Kernel kernel, const Economy& economy) {
-    return synthesize_colors<Rgb16>(solid, texture, texture_from_atlas, filter, threads, kernel,
-                                    economy);
-}
-
-Image<RgbF> synthesize_rgbf(const SolidAtlas& solid, const Texture& texture,
-                            const Affine3& texture_from_atlas, int threads, const Filter& filter,
-                            Kernel kernel, const Economy& economy) {
-    return synthesize_colors<RgbF>(solid, texture, texture_from_atlas, filter, threads, kernel,
-                                   economy);
-}
-
-void synthesize_rgbf_bands(const SolidAtlas& solid, const Texture& texture,
-                           const Affine3& texture_from_atlas, int threads, const Filter& filter,
-                           Kernel kernel, const Economy& economy, std::size_t texels,
-                           const TakeRows& take) {
-    const auto in_bands = [&](const auto& shader) {
-        const RowSynthesis rows(solid, texture, texture_from_atlas, filter, kernel, economy,
-                                shader);
-        const RowGroups& groups = rows.groups;
-        const std::size_t least = band_rows * groups.rows * solid.size;
-        const std::size_t at_once = band_rows * std::max<std::size_t>(1, texels / least);
-        for (std::size_t begin = 0; begin < groups.count(); begin += at_once) {
-            const std::size_t end = std::min(begin + at_once, groups.count());
-            const std::size_t first = groups.begin(begin);
-            auto band = Image<RgbF>::unset(solid.size, groups.begin(end) - first);
-            rows.fill(begin, end, threads, band);
-            take(first, std::move(band));
-        }
-    };
-    with_colors<RgbF>(texture.colors, filter, in_bands);
-}
+template Image<Rgb8> synthesize_model(const SolidAtlas&, const Texture&, const Affine3&, int,
+                                      const Filter&, Kernel, const Economy&, const RowWindow&);
+template Image<Rgb16> synthesize_model(const SolidAtlas&, const Texture&, const Affine3&, int,
+                                       const Filter&, Kernel, const Economy&, const RowWindow&);
+template Image<RgbF> synthesize_model(const SolidAtlas&, const Texture&, const Affine3&, int,
+                                      const Filter&, Kernel, const Economy&, const RowWindow&);
 
 Image<float> synthesize_field(const SolidAtlas& solid, const Texture& texture,
                               const Affine3& texture_from_atlas, int threads, Kernel kernel,
                               const Economy& economy) {
-    return synthesize(solid, texture, texture_from_atlas, {}, threads, kernel, economy,
-                      FieldCopy());
+    return fill_rows(solid, texture, texture_from_atlas, false, threads, kernel, economy, {},
+                     FieldCopy());
 }
 
 }  // namespace burl

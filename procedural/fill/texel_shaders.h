@@ -30,14 +30,14 @@ struct ShadedBatch : FieldBatch {
     std::tuple<std::vector<Rgb16>, std::vector<RgbF>> means;
 };
 
-// A shader's sample() evaluates a batch, shade() colours it, and pixel() gives one of its texels or
-// pixels() a run of them.
+// A shader's shade() colours a batch, and pixel() gives one of its texels or pixels() a run of them.
+// A shader for which the field's values at the texels' centres are not enough has sample(), which
+// evaluates the batch instead of FieldSampler::values.
 
 /// The shader that stores the field.
 class FieldCopy {
   public:
     using Pixel = float;
-    void sample(const FieldSampler& sampler, ShadedBatch& batch) const { sampler.values(batch); }
     void shade(ShadedBatch&) const {}
     float pixel(const ShadedBatch& batch, std::size_t at) const { return float(batch.field[at]); }
     float background(double f) const { return float(f); }
@@ -49,7 +49,6 @@ class PointColor {
   public:
     using Pixel = P;
     explicit PointColor(const ColorMap& map) : colors_(map) {}
-    void sample(const FieldSampler& sampler, ShadedBatch& batch) const { sampler.values(batch); }
     void shade(ShadedBatch& batch) const {
         std::fill_n(batch.filtered, batch.count, false);
         std::get<std::vector<P>>(batch.means).resize(batch_capacity);
@@ -75,7 +74,6 @@ class PointColor<Rgb8> {
   public:
     using Pixel = Rgb8;
     explicit PointColor(const ColorMap& map) : colors_(map) {}
-    void sample(const FieldSampler& sampler, ShadedBatch& batch) const { sampler.values(batch); }
     void shade(ShadedBatch& batch) const {
         colors_.look_up(batch.field, batch.count, batch.point_colors);
     }

@@ -2,10 +2,10 @@
 
 #include <optional>
 
+#include "procedural/batch/economy.h"
 #include "procedural/batch/row_tasks.h"
 #include "procedural/batch/sample_pattern.h"
-#include "procedural/batch/texel_place.h"
-#include "procedural/batch/work_sum.h"
+#include "procedural/batch/texel_batch.h"
 #include "procedural/color/filtered_colors.h"
 #include "procedural/color/pixel_encoder.h"
 #include "procedural/color/table.h"

@@ -13,7 +13,7 @@
 namespace burl {
 
 /// The rows `rows` of the texture as Rgb8, Rgb16 or RgbF; the arguments are those of
-/// synthesize_rgb8 (synthesize.h). precision.kind must be float64 or fixed; fixed requires
+/// synthesize_model (synthesize.h). precision.kind must be float64 or fixed; fixed requires
 /// has_fixed_point(texture) and the filter `none` or `supersample` with all octaves. All work that
 /// may be left out is left out; `economy` counts octaves as if a texel showed all of each.
 template <class Pixel>

@@ -8,7 +8,7 @@
 #include <span>
 
 #include "procedural/batch/filter.h"
-#include "procedural/batch/texel_place.h"
+#include "procedural/batch/texel_batch.h"
 #include "procedural/graph/program.h"
 #include "procedural/numbers/dual.h"
 

@@ -173,18 +173,13 @@ HWY_ATTR HWY_INLINE Float EightfoldNoise(Bit h00, Float x, Float y, Float z) {
     return TwiceLerp(fz, low, plane(hn::Set(bits, LatticeHash::prime_z), z1));
 }
 
-/// Calls visit<Corner, FadeFunction>() with the corner and fade of the noise.
+/// Returns visit<Corner, FadeFunction>() for the corner and fade of the noise.
 template <class Visit>
-HWY_ATTR void with_noise(NoiseKind kind, Fade fade, Visit&& visit) {
+HWY_ATTR auto with_noise(NoiseKind kind, Fade fade, const Visit& visit) {
     if (kind == NoiseKind::perlin) return visit.template operator()<PerlinCorner, QuinticFade>();
-    switch (fade) {
-        case Fade::linear:
-            return visit.template operator()<ValueCorner, LinearFade>();
-        case Fade::smooth:
-            return visit.template operator()<ValueCorner, SmoothFade>();
-        case Fade::quintic:
-            return visit.template operator()<ValueCorner, QuinticFade>();
-    }
+    if (fade == Fade::linear) return visit.template operator()<ValueCorner, LinearFade>();
+    if (fade == Fade::smooth) return visit.template operator()<ValueCorner, SmoothFade>();
+    return visit.template operator()<ValueCorner, QuinticFade>();
 }
 
 }  // namespace HWY_NAMESPACE

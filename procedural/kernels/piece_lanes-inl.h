@@ -9,7 +9,7 @@
 
 #include <cstddef>
 
-#include "procedural/batch/texel_piece.h"
+#include "procedural/batch/texel_batch.h"
 #include "procedural/kernels/noise_corners-inl.h"
 #include "procedural/noise/lattice_site.h"
 

@@ -2,7 +2,7 @@
 // The quadric of the texture along the lines of pieces: one parabola per piece, several at once.
 #include <span>
 
-#include "procedural/batch/texel_piece.h"
+#include "procedural/batch/texel_batch.h"
 #include "procedural/model/texture.h"
 
 namespace burl {

@@ -97,22 +97,22 @@ HWY_ATTR void ShareCorners(const StreamOctave& octave, const CellRuns& runs,
     }
 }
 
-/// Calls visit(low, high) with the two planes of corners of a vector of texels; `take(k)` gives
-/// element k of their SharedCorners.
-template <class Corner, class Take, class Visit>
-HWY_ATTR HWY_INLINE auto WithPlanes(const Take& take, const Visit& visit) {
+/// The two planes of corners of a vector of texels; `take(k)` gives element k of their
+/// SharedCorners.
+template <class Corner, class Take>
+HWY_ATTR HWY_INLINE auto PlanesTaken(const Take& take) {
     if constexpr (std::is_same_v<Corner, ValueCorner>) {
         const auto plane = [&](std::size_t k) HWY_ATTR {
             const Floats d;
             return PlaneValues(hn::BitCast(d, take(k)), hn::BitCast(d, take(k + 1)),
                                hn::BitCast(d, take(k + 2)), hn::BitCast(d, take(k + 3)));
         };
-        return visit(plane(0), plane(4));
+        return Planes<PlaneValues>{plane(0), plane(4)};
     } else {
         const auto plane = [&](std::size_t k) HWY_ATTR {
             return PlaneHashes(take(k), take(k + 1), take(k + 2), take(k + 3));
         };
-        return visit(plane(0), plane(4));
+        return Planes<PlaneHashes>{plane(0), plane(4)};
     }
 }
 
@@ -156,33 +156,34 @@ HWY_ATTR void AddShared(const StreamOctave& octave, const LatticeStream& stream,
         ForEachVector<FadeFunction, false>(octave, stream, runs, shared, count, add);
 }
 
-HWY_ATTR void AddOctaveShared(NoiseKind kind, Fade fade, const StreamOctave& octave,
-                              const LatticeStream& stream, const CellRuns& runs, std::size_t count,
-                              float* sums) {
+template <class Corner, class FadeFunction>
+HWY_ATTR void AddOctaveShared(const StreamOctave& octave, const LatticeStream& stream,
+                              const CellRuns* runs, std::size_t count, float* sums, GradientSums*) {
     const Float weight = hn::Set(Floats(), octave.weight);
-    with_noise(kind, fade, [&]<class Corner, class FadeFunction>() HWY_ATTR {
-        AddShared<Corner, FadeFunction>(
-            octave, stream, runs, count,
-            [&](std::size_t j, const auto& at, const auto& take) HWY_ATTR {
-                const Float noise =
-                    WithPlanes<Corner>(take, [&](const auto& low, const auto& high)
-                                                 HWY_ATTR { return NoiseOf(at, low, high); });
-                AddScaled(weight, noise, sums + j);
-            });
-    });
+    AddShared<Corner, FadeFunction>(octave, stream, *runs, count,
+                                    [&](std::size_t j, const auto& at, const auto& take) HWY_ATTR {
+                                        const auto planes = PlanesTaken<Corner>(take);
+                                        AddScaled(weight, NoiseOf(at, planes.low, planes.high),
+                                                  sums + j);
+                                    });
 }
 
-HWY_ATTR void AddOctaveAndGradientShared(NoiseKind kind, Fade fade, const StreamOctave& octave,
-                                         const LatticeStream& stream, const CellRuns& runs,
-                                         std::size_t count, float* sums, GradientSums& gradients) {
-    with_noise(kind, fade, [&]<class Corner, class FadeFunction>() HWY_ATTR {
-        AddShared<Corner, FadeFunction>(
-            octave, stream, runs, count,
-            [&](std::size_t j, const auto& at, const auto& take) HWY_ATTR {
-                WithPlanes<Corner>(take, [&](const auto& low, const auto& high) HWY_ATTR {
-                    AddGradient(octave, GradientOf(at, low, high), j, sums, gradients);
-                });
-            });
+template <class Corner, class FadeFunction>
+HWY_ATTR void AddOctaveAndGradientShared(const StreamOctave& octave, const LatticeStream& stream,
+                                         const CellRuns* runs, std::size_t count, float* sums,
+                                         GradientSums* gradients) {
+    AddShared<Corner, FadeFunction>(octave, stream, *runs, count,
+                                    [&](std::size_t j, const auto& at, const auto& take) HWY_ATTR {
+                                        const auto planes = PlanesTaken<Corner>(take);
+                                        AddGradient(octave, GradientOf(at, planes.low, planes.high),
+                                                    j, sums, *gradients);
+                                    });
+}
+
+HWY_ATTR OctaveKernel SharingKernel(NoiseKind kind, Fade fade, bool gradients) {
+    return with_noise(kind, fade, [&]<class Corner, class FadeFunction>() -> OctaveKernel {
+        return gradients ? AddOctaveAndGradientShared<Corner, FadeFunction>
+                         : AddOctaveShared<Corner, FadeFunction>;
     });
 }
 
@@ -194,25 +195,14 @@ HWY_AFTER_NAMESPACE();
 namespace burl {
 
 HWY_EXPORT(FindRuns);
-HWY_EXPORT(AddOctaveShared);
-HWY_EXPORT(AddOctaveAndGradientShared);
+HWY_EXPORT(SharingKernel);
 
 void find_runs(const LatticeStream& stream, int doublings, std::size_t count, CellRuns& runs) {
     HWY_DYNAMIC_DISPATCH(FindRuns)(stream, doublings, count, runs);
 }
 
-void add_octave_shared(NoiseKind kind, Fade fade, const StreamOctave& octave,
-                       const LatticeStream& stream, const CellRuns& runs, std::size_t count,
-                       float* sums) {
-    HWY_DYNAMIC_DISPATCH(AddOctaveShared)
-    (kind, fade, octave, stream, runs, count, sums);
-}
-
-void add_octave_and_gradient_shared(NoiseKind kind, Fade fade, const StreamOctave& octave,
-                                    const LatticeStream& stream, const CellRuns& runs,
-                                    std::size_t count, float* sums, GradientSums& gradients) {
-    HWY_DYNAMIC_DISPATCH(AddOctaveAndGradientShared)
-    (kind, fade, octave, stream, runs, count, sums, gradients);
+OctaveKernel sharing_kernel(NoiseKind kind, Fade fade, bool gradients) {
+    return HWY_DYNAMIC_DISPATCH(SharingKernel)(kind, fade, gradients);
 }
 
 }  // namespace burl

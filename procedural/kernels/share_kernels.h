@@ -21,14 +21,8 @@ struct CellRuns {
 /// Finds the runs of `count` texels in the lattice of the octave after `doublings`.
 void find_runs(const LatticeStream& stream, int doublings, std::size_t count, CellRuns& runs);
 
-/// The sums of add_octave_direct, to the bit. `runs` must be those of at least octave.doublings.
-void add_octave_shared(NoiseKind kind, Fade fade, const StreamOctave& octave,
-                       const LatticeStream& stream, const CellRuns& runs, std::size_t count,
-                       float* sums);
-
-/// The sums and gradients of add_octave_and_gradient, to the bit.
-void add_octave_and_gradient_shared(NoiseKind kind, Fade fade, const StreamOctave& octave,
-                                    const LatticeStream& stream, const CellRuns& runs,
-                                    std::size_t count, float* sums, GradientSums& gradients);
+/// The kernel that reads `runs`, with the bits of direct_kernel or, with `gradients`, of
+/// gradient_kernel.
+OctaveKernel sharing_kernel(NoiseKind kind, Fade fade, bool gradients);
 
 }  // namespace burl

@@ -13,18 +13,12 @@ inline constexpr int simplex_period = 768;
 /// 2^19, still fits 32 bits.
 inline constexpr std::size_t most_simplex_doublings = 9;
 
-/// sums[j] += weight * n(texel j) / stream_unit(simplex), n being simplex noise of squared radius
-/// `radius2`. At texels that are multiples of 2^-29 cells n errs by at most 3e-7 against float64,
-/// by 1.2e-7 for radius2 0.5 (measured over 2.5e7 random texels: 2.2e-7 and 9.0e-8, rms 2.7e-8);
-/// other texels are moved down to such a multiple.
-void add_simplex_octave(const StreamOctave& octave, double radius2, const LatticeStream& stream,
-                        std::size_t count, float* sums);
-
-/// The sums of add_simplex_octave, to the bit; adds weight * dn / stream_unit(simplex) with respect
-/// to the stream's coordinates to the gradients. A component of dn errs by at most 2e-6 in the
-/// octave's own coordinates.
-void add_simplex_octave_and_gradient(const StreamOctave& octave, double radius2,
-                                     const LatticeStream& stream, std::size_t count, float* sums,
-                                     GradientSums& gradients);
+/// The kernel of simplex noise n of squared radius octave.radius2. At texels that are multiples of
+/// 2^-29 cells n errs by at most 3e-7 against float64, by 1.2e-7 for radius2 0.5 (measured over
+/// 2.5e7 random texels: 2.2e-7 and 9.0e-8, rms 2.7e-8); other texels are moved down to such a
+/// multiple. With `gradients`, which changes no bit of the sums, it adds weight * dn /
+/// stream_unit(simplex) with respect to the stream's coordinates to the gradients; a component of
+/// dn errs by at most 2e-6 in the octave's own coordinates.
+OctaveKernel simplex_kernel(bool gradients);
 
 }  // namespace burl

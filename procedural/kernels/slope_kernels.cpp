@@ -18,26 +18,23 @@ namespace burl {
 namespace HWY_NAMESPACE {
 
 template <class Corner, class FadeFunction>
-HWY_ATTR void AddGradientOf(const StreamOctave& octave, const LatticeStream& stream,
-                            std::size_t count, float* sums, GradientSums& gradients) {
+HWY_ATTR void AddOctaveAndGradient(const StreamOctave& octave, const LatticeStream& stream,
+                                   const CellRuns*, std::size_t count, float* sums,
+                                   GradientSums* gradients) {
     const Floats d;
     const Bit seed = hn::Set(Bits(), octave.seed * LatticeHash::prime_seed);
     for (std::size_t j = 0; j < count; j += hn::Lanes(d)) {
         const auto cell = [&](int axis)
                               HWY_ATTR { return CellsOf(stream, axis, j, octave.doublings); };
         const StreamPlaces<FadeFunction> at(stream, j, octave.doublings);
-        WithPlanesOf<Corner>(CellHash(seed, cell(0), cell(1), cell(2)),
-                             [&](const auto& low, const auto& high) HWY_ATTR {
-                                 AddGradient(octave, GradientOf(at, low, high), j, sums, gradients);
-                             });
+        const auto planes = PlanesOf<Corner>(CellHash(seed, cell(0), cell(1), cell(2)));
+        AddGradient(octave, GradientOf(at, planes.low, planes.high), j, sums, *gradients);
     }
 }
 
-HWY_ATTR void AddOctaveAndGradient(NoiseKind kind, Fade fade, const StreamOctave& octave,
-                                   const LatticeStream& stream, std::size_t count, float* sums,
-                                   GradientSums& gradients) {
-    with_noise(kind, fade, [&]<class Corner, class FadeFunction>() HWY_ATTR {
-        AddGradientOf<Corner, FadeFunction>(octave, stream, count, sums, gradients);
+HWY_ATTR OctaveKernel GradientKernel(NoiseKind kind, Fade fade) {
+    return with_noise(kind, fade, []<class Corner, class FadeFunction>() -> OctaveKernel {
+        return AddOctaveAndGradient<Corner, FadeFunction>;
     });
 }
 
@@ -133,15 +130,12 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace burl {
 
-HWY_EXPORT(AddOctaveAndGradient);
+HWY_EXPORT(GradientKernel);
 HWY_EXPORT(AddSlopes);
 HWY_EXPORT(FillQuadricSlopes);
 
-void add_octave_and_gradient(NoiseKind kind, Fade fade, const StreamOctave& octave,
-                             const LatticeStream& stream, std::size_t count, float* sums,
-                             GradientSums& gradients) {
-    HWY_DYNAMIC_DISPATCH(AddOctaveAndGradient)
-    (kind, fade, octave, stream, count, sums, gradients);
+OctaveKernel gradient_kernel(NoiseKind kind, Fade fade) {
+    return HWY_DYNAMIC_DISPATCH(GradientKernel)(kind, fade);
 }
 
 void add_slopes(const Affine3& lattice_from_solid, double scale, std::span<const Piece> pieces,

@@ -19,13 +19,11 @@ struct SlopeBatch {
     alignas(64) float v[batch_capacity + batch_padding];
 };
 
-/// The sums of add_octave_direct, to the bit; adds weight * dn / stream_unit(kind) with respect to
-/// the stream's coordinates to the gradients. A component of dn errs, for the same cell and place
-/// in the octave's own coordinates, by at most 1e-6 (measured over 1.2e6 numbers each: 8.3e-7 for
-/// value noise and 8.8e-7 for Perlin's; rms 7e-8 and 9e-8).
-void add_octave_and_gradient(NoiseKind kind, Fade fade, const StreamOctave& octave,
-                             const LatticeStream& stream, std::size_t count, float* sums,
-                             GradientSums& gradients);
+/// The kernel that gives the sums of direct_kernel, to the bit, and adds weight * dn /
+/// stream_unit(kind) with respect to the stream's coordinates to the gradients. A component of dn
+/// errs, for the same cell and place in the octave's own coordinates, by at most 1e-6 (measured
+/// over 1.2e6 numbers each: 8.3e-7 for value noise and 8.8e-7 for Perlin's; rms 7e-8 and 9e-8).
+OctaveKernel gradient_kernel(NoiseKind kind, Fade fade);
 
 /// slopes += scale * gradients along the sides of the pieces' texels. A side's component of 2^50
 /// cells or more counts as 0.

@@ -128,14 +128,20 @@ HWY_ATTR HWY_INLINE Float NoiseOf(const StreamPlaces<FadeFunction>& at, const Pl
     return TwiceLerp(at.fade[2], plane(low, hn::Add(z, one)), plane(high, hn::Sub(z, one)));
 }
 
-/// Calls visit(low, high) with the two planes of corners of a vector of texels, from its CellHash.
-template <class Corner, class Visit>
-HWY_ATTR HWY_INLINE auto WithPlanesOf(Bit h, const Visit& visit) {
+/// The two planes of corners of a vector of texels, as NoiseOf takes them.
+template <class Plane>
+struct Planes {
+    Plane low, high;
+};
+
+/// The planes of corners from a vector's CellHash.
+template <class Corner>
+HWY_ATTR HWY_INLINE auto PlanesOf(Bit h) {
     const PlaneHashes low(h), high(NextPlane(h));
     if constexpr (std::is_same_v<Corner, ValueCorner>)
-        return visit(ValuesOf(low), ValuesOf(high));
+        return Planes<PlaneValues>{ValuesOf(low), ValuesOf(high)};
     else
-        return visit(low, high);
+        return Planes<PlaneHashes>{low, high};
 }
 
 HWY_ATTR HWY_INLINE void AddScaled(Float weight, Float term, float* sum) {

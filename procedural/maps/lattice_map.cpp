@@ -30,7 +30,8 @@ class LatticeMapRows {
         const auto spans = solid.row(y);
         std::size_t owned = area_.x;
         for (const Span& span : spans) {
-            if (&spans.back() - &span >= map_prefetch) prefetch(maps[(&span)[map_prefetch].map]);
+            if (std::size_t(&spans.back() - &span) >= map_prefetch)
+                prefetch(maps[(&span)[map_prefetch].map]);
             const std::size_t begin = std::max(span.x, area_.x);
             const std::size_t end = std::min(span.x + span.count, area_.x + area_.width);
             if (begin >= end) continue;

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "procedural/batch/texel_piece.h"
+#include "procedural/batch/texel_batch.h"
 
 namespace burl {
 

@@ -39,20 +39,20 @@ void register_octave(NoiseKind kind, Fade fade, const std::shared_ptr<StreamBuff
     const StreamOctave octave{7, 0, 0.5f};
     const std::string name = octave_name(kind, fade);
     float* sums = buffers->sums.values;
-    register_batch("add_octave_direct/" + name, [=] {
-        add_octave_direct(kind, fade, octave, buffers->lattice, batch_capacity, sums);
+    register_batch("direct_kernel/" + name, [=] {
+        direct_kernel(kind, fade)(octave, buffers->lattice, nullptr, batch_capacity, sums, nullptr);
     });
-    register_batch("add_octave_shared/" + name, [=] {
-        add_octave_shared(kind, fade, octave, buffers->lattice, buffers->runs, batch_capacity,
-                          sums);
+    register_batch("sharing_kernel/" + name, [=] {
+        sharing_kernel(kind, fade, false)(octave, buffers->lattice, &buffers->runs, batch_capacity,
+                                          sums, nullptr);
     });
-    register_batch("add_octave_and_gradient/" + name, [=] {
-        add_octave_and_gradient(kind, fade, octave, buffers->lattice, batch_capacity, sums,
-                                buffers->sums.gradients);
+    register_batch("gradient_kernel/" + name, [=] {
+        gradient_kernel(kind, fade)(octave, buffers->lattice, nullptr, batch_capacity, sums,
+                                    &buffers->sums.gradients);
     });
-    register_batch("add_octave_and_gradient_shared/" + name, [=] {
-        add_octave_and_gradient_shared(kind, fade, octave, buffers->lattice, buffers->runs,
-                                       batch_capacity, sums, buffers->sums.gradients);
+    register_batch("sharing_gradient_kernel/" + name, [=] {
+        sharing_kernel(kind, fade, true)(octave, buffers->lattice, &buffers->runs, batch_capacity,
+                                         sums, &buffers->sums.gradients);
     });
 }
 

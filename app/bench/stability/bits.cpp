@@ -28,7 +28,7 @@ std::uint64_t hash_of(const Bytes& values) {
 
 std::uint64_t color_hash(const StabilityCase& one, FilterKind kind) {
     const Image<RgbF> image =
-        synthesize_rgbf(one.solid, one.texture, one.map, 1, {kind, 16, false});
+        synthesize_model<RgbF>(one.solid, one.texture, one.map, 1, {kind, 16, false});
     std::vector<float> channels;
     for (const RgbF& c : image.pixels()) channels.insert(channels.end(), {c.r, c.g, c.b});
     return hash_of(channels);

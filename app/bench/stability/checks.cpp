@@ -131,8 +131,8 @@ StabilityRow check_filters(const std::vector<StabilityGroup>& groups) {
             for (const FilterKind kind : {none, table_mip, table_sat, table_sat3, exact, trapezoid,
                                           trapezoid2, supersample})
                 for (const bool band_limit : {false, true}) {
-                    const Image<RgbF> image =
-                        synthesize_rgbf(one.solid, one.texture, one.map, 1, {kind, 4, band_limit});
+                    const Image<RgbF> image = synthesize_model<RgbF>(
+                        one.solid, one.texture, one.map, 1, {kind, 4, band_limit});
                     for_each_span(
                         one.solid, [&](const Span& span, const TexelMap&, std::int64_t y) {
                             for (std::uint32_t x = span.x; x < span.x + span.count; ++x) {

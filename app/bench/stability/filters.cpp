@@ -126,7 +126,7 @@ Vec3d defined_color(const ColorMap& map, FilterKind kind, const Spread& spread) 
 
 Image<RgbF> filtered(const StabilityCase& one, FilterKind kind, PrecisionKind precision) {
     if (precision == PrecisionKind::float32)
-        return synthesize_rgbf(one.solid, one.texture, one.map, 1, {kind, 16, false});
+        return synthesize_model<RgbF>(one.solid, one.texture, one.map, 1, {kind, 16, false});
     return synthesize_texels<RgbF>(one.solid, one.texture, one.map, {precision, {}},
                                    {kind, 16, false}, 1);
 }

@@ -3,7 +3,7 @@
 // map; a shader generated from the graph (procedural/glsl/graph.h) evaluates and encodes each
 // texel's colour: at its centre, as the mean over the texel by the nodes' own filters, or as the
 // weighted mean of several samples. Where OpenGL has float64 and IEEE 754 rounding, the bytes are
-// those of synthesize_graph_rgb8, _rgb16 and _rgbf in float32.
+// those of synthesize_graph in float32.
 #include <list>
 #include <map>
 #include <memory>
@@ -26,9 +26,9 @@ class GlGraphSynthesis {
     /// The reason why a graph cannot be evaluated with a filter; empty where it can.
     std::string problem(const TextureGraph& graph, const Filter& filter = {}) const;
 
-    /// Synthesises the texture as synthesize_graph_rgb8, _rgb16 or _rgbf do; an image of the
-    /// atlas's size is overwritten. 0 threads means all. Throws Error: unsupported where problem()
-    /// gives a reason, runtime when memory runs out.
+    /// Synthesises the texture as synthesize_graph does; an image of the atlas's size is
+    /// overwritten. 0 threads means all. Throws Error: unsupported where problem() gives a reason,
+    /// runtime when memory runs out.
     template <class Pixel>
     void synthesize(const SolidAtlas& solid, const TextureGraph& graph,
                     const Affine3& texture_from_atlas, int threads, Image<Pixel>& image,

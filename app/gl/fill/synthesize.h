@@ -47,8 +47,8 @@ class GlSynthesis {
     /// The reason why a texture cannot be made with a filter; empty where it can.
     std::string problem(const Texture& texture, const Filter& filter = {}) const;
 
-    /// Synthesises the texture as synthesize_rgb8, _rgb16 or _rgbf do, for Pixel Rgb8, Rgb16 or
-    /// RgbF, or as synthesize_field does, unfiltered, for float. An image of the atlas's size is
+    /// Synthesises the texture as synthesize_model does, for Pixel Rgb8, Rgb16 or RgbF, or as
+    /// synthesize_field does, unfiltered, for float. An image of the atlas's size is
     /// overwritten. 0 threads means all. Throws Error: unsupported where problem() gives a reason,
     /// runtime when memory runs out.
     template <class Pixel>

@@ -2,6 +2,8 @@
 // any have the same bytes, for all presets and a thousand recipes at random.
 #include "procedural/batch/economy.h"
 
+#include <filesystem>
+
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -114,14 +116,14 @@ TEST(Economy, ShowsInNoByteOfAThousandRecipesAtRandom) {
     const SolidAtlas solid = SyntheticAtlas{20, 7, 3.0, 0.05, true}.make(5);
     CachedSynthesis kept(solid, {}, large_cache);
     SynthesisWork with, bare;
-    const auto compare = [&]<class Pixel>(std::uint32_t seed, auto synthesize, Image<Pixel> image) {
+    const auto compare = [&]<class Pixel>(std::uint32_t seed, Image<Pixel> image) {
         SCOPED_TRACE(seed);
         Chance chance(seed);
         const Texture texture = random_texture(chance, kinds);
         const Filter filter = random_filter(chance);
         const auto made = [&](const Skips& skips, SynthesisWork* work = nullptr) {
-            return synthesize(solid, texture, Affine3{}, 1, filter, Kernel::automatic,
-                              Economy{skips, work});
+            return synthesize_model<Pixel>(solid, texture, {}, 1, filter, Kernel::automatic,
+                                           {skips, work});
         };
         const Image<Pixel> expected = made(without_any(), &bare);
         ASSERT_EQ(made({}, &with), expected);
@@ -132,9 +134,9 @@ TEST(Economy, ShowsInNoByteOfAThousandRecipesAtRandom) {
     // (8-bit colours need a table each, which takes most of the time.)
     for (std::uint32_t seed = 0; seed < 1000; ++seed) {
         if (seed % 10 == 0)
-            compare(seed, synthesize_rgb8, Image<Rgb8>());
+            compare(seed, Image<Rgb8>());
         else
-            compare(seed, synthesize_rgbf, Image<RgbF>());
+            compare(seed, Image<RgbF>());
         if (HasFatalFailure()) return;
     }
     EXPECT_LT(with.octaves, bare.octaves);
@@ -149,8 +151,8 @@ TEST(Economy, AddsUpWhateverTheThreads) {
         const Texture texture = random_texture(chance, kinds);
         const Filter filter = random_filter(chance);
         SynthesisWork one, many;
-        synthesize_rgb8(solid, texture, {}, 1, filter, Kernel::automatic, {{}, &one});
-        synthesize_rgb8(solid, texture, {}, 0, filter, Kernel::automatic, {{}, &many});
+        synthesize_model<Rgb8>(solid, texture, {}, 1, filter, Kernel::automatic, {{}, &one});
+        synthesize_model<Rgb8>(solid, texture, {}, 0, filter, Kernel::automatic, {{}, &many});
         EXPECT_EQ(one.texels, many.texels) << seed;
     }
 }

@@ -61,17 +61,17 @@ TEST(CachedGraph, LooksColoursUpInTheCachedNumber) {
         {mapped(wrinkles, grey), twice, 0},
         {mapped(R"({"node": "wrinkled", "octaves": 3, "seed": 4})", grey), twice, 3}};
     const auto rgb8 = [](const SolidAtlas& solid, const TextureGraph& graph, const Affine3& map) {
-        return synthesize_graph_rgb8(solid, graph, map, {}, 1);
+        return synthesize_graph<Rgb8>(solid, graph, map, {}, 1);
     };
     follow<Rgb8>(plenty, steps, rgb8);
     follow<Rgb8>(100, steps, rgb8);
     follow<Rgb16>(plenty, steps,
                   [](const SolidAtlas& solid, const TextureGraph& graph, const Affine3& map) {
-                      return synthesize_graph_rgb16(solid, graph, map, {}, 1);
+                      return synthesize_graph<Rgb16>(solid, graph, map, {}, 1);
                   });
     follow<RgbF>(plenty, steps,
                  [](const SolidAtlas& solid, const TextureGraph& graph, const Affine3& map) {
-                     return synthesize_graph_rgbf(solid, graph, map, {}, 1);
+                     return synthesize_graph<RgbF>(solid, graph, map, {}, 1);
                  });
 }
 

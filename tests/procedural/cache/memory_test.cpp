@@ -39,7 +39,7 @@ TEST(CacheMemory, IsEvaluatedAnewAfterAFilterThatItHasNoRoomFor) {
     for (const FilterKind kind : {FilterKind::none, FilterKind::exact, FilterKind::none}) {
         const Filter filter{kind, 16, false};
         cached.synthesize(texture, 1, image, filter);
-        EXPECT_EQ(image, synthesize_rgb8(solid, texture, {}, 1, filter));
+        EXPECT_EQ(image, synthesize_model<Rgb8>(solid, texture, {}, 1, filter));
         EXPECT_FALSE(cached.work().field_cached);
     }
 }

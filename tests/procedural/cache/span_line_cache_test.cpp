@@ -35,13 +35,8 @@ void for_each_batch(const SolidAtlas& solid, const Visit& visit) {
     for (int time = 0; time < 2; ++time)
         for (std::size_t y = 0; y < solid.size; ++y) {
             std::vector<std::vector<Piece>> batches;
-            const auto empty = [&] {
-                if (batch->count > 0) batches.push_back(batch->pieces);
-                batch->pieces.clear();
-                batch->count = 0;
-            };
-            add_row(solid, maps, y, *batch, empty);
-            empty();
+            PieceReader pieces(solid, maps, {y, y + 1});
+            while (pieces.read(*batch)) batches.push_back(batch->pieces);
             std::size_t at = 0;
             cached.for_each_batch(y, maps, [&](const SpanLines& lines) {
                 ASSERT_LT(at, batches.size());
@@ -105,7 +100,7 @@ std::size_t cached_by_a_move(const SolidAtlas& solid, CachedSynthesis& cached) {
     const std::size_t bytes = cached.bytes();
     texture.noise[1].phase.x = 0.5;
     cached.synthesize(texture, 1, image);
-    EXPECT_EQ(image, synthesize_rgb8(solid, texture, map, 1));
+    EXPECT_EQ(image, synthesize_model<Rgb8>(solid, texture, map, 1));
     return cached.bytes() - bytes;
 }
 

@@ -31,12 +31,7 @@ Texture many_terms() {
 template <class Pixel>
 Image<Pixel> from_scratch(const SolidAtlas& solid, const Texture& texture, Kernel kernel,
                           const Filter& filter = {}) {
-    if constexpr (std::is_same_v<Pixel, Rgb8>)
-        return synthesize_rgb8(solid, texture, scaled_twice, 1, filter, kernel);
-    else if constexpr (std::is_same_v<Pixel, Rgb16>)
-        return synthesize_rgb16(solid, texture, scaled_twice, 1, filter, kernel);
-    else
-        return synthesize_rgbf(solid, texture, scaled_twice, 1, filter, kernel);
+    return synthesize_model<Pixel>(solid, texture, scaled_twice, 1, filter, kernel);
 }
 
 /// One thing about the texture that a slider would change.
@@ -206,7 +201,7 @@ TEST(CachedSynthesis, StartsAnewForAnotherMap) {
     for (const Affine3& map : {Affine3{}, scaled_twice, scaled_twice, Affine3{}}) {
         cached.set_map(map);
         cached.synthesize(many_terms(), 1, image);
-        EXPECT_EQ(image, synthesize_rgb8(solid, many_terms(), map, 1));
+        EXPECT_EQ(image, synthesize_model<Rgb8>(solid, many_terms(), map, 1));
     }
 }
 

@@ -87,7 +87,7 @@ double rmse(const Image<RgbF>& a, const Image<RgbF>& b) {
 }
 
 Image<RgbF> filtered(const SolidAtlas& solid, const Texture& texture, const Filter& filter) {
-    return synthesize_rgbf(solid, texture, {}, 1, filter);
+    return synthesize_model<RgbF>(solid, texture, {}, 1, filter);
 }
 
 TEST(FilterSynthesis, LinearFieldsAreExact) {
@@ -143,11 +143,11 @@ TEST(FilterSynthesis, SamplesConverge) {
 TEST(FilterSynthesis, ConstantStaysConstant) {
     Texture texture = marble({Wrap::repeat, {{0.1, {90, 120, 200}}, {0.8, {90, 120, 200}}}});
     const SolidAtlas solid = footprints(0.5);
-    const Image<Rgb8> plain = synthesize_rgb8(solid, texture, {}, 1);
+    const Image<Rgb8> plain = synthesize_model<Rgb8>(solid, texture, {}, 1);
     for (int kind = 0; kind < 8; ++kind)
         for (const bool band_limit : {false, true}) {
             const Filter filter{FilterKind(kind), 5, band_limit};
-            EXPECT_EQ(synthesize_rgb8(solid, texture, {}, 1, filter), plain) << kind;
+            EXPECT_EQ(synthesize_model<Rgb8>(solid, texture, {}, 1, filter), plain) << kind;
         }
 }
 
@@ -167,9 +167,9 @@ TEST(FilterSynthesis, SameBytesForEveryThreadCount) {
     texture.noise.push_back(noise(NoiseKind::simplex, 2.0, 3));
     for (int kind = 0; kind < 8; ++kind) {
         const Filter filter{FilterKind(kind), 6, true};
-        const Image<Rgb16> one = synthesize_rgb16(solid, texture, {}, 1, filter);
+        const Image<Rgb16> one = synthesize_model<Rgb16>(solid, texture, {}, 1, filter);
         for (const int threads : {2, 5})
-            EXPECT_EQ(synthesize_rgb16(solid, texture, {}, threads, filter), one) << kind;
+            EXPECT_EQ(synthesize_model<Rgb16>(solid, texture, {}, threads, filter), one) << kind;
     }
 }
 

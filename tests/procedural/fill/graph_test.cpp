@@ -32,11 +32,11 @@ TEST(SynthesizeGraph, BytesDoNotDependOnThreads) {
     const TextureGraph graph = graph_of(busy);
     for (const Filter filter :
          {Filter{}, Filter{FilterKind::trapezoid}, Filter{FilterKind::supersample, 5}}) {
-        const auto one = synthesize_graph_rgb8(solid, graph, {}, filter, 1);
-        const auto precise = synthesize_graph_rgbf(solid, graph, {}, filter, 1);
+        const auto one = synthesize_graph<Rgb8>(solid, graph, {}, filter, 1);
+        const auto precise = synthesize_graph<RgbF>(solid, graph, {}, filter, 1);
         for (const int threads : {2, 3, 0}) {
-            EXPECT_EQ(synthesize_graph_rgb8(solid, graph, {}, filter, threads), one);
-            EXPECT_EQ(synthesize_graph_rgbf(solid, graph, {}, filter, threads), precise);
+            EXPECT_EQ(synthesize_graph<Rgb8>(solid, graph, {}, filter, threads), one);
+            EXPECT_EQ(synthesize_graph<RgbF>(solid, graph, {}, filter, threads), precise);
         }
     }
 }
@@ -47,9 +47,9 @@ TEST(SynthesizeGraph, FillsTexelsWithTheirOwnPoints) {
     const GraphEvaluator evaluate(graph);
     const Affine3 map{Mat3d(3.0), Vec3d(0.1, 0.2, 0.3)};
     const auto points =
-        synthesize_graph_rgbf(solid, graph, map, Filter{}, 2, PrecisionKind::float64);
-    const auto areas = synthesize_graph_rgb16(solid, graph, map, Filter{FilterKind::trapezoid}, 2,
-                                              PrecisionKind::float64);
+        synthesize_graph<RgbF>(solid, graph, map, Filter{}, 2, PrecisionKind::float64);
+    const auto areas = synthesize_graph<Rgb16>(solid, graph, map, Filter{FilterKind::trapezoid}, 2,
+                                               PrecisionKind::float64);
     const SrgbEncoder<std::uint16_t> encode;
     int owned = 0;
     for (std::size_t y = 0; y < solid.size; y += 3)
@@ -66,7 +66,7 @@ TEST(SynthesizeGraph, FillsTexelsWithTheirOwnPoints) {
     SolidAtlas bare;
     bare.size = 2;
     bare.row_begin = {0, 0, 0};
-    EXPECT_EQ(synthesize_graph_rgbf(bare, graph, map, Filter{}, 1, PrecisionKind::float64)(1, 1).r,
+    EXPECT_EQ(synthesize_graph<RgbF>(bare, graph, map, Filter{}, 1, PrecisionKind::float64)(1, 1).r,
               float(evaluate(Vec3d(0.0)).color().x));
 }
 
@@ -96,13 +96,14 @@ TEST(SynthesizeGraph, AMapOverAFieldFiltersAsItDoesOutsideOfAGraph) {
     }
     const SolidAtlas solid = SyntheticAtlas{64, 16, 0.0, 0.05, false}.make(11);
     using enum FilterKind;
-    const auto points = synthesize_rgbf(solid, texture, {}, 1);
+    const auto points = synthesize_model<RgbF>(solid, texture, {}, 1);
     for (const FilterKind kind : {table_mip, table_sat, table_sat3, exact, trapezoid})
         for (const bool fade : {false, true}) {
             const Filter filter{kind, 1, fade};
-            const auto field = synthesize_rgbf(solid, texture, {}, 1, filter);
-            EXPECT_LT(largest_difference(synthesize_graph_rgbf(solid, graph, {}, filter, 1), field),
-                      1e-4)
+            const auto field = synthesize_model<RgbF>(solid, texture, {}, 1, filter);
+            EXPECT_LT(
+                largest_difference(synthesize_graph<RgbF>(solid, graph, {}, filter, 1), field),
+                1e-4)
                 << int(kind);
             EXPECT_GT(largest_difference(points, field), 0.1);
         }
@@ -112,9 +113,9 @@ TEST(SynthesizeGraph, SupersamplingApproachesWhatNodesKnow) {
     // Stripes a quarter of a texel to four texels wide: the box's mean against many samples.
     const SolidAtlas solid = SyntheticAtlas{64, 16, 0.0, 0.3, false}.make(7);
     const TextureGraph graph = graph_of(R"({"node": "stripes", "period": 0.4})");
-    const auto nodes = synthesize_graph_rgbf(solid, graph, {}, {FilterKind::trapezoid}, 2);
-    const auto many = synthesize_graph_rgbf(solid, graph, {}, {FilterKind::supersample, 64}, 2);
-    const auto one = synthesize_graph_rgbf(solid, graph, {}, {}, 2);
+    const auto nodes = synthesize_graph<RgbF>(solid, graph, {}, {FilterKind::trapezoid}, 2);
+    const auto many = synthesize_graph<RgbF>(solid, graph, {}, {FilterKind::supersample, 64}, 2);
+    const auto one = synthesize_graph<RgbF>(solid, graph, {}, {}, 2);
     double error = 0.0, unfiltered = 0.0;
     for (std::size_t i = 0; i < many.pixels().size(); ++i) {
         error += std::pow(nodes.pixels()[i].r - many.pixels()[i].r, 2);

@@ -43,8 +43,8 @@ TEST(SynthesisWork, CountsTexelsAndOctaves) {
              {FilterKind::none, FilterKind::exact, FilterKind::supersample}) {
             SynthesisWork work;
             const Filter filter{kind, 4};
-            synthesize_rgb8(solid, two_terms(), identity, threads, filter, Kernel::automatic,
-                            {{}, &work});
+            synthesize_model<Rgb8>(solid, two_terms(), identity, threads, filter, Kernel::automatic,
+                                   {{}, &work});
             EXPECT_EQ(work.texels, texels);
             EXPECT_EQ(work.octaves, 5 * texels * (kind == FilterKind::supersample ? 4 : 1));
             EXPECT_EQ(work.texels_skipped[unsigned(Skip::unread_texels)], 64 * 64 - texels);
@@ -59,10 +59,11 @@ TEST(SynthesisWork, CountsOctavesThatTexelsCannotShow) {
     SynthesisWork limited, all;
     Economy economy{{}, &all};
     economy.skips.forbid(Skip::band_limit);
-    const auto image =
-        synthesize_rgb16(solid, texture, identity, 2, filter, Kernel::automatic, {{}, &limited});
-    EXPECT_EQ(synthesize_rgb16(solid, texture, identity, 2, filter, Kernel::automatic, economy),
-              image);
+    const auto image = synthesize_model<Rgb16>(solid, texture, identity, 2, filter,
+                                               Kernel::automatic, {{}, &limited});
+    EXPECT_EQ(
+        synthesize_model<Rgb16>(solid, texture, identity, 2, filter, Kernel::automatic, economy),
+        image);
     EXPECT_EQ(all.octaves, 16 * texels_in_spans(solid));
     const std::uint64_t skipped = limited.octaves_skipped[unsigned(Skip::band_limit)];
     EXPECT_EQ(limited.octaves + skipped, all.octaves);
@@ -86,11 +87,12 @@ TEST(SynthesisWork, CountsTermsWithoutAmplitude) {
         Economy economy{{}, &all, {}};
         economy.skips.forbid(Skip::zero_terms);
         const Filter filter{kind, 4};
-        const auto image = synthesize_rgbf(solid, texture, identity, 2, filter, Kernel::automatic,
-                                           {{}, &some, {}});
-        EXPECT_EQ(synthesize_rgbf(solid, texture, identity, 2, filter, Kernel::automatic, economy),
-                  image);
-        EXPECT_EQ(synthesize_rgbf(solid, idle, identity, 2, filter), image);
+        const auto image = synthesize_model<RgbF>(solid, texture, identity, 2, filter,
+                                                  Kernel::automatic, {{}, &some, {}});
+        EXPECT_EQ(
+            synthesize_model<RgbF>(solid, texture, identity, 2, filter, Kernel::automatic, economy),
+            image);
+        EXPECT_EQ(synthesize_model<RgbF>(solid, idle, identity, 2, filter), image);
         EXPECT_EQ(some.octaves, 4 * texels * samples);
         EXPECT_EQ(some.octaves_skipped[unsigned(Skip::zero_terms)], 5 * texels * samples);
         EXPECT_EQ(all.octaves, 9 * texels * samples);
@@ -102,8 +104,9 @@ TEST(SynthesisWork, PaintsTexelsThatNobodyReadsOneByOneIfAsked) {
     SynthesisWork work;
     Economy economy{{}, &work, {}};
     economy.skips.forbid(Skip::unread_texels);
-    EXPECT_EQ(synthesize_rgb8(solid, two_terms(), identity, 2, {}, Kernel::automatic, economy),
-              synthesize_rgb8(solid, two_terms(), identity, 2));
+    EXPECT_EQ(
+        synthesize_model<Rgb8>(solid, two_terms(), identity, 2, {}, Kernel::automatic, economy),
+        synthesize_model<Rgb8>(solid, two_terms(), identity, 2));
     EXPECT_EQ(work.texels, 64u * 64u);
     EXPECT_EQ(work.texels_skipped, SynthesisWork{}.texels_skipped);
 }
@@ -115,7 +118,7 @@ TEST(SynthesisWork, CountsTheOctavesOfGraphs) {
     const SolidAtlas solid = atlas_with_gaps();
     const std::uint64_t texels = texels_in_spans(solid);
     SynthesisWork work;
-    synthesize_graph_rgb8(solid, graph, identity, {}, 2, PrecisionKind::float32, {{}, &work});
+    synthesize_graph<Rgb8>(solid, graph, identity, {}, 2, PrecisionKind::float32, {{}, &work});
     EXPECT_EQ(work.texels, texels);
     EXPECT_EQ(work.octaves, 8 * texels);  // equal subtrees count once
     EXPECT_EQ(work.texels_skipped[unsigned(Skip::unread_texels)], 64 * 64 - texels);

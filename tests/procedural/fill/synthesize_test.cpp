@@ -146,10 +146,11 @@ TEST(Synthesis, GivesTheSameBytesForEveryThreadCount) {
         for (NoiseTerm& term : texture.noise) term.octaves = 1 + term.octaves % 2;
         for (const auto& [name, kernel] : kernel_names) {
             const Image<float> field = synthesize_field(solid, texture, scaled(1.0), 1, kernel);
-            const Image<Rgb8> colors = synthesize_rgb8(solid, texture, scaled(1.0), 1, {}, kernel);
+            const Image<Rgb8> colors =
+                synthesize_model<Rgb8>(solid, texture, scaled(1.0), 1, {}, kernel);
             for (const int threads : {2, 7, 0}) {
                 EXPECT_EQ(synthesize_field(solid, texture, scaled(1.0), threads, kernel), field);
-                EXPECT_EQ(synthesize_rgb8(solid, texture, scaled(1.0), threads, {}, kernel),
+                EXPECT_EQ(synthesize_model<Rgb8>(solid, texture, scaled(1.0), threads, {}, kernel),
                           colors);
             }
         }
@@ -196,8 +197,8 @@ TEST(Synthesis, GivesTheSameBytesOnEveryInstructionSet) {
     std::vector<Image<Rgb8>> colors, filtered;
     for (std::size_t i = 0; i < textures.size(); ++i) {
         fields.push_back(synthesize_field(solid, textures[i], scaled(1.0), 1));
-        colors.push_back(synthesize_rgb8(solid, textures[i], scaled(1.0), 1));
-        filtered.push_back(synthesize_rgb8(solid, textures[i], scaled(1.0), 1, filter(i)));
+        colors.push_back(synthesize_model<Rgb8>(solid, textures[i], scaled(1.0), 1));
+        filtered.push_back(synthesize_model<Rgb8>(solid, textures[i], scaled(1.0), 1, filter(i)));
     }
     std::string names;
     on_every_target([&] {
@@ -207,11 +208,12 @@ TEST(Synthesis, GivesTheSameBytesOnEveryInstructionSet) {
                 if (kernel == Kernel::scanline) continue;  // scanline_kernel_test
                 EXPECT_EQ(synthesize_field(solid, textures[i], scaled(1.0), 1, kernel), fields[i])
                     << simd_level() << ", " << name << ", texture " << i;
-                EXPECT_EQ(synthesize_rgb8(solid, textures[i], scaled(1.0), 1, {}, kernel),
+                EXPECT_EQ(synthesize_model<Rgb8>(solid, textures[i], scaled(1.0), 1, {}, kernel),
                           colors[i])
                     << simd_level() << ", " << name << ", texture " << i;
-                EXPECT_EQ(synthesize_rgb8(solid, textures[i], scaled(1.0), 1, filter(i), kernel),
-                          filtered[i])
+                EXPECT_EQ(
+                    synthesize_model<Rgb8>(solid, textures[i], scaled(1.0), 1, filter(i), kernel),
+                    filtered[i])
                     << simd_level() << ", " << name << ", texture " << i;
             }
     });
@@ -225,9 +227,9 @@ TEST(Synthesis, ColoursAreTheReferenceWithinOneCode) {
         Texture texture = synthesize_marble();
         texture.colors.wrap = wrap;
         texture.colors.stops = {{0.1, {250, 10, 30}}, {0.4, {0, 200, 40}}, {0.9, {3, 5, 255}}};
-        const Image<Rgb8> image8 = synthesize_rgb8(solid, texture, scaled(1.0), 1);
-        const Image<Rgb16> image16 = synthesize_rgb16(solid, texture, scaled(1.0), 1);
-        const Image<RgbF> image_f = synthesize_rgbf(solid, texture, scaled(1.0), 1);
+        const Image<Rgb8> image8 = synthesize_model<Rgb8>(solid, texture, scaled(1.0), 1);
+        const Image<Rgb16> image16 = synthesize_model<Rgb16>(solid, texture, scaled(1.0), 1);
+        const Image<RgbF> image_f = synthesize_model<RgbF>(solid, texture, scaled(1.0), 1);
         const auto check = [&](std::size_t x, std::size_t y, const Vec3d& linear) {
             const Vec3d coded(srgb_encode(linear.r), srgb_encode(linear.g), srgb_encode(linear.b));
             const Rgb8 c = image8(x, y);
@@ -253,7 +255,7 @@ TEST(Synthesis, TexelsWithoutOwnerHaveTheColourOfFieldZero) {
     solid.size = 4;
     solid.row_begin.assign(5, 0);
     const Rgb8 expected{244, 239, 230};
-    const Image<Rgb8> image = synthesize_rgb8(solid, synthesize_marble(), scaled(1.0), 1);
+    const Image<Rgb8> image = synthesize_model<Rgb8>(solid, synthesize_marble(), scaled(1.0), 1);
     ASSERT_EQ(image.pixels().size(), 16u);
     for (const Rgb8 c : image.pixels()) EXPECT_EQ(c, expected);
 }
@@ -263,7 +265,7 @@ TEST(Synthesis, SurvivesHopelessCoordinates) {
         const SolidAtlas solid = SyntheticAtlas{20, 7, huge, huge, true}.make(2);
         Texture texture = synthesize_marble();
         texture.quadric = {1, 1, 1, 1, 1, 1, 1, 1, 1, 1};
-        const Image<Rgb8> image = synthesize_rgb8(solid, texture, scaled(1e6), 1);
+        const Image<Rgb8> image = synthesize_model<Rgb8>(solid, texture, scaled(1e6), 1);
         EXPECT_EQ(image.width(), 20u);
         texture.quadric = {};
         const Image<float> field = synthesize_field(solid, texture, scaled(1e6), 1);

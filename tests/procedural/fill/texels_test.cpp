@@ -58,7 +58,7 @@ TEST(SynthesizeTexels, InFloat64IsTheReferenceItself) {
         ASSERT_EQ(codes(x, y), (Rgb8{encode(color.x), encode(color.y), encode(color.z)}));
         ASSERT_LE(glm::length(color - evaluate_color(texture.colors, f)), 1e-15);
     });
-    EXPECT_EQ(codes(59, 59), synthesize_rgb8(solid, texture, texels_twice, 1)(59, 59));
+    EXPECT_EQ(codes(59, 59), synthesize_model<Rgb8>(solid, texture, texels_twice, 1)(59, 59));
 }
 
 TEST(SynthesizeTexels, InFixedPointIsTheFieldOfEveryPoint) {
@@ -101,7 +101,8 @@ TEST(SynthesizeTexels, FiltersAsTheFastPathDoes) {
          {none, table_mip, table_sat, table_sat3, exact, trapezoid, trapezoid2, supersample})
         for (const bool band_limit : {false, true}) {
             const Filter filter{kind, 9, band_limit};
-            const Image<RgbF> fast = synthesize_rgbf(solid, texture, texels_twice, 1, filter);
+            const Image<RgbF> fast =
+                synthesize_model<RgbF>(solid, texture, texels_twice, 1, filter);
             const Image<RgbF> exactly =
                 synthesize_texels<RgbF>(solid, texture, texels_twice, in_float64, filter, 1);
             EXPECT_LT(difference(fast, exactly), 2e-5) << int(kind) << band_limit;

@@ -116,13 +116,15 @@ TEST(SynthesizeTiles, PointSamplesOfEveryKernel) {
                     expect_part_of_whole(
                         solid,
                         [&](const SolidAtlas& atlas) {
-                            return synthesize_rgbf(atlas, texture, tiles_twice, 2, {}, kernel);
+                            return synthesize_model<RgbF>(atlas, texture, tiles_twice, 2, {},
+                                                          kernel);
                         },
                         std::string(name));
                     expect_part_of_whole(
                         solid,
                         [&](const SolidAtlas& atlas) {
-                            return synthesize_rgb8(atlas, texture, tiles_twice, 2, {}, kernel);
+                            return synthesize_model<Rgb8>(atlas, texture, tiles_twice, 2, {},
+                                                          kernel);
                         },
                         std::string(name));
                 }
@@ -141,7 +143,7 @@ TEST(SynthesizeTiles, EveryFilter) {
                 expect_part_of_whole(
                     solid,
                     [&](const SolidAtlas& atlas) {
-                        return synthesize_rgbf(atlas, texture, tiles_twice, 2, filter);
+                        return synthesize_model<RgbF>(atlas, texture, tiles_twice, 2, filter);
                     },
                     "filter " + std::to_string(int(kind)));
             }
@@ -176,7 +178,7 @@ TEST(SynthesizeTiles, Graphs) {
             expect_part_of_whole(
                 solid,
                 [&](const SolidAtlas& atlas) {
-                    return synthesize_graph_rgbf(atlas, graph, tiles_twice, filter, 2);
+                    return synthesize_graph<RgbF>(atlas, graph, tiles_twice, filter, 2);
                 },
                 "graph");
 }

@@ -112,13 +112,13 @@ TEST(GraphFloat32, BytesDependNeitherOnThreadsNorOnTheInstructionSet) {
     const SolidAtlas solid = SyntheticAtlas{}.make(3);
     const TextureGraph graph = graph_of(busy);
     for (const Filter filter : {Filter{}, Filter{FilterKind::supersample, 3}}) {
-        const auto one = synthesize_graph_rgb8(solid, graph, {}, filter, 1);
-        const auto precise = synthesize_graph_rgbf(solid, graph, {}, filter, 1);
+        const auto one = synthesize_graph<Rgb8>(solid, graph, {}, filter, 1);
+        const auto precise = synthesize_graph<RgbF>(solid, graph, {}, filter, 1);
         for (const int threads : {2, 3, 0})
-            EXPECT_EQ(synthesize_graph_rgbf(solid, graph, {}, filter, threads), precise);
+            EXPECT_EQ(synthesize_graph<RgbF>(solid, graph, {}, filter, threads), precise);
         on_every_target([&] {
-            EXPECT_EQ(synthesize_graph_rgb8(solid, graph, {}, filter, 1), one) << simd_level();
-            EXPECT_EQ(synthesize_graph_rgbf(solid, graph, {}, filter, 1), precise) << simd_level();
+            EXPECT_EQ(synthesize_graph<Rgb8>(solid, graph, {}, filter, 1), one) << simd_level();
+            EXPECT_EQ(synthesize_graph<RgbF>(solid, graph, {}, filter, 1), precise) << simd_level();
         });
     }
 }
@@ -129,10 +129,10 @@ TEST(GraphFloat32, TexturesAreTheFloat64OnesUpToRounding) {
     const TextureGraph graph = graph_of(busy);
     for (const Filter filter : {Filter{}, Filter{FilterKind::supersample, 5}}) {
         using enum PrecisionKind;
-        const auto fast = synthesize_graph_rgbf(solid, graph, map, filter, 2, float32);
-        const auto exact = synthesize_graph_rgbf(solid, graph, map, filter, 2, float64);
-        const auto fast16 = synthesize_graph_rgb16(solid, graph, map, filter, 2, float32);
-        const auto exact16 = synthesize_graph_rgb16(solid, graph, map, filter, 2, float64);
+        const auto fast = synthesize_graph<RgbF>(solid, graph, map, filter, 2, float32);
+        const auto exact = synthesize_graph<RgbF>(solid, graph, map, filter, 2, float64);
+        const auto fast16 = synthesize_graph<Rgb16>(solid, graph, map, filter, 2, float32);
+        const auto exact16 = synthesize_graph<Rgb16>(solid, graph, map, filter, 2, float64);
         for (std::size_t i = 0; i < fast.pixels().size(); ++i) {
             ASSERT_NEAR(fast.pixels()[i].r, exact.pixels()[i].r, 1e-5);
             ASSERT_NEAR(fast.pixels()[i].g, exact.pixels()[i].g, 1e-5);
@@ -188,9 +188,9 @@ TEST(GraphFloat32, FilteredTexturesAreTheFloat64OnesUpToRounding) {
     using enum PrecisionKind;
     for (const bool fade : {false, true}) {
         const Filter filter{FilterKind::trapezoid, 1, fade};
-        const auto fast = synthesize_graph_rgbf(solid, graph, {}, filter, 2, float32);
-        const auto exact = synthesize_graph_rgbf(solid, graph, {}, filter, 2, float64);
-        EXPECT_EQ(synthesize_graph_rgbf(solid, graph, {}, filter, 1, float32), fast);
+        const auto fast = synthesize_graph<RgbF>(solid, graph, {}, filter, 2, float32);
+        const auto exact = synthesize_graph<RgbF>(solid, graph, {}, filter, 2, float64);
+        EXPECT_EQ(synthesize_graph<RgbF>(solid, graph, {}, filter, 1, float32), fast);
         int away = 0;
         for (std::size_t i = 0; i < fast.pixels().size(); ++i)
             away += std::abs(fast.pixels()[i].g - exact.pixels()[i].g) > 2e-5f;

@@ -33,10 +33,10 @@ Twice synthesize_twice(const std::string& json, Skip skip) {
     for (const std::uint32_t seed : {1u, 2u, 3u, 4u, 5u}) {
         const SolidAtlas solid =
             SyntheticAtlas{64, seed == 1 ? 7u : 64u, 0.0, 0.01, true}.make(seed);
-        const auto image = synthesize_graph_rgbf(solid, graph, identity, {}, 1,
-                                                 PrecisionKind::float32, {{}, &counts.with, {}});
-        EXPECT_EQ(synthesize_graph_rgbf(solid, graph, identity, {}, 3, PrecisionKind::float32,
-                                        without(skip, &counts.without)),
+        const auto image = synthesize_graph<RgbF>(solid, graph, identity, {}, 1,
+                                                  PrecisionKind::float32, {{}, &counts.with, {}});
+        EXPECT_EQ(synthesize_graph<RgbF>(solid, graph, identity, {}, 3, PrecisionKind::float32,
+                                         without(skip, &counts.without)),
                   image)
             << json;
     }

@@ -68,7 +68,8 @@ SimplexErrors largest_errors(double radius2, int bits, int batches) {
         const auto seed = std::uint32_t(i % 2 ? random() : 0);
         const NoiseSpec noise{.kind = NoiseKind::simplex, .radius2 = radius2, .seed = seed};
         std::fill(std::begin(sums), std::end(sums), 0.0f);
-        add_simplex_octave({seed, doublings, 1.0f}, radius2, *stream, batch_capacity, sums);
+        simplex_kernel(false)({seed, doublings, 1.0f, radius2}, *stream, nullptr, batch_capacity,
+                              sums, nullptr);
         for (std::size_t j = 0; j < batch_capacity; ++j) {
             Point<3> p;
             for (int axis = 0; axis < 3; ++axis)
@@ -110,10 +111,9 @@ TEST(SimplexKernel, GivesGradientsWithTheBitsOfValuesAlone) {
         const NoiseSpec noise{.kind = NoiseKind::simplex,
                               .radius2 = i % 2 ? 0.6 : 0.5,
                               .seed = std::uint32_t(random())};
-        const StreamOctave octave{noise.seed, doublings, 1.0f};
-        add_simplex_octave(octave, noise.radius2, *stream, batch_capacity, alone);
-        add_simplex_octave_and_gradient(octave, noise.radius2, *stream, batch_capacity, sums,
-                                        gradients);
+        const StreamOctave octave{noise.seed, doublings, 1.0f, noise.radius2};
+        simplex_kernel(false)(octave, *stream, nullptr, batch_capacity, alone, nullptr);
+        simplex_kernel(true)(octave, *stream, nullptr, batch_capacity, sums, &gradients);
         for (std::size_t j = 0; j < batch_capacity; ++j) {
             Point<3> p;
             for (int axis = 0; axis < 3; ++axis)
@@ -137,8 +137,8 @@ TEST(SimplexKernel, CutsPlacesTo29Bits) {
     for (int axis = 0; axis < 3; ++axis)
         for (std::size_t j = 0; j < batch_capacity; ++j)
             stream->set(axis, j, cut->at(axis, j) | (random() & 7));
-    add_simplex_octave({}, 0.6, *stream, batch_capacity, sums[0]);
-    add_simplex_octave({}, 0.6, *cut, batch_capacity, sums[1]);
+    simplex_kernel(false)({0, 0, 1.0f, 0.6}, *stream, nullptr, batch_capacity, sums[0], nullptr);
+    simplex_kernel(false)({0, 0, 1.0f, 0.6}, *cut, nullptr, batch_capacity, sums[1], nullptr);
     for (std::size_t j = 0; j < batch_capacity; ++j) ASSERT_EQ(sums[0][j], sums[1][j]);
 }
 
@@ -147,9 +147,9 @@ TEST(SimplexKernel, WeighsOctaves) {
     alignas(64) float once[batch_capacity + batch_padding] = {}, twice[std::size(once)] = {};
     std::mt19937_64 random(4);
     fill_randomly(random, 29, 0, *stream);
-    add_simplex_octave({3, 0, 1.0f}, 0.6, *stream, 500, once);
-    add_simplex_octave({3, 0, 0.75f}, 0.6, *stream, 500, twice);
-    add_simplex_octave({3, 0, -0.25f}, 0.6, *stream, 500, twice);
+    simplex_kernel(false)({3, 0, 1.0f, 0.6}, *stream, nullptr, 500, once, nullptr);
+    simplex_kernel(false)({3, 0, 0.75f, 0.6}, *stream, nullptr, 500, twice, nullptr);
+    simplex_kernel(false)({3, 0, -0.25f, 0.6}, *stream, nullptr, 500, twice, nullptr);
     for (std::size_t j = 0; j < 500; ++j) EXPECT_NEAR(twice[j], 0.5f * once[j], 1e-7);
 }
 

@@ -54,8 +54,8 @@ TEST(SlopeKernels, GradientsAreTheReferences) {
             const StreamOctave octave{std::uint32_t(random()), doublings, 0.75f};
             const double factor = std::ldexp(1.0, doublings);
             const auto sums = std::make_unique<Sums>();
-            add_octave_and_gradient(k.kind, k.fade, octave, stream->lattice, batch_capacity,
-                                    sums->values, sums->gradients);
+            gradient_kernel(k.kind, k.fade)(octave, stream->lattice, nullptr, batch_capacity,
+                                            sums->values, &sums->gradients);
             for (std::size_t j = 0; j < batch_capacity; ++j) {
                 const Vec3d exact = gradient(k, octave.seed, factor * stream->points[j]);
                 for (int axis = 0; axis < 3; ++axis)
@@ -79,11 +79,12 @@ TEST(SlopeKernels, AddToWhatIsThereWithTheBitsOfTheOtherKernels) {
                        shared = std::make_unique<Sums>();
             find_runs(stream->lattice, i % 4 + i % 2, count, *runs);
             for (int times = 0; times < 2; ++times) {
-                add_octave_direct(k.kind, k.fade, octave, stream->lattice, count, values->values);
-                add_octave_and_gradient(k.kind, k.fade, octave, stream->lattice, count,
-                                        direct->values, direct->gradients);
-                add_octave_and_gradient_shared(k.kind, k.fade, octave, stream->lattice, *runs,
-                                               count, shared->values, shared->gradients);
+                direct_kernel(k.kind, k.fade)(octave, stream->lattice, nullptr, count,
+                                              values->values, nullptr);
+                gradient_kernel(k.kind, k.fade)(octave, stream->lattice, nullptr, count,
+                                                direct->values, &direct->gradients);
+                sharing_kernel(k.kind, k.fade, true)(octave, stream->lattice, runs.get(), count,
+                                                     shared->values, &shared->gradients);
             }
             for (std::size_t j = 0; j < count; ++j) {
                 ASSERT_EQ(direct->values[j], values->values[j]) << i;
@@ -92,8 +93,8 @@ TEST(SlopeKernels, AddToWhatIsThereWithTheBitsOfTheOtherKernels) {
                     ASSERT_EQ(direct->gradients.along[axis][j], shared->gradients.along[axis][j]);
             }
             const auto once = std::make_unique<Sums>();
-            add_octave_and_gradient(k.kind, k.fade, octave, stream->lattice, count, once->values,
-                                    once->gradients);
+            gradient_kernel(k.kind, k.fade)(octave, stream->lattice, nullptr, count, once->values,
+                                            &once->gradients);
             for (std::size_t j = 0; j < count; ++j)
                 ASSERT_EQ(direct->gradients.along[2][j], 2.0f * once->gradients.along[2][j]);
         }

@@ -129,8 +129,7 @@ float faded(Fade fade, float t) {
     return t * (1.875f - square * (1.25f - 0.375f * square));
 }
 
-/// The noise that add_octave_* must give at a texel, in float32 in the order of the kernels'
-/// additions.
+/// The noise that kernels have to give at a texel, in float32 in the order of their additions.
 float expected_noise(const NoiseName& k, const StreamOctave& octave,
                      const std::array<std::uint64_t, 3>& coordinates) {
     std::array<std::uint32_t, 3> cell{};
@@ -170,7 +169,7 @@ TEST(StreamKernels, GiveTheBitsOfTheSameAdditionsInTurn) {
                         *stream);
             const StreamOctave octave{std::uint32_t(random()), doublings, 0.7f};
             std::fill(std::begin(sums), std::end(sums), 0.0f);
-            add_octave_direct(k.kind, k.fade, octave, *stream, batch_capacity, sums);
+            direct_kernel(k.kind, k.fade)(octave, *stream, nullptr, batch_capacity, sums, nullptr);
             for (std::size_t j = 0; j < batch_capacity; ++j)
                 ASSERT_EQ(sums[j],
                           expected_noise(k, octave,
@@ -191,7 +190,8 @@ TEST(StreamKernels, ErrAtMostAsTheirCommentSays) {
         for (int i = 0; i < 20; ++i) {
             fill_stream(stream_kernels_oblique, 2, random_pieces(random, false), *stream);
             std::fill(std::begin(sums), std::end(sums), 0.0f);
-            add_octave_direct(k.kind, k.fade, {noise.seed, 2, 1.0f}, *stream, batch_capacity, sums);
+            direct_kernel(k.kind, k.fade)({noise.seed, 2, 1.0f}, *stream, nullptr, batch_capacity,
+                                          sums, nullptr);
             for (std::size_t j = 0; j < batch_capacity; ++j) {
                 const auto at = [&](int axis) {
                     const std::uint64_t x = stream->at(axis, j) << 2;
@@ -227,8 +227,10 @@ TEST(StreamKernels, SharedCornersGiveTheBitsOfDirectOnes) {
                 std::size_t space = s.size() * sizeof(float);
                 return static_cast<float*>(std::align(64, 1, at, space));
             };
-            add_octave_direct(k.kind, k.fade, octave, *stream, count, aligned(sums[0]));
-            add_octave_shared(k.kind, k.fade, octave, *stream, *runs, count, aligned(sums[1]));
+            direct_kernel(k.kind, k.fade)(octave, *stream, nullptr, count, aligned(sums[0]),
+                                          nullptr);
+            sharing_kernel(k.kind, k.fade, false)(octave, *stream, runs.get(), count,
+                                                  aligned(sums[1]), nullptr);
             for (std::size_t j = 0; j < count; ++j)
                 ASSERT_EQ(aligned(sums[0])[j], aligned(sums[1])[j]) << i << " " << j;
         }
@@ -264,9 +266,12 @@ TEST(StreamKernels, WeighOctaves) {
     const auto stream = std::make_unique<LatticeStream>();
     fill_stream({}, 0, random_pieces(random, false), *stream);
     alignas(64) float once[batch_capacity + batch_padding] = {}, twice[std::size(once)] = {};
-    add_octave_direct(NoiseKind::value, Fade::smooth, {3, 0, 1.0f}, *stream, 500, once);
-    add_octave_direct(NoiseKind::value, Fade::smooth, {3, 0, 0.75f}, *stream, 500, twice);
-    add_octave_direct(NoiseKind::value, Fade::smooth, {3, 0, -0.25f}, *stream, 500, twice);
+    direct_kernel(NoiseKind::value, Fade::smooth)({3, 0, 1.0f}, *stream, nullptr, 500, once,
+                                                  nullptr);
+    direct_kernel(NoiseKind::value, Fade::smooth)({3, 0, 0.75f}, *stream, nullptr, 500, twice,
+                                                  nullptr);
+    direct_kernel(NoiseKind::value, Fade::smooth)({3, 0, -0.25f}, *stream, nullptr, 500, twice,
+                                                  nullptr);
     for (std::size_t j = 0; j < 500; ++j) EXPECT_FLOAT_EQ(twice[j], 0.5f * once[j]);
 }
 

@@ -51,9 +51,10 @@ std::vector<double> field_of(const LatticeMap& map, const OctaveGroup& group, st
     }
     for (std::size_t k = group.octaves.size(); k-- > 0;)
         if (group.kind == NoiseKind::simplex)
-            add_simplex_octave(group.octaves[k], group.radius2, *stream, count, sums);
+            simplex_kernel(false)(group.octaves[k], *stream, nullptr, count, sums, nullptr);
         else
-            add_octave_direct(group.kind, group.fade, group.octaves[k], *stream, count, sums);
+            direct_kernel(group.kind, group.fade)(group.octaves[k], *stream, nullptr, count, sums,
+                                                  nullptr);
     add_sums(group.scale * stream_unit(group.kind), sums, count, field.data());
     return field;
 }

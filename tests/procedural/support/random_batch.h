@@ -3,7 +3,7 @@
 #include <random>
 #include <vector>
 
-#include "procedural/batch/texel_piece.h"
+#include "procedural/batch/texel_batch.h"
 #include "procedural/noise/spec.h"
 
 namespace burl::test {

@@ -49,7 +49,7 @@ class GlGraphFilterTest : public GlTest {
     }
     static Image<RgbF> on_host(const SolidAtlas& solid, const TextureGraph& graph,
                                const Filter& filter) {
-        return synthesize_graph_rgbf(solid, graph, somewhere, filter, 1);
+        return synthesize_graph<RgbF>(solid, graph, somewhere, filter, 1);
     }
     /// Small footprints and wide ones, which octaves fade in, in blocks with borders between pixels
     /// that are drawn together. `error` 0: bit for bit.
@@ -71,7 +71,7 @@ class GlGraphFilterTest : public GlTest {
         gl.synthesize(solid, recipe.graph, map, 1, first, trapezoid);
         gl.synthesize(solid, recipe.graph, map, 1, second, trapezoid);
         EXPECT_EQ(differing(first, second), 0u);
-        EXPECT_EQ(differing(first, synthesize_graph_rgbf(solid, recipe.graph, map, trapezoid, 1)),
+        EXPECT_EQ(differing(first, synthesize_graph<RgbF>(solid, recipe.graph, map, trapezoid, 1)),
                   0u);
     }
 

@@ -35,11 +35,11 @@ const Affine3 graph_somewhere{Mat3d(1.7), Vec3d(0.3, -0.2, 0.1)};
 template <class Pixel>
 Image<Pixel> on_host(const SolidAtlas& solid, const TextureGraph& graph, const Affine3& map) {
     if constexpr (std::is_same_v<Pixel, Rgb8>)
-        return synthesize_graph_rgb8(solid, graph, map, Filter{}, 1);
+        return synthesize_graph<Rgb8>(solid, graph, map, Filter{}, 1);
     else if constexpr (std::is_same_v<Pixel, Rgb16>)
-        return synthesize_graph_rgb16(solid, graph, map, Filter{}, 1);
+        return synthesize_graph<Rgb16>(solid, graph, map, Filter{}, 1);
     else
-        return synthesize_graph_rgbf(solid, graph, map, Filter{}, 1);
+        return synthesize_graph<RgbF>(solid, graph, map, Filter{}, 1);
 }
 
 template <class Pixel>

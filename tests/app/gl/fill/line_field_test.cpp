@@ -35,11 +35,14 @@ template <class Pixel>
 Image<Pixel> line_field_on_host(const SolidAtlas& solid, const Texture& texture,
                                 const Filter& filter) {
     if constexpr (std::is_same_v<Pixel, Rgb8>)
-        return synthesize_rgb8(solid, texture, line_field_somewhere, 1, filter, Kernel::direct);
+        return synthesize_model<Rgb8>(solid, texture, line_field_somewhere, 1, filter,
+                                      Kernel::direct);
     else if constexpr (std::is_same_v<Pixel, Rgb16>)
-        return synthesize_rgb16(solid, texture, line_field_somewhere, 1, filter, Kernel::direct);
+        return synthesize_model<Rgb16>(solid, texture, line_field_somewhere, 1, filter,
+                                       Kernel::direct);
     else
-        return synthesize_rgbf(solid, texture, line_field_somewhere, 1, filter, Kernel::direct);
+        return synthesize_model<RgbF>(solid, texture, line_field_somewhere, 1, filter,
+                                      Kernel::direct);
 }
 
 template <class Pixel>
@@ -179,9 +182,9 @@ template <class Pixel>
 Image<Pixel> graph_on_host(const SolidAtlas& solid, const TextureGraph& graph,
                            const Filter& filter) {
     if constexpr (std::is_same_v<Pixel, Rgb8>)
-        return synthesize_graph_rgb8(solid, graph, line_field_somewhere, filter, 1);
+        return synthesize_graph<Rgb8>(solid, graph, line_field_somewhere, filter, 1);
     else
-        return synthesize_graph_rgbf(solid, graph, line_field_somewhere, filter, 1);
+        return synthesize_graph<RgbF>(solid, graph, line_field_somewhere, filter, 1);
 }
 
 template <class Pixel>

@@ -55,11 +55,11 @@ template <class Pixel>
 Image<Pixel> map_filter_on_host(const SolidAtlas& solid, const Texture& texture,
                                 const Filter& filter) {
     if constexpr (std::is_same_v<Pixel, Rgb8>)
-        return synthesize_rgb8(solid, texture, {}, 0, filter, Kernel::direct);
+        return synthesize_model<Rgb8>(solid, texture, {}, 0, filter, Kernel::direct);
     else if constexpr (std::is_same_v<Pixel, Rgb16>)
-        return synthesize_rgb16(solid, texture, {}, 0, filter, Kernel::direct);
+        return synthesize_model<Rgb16>(solid, texture, {}, 0, filter, Kernel::direct);
     else
-        return synthesize_rgbf(solid, texture, {}, 0, filter, Kernel::direct);
+        return synthesize_model<RgbF>(solid, texture, {}, 0, filter, Kernel::direct);
 }
 
 template <class Pixel>

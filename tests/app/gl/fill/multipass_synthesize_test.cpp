@@ -105,7 +105,7 @@ TEST_F(GlMultipassSynthesizeTest, ColorsAreTheHostsButForRounding) {
     GlMultipassSynthesis gl(*context, {});
     Image<Rgb8> colors, again;
     gl.synthesize(subject.solid(), recipe.texture, map, 0, colors);
-    const Image<Rgb8> host = synthesize_rgb8(subject.solid(), recipe.texture, map, 0);
+    const Image<Rgb8> host = synthesize_model<Rgb8>(subject.solid(), recipe.texture, map, 0);
     EXPECT_LE(differing(colors, host), colors.pixels().size() / 500);
     EXPECT_EQ(gl.work().passes, 4 * 63 + 2);
     gl.synthesize(subject.solid(), recipe.texture, map, 0, again);
@@ -122,8 +122,9 @@ TEST_F(GlMultipassSynthesizeTest, WiderPixelsAreNearTheHosts) {
     Image<Rgb16> codes;
     gl.synthesize(subject.solid(), recipe.texture, map, 0, linear);
     gl.synthesize(subject.solid(), recipe.texture, map, 0, codes);
-    const Image<RgbF> host_linear = synthesize_rgbf(subject.solid(), recipe.texture, map, 0);
-    const Image<Rgb16> host_codes = synthesize_rgb16(subject.solid(), recipe.texture, map, 0);
+    const Image<RgbF> host_linear = synthesize_model<RgbF>(subject.solid(), recipe.texture, map, 0);
+    const Image<Rgb16> host_codes =
+        synthesize_model<Rgb16>(subject.solid(), recipe.texture, map, 0);
     for (std::size_t i = 0; i < linear.pixels().size(); ++i) {
         ASSERT_NEAR(linear.pixels()[i].g, host_linear.pixels()[i].g, 2e-5f) << i;
         ASSERT_NEAR(int(codes.pixels()[i].g), int(host_codes.pixels()[i].g), 2) << i;

@@ -52,9 +52,10 @@ std::vector<float> host_sums(const OctaveGroup& group, const LatticeStream& stre
     std::fill(std::begin(sums), std::end(sums), 0.0f);
     for (std::size_t k = group.octaves.size(); k-- > 0;)
         if (group.kind == NoiseKind::simplex)
-            add_simplex_octave(group.octaves[k], group.radius2, stream, texel_count, sums);
+            simplex_kernel(false)(group.octaves[k], stream, nullptr, texel_count, sums, nullptr);
         else
-            add_octave_direct(group.kind, group.fade, group.octaves[k], stream, texel_count, sums);
+            direct_kernel(group.kind, group.fade)(group.octaves[k], stream, nullptr, texel_count,
+                                                  sums, nullptr);
     return {sums, sums + texel_count};
 }
 

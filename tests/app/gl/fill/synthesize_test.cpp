@@ -31,11 +31,11 @@ struct SynthesizeSubject {
 template <class Pixel>
 Image<Pixel> on_host(const SolidAtlas& solid, const Texture& texture, const Affine3& map) {
     if constexpr (std::is_same_v<Pixel, Rgb8>)
-        return synthesize_rgb8(solid, texture, map, 0, {}, Kernel::direct);
+        return synthesize_model<Rgb8>(solid, texture, map, 0, {}, Kernel::direct);
     else if constexpr (std::is_same_v<Pixel, Rgb16>)
-        return synthesize_rgb16(solid, texture, map, 0, {}, Kernel::direct);
+        return synthesize_model<Rgb16>(solid, texture, map, 0, {}, Kernel::direct);
     else if constexpr (std::is_same_v<Pixel, RgbF>)
-        return synthesize_rgbf(solid, texture, map, 0, {}, Kernel::direct);
+        return synthesize_model<RgbF>(solid, texture, map, 0, {}, Kernel::direct);
     else
         return synthesize_field(solid, texture, map, 0, Kernel::direct);
 }

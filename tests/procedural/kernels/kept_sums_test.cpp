@@ -1,5 +1,5 @@
 // Sums in one pass have the bits of sums octave by octave.
-#include "procedural/field/kept_sums.h"
+#include "procedural/kernels/stream_kernels.h"
 
 #include <array>
 #include <cstring>
@@ -8,7 +8,6 @@
 
 #include <gtest/gtest.h>
 
-#include "procedural/kernels/stream_kernels.h"
 #include "tests/procedural/support/only_target.h"
 
 namespace burl {
