@@ -1,6 +1,6 @@
 #include "app/gl/draw/scene_programs.h"
 
-#include "app/gl/device/source.h"
+#include "app/gl/device/objects.h"
 #include "app/scene/shading.h"
 
 namespace burl {
@@ -13,7 +13,7 @@ const char* word(bool value) {
 
 /// A program of mesh.vert and a fragment shader.
 GlProgram scene_program(const GladGLContext& gl, ShaderSource fragment) {
-    return make_program(gl, "the scene", ShaderSource().add("draw/mesh.vert"), fragment);
+    return {gl, "the scene", ShaderSource().add("draw/mesh.vert"), fragment};
 }
 
 }  // namespace

@@ -3,8 +3,8 @@
 // shaders that read them.
 #include <optional>
 
-#include "app/gl/device/source.h"
-#include "app/gl/device/texture.h"
+#include "app/gl/device/objects.h"
+#include "app/gl/device/target.h"
 #include "procedural/color/map.h"
 
 namespace burl {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "app/base/stopwatch.h"
-#include "app/gl/device/source.h"
+#include "app/gl/device/objects.h"
 #include "procedural/glsl/color_pieces.h"
 
 namespace burl {
@@ -33,8 +33,7 @@ GlGraphSynthesis::GlGraphSynthesis(GlContext& context, const GlSynthesisLimits& 
       float64_(limits.float64 && has_float64(*gl_)),
       full_screen_(*gl_),
       timer_(*gl_),
-      colors_(*gl_),
-      reals_(*gl_, float64_) {}
+      colors_(*gl_) {}
 
 std::string GlGraphSynthesis::problem(const TextureGraph& graph, const Filter& filter) const {
     std::string why =
@@ -180,7 +179,8 @@ void GlGraphSynthesis::bind_points(const GlProgram& program, const GlPointMap& m
 void GlGraphSynthesis::bind_lines(const GlProgram& program, const Filter& filter) const {
     lines_->bind(program, 0);
     const auto& [linear, offset] = texture_from_atlas_;
-    reals_.set(program, "texture_from_atlas", std::array{linear[0], linear[1], linear[2], offset});
+    program.set_reals("texture_from_atlas", std::array{linear[0], linear[1], linear[2], offset},
+                      float64_);
     if (filter.kind == FilterKind::supersample)
         bind_pattern(program, SamplePattern(filter.samples));
 }

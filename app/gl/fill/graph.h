@@ -76,7 +76,6 @@ class GlGraphSynthesis {
     std::optional<GlLatticeMapper> mapper_;
     std::list<KeptPoints> points_;       ///< up to the limit of bytes, and one more
     std::optional<GlTexelLines> lines_;  ///< the atlas's spans, once a filter needs them
-    GlRealUniforms reals_;
     GlReadBack read_back_;
     GlWork work_;
 };

@@ -5,7 +5,7 @@
 // shaders round, which IEEE 754 defines, and nothing is copied.
 #include <map>
 
-#include "app/gl/device/source.h"
+#include "app/gl/device/objects.h"
 #include "app/gl/fill/lattice_map.h"
 #include "procedural/passes/plan.h"
 

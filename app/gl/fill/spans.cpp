@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "app/gl/device/facts.h"
+#include "app/gl/device/context.h"
 #include "atlas/base/error.h"
 #include "procedural/noise/lattice_site.h"
 
@@ -76,7 +76,7 @@ GlProgram GlSpans::make_program(const GladGLContext& gl, std::string_view vertex
         part.extension("GL_ARB_gpu_shader_fp64").extension("GL_ARB_gpu_shader5");
     parts[0].add("maps/span.glsl").add(vertex);
     parts[1].add("maps/line.glsl").add(fragment);
-    return burl::make_program(gl, std::string(vertex), parts[0], parts[1]);
+    return {gl, std::string(vertex), parts[0], parts[1]};
 }
 
 GlSpans::GlSpans(const GladGLContext& gl, const SolidAtlas& solid, std::span<const TexelMap> maps)

@@ -1,7 +1,7 @@
 #pragma once
 // An atlas's spans drawn by OpenGL, each as a quad one texel high, so that every texel has the same
 // owner as on the host, by a program that evaluates the map being made (shaders/maps/span.glsl).
-#include "app/gl/device/source.h"
+#include "app/gl/device/objects.h"
 #include "app/gl/device/target.h"
 #include "atlas/solid/solid_atlas.h"
 

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "app/base/stopwatch.h"
-#include "app/gl/device/source.h"
+#include "app/gl/device/objects.h"
 
 namespace burl {
 
@@ -41,8 +41,7 @@ GlSynthesis::GlSynthesis(GlContext& context, const GlSynthesisLimits& limits)
       full_screen_(*gl_),
       timer_(*gl_),
       maps_(*gl_, limits.map_budget),
-      colors_(*gl_),
-      reals_(*gl_, float64_) {}
+      colors_(*gl_) {}
 
 void GlSynthesis::forget_atlas() {
     maps_.forget_atlas();
@@ -139,9 +138,9 @@ void GlSynthesis::set_field(const GlProgram& program, const FieldUniforms& unifo
     const auto set_float = [&](const char* name, const std::vector<float>& values) {
         gl_->Uniform1fv(program.uniform(name), GLsizei(values.size()), values.data());
     };
-    reals_.set(program, "constant", std::span(&uniforms.constant, 1));
+    program.set_reals("constant", std::span(&uniforms.constant, 1), float64_);
     if (!uniforms.seeds.empty()) {
-        reals_.set(program, "scales", uniforms.scales);
+        program.set_reals("scales", uniforms.scales, float64_);
         gl_->Uniform3uiv(program.uniform("seeds"), GLsizei(uniforms.seeds.size()),
                          uniforms.seeds[0].data());
         set_float("weights", uniforms.weights);
@@ -150,8 +149,8 @@ void GlSynthesis::set_field(const GlProgram& program, const FieldUniforms& unifo
     if (uniforms.lone_seeds.empty()) return;
     gl_->Uniform1uiv(program.uniform("lone_seeds"), GLsizei(uniforms.lone_seeds.size()),
                      uniforms.lone_seeds.data());
-    reals_.set(program, "lone_times", uniforms.lone_times);
-    reals_.set(program, "lone_scales", uniforms.lone_scales);
+    program.set_reals("lone_times", uniforms.lone_times, float64_);
+    program.set_reals("lone_scales", uniforms.lone_scales, float64_);
 }
 
 /// Makes a program current and sets its textures and uniforms.

@@ -96,7 +96,6 @@ class GlSynthesis {
     GlTimer timer_;
     GlMapCache maps_;
     GlColorTables colors_;
-    GlRealUniforms reals_;
     std::optional<GlMapFilter> filter_;          ///< created at the first filter
     std::map<std::string, GlProgram> programs_;  ///< keyed by the text of the fragment shader
     std::optional<GlTarget> target_;

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "app/gl/device/facts.h"
+#include "app/gl/device/context.h"
 #include "app/gl/fill/block_levels.h"
 #include "app/gl/fill/graph.h"
 #include "app/pipeline/measure_synthesis.h"

@@ -8,7 +8,7 @@
 #include <functional>
 #include <numeric>
 
-#include "app/gl/device/source.h"
+#include "app/gl/device/objects.h"
 #include "app/gl/device/timer.h"
 #include "tests/app/gl/device/fixture.h"
 
