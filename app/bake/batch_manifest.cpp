@@ -11,7 +11,6 @@
 #include "app/base/file_bytes.h"
 #include "app/base/nearest_word.h"
 #include "app/recipe/recipe.h"
-#include "app/surface/load_pose.h"
 #include "app/surface/sample_meshes.h"
 #include "atlas/base/error.h"
 

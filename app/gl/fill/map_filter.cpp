@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "app/gl/fill/color_tables.h"
-#include "app/gl/fill/map_upload.h"
+#include "app/gl/fill/output.h"
+#include "app/gl/fill/spans.h"
 #include "procedural/color/break_distance.h"
 #include "procedural/color/mip.h"
 #include "procedural/color/srgb_kernels.h"

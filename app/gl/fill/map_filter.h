@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "app/gl/device/objects.h"
-#include "app/gl/fill/texel_lines.h"
+#include "app/gl/fill/spans.h"
 #include "atlas/solid/solid_atlas.h"
 #include "procedural/glsl/filter.h"
 #include "procedural/glsl/line_field.h"

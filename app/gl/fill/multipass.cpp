@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "procedural/maps/lattice_box.h"
+
 namespace burl {
 
 namespace {
@@ -215,5 +217,89 @@ void GlMultipass::run(std::span<const GlLatticeMap* const> maps, std::span<const
     for (const Pass& pass : passes) run(maps, pass);
     check_gl(*gl_, "drawing the passes of noise");
 }
+
+GlMultipassSynthesis::GlMultipassSynthesis(GlContext& context, const MultipassOptions& options,
+                                           const GlSynthesisLimits& limits)
+    : tiles_(context, limits),
+      options_(options),
+      maps_(context.gl(), limits.map_budget),
+      colors_(context.gl()),
+      passes_(context.gl(), tiles_.float64()) {}
+
+std::string GlMultipassSynthesis::problem(const Texture& texture) const {
+    return no_multipass_form(expand_octaves(texture), options_);
+}
+
+void GlMultipassSynthesis::make_plan(const SolidAtlas& solid, const Texture& texture,
+                                     const Affine3& texture_from_atlas) {
+    const std::vector<Octave> octaves = expand_octaves(texture);
+    groups_ = group_octaves(octaves);
+    std::vector<LatticeBox> boxes;
+    if (options_.precision == PassPrecision::fixed8)
+        for (const OctaveGroup& group : groups_)
+            boxes.push_back(lattice_box(solid, group.lattice_from_solid.after(texture_from_atlas)));
+    octaves_ = multipass_octaves(groups_, boxes);
+    double constant = 0.0;
+    for (const Octave& octave : octaves) constant += octave.offset;
+    plan_ = plan_multipass(options_, octaves_, constant, texture.colors.wrap);
+}
+
+/// The lattice maps of a tile, one per group, with the quadric in the first.
+GlMultipassSynthesis::Maps GlMultipassSynthesis::maps_of(const Quadric& quadric,
+                                                         const GlTile& tile) {
+    Maps maps;
+    if (groups_.empty()) maps.push_back(maps_.map(std::nullopt, quadric, tile));
+    for (const OctaveGroup& group : groups_)
+        maps.push_back(maps_.map(stream_key(group),
+                                 maps.empty() ? std::optional(quadric) : std::nullopt, tile));
+    return maps;
+}
+
+template <class Pixel>
+void GlMultipassSynthesis::synthesize(const SolidAtlas& solid, const Texture& texture,
+                                      const Affine3& texture_from_atlas, int threads,
+                                      Image<Pixel>& image) {
+    tiles_.begin([&] { return problem(texture); });
+    GlWork& work = tiles_.work();
+    make_plan(solid, texture, texture_from_atlas);
+    maps_.set_atlas(solid, texture_from_atlas, threads);
+    colors_.set_map(texture.colors);
+    const int made = maps_.made();
+    const GlProgram* color_pass = nullptr;
+    const auto ready = [&](const GlTile& tile) {
+        Maps maps = timed(work.map, [&] { return maps_of(texture.quadric, tile); });
+        passes_.set_plan(plan_, tile.size);
+        timed(work.compile, [&] { passes_.compile(); });
+        ShaderSource source = passes_.source();
+        source.add("passes/field.glsl");
+        add_output<Pixel>(colors_, source);
+        color_pass = &tiles_.program("the colour pass", source);
+        return maps;
+    };
+    const auto draw = [&](const Maps& maps, const GlTile& tile, const GlTarget& into) {
+        std::vector<const GlLatticeMap*> sources;
+        for (const auto& map : maps) sources.push_back(map.get());
+        passes_.run(sources, plan_.passes);
+        color_pass->use();
+        color_pass->set("first", 0);
+        bind_output<Pixel>(colors_, *color_pass, 1);
+        bind_texture(tiles_.gl(), 0, passes_.image(PassImage::index).texture());
+        into.bind({{0, 0}, tile.size});
+        tiles_.full_screen().draw();
+        return int(count_passes(plan_.passes)) + 1;
+    };
+    tiles_.fill(solid, threads, image, ready, draw);
+    maps_.drop_unused();
+    work.maps = maps_.made() - made;
+}
+
+template void GlMultipassSynthesis::synthesize(const SolidAtlas&, const Texture&, const Affine3&,
+                                               int, Image<Rgb8>&);
+template void GlMultipassSynthesis::synthesize(const SolidAtlas&, const Texture&, const Affine3&,
+                                               int, Image<Rgb16>&);
+template void GlMultipassSynthesis::synthesize(const SolidAtlas&, const Texture&, const Affine3&,
+                                               int, Image<RgbF>&);
+template void GlMultipassSynthesis::synthesize(const SolidAtlas&, const Texture&, const Affine3&,
+                                               int, Image<float>&);
 
 }  // namespace burl

@@ -4,6 +4,7 @@
 
 #include "app/gl/device/context.h"
 #include "atlas/base/error.h"
+#include "procedural/maps/span_map.h"
 #include "procedural/noise/lattice_site.h"
 
 namespace burl {
@@ -63,12 +64,6 @@ bool draws_maps(const GladGLContext& gl, const SolidAtlas& solid, MapFill fill) 
     return !is_software(gl) && can_draw(gl, solid);
 }
 
-void set_line(const GlProgram& program, const Affine3& map, bool in_lattice) {
-    program.set("line_linear", map.linear);
-    program.set("line_offset", map.offset);
-    program.set("line_limit", in_lattice ? lattice_limit : 0.0);
-}
-
 GlProgram GlSpans::make_program(const GladGLContext& gl, std::string_view vertex,
                                 std::string_view fragment) {
     ShaderSource parts[2];
@@ -104,6 +99,36 @@ void GlSpans::draw(const GlProgram& program, const GlTile& tile) const {
     set_attribute(*gl_, 1, 1, begin);
     gl_->DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, GLsizei(end - begin));
     check_gl(*gl_, "drawing an atlas's spans");
+}
+
+void GlTexelLines::set_atlas(const SolidAtlas& solid, std::span<const TexelMap> maps, int threads) {
+    static_assert(sizeof(TexelMap) % sizeof(MapTexel) == 0);
+    maps_.emplace(*gl_, GLenum(GL_RGBA32UI), std::as_bytes(maps));
+    spans_.clear();
+    solid_ = &solid;
+    threads_ = threads;
+}
+
+void GlTexelLines::set_tile(const GlTile& tile) {
+    const auto known = std::ranges::find(spans_, tile, &Spans::tile);
+    if (known != spans_.end()) {
+        std::rotate(known, known + 1, spans_.end());
+        return;
+    }
+    std::size_t bytes = 0;
+    for (const Spans& spans : spans_) bytes += sizeof(MapTexel) * spans.tile.texels();
+    if (!spans_.empty() && bytes >= budget_) spans_.pop_back();
+    const Image<MapTexel> texels = fill_span_map(*solid_, area_of(tile), threads_);
+    spans_.push_back(
+        {tile, make_texture(*gl_, GL_RGBA32UI, tile.size, std::as_bytes(texels.pixels()))});
+}
+
+void GlTexelLines::bind(const GlProgram& program, int first_unit) const {
+    bind_texture(*gl_, first_unit, spans_.back().texture);
+    maps_->bind(first_unit + 1);
+    program.set("span_map", first_unit);
+    program.set("texel_maps", first_unit + 1);
+    program.set("tile_origin", spans_.back().tile.origin);
 }
 
 }  // namespace burl

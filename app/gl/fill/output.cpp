@@ -1,4 +1,4 @@
-#include "app/gl/fill/color_tables.h"
+#include "app/gl/fill/output.h"
 
 #include <bit>
 
