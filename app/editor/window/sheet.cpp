@@ -6,7 +6,11 @@
 namespace burl {
 
 GlEditSheet::GlEditSheet(const GladGLContext& gl)
-    : gl_(&gl), program_(gl, "maps/full_screen.vert", "draw/sheet.frag"), pass_(gl) {}
+    : gl_(&gl),
+      program_(make_full_screen_program(
+          gl, "the atlas view",
+          ShaderSource().add("color/srgb_encode.glsl").add("draw/sheet.frag"))),
+      pass_(gl) {}
 
 void GlEditSheet::upload(const SheetPicture& picture) {
     texture_ = make_texture(*gl_);

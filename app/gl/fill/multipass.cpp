@@ -22,7 +22,7 @@ GLenum format_of_images(PassPrecision precision) {
     return GL_RGBA32F;
 }
 
-/// The name of the pass in shaders/passes/NAME.frag.
+/// The pass as the function NAME_pass() of shaders/passes.
 std::string name_of(PassKind kind, bool integers) {
     switch (kind) {
         case PassKind::fill:
@@ -113,11 +113,21 @@ ShaderSource GlMultipass::source() const {
     return source;
 }
 
-ShaderSource GlMultipass::pass_source(const std::string& name) const {
+ShaderSource GlMultipass::pass_source(const std::string& name, bool integers) const {
     ShaderSource parts = source();
-    if (name == "hash") parts.add("noise/lattice.glsl");
-    if (name == "field_index") parts.add("color/index.glsl");
-    return parts.add("passes/" + name + ".frag");
+    if (name == "hash")
+        parts.add("noise/lattice.glsl").add("passes/hash.glsl");
+    else if (name == "field_index")
+        parts.add("color/index.glsl").add("passes/field_index.glsl");
+    else
+        parts.add("passes/images.glsl");
+    const std::string value = name + "_pass()";
+    return parts.add(name, integers ? fmt::format("out uvec4 integers;\n"
+                                                  "void main() {{ integers = {}; }}\n",
+                                                  value)
+                                    : fmt::format("out vec4 color;\n"
+                                                  "void main() {{ color = stored({}); }}\n",
+                                                  value));
 }
 
 void GlMultipass::compile() {
@@ -132,8 +142,8 @@ const GlProgram& GlMultipass::program(PassKind kind, bool integers) {
     auto found = programs_.find(key);
     if (found == programs_.end())
         found = programs_
-                    .emplace(std::move(key),
-                             make_full_screen_program(*gl_, "the pass " + name, pass_source(name)))
+                    .emplace(std::move(key), make_full_screen_program(*gl_, "the pass " + name,
+                                                                      pass_source(name, integers)))
                     .first;
     return found->second;
 }

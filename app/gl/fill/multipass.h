@@ -40,7 +40,7 @@ class GlMultipass {
     void set_uniforms(const GlProgram& program, const Pass& pass) const;
     void bind_sources(const GlProgram& program, const GlLatticeMap& map, const Pass& pass);
     void upload_tables();
-    ShaderSource pass_source(const std::string& name) const;
+    ShaderSource pass_source(const std::string& name, bool integers) const;
 
     const GladGLContext* gl_;
     bool float64_;
