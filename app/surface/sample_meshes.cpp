@@ -18,16 +18,8 @@ namespace {
 
 constexpr std::string_view prefix = "sample:", extension = ".obj";
 
-FileBuffer bytes_of(const std::string& path) {
-    return is_sample_mesh(path) ? sample_file(path) : read_file(path);
-}
-
-}  // namespace
-
-bool is_sample_mesh(const std::string& argument) {
-    return argument.starts_with(prefix);
-}
-
+/// The OBJ file of "sample:NAME". Throws Error(usage) listing the samples where there is none of
+/// that name.
 FileBuffer sample_file(const std::string& argument) {
     const std::string file_name = argument.substr(prefix.size()) + std::string(extension);
     for (const EmbeddedFile& file : embedded_meshes()) {
@@ -40,6 +32,16 @@ FileBuffer sample_file(const std::string& argument) {
         nearest.empty() ? "" : fmt::format("did you mean \"{}{}\"? ", prefix, nearest);
     throw Error(ExitCode::usage, fmt::format("there is no mesh \"{}\"; {}the samples are {}",
                                              argument, hint, fmt::join(names, ", ")));
+}
+
+FileBuffer bytes_of(const std::string& path) {
+    return is_sample_mesh(path) ? sample_file(path) : read_file(path);
+}
+
+}  // namespace
+
+bool is_sample_mesh(const std::string& argument) {
+    return argument.starts_with(prefix);
 }
 
 Mesh sample_mesh(const std::string& argument, const ReadOptions& options) {

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "atlas/file/file_buffer.h"
 #include "atlas/mesh/mesh.h"
 #include "atlas/read/pose.h"
 #include "atlas/read/read_mesh.h"
@@ -14,10 +13,6 @@ namespace burl {
 
 /// Whether the argument names a sample mesh; a file of such a name is reached as "./sample:...".
 bool is_sample_mesh(const std::string& argument);
-
-/// The OBJ file of "sample:NAME". Throws Error(usage) listing the samples where there is none of
-/// that name.
-FileBuffer sample_file(const std::string& argument);
 
 /// The mesh "sample:NAME". Throws Error(usage) listing the samples where there is none of that
 /// name.

@@ -13,7 +13,7 @@ GlEditSheet::GlEditSheet(const GladGLContext& gl)
       pass_(gl) {}
 
 void GlEditSheet::upload(const SheetPicture& picture) {
-    texture_ = make_texture(*gl_);
+    texture_ = GlTexture(*gl_);
     gl_->BindTexture(GL_TEXTURE_2D, texture_.get());
     gl_->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
     for (std::size_t l = 0; l < picture.levels.size(); ++l) {

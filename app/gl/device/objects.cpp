@@ -73,13 +73,6 @@ class Shader {
     GLuint shader_;
 };
 
-template <class Name>
-Name make(const GladGLContext& gl, void (*generate)(GLsizei, GLuint*)) {
-    GLuint name = 0;
-    generate(1, &name);
-    return Name(gl, name);
-}
-
 template <class Function>
 Function float64_uniform(Function function) {
     if (function == nullptr)
@@ -96,25 +89,6 @@ void check_gl(const GladGLContext& gl, std::string_view action) {
     }
     throw Error(ExitCode::runtime,
                 fmt::format("OpenGL failed while {}: {}", action, error_name(error)));
-}
-
-GlTexture make_texture(const GladGLContext& gl) {
-    return make<GlTexture>(gl, gl.GenTextures);
-}
-GlBuffer make_buffer(const GladGLContext& gl) {
-    return make<GlBuffer>(gl, gl.GenBuffers);
-}
-GlVertexArray make_vertex_array(const GladGLContext& gl) {
-    return make<GlVertexArray>(gl, gl.GenVertexArrays);
-}
-GlRenderbuffer make_renderbuffer(const GladGLContext& gl) {
-    return make<GlRenderbuffer>(gl, gl.GenRenderbuffers);
-}
-GlFramebufferName make_framebuffer(const GladGLContext& gl) {
-    return make<GlFramebufferName>(gl, gl.GenFramebuffers);
-}
-GlQuery make_query(const GladGLContext& gl) {
-    return make<GlQuery>(gl, gl.GenQueries);
 }
 
 GlProgram::GlProgram(const GladGLContext& gl, const std::string& name, const ShaderSource& vertex,
@@ -192,10 +166,7 @@ GlProgram make_full_screen_program(const GladGLContext& gl, const std::string& n
 }
 
 GlFramebuffer::GlFramebuffer(const GladGLContext& gl, int width, int height)
-    : gl_(gl),
-      color_(make_renderbuffer(gl)),
-      depth_(make_renderbuffer(gl)),
-      framebuffer_(make_framebuffer(gl)) {
+    : gl_(gl), color_(gl), depth_(gl), framebuffer_(gl) {
     gl_.BindRenderbuffer(GL_RENDERBUFFER, color_.get());
     gl_.RenderbufferStorage(GL_RENDERBUFFER, GL_RGBA32F, width, height);
     gl_.BindRenderbuffer(GL_RENDERBUFFER, depth_.get());

@@ -20,12 +20,15 @@ namespace burl {
 /// Throws Error(runtime) naming `action` where OpenGL has recorded an error since the last check.
 void check_gl(const GladGLContext& gl, std::string_view action);
 
-/// An OpenGL object name with the function that deletes it.
-template <PFNGLDELETETEXTURESPROC GladGLContext::*Delete>
+/// The name of an OpenGL object, with the functions that generate and delete such names.
+template <PFNGLGENTEXTURESPROC GladGLContext::*Generate,
+          PFNGLDELETETEXTURESPROC GladGLContext::*Delete>
 class GlName {
   public:
+    /// No object.
     GlName() = default;
-    GlName(const GladGLContext& gl, GLuint name) : gl_(&gl), name_(name) {}
+    /// A new object.
+    explicit GlName(const GladGLContext& gl) : gl_(&gl) { (gl.*Generate)(1, &name_); }
     GlName(GlName&& other) noexcept
         : gl_(std::exchange(other.gl_, nullptr)), name_(std::exchange(other.name_, 0)) {}
     GlName& operator=(GlName&& other) noexcept {
@@ -43,19 +46,14 @@ class GlName {
     GLuint name_ = 0;
 };
 
-using GlTexture = GlName<&GladGLContext::DeleteTextures>;
-using GlBuffer = GlName<&GladGLContext::DeleteBuffers>;
-using GlVertexArray = GlName<&GladGLContext::DeleteVertexArrays>;
-using GlRenderbuffer = GlName<&GladGLContext::DeleteRenderbuffers>;
-using GlFramebufferName = GlName<&GladGLContext::DeleteFramebuffers>;
-using GlQuery = GlName<&GladGLContext::DeleteQueries>;
-
-GlTexture make_texture(const GladGLContext& gl);
-GlBuffer make_buffer(const GladGLContext& gl);
-GlVertexArray make_vertex_array(const GladGLContext& gl);
-GlRenderbuffer make_renderbuffer(const GladGLContext& gl);
-GlFramebufferName make_framebuffer(const GladGLContext& gl);
-GlQuery make_query(const GladGLContext& gl);
+using GlTexture = GlName<&GladGLContext::GenTextures, &GladGLContext::DeleteTextures>;
+using GlBuffer = GlName<&GladGLContext::GenBuffers, &GladGLContext::DeleteBuffers>;
+using GlVertexArray = GlName<&GladGLContext::GenVertexArrays, &GladGLContext::DeleteVertexArrays>;
+using GlRenderbuffer =
+    GlName<&GladGLContext::GenRenderbuffers, &GladGLContext::DeleteRenderbuffers>;
+using GlFramebufferName =
+    GlName<&GladGLContext::GenFramebuffers, &GladGLContext::DeleteFramebuffers>;
+using GlQuery = GlName<&GladGLContext::GenQueries, &GladGLContext::DeleteQueries>;
 
 /// A linked program of one vertex and one fragment shader.
 class GlProgram {

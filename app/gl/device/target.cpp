@@ -83,7 +83,7 @@ GlTexture make_texture(const GladGLContext& gl, GLenum internal, GlSize size,
     if (!texels.empty() && texels.size() != bytes)
         throw Error(ExitCode::runtime,
                     fmt::format("{} takes {} bytes, not {}", what, bytes, texels.size()));
-    GlTexture texture = make_texture(gl);
+    GlTexture texture(gl);
     gl.BindTexture(GL_TEXTURE_2D, texture.get());
     gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
     gl.TexImage2D(GL_TEXTURE_2D, 0, GLint(internal), size.x, size.y, 0, format.layout, format.type,
@@ -102,9 +102,15 @@ void bind_texture(const GladGLContext& gl, int unit, const GlTexture& texture) {
     gl.BindTexture(GL_TEXTURE_2D, texture.get());
 }
 
+void bind_texture(const GladGLContext& gl, const GlProgram& program, const char* name, int unit,
+                  const GlTexture& texture) {
+    bind_texture(gl, unit, texture);
+    program.set(name, unit);
+}
+
 GlBufferTexture::GlBufferTexture(const GladGLContext& gl, GLenum internal,
                                  std::span<const std::byte> texels)
-    : gl_(&gl), buffer_(make_buffer(gl)), texture_(make_texture(gl)) {
+    : gl_(&gl), buffer_(gl), texture_(gl) {
     const GlFormat& format = format_of(internal);
     const std::size_t count = texels.size() / texel_bytes(format);
     const std::string what = fmt::format("a {} array of {} texels", format.name, count);
@@ -116,13 +122,14 @@ GlBufferTexture::GlBufferTexture(const GladGLContext& gl, GLenum internal,
     check_gl(gl, "making " + what);
 }
 
-void GlBufferTexture::bind(int unit) const {
+void GlBufferTexture::bind(const GlProgram& program, const char* name, int unit) const {
     gl_->ActiveTexture(GLenum(GL_TEXTURE0 + unit));
     gl_->BindTexture(GL_TEXTURE_BUFFER, texture_.get());
+    program.set(name, unit);
 }
 
 GlTarget::GlTarget(const GladGLContext& gl, GlSize size, std::span<const GLenum> internals)
-    : gl_(&gl), size_(size), framebuffer_(make_framebuffer(gl)) {
+    : gl_(&gl), size_(size), framebuffer_(gl) {
     check_count(gl, internals.size());
     std::string names;
     for (const GLenum internal : internals) {

@@ -48,6 +48,9 @@ GlTexture make_texture(const GladGLContext& gl, GLenum internal, GlSize size,
 
 /// Binds the texture as the 2-D texture of a unit (0, 1, ...).
 void bind_texture(const GladGLContext& gl, int unit, const GlTexture& texture);
+/// Binds the texture to a unit, from which the program in use reads it as `name`.
+void bind_texture(const GladGLContext& gl, const GlProgram& program, const char* name, int unit,
+                  const GlTexture& texture);
 
 /// An array that shaders read with texelFetch of a samplerBuffer, isamplerBuffer or usamplerBuffer.
 class GlBufferTexture {
@@ -59,8 +62,8 @@ class GlBufferTexture {
     template <class T>
     GlBufferTexture(const GladGLContext& gl, GLenum internal, std::span<const T> texels)
         : GlBufferTexture(gl, internal, std::as_bytes(texels)) {}
-    /// Binds the array as the buffer texture of a unit (0, 1, ...).
-    void bind(int unit) const;
+    /// Binds the array to a unit (0, 1, ...), from which the program in use reads it as `name`.
+    void bind(const GlProgram& program, const char* name, int unit) const;
 
   private:
     const GladGLContext* gl_;
@@ -148,7 +151,7 @@ class GlTarget {
 /// the texel in the target.
 class GlFullScreen {
   public:
-    explicit GlFullScreen(const GladGLContext& gl) : gl_(&gl), vertices_(make_vertex_array(gl)) {}
+    explicit GlFullScreen(const GladGLContext& gl) : gl_(&gl), vertices_(gl) {}
     /// Draws the triangle; the program must be in use and the target bound.
     void draw() const {
         gl_->BindVertexArray(vertices_.get());

@@ -20,7 +20,7 @@ GLuint64 nanoseconds(const GladGLContext& gl, GLuint query) {
 }  // namespace
 
 GlTimer::GlTimer(const GladGLContext& gl)
-    : gl_(gl), first_(make_query(gl)), last_(make_query(gl)), has_clock_(has_clock(gl)) {}
+    : gl_(gl), first_(gl), last_(gl), has_clock_(has_clock(gl)) {}
 
 void GlTimer::start() {
     gl_.Finish();

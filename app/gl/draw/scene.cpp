@@ -4,9 +4,7 @@
 #include <limits>
 #include <utility>
 
-#include "app/gl/device/objects.h"
 #include "app/gl/draw/view_texels.h"
-#include "app/scene/scene.h"
 #include "app/scene/shading.h"
 #include "atlas/base/error.h"
 
@@ -70,7 +68,7 @@ GlTexture upload(const GladGLContext& gl, const SceneTexture& texture, TextureFi
                                 "({}); bake it at --size {} or less",
                                 image.width(), image.height(), limit, limit));
     }
-    GlTexture result = make_texture(gl);
+    GlTexture result(gl);
     gl.BindTexture(GL_TEXTURE_2D, result.get());
     gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
     upload_level(gl, 0, image, texture.is_color);

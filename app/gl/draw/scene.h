@@ -7,7 +7,6 @@
 #include <span>
 #include <vector>
 
-#include "app/gl/device/objects.h"
 #include "app/gl/draw/surface.h"
 #include "app/scene/scene.h"
 

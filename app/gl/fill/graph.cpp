@@ -122,25 +122,16 @@ std::shared_ptr<const GlPointMap> GlGraphPass::set_tile(const GlTile& tile) {
 
 template <class Pixel>
 void GlGraphPass::bind(const GlProgram& program, const GlPointMap* points) {
-    if constexpr (std::is_same_v<Pixel, Rgb8>) {
-        codes8_->bind(first_table);
-        program.set("srgb8_buckets", first_table);
-    }
+    if constexpr (std::is_same_v<Pixel, Rgb8>) codes8_->bind(program, "srgb8_buckets", first_table);
     if constexpr (std::is_same_v<Pixel, Rgb16>) colors_.bind_srgb16(program, first_table);
     int unit = first_image;
-    for (const GlslImage& image : texture_.images) {
-        bind_texture(*gl_, unit, image_texture(image.pixels));
-        program.set(image.uniform.c_str(), unit++);
-    }
-    for (std::size_t i = 0; i < tables_.size(); ++i) {
-        tables_[i].bind(unit);
-        program.set(texture_.tables[i].name.c_str(), unit++);
-    }
+    for (const GlslImage& image : texture_.images)
+        bind_texture(*gl_, program, image.uniform.c_str(), unit++, image_texture(image.pixels));
+    for (std::size_t i = 0; i < tables_.size(); ++i)
+        tables_[i].bind(program, texture_.tables[i].name.c_str(), unit++);
     if (points != nullptr) {
-        program.set("point_xy", 0);
-        program.set("point_z_owner", 1);
-        bind_texture(*gl_, 0, points->xy());
-        bind_texture(*gl_, 1, points->z_owner());
+        bind_texture(*gl_, program, "point_xy", 0, points->xy());
+        bind_texture(*gl_, program, "point_z_owner", 1, points->z_owner());
         return;
     }
     lines_.bind(program, 0);

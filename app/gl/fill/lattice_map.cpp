@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "app/gl/fill/spans.h"
 #include "procedural/fill/pieces.h"
 #include "procedural/maps/lattice_map.h"
 #include "procedural/maps/point_map.h"

@@ -9,7 +9,6 @@
 #include <optional>
 #include <vector>
 
-#include "app/gl/device/objects.h"
 #include "app/gl/fill/spans.h"
 #include "atlas/solid/solid_atlas.h"
 #include "procedural/glsl/filter.h"

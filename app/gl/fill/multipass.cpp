@@ -1,5 +1,6 @@
 #include "app/gl/fill/multipass.h"
 
+#include <algorithm>
 #include <bit>
 
 #include <fmt/format.h>
@@ -11,56 +12,31 @@ namespace burl {
 namespace {
 
 GLenum format_of_images(PassPrecision precision) {
-    switch (precision) {
-        case PassPrecision::float16:
-            return GL_RGBA16F;
-        case PassPrecision::fixed8:
-            return GL_RGBA8;
-        case PassPrecision::float32:
-            break;
-    }
-    return GL_RGBA32F;
+    if (precision == PassPrecision::float16) return GL_RGBA16F;
+    return precision == PassPrecision::fixed8 ? GL_RGBA8 : GL_RGBA32F;
 }
 
-/// The pass as the function NAME_pass() of shaders/passes.
+/// The passes as functions NAME_pass() of shaders/passes.
+constexpr std::pair<PassKind, const char*> pass_names[] = {{PassKind::cells, "cells"},
+                                                           {PassKind::places, "places"},
+                                                           {PassKind::solid_map, "solid_map"},
+                                                           {PassKind::step, "step"},
+                                                           {PassKind::copy, "copy"},
+                                                           {PassKind::transfer, "transfer"},
+                                                           {PassKind::combine, "combine"},
+                                                           {PassKind::multiply, "multiply"},
+                                                           {PassKind::isolate, "isolate"},
+                                                           {PassKind::shift_left, "shift_left"},
+                                                           {PassKind::blend_bit, "blend_bit"},
+                                                           {PassKind::hash, "hash"},
+                                                           {PassKind::axis_table, "axis_table"},
+                                                           {PassKind::value_table, "value_table"},
+                                                           {PassKind::weigh, "weigh"},
+                                                           {PassKind::field_index, "field_index"}};
+
 std::string name_of(PassKind kind, bool integers) {
-    switch (kind) {
-        case PassKind::fill:
-            break;
-        case PassKind::cells:
-            return "cells";
-        case PassKind::places:
-            return "places";
-        case PassKind::solid_map:
-            return "solid_map";
-        case PassKind::step:
-            return "step";
-        case PassKind::copy:
-            return integers ? "copy_integers" : "copy";
-        case PassKind::transfer:
-            return "transfer";
-        case PassKind::combine:
-            return "combine";
-        case PassKind::multiply:
-            return "multiply";
-        case PassKind::isolate:
-            return "isolate";
-        case PassKind::shift_left:
-            return "shift_left";
-        case PassKind::blend_bit:
-            return "blend_bit";
-        case PassKind::hash:
-            return "hash";
-        case PassKind::axis_table:
-            return "axis_table";
-        case PassKind::value_table:
-            return "value_table";
-        case PassKind::weigh:
-            return "weigh";
-        case PassKind::field_index:
-            return "field_index";
-    }
-    return "";
+    if (kind == PassKind::copy && integers) return "copy_integers";
+    return std::ranges::find(pass_names, kind, &std::pair<PassKind, const char*>::first)->second;
 }
 
 glm::uvec2 words_of(double x) {
@@ -291,9 +267,9 @@ void GlMultipassSynthesis::synthesize(const SolidAtlas& solid, const Texture& te
         for (const auto& map : maps) sources.push_back(map.get());
         passes_.run(sources, plan_.passes);
         color_pass->use();
-        color_pass->set("first", 0);
         bind_output<Pixel>(colors_, *color_pass, 1);
-        bind_texture(tiles_.gl(), 0, passes_.image(PassImage::index).texture());
+        bind_texture(tiles_.gl(), *color_pass, "first", 0,
+                     passes_.image(PassImage::index).texture());
         into.bind({{0, 0}, tile.size});
         tiles_.full_screen().draw();
         return int(count_passes(plan_.passes)) + 1;

@@ -8,7 +8,6 @@
 // a sum of amplitudes up to 1); 16f and 8 are limited by the images' precision.
 #include <map>
 
-#include "app/gl/device/objects.h"
 #include "app/gl/fill/lattice_map.h"
 #include "app/gl/fill/synthesize.h"
 #include "procedural/passes/plan.h"

@@ -9,7 +9,6 @@
 
 #include <fmt/core.h>
 
-#include "app/gl/device/objects.h"
 #include "app/gl/device/target.h"
 #include "atlas/base/image.h"
 #include "procedural/batch/row_tasks.h"

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "app/gl/device/context.h"
 #include "atlas/base/error.h"
 #include "procedural/maps/span_map.h"
 #include "procedural/noise/lattice_site.h"
@@ -26,7 +25,7 @@ std::vector<std::uint32_t> row_numbers(const SolidAtlas& solid) {
 
 template <class T>
 GlBuffer make_array(const GladGLContext& gl, const std::vector<T>& elements) {
-    GlBuffer buffer = make_buffer(gl);
+    GlBuffer buffer(gl);
     gl.BindBuffer(GL_ARRAY_BUFFER, buffer.get());
     gl.BufferData(GL_ARRAY_BUFFER, GLsizeiptr(elements.size() * sizeof(T)), elements.data(),
                   GL_STATIC_DRAW);
@@ -76,7 +75,7 @@ GlProgram GlSpans::make_program(const GladGLContext& gl, std::string_view vertex
 
 GlSpans::GlSpans(const GladGLContext& gl, const SolidAtlas& solid, std::span<const TexelMap> maps)
     : gl_(&gl),
-      vertices_(make_vertex_array(gl)),
+      vertices_(gl),
       spans_(make_array(gl, solid.spans)),
       rows_(make_array(gl, row_numbers(solid))),
       maps_(gl, GL_RGBA32UI, checked(gl, solid, maps)),
@@ -88,10 +87,9 @@ void GlSpans::draw(const GlProgram& program, const GlTile& tile) const {
     const std::size_t begin = row_begin_[std::size_t(tile.origin.y)],
                       end = row_begin_[std::size_t(tile.origin.y + tile.size.y)];
     if (begin == end) return;
-    program.set("texel_maps", 0);
+    maps_.bind(program, "texel_maps", 0);
     program.set("tile_origin", tile.origin);
     program.set("tile_size", tile.size);
-    maps_.bind(0);
     gl_->BindVertexArray(vertices_.get());
     gl_->BindBuffer(GL_ARRAY_BUFFER, spans_.get());
     set_attribute(*gl_, 0, 3, begin);
@@ -124,10 +122,8 @@ void GlTexelLines::set_tile(const GlTile& tile) {
 }
 
 void GlTexelLines::bind(const GlProgram& program, int first_unit) const {
-    bind_texture(*gl_, first_unit, spans_.back().texture);
-    maps_->bind(first_unit + 1);
-    program.set("span_map", first_unit);
-    program.set("texel_maps", first_unit + 1);
+    bind_texture(*gl_, program, "span_map", first_unit, spans_.back().texture);
+    maps_->bind(program, "texel_maps", first_unit + 1);
     program.set("tile_origin", spans_.back().tile.origin);
 }
 

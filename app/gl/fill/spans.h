@@ -2,13 +2,10 @@
 // An atlas's spans on OpenGL: drawn, each as a quad one texel high, so that every texel has the
 // same owner as on the host, by a program that evaluates the map being made
 // (shaders/maps/span.glsl); or looked up by texel.
-#include <algorithm>
 #include <optional>
 #include <vector>
 
-#include "app/gl/device/objects.h"
 #include "app/gl/device/target.h"
-#include "atlas/base/image.h"
 #include "atlas/solid/solid_atlas.h"
 #include "procedural/batch/sample_pattern.h"
 #include "procedural/field/lattice_map.h"

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "app/gl/device/objects.h"
-
 namespace burl {
 
 namespace {
@@ -125,8 +123,7 @@ GlSynthesis::Maps GlSynthesis::maps_of(const FieldOctaves& octaves, const Quadri
 int GlSynthesis::bind_maps(const GlProgram& program, const Maps& maps) const {
     int unit = 0;
     const auto bind = [&](const char* name, std::size_t i, const GlTexture& texture) {
-        bind_texture(*gl_, unit, texture);
-        program.set(fmt::format("{}[{}]", name, i).c_str(), unit++);
+        bind_texture(*gl_, program, fmt::format("{}[{}]", name, i).c_str(), unit++, texture);
     };
     for (std::size_t i = 0; i < maps.lattices.size(); ++i) {
         bind("map_cells", i, maps.lattices[i]->cells());

@@ -46,7 +46,6 @@ class GlTileLoop {
   public:
     GlTileLoop(GlContext& context, const GlSynthesisLimits& limits);
 
-    GlContext& context() const { return *context_; }
     const GladGLContext& gl() const { return context_->gl(); }
     /// Whether shaders use float64.
     bool float64() const { return float64_; }

@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "app/gl/device/context.h"
 #include "app/gl/fill/block_levels.h"
 #include "app/gl/fill/multipass.h"
 #include "app/pipeline/measure_synthesis.h"
@@ -91,27 +90,13 @@ class GlSynthesizer final : public TextureSynthesizer {
 };
 
 const char* name_of(PassPrecision precision) {
-    switch (precision) {
-        case PassPrecision::float16:
-            return "16f";
-        case PassPrecision::fixed8:
-            return "8";
-        case PassPrecision::float32:
-            break;
-    }
-    return "32f";
+    if (precision == PassPrecision::float16) return "16f";
+    return precision == PassPrecision::fixed8 ? "8" : "32f";
 }
 
 const char* name_of(Randomizer randomizer) {
-    switch (randomizer) {
-        case Randomizer::table:
-            return "table";
-        case Randomizer::bits:
-            return "bits";
-        case Randomizer::hash:
-            break;
-    }
-    return "hash";
+    if (randomizer == Randomizer::table) return "table";
+    return randomizer == Randomizer::bits ? "bits" : "hash";
 }
 
 class GlMultipassSynthesizer final : public TextureSynthesizer {
