@@ -10,7 +10,6 @@
 #include "app/base/file_bytes.h"
 #include "app/base/messages.h"
 #include "app/recipe/recipe.h"
-#include "app/surface/load_pose.h"
 #include "app/surface/sample_meshes.h"
 #include "atlas/base/error.h"
 

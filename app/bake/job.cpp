@@ -16,12 +16,11 @@
 #include "app/base/stopwatch.h"
 #include "app/base/version.h"
 #include "app/export/command_files.h"
-#include "app/gl/fill/multipass_synthesizer.h"
 #include "app/gl/fill/synthesizer.h"
 #include "app/options/idle_options.h"
 #include "app/recipe/forward_check.h"
 #include "app/recipe/lattice_check.h"
-#include "app/surface/load_pose.h"
+#include "app/surface/sample_meshes.h"
 #include "atlas/base/error.h"
 
 namespace burl {

@@ -17,7 +17,7 @@ namespace burl {
 /// Values of the options of one bake.
 struct BakeCommand {
     std::string mesh, out, report;
-    std::string pose;  ///< pose of the mesh (app/surface/load_pose.h); empty: none
+    std::string pose;  ///< pose of the mesh (app/surface/sample_meshes.h); empty: none
     RecipeOptions recipe;
     AnimationOptions animation;
     MeshOptions meshes;

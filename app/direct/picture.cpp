@@ -13,9 +13,9 @@
 #include "app/recipe/images.h"
 #include "app/recipe/lattice_check.h"
 #include "app/recipe/names.h"
-#include "app/surface/load_pose.h"
 #include "app/surface/normals.h"
 #include "app/surface/posed_corners.h"
+#include "app/surface/sample_meshes.h"
 #include "atlas/base/error.h"
 
 namespace burl {

@@ -25,7 +25,7 @@ struct DirectOptions {
     bool widths = false;
     RecipeOptions recipe;
     MeshOptions meshes;
-    std::string pose;  ///< --pose (app/surface/load_pose.h); empty: none
+    std::string pose;  ///< --pose (app/surface/sample_meshes.h); empty: none
     double crease = 40.0;
 
     void add(CLI::App& verb);

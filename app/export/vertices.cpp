@@ -13,7 +13,7 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
-#include "app/surface/corners_by_point.h"
+#include "app/surface/normals.h"
 #include "app/surface/tangents.h"
 #include "atlas/base/each_index.h"
 

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/direct/figures.h"
-#include "app/gl/device/facts.h"
+#include "app/gl/device/context.h"
 #include "app/main/verbs.h"
 #include "app/measure/report.h"
 #include "app/options/command_options.h"

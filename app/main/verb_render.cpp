@@ -23,7 +23,6 @@
 #include "app/options/idle_options.h"
 #include "app/recipe/lattice_check.h"
 #include "app/scene/scene.h"
-#include "app/surface/load_pose.h"
 #include "app/surface/sample_meshes.h"
 #include "atlas/base/error.h"
 

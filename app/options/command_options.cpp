@@ -13,7 +13,6 @@
 #include "app/recipe/keyed_recipe.h"
 #include "app/recipe/names.h"
 #include "app/recipe/parameters.h"
-#include "app/surface/mesh_notes.h"
 #include "app/surface/sample_meshes.h"
 #include "atlas/base/error.h"
 #include "atlas/file/file_extension.h"

@@ -82,7 +82,7 @@ struct MeshOptions {
     Mesh load(const std::string& path) const;
 };
 
-/// Adds --pose (app/surface/load_pose.h).
+/// Adds --pose (app/surface/sample_meshes.h).
 void add_pose(CLI::App& verb, std::string& pose);
 
 /// A validator of numbers within bounds that, unlike CLI::Range, refuses NaN.

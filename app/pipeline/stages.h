@@ -17,7 +17,7 @@
 #include "app/pipeline/texture_cache.h"
 #include "app/pipeline/texture_synthesizer.h"
 #include "app/recipe/recipe.h"
-#include "app/surface/normal_frames.h"
+#include "app/surface/tangents.h"
 #include "atlas/build/mesh_atlas.h"
 
 namespace burl {

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/scene/ray.h"
+#include "app/scene/camera.h"
 
 namespace burl {
 

@@ -131,4 +131,14 @@ Vec3d project(const Camera& camera, const PictureSize& size, const Vec3d& scene_
     return {0.5 * size.width * (1.0 + x), 0.5 * size.height * (1.0 - y), depth};
 }
 
+Ray ray_through(const Camera& camera, const PictureSize& size, const Vec2d& pixel) {
+    const double x = (2.0 * pixel.x / size.width - 1.0) / camera.focal_x;
+    const double y = (1.0 - 2.0 * pixel.y / size.height) / camera.focal_y;
+    Ray ray;
+    ray.origin = camera.eye;
+    ray.direction = x * camera.right + y * camera.up - camera.back;
+    ray.begin = camera.near_distance;
+    return ray;
+}
+
 }  // namespace burl

@@ -1,6 +1,7 @@
 #pragma once
-// The orbit camera of both renderers, all in float64, so that an OpenGL picture and a ground-truth
-// picture of one scene agree to the pixel (docs/reference/rendering.md).
+// The orbit camera of both renderers and rays through its pictures, all in float64, so that an
+// OpenGL picture and a ground-truth picture of one scene agree to the pixel
+// (docs/reference/rendering.md).
 #include <algorithm>
 #include <limits>
 #include <string>
@@ -79,5 +80,17 @@ Camera orbit_camera(const View& view, const Sphere& sphere, const PictureSize& s
 /// The pixel coordinates of a point (x to the right, y down, pixel (0,0)'s centre at (0.5,0.5))
 /// and, in z, its distance along the view axis; meaningful only where z > 0.
 Vec3d project(const Camera& camera, const PictureSize& size, const Vec3d& scene_point);
+
+/// The points origin + t * direction with t in [begin, end]. The direction has any length but 0.
+struct Ray {
+    Vec3d origin{0.0}, direction{0.0, 0.0, -1.0};
+    double begin = 0.0, end = std::numeric_limits<double>::infinity();
+    Vec3d at(double t) const { return origin + t * direction; }
+};
+
+/// The ray through a point of the picture, in pixels (x to the right, y down, pixel (0,0)'s centre
+/// at (0.5,0.5)): the inverse of project(). t is the distance along the view axis; the ray begins
+/// at the near plane.
+Ray ray_through(const Camera& camera, const PictureSize& size, const Vec2d& pixel);
 
 }  // namespace burl

@@ -104,4 +104,11 @@ Scene scene_from_mesh(const Mesh& mesh, const SceneMaterial& material);
 /// so that a view does not change with the target's weight. Its centre is that of the points' box.
 Sphere bounding_sphere(const Scene& scene);
 
+/// The map from [-1,1], in which float32 is precise wherever a surface lies, to the bounding sphere
+/// of the surface's positions, of radius 1 where they are one point.
+Mat4d unit_frame(const Surface& surface);
+
+/// The unit_frame of every surface of the scene.
+std::vector<Mat4d> unit_frames(const Scene& scene);
+
 }  // namespace burl

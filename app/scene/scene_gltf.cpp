@@ -92,8 +92,10 @@ class GltfSceneLoader {
             surface.triangles.push_back(
                 {soup.corners[i], soup.corners[i + 1], soup.corners[i + 2]});
         }
-        set_blocks(surface, primitive);
-        set_tangents(surface, primitive);
+        // The rectangles that Burl writes for quad atlases; tangents that are missing are computed
+        // where a normal map needs them.
+        surface.blocks = read_vec4(primitive, "_BURL_BLOCK", surface.positions.size());
+        surface.tangents = read_vec4(primitive, "TANGENT", surface.positions.size());
         set_target(surface, primitive, weights_of(placement), where);
         if (primitive.material >= 0) set_material(surface, primitive, where);
         if (surface.normals.empty()) make_flat(surface);
@@ -101,17 +103,20 @@ class GltfSceneLoader {
         scene_.surfaces.push_back(std::move(surface));
     }
 
-    /// Reads the block rectangles that Burl writes for quad atlases; an attribute of another form
-    /// by that name is ignored.
-    void set_blocks(Surface& surface, const tinygltf::Primitive& primitive) const {
-        const auto found = primitive.attributes.find("_BURL_BLOCK");
-        if (found == primitive.attributes.end()) return;
+    /// An attribute of four components per vertex; empty where there is none of that name, or one
+    /// of another form.
+    std::vector<Vec4f> read_vec4(const tinygltf::Primitive& primitive, const char* name,
+                                 std::size_t vertices) const {
+        const auto found = primitive.attributes.find(name);
+        if (found == primitive.attributes.end()) return {};
         const AccessorValues values = read_accessor(model_, found->second);
-        if (values.components != 4 || values.count() != surface.positions.size()) return;
+        if (values.components != 4 || values.count() != vertices) return {};
+        std::vector<Vec4f> result;
         for (std::size_t i = 0; i < values.count(); ++i) {
             const double* v = values[i];
-            surface.blocks.emplace_back(float(v[0]), float(v[1]), float(v[2]), float(v[3]));
+            result.emplace_back(float(v[0]), float(v[1]), float(v[2]), float(v[3]));
         }
+        return result;
     }
 
     /// The weights of the mesh's morph targets: those of the first node placing it that has some,
@@ -159,19 +164,6 @@ class GltfSceneLoader {
                                        fmt::format("{}: a morph target moves a vertex by what is "
                                                    "not finite, or beyond 1e100",
                                                    where));
-    }
-
-    /// Reads the file's tangents, if they are of the right type; otherwise they are computed where
-    /// a normal map needs them.
-    void set_tangents(Surface& surface, const tinygltf::Primitive& primitive) const {
-        const auto found = primitive.attributes.find("TANGENT");
-        if (found == primitive.attributes.end()) return;
-        const AccessorValues values = read_accessor(model_, found->second);
-        if (values.components != 4 || values.count() != surface.positions.size()) return;
-        for (std::size_t i = 0; i < values.count(); ++i) {
-            const double* v = values[i];
-            surface.tangents.emplace_back(float(v[0]), float(v[1]), float(v[2]), float(v[3]));
-        }
     }
 
     /// Sets the material's normal map. A map that cannot be drawn is left out with a note, since

@@ -10,10 +10,21 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
-#include "app/surface/corners_by_point.h"
 #include "atlas/base/each_index.h"
 
 namespace burl {
+
+// A counting sort: filling a row moves its entry of `begin` on to the row's end.
+CornersByPoint::CornersByPoint(const Mesh& mesh)
+    : begin_(mesh.positions.size() + 2), corners_(3 * mesh.triangles.size()) {
+    for (const Triangle& t : mesh.triangles)
+        for (const std::uint32_t p : t) ++begin_[p + 2];
+    for (std::size_t p = 2; p < begin_.size(); ++p) begin_[p] += begin_[p - 1];
+    std::uint32_t corner = 0;
+    for (const Triangle& t : mesh.triangles)
+        for (const std::uint32_t p : t) corners_[begin_[p + 1]++] = corner++;
+    begin_.pop_back();
+}
 
 Vec3d unit_or_zero(const Vec3d& v) {
     const double longest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
@@ -23,6 +34,11 @@ Vec3d unit_or_zero(const Vec3d& v) {
 
 double angle_between(const Vec3d& u, const Vec3d& v) {
     return std::atan2(glm::length(glm::cross(u, v)), glm::dot(u, v));
+}
+
+double corner_angle(std::span<const Vec3d> p, const Triangle& t, std::size_t k) {
+    return angle_between(unit_or_zero(p[t[(k + 1) % 3]] - p[t[k]]),
+                         unit_or_zero(p[t[(k + 2) % 3]] - p[t[k]]));
 }
 
 namespace {
@@ -50,14 +66,6 @@ Vec3d face_normal(const Mesh& mesh, const Triangle& t) {
     if (!(longest > 0.0) || !std::isfinite(longest)) return Vec3d(0.0);
     const Vec3d cross = glm::cross(u / longest, v / longest);
     return glm::length(cross) > flat_height ? glm::normalize(cross) : Vec3d(0.0);
-}
-
-/// The angle of triangle t at its corner k, in radians.
-double corner_angle(const Mesh& mesh, const Triangle& t, std::size_t k) {
-    const auto& p = mesh.positions;
-    const Vec3d u = unit_or_zero(p[t[(k + 1) % 3]] - p[t[k]]);
-    const Vec3d v = unit_or_zero(p[t[(k + 2) % 3]] - p[t[k]]);
-    return angle_between(u, v);
 }
 
 /// The faces around one point, grouped into smooth fans by union-find. The buffers are reused from
@@ -139,7 +147,8 @@ class Fans {
         sums_.assign(corners_.size(), Vec3d(0.0));
         for (std::size_t i = 0; i < corners_.size(); ++i) {
             const std::size_t c = corners_[i];
-            sums_[root(i)] += corner_angle(mesh_, mesh_.triangles[c / 3], c % 3) * normal(i);
+            sums_[root(i)] +=
+                corner_angle(mesh_.positions, mesh_.triangles[c / 3], c % 3) * normal(i);
         }
         for (std::size_t i = 0; i < corners_.size(); ++i) {
             const std::size_t source = is_zero(normal(i)) ? neighbour_[i] : i;

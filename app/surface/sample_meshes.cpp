@@ -8,6 +8,7 @@
 #include "app/base/embedded.h"
 #include "app/base/messages.h"
 #include "atlas/base/error.h"
+#include "atlas/file/file_extension.h"
 #include "atlas/mesh/mesh_builder.h"
 #include "atlas/read/readers.h"
 
@@ -17,12 +18,8 @@ namespace {
 
 constexpr std::string_view prefix = "sample:", extension = ".obj";
 
-}  // namespace
-
-bool is_sample_mesh(const std::string& argument) {
-    return argument.starts_with(prefix);
-}
-
+/// The OBJ file of "sample:NAME". Throws Error(usage) listing the samples where there is none of
+/// that name.
 FileBuffer sample_file(const std::string& argument) {
     const std::string file_name = argument.substr(prefix.size()) + std::string(extension);
     for (const EmbeddedFile& file : embedded_meshes()) {
@@ -37,6 +34,16 @@ FileBuffer sample_file(const std::string& argument) {
                                              argument, hint, fmt::join(names, ", ")));
 }
 
+FileBuffer bytes_of(const std::string& path) {
+    return is_sample_mesh(path) ? sample_file(path) : read_file(path);
+}
+
+}  // namespace
+
+bool is_sample_mesh(const std::string& argument) {
+    return argument.starts_with(prefix);
+}
+
 Mesh sample_mesh(const std::string& argument, const ReadOptions& options) {
     const FileBuffer file = sample_file(argument);
     return build_mesh(parse_mesh(file, options), file.path, options);
@@ -48,6 +55,45 @@ std::vector<std::string> sample_mesh_names() {
         names.emplace_back(file.name.substr(0, file.name.size() - extension.size()));
     std::sort(names.begin(), names.end());
     return names;
+}
+
+bool is_pose_file(const std::string& pose) {
+    const std::vector<std::string> extensions = mesh_extensions();
+    return is_sample_mesh(pose) ||
+           std::ranges::find(extensions, lower_extension(pose)) != extensions.end();
+}
+
+MeshPose load_pose(const std::string& mesh, const std::string& pose, const ReadOptions& options) {
+    return is_pose_file(pose) ? read_pose(bytes_of(mesh), bytes_of(pose), options)
+                              : read_own_pose(bytes_of(mesh), pose, options);
+}
+
+std::vector<std::string> poses_of(const std::string& mesh) {
+    if (is_sample_mesh(mesh)) return {};
+    try {
+        return pose_names(read_file(mesh));
+    } catch (const Error&) {
+        return {};
+    }
+}
+
+std::vector<std::string> sentences_of(const MeshNotes& notes) {
+    const struct {
+        std::uint64_t count;
+        const char *one, *many, *fate;
+    } counts[] = {
+        {notes.degenerate_triangles, "triangle", "triangles",
+         "without area (kept; nothing to texture)"},
+        {notes.duplicate_triangles, "duplicate triangle", "duplicate triangles", "(kept)"},
+        {notes.unreferenced_points, "point", "points", "that no face uses (left out)"},
+        {notes.ignored_elements, "element", "elements", "other than faces (left out)"},
+    };
+    std::vector<std::string> sentences;
+    for (const auto& [count, one, many, fate] : counts)
+        if (count != 0)
+            sentences.push_back(fmt::format("{} {} {}", count, count == 1 ? one : many, fate));
+    sentences.insert(sentences.end(), notes.sentences.begin(), notes.sentences.end());
+    return sentences;
 }
 
 }  // namespace burl

@@ -50,14 +50,6 @@ TriangleTangent triangle_tangent(const TangentCorners& of, std::size_t t) {
     return result;
 }
 
-double corner_angle(const TangentCorners& of, std::size_t t, std::size_t k) {
-    const Triangle& corners = of.triangles[t];
-    const Vec3d& at = of.positions[corners[k]];
-    const Vec3d u = unit_or_zero(of.positions[corners[(k + 1) % 3]] - at);
-    const Vec3d v = unit_or_zero(of.positions[corners[(k + 2) % 3]] - at);
-    return angle_between(u, v);
-}
-
 std::uint32_t bits(double value) {
     return std::bit_cast<std::uint32_t>(float(value) + 0.0f);  // -0 becomes 0
 }
@@ -96,7 +88,7 @@ std::vector<Vec4f> corner_tangents(std::span<const Vec3d> positions,
             sums.resize(rows.rows().size(), Vec3d(0.0));
             const Vec3d n(normals[3 * t + k]), &u = tangent.along_u;
             sums[row_of[3 * t + k]] +=
-                corner_angle(of, t, k) * unit_or_zero(u - glm::dot(u, n) * n);
+                corner_angle(positions, triangles[t], k) * unit_or_zero(u - glm::dot(u, n) * n);
         }
     }
     std::vector<Vec4f> tangents(normals.size());
@@ -122,6 +114,18 @@ std::vector<Vec2d> corner_uvs(const Atlas& atlas) {
     for (const auto& corners : atlas.corners)
         for (const Vec2d& corner : corners) uvs.push_back(corner / atlas.extent());
     return uvs;
+}
+
+NormalFrames make_normal_frames(const Mesh& mesh, const MeshAtlas& atlas,
+                                const NormalFramesKey& key) {
+    const Mesh& placed = atlas.mesh(mesh);
+    NormalFrames frames{key};
+    frames.positions = map_positions(placed, solid_from_mesh(mesh, key.space));
+    frames.normals = corner_normals(placed, key.crease_degrees);
+    if (key.tangents)
+        frames.tangents = corner_tangents(placed.positions, placed.triangles,
+                                          corner_uvs(atlas.atlas()), frames.normals);
+    return frames;
 }
 
 }  // namespace burl

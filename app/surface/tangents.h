@@ -1,9 +1,11 @@
 #pragma once
-// Tangents of a mesh with texture coordinates, as glTF 2.0's TANGENT holds them: the frames in
-// which normal maps are baked and looked up.
+// Tangents of a mesh with texture coordinates, as glTF 2.0's TANGENT holds them, and the shading
+// frames in which normal maps are baked and looked up: positions, normals and tangents per corner
+// of a mesh. Recipes' bumps perturb these normals.
 #include <span>
 #include <vector>
 
+#include "atlas/build/mesh_atlas.h"
 #include "atlas/mesh/mesh.h"
 #include "atlas/solid/atlas.h"
 
@@ -26,5 +28,26 @@ Vec4f placed_tangent(const Vec4f& tangent, const Vec3f& normal, const Mat3d& lin
 
 /// The atlas's texture coordinates per triangle corner (3t+k), in 0..1.
 std::vector<Vec2d> corner_uvs(const Atlas& atlas);
+
+/// The settings that frames of a given atlas depend on.
+struct NormalFramesKey {
+    SolidSpace space = SolidSpace::unit;
+    double crease_degrees = 0.0;
+    bool tangents = false;
+    bool operator==(const NormalFramesKey&) const = default;
+};
+
+/// Arrays for ShadingFrames (procedural/fill/normals.h).
+struct NormalFrames {
+    NormalFramesKey key{};
+    std::vector<Vec3d> positions{};
+    std::vector<Vec3f> normals{};   ///< per triangle corner (3t+k), of app/surface/normals.h
+    std::vector<Vec4f> tangents{};  ///< per triangle corner, as corner_tangents(); empty for
+                                    ///< maps in object space
+};
+
+/// The frames of the mesh that `atlas` was built from.
+NormalFrames make_normal_frames(const Mesh& mesh, const MeshAtlas& atlas,
+                                const NormalFramesKey& key);
 
 }  // namespace burl

@@ -26,7 +26,7 @@ SolidAtlas teapot_atlas(AtlasKind kind) {
 void make_maps(benchmark::State& state, AtlasKind kind, MapFill fill) {
     const auto context = create_osmesa_context();
     const SolidAtlas solid = teapot_atlas(kind);
-    const GlLatticeMapper mapper(context->gl(), solid, Affine3{}, 0, fill);
+    const GlLatticeMapper mapper(context->gl(), solid, solid.maps, 0, fill);
     const LatticeStreamKey stream{{Mat3d(8.0), Vec3d(0.0)}, 3, 0.0};
     const Quadric quadric{1, 2, 3, 4, 5, 6, 7, 8, 9, 10};
     for ([[maybe_unused]] auto iteration : state) {

@@ -10,7 +10,7 @@
 #include "app/bench/meshes.h"
 #include "app/bench/values.h"
 #include "app/gl/fill/block_levels.h"
-#include "app/gl/fill/multipass_synthesize.h"
+#include "app/gl/fill/multipass.h"
 #include "app/gl/fill/synthesize.h"
 #include "app/pipeline/pipeline.h"
 

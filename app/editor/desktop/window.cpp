@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "app/editor/window/window.h"
-#include "app/gl/device/library.h"
 #include "app/gl/device/target.h"
 #include "atlas/base/error.h"
 

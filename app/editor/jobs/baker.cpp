@@ -10,7 +10,7 @@
 #include "app/gl/draw/view_scene.h"
 #include "app/pipeline/refinement.h"
 #include "app/recipe/lattice_check.h"
-#include "app/scene/unit_frame.h"
+#include "app/scene/scene.h"
 
 namespace burl {
 

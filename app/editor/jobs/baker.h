@@ -22,7 +22,7 @@ namespace burl {
 struct EditSurface {
     std::uint64_t number = 0;     ///< unique for every layout, from the counter that pictures share
     Scene scene{};                ///< the geometry, without textures (app/gl/draw/view_scene.h)
-    std::vector<Mat4d> frames{};  ///< one per surface of the scene (app/scene/unit_frame.h)
+    std::vector<Mat4d> frames{};  ///< one per surface of the scene (app/scene/scene.h)
     Sphere sphere{};
     Affine3 unit_from_mesh{};  ///< solid_from_mesh of SolidSpace::unit
     std::uint32_t size = 0;    ///< side of the texture at level 0, in texels

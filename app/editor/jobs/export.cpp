@@ -14,7 +14,7 @@
 #include "app/options/animation.h"
 #include "app/recipe/keyed_recipe.h"
 #include "app/recipe/lattice_check.h"
-#include "app/surface/load_pose.h"
+#include "app/surface/sample_meshes.h"
 #include "atlas/base/error.h"
 
 namespace burl {

@@ -19,7 +19,7 @@ struct ExportRequest {
     Recipe recipe{};
     std::string out{};    ///< output file; its extension is its format
     bool levels = false;  ///< whether all MIP levels are written besides the texture
-    std::string pose{};   ///< pose of the mesh (app/surface/load_pose.h); empty: none
+    std::string pose{};   ///< pose of the mesh (app/surface/sample_meshes.h); empty: none
     /// The recipe's file or preset; image names are relative to its folder. Empty: none.
     std::string recipe_path{};
 };

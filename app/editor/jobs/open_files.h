@@ -20,7 +20,7 @@ class EditOpenFiles {
 
     /// Begins to read a mesh or a recipe, by its extension; the open file stays until then.
     void open(const std::string& path);
-    /// Begins to read a pose of the mesh (app/surface/load_pose.h).
+    /// Begins to read a pose of the mesh (app/surface/sample_meshes.h).
     void open_pose(const std::string& pose);
     /// Drops the pose; opening another mesh does that too.
     void close_pose();

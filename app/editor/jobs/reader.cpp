@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "app/export/command_files.h"
-#include "app/surface/load_pose.h"
 #include "app/surface/sample_meshes.h"
 #include "atlas/read/read_mesh.h"
 

@@ -44,7 +44,7 @@ struct FileRead {
 };
 
 /// A request to read a file; the path of a pose may name one of its mesh's own
-/// (app/surface/load_pose.h).
+/// (app/surface/sample_meshes.h).
 struct FileWish {
     FileKind kind = FileKind::mesh;
     std::string path{};

@@ -1,6 +1,6 @@
 #pragma once
 // The editor's camera: an orbit about a movable target.
-#include "app/scene/ray.h"
+#include "app/scene/camera.h"
 
 namespace burl {
 

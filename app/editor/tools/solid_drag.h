@@ -4,7 +4,7 @@
 // to the future. Points are those of solid space before the recipe's transform; results have ten
 // significant digits, so that recipes stay readable.
 #include "app/recipe/recipe.h"
-#include "app/scene/ray.h"
+#include "app/scene/camera.h"
 
 namespace burl {
 

@@ -6,7 +6,7 @@
 #include "app/base/rotation_angles.h"
 #include "app/editor/tools/solid_drag.h"
 #include "app/paint/tool.h"
-#include "app/scene/ray.h"
+#include "app/scene/camera.h"
 #include "procedural/numbers/rotation.h"
 
 namespace burl {

@@ -10,7 +10,7 @@
 #include "app/editor/panels/notices.h"
 #include "app/editor/panels/timeline.h"
 #include "app/editor/window/program.h"
-#include "app/surface/mesh_notes.h"
+#include "app/surface/sample_meshes.h"
 #include "atlas/base/error.h"
 #include "atlas/file/file_extension.h"
 

@@ -7,7 +7,7 @@ namespace burl {
 namespace {
 
 GlTexture upload(const GladGLContext& gl, const Image<Rgb8>& image) {
-    GlTexture texture = make_texture(gl);
+    GlTexture texture(gl);
     gl.BindTexture(GL_TEXTURE_2D, texture.get());
     gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
     const std::vector<Image<Rgb8>> levels = picture_levels(image);

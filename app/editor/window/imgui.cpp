@@ -50,12 +50,10 @@ ScreenRect whole(const ImDrawData& data) {
 }  // namespace
 
 GlImGui::GlImGui(const GladGLContext& gl)
-    : gl_(&gl),
-      program_(gl, "draw/imgui.vert", "draw/imgui.frag"),
-      vertex_array_(make_vertex_array(gl)) {
+    : gl_(&gl), program_(gl, "draw/imgui.vert", "draw/imgui.frag"), vertex_array_(gl) {
     gl.BindVertexArray(vertex_array_.get());
-    vertices_ = make_buffer(gl);
-    indices_ = make_buffer(gl);
+    vertices_ = GlBuffer(gl);
+    indices_ = GlBuffer(gl);
     gl.BindBuffer(GL_ARRAY_BUFFER, vertices_.get());
     gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.get());
     const GLsizei stride = sizeof(ImDrawVert);
@@ -74,7 +72,7 @@ void GlImGui::upload_fonts() {
     unsigned char* texels = nullptr;
     int width = 0, height = 0;
     fonts.GetTexDataAsRGBA32(&texels, &width, &height);
-    fonts_ = make_texture(*gl_);
+    fonts_ = GlTexture(*gl_);
     gl_->BindTexture(GL_TEXTURE_2D, fonts_.get());
     gl_->PixelStorei(GL_UNPACK_ALIGNMENT, 4);
     gl_->TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE,

@@ -61,8 +61,7 @@ GlEditLines::Uploaded GlEditLines::upload(Kind kind) const {
         for (const BorderLine& border : lines_->borders)
             if (moves) add_change(border.change);
     }
-    Uploaded uploaded{make_vertex_array(*gl_), make_buffer(*gl_), make_buffer(*gl_),
-                      GLsizei(ends.size())};
+    Uploaded uploaded{GlVertexArray(*gl_), GlBuffer(*gl_), GlBuffer(*gl_), GLsizei(ends.size())};
     upload(uploaded, uploaded.ends, ends, 0);
     if (moves) upload(uploaded, uploaded.changes, changes, 2);
     check_gl(*gl_, "uploading lines");

@@ -3,7 +3,7 @@
 #include <chrono>
 #include <utility>
 
-#include "app/gl/device/source.h"
+#include "app/gl/device/objects.h"
 #include "app/gl/draw/view_scene.h"
 
 namespace burl {

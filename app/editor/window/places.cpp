@@ -1,6 +1,6 @@
 #include "app/editor/window/places.h"
 
-#include "app/gl/device/source.h"
+#include "app/gl/device/objects.h"
 #include "app/gl/draw/scene.h"
 
 namespace burl {

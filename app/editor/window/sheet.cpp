@@ -6,10 +6,14 @@
 namespace burl {
 
 GlEditSheet::GlEditSheet(const GladGLContext& gl)
-    : gl_(&gl), program_(gl, "maps/full_screen.vert", "draw/sheet.frag"), pass_(gl) {}
+    : gl_(&gl),
+      program_(make_full_screen_program(
+          gl, "the atlas view",
+          ShaderSource().add("color/srgb_encode.glsl").add("draw/sheet.frag"))),
+      pass_(gl) {}
 
 void GlEditSheet::upload(const SheetPicture& picture) {
-    texture_ = make_texture(*gl_);
+    texture_ = GlTexture(*gl_);
     gl_->BindTexture(GL_TEXTURE_2D, texture_.get());
     gl_->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
     for (std::size_t l = 0; l < picture.levels.size(); ++l) {

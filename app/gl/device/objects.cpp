@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "app/gl/device/source.h"
 #include "atlas/base/error.h"
 
 namespace burl {
@@ -47,22 +46,22 @@ std::string in_one_line(const std::string& log) {
 /// A compiled shader, deleted at the end of the scope that links it.
 class Shader {
   public:
-    Shader(const GladGLContext& gl, GLenum kind, const std::string& name, std::string_view source,
-           const GlProgram::Reword& reword)
+    Shader(const GladGLContext& gl, GLenum kind, const std::string& name,
+           const ShaderSource& source)
         : gl_(gl), shader_(gl.CreateShader(kind)) {
-        const char* text = source.data();
-        const auto length = GLint(source.size());
+        const std::string whole = source.text();
+        const char* text = whole.data();
+        const auto length = GLint(whole.size());
         gl_.ShaderSource(shader_, 1, &text, &length);
         gl_.CompileShader(shader_);
         GLint compiled = GL_FALSE;
         gl_.GetShaderiv(shader_, GL_COMPILE_STATUS, &compiled);
         if (compiled == GL_TRUE) return;
-        std::string log = info_log(shader_, gl_.GetShaderiv, gl_.GetShaderInfoLog);
+        const std::string log = info_log(shader_, gl_.GetShaderiv, gl_.GetShaderInfoLog);
         gl_.DeleteShader(shader_);
-        if (reword) log = reword(kind, log);
         throw Error(ExitCode::runtime, fmt::format("the {} shader of {} does not compile: {}",
                                                    kind == GL_VERTEX_SHADER ? "vertex" : "fragment",
-                                                   name, in_one_line(log)));
+                                                   name, in_one_line(source.with_names(log))));
     }
     Shader(const Shader&) = delete;
     Shader& operator=(const Shader&) = delete;
@@ -74,11 +73,11 @@ class Shader {
     GLuint shader_;
 };
 
-template <class Name>
-Name make(const GladGLContext& gl, void (*generate)(GLsizei, GLuint*)) {
-    GLuint name = 0;
-    generate(1, &name);
-    return Name(gl, name);
+template <class Function>
+Function float64_uniform(Function function) {
+    if (function == nullptr)
+        throw Error(ExitCode::unsupported, "this OpenGL has no float64 uniforms (4.0 brings them)");
+    return function;
 }
 
 }  // namespace
@@ -92,30 +91,30 @@ void check_gl(const GladGLContext& gl, std::string_view action) {
                 fmt::format("OpenGL failed while {}: {}", action, error_name(error)));
 }
 
-GlTexture make_texture(const GladGLContext& gl) {
-    return make<GlTexture>(gl, gl.GenTextures);
-}
-GlBuffer make_buffer(const GladGLContext& gl) {
-    return make<GlBuffer>(gl, gl.GenBuffers);
-}
-GlVertexArray make_vertex_array(const GladGLContext& gl) {
-    return make<GlVertexArray>(gl, gl.GenVertexArrays);
+GlProgram::GlProgram(const GladGLContext& gl, const std::string& name, const ShaderSource& vertex,
+                     const ShaderSource& fragment)
+    : gl_(&gl) {
+    const Shader vertices(gl, GL_VERTEX_SHADER, name, vertex);
+    const Shader fragments(gl, GL_FRAGMENT_SHADER, name, fragment);
+    program_ = gl_->CreateProgram();
+    gl_->AttachShader(program_, vertices.get());
+    gl_->AttachShader(program_, fragments.get());
+    gl_->LinkProgram(program_);
+    gl_->DetachShader(program_, vertices.get());
+    gl_->DetachShader(program_, fragments.get());
+    GLint linked = GL_FALSE;
+    gl_->GetProgramiv(program_, GL_LINK_STATUS, &linked);
+    if (linked == GL_TRUE) return;
+    const std::string log = info_log(program_, gl_->GetProgramiv, gl_->GetProgramInfoLog);
+    gl_->DeleteProgram(program_);
+    throw Error(ExitCode::runtime,
+                fmt::format("the shaders of {} do not link: {}", name, in_one_line(log)));
 }
 
 GlProgram::GlProgram(const GladGLContext& gl, std::string_view vertex_shader,
                      std::string_view fragment_shader)
-    : GlProgram(gl) {
-    link(fmt::format("{} + {}", vertex_shader, fragment_shader), embedded_shader(vertex_shader),
-         embedded_shader(fragment_shader), {});
-}
-
-GlProgram GlProgram::from_source(const GladGLContext& gl, const std::string& name,
-                                 std::string_view vertex_source, std::string_view fragment_source,
-                                 const Reword& reword) {
-    GlProgram program(gl);
-    program.link(name, vertex_source, fragment_source, reword);
-    return program;
-}
+    : GlProgram(gl, fmt::format("{} + {}", vertex_shader, fragment_shader),
+                ShaderSource().add(vertex_shader), ShaderSource().add(fragment_shader)) {}
 
 GlProgram::GlProgram(GlProgram&& other) noexcept
     : gl_(other.gl_), program_(std::exchange(other.program_, 0)) {}
@@ -124,39 +123,9 @@ GlProgram::~GlProgram() {
     if (program_ != 0) gl_->DeleteProgram(program_);
 }
 
-void GlProgram::link(const std::string& name, std::string_view vertex_source,
-                     std::string_view fragment_source, const Reword& reword) {
-    const Shader vertex(*gl_, GL_VERTEX_SHADER, name, vertex_source, reword);
-    const Shader fragment(*gl_, GL_FRAGMENT_SHADER, name, fragment_source, reword);
-    program_ = gl_->CreateProgram();
-    gl_->AttachShader(program_, vertex.get());
-    gl_->AttachShader(program_, fragment.get());
-    gl_->LinkProgram(program_);
-    gl_->DetachShader(program_, vertex.get());
-    gl_->DetachShader(program_, fragment.get());
-    GLint linked = GL_FALSE;
-    gl_->GetProgramiv(program_, GL_LINK_STATUS, &linked);
-    if (linked == GL_TRUE) return;
-    throw Error(
-        ExitCode::runtime,
-        fmt::format("the shaders of {} do not link: {}", name,
-                    in_one_line(info_log(program_, gl_->GetProgramiv, gl_->GetProgramInfoLog))));
-}
-
 GLint GlProgram::uniform(const char* name) const {
     return gl_->GetUniformLocation(program_, name);
 }
-
-namespace {
-
-template <class Function>
-Function float64_uniform(Function function) {
-    if (function == nullptr)
-        throw Error(ExitCode::unsupported, "this OpenGL has no float64 uniforms (4.0 brings them)");
-    return function;
-}
-
-}  // namespace
 
 void GlProgram::set(const char* name, double value) const {
     float64_uniform(gl_->Uniform1d)(uniform(name), value);
@@ -174,11 +143,30 @@ void GlProgram::set(const char* name, const Mat4d& m) const {
     float64_uniform(gl_->UniformMatrix4dv)(uniform(name), 1, GL_FALSE, &m[0][0]);
 }
 
+void GlProgram::set_reals(const char* name, std::span<const double> values, bool float64) const {
+    const std::vector<float> floats(values.begin(), values.end());
+    if (float64)
+        gl_->Uniform1dv(uniform(name), GLsizei(values.size()), values.data());
+    else
+        gl_->Uniform1fv(uniform(name), GLsizei(values.size()), floats.data());
+}
+
+void GlProgram::set_reals(const char* name, std::span<const Vec3d> values, bool float64) const {
+    if (values.empty()) return;
+    const std::vector<Vec3f> floats(values.begin(), values.end());
+    if (float64)
+        gl_->Uniform3dv(uniform(name), GLsizei(values.size()), &values[0].x);
+    else
+        gl_->Uniform3fv(uniform(name), GLsizei(values.size()), &floats[0].x);
+}
+
+GlProgram make_full_screen_program(const GladGLContext& gl, const std::string& name,
+                                   const ShaderSource& fragment) {
+    return {gl, name, ShaderSource().add("maps/full_screen.vert"), fragment};
+}
+
 GlFramebuffer::GlFramebuffer(const GladGLContext& gl, int width, int height)
-    : gl_(gl),
-      color_(make<GlRenderbuffer>(gl, gl.GenRenderbuffers)),
-      depth_(make<GlRenderbuffer>(gl, gl.GenRenderbuffers)),
-      framebuffer_(make<GlFramebufferName>(gl, gl.GenFramebuffers)) {
+    : gl_(gl), color_(gl), depth_(gl), framebuffer_(gl) {
     gl_.BindRenderbuffer(GL_RENDERBUFFER, color_.get());
     gl_.RenderbufferStorage(GL_RENDERBUFFER, GL_RGBA32F, width, height);
     gl_.BindRenderbuffer(GL_RENDERBUFFER, depth_.get());

@@ -1,14 +1,17 @@
 #pragma once
-// OpenGL objects that free themselves, and OpenGL errors as burl::Error. An object belongs to one
-// context, which must outlive it and be current wherever the object is created, used or destroyed.
-#include <glad/gl.h>
-
+// OpenGL objects that free themselves, programs from sources of app/base/shader_source.h, and
+// OpenGL errors as burl::Error. An object belongs to one context, which must outlive it and be
+// current wherever the object is created, used or destroyed.
 #include <cstdint>
-#include <functional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
+#include <glad/gl.h>
+
+#include "app/base/shader_source.h"
 #include "app/gl/device/context.h"
 #include "atlas/base/vec.h"
 
@@ -17,12 +20,15 @@ namespace burl {
 /// Throws Error(runtime) naming `action` where OpenGL has recorded an error since the last check.
 void check_gl(const GladGLContext& gl, std::string_view action);
 
-/// An OpenGL object name with the function that deletes it.
-template <PFNGLDELETETEXTURESPROC GladGLContext::*Delete>
+/// The name of an OpenGL object, with the functions that generate and delete such names.
+template <PFNGLGENTEXTURESPROC GladGLContext::*Generate,
+          PFNGLDELETETEXTURESPROC GladGLContext::*Delete>
 class GlName {
   public:
+    /// No object.
     GlName() = default;
-    GlName(const GladGLContext& gl, GLuint name) : gl_(&gl), name_(name) {}
+    /// A new object.
+    explicit GlName(const GladGLContext& gl) : gl_(&gl) { (gl.*Generate)(1, &name_); }
     GlName(GlName&& other) noexcept
         : gl_(std::exchange(other.gl_, nullptr)), name_(std::exchange(other.name_, 0)) {}
     GlName& operator=(GlName&& other) noexcept {
@@ -40,31 +46,25 @@ class GlName {
     GLuint name_ = 0;
 };
 
-using GlTexture = GlName<&GladGLContext::DeleteTextures>;
-using GlBuffer = GlName<&GladGLContext::DeleteBuffers>;
-using GlVertexArray = GlName<&GladGLContext::DeleteVertexArrays>;
-using GlRenderbuffer = GlName<&GladGLContext::DeleteRenderbuffers>;
-using GlFramebufferName = GlName<&GladGLContext::DeleteFramebuffers>;
-
-GlTexture make_texture(const GladGLContext& gl);
-GlBuffer make_buffer(const GladGLContext& gl);
-GlVertexArray make_vertex_array(const GladGLContext& gl);
+using GlTexture = GlName<&GladGLContext::GenTextures, &GladGLContext::DeleteTextures>;
+using GlBuffer = GlName<&GladGLContext::GenBuffers, &GladGLContext::DeleteBuffers>;
+using GlVertexArray = GlName<&GladGLContext::GenVertexArrays, &GladGLContext::DeleteVertexArrays>;
+using GlRenderbuffer =
+    GlName<&GladGLContext::GenRenderbuffers, &GladGLContext::DeleteRenderbuffers>;
+using GlFramebufferName =
+    GlName<&GladGLContext::GenFramebuffers, &GladGLContext::DeleteFramebuffers>;
+using GlQuery = GlName<&GladGLContext::GenQueries, &GladGLContext::DeleteQueries>;
 
 /// A linked program of one vertex and one fragment shader.
 class GlProgram {
   public:
-    /// Compiles and links embedded shaders, named as in embedded_shaders(). Throws Error(runtime)
-    /// with the compiler's log.
+    /// Compiles and links; messages call the program `name`. Throws Error(runtime) with the
+    /// compiler's log, which names parts and their lines.
+    GlProgram(const GladGLContext& gl, const std::string& name, const ShaderSource& vertex,
+              const ShaderSource& fragment);
+    /// Compiles and links two files of shaders/. Throws Error(runtime) with the compiler's log.
     GlProgram(const GladGLContext& gl, std::string_view vertex_shader,
               std::string_view fragment_shader);
-    /// A function that rewords the compiler's log of a shader (GL_VERTEX_SHADER,
-    /// GL_FRAGMENT_SHADER).
-    using Reword = std::function<std::string(GLenum kind, std::string_view log)>;
-    /// Compiles and links source texts; messages call the program `name`. Throws Error(runtime)
-    /// with the compiler's log. Sources made of parts: app/gl/device/source.h.
-    static GlProgram from_source(const GladGLContext& gl, const std::string& name,
-                                 std::string_view vertex_source, std::string_view fragment_source,
-                                 const Reword& reword = {});
     GlProgram(GlProgram&& other) noexcept;
     GlProgram& operator=(GlProgram&&) = delete;
     ~GlProgram();
@@ -109,14 +109,21 @@ class GlProgram {
     /// The location of a uniform; -1, which set() ignores, where the program has none of that name.
     GLint uniform(const char* name) const;
 
-  private:
-    explicit GlProgram(const GladGLContext& gl) : gl_(&gl) {}
-    void link(const std::string& name, std::string_view vertex_source,
-              std::string_view fragment_source, const Reword& reword);
+    /// Sets an array of the shader type `real` or `real3` (shaders/numbers/real.glsl) of the
+    /// program in use: float64 where the shader was compiled with it, else float32. Names that the
+    /// program does not have, and empty arrays, are ignored.
+    void set_reals(const char* name, std::span<const double> values, bool float64) const;
+    void set_reals(const char* name, std::span<const Vec3d> values, bool float64) const;
 
+  private:
     const GladGLContext* gl_;
     GLuint program_ = 0;
 };
+
+/// Compiles and links a fragment shader with full_screen.vert, for GlFullScreen
+/// (app/gl/device/target.h). Throws Error as GlProgram does.
+GlProgram make_full_screen_program(const GladGLContext& gl, const std::string& name,
+                                   const ShaderSource& fragment);
 
 /// An off-screen framebuffer: linear RGBA float32 colour and 32-bit float depth.
 class GlFramebuffer {

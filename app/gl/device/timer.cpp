@@ -4,12 +4,6 @@ namespace burl {
 
 namespace {
 
-GLuint make_query(const GladGLContext& gl) {
-    GLuint query = 0;
-    gl.GenQueries(1, &query);
-    return query;
-}
-
 /// Whether time stamps have a clock; a query without one has zero bits.
 bool has_clock(const GladGLContext& gl) {
     GLint bits = 0;
@@ -26,7 +20,7 @@ GLuint64 nanoseconds(const GladGLContext& gl, GLuint query) {
 }  // namespace
 
 GlTimer::GlTimer(const GladGLContext& gl)
-    : gl_(gl), first_(gl, make_query(gl)), last_(gl, make_query(gl)), has_clock_(has_clock(gl)) {}
+    : gl_(gl), first_(gl), last_(gl), has_clock_(has_clock(gl)) {}
 
 void GlTimer::start() {
     gl_.Finish();

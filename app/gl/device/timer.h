@@ -28,7 +28,7 @@ class GlTimer {
 
   private:
     const GladGLContext& gl_;
-    GlName<&GladGLContext::DeleteQueries> first_, last_;
+    GlQuery first_, last_;
     bool has_clock_ = false;
     std::chrono::steady_clock::time_point begin_{};
 };

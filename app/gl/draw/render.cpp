@@ -4,8 +4,6 @@
 
 #include <algorithm>
 
-#include "app/gl/device/objects.h"
-
 namespace burl {
 
 namespace {

@@ -6,12 +6,20 @@
 
 #include "app/gl/draw/view_texels.h"
 #include "app/scene/shading.h"
-#include "app/scene/unit_frame.h"
 #include "atlas/base/error.h"
 
 namespace burl {
 
 namespace {
+
+const char* word(bool value) {
+    return value ? "true" : "false";
+}
+
+/// A program of mesh.vert and a fragment shader.
+GlProgram scene_program(const GladGLContext& gl, ShaderSource fragment) {
+    return {gl, "the scene", ShaderSource().add("draw/mesh.vert"), fragment};
+}
 
 GLint wrap_mode(TextureWrap wrap) {
     switch (wrap) {
@@ -60,7 +68,7 @@ GlTexture upload(const GladGLContext& gl, const SceneTexture& texture, TextureFi
                                 "({}); bake it at --size {} or less",
                                 image.width(), image.height(), limit, limit));
     }
-    GlTexture result = make_texture(gl);
+    GlTexture result(gl);
     gl.BindTexture(GL_TEXTURE_2D, result.get());
     gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
     upload_level(gl, 0, image, texture.is_color);
@@ -72,6 +80,35 @@ GlTexture upload(const GladGLContext& gl, const SceneTexture& texture, TextureFi
 }
 
 }  // namespace
+
+const GlProgram& GlScenePrograms::use(const Look& look) {
+    auto found = looks_.find(look);
+    if (found == looks_.end()) {
+        ShaderSource source;
+        source.define("ENCODED", word(look.encoded)).define("LIT", word(look.lit));
+        source.define("BUMPED", word(look.bumped)).define("LEVELS", word(look.levels));
+        source.define("IN_BLOCKS", word(look.in_blocks)).define("PLACES", word(look.places));
+        source.add("maps/footprint.glsl")
+            .add("maps/level_size.glsl")
+            .add("color/srgb_encode.glsl")
+            .add("draw/mesh.frag");
+        found = looks_.emplace(look, scene_program(gl_, source)).first;
+    }
+    const GlProgram& program = found->second;
+    program.use();
+    program.set("ambient", float(ambient));
+    program.set("base_color", 0);
+    program.set("normal_map", 1);
+    return program;
+}
+
+const GlProgram& GlScenePrograms::use_lookups() {
+    if (!lookups_)
+        lookups_.emplace(scene_program(
+            gl_, ShaderSource().add("maps/footprint.glsl").add("draw/mesh_lookups.frag")));
+    lookups_->use();
+    return *lookups_;
+}
 
 GlScene::GlScene(const GladGLContext& gl, const Scene& scene, std::optional<TextureFilter> filter)
     : gl_(gl), programs_(std::make_shared<GlScenePrograms>(gl)) {

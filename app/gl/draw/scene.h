@@ -1,17 +1,39 @@
 #pragma once
 // A scene uploaded to OpenGL and drawn in tiles: its colours, or the texture coordinates that it
 // looks up (the feedback pass of virtual texturing: Barrett, "Sparse Virtual Textures", 2008).
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
-#include "app/gl/device/objects.h"
-#include "app/gl/draw/scene_programs.h"
 #include "app/gl/draw/surface.h"
 #include "app/scene/scene.h"
 
 namespace burl {
+
+/// The shader programs that draw scenes, compiled at their first use and shared by all scenes of a
+/// context.
+class GlScenePrograms {
+  public:
+    explicit GlScenePrograms(const GladGLContext& gl) : gl_(gl) {}
+
+    /// The properties that a program is compiled for.
+    struct Look {
+        bool encoded = false, lit = false, bumped = false, levels = false, in_blocks = false,
+             places = false;
+        auto operator<=>(const Look&) const = default;
+    };
+    /// Makes the program of these properties current; compiles it at its first use.
+    const GlProgram& use(const Look& look);
+    /// Makes the program current that draws lookups (app/gl/draw/view_texels.h).
+    const GlProgram& use_lookups();
+
+  private:
+    const GladGLContext& gl_;
+    std::optional<GlProgram> lookups_;
+    std::map<Look, GlProgram> looks_;
+};
 
 /// Textures and surfaces of a scene. The context must be current wherever an object is created,
 /// used or destroyed.
@@ -22,7 +44,7 @@ class GlScene {
     GlScene(const GladGLContext& gl, const Scene& scene,
             std::optional<TextureFilter> filter = std::nullopt);
     /// Uploads the textures, and leaves the surfaces to upload(). `programs` may be shared with
-    /// other scenes; `frames` holds the surfaces' unit_frame (app/scene/unit_frame.h).
+    /// other scenes; `frames` holds the surfaces' unit_frame (app/scene/scene.h).
     GlScene(const GladGLContext& gl, const Scene& scene, std::shared_ptr<GlScenePrograms> programs,
             std::span<const Mat4d> frames);
 

@@ -59,7 +59,7 @@ TileView::TileView(const Camera& camera, const PictureSize& samples, const Sampl
 }
 
 GlSurface::GlSurface(const GladGLContext& gl, const Surface& surface, const Mat4d& frame)
-    : vertex_array_(make_vertex_array(gl)),
+    : vertex_array_(gl),
       local_from_unit_(frame),
       material_(surface.material),
       target_share_(surface.target_share),
@@ -80,7 +80,7 @@ GlSurface::GlSurface(const GladGLContext& gl, const Surface& surface, const Mat4
 /// (set_constants). Buffers are created one at a time, since a software OpenGL clears them.
 void GlSurface::make_room(const GladGLContext& gl, Stream stream) {
     Buffer& buffer = streams_[std::size_t(stream)];
-    buffer.buffer = make_buffer(gl);
+    buffer.buffer = GlBuffer(gl);
     const GLenum target = stream == Stream::index ? GL_ELEMENT_ARRAY_BUFFER : GL_ARRAY_BUFFER;
     gl.BindVertexArray(vertex_array_.get());
     gl.BindBuffer(target, buffer.buffer.get());
@@ -163,7 +163,7 @@ void GlSurface::set_constants(const GladGLContext& gl) const {
 void GlSurface::upload_target(const GladGLContext& gl, const SurfaceTarget& target) {
     const std::vector<Change> changes = pack_changes(target, local_from_unit_[0][0]);
     gl.BindVertexArray(vertex_array_.get());
-    changes_ = make_buffer(gl);
+    changes_ = GlBuffer(gl);
     gl.BindBuffer(GL_ARRAY_BUFFER, changes_->get());
     gl.BufferData(GL_ARRAY_BUFFER, GLsizeiptr(changes.size() * sizeof(Change)), changes.data(),
                   GL_STATIC_DRAW);

@@ -30,7 +30,7 @@ struct TileView {
 class GlSurface {
   public:
     /// Creates a surface without buffers, which upload() creates and fills. `frame` is its
-    /// unit_frame (app/scene/unit_frame.h).
+    /// unit_frame (app/scene/scene.h).
     GlSurface(const GladGLContext& gl, const Surface& surface, const Mat4d& frame);
 
     /// Uploads the next piece, of about `bytes`, of the surface it was created for. Returns whether

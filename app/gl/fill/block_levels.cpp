@@ -107,16 +107,15 @@ void GlBlockLevels::halve(Stage& stage, std::uint32_t level) const {
     program.set("first", int(stage.first));
     program.set("gutters_count", int(level <= pure_));
     program.set("taps", glm::ivec2(taps_of(stage.size.x), taps_of(stage.size.y)));
-    const char* const samplers[] = {"before", "surface_before", "columns", "rows"};
-    for (int unit = 0; unit < 4; ++unit) program.set(samplers[unit], unit);
-    bind_texture(gl, 0, stage.drawn ? stage.drawn->texture(0) : stage.means);
-    bind_texture(gl, 1, stage.drawn ? stage.drawn->texture(1) : stage.surface);
+    bind_texture(gl, program, "before", 0, stage.drawn ? stage.drawn->texture(0) : stage.means);
+    bind_texture(gl, program, "surface_before", 1,
+                 stage.drawn ? stage.drawn->texture(1) : stage.surface);
     std::optional<GlBufferTexture> columns, rows;
     if (!even) {
         columns = weights_of(gl, stage.size.x, float64_);
         rows = weights_of(gl, stage.size.y, float64_);
-        columns->bind(2);
-        rows->bind(3);
+        columns->bind(program, "columns", 2);
+        rows->bind(program, "rows", 3);
     }
     pass_.draw();
     check_gl(gl, fmt::format("drawing MIP level {}", level));

@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "app/gl/device/source.h"
 #include "app/gl/device/target.h"
 #include "atlas/build/block_levels.h"
 

@@ -1,9 +1,10 @@
 #include "app/gl/fill/graph.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "app/base/stopwatch.h"
-#include "app/gl/device/source.h"
+#include "app/gl/device/objects.h"
 #include "procedural/glsl/functions.h"
 
 namespace burl {
@@ -24,19 +25,38 @@ GlBufferTexture table_of(const GladGLContext& gl, const GlslTable& table, GlslRe
     return {gl, GL_RG32UI, std::as_bytes(std::span(table.numbers))};
 }
 
+/// The fragment shader of a graph's text.
+template <class Pixel>
+ShaderSource shader_of(const GlslTexture& texture, FilterKind kind, bool float64,
+                       GlColorTables& colors) {
+    ShaderSource source;
+    source.define_real(float64);
+    const std::span parts(texture.parts);
+    add_parts(source, parts.first(1));  // numbers/real.glsl
+    source.add("tables",
+               glsl_buffer_tables(texture.tables, float64 ? GlslReal::float64 : GlslReal::float32));
+    add_parts(source, parts.subspan(1));
+    source.add("numbers/real_bits.glsl");
+    const char* color = "texture_color(solid_point(texel))";
+    if (kind == FilterKind::none) {
+        source.add("maps/point_texel.glsl");
+    } else if (kind == FilterKind::supersample) {
+        source.add("maps/texel_line.glsl").add("maps/supersample.glsl").add("graph/samples.glsl");
+        color = "mean_color(texel)";
+    } else {
+        source.add("maps/texel_line.glsl").add("graph/footprint.glsl");
+        color = "footprint_color(texel)";
+    }
+    add_color_output<Pixel>(colors, source, color);
+    return source;
+}
+
 }  // namespace
 
-GlGraphSynthesis::GlGraphSynthesis(GlContext& context, const GlSynthesisLimits& limits)
-    : context_(&context),
-      gl_(&context.gl()),
-      limits_(limits),
-      float64_(limits.float64 && has_float64(*gl_)),
-      full_screen_(*gl_),
-      timer_(*gl_),
-      colors_(*gl_),
-      reals_(*gl_, float64_) {}
+GlGraphPass::GlGraphPass(const GladGLContext& gl, bool float64, std::size_t budget)
+    : gl_(&gl), float64_(float64), colors_(gl), points_(gl, budget), lines_(gl, budget) {}
 
-std::string GlGraphSynthesis::problem(const TextureGraph& graph, const Filter& filter) const {
+std::string GlGraphPass::problem(const TextureGraph& graph, const Filter& filter) const {
     std::string why =
         nodes_filter(filter.kind) ? no_filtered_shader(graph, filter) : no_graph_shader(graph);
     if (!why.empty()) return why;
@@ -52,37 +72,8 @@ std::string GlGraphSynthesis::problem(const TextureGraph& graph, const Filter& f
         units - first_image);
 }
 
-template <class Pixel>
-const GlProgram& GlGraphSynthesis::program(const GlslTexture& texture, FilterKind kind) {
-    constexpr std::size_t most_programs = 64;
-    ShaderSource source;
-    source.define_real(float64_);
-    const std::span parts(texture.parts);
-    add_parts(source, parts.first(1));  // numbers/real.glsl
-    source.add("tables", glsl_buffer_tables(texture.tables, real()));
-    add_parts(source, parts.subspan(1));
-    source.add("numbers/real_bits.glsl");
-    const char* color = "texture_color(solid_point(texel))";
-    if (kind == FilterKind::none) {
-        source.add("maps/point_texel.glsl");
-    } else if (kind == FilterKind::supersample) {
-        source.add("maps/texel_line.glsl").add("maps/supersample.glsl").add("graph/samples.glsl");
-        color = "mean_color(texel)";
-    } else {
-        source.add("maps/texel_line.glsl").add("graph/footprint.glsl");
-        color = "footprint_color(texel)";
-    }
-    add_color_output<Pixel>(colors_, source, color);
-    std::string text = source.text();
-    if (const auto found = programs_.find(text); found != programs_.end()) return found->second;
-    if (programs_.size() == most_programs) programs_.clear();
-    GlProgram made =
-        timed(work_.compile, [&] { return make_full_screen_program(*gl_, "a graph", source); });
-    return programs_.emplace(std::move(text), std::move(made)).first->second;
-}
-
 /// The texture of an image with all its MIP levels, uploaded at its first use.
-const GlTexture& GlGraphSynthesis::image_texture(const std::shared_ptr<const MipImage>& pixels) {
+const GlTexture& GlGraphPass::image_texture(const std::shared_ptr<const MipImage>& pixels) {
     for (const KeptImage& kept : images_)
         if (kept.pixels == pixels) return kept.texture;
     const std::vector<Image<RgbF>>& levels = pixels->levels();
@@ -105,134 +96,74 @@ const GlTexture& GlGraphSynthesis::image_texture(const std::shared_ptr<const Mip
 }
 
 template <class Pixel>
-void GlGraphSynthesis::bind_inputs(const GlProgram& program, const GlslTexture& texture,
-                                   std::span<const GlBufferTexture> tables) {
-    if constexpr (std::is_same_v<Pixel, Rgb8>) {
-        if (!codes8_) codes8_.emplace(srgb8_table(*gl_));
-        codes8_->bind(first_table);
-        program.set("srgb8_buckets", first_table);
-    }
-    if constexpr (std::is_same_v<Pixel, Rgb16>) colors_.bind_srgb16(program, first_table);
-    for (std::size_t i = 0; i < texture.images.size(); ++i) {
-        const int unit = first_image + int(i);
-        bind_texture(*gl_, unit, image_texture(texture.images[i].pixels));
-        program.set(texture.images[i].uniform.c_str(), unit);
-    }
-    for (std::size_t i = 0; i < tables.size(); ++i) {
-        const int unit = first_image + int(texture.images.size() + i);
-        tables[i].bind(unit);
-        program.set(texture.tables[i].name.c_str(), unit);
-    }
-}
-
-void GlGraphSynthesis::forget_atlas() {
-    points_.clear();
-    lines_.reset();
-    mapper_.reset();
-    solid_ = nullptr;
-}
-
-void GlGraphSynthesis::set_atlas(const SolidAtlas& solid, const Affine3& texture_from_atlas,
-                                 int threads) {
-    if (solid_ != &solid) {
-        forget_atlas();
-        mapper_.emplace(*gl_, solid, solid.maps, threads);
-        solid_ = &solid;
-    } else if (texture_from_atlas != texture_from_atlas_) {
-        points_.clear();
-    }
+ShaderSource GlGraphPass::set(const SolidAtlas& solid, const TextureGraph& graph,
+                              const Affine3& texture_from_atlas, int threads,
+                              const Filter& filter) {
+    if (solid_ != &solid) forget_atlas();
+    solid_ = &solid;
     texture_from_atlas_ = texture_from_atlas;
+    threads_ = threads;
+    filter_ = filter;
+    points_.set_atlas(solid, std::nullopt, threads);
+    texture_ = nodes_filter(filter.kind) ? glsl_filtered_graph(graph, filter, real())
+                                         : glsl_graph(graph, real());
+    for (const GlslImage& image : texture_.images) image_texture(image.pixels);
+    tables_.clear();
+    for (const GlslTable& table : texture_.tables) tables_.push_back(table_of(*gl_, table, real()));
+    if constexpr (std::is_same_v<Pixel, Rgb8>)
+        if (!codes8_) codes8_.emplace(srgb8_table(*gl_));
+    return shader_of<Pixel>(texture_, filter.kind, float64_, colors_);
 }
 
-const GlPointMap& GlGraphSynthesis::points(const GlTile& tile) {
-    std::size_t bytes = 0;
-    for (const KeptPoints& kept : points_) {
-        if (kept.tile == tile) return kept.points;
-        bytes += 2 * sizeof(MapTexel) * kept.tile.texels();
-    }
-    if (!points_.empty() && bytes >= limits_.map_budget) points_.pop_back();
-    ++work_.maps;
-    points_.push_back({tile, timed(work_.map, [&] {
-                           return mapper_->make_points(texture_from_atlas_, false, tile);
-                       })});
-    return points_.back().points;
-}
-
-/// Sets the tile of the spans that samples beside the texels' centres, and footprints, are computed
-/// from.
-void GlGraphSynthesis::set_lines(const GlTile& tile, int threads) {
-    timed(work_.map, [&] {
-        if (!lines_) {
-            lines_.emplace(*gl_, limits_.map_budget);
-            lines_->set_atlas(*solid_, solid_->maps, threads);
-        }
-        lines_->set_tile(tile);
-    });
-}
-
-void GlGraphSynthesis::bind_points(const GlProgram& program, const GlPointMap& map) const {
-    program.set("point_xy", 0);
-    program.set("point_z_owner", 1);
-    bind_texture(*gl_, 0, map.xy());
-    bind_texture(*gl_, 1, map.z_owner());
-}
-
-void GlGraphSynthesis::bind_lines(const GlProgram& program, const Filter& filter) const {
-    lines_->bind(program, 0);
-    const auto& [linear, offset] = texture_from_atlas_;
-    reals_.set(program, "texture_from_atlas", std::array{linear[0], linear[1], linear[2], offset});
-    if (filter.kind == FilterKind::supersample)
-        bind_pattern(program, SamplePattern(filter.samples));
+std::shared_ptr<const GlPointMap> GlGraphPass::set_tile(const GlTile& tile) {
+    if (filter_.kind == FilterKind::none) return points_.points(texture_from_atlas_, false, tile);
+    if (!std::exchange(lines_known_, true)) lines_.set_atlas(*solid_, solid_->maps, threads_);
+    lines_.set_tile(tile);
+    return nullptr;
 }
 
 template <class Pixel>
-void GlGraphSynthesis::synthesize(const SolidAtlas& solid, const TextureGraph& graph,
-                                  const Affine3& texture_from_atlas, int threads,
-                                  Image<Pixel>& image, const Filter& filter) {
-    context_->make_current();
-    if (const std::string why = problem(graph, filter); !why.empty())
-        throw Error(ExitCode::unsupported, why);
-    work_ = {};
-    if (image.width() != solid.size || image.height() != solid.size)
-        image = Image<Pixel>::unset(solid.size, solid.size);
-    const bool points_only = filter.kind == FilterKind::none;
-    const GlslTexture texture = nodes_filter(filter.kind)
-                                    ? glsl_filtered_graph(graph, filter, real())
-                                    : glsl_graph(graph, real());
-    const GlProgram& program = this->program<Pixel>(texture, filter.kind);
-    set_atlas(solid, texture_from_atlas, threads);
-    // Textures are created before any is bound, since creating one changes the bindings of a unit.
-    for (const GlslImage& one : texture.images) image_texture(one.pixels);
-    std::vector<GlBufferTexture> tables;
-    for (const GlslTable& table : texture.tables) tables.push_back(table_of(*gl_, table, real()));
-    for_tiles({int(solid.size), int(solid.size)}, limits_.tile, [&](const GlTile& tile) {
-        // Bindings come last, since creating a texture changes them.
-        const GlPointMap* map = points_only ? &points(tile) : nullptr;
-        if (!map) set_lines(tile, threads);
-        const GlTarget target(*gl_, tile.size, {GlOutput<Pixel>::internal});
-        program.use();
-        bind_inputs<Pixel>(program, texture, tables);
-        if (map)
-            bind_points(program, *map);
-        else
-            bind_lines(program, filter);
-        target.bind();
-        timer_.start();
-        full_screen_.draw();
-        const GlSeconds drawn = timer_.stop();
-        work_.draw += drawn.wall;
-        work_.gpu += drawn.gpu;
-        ++work_.passes;
-        timed(work_.transfer, [&] { read_back_.read(target, tile, threads, image); });
-    });
-    images_.clear();
+void GlGraphPass::bind(const GlProgram& program, const GlPointMap* points) {
+    if constexpr (std::is_same_v<Pixel, Rgb8>) codes8_->bind(program, "srgb8_buckets", first_table);
+    if constexpr (std::is_same_v<Pixel, Rgb16>) colors_.bind_srgb16(program, first_table);
+    int unit = first_image;
+    for (const GlslImage& image : texture_.images)
+        bind_texture(*gl_, program, image.uniform.c_str(), unit++, image_texture(image.pixels));
+    for (std::size_t i = 0; i < tables_.size(); ++i)
+        tables_[i].bind(program, texture_.tables[i].name.c_str(), unit++);
+    if (points != nullptr) {
+        bind_texture(*gl_, program, "point_xy", 0, points->xy());
+        bind_texture(*gl_, program, "point_z_owner", 1, points->z_owner());
+        return;
+    }
+    lines_.bind(program, 0);
+    const auto& [linear, offset] = texture_from_atlas_;
+    program.set_reals("texture_from_atlas", std::array{linear[0], linear[1], linear[2], offset},
+                      float64_);
+    if (filter_.kind == FilterKind::supersample)
+        bind_pattern(program, SamplePattern(filter_.samples));
 }
 
-template void GlGraphSynthesis::synthesize(const SolidAtlas&, const TextureGraph&, const Affine3&,
-                                           int, Image<Rgb8>&, const Filter&);
-template void GlGraphSynthesis::synthesize(const SolidAtlas&, const TextureGraph&, const Affine3&,
-                                           int, Image<Rgb16>&, const Filter&);
-template void GlGraphSynthesis::synthesize(const SolidAtlas&, const TextureGraph&, const Affine3&,
-                                           int, Image<RgbF>&, const Filter&);
+void GlGraphPass::finish() {
+    images_.clear();
+    tables_.clear();
+    points_.drop_unused();
+}
+
+void GlGraphPass::forget_atlas() {
+    points_.forget_atlas();
+    lines_known_ = false;
+    solid_ = nullptr;
+}
+
+template ShaderSource GlGraphPass::set<Rgb8>(const SolidAtlas&, const TextureGraph&, const Affine3&,
+                                             int, const Filter&);
+template void GlGraphPass::bind<Rgb8>(const GlProgram&, const GlPointMap*);
+template ShaderSource GlGraphPass::set<Rgb16>(const SolidAtlas&, const TextureGraph&,
+                                              const Affine3&, int, const Filter&);
+template void GlGraphPass::bind<Rgb16>(const GlProgram&, const GlPointMap*);
+template ShaderSource GlGraphPass::set<RgbF>(const SolidAtlas&, const TextureGraph&, const Affine3&,
+                                             int, const Filter&);
+template void GlGraphPass::bind<RgbF>(const GlProgram&, const GlPointMap*);
 
 }  // namespace burl

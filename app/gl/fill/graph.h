@@ -1,84 +1,69 @@
 #pragma once
-// Synthesis of a texture graph into an atlas in one pass on OpenGL. Solid points come from a point
-// map; a shader generated from the graph (procedural/glsl/graph.h) evaluates and encodes each
-// texel's colour: at its centre, as the mean over the texel by the nodes' own filters, or as the
-// weighted mean of several samples. Where OpenGL has float64 and IEEE 754 rounding, the bytes are
-// those of synthesize_graph in float32.
-#include <list>
-#include <map>
+// Texture graphs on OpenGL: a shader generated from the graph (procedural/glsl/graph.h) evaluates
+// each texel's colour at its centre, as the mean over the texel by the nodes' own filters, or as
+// the weighted mean of several samples. Solid points come from a point map, or from the texels'
+// spans.
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "app/gl/fill/synthesize.h"
-#include "app/gl/fill/texel_lines.h"
+#include "app/gl/fill/lattice_map.h"
+#include "app/gl/fill/output.h"
 #include "procedural/glsl/graph.h"
 
 namespace burl {
 
-/// The synthesis of graphs in one context, which must outlive it. Programs and point maps are kept
-/// between calls.
-class GlGraphSynthesis {
+/// The shaders of graphs and what they read.
+class GlGraphPass {
   public:
-    explicit GlGraphSynthesis(GlContext& context, const GlSynthesisLimits& limits = {});
+    /// `budget` limits, in bytes, the point maps and, once more, the spans that are kept between
+    /// calls. Without `float64` numbers are float32.
+    GlGraphPass(const GladGLContext& gl, bool float64, std::size_t budget);
 
     /// The reason why a graph cannot be evaluated with a filter; empty where it can.
-    std::string problem(const TextureGraph& graph, const Filter& filter = {}) const;
+    std::string problem(const TextureGraph& graph, const Filter& filter) const;
 
-    /// Synthesises the texture as synthesize_graph does; an image of the atlas's size is
-    /// overwritten. 0 threads means all. Throws Error: unsupported where problem() gives a reason,
-    /// runtime when memory runs out.
+    /// Sets the atlas, the graph and the filter of the following calls, makes the textures that the
+    /// graph reads, and returns its fragment shader. 0 threads means all.
     template <class Pixel>
-    void synthesize(const SolidAtlas& solid, const TextureGraph& graph,
-                    const Affine3& texture_from_atlas, int threads, Image<Pixel>& image,
-                    const Filter& filter = {});
-    /// Drops everything about the atlas of earlier calls; must be called before it changes or is
-    /// destroyed.
+    ShaderSource set(const SolidAtlas& solid, const TextureGraph& graph,
+                     const Affine3& texture_from_atlas, int threads, const Filter& filter);
+    /// Sets the tile of the next draw: makes its point map or its spans where they are not kept.
+    /// Returns the point map; null where the filter reads spans.
+    std::shared_ptr<const GlPointMap> set_tile(const GlTile& tile);
+    /// Binds the textures and sets the uniforms of a program in use.
+    template <class Pixel>
+    void bind(const GlProgram& program, const GlPointMap* points);
+    /// Drops the graph's textures, and point maps that it did not use.
+    void finish();
+    /// Drops everything about the atlas; must be called before it changes or is destroyed.
     void forget_atlas();
-
-    const GlWork& work() const { return work_; }
+    /// The number of point maps made so far, rather than kept.
+    int made() const { return points_.made(); }
 
   private:
     struct KeptImage {
         std::shared_ptr<const MipImage> pixels;
         GlTexture texture;
     };
-    struct KeptPoints {
-        GlTile tile;
-        GlPointMap points;
-    };
-    template <class Pixel>
-    const GlProgram& program(const GlslTexture& texture, FilterKind kind);
-    template <class Pixel>
-    void bind_inputs(const GlProgram& program, const GlslTexture& texture,
-                     std::span<const GlBufferTexture> tables);
     GlslReal real() const { return float64_ ? GlslReal::float64 : GlslReal::float32; }
-    void bind_points(const GlProgram& program, const GlPointMap& map) const;
-    void set_lines(const GlTile& tile, int threads);
-    void bind_lines(const GlProgram& program, const Filter& filter) const;
     const GlTexture& image_texture(const std::shared_ptr<const MipImage>& pixels);
-    void set_atlas(const SolidAtlas& solid, const Affine3& texture_from_atlas, int threads);
-    const GlPointMap& points(const GlTile& tile);
 
-    GlContext* context_;
     const GladGLContext* gl_;
-    GlSynthesisLimits limits_;
     bool float64_;
-    GlFullScreen full_screen_;
-    GlTimer timer_;
-    std::map<std::string, GlProgram> programs_;  ///< keyed by the text of the fragment shader
     std::optional<GlBufferTexture> codes8_;
     GlColorTables colors_;  ///< the tables of 16-bit codes
+    GlslTexture texture_;
+    Filter filter_;
     std::vector<KeptImage> images_;
+    std::vector<GlBufferTexture> tables_;  ///< those of texture_
     const SolidAtlas* solid_ = nullptr;
     Affine3 texture_from_atlas_;
-    std::optional<GlLatticeMapper> mapper_;
-    std::list<KeptPoints> points_;       ///< up to the limit of bytes, and one more
-    std::optional<GlTexelLines> lines_;  ///< the atlas's spans, once a filter needs them
-    GlRealUniforms reals_;
-    GlReadBack read_back_;
-    GlWork work_;
+    int threads_ = 0;
+    GlMapCache points_;
+    GlTexelLines lines_;
+    bool lines_known_ = false;  ///< whether lines_ holds the atlas
 };
 
 }  // namespace burl

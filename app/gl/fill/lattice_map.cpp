@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "app/gl/fill/map_upload.h"
 #include "procedural/fill/pieces.h"
 #include "procedural/maps/lattice_map.h"
 #include "procedural/maps/point_map.h"
@@ -26,6 +25,46 @@ void set_quadric(const GlProgram& program, const Quadric& q) {
     program.set("quadric_constant", q.j + 0.0);  // no negative zero, as on the host
 }
 
+/// Sets the map of points of a program with line.vert, which is in use. With `in_lattice`, spans
+/// that reach lattice_limit on an axis are at 0 on that axis.
+void set_line(const GlProgram& program, const Affine3& map, bool in_lattice) {
+    program.set("line_linear", map.linear);
+    program.set("line_offset", map.offset);
+    program.set("line_limit", in_lattice ? lattice_limit : 0.0);
+}
+
+/// The number of texels of a strip: 2 MiB of a lattice map.
+constexpr int strip_texels = 1 << 16;
+
+/// Calls visit(strip, its first row in the tile) for strips of whole rows that cover the tile. The
+/// host fills maps in strips: each is uploaded while it lies in the processor's cache, and the host
+/// never holds a whole map.
+template <class Visit>
+void for_strips(const GlTile& tile, Visit visit) {
+    const int rows = std::max(1, strip_texels / std::max(1, tile.size.x));
+    for (int y = 0; y < tile.size.y; y += rows)
+        visit(GlTile{{tile.origin.x, tile.origin.y + y},
+                     {tile.size.x, std::min(rows, tile.size.y - y)}},
+              y);
+}
+
+/// Uploads rows, from `first_row` on, of a target's texture with the image's width and type.
+template <class Texel>
+void upload(const GladGLContext& gl, const GlTarget& target, std::size_t number, int first_row,
+            const Image<Texel>& texels) {
+    const GlFormat& format = target.format(number);
+    gl.BindTexture(GL_TEXTURE_2D, target.texture(number).get());
+    gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, first_row, GLsizei(texels.width()),
+                     GLsizei(texels.height()), format.layout, format.type, texels.pixels().data());
+    check_gl(gl, "uploading a map of an atlas");
+}
+
+/// The bytes of a map of the tile.
+std::size_t map_bytes(const GlTile& tile) {
+    return 2 * sizeof(MapTexel) * tile.texels();
+}
+
 }  // namespace
 
 /// The spans and the programs that draw the maps.
@@ -33,11 +72,6 @@ struct GlLatticeMapper::Drawing {
     GlSpans spans;
     GlProgram streams, points;
 };
-
-GlLatticeMapper::GlLatticeMapper(const GladGLContext& gl, const SolidAtlas& solid,
-                                 const Affine3& texture_from_atlas, int threads, MapFill fill)
-    : GlLatticeMapper(gl, solid, moved_maps(solid.maps, texture_from_atlas, threads), threads,
-                      fill) {}
 
 GlLatticeMapper::GlLatticeMapper(const GladGLContext& gl, const SolidAtlas& solid,
                                  std::vector<TexelMap> maps, int threads, MapFill fill)
@@ -104,6 +138,70 @@ GlPointMap GlLatticeMapper::make_points(const Affine3& map, bool in_lattice,
         });
     }
     return GlPointMap(std::move(target));
+}
+
+void GlMapCache::set_atlas(const SolidAtlas& solid,
+                           const std::optional<Affine3>& texture_from_atlas, int threads) {
+    if (mapper_ && solid_ == &solid && texture_from_atlas_ == texture_from_atlas) return;
+    forget_atlas();
+    mapper_.emplace(
+        *gl_, solid,
+        texture_from_atlas ? moved_maps(solid.maps, *texture_from_atlas, threads) : solid.maps,
+        threads);
+    solid_ = &solid;
+    texture_from_atlas_ = texture_from_atlas;
+}
+
+void GlMapCache::forget_atlas() {
+    lattices_.clear();
+    points_.clear();
+    bytes_ = 0;
+    mapper_.reset();
+    solid_ = nullptr;
+}
+
+template <class Key, class Map, class Make>
+std::shared_ptr<const Map> GlMapCache::found(std::vector<Kept<Key, Map>>& kept, const Key& key,
+                                             const GlTile& tile, const Make& make) {
+    for (auto& one : kept)
+        if (one.key == key && one.tile == tile) {
+            one.used = true;
+            return one.map;
+        }
+    ++made_;
+    auto map = std::make_shared<const Map>(make());
+    if (bytes_ + map_bytes(tile) <= budget_) {
+        bytes_ += map_bytes(tile);
+        kept.push_back({key, tile, map});
+    }
+    return map;
+}
+
+std::shared_ptr<const GlLatticeMap> GlMapCache::map(const std::optional<LatticeStreamKey>& stream,
+                                                    const std::optional<Quadric>& quadric,
+                                                    const GlTile& tile) {
+    return found(lattices_, LatticeKey{stream, quadric}, tile,
+                 [&] { return mapper_->make(stream, quadric, tile); });
+}
+
+std::shared_ptr<const GlPointMap> GlMapCache::points(const Affine3& map, bool in_lattice,
+                                                     const GlTile& tile) {
+    return found(points_, PointKey{map, in_lattice}, tile,
+                 [&] { return mapper_->make_points(map, in_lattice, tile); });
+}
+
+template <class Maps>
+void GlMapCache::drop_unused(Maps& maps) {
+    std::erase_if(maps, [&](const auto& kept) {
+        if (!kept.used) bytes_ -= map_bytes(kept.tile);
+        return !kept.used;
+    });
+    for (auto& kept : maps) kept.used = false;
+}
+
+void GlMapCache::drop_unused() {
+    drop_unused(lattices_);
+    drop_unused(points_);
 }
 
 }  // namespace burl

@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "app/gl/fill/color_tables.h"
-#include "app/gl/fill/map_upload.h"
+#include "app/gl/fill/output.h"
+#include "app/gl/fill/spans.h"
 #include "procedural/color/map_pieces.h"
 #include "procedural/color/mip.h"
 #include "procedural/color/srgb.h"
@@ -39,7 +39,7 @@ GlBufferTexture table(const GladGLContext& gl, GLenum internal, std::vector<Texe
 }  // namespace
 
 GlMapFilter::GlMapFilter(const GladGLContext& gl, bool float64, std::size_t budget)
-    : gl_(&gl), reals_(gl, float64), budget_(budget), lines_(gl, budget), srgb8_(srgb8_table(gl)) {}
+    : gl_(&gl), float64_(float64), budget_(budget), lines_(gl, budget), srgb8_(srgb8_table(gl)) {}
 
 void GlMapFilter::set_atlas(const SolidAtlas& solid, const Affine3& texture_from_atlas,
                             int threads) {
@@ -179,63 +179,54 @@ real3 mean_color(ivec2 texel) {
 }
 
 void GlMapFilter::bind_pieces(const GlProgram& program, int unit) const {
-    pieces_->distances.bind(unit);
-    program.set("break_distances", unit);
+    pieces_->distances.bind(program, "break_distances", unit);
     const FilterUniforms& uniforms = pieces_->uniforms;
-    reals_.set(program, "map_base", std::span(&uniforms.map_base, 1));
-    reals_.set(program, "break_jumps", uniforms.break_jumps);
-    reals_.set(program, "break_kinks", uniforms.break_kinks);
-    reals_.set(program, "break_positions", uniforms.break_positions);
+    program.set_reals("map_base", std::span(&uniforms.map_base, 1), float64_);
+    program.set_reals("break_jumps", uniforms.break_jumps, float64_);
+    program.set_reals("break_kinks", uniforms.break_kinks, float64_);
+    program.set_reals("break_positions", uniforms.break_positions, float64_);
 }
 
 void GlMapFilter::bind_table(const GlProgram& program, int unit) const {
-    table_->colors.bind(unit);
-    program.set("color_table", unit);
+    table_->colors.bind(program, "color_table", unit);
     program.set("sums_count", table_->count);
-    reals_.set(program, "background", std::span(&table_->background, 1));
-    reals_.set(program, "sums_first", std::span(&table_->first, 1));
-    reals_.set(program, "sums_ends", table_->ends);
+    program.set_reals("background", std::span(&table_->background, 1), float64_);
+    program.set_reals("sums_first", std::span(&table_->first, 1), float64_);
+    program.set_reals("sums_ends", table_->ends, float64_);
 }
 
 void GlMapFilter::bind_lines(const GlProgram& program, int first_unit) const {
     lines_.bind(program, first_unit);
-    reals_.set(program, "lattices", line_uniforms_.lattices);
-    reals_.set(program, "lone_lattices", line_uniforms_.lone_lattices);
-    reals_.set(program, "lattice_limits", line_uniforms_.lattice_limits);
-    reals_.set(program, "quadric", line_uniforms_.quadric);
+    program.set_reals("lattices", line_uniforms_.lattices, float64_);
+    program.set_reals("lone_lattices", line_uniforms_.lone_lattices, float64_);
+    program.set_reals("lattice_limits", line_uniforms_.lattice_limits, float64_);
+    program.set_reals("quadric", line_uniforms_.quadric, float64_);
     bind_pattern(program, SamplePattern(filter_.samples));
 }
 
 void GlMapFilter::bind(const GlProgram& program, int first_unit) const {
-    const auto set = [&](const char* name, const GlBufferTexture& buffer, int unit) {
-        buffer.bind(unit);
-        program.set(name, unit);
-    };
     const int lines_unit = beside_centres() ? first_unit : first_unit + 6;
     if (has_lines()) bind_lines(program, lines_unit);
     if (!beside_centres()) {
-        bind_texture(*gl_, first_unit, *slopes_);
-        program.set("slope_map", first_unit);
-        set("lattice_sides", *sides_, first_unit + 1);
+        bind_texture(*gl_, program, "slope_map", first_unit, *slopes_);
+        sides_->bind(program, "lattice_sides", first_unit + 1);
     }
-    set("srgb8_buckets", srgb8_, first_unit + 2);
+    srgb8_.bind(program, "srgb8_buckets", first_unit + 2);
     if (pieces_) bind_pieces(program, first_unit + 3);
     if (table_) bind_table(program, first_unit + 3);
     // Samplers of different types must name different units, whether they are read or not.
     program.set("octave_shares", first_unit + 4);
     program.set("lone_terms", first_unit + 5);
     if (!filter_.band_limit) return;
-    shares_->bind(first_unit + 4);
-    lone_terms_->bind(first_unit + 5);
+    shares_->bind(program, "octave_shares", first_unit + 4);
+    lone_terms_->bind(program, "lone_terms", first_unit + 5);
 }
 
 void GlMapFilter::draw(const GlFullScreen& full_screen, GlSize target, const GlProgram& straight,
                        const GlProgram& bent) {
     if (depth_size_ != target) {
-        GLuint name = 0;
-        gl_->GenRenderbuffers(1, &name);
-        depth_ = GlRenderbuffer(*gl_, name);
-        gl_->BindRenderbuffer(GL_RENDERBUFFER, name);
+        depth_ = GlRenderbuffer(*gl_);
+        gl_->BindRenderbuffer(GL_RENDERBUFFER, depth_.get());
         gl_->RenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT32F, target.x, target.y);
         depth_size_ = target;
     }

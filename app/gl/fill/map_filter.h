@@ -9,9 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include "app/gl/device/real_uniforms.h"
-#include "app/gl/device/source.h"
-#include "app/gl/fill/texel_lines.h"
+#include "app/gl/fill/spans.h"
 #include "atlas/solid/solid_atlas.h"
 #include "procedural/glsl/filter.h"
 #include "procedural/glsl/line_field.h"
@@ -100,7 +98,7 @@ class GlMapFilter {
     void bind_lines(const GlProgram& program, int first_unit) const;
 
     const GladGLContext* gl_;
-    GlRealUniforms reals_;
+    bool float64_;
     std::size_t budget_, bytes_ = 0;
     const SolidAtlas* solid_ = nullptr;
     Affine3 texture_from_atlas_;

@@ -1,64 +1,42 @@
 #include "app/gl/fill/multipass.h"
 
+#include <algorithm>
 #include <bit>
 
 #include <fmt/format.h>
+
+#include "procedural/maps/lattice_box.h"
 
 namespace burl {
 
 namespace {
 
 GLenum format_of_images(PassPrecision precision) {
-    switch (precision) {
-        case PassPrecision::float16:
-            return GL_RGBA16F;
-        case PassPrecision::fixed8:
-            return GL_RGBA8;
-        case PassPrecision::float32:
-            break;
-    }
-    return GL_RGBA32F;
+    if (precision == PassPrecision::float16) return GL_RGBA16F;
+    return precision == PassPrecision::fixed8 ? GL_RGBA8 : GL_RGBA32F;
 }
 
-/// The name of the pass in shaders/passes/NAME.frag.
+/// The passes as functions NAME_pass() of shaders/passes.
+constexpr std::pair<PassKind, const char*> pass_names[] = {{PassKind::cells, "cells"},
+                                                           {PassKind::places, "places"},
+                                                           {PassKind::solid_map, "solid_map"},
+                                                           {PassKind::step, "step"},
+                                                           {PassKind::copy, "copy"},
+                                                           {PassKind::transfer, "transfer"},
+                                                           {PassKind::combine, "combine"},
+                                                           {PassKind::multiply, "multiply"},
+                                                           {PassKind::isolate, "isolate"},
+                                                           {PassKind::shift_left, "shift_left"},
+                                                           {PassKind::blend_bit, "blend_bit"},
+                                                           {PassKind::hash, "hash"},
+                                                           {PassKind::axis_table, "axis_table"},
+                                                           {PassKind::value_table, "value_table"},
+                                                           {PassKind::weigh, "weigh"},
+                                                           {PassKind::field_index, "field_index"}};
+
 std::string name_of(PassKind kind, bool integers) {
-    switch (kind) {
-        case PassKind::fill:
-            break;
-        case PassKind::cells:
-            return "cells";
-        case PassKind::places:
-            return "places";
-        case PassKind::solid_map:
-            return "solid_map";
-        case PassKind::step:
-            return "step";
-        case PassKind::copy:
-            return integers ? "copy_integers" : "copy";
-        case PassKind::transfer:
-            return "transfer";
-        case PassKind::combine:
-            return "combine";
-        case PassKind::multiply:
-            return "multiply";
-        case PassKind::isolate:
-            return "isolate";
-        case PassKind::shift_left:
-            return "shift_left";
-        case PassKind::blend_bit:
-            return "blend_bit";
-        case PassKind::hash:
-            return "hash";
-        case PassKind::axis_table:
-            return "axis_table";
-        case PassKind::value_table:
-            return "value_table";
-        case PassKind::weigh:
-            return "weigh";
-        case PassKind::field_index:
-            return "field_index";
-    }
-    return "";
+    if (kind == PassKind::copy && integers) return "copy_integers";
+    return std::ranges::find(pass_names, kind, &std::pair<PassKind, const char*>::first)->second;
 }
 
 glm::uvec2 words_of(double x) {
@@ -111,11 +89,21 @@ ShaderSource GlMultipass::source() const {
     return source;
 }
 
-ShaderSource GlMultipass::pass_source(const std::string& name) const {
+ShaderSource GlMultipass::pass_source(const std::string& name, bool integers) const {
     ShaderSource parts = source();
-    if (name == "hash") parts.add("noise/lattice.glsl");
-    if (name == "field_index") parts.add("color/index.glsl");
-    return parts.add("passes/" + name + ".frag");
+    if (name == "hash")
+        parts.add("noise/lattice.glsl").add("passes/hash.glsl");
+    else if (name == "field_index")
+        parts.add("color/index.glsl").add("passes/field_index.glsl");
+    else
+        parts.add("passes/images.glsl");
+    const std::string value = name + "_pass()";
+    return parts.add(name, integers ? fmt::format("out uvec4 integers;\n"
+                                                  "void main() {{ integers = {}; }}\n",
+                                                  value)
+                                    : fmt::format("out vec4 color;\n"
+                                                  "void main() {{ color = stored({}); }}\n",
+                                                  value));
 }
 
 void GlMultipass::compile() {
@@ -130,8 +118,8 @@ const GlProgram& GlMultipass::program(PassKind kind, bool integers) {
     auto found = programs_.find(key);
     if (found == programs_.end())
         found = programs_
-                    .emplace(std::move(key),
-                             make_full_screen_program(*gl_, "the pass " + name, pass_source(name)))
+                    .emplace(std::move(key), make_full_screen_program(*gl_, "the pass " + name,
+                                                                      pass_source(name, integers)))
                     .first;
     return found->second;
 }
@@ -215,5 +203,89 @@ void GlMultipass::run(std::span<const GlLatticeMap* const> maps, std::span<const
     for (const Pass& pass : passes) run(maps, pass);
     check_gl(*gl_, "drawing the passes of noise");
 }
+
+GlMultipassSynthesis::GlMultipassSynthesis(GlContext& context, const MultipassOptions& options,
+                                           const GlSynthesisLimits& limits)
+    : tiles_(context, limits),
+      options_(options),
+      maps_(context.gl(), limits.map_budget),
+      colors_(context.gl()),
+      passes_(context.gl(), tiles_.float64()) {}
+
+std::string GlMultipassSynthesis::problem(const Texture& texture) const {
+    return no_multipass_form(expand_octaves(texture), options_);
+}
+
+void GlMultipassSynthesis::make_plan(const SolidAtlas& solid, const Texture& texture,
+                                     const Affine3& texture_from_atlas) {
+    const std::vector<Octave> octaves = expand_octaves(texture);
+    groups_ = group_octaves(octaves);
+    std::vector<LatticeBox> boxes;
+    if (options_.precision == PassPrecision::fixed8)
+        for (const OctaveGroup& group : groups_)
+            boxes.push_back(lattice_box(solid, group.lattice_from_solid.after(texture_from_atlas)));
+    octaves_ = multipass_octaves(groups_, boxes);
+    double constant = 0.0;
+    for (const Octave& octave : octaves) constant += octave.offset;
+    plan_ = plan_multipass(options_, octaves_, constant, texture.colors.wrap);
+}
+
+/// The lattice maps of a tile, one per group, with the quadric in the first.
+GlMultipassSynthesis::Maps GlMultipassSynthesis::maps_of(const Quadric& quadric,
+                                                         const GlTile& tile) {
+    Maps maps;
+    if (groups_.empty()) maps.push_back(maps_.map(std::nullopt, quadric, tile));
+    for (const OctaveGroup& group : groups_)
+        maps.push_back(maps_.map(stream_key(group),
+                                 maps.empty() ? std::optional(quadric) : std::nullopt, tile));
+    return maps;
+}
+
+template <class Pixel>
+void GlMultipassSynthesis::synthesize(const SolidAtlas& solid, const Texture& texture,
+                                      const Affine3& texture_from_atlas, int threads,
+                                      Image<Pixel>& image) {
+    tiles_.begin([&] { return problem(texture); });
+    GlWork& work = tiles_.work();
+    make_plan(solid, texture, texture_from_atlas);
+    maps_.set_atlas(solid, texture_from_atlas, threads);
+    colors_.set_map(texture.colors);
+    const int made = maps_.made();
+    const GlProgram* color_pass = nullptr;
+    const auto ready = [&](const GlTile& tile) {
+        Maps maps = timed(work.map, [&] { return maps_of(texture.quadric, tile); });
+        passes_.set_plan(plan_, tile.size);
+        timed(work.compile, [&] { passes_.compile(); });
+        ShaderSource source = passes_.source();
+        source.add("passes/field.glsl");
+        add_output<Pixel>(colors_, source);
+        color_pass = &tiles_.program("the colour pass", source);
+        return maps;
+    };
+    const auto draw = [&](const Maps& maps, const GlTile& tile, const GlTarget& into) {
+        std::vector<const GlLatticeMap*> sources;
+        for (const auto& map : maps) sources.push_back(map.get());
+        passes_.run(sources, plan_.passes);
+        color_pass->use();
+        bind_output<Pixel>(colors_, *color_pass, 1);
+        bind_texture(tiles_.gl(), *color_pass, "first", 0,
+                     passes_.image(PassImage::index).texture());
+        into.bind({{0, 0}, tile.size});
+        tiles_.full_screen().draw();
+        return int(count_passes(plan_.passes)) + 1;
+    };
+    tiles_.fill(solid, threads, image, ready, draw);
+    maps_.drop_unused();
+    work.maps = maps_.made() - made;
+}
+
+template void GlMultipassSynthesis::synthesize(const SolidAtlas&, const Texture&, const Affine3&,
+                                               int, Image<Rgb8>&);
+template void GlMultipassSynthesis::synthesize(const SolidAtlas&, const Texture&, const Affine3&,
+                                               int, Image<Rgb16>&);
+template void GlMultipassSynthesis::synthesize(const SolidAtlas&, const Texture&, const Affine3&,
+                                               int, Image<RgbF>&);
+template void GlMultipassSynthesis::synthesize(const SolidAtlas&, const Texture&, const Affine3&,
+                                               int, Image<float>&);
 
 }  // namespace burl

@@ -1,12 +1,15 @@
 #pragma once
-// A multipass plan (procedural/passes/plan.h) on OpenGL: one draw over the whole image per pass, in
-// which images are textures that later passes read. The papers blended into the frame buffer and
-// copied it to a texture; here passes read both images and draw a third. So numbers are rounded as
-// shaders round, which IEEE 754 defines, and nothing is copied.
+// Synthesis of a texture of the 1999 model into an atlas by the papers' passes on OpenGL (Carr &
+// Hart 2001, section 5.2): lattice maps, then the passes of procedural/passes/plan.h octave by
+// octave, then the colour map. Each pass is one draw over the whole image, and images are textures
+// that later passes read. The papers blended into the frame buffer and copied it to a texture; here
+// passes read both images and draw a third. So numbers are rounded as shaders round, which IEEE 754
+// defines, and nothing is copied. At 32f the colour map's index agrees with the host's to 2e-6 (for
+// a sum of amplitudes up to 1); 16f and 8 are limited by the images' precision.
 #include <map>
 
-#include "app/gl/device/source.h"
 #include "app/gl/fill/lattice_map.h"
+#include "app/gl/fill/synthesize.h"
 #include "procedural/passes/plan.h"
 
 namespace burl {
@@ -36,7 +39,7 @@ class GlMultipass {
     void set_uniforms(const GlProgram& program, const Pass& pass) const;
     void bind_sources(const GlProgram& program, const GlLatticeMap& map, const Pass& pass);
     void upload_tables();
-    ShaderSource pass_source(const std::string& name) const;
+    ShaderSource pass_source(const std::string& name, bool integers) const;
 
     const GladGLContext* gl_;
     bool float64_;
@@ -48,6 +51,49 @@ class GlMultipass {
     std::map<PassImage, GlTarget> images_;
     std::map<bool, GlTarget> spares_;
     std::vector<GlTexture> tables_;
+};
+
+/// The synthesis by passes in one context, which must outlive it. Programs, tables, images and maps
+/// are kept between calls.
+class GlMultipassSynthesis {
+  public:
+    GlMultipassSynthesis(GlContext& context, const MultipassOptions& options,
+                         const GlSynthesisLimits& limits = {});
+
+    /// The reason why a texture cannot be made, as a clause; empty where it can.
+    std::string problem(const Texture& texture) const;
+
+    /// Synthesises the texture as GlSynthesis does, without filters; for Pixel float, the index of
+    /// the colour map, in [0,1]. Throws Error(unsupported) where problem() gives a reason.
+    template <class Pixel>
+    void synthesize(const SolidAtlas& solid, const Texture& texture,
+                    const Affine3& texture_from_atlas, int threads, Image<Pixel>& image);
+    /// Drops everything about the atlas of earlier calls; must be called before it changes or is
+    /// destroyed.
+    void forget_atlas() { maps_.forget_atlas(); }
+
+    /// The work of the last synthesis. Its passes are those of noise, index and colour, without
+    /// fills.
+    const GlWork& work() const { return tiles_.work(); }
+    /// The octaves of the last synthesis, with the bits of their coordinates.
+    const std::vector<MultipassOctave>& octaves() const { return octaves_; }
+    const MultipassOptions& options() const { return options_; }
+
+  private:
+    using Maps = std::vector<std::shared_ptr<const GlLatticeMap>>;
+
+    void make_plan(const SolidAtlas& solid, const Texture& texture,
+                   const Affine3& texture_from_atlas);
+    Maps maps_of(const Quadric& quadric, const GlTile& tile);
+
+    GlTileLoop tiles_;
+    MultipassOptions options_;
+    GlMapCache maps_;
+    GlColorTables colors_;
+    GlMultipass passes_;
+    std::vector<OctaveGroup> groups_;
+    std::vector<MultipassOctave> octaves_;
+    MultipassPlan plan_;
 };
 
 }  // namespace burl

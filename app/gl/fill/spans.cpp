@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "app/gl/device/facts.h"
 #include "atlas/base/error.h"
+#include "procedural/maps/point_map.h"
 #include "procedural/noise/lattice_site.h"
 
 namespace burl {
@@ -25,7 +25,7 @@ std::vector<std::uint32_t> row_numbers(const SolidAtlas& solid) {
 
 template <class T>
 GlBuffer make_array(const GladGLContext& gl, const std::vector<T>& elements) {
-    GlBuffer buffer = make_buffer(gl);
+    GlBuffer buffer(gl);
     gl.BindBuffer(GL_ARRAY_BUFFER, buffer.get());
     gl.BufferData(GL_ARRAY_BUFFER, GLsizeiptr(elements.size() * sizeof(T)), elements.data(),
                   GL_STATIC_DRAW);
@@ -63,12 +63,6 @@ bool draws_maps(const GladGLContext& gl, const SolidAtlas& solid, MapFill fill) 
     return !is_software(gl) && can_draw(gl, solid);
 }
 
-void set_line(const GlProgram& program, const Affine3& map, bool in_lattice) {
-    program.set("line_linear", map.linear);
-    program.set("line_offset", map.offset);
-    program.set("line_limit", in_lattice ? lattice_limit : 0.0);
-}
-
 GlProgram GlSpans::make_program(const GladGLContext& gl, std::string_view vertex,
                                 std::string_view fragment) {
     ShaderSource parts[2];
@@ -76,12 +70,12 @@ GlProgram GlSpans::make_program(const GladGLContext& gl, std::string_view vertex
         part.extension("GL_ARB_gpu_shader_fp64").extension("GL_ARB_gpu_shader5");
     parts[0].add("maps/span.glsl").add(vertex);
     parts[1].add("maps/line.glsl").add(fragment);
-    return burl::make_program(gl, std::string(vertex), parts[0], parts[1]);
+    return {gl, std::string(vertex), parts[0], parts[1]};
 }
 
 GlSpans::GlSpans(const GladGLContext& gl, const SolidAtlas& solid, std::span<const TexelMap> maps)
     : gl_(&gl),
-      vertices_(make_vertex_array(gl)),
+      vertices_(gl),
       spans_(make_array(gl, solid.spans)),
       rows_(make_array(gl, row_numbers(solid))),
       maps_(gl, GL_RGBA32UI, checked(gl, solid, maps)),
@@ -93,10 +87,9 @@ void GlSpans::draw(const GlProgram& program, const GlTile& tile) const {
     const std::size_t begin = row_begin_[std::size_t(tile.origin.y)],
                       end = row_begin_[std::size_t(tile.origin.y + tile.size.y)];
     if (begin == end) return;
-    program.set("texel_maps", 0);
+    maps_.bind(program, "texel_maps", 0);
     program.set("tile_origin", tile.origin);
     program.set("tile_size", tile.size);
-    maps_.bind(0);
     gl_->BindVertexArray(vertices_.get());
     gl_->BindBuffer(GL_ARRAY_BUFFER, spans_.get());
     set_attribute(*gl_, 0, 3, begin);
@@ -104,6 +97,34 @@ void GlSpans::draw(const GlProgram& program, const GlTile& tile) const {
     set_attribute(*gl_, 1, 1, begin);
     gl_->DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, GLsizei(end - begin));
     check_gl(*gl_, "drawing an atlas's spans");
+}
+
+void GlTexelLines::set_atlas(const SolidAtlas& solid, std::span<const TexelMap> maps, int threads) {
+    static_assert(sizeof(TexelMap) % sizeof(MapTexel) == 0);
+    maps_.emplace(*gl_, GLenum(GL_RGBA32UI), std::as_bytes(maps));
+    spans_.clear();
+    solid_ = &solid;
+    threads_ = threads;
+}
+
+void GlTexelLines::set_tile(const GlTile& tile) {
+    const auto known = std::ranges::find(spans_, tile, &Spans::tile);
+    if (known != spans_.end()) {
+        std::rotate(known, known + 1, spans_.end());
+        return;
+    }
+    std::size_t bytes = 0;
+    for (const Spans& spans : spans_) bytes += sizeof(MapTexel) * spans.tile.texels();
+    if (!spans_.empty() && bytes >= budget_) spans_.pop_back();
+    const Image<MapTexel> texels = fill_span_map(*solid_, area_of(tile), threads_);
+    spans_.push_back(
+        {tile, make_texture(*gl_, GL_RGBA32UI, tile.size, std::as_bytes(texels.pixels()))});
+}
+
+void GlTexelLines::bind(const GlProgram& program, int first_unit) const {
+    bind_texture(*gl_, program, "span_map", first_unit, spans_.back().texture);
+    maps_->bind(program, "texel_maps", first_unit + 1);
+    program.set("tile_origin", spans_.back().tile.origin);
 }
 
 }  // namespace burl

@@ -2,9 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "app/base/stopwatch.h"
-#include "app/gl/device/source.h"
-
 namespace burl {
 
 namespace {
@@ -33,20 +30,42 @@ GlWork& GlWork::operator+=(const GlWork& more) {
     return *this;
 }
 
-GlSynthesis::GlSynthesis(GlContext& context, const GlSynthesisLimits& limits)
+GlTileLoop::GlTileLoop(GlContext& context, const GlSynthesisLimits& limits)
     : context_(&context),
-      gl_(&context.gl()),
       limits_(limits),
-      float64_(limits.float64 && has_float64(*gl_) && gl_->Uniform1dv != nullptr),
-      full_screen_(*gl_),
-      timer_(*gl_),
-      maps_(*gl_, limits.map_budget),
+      float64_(limits.float64 && has_float64(context.gl())),
+      full_screen_(context.gl()),
+      timer_(context.gl()) {}
+
+const GlProgram& GlTileLoop::program(const std::string& name, const ShaderSource& fragment) {
+    std::string text = fragment.text();
+    if (const auto found = programs_.find(text); found != programs_.end()) return found->second;
+    GlProgram program =
+        timed(work_.compile, [&] { return make_full_screen_program(gl(), name, fragment); });
+    return programs_.emplace(std::move(text), std::move(program)).first->second;
+}
+
+/// A target of at least this size, kept from tile to tile.
+const GlTarget& GlTileLoop::target(GLenum internal, GlSize size) {
+    const bool fits = target_ && target_->format().internal == internal &&
+                      target_->size().x >= size.x && target_->size().y >= size.y;
+    if (!fits) target_.emplace(gl(), size, std::initializer_list<GLenum>{internal});
+    return *target_;
+}
+
+GlSynthesis::GlSynthesis(GlContext& context, const GlSynthesisLimits& limits)
+    : tiles_(context, limits),
+      gl_(&context.gl()),
+      budget_(limits.map_budget),
+      float64_(tiles_.float64() && gl_->Uniform1dv != nullptr),
+      maps_(*gl_, budget_),
       colors_(*gl_),
-      reals_(*gl_, float64_) {}
+      graph_(*gl_, float64_, budget_) {}
 
 void GlSynthesis::forget_atlas() {
     maps_.forget_atlas();
     if (filter_) filter_->forget_atlas();
+    graph_.forget_atlas();
 }
 
 std::string GlSynthesis::problem(const Texture& texture, const Filter& filter) const {
@@ -60,18 +79,8 @@ std::string GlSynthesis::problem(const Texture& texture, const Filter& filter) c
         shape.groups.size() + shape.lone.size());
 }
 
-const GlProgram& GlSynthesis::compiled(const ShaderSource& source) {
-    std::string text = source.text();
-    if (const auto found = programs_.find(text); found != programs_.end()) return found->second;
-    GlProgram program = timed(
-        work_.compile, [&] { return make_full_screen_program(*gl_, "the single pass", source); });
-    return programs_.emplace(std::move(text), std::move(program)).first->second;
-}
-
 template <class Pixel>
 GlSynthesis::Programs GlSynthesis::programs(const FieldShape& shape, bool filtered) {
-    constexpr std::size_t most_programs = 64;
-    if (programs_.size() + 2 > most_programs) programs_.clear();
     ShaderSource colors;
     colors.define_real(float64_);
     ShaderSource means = colors;
@@ -81,8 +90,8 @@ GlSynthesis::Programs GlSynthesis::programs(const FieldShape& shape, bool filter
             filter_->add_field(colors, shape);
         else
             add_parts(colors, glsl_field(shape));
-        timed(work_.colors, [&] { add_output<Pixel>(colors_, colors); });
-        result.colors = &compiled(colors);
+        timed(tiles_.work().colors, [&] { add_output<Pixel>(colors_, colors); });
+        result.colors = &tiles_.program("the single pass", colors);
     }
     if (!filtered || !filter_->has_means()) return result;
     filter_->add_means(means, shape);
@@ -90,15 +99,8 @@ GlSynthesis::Programs GlSynthesis::programs(const FieldShape& shape, bool filter
         if (filter_->means_read_colors()) colors_.add_linear(means);
         add_color_output<Pixel>(colors_, means, "mean_color(texel)");
     }
-    result.means = &compiled(means);
+    result.means = &tiles_.program("the single pass", means);
     return result;
-}
-
-const GlTarget& GlSynthesis::target(GLenum internal, GlSize size) {
-    const bool fits = target_ && target_->format().internal == internal &&
-                      target_->size().x >= size.x && target_->size().y >= size.y;
-    if (!fits) target_.emplace(*gl_, size, std::initializer_list<GLenum>{internal});
-    return *target_;
 }
 
 /// The maps of a tile, one per group, with the quadric in the first; and those of octaves without a
@@ -113,7 +115,7 @@ GlSynthesis::Maps GlSynthesis::maps_of(const FieldOctaves& octaves, const Quadri
             maps_.map(stream_key(group), first ? std::optional(quadric) : std::nullopt, tile));
     }
     for (const Octave& octave : octaves.lone)
-        maps.points.push_back(maps_.points(octave.lattice_from_solid, tile));
+        maps.points.push_back(maps_.points(octave.lattice_from_solid, true, tile));
     return maps;
 }
 
@@ -121,8 +123,7 @@ GlSynthesis::Maps GlSynthesis::maps_of(const FieldOctaves& octaves, const Quadri
 int GlSynthesis::bind_maps(const GlProgram& program, const Maps& maps) const {
     int unit = 0;
     const auto bind = [&](const char* name, std::size_t i, const GlTexture& texture) {
-        bind_texture(*gl_, unit, texture);
-        program.set(fmt::format("{}[{}]", name, i).c_str(), unit++);
+        bind_texture(*gl_, program, fmt::format("{}[{}]", name, i).c_str(), unit++, texture);
     };
     for (std::size_t i = 0; i < maps.lattices.size(); ++i) {
         bind("map_cells", i, maps.lattices[i]->cells());
@@ -139,9 +140,9 @@ void GlSynthesis::set_field(const GlProgram& program, const FieldUniforms& unifo
     const auto set_float = [&](const char* name, const std::vector<float>& values) {
         gl_->Uniform1fv(program.uniform(name), GLsizei(values.size()), values.data());
     };
-    reals_.set(program, "constant", std::span(&uniforms.constant, 1));
+    program.set_reals("constant", std::span(&uniforms.constant, 1), float64_);
     if (!uniforms.seeds.empty()) {
-        reals_.set(program, "scales", uniforms.scales);
+        program.set_reals("scales", uniforms.scales, float64_);
         gl_->Uniform3uiv(program.uniform("seeds"), GLsizei(uniforms.seeds.size()),
                          uniforms.seeds[0].data());
         set_float("weights", uniforms.weights);
@@ -150,8 +151,8 @@ void GlSynthesis::set_field(const GlProgram& program, const FieldUniforms& unifo
     if (uniforms.lone_seeds.empty()) return;
     gl_->Uniform1uiv(program.uniform("lone_seeds"), GLsizei(uniforms.lone_seeds.size()),
                      uniforms.lone_seeds.data());
-    reals_.set(program, "lone_times", uniforms.lone_times);
-    reals_.set(program, "lone_scales", uniforms.lone_scales);
+    program.set_reals("lone_times", uniforms.lone_times, float64_);
+    program.set_reals("lone_scales", uniforms.lone_scales, float64_);
 }
 
 /// Makes a program current and sets its textures and uniforms.
@@ -169,59 +170,68 @@ void GlSynthesis::set_up(const FieldOctaves& octaves, const Maps& maps, const Gl
     set_field(program, octaves.uniforms());
 }
 
-/// Draws a tile of the texture into target().
-template <class Pixel>
-void GlSynthesis::draw(const FieldOctaves& octaves, const Quadric& quadric,
-                       const Programs& programs, const GlTile& tile, bool filtered) {
-    const Maps maps = timed(work_.map, [&] {
-        if (filtered) filter_->set_tile(tile);
-        return maps_of(octaves, quadric, tile);
-    });
-    const GlTarget& into = target(GlOutput<Pixel>::internal, tile.size);
-    // Bindings come last, since creating a texture changes them.
-    if (programs.means) set_up<Pixel>(octaves, maps, *programs.means, filtered, true);
-    if (programs.colors) set_up<Pixel>(octaves, maps, *programs.colors, filtered, false);
-    into.bind({{0, 0}, tile.size});
-    timer_.start();
-    const bool both = programs.colors && programs.means;
-    if (both)
-        filter_->draw(full_screen_, into.size(), *programs.colors, *programs.means);
-    else
-        full_screen_.draw();
-    const GlSeconds seconds = timer_.stop();
-    work_.draw += seconds.wall;
-    work_.gpu += seconds.gpu;
-    work_.passes += both ? 2 : 1;
-}
-
 template <class Pixel>
 void GlSynthesis::synthesize(const SolidAtlas& solid, const Texture& texture,
                              const Affine3& texture_from_atlas, int threads, Image<Pixel>& image,
                              const Filter& filter) {
-    context_->make_current();
-    if (const std::string why = problem(texture, filter); !why.empty())
-        throw Error(ExitCode::unsupported, why);
-    work_ = {};
-    if (image.width() != solid.size || image.height() != solid.size)
-        image = Image<Pixel>::unset(solid.size, solid.size);
+    tiles_.begin([&] { return problem(texture, filter); });
+    GlWork& work = tiles_.work();
     const FieldOctaves octaves(texture);
     const bool filtered = !is_plain(filter) && !std::is_same_v<Pixel, float>;
     maps_.set_atlas(solid, texture_from_atlas, threads);
     colors_.set_map(texture.colors);
     if (filtered) {
-        if (!filter_) filter_.emplace(*gl_, float64_, limits_.map_budget / 2);
+        if (!filter_) filter_.emplace(*gl_, float64_, budget_ / 2);
         filter_->set_atlas(solid, texture_from_atlas, threads);
         filter_->set_map(texture.colors, filter);
-        timed(work_.map, [&] { filter_->set_field(octaves, texture.quadric); });
+        timed(work.map, [&] { filter_->set_field(octaves, texture.quadric); });
     }
     const Programs programs = this->programs<Pixel>(octaves.shape(), filtered);
+    const bool both = programs.colors && programs.means;
     const int made = maps_.made();
-    for_tiles({int(solid.size), int(solid.size)}, limits_.tile, [&](const GlTile& tile) {
-        draw<Pixel>(octaves, texture.quadric, programs, tile, filtered);
-        timed(work_.transfer, [&] { read_back_.read(*target_, tile, threads, image); });
-    });
+    const auto ready = [&](const GlTile& tile) {
+        Maps maps = timed(work.map, [&] {
+            if (filtered) filter_->set_tile(tile);
+            return maps_of(octaves, texture.quadric, tile);
+        });
+        // Bindings come last, since creating a texture changes them.
+        if (programs.means) set_up<Pixel>(octaves, maps, *programs.means, filtered, true);
+        if (programs.colors) set_up<Pixel>(octaves, maps, *programs.colors, filtered, false);
+        return maps;
+    };
+    const auto draw = [&](const Maps&, const GlTile&, const GlTarget& into) {
+        if (both)
+            filter_->draw(tiles_.full_screen(), into.size(), *programs.colors, *programs.means);
+        else
+            tiles_.full_screen().draw();
+        return both ? 2 : 1;
+    };
+    tiles_.fill(solid, threads, image, ready, draw);
     maps_.drop_unused();
-    work_.maps += maps_.made() - made;
+    work.maps = maps_.made() - made;
+}
+
+template <class Pixel>
+void GlSynthesis::synthesize(const SolidAtlas& solid, const TextureGraph& graph,
+                             const Affine3& texture_from_atlas, int threads, Image<Pixel>& image,
+                             const Filter& filter) {
+    tiles_.begin([&] { return problem(graph, filter); });
+    GlWork& work = tiles_.work();
+    const GlProgram& program = tiles_.program(
+        "a graph", graph_.set<Pixel>(solid, graph, texture_from_atlas, threads, filter));
+    const int made = graph_.made();
+    const auto ready = [&](const GlTile& tile) {
+        auto points = timed(work.map, [&] { return graph_.set_tile(tile); });
+        program.use();
+        graph_.bind<Pixel>(program, points.get());
+        return points;
+    };
+    tiles_.fill(solid, threads, image, ready, [&](const auto&, const GlTile&, const GlTarget&) {
+        tiles_.full_screen().draw();
+        return 1;
+    });
+    graph_.finish();
+    work.maps = graph_.made() - made;
 }
 
 template void GlSynthesis::synthesize(const SolidAtlas&, const Texture&, const Affine3&, int,
@@ -232,5 +242,11 @@ template void GlSynthesis::synthesize(const SolidAtlas&, const Texture&, const A
                                       Image<RgbF>&, const Filter&);
 template void GlSynthesis::synthesize(const SolidAtlas&, const Texture&, const Affine3&, int,
                                       Image<float>&, const Filter&);
+template void GlSynthesis::synthesize(const SolidAtlas&, const TextureGraph&, const Affine3&, int,
+                                      Image<Rgb8>&, const Filter&);
+template void GlSynthesis::synthesize(const SolidAtlas&, const TextureGraph&, const Affine3&, int,
+                                      Image<Rgb16>&, const Filter&);
+template void GlSynthesis::synthesize(const SolidAtlas&, const TextureGraph&, const Affine3&, int,
+                                      Image<RgbF>&, const Filter&);
 
 }  // namespace burl

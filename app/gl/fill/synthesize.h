@@ -1,16 +1,18 @@
 #pragma once
-// Synthesis of a texture of the 1999 model (Hart et al. 1999, eq. 1 and 2) into an atlas in one
-// pass on OpenGL: lattice coordinates come from maps, a generated fragment shader
-// (procedural/glsl/field.h) evaluates the noise, and colours are looked up in the host's tables.
-// Where OpenGL has float64 and IEEE 754 rounding, the bytes are those of host synthesis with
-// Kernel::direct.
+// Synthesis of a texture into an atlas on OpenGL, tile by tile: a texture graph by the shader of
+// app/gl/fill/graph.h, a texture of the 1999 model (Hart et al. 1999, eq. 1 and 2) by one whose
+// lattice coordinates come from maps, whose noise is a generated text (procedural/glsl/field.h),
+// and whose colours are looked up in the host's tables. Where OpenGL has float64 and IEEE 754
+// rounding, the bytes are those of host synthesis in float32, with Kernel::direct.
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
 
+#include "app/base/stopwatch.h"
 #include "app/gl/device/timer.h"
-#include "app/gl/fill/map_cache.h"
+#include "app/gl/fill/graph.h"
+#include "app/gl/fill/lattice_map.h"
 #include "app/gl/fill/map_filter.h"
 #include "app/gl/fill/output.h"
 #include "procedural/glsl/field.h"
@@ -38,6 +40,70 @@ struct GlSynthesisLimits {
     bool float64 = true;                            ///< whether to use float64 where OpenGL has it
 };
 
+/// The part that all syntheses have in common: programs, which are kept, and the loop over tiles,
+/// each drawn into a target and read back.
+class GlTileLoop {
+  public:
+    GlTileLoop(GlContext& context, const GlSynthesisLimits& limits);
+
+    const GladGLContext& gl() const { return context_->gl(); }
+    /// Whether shaders use float64.
+    bool float64() const { return float64_; }
+    const GlFullScreen& full_screen() const { return full_screen_; }
+    /// The work since begin().
+    GlWork& work() { return work_; }
+    const GlWork& work() const { return work_; }
+
+    /// Makes the context current and begins a synthesis. Throws Error(unsupported) with the reason
+    /// that problem() returns, unless it is empty.
+    template <class Problem>
+    void begin(const Problem& problem) {
+        context_->make_current();
+        if (const std::string why = problem(); !why.empty())
+            throw Error(ExitCode::unsupported, why);
+        work_ = {};
+        if (programs_.size() + 2 > most_programs) programs_.clear();
+    }
+    /// The program of a fragment shader, which messages call `name`; it is compiled where it is new
+    /// and stays until the next begin().
+    const GlProgram& program(const std::string& name, const ShaderSource& fragment);
+    /// Fills an image of the atlas's size. For every tile ready(tile) makes and binds what its draw
+    /// reads, and what it returns is kept until draw(that, tile, target) has drawn the tile into
+    /// the bound target; draw() returns the number of passes. 0 threads means all.
+    template <class Pixel, class Ready, class Draw>
+    void fill(const SolidAtlas& solid, int threads, Image<Pixel>& image, const Ready& ready,
+              const Draw& draw) {
+        if (image.width() != solid.size || image.height() != solid.size)
+            image = Image<Pixel>::unset(solid.size, solid.size);
+        for_tiles({int(solid.size), int(solid.size)}, limits_.tile, [&](const GlTile& tile) {
+            // The target comes first, since creating a texture changes the bindings.
+            const GlTarget& into = target(GlOutput<Pixel>::internal, tile.size);
+            const auto inputs = ready(tile);
+            into.bind({{0, 0}, tile.size});
+            timer_.start();
+            work_.passes += draw(inputs, tile, into);
+            const GlSeconds seconds = timer_.stop();
+            work_.draw += seconds.wall;
+            work_.gpu += seconds.gpu;
+            timed(work_.transfer, [&] { read_back_.read(into, tile, threads, image); });
+        });
+    }
+
+  private:
+    static constexpr std::size_t most_programs = 64;
+    const GlTarget& target(GLenum internal, GlSize size);
+
+    GlContext* context_;
+    GlSynthesisLimits limits_;
+    bool float64_;
+    GlFullScreen full_screen_;
+    GlTimer timer_;
+    std::map<std::string, GlProgram> programs_;  ///< keyed by the text of the fragment shader
+    std::optional<GlTarget> target_;
+    GlReadBack read_back_;
+    GlWork work_;
+};
+
 /// The synthesis in one context, which must outlive it. Programs, tables and maps are kept between
 /// calls.
 class GlSynthesis {
@@ -46,6 +112,9 @@ class GlSynthesis {
 
     /// The reason why a texture cannot be made with a filter; empty where it can.
     std::string problem(const Texture& texture, const Filter& filter = {}) const;
+    std::string problem(const TextureGraph& graph, const Filter& filter = {}) const {
+        return graph_.problem(graph, filter);
+    }
 
     /// Synthesises the texture as synthesize_model does, for Pixel Rgb8, Rgb16 or RgbF, or as
     /// synthesize_field does, unfiltered, for float. An image of the atlas's size is
@@ -55,12 +124,17 @@ class GlSynthesis {
     void synthesize(const SolidAtlas& solid, const Texture& texture,
                     const Affine3& texture_from_atlas, int threads, Image<Pixel>& image,
                     const Filter& filter = {});
+    /// Synthesises the graph as synthesize_graph_rgb8, _rgb16 or _rgbf do, for Pixel Rgb8, Rgb16 or
+    /// RgbF. Throws Error as for textures.
+    template <class Pixel>
+    void synthesize(const SolidAtlas& solid, const TextureGraph& graph,
+                    const Affine3& texture_from_atlas, int threads, Image<Pixel>& image,
+                    const Filter& filter = {});
     /// Drops everything about the atlas of earlier calls; must be called before it changes or is
     /// destroyed.
     void forget_atlas();
 
-    const GlWork& work() const { return work_; }
-    const GlContext& context() const { return *context_; }
+    const GlWork& work() const { return tiles_.work(); }
 
   private:
     /// The maps of a tile.
@@ -76,32 +150,21 @@ class GlSynthesis {
     };
     template <class Pixel>
     Programs programs(const FieldShape& shape, bool filtered);
-    const GlProgram& compiled(const ShaderSource& source);
-    const GlTarget& target(GLenum internal, GlSize size);
     Maps maps_of(const FieldOctaves& octaves, const Quadric& quadric, const GlTile& tile);
     int bind_maps(const GlProgram& program, const Maps& maps) const;
     template <class Pixel>
     void set_up(const FieldOctaves& octaves, const Maps& maps, const GlProgram& program,
                 bool filtered, bool means);
-    template <class Pixel>
-    void draw(const FieldOctaves& octaves, const Quadric& quadric, const Programs& programs,
-              const GlTile& tile, bool filtered);
     void set_field(const GlProgram& program, const FieldUniforms& uniforms) const;
 
-    GlContext* context_;
+    GlTileLoop tiles_;
     const GladGLContext* gl_;
-    GlSynthesisLimits limits_;
+    std::size_t budget_;  ///< the most bytes of maps kept between calls
     bool float64_;
-    GlFullScreen full_screen_;
-    GlTimer timer_;
     GlMapCache maps_;
     GlColorTables colors_;
-    GlRealUniforms reals_;
-    std::optional<GlMapFilter> filter_;          ///< created at the first filter
-    std::map<std::string, GlProgram> programs_;  ///< keyed by the text of the fragment shader
-    std::optional<GlTarget> target_;
-    GlReadBack read_back_;
-    GlWork work_;
+    std::optional<GlMapFilter> filter_;  ///< created at the first filter
+    GlGraphPass graph_;
 };
 
 }  // namespace burl

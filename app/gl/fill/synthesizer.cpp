@@ -7,9 +7,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "app/gl/device/facts.h"
 #include "app/gl/fill/block_levels.h"
-#include "app/gl/fill/graph.h"
+#include "app/gl/fill/multipass.h"
 #include "app/pipeline/measure_synthesis.h"
 #include "atlas/build/block_levels.h"
 
@@ -17,16 +16,18 @@ namespace burl {
 
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 class GlSynthesizer final : public TextureSynthesizer {
   public:
     explicit GlSynthesizer(std::unique_ptr<GlContext> context)
-        : context_(std::move(context)), textures_(*context_), graphs_(*context_) {}
+        : context_(std::move(context)), textures_(*context_) {}
 
     std::string problem(const Recipe& recipe) const override {
         if (recipe.precision.kind.value_or(PrecisionKind::float32) != PrecisionKind::float32)
             return "OpenGL computes in float32, and another precision is asked for";
         if (recipe.graph.empty()) return textures_.problem(recipe.texture, recipe.filter);
-        return graphs_.problem(recipe.graph, recipe.filter);
+        return textures_.problem(recipe.graph, recipe.filter);
     }
 
     void synthesize(const SolidAtlas& solid, const Recipe& recipe, int threads,
@@ -38,10 +39,10 @@ class GlSynthesizer final : public TextureSynthesizer {
                     textures_.synthesize(solid, recipe.texture, map, threads, *pixels,
                                          recipe.filter);
                 else
-                    graphs_.synthesize(solid, recipe.graph, map, threads, *pixels, recipe.filter);
+                    textures_.synthesize(solid, recipe.graph, map, threads, *pixels, recipe.filter);
             },
             image);
-        sum_ += recipe.graph.empty() ? textures_.work() : graphs_.work();
+        sum_ += textures_.work();
     }
 
     std::vector<Image<RgbF>> levels(const MeshAtlas& atlas, const Image<RgbF>& texture,
@@ -63,11 +64,10 @@ class GlSynthesizer final : public TextureSynthesizer {
     void forget_atlas() override {
         context_->make_current();
         textures_.forget_atlas();
-        graphs_.forget_atlas();
         levels_.reset();
     }
 
-    nlohmann::ordered_json report() const override {
+    Json report() const override {
         return {{"by", context_->description()},
                 {"passes", sum_.passes},
                 {"maps", sum_.maps},
@@ -84,10 +84,88 @@ class GlSynthesizer final : public TextureSynthesizer {
   private:
     std::unique_ptr<GlContext> context_;
     GlSynthesis textures_;
-    GlGraphSynthesis graphs_;
     std::optional<GlBlockLevels> levels_;  ///< the levels of the current atlas
     GlWork sum_;
     double level_seconds_ = 0.0;  ///< compiling, drawing and transfer
+};
+
+const char* name_of(PassPrecision precision) {
+    if (precision == PassPrecision::float16) return "16f";
+    return precision == PassPrecision::fixed8 ? "8" : "32f";
+}
+
+const char* name_of(Randomizer randomizer) {
+    if (randomizer == Randomizer::table) return "table";
+    return randomizer == Randomizer::bits ? "bits" : "hash";
+}
+
+class GlMultipassSynthesizer final : public TextureSynthesizer {
+  public:
+    GlMultipassSynthesizer(std::unique_ptr<GlContext> context, const MultipassOptions& options)
+        : context_(std::move(context)), textures_(*context_, options) {}
+
+    std::string problem(const Recipe& recipe) const override {
+        if (recipe.precision.kind.value_or(PrecisionKind::float32) != PrecisionKind::float32)
+            return "--gl-precision says what the passes compute in, and the recipe has another "
+                   "precision";
+        if (recipe.filter.kind != FilterKind::none || recipe.filter.band_limit)
+            return "the papers' passes have no filters";
+        if (!recipe.graph.empty())
+            return "the papers' passes make no other textures than a color_map over a field";
+        return textures_.problem(recipe.texture);
+    }
+
+    void synthesize(const SolidAtlas& solid, const Recipe& recipe, int threads,
+                    ImageToFill image) override {
+        std::visit(
+            [&](auto* pixels) {
+                textures_.synthesize(solid, recipe.texture, texture_from_solid(recipe), threads,
+                                     *pixels);
+            },
+            image);
+        sum_ += textures_.work();
+    }
+
+    void forget_atlas() override {
+        context_->make_current();
+        textures_.forget_atlas();
+    }
+
+    Json report() const override {
+        const MultipassOptions& options = textures_.options();
+        return {{"by", context_->description()},
+                {"precision", name_of(options.precision)},
+                {"randomizer", name_of(options.randomizer)},
+                {"equalized", options.equalize},
+                {"passes", sum_.passes},
+                {"octaves", octaves_json()},
+                {"maps", sum_.maps},
+                {"seconds",
+                 {{"compile", sum_.compile},
+                  {"maps", sum_.map},
+                  {"draw", sum_.draw},
+                  {"gpu", sum_.gpu},
+                  {"transfer", sum_.transfer}}}};
+    }
+
+  private:
+    /// The octaves of the last synthesis, finest first, in the order of their sum.
+    Json octaves_json() const {
+        const bool fixed = textures_.options().precision == PassPrecision::fixed8;
+        Json octaves = Json::array();
+        for (const MultipassOctave& octave : textures_.octaves()) {
+            Json json = {{"seed", octave.seed},
+                         {"passes", passes_of_octave(textures_.options(), octave)}};
+            if (fixed)
+                json["bits"] = fmt::format("{}.{}", octave.bits.integer, octave.bits.fraction());
+            octaves.push_back(std::move(json));
+        }
+        return octaves;
+    }
+
+    std::unique_ptr<GlContext> context_;
+    GlMultipassSynthesis textures_;
+    GlWork sum_;
 };
 
 void check(const TextureSynthesizer& synthesizer, std::span<const Recipe> recipes) {
@@ -128,6 +206,17 @@ std::unique_ptr<TextureSynthesizer> choose_synthesizer(SynthesisChoice choice,
         if (error.code() == ExitCode::usage) throw;
         return nullptr;  // OpenGL is not available
     }
+}
+
+std::unique_ptr<TextureSynthesizer> choose_multipass(const MultipassOptions& options,
+                                                     const std::string& platform,
+                                                     std::span<const Recipe> recipes) {
+    auto synthesizer =
+        std::make_unique<GlMultipassSynthesizer>(create_gl_context(platform), options);
+    for (const Recipe& recipe : recipes)
+        if (const std::string why = synthesizer->problem(recipe); !why.empty())
+            throw Error(ExitCode::usage, fmt::format("--synth gl-multipass: {}", why));
+    return synthesizer;
 }
 
 }  // namespace burl

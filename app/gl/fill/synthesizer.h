@@ -7,6 +7,7 @@
 
 #include "app/gl/device/context.h"
 #include "app/pipeline/texture_synthesizer.h"
+#include "procedural/passes/plan.h"
 
 namespace burl {
 
@@ -24,5 +25,11 @@ enum class SynthesisChoice { host, gl, automatic };
 std::unique_ptr<TextureSynthesizer> choose_synthesizer(SynthesisChoice choice,
                                                        const std::string& platform,
                                                        std::span<const Recipe> recipes);
+
+/// The synthesizer by the papers' passes for these recipes. Throws Error: usage for a recipe that
+/// the passes cannot make, unsupported as create_gl_context does.
+std::unique_ptr<TextureSynthesizer> choose_multipass(const MultipassOptions& options,
+                                                     const std::string& platform,
+                                                     std::span<const Recipe> recipes);
 
 }  // namespace burl

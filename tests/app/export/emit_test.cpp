@@ -11,7 +11,7 @@
 
 #include "app/base/embedded.h"
 #include "app/bench/meshes.h"
-#include "app/gl/device/source.h"
+#include "app/gl/device/objects.h"
 #include "app/gl/device/target.h"
 #include "app/pipeline/pipeline.h"
 #include "procedural/maps/point_map.h"
@@ -33,8 +33,8 @@ class GlEmitTest : public GlTest {
     /// The values that the shader's main function draws from the solid map.
     std::vector<float> draw(const std::string& shader, const SolidMap& map, const Vec3d& base) {
         const GladGLContext& gl = context->gl();
-        const GlProgram program = GlProgram::from_source(
-            gl, "an emitted shader", embedded_shader("maps/full_screen.vert"), shader);
+        const GlProgram program = make_full_screen_program(gl, "an emitted shader",
+                                                           ShaderSource().add("emitted", shader));
         const GlSize size(int(map.local.width()), int(map.local.height()));
         const GlTexture texture = make_texture(gl, GL_RGBA32F, size, map.local.pixels());
         const GlTarget target(gl, size, {GL_RGBA32F});

@@ -10,7 +10,6 @@
 #include "app/pipeline/pipeline.h"
 #include "app/scene/scene.h"
 #include "app/scene/surface_pick.h"
-#include "app/surface/load_pose.h"
 #include "app/surface/normals.h"
 #include "app/surface/posed_corners.h"
 #include "app/surface/sample_meshes.h"

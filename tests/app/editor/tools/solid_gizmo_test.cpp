@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "app/scene/ray.h"
+#include "app/scene/camera.h"
 #include "tests/app/support/solid_map.h"
 
 namespace burl {

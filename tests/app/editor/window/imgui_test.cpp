@@ -88,7 +88,7 @@ TEST_F(GlImGuiTest, BlendsAndClips) {
 
 TEST_F(GlImGuiTest, ShowsTexturesUpright) {
     const GladGLContext& gl = window->context().gl();
-    const GlTexture texture = make_texture(gl);
+    const GlTexture texture(gl);
     gl.BindTexture(GL_TEXTURE_2D, texture.get());
     gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
@@ -166,7 +166,7 @@ TEST_F(GlImGuiTest, AnImageThatHidesAllBelowItIsWhatWouldBeDrawn) {
 }
 
 TEST_F(GlImGuiTest, ChangesAreWhereSomethingDiffers) {
-    GlTexture texture = make_texture(window->context().gl());
+    GlTexture texture(window->context().gl());
     const GlImGui renderer(window->context().gl());  // makes the fonts
     ScreenChanges changes;
     const auto changed = [&](float x, bool still) {

@@ -8,8 +8,7 @@
 #include <map>
 #include <string_view>
 
-#include "app/gl/device/facts.h"
-#include "app/gl/device/source.h"
+#include "app/gl/device/objects.h"
 #include "app/gl/device/target.h"
 #include "tests/app/gl/device/fixture.h"
 
@@ -186,7 +185,8 @@ TEST_F(GlContextTest, ShaderErrorsCarryTheLog) {
     const char* vertex = "#version 330 core\nvoid main() { gl_Position = vec4(0.0); }\n";
     const char* broken = "#version 330 core\nvoid main() { no_such_name = 1.0; }\n";
     try {
-        GlProgram::from_source(context->gl(), "broken", vertex, broken);
+        GlProgram(context->gl(), "broken", ShaderSource().add("vertex", vertex),
+                  ShaderSource().add("broken", broken));
         FAIL();
     } catch (const Error& error) {
         EXPECT_EQ(error.code(), ExitCode::runtime);

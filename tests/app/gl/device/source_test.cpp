@@ -1,5 +1,5 @@
 // Shaders put together from parts: order, names of parts in compilers' messages, `real`.
-#include "app/gl/device/source.h"
+#include "app/gl/device/objects.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -8,7 +8,7 @@
 #include <functional>
 #include <numeric>
 
-#include "app/gl/device/source.h"
+#include "app/gl/device/objects.h"
 #include "app/gl/device/timer.h"
 #include "tests/app/gl/device/fixture.h"
 
@@ -100,11 +100,9 @@ TEST_F(GlTargetTest, OnePassReadsWhatAnotherDrewAndAnArray) {
     second.clear(0, Vec4f(9.0f));
     second.bind({{8, 0}, {8, 8}});  // only its right half
     program.use();
-    program.set("before", 0);
-    program.set("values", 1);
     program.set("origin", glm::ivec2(8, 0));
-    bind_texture(gl(), 0, first.texture());
-    array.bind(1);
+    bind_texture(gl(), program, "before", 0, first.texture());
+    array.bind(program, "values", 1);
     GlFullScreen(gl()).draw();
     check_gl(gl(), "testing");
     const std::vector<float> texels = second.read<float>();

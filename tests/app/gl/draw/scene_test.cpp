@@ -7,7 +7,7 @@
 #include "app/gl/draw/render.h"
 #include "app/gl/draw/view_scene.h"
 #include "app/pipeline/pipeline.h"
-#include "app/scene/unit_frame.h"
+#include "app/scene/scene.h"
 #include "tests/app/gl/device/fixture.h"
 #include "tests/app/support/sample_scene.h"
 

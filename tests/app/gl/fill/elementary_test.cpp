@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/gl/device/source.h"
+#include "app/gl/device/objects.h"
 #include "app/gl/device/target.h"
 #include "procedural/graph/value_kernels.h"
 #include "tests/app/gl/device/fixture.h"

@@ -10,7 +10,7 @@
 
 #include "app/base/embedded.h"
 #include "app/bench/meshes.h"
-#include "app/gl/fill/graph.h"
+#include "app/gl/fill/synthesize.h"
 #include "app/pipeline/pipeline.h"
 #include "procedural/fill/graph.h"
 #include "tests/app/gl/device/fixture.h"
@@ -66,7 +66,7 @@ class GlGraphFilterTest : public GlTest {
         pipeline.set_recipe(recipe);
         const Affine3 map = texture_from_solid(recipe);
         const SolidAtlas& solid = pipeline.solid();
-        GlGraphSynthesis gl(*context);
+        GlSynthesis gl(*context);
         Image<RgbF> first, second;
         gl.synthesize(solid, recipe.graph, map, 1, first, trapezoid);
         gl.synthesize(solid, recipe.graph, map, 1, second, trapezoid);
@@ -75,7 +75,7 @@ class GlGraphFilterTest : public GlTest {
                   0u);
     }
 
-    std::optional<GlGraphSynthesis> gl_;
+    std::optional<GlSynthesis> gl_;
 };
 
 class GlGraphFilterNodeTest : public GlGraphFilterTest,
@@ -91,7 +91,7 @@ INSTANTIATE_TEST_SUITE_P(Nodes, GlGraphFilterNodeTest, testing::ValuesIn(graph_c
 TEST_P(GlGraphFilterNodeTest, StaysCloseInFloat32) {
     GlSynthesisLimits limits;
     limits.float64 = false;
-    GlGraphSynthesis gl(*context, limits);
+    GlSynthesis gl(*context, limits);
     const SolidAtlas solid = SyntheticAtlas{64, 16, 0.0, 0.02}.make(7);
     const TextureGraph graph = graph_of(GetParam().json);
     Image<RgbF> image;
@@ -158,7 +158,7 @@ TEST_F(GlGraphFilterTest, OctavesOfFieldsFade) {
 }
 
 TEST_F(GlGraphFilterTest, WhatIsTheHostsAloneIsRefused) {
-    GlGraphSynthesis gl(*context);
+    GlSynthesis gl(*context);
     const TextureGraph map = graph_of(R"({"node": "color_map", "stops": [[0, "#000000"],
                            [1, "#ffffff"]], "input": {"node": "fbm"}})");
     EXPECT_THAT(gl.problem(map, {FilterKind::table_sat}), HasSubstr("colour tables"));

@@ -1,6 +1,6 @@
 // Texture graphs through OpenGL against the host's synthesis: the same bytes in float64, nearly the
 // same colours in float32.
-#include "app/gl/fill/graph.h"
+#include "app/gl/fill/synthesize.h"
 
 #include <algorithm>
 #include <cmath>
@@ -43,7 +43,7 @@ Image<Pixel> on_host(const SolidAtlas& solid, const TextureGraph& graph, const A
 }
 
 template <class Pixel>
-Image<Pixel> drawn(GlGraphSynthesis& gl, const SolidAtlas& solid, const TextureGraph& graph,
+Image<Pixel> drawn(GlSynthesis& gl, const SolidAtlas& solid, const TextureGraph& graph,
                    const Affine3& map) {
     Image<Pixel> image;
     gl.synthesize(solid, graph, map, 1, image);
@@ -70,7 +70,7 @@ double share_beyond(const Image<RgbF>& a, const Image<RgbF>& b, double error) {
 }
 
 /// Linear light, which 8- and 16-bit codes follow from.
-void expect_equal(GlGraphSynthesis& gl, std::string_view name, const TextureGraph& graph,
+void expect_equal(GlSynthesis& gl, std::string_view name, const TextureGraph& graph,
                   const SolidAtlas& solid) {
     const Image<RgbF> expected = on_host<RgbF>(solid, graph, graph_somewhere);
     EXPECT_EQ(differing(drawn<RgbF>(gl, solid, graph, graph_somewhere), expected), 0u) << name;
@@ -88,7 +88,7 @@ TextureGraph map_of(int stops) {
 }
 
 TEST_F(GlGraphTest, ColourMapsMayHaveManyStops) {
-    GlGraphSynthesis gl(*context);
+    GlSynthesis gl(*context);
     const SolidAtlas solid = SyntheticAtlas{}.make(2);
     for (const int stops : {int(most_compared_pieces) - 2, int(most_compared_pieces) + 1, 5000}) {
         EXPECT_EQ(gl.problem(map_of(stops)), "");
@@ -102,7 +102,7 @@ TEST_F(GlGraphTest, ColourMapsMayHaveManyStops) {
 TEST_F(GlGraphTest, ManyStopsInFloat32) {
     GlSynthesisLimits limits;
     limits.float64 = false;
-    GlGraphSynthesis gl(*context, limits);
+    GlSynthesis gl(*context, limits);
     const SolidAtlas solid = SyntheticAtlas{}.make(2);
     const TextureGraph graph = map_of(500);
     const Image<RgbF> expected = on_host<RgbF>(solid, graph, graph_somewhere),
@@ -121,7 +121,7 @@ TEST_F(GlGraphTest, CasesAreOfAllNodes) {
 class GlGraphNodeTest : public GlTest, public testing::WithParamInterface<GraphCase> {};
 
 TEST_P(GlGraphNodeTest, HasTheHostsBits) {
-    GlGraphSynthesis gl(*context);
+    GlSynthesis gl(*context);
     expect_equal(gl, GetParam().node, graph_of(GetParam().json),
                  SyntheticAtlas{64, 16, 0.4, 0.03}.make(7));
 }
@@ -132,7 +132,7 @@ class GlGraphNoiseTest : public GlTest, public testing::WithParamInterface<Named
 class GlGraphSlopeTest : public GlTest, public testing::WithParamInterface<GraphCase> {};
 
 TEST_P(GlGraphSlopeTest, HasTheHostsBits) {
-    GlGraphSynthesis gl(*context);
+    GlSynthesis gl(*context);
     const TextureGraph graph = graph_of(fmt::format(
         R"({{"node": "slope", "direction": [0.3, -0.2, 0.25], "input": {}}})", GetParam().json));
     const SolidAtlas solid = SyntheticAtlas{64, 16, 0.4, 0.03}.make(7);
@@ -206,7 +206,7 @@ INSTANTIATE_TEST_SUITE_P(Nodes, GlGraphSlopeTest, testing::ValuesIn(slope_cases)
 
 /// Nodes of the graph that the slope's input does not read, colours among them.
 TEST_F(GlGraphTest, SlopesStandBesideColours) {
-    GlGraphSynthesis gl(*context);
+    GlSynthesis gl(*context);
     expect_equal(gl, "beside colours", graph_of(R"({"node": "layer_over",
         "base": {"node": "color_map", "stops": [[0, "#102030"], [1, "#f0e0d0"]],
                  "input": {"node": "fbm"}},
@@ -216,7 +216,7 @@ TEST_F(GlGraphTest, SlopesStandBesideColours) {
 }
 
 TEST_P(GlGraphNoiseTest, SlopesHaveTheHostsBits) {
-    GlGraphSynthesis gl(*context);
+    GlSynthesis gl(*context);
     const SolidAtlas solid = SyntheticAtlas{64, 16, 3.0, 0.04}.make(3);
     const auto& [name, kind, text] = GetParam();
     const auto slope = [&](const char* more) {
@@ -236,7 +236,7 @@ TEST_P(GlGraphNoiseTest, SlopesHaveTheHostsBits) {
 }
 
 TEST_P(GlGraphNoiseTest, HasTheHostsBits) {
-    GlGraphSynthesis gl(*context);
+    GlSynthesis gl(*context);
     const SolidAtlas solid = SyntheticAtlas{64, 16, 3.0, 0.04}.make(3);
     const auto& [name, kind, text] = GetParam();
     expect_equal(gl, name,
@@ -256,7 +256,7 @@ INSTANTIATE_TEST_SUITE_P(Kinds, GlGraphNoiseTest, testing::ValuesIn(noise_kinds)
                          [](const auto& test) { return std::string(test.param.name); });
 
 TEST_F(GlGraphTest, FieldsHaveTheHostsBits) {
-    GlGraphSynthesis gl(*context);
+    GlSynthesis gl(*context);
     const SolidAtlas solid = SyntheticAtlas{64, 16, 1e4, 0.04}.make(9);
     expect_equal(gl, "shapes, periods and far away", graph_of(R"({"node": "field", "noise": [
         {"kind": "perlin", "shape": "ridged", "octaves": 10, "frequency": [3, 3, 3]},
@@ -267,7 +267,7 @@ TEST_F(GlGraphTest, FieldsHaveTheHostsBits) {
 }
 
 TEST_F(GlGraphTest, ImagesHaveTheHostsBitsWhateverLiesBeyond) {
-    GlGraphSynthesis gl(*context);
+    GlSynthesis gl(*context);
     const SolidAtlas solid = SyntheticAtlas{}.make(5);
     for (const char* wrap : {"repeat", "black", "clamp"})
         expect_equal(gl, wrap,
@@ -288,12 +288,12 @@ TEST_F(GlGraphTest, EveryImageIsReadWhereItIsNamed) {
         "a": {"node": "image", "file": "image.png"}, "b": {"node": "image", "file": "turned.png"},
         "amount": {"node": "coordinate", "direction": [1, 1, 0]}})"),
                                                image);
-    GlGraphSynthesis gl(*context);
+    GlSynthesis gl(*context);
     expect_equal(gl, "two images", graph, SyntheticAtlas{}.make(5));
 }
 
 TEST_F(GlGraphTest, CodesAreTheHosts) {
-    GlGraphSynthesis gl(*context);
+    GlSynthesis gl(*context);
     const SolidAtlas solid = SyntheticAtlas{}.make(6);
     const TextureGraph graph = graph_of(R"({"node": "mix", "a": "#20ff40", "b": {"node": "marble"},
         "amount": {"node": "coordinate", "direction": [1, 1, 0]}})");
@@ -310,7 +310,7 @@ TEST_F(GlGraphTest, TilesLeaveNoTrace) {
     const TextureGraph graph = graph_of(R"({"node": "wrinkled", "octaves": 2})");
     GlSynthesisLimits limits;
     limits.tile = 24;
-    GlGraphSynthesis gl(*context, limits);
+    GlSynthesis gl(*context, limits);
     EXPECT_EQ(differing(drawn<Rgb8>(gl, solid, graph, graph_somewhere),
                         on_host<Rgb8>(solid, graph, graph_somewhere)),
               0u);
@@ -329,7 +329,7 @@ std::vector<std::string> graph_presets() {
 class GlGraphPresetTest : public GlTest, public testing::WithParamInterface<std::string> {};
 
 TEST_P(GlGraphPresetTest, HasTheHostsBytes) {
-    GlGraphSynthesis gl(*context);
+    GlSynthesis gl(*context);
     Pipeline pipeline(torus(300));
     const Recipe recipe = load_recipe(GetParam(), {"atlas.size=64", "atlas.kind=area"});
     pipeline.set_recipe(recipe);
@@ -360,7 +360,7 @@ TEST_F(GlGraphTest, BakesThroughOpenGlHaveTheHostsBytes) {
 TEST_P(GlGraphNodeTest, StaysCloseInFloat32) {
     GlSynthesisLimits limits;
     limits.float64 = false;
-    GlGraphSynthesis gl(*context, limits);
+    GlSynthesis gl(*context, limits);
     const SolidAtlas solid = SyntheticAtlas{64, 16, 0.0, 0.01}.make(7);
     const TextureGraph graph = graph_of(GetParam().json);
     const Image<RgbF> expected = on_host<RgbF>(solid, graph, {});

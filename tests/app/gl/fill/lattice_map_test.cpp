@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/gl/fill/map_upload.h"
+#include "app/gl/fill/spans.h"
 #include "app/surface/sample_meshes.h"
 #include "atlas/build/mesh_atlas.h"
 #include "procedural/fill/pieces.h"
@@ -55,9 +55,9 @@ std::size_t differences(const GlTarget& target, std::size_t number,
 std::size_t differences(const GlContext& context, MapFill fill, const SolidAtlas& solid,
                         const Affine3& move, const std::optional<LatticeStreamKey>& stream,
                         const std::optional<Quadric>& q, const GlTile& tile) {
-    const LatticeMap expected =
-        fill_lattice_map(solid, moved_maps(solid.maps, move, 1), stream, q, area_of(tile), 1);
-    const GlLatticeMapper mapper(context.gl(), solid, move, 1, fill);
+    const std::vector<TexelMap> maps = moved_maps(solid.maps, move, 1);
+    const LatticeMap expected = fill_lattice_map(solid, maps, stream, q, area_of(tile), 1);
+    const GlLatticeMapper mapper(context.gl(), solid, maps, 1, fill);
     EXPECT_EQ(mapper.draws(), fill == MapFill::gpu);
     const GlLatticeMap map = mapper.make(stream, q, tile);
     EXPECT_EQ(map.size(), tile.size);

@@ -2,7 +2,7 @@
 // against the host's, byte by byte.
 #include <gtest/gtest.h>
 
-#include "app/gl/fill/graph.h"
+#include "app/gl/fill/synthesize.h"
 #include "app/gl/fill/synthesizer.h"
 #include "procedural/fill/graph.h"
 #include "procedural/fill/synthesize.h"
@@ -188,7 +188,7 @@ Image<Pixel> graph_on_host(const SolidAtlas& solid, const TextureGraph& graph,
 }
 
 template <class Pixel>
-void line_field_expect_equal(GlGraphSynthesis& gl, const SolidAtlas& solid, std::string_view json,
+void line_field_expect_equal(GlSynthesis& gl, const SolidAtlas& solid, std::string_view json,
                              const Filter& filter) {
     const TextureGraph graph = graph_of(json);
     Image<Pixel> drawn;
@@ -202,7 +202,7 @@ void line_field_expect_equal(GlGraphSynthesis& gl, const SolidAtlas& solid, std:
 TEST_F(GlLineFieldTest, GraphsHaveTheHostsBytes) {
     GlSynthesisLimits limits;
     limits.tile = 40;
-    GlGraphSynthesis gl(*context, limits);
+    GlSynthesis gl(*context, limits);
     const SolidAtlas solid = coarse.make(7);
     line_field_expect_equal<RgbF>(gl, solid, R"({"node": "checkerboard_3d"})", samples(5));
     EXPECT_EQ(gl.work().passes, 4);

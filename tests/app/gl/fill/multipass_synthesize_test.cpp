@@ -1,5 +1,5 @@
 // Textures by the papers' passes against the host's.
-#include "app/gl/fill/multipass_synthesize.h"
+#include "app/gl/fill/multipass.h"
 
 #include <cmath>
 

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <glad/gl.h>
 
-#include "app/gl/device/source.h"
+#include "app/gl/device/objects.h"
 #include "app/gl/device/target.h"
 #include "procedural/glsl/noise.h"
 #include "procedural/kernels/noise_sum.h"

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/gl/device/source.h"
+#include "app/gl/device/objects.h"
 #include "app/gl/device/target.h"
 #include "procedural/glsl/field.h"
 #include "procedural/kernels/simplex_kernel.h"

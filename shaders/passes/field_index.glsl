@@ -1,9 +1,8 @@
 // The colour map's index of the field: quadric, constant and the sum of the octaves. This part must
-// follow numbers/real.glsl, numbers/real_bits.glsl and color/index.glsl.
+// follow passes/multipass.glsl, numbers/real_bits.glsl and color/index.glsl.
 uniform uvec2 constant, amplitude;
-out vec4 color;
 
-void main() {
+vec4 field_index_pass() {
     real quadric = real_from_bits(texelFetch(map_places, texel(), 0).w,
                                   texelFetch(map_cells, texel(), 0).w);
     real sum = real(numbers(first).x);
@@ -15,10 +14,10 @@ void main() {
     exact real f = (quadric + real_from_bits(constant.x, constant.y)) + noise;
     real t = color_index(f);
 #if FIXED8 && COLOR_REPEATS
-    color = stored(vec4(float(floor(real(256.0) * t))));
+    return vec4(float(floor(real(256.0) * t)));
 #elif FIXED8
-    color = stored(vec4(float(real(255.0) * t)));
+    return vec4(float(real(255.0) * t));
 #else
-    color = stored(vec4(float(t)));
+    return vec4(float(t));
 #endif
 }

@@ -1,4 +1,4 @@
-#include "app/gl/fill/color_tables.h"
+#include "app/gl/fill/output.h"
 
 #include <bit>
 
@@ -14,11 +14,6 @@ namespace {
 template <class Texels>
 GlBufferTexture table(const GladGLContext& gl, GLenum internal, const Texels& texels) {
     return {gl, internal, std::as_bytes(std::span(texels))};
-}
-
-void bind(const GlProgram& program, const char* name, const GlBufferTexture& table, int unit) {
-    table.bind(unit);
-    program.set(name, unit);
 }
 
 }  // namespace
@@ -62,10 +57,10 @@ void GlColorTables::add_codes(ShaderSource& source) {
 }
 
 void GlColorTables::bind_codes(const GlProgram& program, int first_unit) const {
-    bind(program, "color_entries", codes_->entries, first_unit);
+    codes_->entries.bind(program, "color_entries", first_unit);
     if (!codes_->steps) return;
-    bind(program, "color_first", *codes_->first, first_unit + 1);
-    bind(program, "color_steps", *codes_->steps, first_unit + 2);
+    codes_->first->bind(program, "color_first", first_unit + 1);
+    codes_->steps->bind(program, "color_steps", first_unit + 2);
 }
 
 void GlColorTables::add_linear(ShaderSource& source) {
@@ -79,7 +74,7 @@ void GlColorTables::add_linear(ShaderSource& source) {
 }
 
 void GlColorTables::bind_linear(const GlProgram& program, int first_unit) const {
-    bind(program, "color_segments", segments_->texels, first_unit);
+    segments_->texels.bind(program, "color_segments", first_unit);
     program.set("color_segment_count", segments_->count);
 }
 
@@ -94,8 +89,8 @@ void GlColorTables::add_srgb16(ShaderSource& source) {
 }
 
 void GlColorTables::bind_srgb16(const GlProgram& program, int first_unit) const {
-    bind(program, "srgb_first", thresholds_->first, first_unit);
-    bind(program, "srgb_thresholds", thresholds_->thresholds, first_unit + 1);
+    thresholds_->first.bind(program, "srgb_first", first_unit);
+    thresholds_->thresholds.bind(program, "srgb_thresholds", first_unit + 1);
 }
 
 }  // namespace burl
