@@ -42,7 +42,8 @@ bool report_rows(const BenchCommand& command, const Rows& rows, const ToJson& to
 void run_forward_bench(const BenchCommand& command);
 /// Runs the suite `economy`, prints its tables and writes the report.
 void run_economy_bench(const BenchCommand& command);
-/// Runs the suite `stability`, or one of its cases, prints and writes the report.
+/// Runs the suite `stability`, or one of its cases, prints and writes the report. Defined by the
+/// library burl_stability (tests/stability/), which the program links: app/ includes no tests.
 void run_stability_bench(const BenchCommand& command);
 
 }  // namespace burl

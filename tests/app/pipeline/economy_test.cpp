@@ -5,8 +5,6 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "app/bench/stability/cases.h"
-#include "app/bench/stability/chance.h"
 #include "app/options/economy_options.h"
 #include "app/pipeline/pipeline.h"
 #include "procedural/fill/synthesize.h"
@@ -14,6 +12,8 @@
 #include "tests/app/support/sample_scene.h"
 #include "tests/paths.h"
 #include "tests/procedural/support/synthetic_atlas.h"
+#include "tests/stability/cases.h"
+#include "tests/stability/chance.h"
 
 namespace burl {
 namespace {

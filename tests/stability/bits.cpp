@@ -5,11 +5,11 @@
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
-#include "app/bench/stability/checks.h"
-#include "app/bench/stability/noise.h"
 #include "procedural/fill/synthesize.h"
 #include "procedural/model/octaves.h"
 #include "procedural/numbers/simd_target.h"
+#include "tests/stability/checks.h"
+#include "tests/stability/noise.h"
 
 namespace burl {
 

@@ -4,9 +4,9 @@
 
 #include <fmt/format.h>
 
-#include "app/bench/stability/cases.h"
-#include "app/bench/stability/chance.h"
-#include "app/bench/stability/truth.h"
+#include "tests/stability/cases.h"
+#include "tests/stability/chance.h"
+#include "tests/stability/truth.h"
 
 namespace burl {
 

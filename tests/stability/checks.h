@@ -1,8 +1,8 @@
 #pragma once
 // The checks of `burl bench stability` besides field errors: positions of texels, and properties
 // that must hold bit for bit or must be refused, whose rows count failures.
-#include "app/bench/stability/cases.h"
-#include "app/bench/stability/stability.h"
+#include "tests/stability/cases.h"
+#include "tests/stability/stability.h"
 
 namespace burl {
 

@@ -5,12 +5,12 @@
 
 #include <gtest/gtest.h>
 
-#include "app/bench/stability/filters.h"
-#include "app/bench/stability/stability.h"
 #include "app/recipe/lattice_check.h"
 #include "atlas/base/error.h"
 #include "procedural/color/map_filter.h"
 #include "tests/app/programs/run_program.h"
+#include "tests/stability/filters.h"
+#include "tests/stability/stability.h"
 
 namespace burl::test {
 namespace {

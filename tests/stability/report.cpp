@@ -3,9 +3,9 @@
 #include <nlohmann/json.hpp>
 
 #include "app/bench/command.h"
-#include "app/bench/stability/stability.h"
 #include "app/measure/report.h"
 #include "app/recipe/recipe.h"
+#include "tests/stability/stability.h"
 
 namespace burl {
 

@@ -5,10 +5,10 @@
 #include <variant>
 #include <vector>
 
-#include "app/bench/stability/cases.h"
-#include "app/bench/stability/truth.h"
 #include "procedural/batch/kernel.h"
 #include "procedural/bresenham/noise.h"
+#include "tests/stability/cases.h"
+#include "tests/stability/truth.h"
 
 namespace burl {
 

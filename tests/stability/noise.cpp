@@ -1,4 +1,4 @@
-#include "app/bench/stability/noise.h"
+#include "tests/stability/noise.h"
 
 #include <algorithm>
 #include <cmath>

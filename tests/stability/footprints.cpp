@@ -2,10 +2,10 @@
 // than wide.
 #include <fmt/format.h>
 
-#include "app/bench/stability/cases.h"
-#include "app/bench/stability/chance.h"
-#include "app/bench/stability/noise.h"
 #include "app/recipe/names.h"
+#include "tests/stability/cases.h"
+#include "tests/stability/chance.h"
+#include "tests/stability/noise.h"
 
 namespace burl {
 

@@ -1,4 +1,4 @@
-#include "app/bench/stability/stability.h"
+#include "tests/stability/stability.h"
 
 #include <algorithm>
 #include <charconv>
@@ -6,10 +6,10 @@
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
-#include "app/bench/stability/checks.h"
-#include "app/bench/stability/filters.h"
-#include "app/bench/stability/truth.h"
 #include "atlas/base/error.h"
+#include "tests/stability/checks.h"
+#include "tests/stability/filters.h"
+#include "tests/stability/truth.h"
 
 namespace burl {
 

@@ -1,14 +1,14 @@
-#include "app/bench/stability/cases.h"
+#include "tests/stability/cases.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
-#include "app/bench/stability/chance.h"
-#include "app/bench/stability/noise.h"
 #include "procedural/model/octaves.h"
 #include "procedural/noise/names.h"
+#include "tests/stability/chance.h"
+#include "tests/stability/noise.h"
 
 namespace burl {
 

@@ -1,4 +1,4 @@
-#include "app/bench/stability/filters.h"
+#include "tests/stability/filters.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,11 +6,11 @@
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
-#include "app/bench/stability/ways.h"
 #include "app/recipe/names.h"
 #include "procedural/color/srgb.h"
 #include "procedural/fill/synthesize.h"
 #include "procedural/fill/texels.h"
+#include "tests/stability/ways.h"
 
 namespace burl {
 

@@ -1,4 +1,4 @@
-#include "app/bench/stability/truth.h"
+#include "tests/stability/truth.h"
 
 #include <algorithm>
 #include <cmath>

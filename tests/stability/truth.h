@@ -4,9 +4,9 @@
 // docs/reference/numerics.md.
 #include <vector>
 
-#include "app/bench/stability/noise.h"
 #include "atlas/solid/solid_atlas.h"
 #include "procedural/model/octaves.h"
+#include "tests/stability/noise.h"
 
 namespace burl {
 

@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 
 #include "app/bench/meshes.h"
-#include "app/bench/stability/checks.h"
 #include "app/pipeline/pipeline.h"
+#include "tests/stability/checks.h"
 
 namespace burl {
 

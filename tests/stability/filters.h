@@ -2,9 +2,9 @@
 // The errors of filtered colours against the definition of the closed forms
 // (docs/reference/filtering.md): the map's mean over the box or trapezoid given by f and its
 // slopes, computed in long double.
-#include "app/bench/stability/stability.h"
 #include "procedural/batch/filter.h"
 #include "procedural/batch/precision.h"
+#include "tests/stability/stability.h"
 
 namespace burl {
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "app/bench/stability/cases.h"
-#include "app/bench/stability/ways.h"
+#include "tests/stability/cases.h"
+#include "tests/stability/ways.h"
 
 namespace burl {
 

@@ -1,4 +1,4 @@
-#include "app/bench/stability/checks.h"
+#include "tests/stability/checks.h"
 
 #include <algorithm>
 #include <cmath>

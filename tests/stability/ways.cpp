@@ -1,4 +1,4 @@
-#include "app/bench/stability/ways.h"
+#include "tests/stability/ways.h"
 
 #include <algorithm>
 #include <cmath>
