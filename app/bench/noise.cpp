@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "app/bench/baselines.h"
+#include "app/bench/command.h"
 #include "procedural/field/octave_streams.h"
 #include "procedural/noise/names.h"
 #include "procedural/noise/noise.h"
@@ -198,6 +198,10 @@ std::vector<BenchResult> bench_noise(int repeats, std::size_t samples) {
         return std::ranges::find(order, r.time.group) - order.begin();
     });
     return results;
+}
+
+void run_noise_bench(const BenchCommand& command) {
+    report_results(command, bench_noise(command.repeats, command.size_or(65536)));
 }
 
 }  // namespace burl

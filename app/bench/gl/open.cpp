@@ -1,15 +1,16 @@
-#include "app/bench/gl/editor_open.h"
-
+// The suite `burl bench open`: a large mesh is dropped on the editor in real time, and the times to
+// its first texture and to its patch atlas and the frame times meanwhile are measured.
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <array>
 #include <cmath>
 #include <ctime>
 #include <memory>
 #include <optional>
 
 #include "app/base/stopwatch.h"
-#include "app/bench/files.h"
+#include "app/bench/command.h"
 #include "app/bench/gl/editor_window.h"
 #include "app/bench/meshes.h"
 #include "app/editor/window/program.h"
@@ -17,6 +18,23 @@
 namespace burl {
 
 namespace {
+
+/// Seconds from the drop to an event, unless stated otherwise.
+struct OpenBench {
+    std::size_t faces = 0;
+    double read = 0.0;     ///< the mesh has been read
+    double shown = 0.0;    ///< its first texture is on the screen
+    double finest = 0.0;   ///< its first texture at level 0 is on the screen
+    double smooth = 0.0;   ///< level 0 is drawn with several samples per pixel
+    double patches = 0.0;  ///< level 0 in the recipe's own atlas is on the screen
+    double worked = 0.0;   ///< processor time of all threads until `shown`
+    Durations frame{};     ///< frame time from input to the end of drawing, while the pointer moves
+    Durations panels{};    ///< share of the user interface in the frame time
+    /// Processor time of the user interface's thread per frame, without drawing, with uploads.
+    Durations thread{};
+    Durations turning{};   ///< frame time while the camera moves, afterwards
+    double closing = 0.0;  ///< duration of closing the editor while patches are laid out
+};
 
 constexpr glm::ivec2 window_size{1280, 800};
 
@@ -86,8 +104,8 @@ class Opening {
     std::vector<double> frames_, panels_, thread_;
 };
 
-}  // namespace
-
+/// Drops a bumpy sphere (app/bench/meshes.h) of about `faces` faces, as a binary PLY file, on the
+/// editor with its start-up mesh, in an offscreen window drawn by OSMesa. Throws Error.
 OpenBench bench_open(std::size_t faces) {
     const BenchFolder folder;
     OpenBench bench;
@@ -133,10 +151,7 @@ OpenBench bench_open(std::size_t faces) {
     return bench;
 }
 
-Json open_bench_json(const OpenBench& bench) {
-    const auto json = [](const Durations& d) {
-        return Json{{"median", d.median}, {"p95", d.p95}, {"longest", d.longest}};
-    };
+Json open_json(const OpenBench& bench) {
     return {{"faces", bench.faces},
             {"read_seconds", bench.read},
             {"shown_seconds", bench.shown},
@@ -144,18 +159,18 @@ Json open_bench_json(const OpenBench& bench) {
             {"finest_seconds", bench.finest},
             {"smooth_seconds", bench.smooth},
             {"patches_seconds", bench.patches},
-            {"frame_ms", json(bench.frame)},
-            {"panels_ms", json(bench.panels)},
-            {"thread_ms", json(bench.thread)},
-            {"turning_ms", json(bench.turning)},
+            {"frame_ms", durations_json(bench.frame)},
+            {"panels_ms", durations_json(bench.panels)},
+            {"thread_ms", durations_json(bench.thread)},
+            {"turning_ms", durations_json(bench.turning)},
             {"closing_seconds", bench.closing}};
 }
 
-std::string open_bench_table(const OpenBench& bench) {
+void print_open(const OpenBench& bench) {
     const auto row = [](const Durations& d) {
         return fmt::format("{:.1f} ({:.1f}, longest {:.1f}) ms", d.median, d.p95, d.longest);
     };
-    return fmt::format(
+    fmt::print(
         "{} faces\n  read                  {:.2f} s\n  first picture         {:.2f} s ({:.2f} s of "
         "processors)\n"
         "  finest level          {:.2f} s, smooth {:.2f} s\n  patches               {:.2f} s\n"
@@ -165,6 +180,13 @@ std::string open_bench_table(const OpenBench& bench) {
         bench.faces, bench.read, bench.shown, bench.worked, bench.finest, bench.smooth,
         bench.patches, row(bench.frame), row(bench.panels), row(bench.thread), row(bench.turning),
         bench.closing);
+}
+
+}  // namespace
+
+void run_open_bench(const BenchCommand& command) {
+    const std::array rows{bench_open(command.size_or(1'000'000))};
+    if (report_rows(command, rows, open_json)) print_open(rows[0]);
 }
 
 }  // namespace burl

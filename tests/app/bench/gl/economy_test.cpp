@@ -1,5 +1,5 @@
 // The suite's counts, which no machine changes.
-#include "app/bench/economy.h"
+#include "app/bench/gl/economy.h"
 
 #include <gtest/gtest.h>
 
