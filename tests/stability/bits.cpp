@@ -9,7 +9,7 @@
 #include "procedural/model/octaves.h"
 #include "procedural/numbers/simd_target.h"
 #include "tests/stability/checks.h"
-#include "tests/stability/noise.h"
+#include "tests/stability/truth.h"
 
 namespace burl {
 

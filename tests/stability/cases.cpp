@@ -7,8 +7,7 @@
 
 #include "procedural/model/octaves.h"
 #include "procedural/noise/names.h"
-#include "tests/stability/chance.h"
-#include "tests/stability/noise.h"
+#include "tests/stability/truth.h"
 
 namespace burl {
 

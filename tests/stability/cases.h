@@ -1,13 +1,32 @@
 #pragma once
 // The inputs of `burl bench stability`: textures along lines of texels, at positions, steps, runs
 // and parameters for which rounding errors are largest.
+#include <array>
+#include <random>
 #include <string>
 #include <vector>
 
+#include "atlas/base/vec.h"
 #include "atlas/solid/solid_atlas.h"
 #include "procedural/model/texture.h"
 
 namespace burl {
+
+/// Random numbers for inputs, identical in every run.
+class Chance {
+  public:
+    explicit Chance(std::uint32_t seed) : random_(seed) {}
+    double signed_unit() { return std::uniform_real_distribution<double>(-1.0, 1.0)(random_); }
+    Vec3d vector() { return {signed_unit(), signed_unit(), signed_unit()}; }
+    std::uint32_t bits() { return std::uint32_t(random_()); }
+    template <class T, std::size_t N>
+    const T& pick(const std::array<T, N>& all) {
+        return all[random_() % N];
+    }
+
+  private:
+    std::mt19937 random_;
+};
 
 /// The extent of the suite: a selection of every group for tests, about a minute for `burl bench
 /// stability`, or all cases.

@@ -49,6 +49,36 @@ std::vector<TexelLine> uneven_lines(std::uint32_t before) {
     return lines;
 }
 
+/// Whether the recipe is refused as a usage error, in one line.
+bool is_refused(const std::string& setting) {
+    const std::string base =
+        R"({"texture": {"stops": [[0, "#000000"]], "input": {"noise": [{}]}}})";
+    try {
+        parse_recipe(base, "base", {setting});
+    } catch (const Error& error) {
+        return error.code() == ExitCode::usage &&
+               std::string(error.what()).find('\n') == std::string::npos;
+    }
+    return false;
+}
+
+std::string repeated(const std::string& word, std::size_t count) {
+    return fmt::format("[{}]", fmt::join(std::vector<std::string>(count, word), ","));
+}
+
+bool octaves_are_refused(double lacunarity, int octaves, double scale) {
+    Recipe recipe;
+    NoiseTerm term;
+    term.lacunarity = lacunarity, term.octaves = std::uint32_t(octaves), term.gain = 1.0;
+    recipe.texture.noise = {term};
+    try {
+        check_lattice(recipe, Box3{Vec3d(-scale), Vec3d(scale)});
+    } catch (const Error& error) {
+        return error.code() == ExitCode::unsupported;
+    }
+    return false;
+}
+
 }  // namespace
 
 StabilityRow check_wrap(StabilityChoice choice) {
@@ -149,40 +179,6 @@ StabilityRow check_filters(const std::vector<StabilityGroup>& groups) {
         }
     return row;
 }
-
-namespace {
-
-/// Whether the recipe is refused as a usage error, in one line.
-bool is_refused(const std::string& setting) {
-    const std::string base =
-        R"({"texture": {"stops": [[0, "#000000"]], "input": {"noise": [{}]}}})";
-    try {
-        parse_recipe(base, "base", {setting});
-    } catch (const Error& error) {
-        return error.code() == ExitCode::usage &&
-               std::string(error.what()).find('\n') == std::string::npos;
-    }
-    return false;
-}
-
-std::string repeated(const std::string& word, std::size_t count) {
-    return fmt::format("[{}]", fmt::join(std::vector<std::string>(count, word), ","));
-}
-
-bool octaves_are_refused(double lacunarity, int octaves, double scale) {
-    Recipe recipe;
-    NoiseTerm term;
-    term.lacunarity = lacunarity, term.octaves = std::uint32_t(octaves), term.gain = 1.0;
-    recipe.texture.noise = {term};
-    try {
-        check_lattice(recipe, Box3{Vec3d(-scale), Vec3d(scale)});
-    } catch (const Error& error) {
-        return error.code() == ExitCode::unsupported;
-    }
-    return false;
-}
-
-}  // namespace
 
 StabilityRow check_refusals() {
     StabilityRow row = failures("refusals");

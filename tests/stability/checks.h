@@ -1,6 +1,6 @@
 #pragma once
-// The checks of `burl bench stability` besides field errors: positions of texels, and properties
-// that must hold bit for bit or must be refused, whose rows count failures.
+// The checks of `burl bench stability` besides field errors: positions of texels, filtered colours,
+// and properties that must hold bit for bit or must be refused, whose rows count failures.
 #include "tests/stability/cases.h"
 #include "tests/stability/stability.h"
 
@@ -22,6 +22,16 @@ StabilityRow check_instruction_sets(const std::vector<StabilityGroup>& groups,
 StabilityRow check_threads(StabilityChoice choice);
 /// Checks that a texel's bytes do not depend on its place in a batch, by every kernel.
 StabilityRow check_batches(StabilityChoice choice);
+
+/// Returns the mean of the map in linear light over f + u U + v V, with U and V uniform in [-1/2,
+/// 1/2], in long double: the definition of the closed forms (docs/reference/filtering.md). The time
+/// is proportional to |u| + |v|.
+Vec3d long_mean(const ColorMap& map, long double f, long double u, long double v);
+
+/// Returns the errors of filter_group() against that mean under all four filters, and of the
+/// quadrics' unfiltered colours, in float32 and float64.
+std::vector<StabilityRow> check_filter_errors(const std::vector<StabilityGroup>& groups,
+                                              StabilityChoice choice);
 
 /// Checks that every filter's colours are finite and in [0, 1] for all coordinates and steps.
 StabilityRow check_filters(const std::vector<StabilityGroup>& groups);

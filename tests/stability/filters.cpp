@@ -1,4 +1,6 @@
-#include "tests/stability/filters.h"
+// The errors of filtered colours against the definition of the closed forms
+// (docs/reference/filtering.md), computed in long double.
+#include "tests/stability/checks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +12,8 @@
 #include "procedural/color/srgb.h"
 #include "procedural/fill/synthesize.h"
 #include "procedural/fill/texels.h"
+#include "tests/stability/cases.h"
+#include "tests/stability/truth.h"
 #include "tests/stability/ways.h"
 
 namespace burl {
@@ -131,31 +135,8 @@ Image<RgbF> filtered(const StabilityCase& one, FilterKind kind, PrecisionKind pr
                                    {kind, 16, false}, 1);
 }
 
-}  // namespace
-
-Vec3d long_mean(const ColorMap& map, long double f, long double u, long double v) {
-    u = std::abs(u), v = std::abs(v);
-    if (u < v) std::swap(u, v);
-    if (f + u == f) return long_color(map, f);
-    v = std::max(v, 1e-12L * u);  // a box is a trapezoid with steep sides
-    const std::vector<Real> at = bends(map, f, u, v);
-    std::array<Real, 3> sum{};
-    Real weight = 0.0L;
-    for (std::size_t i = 0; i + 1 < at.size(); ++i) {
-        const Real width = at[i + 1] - at[i];
-        if (width <= 0.0L) continue;
-        // Gauss's rule with two points is exact for a product of two linear functions.
-        for (const Real side : {-1.0L, 1.0L}) {
-            const Real x = 0.5L * (at[i] + at[i + 1]) + side * width / std::sqrt(12.0L);
-            const Real share = 0.5L * width * trapezoid_density(x - f, u, v);
-            const Vec3d color = long_color(map, x);
-            for (std::size_t c = 0; c < 3; ++c) sum[c] += share * Real(color[int(c)]);
-            weight += share;
-        }
-    }
-    return {double(sum[0] / weight), double(sum[1] / weight), double(sum[2] / weight)};
-}
-
+/// Returns the errors of a case's texels under the filter `none`, `exact`, `trapezoid` or
+/// `trapezoid2`. The map must be continuous.
 StabilityRow filter_errors(const StabilityCase& one, FilterKind kind, PrecisionKind precision) {
     StabilityRow row;
     row.cases = 1;
@@ -186,6 +167,31 @@ StabilityRow filter_errors(const StabilityCase& one, FilterKind kind, PrecisionK
     return row;
 }
 
+}  // namespace
+
+Vec3d long_mean(const ColorMap& map, long double f, long double u, long double v) {
+    u = std::abs(u), v = std::abs(v);
+    if (u < v) std::swap(u, v);
+    if (f + u == f) return long_color(map, f);
+    v = std::max(v, 1e-12L * u);  // a box is a trapezoid with steep sides
+    const std::vector<Real> at = bends(map, f, u, v);
+    std::array<Real, 3> sum{};
+    Real weight = 0.0L;
+    for (std::size_t i = 0; i + 1 < at.size(); ++i) {
+        const Real width = at[i + 1] - at[i];
+        if (width <= 0.0L) continue;
+        // Gauss's rule with two points is exact for a product of two linear functions.
+        for (const Real side : {-1.0L, 1.0L}) {
+            const Real x = 0.5L * (at[i] + at[i + 1]) + side * width / std::sqrt(12.0L);
+            const Real share = 0.5L * width * trapezoid_density(x - f, u, v);
+            const Vec3d color = long_color(map, x);
+            for (std::size_t c = 0; c < 3; ++c) sum[c] += share * Real(color[int(c)]);
+            weight += share;
+        }
+    }
+    return {double(sum[0] / weight), double(sum[1] / weight), double(sum[2] / weight)};
+}
+
 std::vector<StabilityRow> check_filter_errors(const std::vector<StabilityGroup>& groups,
                                               StabilityChoice choice) {
     using enum FilterKind;
@@ -211,6 +217,36 @@ std::vector<StabilityRow> check_filter_errors(const std::vector<StabilityGroup>&
             if (group.name == "quadrics") add(group, none, precision);
     }
     return rows;
+}
+
+/// The texels' footprints are equally large in all directions, or 1000 times longer than wide.
+StabilityGroup filter_group(StabilityChoice choice) {
+    StabilityGroup group{"filters", {}};
+    const bool few = choice == StabilityChoice::thinned;
+    for (const NamedTerm& noise : named_terms())
+        for (const Wrap wrap : {Wrap::repeat, Wrap::clamp})
+            for (const double step : {1e-6, 1e-3, 1.0 / 64, 1.0 / 8, 1.0, 30.0})
+                for (const double ratio : {1.0, 1e-3}) {
+                    const NoiseSpec spec{.kind = noise.term.kind, .radius2 = noise.term.radius2};
+                    if (has_jumps(spec)) continue;
+                    if (few && (!has_long_form(spec) || ratio < 1.0 || step > 1.0)) continue;
+                    Chance chance(std::uint32_t(group.cases.size()));
+                    NoiseTerm term = noise.term;
+                    term.octaves = 1 + chance.bits() % 4;
+                    Texture texture = texture_of(term);
+                    texture.colors.wrap = wrap;
+                    const double place = chance.pick(std::array{0.3, -17.3, 1e3 + 0.7});
+                    texture.quadric.a = chance.signed_unit() / place, texture.quadric.g = 0.5;
+                    SolidAtlas solid = random_lines(Vec3d(place), step, few ? 8 : 24, 4,
+                                                    std::uint32_t(group.cases.size()));
+                    for (TexelMap& map : solid.maps) map.step_y = ratio * step * chance.vector();
+                    group.cases.push_back(
+                        {fmt::format("{}, {} octaves near {:g}, texels of {:g} by {:g} cells, {}",
+                                     noise.name, term.octaves, place, step, step * ratio,
+                                     to_string(wrap)),
+                         texture, std::move(solid)});
+                }
+    return group;
 }
 
 }  // namespace burl

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include "tests/stability/cases.h"
-#include "tests/stability/chance.h"
 #include "tests/stability/truth.h"
 
 namespace burl {

@@ -8,7 +8,6 @@
 
 #include "atlas/base/error.h"
 #include "tests/stability/checks.h"
-#include "tests/stability/filters.h"
 #include "tests/stability/truth.h"
 
 namespace burl {

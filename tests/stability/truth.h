@@ -1,14 +1,34 @@
 #pragma once
-// The reference for bakes where float64 itself is in doubt: a second implementation of the 1999
-// model's field, directly from docs/reference/noise.md and in long double, and the error bounds of
-// docs/reference/numerics.md.
+// The reference for bakes where float64 itself is in doubt: a second implementation of noise,
+// its gradient and the 1999 model's field, directly from docs/reference/noise.md and in long
+// double, and the error bounds of docs/reference/numerics.md.
+#include <array>
 #include <vector>
 
 #include "atlas/solid/solid_atlas.h"
 #include "procedural/model/octaves.h"
-#include "tests/stability/noise.h"
+#include "procedural/noise/spec.h"
 
 namespace burl {
+
+using LongPoint = std::array<long double, 3>;
+
+/// A noise's value and gradient.
+struct LongNoise {
+    long double value = 0.0L;
+    LongPoint gradient{};
+};
+
+/// Whether long_noise() implements the noise itself: `value`, `perlin` and `simplex` without period
+/// and time.
+bool has_long_form(const NoiseSpec& noise);
+
+/// Returns value and gradient at p, in lattice coordinates. Other noises are evaluated by
+/// procedural/noise/noise.h in float64, at p rounded to float64.
+LongNoise long_noise(const NoiseSpec& noise, const LongPoint& p);
+
+/// Whether the noise is discontinuous: there, the rounding of a point decides its side.
+bool has_jumps(const NoiseSpec& noise);
 
 /// Magnitudes of the numbers from which a span's texels are computed.
 struct SpanSizes {
@@ -25,7 +45,7 @@ class StabilityTruth {
     /// rounding.
     LongPoint point(const TexelMap& map, std::int64_t x, std::int64_t y) const;
 
-    /// Returns f(s). Noises without a long form (stability_noise.h) are evaluated in float64.
+    /// Returns f(s). Noises without a long form are evaluated in float64.
     long double field(const LongPoint& s) const;
     /// Returns f(s) and its gradient with respect to s.
     LongNoise sample(const LongPoint& s) const;

@@ -9,7 +9,7 @@
 #include "atlas/base/error.h"
 #include "procedural/color/map_filter.h"
 #include "tests/app/programs/run_program.h"
-#include "tests/stability/filters.h"
+#include "tests/stability/checks.h"
 #include "tests/stability/stability.h"
 
 namespace burl::test {

@@ -2,6 +2,8 @@
 // any have the same bytes, for all presets and a thousand recipes at random.
 #include "procedural/batch/economy.h"
 
+#include <filesystem>
+
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -13,7 +15,6 @@
 #include "tests/paths.h"
 #include "tests/procedural/support/synthetic_atlas.h"
 #include "tests/stability/cases.h"
-#include "tests/stability/chance.h"
 
 namespace burl {
 namespace {
