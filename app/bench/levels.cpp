@@ -9,7 +9,7 @@
 #include "app/base/messages.h"
 #include "app/bench/command.h"
 #include "app/bench/meshes.h"
-#include "app/measure/level_errors.h"
+#include "app/measure/metric_texture.h"
 #include "app/recipe/lattice_check.h"
 #include "atlas/solid/level.h"
 

@@ -4,11 +4,11 @@
 #include <gtest/gtest.h>
 
 #include "app/bake/normals.h"
-#include "app/direct/render.h"
 #include "app/gl/draw/render.h"
 #include "app/image/image_diff.h"
 #include "app/scene/scene.h"
 #include "tests/app/gl/device/fixture.h"
+#include "tests/app/support/direct_picture.h"
 #include "tests/app/support/sample_scene.h"
 #include "tests/app/support/scratch_folder.h"
 
