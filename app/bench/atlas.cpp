@@ -5,10 +5,10 @@
 #include <cmath>
 #include <memory>
 
-#include <tbb/global_control.h>
-
 #include <fmt/format.h>
+#include <tbb/global_control.h>
 #include <nlohmann/json.hpp>
+
 #include "app/bench/command.h"
 #include "app/bench/meshes.h"
 #include "app/measure/metric_texture.h"

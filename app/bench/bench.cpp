@@ -9,18 +9,13 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "app/base/stopwatch.h"
 #include "procedural/batch/texel_batch.h"
 #include "procedural/numbers/simd_level.h"
 
 namespace burl {
 
 namespace {
-
-double seconds_of(const std::function<void()>& run) {
-    const auto start = std::chrono::steady_clock::now();
-    run();
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 
 double median_of(std::vector<double> values) {
     std::sort(values.begin(), values.end());
@@ -58,8 +53,11 @@ std::vector<BenchRow> run_paired(const std::vector<BenchCase>& cases, int repeat
     std::vector<std::vector<double>> seconds(cases.size());
     for (const BenchCase& bench : cases) bench.run();
     for (int round = 0; round < repeats; ++round) {
-        for (std::size_t i = 0; i < cases.size(); ++i)
-            seconds[i].push_back(seconds_of(cases[i].run));
+        for (std::size_t i = 0; i < cases.size(); ++i) {
+            const auto start = std::chrono::steady_clock::now();
+            cases[i].run();
+            seconds[i].push_back(seconds_since(start));
+        }
     }
     std::vector<BenchRow> rows;
     for (std::size_t i = 0; i < cases.size(); ++i) {

@@ -1,14 +1,14 @@
 // The suite `burl bench filter`: cost and error of each texel filter against the mean over the
 // texel, by texture and footprint (the error of eq. 9 of Hart et al. 1999, which the paper leaves
-// to be investigated). All textures are
-// sampled on oblique planes, with texels 0.7 times as high as wide.
+// to be investigated). All textures are sampled on oblique planes, with texels 0.7 times as high as
+// wide.
 #include <cmath>
 #include <memory>
 #include <random>
 
 #include <fmt/format.h>
-
 #include <nlohmann/json.hpp>
+
 #include "app/bench/bench.h"
 #include "app/bench/command.h"
 #include "app/recipe/names.h"
@@ -26,12 +26,10 @@ struct FilterBench {
     std::string texture;  ///< preset, or node of a checkerboard
     /// Side of a texel in cells of the finest octave (zone plate: in units of 1/50).
     double footprint;
-    /// Value of --filter, or a form of a checkerboard's node; "grid:16" and "jitter:16" are
-    /// unweighted samples.
-    std::string filter;
     double truth_noise = 0.0;  ///< RMS error of the reference, the sampled mean over a texel
-    /// Times are on one thread; grid and jitter are not timed, as they cost 16 times the first
-    /// filter. Errors are over all channels in linear light.
+    /// Times are on one thread, errors over all channels in linear light. The method is a value of
+    /// --filter, or a form of a checkerboard's node; "grid:16" and "jitter:16" are unweighted
+    /// samples, which are not timed, as they cost 16 times the first filter.
     BenchResult result{};
 };
 
@@ -231,8 +229,7 @@ void add_rows(std::vector<FilterBench>& rows, const FilterSubject& subject, doub
         0.5 * error_of(truth, [&](std::size_t i) { return truth[i].mean + truth[i].halves; }).rms;
     const std::string group = group_name(subject.texture, footprint);
     const auto add = [&](const BenchRow& time, const std::function<Vec3d(std::size_t)>& value) {
-        rows.push_back(
-            {subject.texture, footprint, time.name, noise, {time, error_of(truth, value)}});
+        rows.push_back({subject.texture, footprint, noise, {time, error_of(truth, value)}});
     };
     const SolidAtlas solid = squares(maps, blocks, block);
     const std::vector<BenchRow> times = time_filters(subject, group, side, across, repeats);

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+
 #include "app/bench/bench.h"
 #include "app/bench/command.h"
 #include "app/recipe/names.h"

@@ -1,17 +1,19 @@
 // The suite `burl bench kernels`: the kernels for lattice noise side by side, by the number of
 // lattice planes crossed per texel. The crossovers in procedural/field/octave_streams are taken
 // from it, and it shows how far off they are.
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <random>
-
-#include <fmt/format.h>
-#include <algorithm>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
 #include "app/bench/bench.h"
 #include "app/bench/command.h"
+#include "app/bench/noise.h"
 #include "procedural/field/octave_streams.h"
 #include "procedural/numbers/simd_level.h"
 
@@ -62,13 +64,6 @@ std::vector<std::vector<Piece>> random_spans(std::mt19937& random, double crossi
     return result;
 }
 
-std::vector<Octave> octaves_of(NoiseKind kind, Fade fade, std::uint32_t octaves) {
-    Texture texture;
-    NoiseTerm& term = texture.noise.emplace_back();
-    term.kind = kind, term.fade = fade, term.octaves = octaves;
-    return expand_octaves(texture);
-}
-
 KernelBench bench_kernel(const std::string& name, const std::vector<Octave>& octaves,
                          double crossings, std::size_t span, int repeats) {
     std::mt19937 random(5);
@@ -112,7 +107,7 @@ std::vector<KernelBench> bench_kernels(int repeats, std::size_t span) {
         for (const double crossings : {1.0 / 1024, 1.0 / 256, 1.0 / 64, 1.0 / 16, 1.0 / 8, 3.0 / 16,
                                        1.0 / 4, 3.0 / 8, 1.0 / 2, 1.0, 4.0})
             rows.push_back(
-                bench_kernel(name, octaves_of(kind, fade, octaves), crossings, span, repeats));
+                bench_kernel(name, noise_octaves(kind, fade, octaves), crossings, span, repeats));
     return rows;
 }
 

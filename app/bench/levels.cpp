@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include <fmt/format.h>
-
 #include <nlohmann/json.hpp>
+
 #include "app/base/messages.h"
 #include "app/bench/command.h"
 #include "app/bench/meshes.h"
@@ -74,7 +74,7 @@ std::vector<LevelBench> bench_levels(int repeats, SynthesisSubjects subjects, st
     pipeline.set_threads(1);
     std::vector<LevelBench> rows;
     for (const std::string& name : subjects.recipes) {
-        const Recipe recipe = load_recipe(name, {fmt::format("atlas.size={}", subjects.side)});
+        const Recipe recipe = sized_recipe(name, subjects.side);
         check_lattice(recipe, pipeline.mesh());
         pipeline.set_recipe(recipe);
         add_rules(pipeline, level_truth(pipeline, 1, last, points), repeats, rows);

@@ -2,8 +2,8 @@
 #include <memory>
 
 #include <fmt/format.h>
-
 #include <nlohmann/json.hpp>
+
 #include "app/bench/command.h"
 #include "app/bench/meshes.h"
 #include "atlas/mesh/connectivity.h"

@@ -108,13 +108,6 @@ void add_scalar(NoiseCases& all, const std::string& group, const std::string& na
     });
 }
 
-std::vector<Octave> noise_octaves(NoiseKind kind, Fade fade, std::uint32_t octaves) {
-    Texture texture;
-    NoiseTerm& term = texture.noise.emplace_back();
-    term.kind = kind, term.fade = fade, term.octaves = octaves;
-    return expand_octaves(texture);
-}
-
 /// Adds the vectorised kernel of a noise that has one; every texel hashes its own corners.
 void add_kernel(NoiseCases& all, const std::string& group, const std::string& name,
                 const std::vector<Octave>& octaves, const Lines& lines) {
@@ -176,6 +169,13 @@ void add_ours(NoiseCases& all, const BenchPoints& points, const Lines& lines) {
 }
 
 }  // namespace
+
+std::vector<Octave> noise_octaves(NoiseKind kind, Fade fade, std::uint32_t octaves) {
+    Texture texture;
+    NoiseTerm& term = texture.noise.emplace_back();
+    term.kind = kind, term.fade = fade, term.octaves = octaves;
+    return expand_octaves(texture);
+}
 
 std::vector<BenchResult> bench_noise(int repeats, std::size_t samples) {
     const std::size_t count = samples / batch_capacity * batch_capacity;

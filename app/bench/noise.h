@@ -8,8 +8,12 @@
 
 #include "app/bench/bench.h"
 #include "atlas/base/vec.h"
+#include "procedural/model/octaves.h"
 
 namespace burl {
+
+/// Returns the octaves of a noise term of that kind and fade, all else by default.
+std::vector<Octave> noise_octaves(NoiseKind kind, Fade fade, std::uint32_t octaves);
 
 /// Measures about `samples` values per case, at least 1024, in `repeats` paired rounds.
 std::vector<BenchResult> bench_noise(int repeats, std::size_t samples = 65536);

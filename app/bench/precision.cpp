@@ -5,10 +5,11 @@
 #include <memory>
 
 #include <fmt/format.h>
-
 #include <nlohmann/json.hpp>
+
 #include "app/bench/command.h"
 #include "app/bench/meshes.h"
+#include "app/bench/synthesis.h"
 #include "app/options/command_options.h"
 #include "app/pipeline/pipeline.h"
 #include "procedural/color/table.h"
@@ -112,7 +113,7 @@ PrecisionBench measured(const std::string& preset, const std::string& name, Pipe
 
 std::shared_ptr<Pipeline> torus_with(const char* preset, std::size_t side) {
     auto pipeline = std::make_shared<Pipeline>(torus(6000));
-    pipeline->set_recipe(load_recipe(preset, {fmt::format("atlas.size={}", side)}));
+    pipeline->set_recipe(sized_recipe(preset, side));
     pipeline->solid();
     return pipeline;
 }

@@ -19,21 +19,6 @@ namespace burl {
 
 namespace {
 
-/// Replaces the first term by one term per octave, in the same order; returns their number.
-std::size_t take_apart(Texture& texture) {
-    NoiseTerm term = texture.noise.front();
-    texture.noise.erase(texture.noise.begin());
-    std::vector<NoiseTerm> terms;
-    for (std::uint32_t k = std::exchange(term.octaves, 1); k-- > 0;) {
-        terms.push_back(term);
-        term.seed += 1;
-        term.amplitude *= term.gain;
-        term.frequency *= term.lacunarity;
-    }
-    texture.noise.insert(texture.noise.begin(), terms.begin(), terms.end());
-    return terms.size();
-}
-
 /// A texture and the slider that edits it.
 struct Edited {
     std::shared_ptr<Pipeline> pipeline;
@@ -100,7 +85,7 @@ std::vector<BenchCase> cases_of(const std::shared_ptr<Pipeline>& pipeline,
 }
 
 Recipe load_plain(const std::string& name, std::size_t side) {
-    const Recipe recipe = load_recipe(name, {fmt::format("atlas.size={}", side)});
+    const Recipe recipe = sized_recipe(name, side);
     const bool plain = recipe.graph.empty() && recipe.filter == Filter{} && !recipe.precision.kind;
     if (!plain || recipe.texture.noise.empty() || recipe.texture.colors.stops.empty())
         throw Error(ExitCode::usage,

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <numeric>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -138,6 +139,24 @@ std::vector<double> defined_colors(const SolidAtlas& solid, const Recipe& recipe
     return values;
 }
 
+Recipe sized_recipe(const std::string& name, std::size_t side) {
+    return load_recipe(name, {fmt::format("atlas.size={}", side)});
+}
+
+std::size_t take_apart(Texture& texture) {
+    NoiseTerm term = texture.noise.front();
+    texture.noise.erase(texture.noise.begin());
+    std::vector<NoiseTerm> terms;
+    for (std::uint32_t k = std::exchange(term.octaves, 1); k-- > 0;) {
+        terms.push_back(term);
+        term.seed += 1;
+        term.amplitude *= term.gain;
+        term.frequency *= term.lacunarity;
+    }
+    texture.noise.insert(texture.noise.begin(), terms.begin(), terms.end());
+    return terms.size();
+}
+
 double mean_span(const SolidAtlas& solid) {
     const std::size_t texels =
         std::accumulate(solid.spans.begin(), solid.spans.end(), std::size_t{0},
@@ -151,7 +170,7 @@ std::vector<BenchResult> bench_synthesis(int repeats, SynthesisSubjects subjects
         std::make_shared<Pipeline>(subjects.mesh ? std::move(*subjects.mesh) : torus(6000));
     std::vector<BenchResult> all;
     for (const std::string& name : subjects.recipes) {
-        const Recipe recipe = load_recipe(name, {fmt::format("atlas.size={}", side)});
+        const Recipe recipe = sized_recipe(name, side);
         check_lattice(recipe, pipeline->mesh());
         pipeline->set_recipe(recipe);
         pipeline->solid();

@@ -1,6 +1,6 @@
 #pragma once
 // The suite `burl bench synthesis`: time and error of baking whole textures by every method,
-// against the definition in float64.
+// against the definition in float64; and what suites of whole textures share.
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -37,6 +37,13 @@ struct SynthesisSubjects {
 
 /// Returns what the command line asks for, with textures of `usual_side` unless it has a size.
 SynthesisSubjects subjects_of(const BenchCommand& command, std::size_t usual_side);
+
+/// Returns a preset or recipe file for a texture of side x side texels. Throws Error as
+/// load_recipe() does.
+Recipe sized_recipe(const std::string& name, std::size_t side);
+
+/// Replaces the first noise term by one term per octave, in the same order; returns their number.
+std::size_t take_apart(Texture& texture);
 
 /// Returns the mean number of texels per span of an atlas with at least one span. That many texels
 /// share the work per span (its start in the lattice, the choice of a kernel).

@@ -172,14 +172,19 @@ struct PreparedRecipe {
     Affine3 map;
 };
 
+/// The evaluation with every number rounded to Real.
+template <class Real>
+Evaluation rounded(double value, const Vec3d& gradient, const Vec3d& color) {
+    const auto real = [](double x) { return double(Real(x)); };
+    return {real(value),
+            {real(gradient.x), real(gradient.y), real(gradient.z)},
+            Vec3d(real(color.x), real(color.y), real(color.z))};
+}
+
 template <class Real>
 Evaluation evaluate_at(const PreparedRecipe& recipe, const Vec3d& point) {
     const FieldSample f = sample_field<Real>(recipe.quadric, recipe.octaves, recipe.map(point));
-    const Vec3d gradient = f.gradient * recipe.map.linear, color = recipe.colors(f.value);
-    const auto rounded = [](double x) { return double(Real(x)); };
-    return {rounded(f.value),
-            {rounded(gradient.x), rounded(gradient.y), rounded(gradient.z)},
-            Vec3d(rounded(color.x), rounded(color.y), rounded(color.z))};
+    return rounded<Real>(f.value, f.gradient * recipe.map.linear, recipe.colors(f.value));
 }
 
 Evaluation evaluate_fixed(const PreparedRecipe& recipe, const FixedField& field,
@@ -198,11 +203,7 @@ Evaluation evaluate_graph(const GraphEvaluator& evaluate, GraphEvaluator::Scratc
     const auto& c = sample.channels;
     const Dual value =
         sample.wire == Wire::number ? c[0] : 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2];
-    const Vec3d gradient = value.slope * map.linear, color = sample.color();
-    const auto rounded = [](double x) { return double(Real(x)); };
-    return {rounded(value.value),
-            {rounded(gradient.x), rounded(gradient.y), rounded(gradient.z)},
-            Vec3d(rounded(color.x), rounded(color.y), rounded(color.z))};
+    return rounded<Real>(value.value, value.slope * map.linear, sample.color());
 }
 
 std::vector<PointResult> evaluate_graph(const Recipe& recipe, const PointFile& file) {

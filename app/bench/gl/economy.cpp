@@ -6,11 +6,12 @@
 #include <utility>
 
 #include <fmt/format.h>
-
 #include <nlohmann/json.hpp>
+
 #include "app/bench/command.h"
 #include "app/bench/gl/view.h"
 #include "app/bench/meshes.h"
+#include "app/bench/synthesis.h"
 #include "app/pipeline/pipeline.h"
 #include "app/surface/sample_meshes.h"
 
@@ -18,20 +19,10 @@ namespace burl {
 
 namespace {
 
-Recipe recipe_of(const std::string& name, std::uint32_t size) {
-    return load_recipe(name, {fmt::format("atlas.size={}", size)});
-}
-
 /// Marble with its octaves as separate terms, which can be edited one by one.
 Recipe four_terms(std::uint32_t size) {
-    Recipe recipe = recipe_of("marble", size);
-    NoiseTerm term = recipe.texture.noise.front();
-    recipe.texture.noise.clear();
-    for (std::uint32_t k = std::exchange(term.octaves, 1); k-- > 0; ++term.seed) {
-        recipe.texture.noise.push_back(term);
-        term.amplitude *= term.gain;
-        term.frequency *= term.lacunarity;
-    }
+    Recipe recipe = sized_recipe("marble", size);
+    take_apart(recipe.texture);
     return recipe;
 }
 
@@ -200,7 +191,7 @@ double SparedOctaves::share(Skip skip) const {
 
 SparedOctaves spared_by_band_limit(const std::string& name, std::uint32_t size,
                                    std::uint32_t level) {
-    Recipe recipe = recipe_of(name, size);
+    Recipe recipe = sized_recipe(name, size);
     recipe.filter.band_limit = true;
     Pipeline pipeline(sample_mesh("sample:teapot"));
     pipeline.set_recipe(recipe);

@@ -1,18 +1,18 @@
 // The suite `burl bench editor`: a slider or colour stop is dragged in real time, and latency and
 // frame times are measured.
-#include <fmt/format.h>
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <ctime>
-
 #include <cstdint>
+#include <ctime>
 #include <memory>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
 #include "app/bench/command.h"
 #include "app/bench/gl/editor_window.h"
 #include "app/editor/window/program.h"
@@ -42,9 +42,7 @@ struct EditorBench {
 };
 
 double processor_seconds() {
-    timespec time{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-    return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
+    return double(std::clock()) / CLOCKS_PER_SEC;
 }
 
 InputEvent pointer(const glm::dvec2& at) {
@@ -201,12 +199,12 @@ double share_of_finest(const EditorBench& row) {
     return row.textures == 0 ? 0.0 : double(row.levels.front()) / double(row.textures);
 }
 
-/// Drags sliders and a colour stop of marble on `mesh` for `seconds` each, with 60 events a second,
-/// in an offscreen window drawn by OSMesa: all in software, on the machine's own threads. Throws
-/// Error as EditorProgram does.
-std::vector<EditorBench> bench_editor(const std::string& mesh, std::uint32_t side, double seconds) {
+/// Drags sliders and a colour stop of marble on the teapot for four seconds each, with 60 events a
+/// second, in an offscreen window drawn by OSMesa: all in software, on the machine's own threads.
+/// Throws Error as EditorProgram does.
+std::vector<EditorBench> bench_editor(std::uint32_t side) {
     EditorOptions options;
-    options.mesh = mesh;
+    options.mesh = "sample:teapot";
     options.settings = {fmt::format("atlas.size={}", side)};
     auto owned = std::make_unique<BenchWindow>(create_osmesa_context(), glm::ivec2(1280, 800));
     BenchWindow& window = *owned;
@@ -221,7 +219,7 @@ std::vector<EditorBench> bench_editor(const std::string& mesh, std::uint32_t sid
         EditorBench bench;
         bench.what = subject.item;
         bench.side = side;
-        Drag(editor, window, subject, bench).run(seconds);
+        Drag(editor, window, subject, bench).run(4.0);
         bench.idle_share = idle_share(editor, window);
         rows.push_back(std::move(bench));
     }
@@ -279,9 +277,7 @@ void print_drags(const std::vector<EditorBench>& rows) {
 }  // namespace
 
 void run_editor_bench(const BenchCommand& command) {
-    constexpr double drag_seconds = 4.0;
-    const auto side = std::uint32_t(command.size_or(1024));
-    const std::vector<EditorBench> rows = bench_editor("sample:teapot", side, drag_seconds);
+    const std::vector<EditorBench> rows = bench_editor(std::uint32_t(command.size_or(1024)));
     if (report_rows(command, rows, drag_json)) print_drags(rows);
 }
 

@@ -1,12 +1,11 @@
 #include "app/bench/gl/editor_window.h"
 
-#include <glad/gl.h>
-
 #include <algorithm>
 #include <cmath>
 #include <thread>
 #include <utility>
 
+#include <glad/gl.h>
 #include <nlohmann/json.hpp>
 
 namespace burl {

@@ -1,13 +1,13 @@
 // The suite `burl bench open`: a large mesh is dropped on the editor in real time, and the times to
 // its first texture and to its patch atlas and the frame times meanwhile are measured.
-#include <fmt/format.h>
-#include <nlohmann/json.hpp>
-
 #include <array>
 #include <cmath>
 #include <ctime>
 #include <memory>
 #include <optional>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "app/base/stopwatch.h"
 #include "app/bench/command.h"

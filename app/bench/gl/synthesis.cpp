@@ -6,8 +6,8 @@
 #include <optional>
 
 #include <fmt/format.h>
-
 #include <nlohmann/json.hpp>
+
 #include "app/bench/command.h"
 #include "app/bench/meshes.h"
 #include "app/bench/synthesis.h"
