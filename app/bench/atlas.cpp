@@ -5,8 +5,11 @@
 #include <cmath>
 #include <memory>
 
+#include <fmt/format.h>
 #include <tbb/global_control.h>
+#include <nlohmann/json.hpp>
 
+#include "app/bench/command.h"
 #include "app/bench/meshes.h"
 #include "app/measure/metric_texture.h"
 #include "atlas/blocks/pairing.h"
@@ -121,6 +124,61 @@ AtlasBench bench_atlas(const AtlasSubject& subject, AtlasKind kind, int repeats)
     return bench;
 }
 
+Json atlas_json(const AtlasBench& bench) {
+    Json stages = Json::array();
+    for (const StageBench& stage : bench.stages)
+        stages.push_back({{"stage", stage.stage},
+                          {"seconds_one_thread", stage.one_thread},
+                          {"seconds_all_threads", stage.all_threads},
+                          {"us_per_face", stage.one_thread * 1e6 / double(bench.faces)},
+                          {"times_faster", stage.one_thread / stage.all_threads}});
+    BenchResult layout{bench.stage("layout").time};
+    layout.time.name = bench.kind;
+    layout.time.unit = "face";
+    layout.time.units = double(bench.faces);
+    layout.time.group = fmt::format("{} faces", bench.faces);
+    Json json = result_json(layout);
+    json["times_first"] = nullptr;  // atlas kinds are timed one after another
+    json["error_rms"] = std::pow(10.0, -bench.psnr / 20.0);
+    json.update(Json{{"kind", bench.kind},
+                     {"faces", bench.faces},
+                     {"size", bench.size},
+                     {"stages", stages},
+                     {"coverage", bench.coverage},
+                     {"psnr", bench.psnr},
+                     {"rmse_levels_1_to_3", bench.rmse}});
+    return json;
+}
+
+/// Prints an atlas in one line: times of layout and spans, and quality.
+void print_atlas(const AtlasBench& bench) {
+    const double us = 1e6 / double(bench.faces);
+    const StageBench &layout = bench.stage("layout"), &spans = bench.stage("spans");
+    fmt::print("  {:<8} {:>11.3f} {:>8.3f} {:>7.2f} {:>8.3f} {:>9.3f} {:>6.1f}", bench.kind,
+               layout.one_thread * 1e3, layout.one_thread * us,
+               layout.one_thread / layout.all_threads, spans.one_thread * us, bench.coverage,
+               bench.psnr);
+    for (const double rmse : bench.rmse) fmt::print(" {:>7.4f}", rmse);
+    for (const StageBench& stage : bench.stages)
+        if (stage.part_of_layout) fmt::print("  {} {:.3f}", stage.stage, stage.one_thread * us);
+    fmt::print("\n");
+}
+
+void print_atlases(const std::vector<AtlasBench>& rows) {
+    std::size_t faces = 0;
+    for (const AtlasBench& row : rows) {
+        if (row.faces != faces)
+            fmt::print(
+                "{}{} faces, {} x {} texels, connectivity {:.3f} us/face\n"
+                "  {:<8} {:>11} {:>8} {:>7} {:>8} {:>9} {:>6} {:>7} {:>7} {:>7}\n",
+                faces == 0 ? "" : "\n", row.faces, row.size, row.size,
+                row.stage("connectivity").one_thread * 1e6 / double(row.faces), "atlas",
+                "layout ms", "us/face", "faster", "spans", "coverage", "L0 dB", "L1", "L2", "L3");
+        faces = row.faces;
+        print_atlas(row);
+    }
+}
+
 }  // namespace
 
 const StageBench& AtlasBench::stage(std::string_view name) const {
@@ -143,6 +201,15 @@ std::vector<AtlasBench> bench_atlases(std::span<const std::size_t> faces, int re
             result.push_back(bench_atlas(subject, kind, repeats));
     }
     return result;
+}
+
+void run_atlas_bench(const BenchCommand& command) {
+    std::vector<std::size_t> faces{1'000, 10'000, 100'000};
+    if (command.large) faces.push_back(1'000'000);
+    if (command.size > 0) faces = {command.size};
+    const std::vector<AtlasBench> rows = bench_atlases(faces, command.repeats);
+    if (!report_rows(command, rows, atlas_json)) return;
+    print_atlases(rows);
 }
 
 }  // namespace burl

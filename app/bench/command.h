@@ -1,12 +1,14 @@
 #pragma once
-// The command line of `burl bench`, and the report of every suite.
+// The command line of `burl bench`: its suites, the options that each accepts, and how each reports
+// its results.
 #include <cstddef>
+#include <span>
 #include <string>
 #include <vector>
 
 #include <nlohmann/json.hpp>
 
-#include "app/measure/report.h"
+#include "app/bench/bench.h"
 
 namespace burl {
 
@@ -22,7 +24,20 @@ struct BenchCommand {
     bool large = false, json = false;
     bool thorough = false;  ///< stability: whether all cases are run
     std::string one{};      ///< stability: the case of --case
+
+    std::size_t size_or(std::size_t usual) const { return size == 0 ? usual : size; }
 };
+
+/// Checks the options given on the command line (with their dashes): options without effect are
+/// refused, and so are sizes that a suite cannot hold in memory or in its batches. Throws
+/// Error(usage).
+void check_bench(const BenchCommand& command, const std::vector<std::string>& given);
+
+/// Returns the help for --size: unit, bounds and default of each suite.
+std::string bench_size_help();
+
+/// Returns the names of the suites, sorted.
+std::vector<std::string> bench_suite_names();
 
 /// Writes the suite's rows with a description of the machine and the library versions, to the
 /// output file if there is one, and to stdout with --json.
@@ -38,11 +53,26 @@ bool report_rows(const BenchCommand& command, const Rows& rows, const ToJson& to
     return !command.json;
 }
 
-/// Runs the suite `forward`, prints its tables and writes the report.
+/// Reports a suite whose rows have no columns of their own, and prints their table.
+void report_results(const BenchCommand& command, std::span<const BenchResult> results);
+
+// Each function runs the suite of its name, prints its tables and writes the report.
+void run_atlas_bench(const BenchCommand& command);
+void run_filter_bench(const BenchCommand& command);
 void run_forward_bench(const BenchCommand& command);
-/// Runs the suite `economy`, prints its tables and writes the report.
+void run_kernels_bench(const BenchCommand& command);
+void run_levels_bench(const BenchCommand& command);
+void run_mesh_io_bench(const BenchCommand& command);
+void run_noise_bench(const BenchCommand& command);
+void run_precision_bench(const BenchCommand& command);
+void run_resynthesis_bench(const BenchCommand& command);
+void run_synthesis_bench(const BenchCommand& command);
+// Defined in app/bench/gl.
 void run_economy_bench(const BenchCommand& command);
-/// Runs the suite `stability`, or one of its cases, prints and writes the report.
+void run_editor_bench(const BenchCommand& command);
+void run_gl_bench(const BenchCommand& command);
+void run_open_bench(const BenchCommand& command);
+// Defined in tests/stability, which a program that calls it links (burl_stability).
 void run_stability_bench(const BenchCommand& command);
 
 }  // namespace burl

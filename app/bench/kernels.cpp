@@ -1,15 +1,36 @@
-#include "app/bench/kernels.h"
-
+// The suite `burl bench kernels`: the kernels for lattice noise side by side, by the number of
+// lattice planes crossed per texel. The crossovers in procedural/field/octave_streams are taken
+// from it, and it shows how far off they are.
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <random>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "app/bench/bench.h"
+#include "app/bench/command.h"
+#include "app/bench/noise.h"
 #include "procedural/field/octave_streams.h"
+#include "procedural/numbers/simd_target.h"
 
 namespace burl {
 
 namespace {
+
+/// Times of the kernels for one noise, span length and number of crossings.
+struct KernelBench {
+    std::string noise;
+    std::size_t span = 0;    ///< length of a span in texels
+    double crossings = 0.0;  ///< lattice planes of the first octave crossed per texel
+    /// Median times in ns per texel on one thread, by kernel.
+    double direct = 0.0, share = 0.0, scanline = 0.0, automatic = 0.0;
+
+    double best() const { return std::min({direct, share, scanline}); }
+};
 
 constexpr std::size_t batches = 64;
 
@@ -43,13 +64,6 @@ std::vector<std::vector<Piece>> random_spans(std::mt19937& random, double crossi
     return result;
 }
 
-std::vector<Octave> octaves_of(NoiseKind kind, Fade fade, std::uint32_t octaves) {
-    Texture texture;
-    NoiseTerm& term = texture.noise.emplace_back();
-    term.kind = kind, term.fade = fade, term.octaves = octaves;
-    return expand_octaves(texture);
-}
-
 KernelBench bench_kernel(const std::string& name, const std::vector<Octave>& octaves,
                          double crossings, std::size_t span, int repeats) {
     std::mt19937 random(5);
@@ -73,8 +87,8 @@ KernelBench bench_kernel(const std::string& name, const std::vector<Octave>& oct
             rows[3].ns_per_unit()};
 }
 
-}  // namespace
-
+/// Measures spans of `span` texels in random directions, in `repeats` paired rounds. The time
+/// includes coordinates, noise and its sum, and no colours.
 std::vector<KernelBench> bench_kernels(int repeats, std::size_t span) {
     const struct {
         const char* name;
@@ -93,8 +107,33 @@ std::vector<KernelBench> bench_kernels(int repeats, std::size_t span) {
         for (const double crossings : {1.0 / 1024, 1.0 / 256, 1.0 / 64, 1.0 / 16, 1.0 / 8, 3.0 / 16,
                                        1.0 / 4, 3.0 / 8, 1.0 / 2, 1.0, 4.0})
             rows.push_back(
-                bench_kernel(name, octaves_of(kind, fade, octaves), crossings, span, repeats));
+                bench_kernel(name, noise_octaves(kind, fade, octaves), crossings, span, repeats));
     return rows;
+}
+
+Json kernel_json(const KernelBench& row) {
+    return {{"noise", row.noise},
+            {"span", row.span},
+            {"crossings_per_texel", row.crossings},
+            {"ns_direct", row.direct},
+            {"ns_share", row.share},
+            {"ns_scanline", row.scanline},
+            {"ns_auto", row.automatic},
+            {"auto_over_best", row.automatic / row.best()}};
+}
+
+}  // namespace
+
+void run_kernels_bench(const BenchCommand& command) {
+    const std::vector<KernelBench> rows = bench_kernels(command.repeats, command.size_or(16));
+    if (!report_rows(command, rows, kernel_json)) return;
+    fmt::print("{:<26} {:>6} {:>15} {:>9} {:>9} {:>9} {:>9} {:>9}\n",
+               "ns per texel, " + simd_level(), "span", "crossings/texel", "direct", "share",
+               "scanline", "auto", "auto/best");
+    for (const KernelBench& row : rows)
+        fmt::print("{:<26} {:>6} {:>15.4f} {:>9.2f} {:>9.2f} {:>9.2f} {:>9.2f} {:>9.3f}\n",
+                   row.noise, row.span, row.crossings, row.direct, row.share, row.scanline,
+                   row.automatic, row.automatic / row.best());
 }
 
 }  // namespace burl

@@ -4,9 +4,12 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
+#include "app/base/messages.h"
+#include "app/bench/command.h"
 #include "app/bench/meshes.h"
-#include "app/measure/level_errors.h"
+#include "app/measure/metric_texture.h"
 #include "app/recipe/lattice_check.h"
 #include "atlas/solid/level.h"
 
@@ -52,6 +55,18 @@ void add_rules(Pipeline& pipeline, const SurfaceTruth& truth, int repeats,
     }
 }
 
+Json level_json(const LevelBench& row) {
+    Json json = result_json({row.time});
+    json.update(Json{{"recipe", row.recipe},
+                     {"level", row.level},
+                     {"rule", row.rule},
+                     {"samples_of_level_0", row.samples},
+                     {"rmse", row.rmse},
+                     {"rmse_of_average", row.of_average},
+                     {"truth_noise", row.truth_noise}});
+    return json;
+}
+
 }  // namespace
 
 std::vector<LevelBench> bench_levels(int repeats, SynthesisSubjects subjects, std::size_t points) {
@@ -59,12 +74,23 @@ std::vector<LevelBench> bench_levels(int repeats, SynthesisSubjects subjects, st
     pipeline.set_threads(1);
     std::vector<LevelBench> rows;
     for (const std::string& name : subjects.recipes) {
-        const Recipe recipe = load_recipe(name, {fmt::format("atlas.size={}", subjects.side)});
+        const Recipe recipe = sized_recipe(name, subjects.side);
         check_lattice(recipe, pipeline.mesh());
         pipeline.set_recipe(recipe);
         add_rules(pipeline, level_truth(pipeline, 1, last, points), repeats, rows);
     }
     return rows;
+}
+
+void run_levels_bench(const BenchCommand& command) {
+    const std::vector<LevelBench> rows = bench_levels(command.repeats, subjects_of(command, 512));
+    if (!report_rows(command, rows, level_json)) return;
+    fmt::print("{:<26} {:<10} {:>8} {:>9} {:>8} {:>9} {:>9} {:>8}\n", "texture", "rule", "samples",
+               "RMSE", "of avg", "truth +-", "ms", "of avg");
+    for (const LevelBench& row : rows)
+        fmt::print("{:<26} {:<10} {:>8.4f} {:>9.5f} {:>8.3f} {:>9.5f} {:>9.2f} {:>8.3f}\n",
+                   printable(row.time.group), row.rule, row.samples, row.rmse, row.of_average,
+                   row.truth_noise, row.time.median * 1e3, row.time.times_first);
 }
 
 }  // namespace burl

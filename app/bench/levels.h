@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/bench/result.h"
+#include "app/bench/bench.h"
 #include "app/bench/synthesis.h"
 
 namespace burl {

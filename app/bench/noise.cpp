@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "app/bench/baselines.h"
+#include "app/bench/command.h"
 #include "procedural/field/octave_streams.h"
 #include "procedural/noise/names.h"
 #include "procedural/noise/noise.h"
@@ -108,13 +108,6 @@ void add_scalar(NoiseCases& all, const std::string& group, const std::string& na
     });
 }
 
-std::vector<Octave> noise_octaves(NoiseKind kind, Fade fade, std::uint32_t octaves) {
-    Texture texture;
-    NoiseTerm& term = texture.noise.emplace_back();
-    term.kind = kind, term.fade = fade, term.octaves = octaves;
-    return expand_octaves(texture);
-}
-
 /// Adds the vectorised kernel of a noise that has one; every texel hashes its own corners.
 void add_kernel(NoiseCases& all, const std::string& group, const std::string& name,
                 const std::vector<Octave>& octaves, const Lines& lines) {
@@ -177,6 +170,13 @@ void add_ours(NoiseCases& all, const BenchPoints& points, const Lines& lines) {
 
 }  // namespace
 
+std::vector<Octave> noise_octaves(NoiseKind kind, Fade fade, std::uint32_t octaves) {
+    Texture texture;
+    NoiseTerm& term = texture.noise.emplace_back();
+    term.kind = kind, term.fade = fade, term.octaves = octaves;
+    return expand_octaves(texture);
+}
+
 std::vector<BenchResult> bench_noise(int repeats, std::size_t samples) {
     const std::size_t count = samples / batch_capacity * batch_capacity;
     const BenchPoints points = random_points(count);
@@ -198,6 +198,10 @@ std::vector<BenchResult> bench_noise(int repeats, std::size_t samples) {
         return std::ranges::find(order, r.time.group) - order.begin();
     });
     return results;
+}
+
+void run_noise_bench(const BenchCommand& command) {
+    report_results(command, bench_noise(command.repeats, command.size_or(65536)));
 }
 
 }  // namespace burl

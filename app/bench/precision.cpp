@@ -5,8 +5,11 @@
 #include <memory>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
+#include "app/bench/command.h"
 #include "app/bench/meshes.h"
+#include "app/bench/synthesis.h"
 #include "app/options/command_options.h"
 #include "app/pipeline/pipeline.h"
 #include "procedural/color/table.h"
@@ -110,7 +113,7 @@ PrecisionBench measured(const std::string& preset, const std::string& name, Pipe
 
 std::shared_ptr<Pipeline> torus_with(const char* preset, std::size_t side) {
     auto pipeline = std::make_shared<Pipeline>(torus(6000));
-    pipeline->set_recipe(load_recipe(preset, {fmt::format("atlas.size={}", side)}));
+    pipeline->set_recipe(sized_recipe(preset, side));
     pipeline->solid();
     return pipeline;
 }
@@ -134,6 +137,16 @@ void add_times(std::vector<PrecisionBench>& rows, const std::shared_ptr<Pipeline
     for (std::size_t i = begin; i < rows.size(); ++i) rows[i].time = times[i - begin];
 }
 
+Json precision_json(const PrecisionBench& row) {
+    Json json = result_json({row.time, BenchError{row.max_error, row.rms_error}});
+    json["psnr"] = std::isfinite(row.psnr) ? Json(row.psnr) : Json();
+    if (row.coordinate_rms_error > 0.0) {
+        json["coordinate_rms_error"] = row.coordinate_rms_error;
+        json["coordinate_psnr"] = row.coordinate_psnr;
+    }
+    return json;
+}
+
 }  // namespace
 
 std::vector<PrecisionBench> bench_precision(int repeats, std::size_t side) {
@@ -147,6 +160,20 @@ std::vector<PrecisionBench> bench_precision(int repeats, std::size_t side) {
         add_times(rows, pipeline, begin, repeats);
     }
     return rows;
+}
+
+void run_precision_bench(const BenchCommand& command) {
+    const std::vector<PrecisionBench> rows = bench_precision(command.repeats, command.size_or(512));
+    if (!report_rows(command, rows, precision_json)) return;
+    fmt::print("{:<8} {:<11} {:>10} {:>10} {:>7} {:>9}   {}\n", "texture", "precision", "max error",
+               "RMS error", "PSNR", "ns/texel", "coordinates alone: RMS, PSNR");
+    for (const PrecisionBench& row : rows) {
+        fmt::print("{:<8} {:<11} {:>10.3g} {:>10.3g} {:>7.2f} {:>9.1f}", row.texture, row.precision,
+                   row.max_error, row.rms_error, row.psnr, row.time.ns_per_unit());
+        if (row.coordinate_rms_error > 0.0)
+            fmt::print(" {:>10.3g} {:>7.2f}", row.coordinate_rms_error, row.coordinate_psnr);
+        fmt::print("\n");
+    }
 }
 
 }  // namespace burl

@@ -1,12 +1,14 @@
-#include "app/bench/resynthesis.h"
-
+// The suite `burl bench resynthesis`: the time of the next texture after an edit, with intermediate
+// values cached, beside a synthesis from scratch.
 #include <limits>
 #include <memory>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "app/bench/command.h"
 #include "app/bench/meshes.h"
+#include "app/bench/synthesis.h"
 #include "app/pipeline/pipeline.h"
 #include "app/recipe/lattice_check.h"
 #include "atlas/base/error.h"
@@ -16,21 +18,6 @@
 namespace burl {
 
 namespace {
-
-/// Replaces the first term by one term per octave, in the same order; returns their number.
-std::size_t take_apart(Texture& texture) {
-    NoiseTerm term = texture.noise.front();
-    texture.noise.erase(texture.noise.begin());
-    std::vector<NoiseTerm> terms;
-    for (std::uint32_t k = std::exchange(term.octaves, 1); k-- > 0;) {
-        terms.push_back(term);
-        term.seed += 1;
-        term.amplitude *= term.gain;
-        term.frequency *= term.lacunarity;
-    }
-    texture.noise.insert(texture.noise.begin(), terms.begin(), terms.end());
-    return terms.size();
-}
 
 /// A texture and the slider that edits it.
 struct Edited {
@@ -98,7 +85,7 @@ std::vector<BenchCase> cases_of(const std::shared_ptr<Pipeline>& pipeline,
 }
 
 Recipe load_plain(const std::string& name, std::size_t side) {
-    const Recipe recipe = load_recipe(name, {fmt::format("atlas.size={}", side)});
+    const Recipe recipe = sized_recipe(name, side);
     const bool plain = recipe.graph.empty() && recipe.filter == Filter{} && !recipe.precision.kind;
     if (!plain || recipe.texture.noise.empty() || recipe.texture.colors.stops.empty())
         throw Error(ExitCode::usage,
@@ -108,8 +95,11 @@ Recipe load_plain(const std::string& name, std::size_t side) {
     return recipe;
 }
 
-}  // namespace
-
+/// Measures textures on one thread in 8 bits; mesh, layout and spans are not timed. In every round
+/// a case makes one edit of its kind to the texture of its round before, in which the recipe's
+/// first noise term is split into one term per octave, and the last of these is edited. "From
+/// scratch" is the recipe itself. Throws Error for recipes that cannot be read, and for graphs,
+/// filters and precisions, for which nothing is cached.
 std::vector<BenchResult> bench_resynthesis(int repeats, SynthesisSubjects subjects) {
     const auto pipeline =
         std::make_shared<Pipeline>(subjects.mesh ? std::move(*subjects.mesh) : torus(6000));
@@ -123,6 +113,12 @@ std::vector<BenchResult> bench_resynthesis(int repeats, SynthesisSubjects subjec
             all.push_back({row});
     }
     return all;
+}
+
+}  // namespace
+
+void run_resynthesis_bench(const BenchCommand& command) {
+    report_results(command, bench_resynthesis(command.repeats, subjects_of(command, 1024)));
 }
 
 }  // namespace burl

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
+#include <cmath>
 #include <iterator>
 #include <string_view>
 #include <utility>
@@ -21,6 +23,33 @@
 namespace burl {
 
 namespace {
+
+Error bad_plane(const std::string& text) {
+    return Error(ExitCode::usage,
+                 fmt::format("'{}' is not a plane; write [RECIPE:]NX,NY,NZ,D for the points whose "
+                             "NX x + NY y + NZ z is D, for example clouds:0,1,0,4",
+                             text));
+}
+
+/// Parses four finite numbers, the first three not all 0, and normalises the plane. Throws
+/// Error(usage).
+Plane parse_numbers(const std::string& text, std::string_view rest) {
+    std::array<double, 4> numbers{};
+    const char* begin = rest.data();
+    const char* const end = begin + rest.size();
+    for (std::size_t i = 0; i < 4; ++i) {
+        const auto [stop, error] = std::from_chars(begin, end, numbers[i]);
+        const bool ends = i == 3 ? stop == end : stop != end && *stop == ',';
+        if (error != std::errc() || !ends || !std::isfinite(numbers[i])) throw bad_plane(text);
+        begin = stop + 1;
+    }
+    Vec3d normal(numbers[0], numbers[1], numbers[2]);
+    const double longest = std::max({std::abs(normal.x), std::abs(normal.y), std::abs(normal.z)});
+    if (!(longest > 0.0)) throw bad_plane(text);
+    normal /= longest;
+    const double length = longest * glm::length(normal);
+    return {glm::normalize(normal), numbers[3] / length};
+}
 
 /// The filters that average over a footprint without further samples.
 constexpr std::array footprint_filters{FilterKind::none,      FilterKind::table_mip,
@@ -160,6 +189,15 @@ class ShownRecipes {
 };
 
 }  // namespace
+
+PlaneArgument parse_plane(const std::string& text) {
+    const std::size_t colon = text.rfind(':');
+    const std::string_view numbers = colon == std::string::npos
+                                         ? std::string_view(text)
+                                         : std::string_view(text).substr(colon + 1);
+    if (colon == 0) throw bad_plane(text);
+    return {parse_numbers(text, numbers), colon == std::string::npos ? "" : text.substr(0, colon)};
+}
 
 std::vector<PictureRecipes> picture_recipes(const DirectOptions& options,
                                             const AnimationOptions& animation) {

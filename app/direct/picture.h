@@ -13,6 +13,16 @@
 
 namespace burl {
 
+/// A plane and the recipe it shows; an empty name means the recipe of --recipe.
+struct PlaneArgument {
+    Plane plane;
+    std::string recipe;
+};
+
+/// Parses "RECIPE:NX,NY,NZ,D" or "NX,NY,NZ,D", for example "clouds:0,1,0,4"; the plane's normal has
+/// length 1. Throws Error(usage).
+PlaneArgument parse_plane(const std::string& text);
+
 /// Options of `burl render`. The scene, --view, --size, --filter, --unlit and --supersample apply
 /// to every picture; the others to --direct and, except --plane and --widths, to --lazy.
 struct DirectOptions {

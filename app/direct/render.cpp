@@ -1,6 +1,7 @@
 #include "app/direct/render.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -8,11 +9,14 @@
 #include <tbb/parallel_for.h>
 
 #include "app/scene/visibility.h"
-#include "app/surface/normals.h"
 
 namespace burl {
 
 namespace {
+
+bool finite(const Vec3d& v) {
+    return std::isfinite(v.x + v.y + v.z);
+}
 
 constexpr int band_rows = 8;  // picture rows per task
 
@@ -112,20 +116,32 @@ Vec3d sample_color(const Surface& surface, std::span<const ScreenTriangle> trian
 
 }  // namespace
 
-Image<Rgb8> render_surface(const Mesh& mesh, std::span<const Vec3f> normals,
-                           const SurfaceColor& color, const Camera& camera,
-                           const PictureOptions& options) {
-    const PointColor at = [&](const SurfacePoint& point) { return color(position(mesh, point)); };
-    return render_points(mesh, normals, at, camera, options);
+SampleRays::SampleRays(const Camera& camera, const PictureSize& samples) : eye_(camera.eye) {
+    const Vec3d across = camera.right / camera.focal_x, upwards = camera.up / camera.focal_y;
+    steps_ = {2.0 / samples.width * across, -2.0 / samples.height * upwards};
+    first_ = -camera.back - across + upwards;
 }
 
-Image<Rgb8> render_points(const Mesh& mesh, std::span<const Vec3f> normals, const PointColor& color,
-                          const Camera& camera, const PictureOptions& options,
-                          const SurfaceNormal& bumped) {
-    const SampleColor at = [&](const SurfacePoint& point, const Footprint&) {
-        return color(point);
+Vec3d SampleRays::direction(int x, int y) const {
+    return first_ + (x + 0.5) * steps_.u + (y + 0.5) * steps_.v;
+}
+
+std::optional<PlaneHit> meet(const SampleRays& rays, int x, int y, const Plane& plane) {
+    const Vec3d direction = rays.direction(x, y);
+    const double height = plane.offset - glm::dot(plane.normal, rays.eye());
+    const double approach = glm::dot(plane.normal, direction);
+    // A ray that is parallel within rounding errors counts as parallel.
+    if (!(std::abs(approach) > 0x1p-48 * glm::length(direction))) return std::nullopt;
+    PlaneHit hit;
+    hit.depth = height / approach;
+    if (!(hit.depth > 0.0)) return std::nullopt;
+    hit.point = rays.eye() + hit.depth * direction;
+    const auto moved = [&](const Vec3d& step) {
+        return hit.depth * (step - glm::dot(plane.normal, step) / approach * direction);
     };
-    return render_samples({mesh, normals, at, bumped, {}}, camera, options);
+    hit.steps = {moved(rays.steps().u), moved(rays.steps().v)};
+    if (!finite(hit.point) || !finite(hit.steps.u) || !finite(hit.steps.v)) return std::nullopt;
+    return hit;
 }
 
 Image<Rgb8> render_samples(const DirectScene& scene, const Camera& camera,
@@ -159,15 +175,12 @@ Image<Rgb8> render_samples(const DirectScene& scene, const Camera& camera,
     return picture;
 }
 
-Image<Rgb8> render_direct(const Mesh& mesh, const Recipe& recipe, const Camera& camera,
-                          const PictureOptions& options, double crease_degrees) {
-    const std::vector<Vec3f> normals = corner_normals(mesh, crease_degrees);
-    const Affine3 texture_from_point = texture_from_mesh(recipe, mesh);
-    const TextureColor color_at = texture_color(recipe, recipe.precision);
-    const PointColor color = [&](const SurfacePoint& point) {
-        return color_at(texture_from_point(position(mesh, point)));
+Image<Rgb8> render_points(const Mesh& mesh, std::span<const Vec3f> normals, const PointColor& color,
+                          const Camera& camera, const PictureOptions& options) {
+    const SampleColor at = [&](const SurfacePoint& point, const Footprint&) {
+        return color(point);
     };
-    return render_points(mesh, normals, color, camera, options, bumped_normals(recipe, mesh));
+    return render_samples({mesh, normals, at, {}, {}}, camera, options);
 }
 
 }  // namespace burl

@@ -1,39 +1,62 @@
 #pragma once
 // The ground truth: the texture evaluated in float64 (or the recipe's precision) at the exact
 // surface point of every picture sample, without an atlas or a texture
-// (docs/reference/rendering.md). Pictures of baked textures are compared with it.
+// (docs/reference/rendering.md). Pictures of baked textures are compared with it. No mesh extends
+// to the horizon (Hart et al. 1999, figures 3 and 6), so every picture sample intersects a plane by
+// a ray of its own, and the ray's differential gives the sample's footprint on the plane.
 #include <functional>
+#include <optional>
 #include <span>
 
-#include "app/direct/infinite_plane.h"
 #include "app/pipeline/texture_color.h"
 #include "app/scene/camera.h"
 #include "app/scene/shading.h"
 #include "atlas/base/image.h"
 #include "atlas/measure/surface_points.h"
 #include "atlas/mesh/mesh.h"
+#include "procedural/batch/texel_batch.h"
 
 namespace burl {
 
-/// The linear-light colour of a point of the mesh, in mesh coordinates. Called from several
-/// threads.
-using SurfaceColor = std::function<Vec3d(const Vec3d& mesh_point)>;
+/// A plane up to the horizon: the points p of the scene with normal . p = offset. The normal has
+/// any length but 0.
+struct Plane {
+    Vec3d normal{0.0, 1.0, 0.0};
+    double offset = 0.0;
+};
+
+/// The rays through the samples of a picture; `samples` is the number of samples per side of the
+/// whole picture.
+class SampleRays {
+  public:
+    SampleRays(const Camera& camera, const PictureSize& samples);
+
+    const Vec3d& eye() const { return eye_; }
+    /// The direction through the centre of sample (x, y), y down; its component along the view axis
+    /// is 1.
+    Vec3d direction(int x, int y) const;
+    /// The difference of directions between neighbouring samples, to the right and downwards.
+    const Footprint& steps() const { return steps_; }
+
+  private:
+    Vec3d eye_, first_;
+    Footprint steps_;
+};
+
+/// The intersection of a ray with a plane.
+struct PlaneHit {
+    double depth = 0.0;  ///< the distance along the view axis, > 0
+    Vec3d point{0.0};
+    /// The displacement of the point between neighbouring samples, to first order.
+    Footprint steps;
+};
+
+/// The intersection of the ray through sample (x, y) with the plane; no value where the ray is
+/// parallel to it, points away from it or begins in it.
+std::optional<PlaneHit> meet(const SampleRays& rays, int x, int y, const Plane& plane);
 
 /// The linear-light colour of a point of a triangle. Called from several threads.
 using PointColor = std::function<Vec3d(const SurfacePoint& point)>;
-
-/// Draws every placement of every part; all placements show the colours of the first. `normals`
-/// holds one normal per triangle corner (3t+k), in mesh coordinates. Bit-identical for every thread
-/// count.
-Image<Rgb8> render_surface(const Mesh& mesh, std::span<const Vec3f> normals,
-                           const SurfaceColor& color, const Camera& camera,
-                           const PictureOptions& options);
-
-/// Draws as render_surface() does, with colours per triangle point. `bumped` maps the interpolated
-/// normals to those for shading; empty: they are used as they are.
-Image<Rgb8> render_points(const Mesh& mesh, std::span<const Vec3f> normals, const PointColor& color,
-                          const Camera& camera, const PictureOptions& options,
-                          const SurfaceNormal& bumped = {});
 
 /// The linear-light colour of a sample: of a point of a triangle whose footprint, its displacement
 /// between neighbouring samples, is `steps` (mesh coordinates). Called from several threads.
@@ -48,20 +71,20 @@ struct PlaneLayer {
 
 /// A mesh with its shading, and planes.
 struct DirectScene {
-    const Mesh& mesh;  ///< may be without triangles
-    std::span<const Vec3f> normals;
+    const Mesh& mesh;                ///< may be without triangles
+    std::span<const Vec3f> normals;  ///< one per triangle corner (3t+k), in mesh coordinates
     SampleColor color;
     SurfaceNormal bumped;  ///< the normals for shading from the interpolated ones; empty: those
     std::span<const PlaneLayer> planes;
 };
 
-/// Draws mesh and planes, nearer ones over farther ones. Bit-identical for every thread count.
+/// Draws mesh and planes, nearer ones over farther ones: every placement of every part of the mesh,
+/// all with the colours of the first. Bit-identical for every thread count.
 Image<Rgb8> render_samples(const DirectScene& scene, const Camera& camera,
                            const PictureOptions& options);
 
-/// Draws the mesh with the recipe's texture and bumps. Normals are the mesh's own, else those of an
-/// export (angle-weighted, creases above `crease_degrees`). Bit-identical for every thread count.
-Image<Rgb8> render_direct(const Mesh& mesh, const Recipe& recipe, const Camera& camera,
-                          const PictureOptions& options, double crease_degrees = 40.0);
+/// Draws the mesh alone, with colours per triangle point, as render_samples() does.
+Image<Rgb8> render_points(const Mesh& mesh, std::span<const Vec3f> normals, const PointColor& color,
+                          const Camera& camera, const PictureOptions& options);
 
 }  // namespace burl

@@ -12,11 +12,11 @@
 
 #include "app/main/verbs.h"
 #include "app/measure/evaluate_points.h"
+#include "app/measure/metrics_pictures.h"
 #include "app/measure/report.h"
 #include "app/options/command_options.h"
 #include "app/options/idle_options.h"
 #include "atlas/base/error.h"
-#include "procedural/color/srgb.h"
 #include "procedural/model/texture_json.h"
 
 namespace burl {
@@ -39,10 +39,7 @@ constexpr std::array idle_in_eval{IdleKey{"atlas", "eval works without an atlas"
                                   IdleKey{"pose", "eval has no mesh"}};
 
 std::string srgb_text(const Vec3d& linear) {
-    const auto code = [](double x) {
-        return std::uint8_t(std::lround(255.0 * srgb_encode(std::clamp(x, 0.0, 1.0))));
-    };
-    return color_to_hex({code(linear.x), code(linear.y), code(linear.z)});
+    return color_to_hex(encoded(linear));
 }
 
 Json evaluation_json(const Evaluation& one) {

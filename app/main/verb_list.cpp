@@ -37,14 +37,10 @@ constexpr auto atlas_texts = std::to_array<const char*>(
      "few patches on full rectangles, for any lookup (the default)"});
 static_assert(atlas_texts.size() == enum_names<AtlasKind>.size());
 
-std::vector<Entry> recipe_entries() {
-    std::vector<Entry> entries;
-    for (const std::string_view name : preset_names()) {
-        const std::span<const PresetNote> notes = preset_notes();
-        const auto note = std::ranges::find(notes, name, &PresetNote::name);
-        entries.push_back({std::string(name), note == notes.end() ? "" : std::string(note->about)});
-    }
-    return entries;
+Entry recipe_entry(std::string_view name) {
+    const std::span<const PresetNote> notes = preset_notes();
+    const auto note = std::ranges::find(notes, name, &PresetNote::name);
+    return {std::string(name), note == notes.end() ? "" : std::string(note->about)};
 }
 
 /// A parameter as "number 0..10, default 1: what it does".
@@ -70,51 +66,45 @@ std::string describe(const NodeType& type) {
     return fmt::format("{}{}{}", fmt::join(keys, ", "), keys.empty() ? "" : ": ", type.text);
 }
 
-std::vector<Entry> parameter_entries() {
-    std::vector<Entry> entries;
-    for (const Parameter& parameter : parameters()) {
-        entries.push_back({std::string(parameter.path), describe(parameter)});
-    }
-    return entries;
+template <class All, class Make>
+std::vector<Entry> entries(const All& all, const Make& entry) {
+    std::vector<Entry> result;
+    for (const auto& one : all) result.push_back(entry(one));
+    return result;
 }
 
 std::vector<Entry> gl_entries(const std::string& platform) {
     const std::unique_ptr<GlContext> context = create_gl_context(platform);
-    std::vector<Entry> entries;
-    for (const GlFact& fact : gl_facts(*context)) entries.push_back({fact.name, fact.value});
-    return entries;
+    return entries(gl_facts(*context), [](const GlFact& fact) {
+        return Entry{fact.name, fact.value};
+    });
 }
 
 std::vector<Entry> entries_of(const std::string& what) {
-    if (what == "recipes") return recipe_entries();
-    if (what == "parameters") return parameter_entries();
-    if (what == "meshes") {
-        std::vector<Entry> entries;
-        for (const std::string& name : sample_mesh_names())
-            entries.push_back({fmt::format("sample:{}", name), "a mesh the program brings"});
-        return entries;
-    }
-    if (what == "figures") {
-        std::vector<Entry> entries;
-        for (const Figure& figure : figures()) entries.push_back({figure.name, figure.shows});
-        return entries;
-    }
+    if (what == "recipes") return entries(preset_names(), recipe_entry);
+    if (what == "parameters")
+        return entries(parameters(), [](const Parameter& parameter) {
+            return Entry{std::string(parameter.path), describe(parameter)};
+        });
+    if (what == "meshes")
+        return entries(sample_mesh_names(), [](const std::string& name) {
+            return Entry{"sample:" + name, "a mesh the program brings"};
+        });
+    if (what == "figures")
+        return entries(figures(), [](const Figure& f) { return Entry{f.name, f.shows}; });
     if (what == "atlases") {
-        std::vector<Entry> entries;
+        std::vector<Entry> kinds;
         for (std::size_t k = 0; k < enum_names<AtlasKind>.size(); ++k)
-            entries.push_back({std::string(enum_names<AtlasKind>[k]), atlas_texts[k]});
-        return entries;
+            kinds.push_back({std::string(enum_names<AtlasKind>[k]), atlas_texts[k]});
+        return kinds;
     }
-    if (what == "noises") {
-        std::vector<Entry> entries;
-        for (const auto& kind : noise_kinds)
-            entries.push_back({std::string(kind.name), std::string(kind.text)});
-        return entries;
-    }
-    std::vector<Entry> entries;
-    for (const NodeType& type : graph_table())
-        entries.push_back({std::string(type.name), describe(type)});
-    return entries;
+    if (what == "noises")
+        return entries(noise_kinds, [](const auto& kind) {
+            return Entry{std::string(kind.name), std::string(kind.text)};
+        });
+    return entries(graph_table(), [](const NodeType& type) {
+        return Entry{std::string(type.name), describe(type)};
+    });
 }
 
 void print_entries(const std::vector<Entry>& entries, bool json) {

@@ -13,7 +13,6 @@
 #include "app/export/command_files.h"
 #include "app/image/image_io.h"
 #include "app/main/verbs.h"
-#include "app/measure/level_errors.h"
 #include "app/measure/metric_texture.h"
 #include "app/measure/metrics_pictures.h"
 #include "app/measure/metrics_report.h"

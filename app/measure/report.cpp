@@ -11,6 +11,48 @@
 
 namespace burl {
 
+namespace {
+
+/// Calls visit(name, record) for the stages that were asked for.
+template <class Visit>
+void for_each_stage(const StageRecords& records, const Visit& visit) {
+    for (std::size_t k = 0; k < stage_names.size(); ++k) {
+        const StageRecord& record = records[Stage(k)];
+        if (record.runs + record.stopped > 0) visit(std::string(stage_names[k]), record);
+    }
+}
+
+/// Work done and skipped, by reason; `spared` counts the work of whole stages whose results were
+/// reused.
+Json counts_json(std::uint64_t done, std::uint64_t spared,
+                 const std::array<std::uint64_t, skip_names.size()>& skipped = {}) {
+    Json reasons = Json::object();
+    std::uint64_t total = 0;
+    for (std::size_t k = 0; k < skip_names.size(); ++k) {
+        const std::uint64_t count = skipped[k] + (Skip(k) == Skip::stages ? spared : 0);
+        if (count > 0) reasons[std::string(skip_names[k])] = count;
+        total += count;
+    }
+    return {{"done", done}, {"skipped", total}, {"skipped_by", std::move(reasons)}};
+}
+
+Json stage_json(const StageRecord& record) {
+    const StageCost &done = record.done, &spared = record.spared;
+    Json json = {{"runs", record.runs}, {"kept", record.kept}};
+    if (record.stopped > 0) json["stopped"] = record.stopped;
+    json["seconds"] = record.seconds;
+    if (done.triangles > 0) json["triangles"] = counts_json(done.triangles, spared.triangles);
+    const SynthesisWork& work = done.work;
+    if (work.texels > 0)
+        json["texels"] = counts_json(work.texels, spared.work.texels, work.texels_skipped);
+    Json octaves = counts_json(work.octaves, spared.work.octaves, work.octaves_skipped);
+    if (work.octaves > 0 || octaves["skipped"] > 0) json["octaves"] = std::move(octaves);
+    json["bytes"] = counts_json(done.bytes, spared.bytes);
+    return json;
+}
+
+}  // namespace
+
 Json mesh_json(const Mesh& mesh, const Connectivity& connectivity) {
     const MeshNotes& notes = mesh.notes;
     return {{"name", mesh.name},
@@ -83,48 +125,6 @@ Json patches_json(const PatchAtlas& atlas) {
             {"regions_halved", notes.regions_halved},
             {"unmapped_triangles", atlas.unmapped}};
 }
-
-namespace {
-
-/// Calls visit(name, record) for the stages that were asked for.
-template <class Visit>
-void for_each_stage(const StageRecords& records, const Visit& visit) {
-    for (std::size_t k = 0; k < stage_names.size(); ++k) {
-        const StageRecord& record = records[Stage(k)];
-        if (record.runs + record.stopped > 0) visit(std::string(stage_names[k]), record);
-    }
-}
-
-/// Work done and skipped, by reason; `spared` counts the work of whole stages whose results were
-/// reused.
-Json counts_json(std::uint64_t done, std::uint64_t spared,
-                 const std::array<std::uint64_t, skip_names.size()>& skipped = {}) {
-    Json reasons = Json::object();
-    std::uint64_t total = 0;
-    for (std::size_t k = 0; k < skip_names.size(); ++k) {
-        const std::uint64_t count = skipped[k] + (Skip(k) == Skip::stages ? spared : 0);
-        if (count > 0) reasons[std::string(skip_names[k])] = count;
-        total += count;
-    }
-    return {{"done", done}, {"skipped", total}, {"skipped_by", std::move(reasons)}};
-}
-
-Json stage_json(const StageRecord& record) {
-    const StageCost &done = record.done, &spared = record.spared;
-    Json json = {{"runs", record.runs}, {"kept", record.kept}};
-    if (record.stopped > 0) json["stopped"] = record.stopped;
-    json["seconds"] = record.seconds;
-    if (done.triangles > 0) json["triangles"] = counts_json(done.triangles, spared.triangles);
-    const SynthesisWork& work = done.work;
-    if (work.texels > 0)
-        json["texels"] = counts_json(work.texels, spared.work.texels, work.texels_skipped);
-    Json octaves = counts_json(work.octaves, spared.work.octaves, work.octaves_skipped);
-    if (work.octaves > 0 || octaves["skipped"] > 0) json["octaves"] = std::move(octaves);
-    json["bytes"] = counts_json(done.bytes, spared.bytes);
-    return json;
-}
-
-}  // namespace
 
 Json times_json(const StageRecords& records) {
     Json json = Json::object();

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "app/bench/baselines.h"
+#include "app/bench/noise.h"
 #include "tests/benchmarks/micro_benchmarks.h"
 
 namespace burl {

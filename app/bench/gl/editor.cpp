@@ -1,13 +1,19 @@
-#include "app/bench/gl/editor.h"
+// The suite `burl bench editor`: a slider or colour stop is dragged in real time, and latency and
+// frame times are measured.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <ctime>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <ctime>
-
+#include "app/bench/command.h"
 #include "app/bench/gl/editor_window.h"
 #include "app/editor/window/program.h"
 
@@ -15,10 +21,28 @@ namespace burl {
 
 namespace {
 
+/// The results of one drag.
+struct EditorBench {
+    std::string what{};      ///< widget that was dragged
+    std::uint32_t side = 0;  ///< side of the texture in texels
+    double seconds = 0.0;    ///< duration of the drag
+    std::size_t events = 0, frames = 0, textures = 0;
+    std::size_t dropped_frames = 0;  ///< display refreshes without a new frame
+    /// Time from an event to the end of the first frame that shows its texture or a later one, over
+    /// all events.
+    Durations latency{};
+    Durations frame{};   ///< frame time from input to the end of drawing, OpenGL included
+    Durations panels{};  ///< share of the user interface in the frame time, without OpenGL
+    /// Milliseconds from the release to the end of the first frame at level 0, and to that of the
+    /// first one with several samples per pixel.
+    double finest_after = 0.0, smooth_after = 0.0;
+    std::vector<std::size_t> levels{};  ///< number of textures shown at each level
+    double processor = 0.0;   ///< processor time of all threads per texture shown, in milliseconds
+    double idle_share = 0.0;  ///< processor time per time while nothing happens
+};
+
 double processor_seconds() {
-    timespec time{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-    return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
+    return double(std::clock()) / CLOCKS_PER_SEC;
 }
 
 InputEvent pointer(const glm::dvec2& at) {
@@ -175,24 +199,12 @@ double share_of_finest(const EditorBench& row) {
     return row.textures == 0 ? 0.0 : double(row.levels.front()) / double(row.textures);
 }
 
-Json durations_json(const Durations& durations) {
-    return {{"median", durations.median}, {"p95", durations.p95}, {"longest", durations.longest}};
-}
-
-}  // namespace
-
-Durations durations_of(std::vector<double> milliseconds) {
-    if (milliseconds.empty()) return {};
-    std::ranges::sort(milliseconds);
-    const auto at = [&](double share) {
-        return milliseconds[std::size_t(share * double(milliseconds.size() - 1) + 0.5)];
-    };
-    return {at(0.5), at(0.95), at(1.0)};
-}
-
-std::vector<EditorBench> bench_editor(const std::string& mesh, std::uint32_t side, double seconds) {
+/// Drags sliders and a colour stop of marble on the teapot for four seconds each, with 60 events a
+/// second, in an offscreen window drawn by OSMesa: all in software, on the machine's own threads.
+/// Throws Error as EditorProgram does.
+std::vector<EditorBench> bench_editor(std::uint32_t side) {
     EditorOptions options;
-    options.mesh = mesh;
+    options.mesh = "sample:teapot";
     options.settings = {fmt::format("atlas.size={}", side)};
     auto owned = std::make_unique<BenchWindow>(create_osmesa_context(), glm::ivec2(1280, 800));
     BenchWindow& window = *owned;
@@ -207,14 +219,14 @@ std::vector<EditorBench> bench_editor(const std::string& mesh, std::uint32_t sid
         EditorBench bench;
         bench.what = subject.item;
         bench.side = side;
-        Drag(editor, window, subject, bench).run(seconds);
+        Drag(editor, window, subject, bench).run(4.0);
         bench.idle_share = idle_share(editor, window);
         rows.push_back(std::move(bench));
     }
     return rows;
 }
 
-Json editor_bench_json(const EditorBench& bench) {
+Json drag_json(const EditorBench& bench) {
     return {{"dragged", bench.what},
             {"side", bench.side},
             {"events", bench.events},
@@ -231,7 +243,7 @@ Json editor_bench_json(const EditorBench& bench) {
             {"idle_processor_share", bench.idle_share}};
 }
 
-std::string editor_bench_table(const std::vector<EditorBench>& rows) {
+void print_drags(const std::vector<EditorBench>& rows) {
     constexpr std::array titles{std::array{"textures", "per s"},
                                 std::array{"at level 0", "%"},
                                 std::array{"frames", "per s"},
@@ -245,23 +257,28 @@ std::string editor_bench_table(const std::vector<EditorBench>& rows) {
                                 std::array{"smooth", "after ms"},
                                 std::array{"processor", "ms/texture"},
                                 std::array{"idle", "%"}};
-    std::string text;
     for (const std::size_t line : {0, 1}) {
-        text += fmt::format("{:<34}", line == 0 ? "dragged" : "");
-        for (const auto& title : titles) text += fmt::format(" {:>10}", title[line]);
-        text += "\n";
+        fmt::print("{:<34}", line == 0 ? "dragged" : "");
+        for (const auto& title : titles) fmt::print(" {:>10}", title[line]);
+        fmt::print("\n");
     }
     for (const EditorBench& row : rows) {
-        text += fmt::format("{:<34}", row.what);
+        fmt::print("{:<34}", row.what);
         for (const double figure :
              {double(row.textures) / row.seconds, 100.0 * share_of_finest(row),
               double(row.frames) / row.seconds, double(row.dropped_frames), row.latency.median,
               row.latency.p95, row.frame.median, row.frame.longest, row.panels.longest,
               row.finest_after, row.smooth_after, row.processor, 100.0 * row.idle_share})
-            text += fmt::format(" {:>10.1f}", figure);
-        text += "\n";
+            fmt::print(" {:>10.1f}", figure);
+        fmt::print("\n");
     }
-    return text;
+}
+
+}  // namespace
+
+void run_editor_bench(const BenchCommand& command) {
+    const std::vector<EditorBench> rows = bench_editor(std::uint32_t(command.size_or(1024)));
+    if (report_rows(command, rows, drag_json)) print_drags(rows);
 }
 
 }  // namespace burl

@@ -1,13 +1,27 @@
 #include "app/bench/gl/editor_window.h"
 
-#include <glad/gl.h>
-
 #include <algorithm>
 #include <cmath>
 #include <thread>
 #include <utility>
 
+#include <glad/gl.h>
+#include <nlohmann/json.hpp>
+
 namespace burl {
+
+Durations durations_of(std::vector<double> milliseconds) {
+    if (milliseconds.empty()) return {};
+    std::ranges::sort(milliseconds);
+    const auto at = [&](double share) {
+        return milliseconds[std::size_t(share * double(milliseconds.size() - 1) + 0.5)];
+    };
+    return {at(0.5), at(0.95), at(1.0)};
+}
+
+Json durations_json(const Durations& durations) {
+    return {{"median", durations.median}, {"p95", durations.p95}, {"longest", durations.longest}};
+}
 
 BenchWindow::BenchWindow(std::unique_ptr<GlContext> context, const glm::ivec2& size)
     : window_(create_unseen_window(std::move(context), size)) {}

@@ -9,9 +9,18 @@
 #include <string>
 #include <vector>
 
+#include "app/base/json_text.h"
 #include "app/editor/window/window.h"
 
 namespace burl {
+
+/// Percentiles of durations, in milliseconds.
+struct Durations {
+    double median = 0.0, p95 = 0.0, longest = 0.0;
+};
+/// Computes the percentiles; 0 where there are no durations.
+Durations durations_of(std::vector<double> milliseconds);
+Json durations_json(const Durations& durations);
 
 /// A window for benchmarks. All functions except wake() are called by one thread.
 class BenchWindow final : public GlWindow {

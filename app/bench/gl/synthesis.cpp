@@ -6,9 +6,11 @@
 #include <optional>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
+#include "app/bench/command.h"
 #include "app/bench/meshes.h"
-#include "app/bench/values.h"
+#include "app/bench/synthesis.h"
 #include "app/gl/fill/block_levels.h"
 #include "app/gl/fill/multipass.h"
 #include "app/gl/fill/synthesize.h"
@@ -237,6 +239,47 @@ void append(std::vector<GlBench> rows, std::vector<GlBench>& all) {
     std::ranges::move(rows, std::back_inserter(all));
 }
 
+Json gl_json(const GlBench& row) {
+    Json json = result_json(row.result);
+    json.update(Json{{"octaves", row.octaves},
+                     {"size", row.side},
+                     {"passes", row.passes},
+                     {"gpu_ms", row.parts.gpu * 1e3},
+                     {"draw_ms", row.parts.draw * 1e3},
+                     {"transfer_ms", row.parts.transfer * 1e3},
+                     {"cold_ms",
+                      {{"context", row.cold.context * 1e3},
+                       {"compile", row.cold.compile * 1e3},
+                       {"maps", row.cold.maps * 1e3},
+                       {"draw", row.cold.draw * 1e3},
+                       {"total", row.cold.total * 1e3}}}});
+    return json;
+}
+
+void print_gl(const GlBenchReport& report) {
+    fmt::print("{}\n", report.opengl);
+    std::string group;
+    for (const GlBench& row : report.rows) {
+        const BenchRow& time = row.result.time;
+        if (group != time.group)
+            fmt::print("\n{:<26} {:>9} {:>8} {:>6} {:>8} {:>8} {:>8} {:>9} {:>9} {:>9} {:>9}\n",
+                       time.group, "ms", "ns/texel", "passes", "GPU ms", "draw", "transfer",
+                       "cold ms", "(compile)", "max error", "RMS");
+        group = time.group;
+        fmt::print("{:<26} {:>9.2f} {:>8.2f}", time.name, time.median * 1e3, time.ns_per_unit());
+        fmt::print(" {:>6}", row.passes > 0 ? std::to_string(row.passes) : "");
+        if (row.cold.total > 0.0)
+            fmt::print(" {:>8.2f} {:>8.2f} {:>8.2f} {:>9.1f} {:>9.1f}", row.parts.gpu * 1e3,
+                       row.parts.draw * 1e3, row.parts.transfer * 1e3, row.cold.total * 1e3,
+                       row.cold.compile * 1e3);
+        else
+            fmt::print("{:>46}", "");
+        if (row.result.error)
+            fmt::print(" {:>9.3g} {:>9.3g}", row.result.error->max, row.result.error->rms);
+        fmt::print("\n");
+    }
+}
+
 }  // namespace
 
 GlBenchReport bench_gl(const std::string& platform, int repeats, const GlBenchSubjects& subjects) {
@@ -247,6 +290,18 @@ GlBenchReport bench_gl(const std::string& platform, int repeats, const GlBenchSu
         append(bench_levels(make_subject(1, side), platform, repeats), report.rows);
     }
     return report;
+}
+
+void run_gl_bench(const BenchCommand& command) {
+    GlBenchSubjects subjects;
+    if (command.size > 0) subjects.sides = {std::uint32_t(command.size)};
+    const GlBenchReport report = bench_gl(command.gl, command.repeats, subjects);
+    const auto to_json = [&](const GlBench& row) {
+        Json json = gl_json(row);
+        json["opengl"] = report.opengl;
+        return json;
+    };
+    if (report_rows(command, report.rows, to_json)) print_gl(report);
 }
 
 }  // namespace burl

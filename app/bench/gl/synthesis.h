@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/bench/result.h"
+#include "app/bench/bench.h"
 
 namespace burl {
 

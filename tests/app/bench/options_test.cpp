@@ -1,6 +1,6 @@
 // Options of `burl bench` that a suite has no use for are refused in a sentence that names the
 // suite and the option, and so are sizes beyond a suite's bounds.
-#include "app/bench/options.h"
+#include "app/bench/command.h"
 
 #include <hwy/highway.h>
 

@@ -1,5 +1,5 @@
 // What suites report: errors against values worked out by hand, and what all rows have.
-#include "app/bench/result.h"
+#include "app/bench/bench.h"
 
 #include <cmath>
 #include <set>

@@ -1,5 +1,5 @@
 // Planes to the horizon against ray-plane intersection by linear equations, and in pictures.
-#include "app/direct/infinite_plane.h"
+#include "app/direct/render.h"
 
 #include <gtest/gtest.h>
 

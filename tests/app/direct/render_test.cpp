@@ -23,10 +23,13 @@ Mesh square_mesh(double z = 0.0) {
     return mesh;
 }
 
+using SurfaceColor = std::function<Vec3d(const Vec3d& mesh_point)>;
+
 Image<Rgb8> draw(const Mesh& mesh, const SurfaceColor& color, const View& view,
                  const PictureOptions& options) {
     const Camera camera = orbit_camera(view, bounding_sphere(mesh), options.size);
-    return render_surface(mesh, corner_normals(mesh, 40.0), color, camera, options);
+    const auto at = [&](const SurfacePoint& point) { return color(position(mesh, point)); };
+    return render_points(mesh, corner_normals(mesh, 40.0), at, camera, options);
 }
 
 std::vector<std::uint32_t> all_of(const std::vector<ScreenTriangle>& triangles) {

@@ -9,7 +9,7 @@
 
 #include "app/bake/texture.h"
 #include "app/base/embedded.h"
-#include "app/measure/level_errors.h"
+#include "app/measure/metric_texture.h"
 #include "app/pipeline/pipeline.h"
 #include "app/surface/sample_meshes.h"
 #include "atlas/base/error.h"

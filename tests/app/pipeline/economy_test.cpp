@@ -7,8 +7,6 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "app/bench/stability/cases.h"
-#include "app/bench/stability/chance.h"
 #include "app/options/command_options.h"
 #include "app/pipeline/pipeline.h"
 #include "procedural/cache/synthesis.h"
@@ -16,6 +14,7 @@
 #include "tests/app/support/sample_scene.h"
 #include "tests/paths.h"
 #include "tests/procedural/support/synthetic_atlas.h"
+#include "tests/stability/cases.h"
 
 namespace burl {
 namespace {

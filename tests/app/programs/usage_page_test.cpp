@@ -6,7 +6,7 @@
 
 #include <gmock/gmock.h>
 
-#include "app/bench/options.h"
+#include "app/bench/command.h"
 #include "tests/app/programs/run_program.h"
 
 namespace burl::test {

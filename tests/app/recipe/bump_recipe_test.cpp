@@ -4,11 +4,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/direct/render.h"
 #include "app/recipe/recipe.h"
 #include "app/surface/normals.h"
 #include "atlas/base/error.h"
 #include "procedural/color/srgb.h"
+#include "tests/app/support/direct_picture.h"
 #include "tests/app/support/sample_scene.h"
 #include "tests/procedural/graph/cases.h"
 

@@ -9,6 +9,7 @@
 #include "app/image/image_diff.h"
 #include "app/scene/scene.h"
 #include "tests/app/gl/device/fixture.h"
+#include "tests/app/support/direct_picture.h"
 #include "tests/app/support/export_scene.h"
 #include "tests/app/support/sample_scene.h"
 #include "tests/app/support/scratch_folder.h"

@@ -7,7 +7,6 @@
 #include <cstdlib>
 #include <functional>
 
-#include "app/direct/render.h"
 #include "app/export/export.h"
 #include "app/image/image_diff.h"
 #include "app/image/image_io.h"
@@ -15,6 +14,7 @@
 #include "app/surface/normals.h"
 #include "tests/app/gl/device/fixture.h"
 #include "tests/app/programs/run_program.h"
+#include "tests/app/support/direct_picture.h"
 #include "tests/app/support/export_scene.h"
 #include "tests/app/support/sample_scene.h"
 #include "tests/app/support/scratch_folder.h"
@@ -158,9 +158,9 @@ Pair draw_both(GlContext& context, const Mesh& mesh, const View& view,
     const Scene scene = scene_from_mesh(mesh, {Vec4f(0.5f, 0.25f, 0.125f, 1.0f), -1});
     const Camera camera = orbit_camera(view, bounding_sphere(mesh), options.size);
     return {render_scene(context, scene, camera, options),
-            render_surface(
+            render_points(
                 mesh, corner_normals(mesh, 40.0),
-                [](const Vec3d&) { return Vec3d(0.5, 0.25, 0.125); }, camera, options)};
+                [](const SurfacePoint&) { return Vec3d(0.5, 0.25, 0.125); }, camera, options)};
 }
 
 int coverage_differences(const Pair& pair) {
