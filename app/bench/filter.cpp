@@ -46,7 +46,7 @@ double finest_frequency(const Texture& texture) {
 FilterSubject preset(const char* name) {
     using enum FilterKind;
     Recipe recipe = load_recipe(name);
-    FilterSubject subject{name, finest_frequency(recipe.texture), 1.0, {}};
+    FilterSubject subject{name, finest_frequency(*plain_texture(recipe.texture)), 1.0, {}};
     const auto add = [&](std::string filter_name, const Filter& filter) {
         recipe.filter = filter;
         subject.recipes.push_back({std::move(filter_name), recipe});
@@ -78,17 +78,17 @@ FilterSubject checkers(const char* node) {
 }
 
 Image<RgbF> colors(const SolidAtlas& solid, const Recipe& recipe) {
-    if (!recipe.graph.empty())
-        return synthesize_graph_rgbf(solid, recipe.graph, {}, recipe.filter, 0);
-    return synthesize_rgbf(solid, recipe.texture, {}, 0, recipe.filter);
+    if (const Texture* texture = plain_texture(recipe.texture))
+        return synthesize_rgbf(solid, *texture, {}, 0, recipe.filter);
+    return synthesize_graph_rgbf(solid, recipe.texture, {}, recipe.filter, 0);
 }
 
 /// Bakes on one thread, in 8 bits.
 void bake(const SolidAtlas& solid, const Recipe& recipe) {
-    if (!recipe.graph.empty())
-        synthesize_graph_rgb8(solid, recipe.graph, {}, recipe.filter, 1);
+    if (const Texture* texture = plain_texture(recipe.texture))
+        synthesize_rgb8(solid, *texture, {}, 1, recipe.filter);
     else
-        synthesize_rgb8(solid, recipe.texture, {}, 1, recipe.filter);
+        synthesize_graph_rgb8(solid, recipe.texture, {}, recipe.filter, 1);
 }
 
 TexelMap plane(const Vec3d& origin, double side) {

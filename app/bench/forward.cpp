@@ -240,7 +240,7 @@ std::vector<GrowthBench> bench_forward_growth() {
 std::vector<CubeBench> bench_forward_cubes(int repeats, std::size_t side) {
     std::vector<CubeBench> rows;
     for (const auto& [name, size] : {std::pair{"bresenham-wood", 1.0}, {"bresenham-marble", 2.0}}) {
-        const Texture texture = load_recipe(name).texture;
+        const Texture texture = *plain_texture(load_recipe(name).texture);
         const std::vector<Method> list = methods(texture);
         const std::vector<LatticeLine> lines = cube_lines(size, side);
         const std::vector<BenchRow> times = time_rows(list, lines, repeats);

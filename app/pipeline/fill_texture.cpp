@@ -48,24 +48,26 @@ struct Fast<RgbF> {
 Image<RgbF> rows_by_other_ways(const SolidAtlas& solid, const Recipe& recipe, const HostWay& way,
                                const Economy& economy, const RowWindow& rows) {
     const Affine3 map = texture_from_solid(recipe);
-    if (way.forward)
-        return synthesize_forward<RgbF>(solid, recipe.texture, map, forward_precision(recipe),
-                                        way.threads, economy, rows);
-    if (!recipe.graph.empty())
-        return synthesize_graph_rgbf(solid, recipe.graph, map, recipe.filter, way.threads,
+    const Texture* texture = plain_texture(recipe.texture);
+    if (!texture)
+        return synthesize_graph_rgbf(solid, recipe.texture, map, recipe.filter, way.threads,
                                      bake_precision(recipe), economy, rows);
-    return synthesize_texels<RgbF>(solid, recipe.texture, map, recipe.precision, recipe.filter,
+    if (way.forward)
+        return synthesize_forward<RgbF>(solid, *texture, map, forward_precision(recipe),
+                                        way.threads, economy, rows);
+    return synthesize_texels<RgbF>(solid, *texture, map, recipe.precision, recipe.filter,
                                    way.threads, economy, rows);
 }
 
 }  // namespace
 
 bool has_fast_way(const Recipe& recipe, const HostWay& way) {
-    return !way.forward && recipe.graph.empty() && bake_precision(recipe) == PrecisionKind::float32;
+    return !way.forward && plain_texture(recipe.texture) &&
+           bake_precision(recipe) == PrecisionKind::float32;
 }
 
 bool has_fast_graph(const Recipe& recipe, const HostWay& way) {
-    return !way.forward && !recipe.graph.empty() &&
+    return !way.forward && !plain_texture(recipe.texture) &&
            bake_precision(recipe) == PrecisionKind::float32;
 }
 
@@ -73,16 +75,17 @@ template <class Pixel>
 Image<Pixel> fill_unpainted(const SolidAtlas& solid, const Recipe& recipe, const HostWay& way,
                             const Economy& economy) {
     const Affine3 map = texture_from_solid(recipe);
-    if (way.forward)
-        return synthesize_forward<Pixel>(solid, recipe.texture, map, forward_precision(recipe),
-                                         way.threads, economy);
-    if (!recipe.graph.empty())  // one function for both precisions
-        return Fast<Pixel>::graph(solid, recipe.graph, map, recipe.filter, way.threads,
+    const Texture* texture = plain_texture(recipe.texture);
+    if (!texture)  // one function for both precisions
+        return Fast<Pixel>::graph(solid, recipe.texture, map, recipe.filter, way.threads,
                                   bake_precision(recipe), economy);
+    if (way.forward)
+        return synthesize_forward<Pixel>(solid, *texture, map, forward_precision(recipe),
+                                         way.threads, economy);
     if (!has_fast_way(recipe, way))
-        return synthesize_texels<Pixel>(solid, recipe.texture, map, recipe.precision, recipe.filter,
+        return synthesize_texels<Pixel>(solid, *texture, map, recipe.precision, recipe.filter,
                                         way.threads, economy);
-    return Fast<Pixel>::model(solid, recipe.texture, map, way.threads, recipe.filter, way.kernel,
+    return Fast<Pixel>::model(solid, *texture, map, way.threads, recipe.filter, way.kernel,
                               economy);
 }
 
@@ -97,8 +100,9 @@ Image<Pixel> fill_texture(const SolidAtlas& solid, const Recipe& recipe, const H
 void fill_in_bands(const SolidAtlas& solid, const Recipe& recipe, const HostWay& way,
                    const Economy& economy, std::size_t texels, const TakeRows& take) {
     if (has_fast_way(recipe, way))
-        return synthesize_rgbf_bands(solid, recipe.texture, texture_from_solid(recipe), way.threads,
-                                     recipe.filter, way.kernel, economy, texels, take);
+        return synthesize_rgbf_bands(solid, *plain_texture(recipe.texture),
+                                     texture_from_solid(recipe), way.threads, recipe.filter,
+                                     way.kernel, economy, texels, take);
     const std::size_t least = band_rows * solid.size;
     const std::size_t at_once = band_rows * std::max<std::size_t>(1, texels / least);
     for (std::size_t first = 0; first < solid.size; first += at_once)

@@ -23,14 +23,12 @@ struct HostWay {
 /// Cache key of an unpainted texture on a given atlas: all parts of the recipe that it depends on.
 struct TextureKey {
     SolidOptions solid{};
-    Texture texture{};
-    TextureGraph graph{};
+    TextureGraph texture;
     Filter filter{};
     Precision precision{};
     explicit TextureKey(const Recipe& recipe)
         : solid(recipe.solid),
           texture(recipe.texture),
-          graph(recipe.graph),
           filter(recipe.filter),
           precision(recipe.precision) {}
     bool operator==(const TextureKey&) const = default;

@@ -4,15 +4,11 @@
 #include <cmath>
 #include <memory>
 
-#include <nlohmann/json.hpp>
-
 #include "app/pipeline/graph_sampler.h"
 #include "app/pipeline/texture_color.h"
 #include "atlas/base/error.h"
 #include "procedural/color/srgb.h"
-#include "procedural/graph/json.h"
 #include "procedural/model/octaves.h"
-#include "procedural/model/texture_json.h"
 
 namespace burl {
 
@@ -23,15 +19,10 @@ Vec4d color_and_alpha(const GraphSample& sample) {
     return {sample.color(), sample.wire == Wire::number ? 1.0 : sample.channels[3].value};
 }
 
-/// The recipe's texture as a graph, whose nodes filter.
-TextureGraph graph_of(const Recipe& recipe) {
-    return recipe.graph.empty() ? graph_from_json(texture_to_json(recipe.texture)) : recipe.graph;
-}
-
 }  // namespace
 
 FilteredColor filtered_color(const Recipe& recipe, FilterKind kind) {
-    if (kind == FilterKind::none && recipe.graph.empty()) {
+    if (kind == FilterKind::none && plain_texture(recipe.texture)) {
         return [color = texture_color(recipe, recipe.precision)](const Vec3d& s, const Footprint&) {
             return Vec4d(color(s), 1.0);
         };
@@ -40,7 +31,7 @@ FilteredColor filtered_color(const Recipe& recipe, FilterKind kind) {
         throw Error(ExitCode::usage,
                     "fixed point has no gradients to filter by; draw it with --filter none");
     const Filter filter{kind, recipe.filter.samples, recipe.filter.band_limit};
-    const auto graph = std::make_shared<GraphSampler>(graph_of(recipe), filter);
+    const auto graph = std::make_shared<GraphSampler>(recipe.texture, filter);
     const bool filtered = kind != FilterKind::none;
     return [graph, filtered](const Vec3d& s, const Footprint& footprint) {
         return color_and_alpha((*graph)(s, filtered ? footprint : Footprint{}));
@@ -48,12 +39,13 @@ FilteredColor filtered_color(const Recipe& recipe, FilterKind kind) {
 }
 
 FilteredColor filter_width_grey(const Recipe& recipe) {
-    if (!recipe.graph.empty())
+    const Texture* texture = plain_texture(recipe.texture);
+    if (!texture)
         throw Error(ExitCode::usage,
                     fmt::format("--widths: the texture of '{}' is a graph, which has no single "
                                 "filter width; use a recipe that is a color_map of a field",
                                 recipe.name));
-    return [octaves = expand_octaves(recipe.texture), quadric = recipe.texture.quadric](
+    return [octaves = expand_octaves(*texture), quadric = texture->quadric](
                const Vec3d& s, const Footprint& covered) {
         const Vec3d slope = sample_field<double>(quadric, octaves, s).gradient;
         const double width =

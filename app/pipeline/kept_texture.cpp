@@ -22,9 +22,11 @@ void KeptTexture::fill(const Recipe& recipe, const HostWay& way, const Economy& 
     const bool keeps = budget_ > 0 && economy.skips.allows(Skip::kept_terms);
     if (keeps && has_fast_way(recipe, way))
         terms(recipe, way.kernel)
-            .synthesize(recipe.texture, way.threads, image, recipe.filter, economy);
-    else if (keeps && has_fast_graph(recipe, way) && KeptGraph::splits(recipe.graph, recipe.filter))
-        number().synthesize(recipe.graph, texture_from_solid(recipe), way.threads, image, economy);
+            .synthesize(*plain_texture(recipe.texture), way.threads, image, recipe.filter, economy);
+    else if (keeps && has_fast_graph(recipe, way) &&
+             KeptGraph::splits(recipe.texture, recipe.filter))
+        number().synthesize(recipe.texture, texture_from_solid(recipe), way.threads, image,
+                            economy);
     else
         image = fill_unpainted<Pixel>(*solid_, recipe, way, economy);
 }

@@ -10,27 +10,26 @@
 namespace burl {
 
 TextureColor texture_color(const Recipe& recipe, const Precision& precision) {
-    if (!recipe.graph.empty() && precision.kind == PrecisionKind::float32)
-        return [graph = std::make_shared<GraphColorSampler>(recipe.graph)](const Vec3d& s) {
+    const Texture* texture = plain_texture(recipe.texture);
+    if (!texture && precision.kind == PrecisionKind::float32)
+        return [graph = std::make_shared<GraphColorSampler>(recipe.texture)](const Vec3d& s) {
             return (*graph)(s);
         };
-    if (!recipe.graph.empty()) {
-        return [graph = std::make_shared<GraphSampler>(recipe.graph)](const Vec3d& s) {
+    if (!texture) {
+        return [graph = std::make_shared<GraphSampler>(recipe.texture)](const Vec3d& s) {
             return (*graph)(s).color();
         };
     }
     if (precision.kind == PrecisionKind::fixed)
-        return [field = FixedField(recipe.texture, precision.format),
-                colors = recipe.texture.colors](const Vec3d& s) {
-            return evaluate_color(colors, field(s));
-        };
+        return [field = FixedField(*texture, precision.format), colors = texture->colors](
+                   const Vec3d& s) { return evaluate_color(colors, field(s)); };
     if (precision.kind == PrecisionKind::float32)
-        return [octaves = expand_octaves(recipe.texture), quadric = recipe.texture.quadric,
-                colors = recipe.texture.colors](const Vec3d& s) {
+        return [octaves = expand_octaves(*texture), quadric = texture->quadric,
+                colors = texture->colors](const Vec3d& s) {
             return evaluate_color(colors, sample_field<float>(quadric, octaves, s).value);
         };
-    return [octaves = expand_octaves(recipe.texture), quadric = recipe.texture.quadric,
-            colors = recipe.texture.colors](const Vec3d& s) {
+    return [octaves = expand_octaves(*texture), quadric = texture->quadric,
+            colors = texture->colors](const Vec3d& s) {
         return evaluate_color(colors, evaluate_field(quadric, octaves, s));
     };
 }

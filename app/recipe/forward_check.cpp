@@ -10,9 +10,9 @@ namespace burl {
 namespace {
 
 std::string forward_problem(const Recipe& recipe) {
-    if (!recipe.graph.empty()) return "the texture has other nodes than a color_map over a field";
-    if (const std::string why = no_forward_form(expand_octaves(recipe.texture)); !why.empty())
-        return why;
+    const Texture* texture = plain_texture(recipe.texture);
+    if (!texture) return "the texture has other nodes than a color_map over a field";
+    if (const std::string why = no_forward_form(expand_octaves(*texture)); !why.empty()) return why;
     if (recipe.filter.kind != FilterKind::none || recipe.filter.band_limit)
         return "filters need f besides the scan line, and differences run along it";
     if (recipe.precision.kind.value_or(PrecisionKind::float64) == PrecisionKind::fixed)

@@ -16,7 +16,6 @@
 #include "app/recipe/settings.h"
 #include "atlas/base/error.h"
 #include "procedural/graph/json.h"
-#include "procedural/model/texture_json.h"
 
 namespace burl {
 
@@ -123,11 +122,7 @@ Recipe recipe_from_json(const Json& json, const ImageReader& read_image) {
     read_members(json, recipe);
     read_members(part_of(json, "atlas"), recipe.atlas);
     read_members(part_of(json, "solid"), recipe.solid);
-    const Json& texture = part_of(json, "texture");
-    if (is_graph(texture))
-        recipe.graph = graph_from_json(texture, read_image);
-    else
-        recipe.texture = texture_from_json(texture);
+    recipe.texture = graph_from_json(part_of(json, "texture"), read_image);
     const Json& bump = part_of(json, "bump");
     read_members(bump, recipe.bump);
     if (bump.contains("input")) recipe.bump.input = graph_from_json(bump["input"], read_image);
@@ -145,8 +140,7 @@ Json tree_of(const Recipe& recipe) {
     write_members(recipe, json);
     write_members(recipe.atlas, json["atlas"]);
     write_members(recipe.solid, json["solid"]);
-    json["texture"] =
-        recipe.graph.empty() ? texture_to_json(recipe.texture) : graph_to_json(recipe.graph);
+    json["texture"] = graph_to_json(recipe.texture);
     write_members(recipe.filter, json["filter"]);
     write_members(recipe.precision, json["precision"]);
     write_members(recipe.precision.format, json["precision"]);
@@ -212,7 +206,7 @@ Recipe parse_recipe(const std::string& json, const std::string& origin,
         declared.add(path_of(file), wrap);
         return blank_image(wrap);
     });
-    for (TextureGraph* graph : {&recipe.graph, &recipe.bump.input})
+    for (TextureGraph* graph : {&recipe.texture, &recipe.bump.input})
         for (GraphImage& image : graph->images)
             image.pixels = images.pyramid(path_of(image.file), image.pixels->wrap());
     return recipe;
@@ -226,7 +220,7 @@ Recipe with_numbers(const Recipe& recipe, const std::vector<std::string>& settin
     apply_settings(tree, with_arrays(tree, settings));
     Recipe result = recipe_from_json(
         tree, [](const std::string&, ImageWrap wrap) { return blank_image(wrap); });
-    result.graph.images = recipe.graph.images;
+    result.texture.images = recipe.texture.images;
     result.bump.input.images = recipe.bump.input.images;
     result.paint = recipe.paint;
     result.animation = recipe.animation;

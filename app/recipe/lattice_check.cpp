@@ -55,14 +55,15 @@ std::string too_far(double cells) {
 
 void check_lattice(const Recipe& recipe, const Box3& box) {
     const Vec3d sizes = glm::max(glm::abs(box.low), glm::abs(box.high));
-    check_graph_lattice(recipe.graph, sizes, "texture");
+    const Texture* texture = plain_texture(recipe.texture);
+    if (!texture) check_graph_lattice(recipe.texture, sizes, "texture");
     check_graph_lattice(recipe.bump.input, sizes, "bump.input");
-    if (!recipe.graph.empty()) return;
-    const LatticeReach far = farthest_lattice(recipe.texture, sizes);
+    if (!texture) return;
+    const LatticeReach far = farthest_lattice(*texture, sizes);
     if (far.reach <= farthest_cell) return;
     throw Error(ExitCode::unsupported,
                 fmt::format("texture.input.noise.{}: octave {} of {} {}", far.term, far.octave + 1,
-                            recipe.texture.noise[far.term].octaves, too_far(far.reach)));
+                            texture->noise[far.term].octaves, too_far(far.reach)));
 }
 
 void check_lattice(const Recipe& recipe, const Mesh& mesh) {

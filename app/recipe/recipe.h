@@ -35,9 +35,7 @@ struct Recipe {
     std::string name;
     AtlasOptions atlas;
     SolidOptions solid;
-    Texture texture;  ///< a texture of the 1999 model, which bakes fastest; unused where `graph` is
-                      ///< not empty
-    TextureGraph graph;  ///< a texture of any other form
+    TextureGraph texture = plain_graph({});  ///< a plain graph bakes fastest
     Bump bump;
     Filter filter;
     Precision precision;

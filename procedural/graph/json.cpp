@@ -235,6 +235,7 @@ bool is_graph(const Json& texture) {
 }
 
 TextureGraph graph_from_json(const Json& texture, const ImageReader& read_image) {
+    if (!is_graph(texture)) return plain_graph(texture_from_json(texture));
     return GraphReader(read_image).read(texture);
 }
 

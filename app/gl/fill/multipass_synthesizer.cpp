@@ -46,17 +46,17 @@ class GlMultipassSynthesizer final : public TextureSynthesizer {
                    "precision";
         if (recipe.filter.kind != FilterKind::none || recipe.filter.band_limit)
             return "the papers' passes have no filters";
-        if (!recipe.graph.empty())
-            return "the papers' passes make no other textures than a color_map over a field";
-        return textures_.problem(recipe.texture);
+        const Texture* texture = plain_texture(recipe.texture);
+        return texture ? textures_.problem(*texture)
+                       : "the papers' passes make no other textures than a color_map over a field";
     }
 
     void synthesize(const SolidAtlas& solid, const Recipe& recipe, int threads,
                     ImageToFill image) override {
         std::visit(
             [&](auto* pixels) {
-                textures_.synthesize(solid, recipe.texture, texture_from_solid(recipe), threads,
-                                     *pixels);
+                textures_.synthesize(solid, *plain_texture(recipe.texture),
+                                     texture_from_solid(recipe), threads, *pixels);
             },
             image);
         sum_ += textures_.work();

@@ -25,23 +25,24 @@ class GlSynthesizer final : public TextureSynthesizer {
     std::string problem(const Recipe& recipe) const override {
         if (recipe.precision.kind.value_or(PrecisionKind::float32) != PrecisionKind::float32)
             return "OpenGL computes in float32, and another precision is asked for";
-        if (recipe.graph.empty()) return textures_.problem(recipe.texture, recipe.filter);
-        return graphs_.problem(recipe.graph, recipe.filter);
+        if (const Texture* texture = plain_texture(recipe.texture))
+            return textures_.problem(*texture, recipe.filter);
+        return graphs_.problem(recipe.texture, recipe.filter);
     }
 
     void synthesize(const SolidAtlas& solid, const Recipe& recipe, int threads,
                     ImageToFill image) override {
         const Affine3 map = texture_from_solid(recipe);
+        const Texture* texture = plain_texture(recipe.texture);
         std::visit(
             [&](auto* pixels) {
-                if (recipe.graph.empty())
-                    textures_.synthesize(solid, recipe.texture, map, threads, *pixels,
-                                         recipe.filter);
+                if (texture)
+                    textures_.synthesize(solid, *texture, map, threads, *pixels, recipe.filter);
                 else
-                    graphs_.synthesize(solid, recipe.graph, map, threads, *pixels, recipe.filter);
+                    graphs_.synthesize(solid, recipe.texture, map, threads, *pixels, recipe.filter);
             },
             image);
-        sum_ += recipe.graph.empty() ? textures_.work() : graphs_.work();
+        sum_ += texture ? textures_.work() : graphs_.work();
     }
 
     std::vector<Image<RgbF>> levels(const MeshAtlas& atlas, const Image<RgbF>& texture,
