@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include "app/bench/bench.h"
-#include "app/recipe/names.h"
 #include "app/recipe/recipe.h"
 #include "procedural/fill/graph.h"
 #include "procedural/fill/synthesize.h"

@@ -6,7 +6,6 @@
 #include <random>
 
 #include "app/bench/bench.h"
-#include "app/recipe/names.h"
 #include "app/recipe/recipe.h"
 #include "procedural/bresenham/field.h"
 #include "procedural/color/table.h"

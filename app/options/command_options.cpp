@@ -12,7 +12,6 @@
 #include "app/base/messages.h"
 #include "app/base/nearest_word.h"
 #include "app/recipe/keyed_recipe.h"
-#include "app/recipe/names.h"
 #include "app/recipe/parameters.h"
 #include "app/surface/mesh_notes.h"
 #include "app/surface/sample_meshes.h"

@@ -7,7 +7,6 @@
 #include <tbb/parallel_for.h>
 
 #include "app/bench/stability/ways.h"
-#include "app/recipe/names.h"
 #include "procedural/color/srgb.h"
 #include "procedural/fill/synthesize.h"
 #include "procedural/fill/texels.h"

@@ -5,7 +5,6 @@
 #include "app/bench/stability/cases.h"
 #include "app/bench/stability/chance.h"
 #include "app/bench/stability/noise.h"
-#include "app/recipe/names.h"
 
 namespace burl {
 
