@@ -20,7 +20,7 @@
 #include "app/gl/fill/multipass_synthesizer.h"
 #include "app/gl/fill/synthesizer.h"
 #include "app/options/idle_options.h"
-#include "app/recipe/forward_check.h"
+#include "app/pipeline/fill_texture.h"
 #include "app/recipe/lattice_check.h"
 #include "app/surface/load_pose.h"
 #include "atlas/base/error.h"

@@ -91,7 +91,7 @@ CLI::Validator one_of(const std::vector<std::string>& words);
 
 /// Adds --threads, 0 for all.
 void add_threads(CLI::App& verb, int& threads);
-/// The --kernel that sums forward differences (app/recipe/forward_check.h); its textures differ
+/// The --kernel that sums forward differences (app/pipeline/fill_texture.h); its textures differ
 /// from those of the other kernels.
 inline constexpr const char* forward_kernel = "forward";
 /// The --kernel that means --precision float64.

@@ -2,7 +2,11 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include "app/paint/texture.h"
+#include "atlas/base/error.h"
+#include "procedural/bresenham/field.h"
 #include "procedural/fill/forward.h"
 #include "procedural/fill/graph.h"
 #include "procedural/fill/synthesize.h"
@@ -19,6 +23,18 @@ PrecisionKind bake_precision(const Recipe& recipe) {
 ForwardPrecision forward_precision(const Recipe& recipe) {
     return recipe.precision.kind == PrecisionKind::float32 ? ForwardPrecision::float32
                                                            : ForwardPrecision::float64;
+}
+
+/// The reason why forward differences cannot make the recipe's texture; empty where they can.
+std::string forward_problem(const Recipe& recipe) {
+    const Texture* texture = plain_texture(recipe.texture);
+    if (!texture) return "the texture has other nodes than a color_map over a field";
+    if (const std::string why = no_forward_form(expand_octaves(*texture)); !why.empty()) return why;
+    if (recipe.filter.kind != FilterKind::none || recipe.filter.band_limit)
+        return "filters need f besides the scan line, and differences run along it";
+    if (recipe.precision.kind.value_or(PrecisionKind::float64) == PrecisionKind::fixed)
+        return "it adds in float64 or float32, not in fixed:I.F";
+    return "";
 }
 
 /// Table of the synthesis functions for one kind of pixel.
@@ -44,7 +60,7 @@ struct Fast<RgbF> {
     }
 };
 
-/// The rows `rows` of the texture of a recipe for which has_fast_way is false, in linear light.
+/// The rows `rows` of a texture in linear light; not of a plain one that has_fast_way.
 Image<RgbF> rows_by_other_ways(const SolidAtlas& solid, const Recipe& recipe, const HostWay& way,
                                const Economy& economy, const RowWindow& rows) {
     const Affine3 map = texture_from_solid(recipe);
@@ -62,13 +78,7 @@ Image<RgbF> rows_by_other_ways(const SolidAtlas& solid, const Recipe& recipe, co
 }  // namespace
 
 bool has_fast_way(const Recipe& recipe, const HostWay& way) {
-    return !way.forward && plain_texture(recipe.texture) &&
-           bake_precision(recipe) == PrecisionKind::float32;
-}
-
-bool has_fast_graph(const Recipe& recipe, const HostWay& way) {
-    return !way.forward && !plain_texture(recipe.texture) &&
-           bake_precision(recipe) == PrecisionKind::float32;
+    return !way.forward && bake_precision(recipe) == PrecisionKind::float32;
 }
 
 template <class Pixel>
@@ -99,10 +109,10 @@ Image<Pixel> fill_texture(const SolidAtlas& solid, const Recipe& recipe, const H
 
 void fill_in_bands(const SolidAtlas& solid, const Recipe& recipe, const HostWay& way,
                    const Economy& economy, std::size_t texels, const TakeRows& take) {
-    if (has_fast_way(recipe, way))
-        return synthesize_rgbf_bands(solid, *plain_texture(recipe.texture),
-                                     texture_from_solid(recipe), way.threads, recipe.filter,
-                                     way.kernel, economy, texels, take);
+    const Texture* texture = plain_texture(recipe.texture);
+    if (texture && has_fast_way(recipe, way))
+        return synthesize_rgbf_bands(solid, *texture, texture_from_solid(recipe), way.threads,
+                                     recipe.filter, way.kernel, economy, texels, take);
     const std::size_t least = band_rows * solid.size;
     const std::size_t at_once = band_rows * std::max<std::size_t>(1, texels / least);
     for (std::size_t first = 0; first < solid.size; first += at_once)
@@ -119,5 +129,10 @@ template Image<Rgb16> fill_unpainted(const SolidAtlas&, const Recipe&, const Hos
                                      const Economy&);
 template Image<RgbF> fill_unpainted(const SolidAtlas&, const Recipe&, const HostWay&,
                                     const Economy&);
+
+void check_forward(const Recipe& recipe) {
+    if (const std::string problem = forward_problem(recipe); !problem.empty())
+        throw Error(ExitCode::usage, fmt::format("--kernel forward: {}; leave it out", problem));
+}
 
 }  // namespace burl

@@ -15,7 +15,7 @@ struct HostWay {
     int threads = 0;  ///< number of threads; 0: all
     Kernel kernel = Kernel::automatic;
     /// Whether octaves are evaluated by forward differences, in the recipe's precision or else
-    /// float64; the recipe must pass check_forward (app/recipe/forward_check.h).
+    /// float64; the recipe must pass check_forward.
     bool forward = false;
     bool operator==(const HostWay&) const = default;
 };
@@ -49,11 +49,13 @@ Image<Pixel> fill_unpainted(const SolidAtlas& solid, const Recipe& recipe, const
 void fill_in_bands(const SolidAtlas& solid, const Recipe& recipe, const HostWay& way,
                    const Economy& economy, std::size_t texels, const TakeRows& take);
 
-/// Whether the recipe is the 1999 model in float32 without forward differences, which KeptSynthesis
-/// can cache (procedural/kept/kept.h).
+/// Whether the texture is filled in float32 without forward differences: KeptSynthesis can cache it
+/// if it is plain (procedural/kept/kept.h), and KeptGraph some others (procedural/kept/graph.h).
 bool has_fast_way(const Recipe& recipe, const HostWay& way);
-/// Whether the recipe is a graph in float32, which KeptGraph may be able to cache
-/// (procedural/kept/graph.h).
-bool has_fast_graph(const Recipe& recipe, const HostWay& way);
+
+/// Throws Error(usage) where the recipe's texture is not a polynomial between cell crossings
+/// (procedural/bresenham), has a filter, or asks for fixed-point arithmetic: the kernel `forward`
+/// would make another texture.
+void check_forward(const Recipe& recipe);
 
 }  // namespace burl

@@ -19,12 +19,12 @@ KeptGraph& KeptTexture::number() {
 template <class Pixel>
 void KeptTexture::fill(const Recipe& recipe, const HostWay& way, const Economy& economy,
                        Image<Pixel>& image) {
-    const bool keeps = budget_ > 0 && economy.skips.allows(Skip::kept_terms);
-    if (keeps && has_fast_way(recipe, way))
-        terms(recipe, way.kernel)
-            .synthesize(*plain_texture(recipe.texture), way.threads, image, recipe.filter, economy);
-    else if (keeps && has_fast_graph(recipe, way) &&
-             KeptGraph::splits(recipe.texture, recipe.filter))
+    const bool keeps =
+        budget_ > 0 && economy.skips.allows(Skip::kept_terms) && has_fast_way(recipe, way);
+    const Texture* texture = plain_texture(recipe.texture);
+    if (keeps && texture)
+        terms(recipe, way.kernel).synthesize(*texture, way.threads, image, recipe.filter, economy);
+    else if (keeps && KeptGraph::splits(recipe.texture, recipe.filter))
         number().synthesize(recipe.texture, texture_from_solid(recipe), way.threads, image,
                             economy);
     else

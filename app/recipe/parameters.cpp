@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "app/recipe/recipe.h"
-#include "app/recipe/schema_tree.h"
+#include "app/recipe/schema_check.h"
 #include "procedural/model/members.h"
 
 namespace burl {
