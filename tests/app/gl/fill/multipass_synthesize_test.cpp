@@ -60,7 +60,8 @@ std::vector<Recipe> presets(const GlMultipassSynthesis& gl) {
     std::vector<Recipe> recipes;
     for (const EmbeddedFile& preset : embedded_recipes()) {
         Recipe recipe = load_recipe(std::string(preset.name.substr(0, preset.name.find('.'))));
-        if (plain_texture(recipe.texture) && gl.problem(*plain_texture(recipe.texture)).empty())
+        if (const Texture* texture = plain_texture(recipe.texture);
+            texture && gl.problem(*texture).empty())
             recipes.push_back(std::move(recipe));
     }
     return recipes;

@@ -102,14 +102,12 @@ TEST_F(GlSynthesizeTest, ColoursJumpWhereTheHostsDo) {
     SynthesizeSubject subject("sample:cube", 64);
     Recipe recipe = load_recipe("marble");
     // Far more steps than entries in the first hundredth, jumps, and ends that hold.
-    plain_texture(recipe.texture)->colors.wrap = Wrap::clamp;
-    plain_texture(recipe.texture)->colors.stops.clear();
+    ColorMap& colors = plain_texture(recipe.texture)->colors;
+    colors = {Wrap::clamp, {}};
     for (int i = 0; i < 400; ++i)
-        plain_texture(recipe.texture)
-            ->colors.stops.push_back(
-                {0.2 + 1e-5 * i, i % 2 == 0 ? Rgb8{0, 255, 7} : Rgb8{255, 0, 130}});
-    plain_texture(recipe.texture)->colors.stops.push_back({0.6, {1, 2, 3}});
-    plain_texture(recipe.texture)->colors.stops.push_back({0.6, {201, 202, 203}});
+        colors.stops.push_back({0.2 + 1e-5 * i, i % 2 == 0 ? Rgb8{0, 255, 7} : Rgb8{255, 0, 130}});
+    colors.stops.push_back({0.6, {1, 2, 3}});
+    colors.stops.push_back({0.6, {201, 202, 203}});
     expect_equal<Rgb8>(gl, subject, recipe);
     expect_equal<RgbF>(gl, subject, recipe);
 }
@@ -183,10 +181,10 @@ TEST_F(GlSynthesizeTest, StepsFarFieldsAndSimplexHaveTheHostsBytes) {
     GlSynthesis gl(*context);
     SynthesizeSubject subject("sample:teapot", 64);
     Recipe flat = with_noise({});
-    plain_texture(flat.texture)->quadric = {};
-    plain_texture(flat.texture)->quadric.j = 0.5;  // every texel at a step of the colours
-    plain_texture(flat.texture)->colors = {Wrap::repeat,
-                                           {{0.0, {9, 9, 9}}, {0.5, {9, 9, 9}}, {0.5, {99, 9, 9}}}};
+    Texture& steps = *plain_texture(flat.texture);
+    steps.quadric = {};
+    steps.quadric.j = 0.5;  // every texel at a step of the colours
+    steps.colors = {Wrap::repeat, {{0.0, {9, 9, 9}}, {0.5, {9, 9, 9}}, {0.5, {99, 9, 9}}}};
     Recipe far = load_recipe("marble"), simplex = far;
     plain_texture(far.texture)->quadric.j = 1e7;
     plain_texture(simplex.texture)->noise[0].kind = NoiseKind::simplex;
@@ -202,12 +200,13 @@ TEST_F(GlSynthesizeTest, TilesAndThreadsLeaveNoTrace) {
     const Recipe recipe = load_recipe("wood");
     const Affine3 map = texture_from_solid(recipe);
     Image<Rgb8> one, two;
-    whole.synthesize(subject.solid(), *plain_texture(recipe.texture), map, 1, one);
-    tiled.synthesize(subject.solid(), *plain_texture(recipe.texture), map, 2, two);
+    const Texture& texture = *plain_texture(recipe.texture);
+    whole.synthesize(subject.solid(), texture, map, 1, one);
+    tiled.synthesize(subject.solid(), texture, map, 2, two);
     EXPECT_EQ(differing(one, two), 0u);
     EXPECT_EQ(whole.work().passes, 1);
     EXPECT_EQ(tiled.work().passes, 9);
-    tiled.synthesize(subject.solid(), *plain_texture(recipe.texture), map, 0, two);
+    tiled.synthesize(subject.solid(), texture, map, 0, two);
     EXPECT_EQ(tiled.work().maps, 9);
     EXPECT_EQ(differing(one, two), 0u);
 }
@@ -219,13 +218,14 @@ TEST_F(GlSynthesizeTest, EditsKeepMapsAndShaders) {
     expect_equal<Rgb8>(gl, subject, recipe);
     EXPECT_EQ(gl.work().maps, 1);
     EXPECT_GT(gl.work().compile, 0.0);
-    plain_texture(recipe.texture)->noise[0].amplitude = 0.31;
-    plain_texture(recipe.texture)->noise[0].seed = 77;
-    plain_texture(recipe.texture)->colors.stops[1].color = {9, 99, 199};
+    Texture& texture = *plain_texture(recipe.texture);
+    texture.noise[0].amplitude = 0.31;
+    texture.noise[0].seed = 77;
+    texture.colors.stops[1].color = {9, 99, 199};
     expect_equal<Rgb8>(gl, subject, recipe);
     EXPECT_EQ(gl.work().maps, 0);
     EXPECT_EQ(gl.work().compile, 0.0);
-    plain_texture(recipe.texture)->quadric.i = 0.75;
+    texture.quadric.i = 0.75;
     expect_equal<Rgb8>(gl, subject, recipe);
     EXPECT_EQ(gl.work().maps, 1);
     recipe.solid.scale = 5.0;
