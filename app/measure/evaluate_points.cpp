@@ -115,7 +115,7 @@ std::vector<PointResult> evaluate_graph(const Recipe& recipe, const PointFile& f
     return results;
 }
 
-/// Evaluates `texture`, the recipe's.
+/// The values of a recipe of which `texture` is the plain texture.
 std::vector<PointResult> evaluate_model(const Recipe& recipe, const Texture& texture,
                                         const PointFile& file) {
     const PreparedRecipe prepared{texture.quadric, expand_octaves(texture),
