@@ -224,7 +224,8 @@ bool is_graph(const Json& texture) {
 }
 
 TextureGraph graph_from_json(const Json& texture, const ImageReader& read_image) {
-    if (!is_graph(texture)) return plain_graph(texture_from_json(texture));
+    const bool is_plain = texture.is_object() && !is_graph(texture);
+    if (is_plain) return plain_graph(texture_from_json(texture));
     return GraphReader(read_image).read(texture);
 }
 
