@@ -18,7 +18,7 @@
 #include "app/export/command_files.h"
 #include "app/gl/fill/synthesizer.h"
 #include "app/options/idle_options.h"
-#include "app/recipe/forward_check.h"
+#include "app/pipeline/fill_texture.h"
 #include "app/recipe/lattice_check.h"
 #include "app/surface/sample_meshes.h"
 #include "atlas/base/error.h"

@@ -40,7 +40,7 @@ struct BakeCommand {
 
 /// The --synth that evaluates the papers' passes over whole images.
 inline constexpr const char* multipass_synth = "gl-multipass";
-/// The --kernel that sums forward differences (app/recipe/forward_check.h); its textures differ
+/// The --kernel that sums forward differences (app/pipeline/fill_texture.h); its textures differ
 /// from those of the other kernels.
 inline constexpr const char* forward_kernel = "forward";
 /// The --kernel that means --precision float64.

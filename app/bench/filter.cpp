@@ -11,7 +11,6 @@
 
 #include "app/bench/bench.h"
 #include "app/bench/command.h"
-#include "app/recipe/names.h"
 #include "app/recipe/recipe.h"
 #include "procedural/fill/graph.h"
 #include "procedural/fill/synthesize.h"
@@ -61,7 +60,7 @@ double finest_frequency(const Texture& texture) {
 FilterSubject preset(const char* name) {
     using enum FilterKind;
     Recipe recipe = load_recipe(name);
-    FilterSubject subject{name, finest_frequency(recipe.texture), 1.0, {}};
+    FilterSubject subject{name, finest_frequency(*plain_texture(recipe.texture)), 1.0, {}};
     const auto add = [&](std::string filter_name, const Filter& filter) {
         recipe.filter = filter;
         subject.recipes.push_back({std::move(filter_name), recipe});
@@ -93,17 +92,17 @@ FilterSubject checkers(const char* node) {
 }
 
 Image<RgbF> colors(const SolidAtlas& solid, const Recipe& recipe) {
-    if (!recipe.graph.empty())
-        return synthesize_graph<RgbF>(solid, recipe.graph, {}, recipe.filter, 0);
-    return synthesize_model<RgbF>(solid, recipe.texture, {}, 0, recipe.filter);
+    if (const Texture* texture = plain_texture(recipe.texture))
+        return synthesize_model<RgbF>(solid, *texture, {}, 0, recipe.filter);
+    return synthesize_graph<RgbF>(solid, recipe.texture, {}, recipe.filter, 0);
 }
 
 /// Bakes on one thread, in 8 bits.
 void bake(const SolidAtlas& solid, const Recipe& recipe) {
-    if (!recipe.graph.empty())
-        synthesize_graph<Rgb8>(solid, recipe.graph, {}, recipe.filter, 1);
+    if (const Texture* texture = plain_texture(recipe.texture))
+        synthesize_model<Rgb8>(solid, *texture, {}, 1, recipe.filter);
     else
-        synthesize_model<Rgb8>(solid, recipe.texture, {}, 1, recipe.filter);
+        synthesize_graph<Rgb8>(solid, recipe.texture, {}, recipe.filter, 1);
 }
 
 TexelMap plane(const Vec3d& origin, double side) {

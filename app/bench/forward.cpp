@@ -10,7 +10,6 @@
 
 #include "app/bench/bench.h"
 #include "app/bench/command.h"
-#include "app/recipe/names.h"
 #include "app/recipe/recipe.h"
 #include "procedural/bresenham/field.h"
 #include "procedural/color/table.h"
@@ -316,7 +315,7 @@ std::vector<GrowthBench> bench_forward_growth() {
 std::vector<CubeBench> bench_forward_cubes(int repeats, std::size_t side) {
     std::vector<CubeBench> rows;
     for (const auto& [name, size] : {std::pair{"bresenham-wood", 1.0}, {"bresenham-marble", 2.0}}) {
-        const Texture texture = load_recipe(name).texture;
+        const Texture texture = *plain_texture(load_recipe(name).texture);
         const std::vector<Method> list = methods(texture);
         const std::vector<LatticeLine> lines = cube_lines(size, side);
         const std::vector<BenchRow> times = time_rows(list, lines, repeats);

@@ -42,15 +42,16 @@ Filled fill(Pipeline& pipeline, const Precision& precision) {
     recipe.precision = precision;
     pipeline.set_recipe(recipe);
     Filled filled;
+    const Texture& texture = *plain_texture(recipe.texture);
     const Affine3 map = texture_from_solid(recipe);
     if (precision.kind == PrecisionKind::float32) {
-        const Image<float> field = synthesize_field(pipeline.solid(), recipe.texture, map, 0);
+        const Image<float> field = synthesize_field(pipeline.solid(), texture, map, 0);
         filled.field = Image<double>(field.width(), field.height());
         for (std::size_t y = 0; y < field.height(); ++y)
             for (std::size_t x = 0; x < field.width(); ++x)
                 filled.field(x, y) = double(field(x, y));
     } else {
-        filled.field = field_of_texels(pipeline.solid(), recipe.texture, map, precision, 0);
+        filled.field = field_of_texels(pipeline.solid(), texture, map, precision, 0);
     }
     filled.colors = pipeline.synthesize<Rgb8>();
     return filled;
@@ -80,8 +81,9 @@ Difference compare(const SolidAtlas& solid, const Filled& one, const Filled& exa
 /// Evaluates the texture in float64 at points whose coordinates are truncated to the format.
 Filled fill_at_cut_points(const SolidAtlas& solid, const Recipe& recipe,
                           const FixedFormat& format) {
-    const std::vector<Octave> octaves = expand_octaves(recipe.texture);
-    const ColorTable8 colors(recipe.texture.colors);
+    const Texture& texture = *plain_texture(recipe.texture);
+    const std::vector<Octave> octaves = expand_octaves(texture);
+    const ColorTable8 colors(texture.colors);
     const Affine3 map = texture_from_solid(recipe);
     Filled filled{Image<double>(solid.size, solid.size), Image<Rgb8>(solid.size, solid.size)};
     for (std::size_t y = 0; y < solid.size; ++y)
@@ -91,7 +93,7 @@ Filled fill_at_cut_points(const SolidAtlas& solid, const Recipe& recipe,
                 for (int axis = 0; axis < 3; ++axis)
                     s[axis] = std::ldexp(double(fixed_coordinate(s[axis], format)),
                                          -int(format.fraction_bits));
-                const double f = evaluate_field(recipe.texture.quadric, octaves, s);
+                const double f = evaluate_field(texture.quadric, octaves, s);
                 filled.field(x, y) = f;
                 filled.colors(x, y) = colors(f);
             }

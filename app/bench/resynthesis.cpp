@@ -31,7 +31,7 @@ struct Edited {
     explicit Edited(std::shared_ptr<Pipeline> p)
         : pipeline(std::move(p)),
           map(texture_from_solid(pipeline->recipe())),
-          texture(pipeline->recipe().texture),
+          texture(*plain_texture(pipeline->recipe().texture)),
           kept(pipeline->solid(), map, std::numeric_limits<std::size_t>::max()),
           octave(take_apart(texture) - 1) {}
 
@@ -58,7 +58,7 @@ std::vector<BenchCase> cases_of(const std::shared_ptr<Pipeline>& pipeline,
     cases.push_back({"from scratch", texels, "texel",
                      [pipeline] {
                          const Recipe& recipe = pipeline->recipe();
-                         synthesize_model<Rgb8>(pipeline->solid(), recipe.texture,
+                         synthesize_model<Rgb8>(pipeline->solid(), *plain_texture(recipe.texture),
                                                 texture_from_solid(recipe), 1);
                      },
                      group});
@@ -73,10 +73,9 @@ std::vector<BenchCase> cases_of(const std::shared_ptr<Pipeline>& pipeline,
         [swap, first = Edited(pipeline).term().amplitude](Edited& e) {
             swap(e.term().amplitude, 0.9 * first, 0.8 * first);
         });
-    add("after a change of the quadric",
-        [swap, j = pipeline->recipe().texture.quadric.j](Edited& e) {
-            swap(e.texture.quadric.j, j + 0.125, j);
-        });
+    add("after a change of the quadric", [swap, j = Edited(pipeline).texture.quadric.j](Edited& e) {
+        swap(e.texture.quadric.j, j + 0.125, j);
+    });
     add("after a change of one octave's frequency",
         [swap, first = Edited(pipeline).term().frequency.x](Edited& e) {
             swap(e.term().frequency.x, 1.01 * first, 1.02 * first);
@@ -86,8 +85,9 @@ std::vector<BenchCase> cases_of(const std::shared_ptr<Pipeline>& pipeline,
 
 Recipe load_plain(const std::string& name, std::size_t side) {
     const Recipe recipe = sized_recipe(name, side);
-    const bool plain = recipe.graph.empty() && recipe.filter == Filter{} && !recipe.precision.kind;
-    if (!plain || recipe.texture.noise.empty() || recipe.texture.colors.stops.empty())
+    const Texture* texture = plain_texture(recipe.texture);
+    if (!texture || texture->noise.empty() || texture->colors.stops.empty() ||
+        recipe.filter != Filter{} || recipe.precision.kind)
         throw Error(ExitCode::usage,
                     fmt::format("bench resynthesis: {} must be a colour map over a field with "
                                 "noise, without filter or precision",

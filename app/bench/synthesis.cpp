@@ -37,7 +37,7 @@ void append(const Vec3d& color, Values& values) {
 
 /// Returns the values of a graph in float64.
 Values defined_graph(const SolidAtlas& solid, const Recipe& recipe, std::uint32_t step) {
-    const GraphEvaluator evaluate(recipe.graph);
+    const GraphEvaluator evaluate(recipe.texture);
     GraphEvaluator::Scratch scratch = evaluate.make_scratch();
     const Affine3 from_solid = texture_from_solid(recipe);
     std::vector<Vec3d> points;
@@ -127,14 +127,14 @@ std::vector<double> color_values(const SolidAtlas& solid, const Image<RgbF>& ima
 
 std::vector<double> defined_colors(const SolidAtlas& solid, const Recipe& recipe,
                                    std::uint32_t step) {
-    if (!recipe.graph.empty()) return defined_graph(solid, recipe, step);
-    const std::vector<Octave> octaves = expand_octaves(recipe.texture);
-    const PreparedColorMap map(recipe.texture.colors);
+    const Texture* texture = plain_texture(recipe.texture);
+    if (!texture) return defined_graph(solid, recipe, step);
+    const std::vector<Octave> octaves = expand_octaves(*texture);
+    const PreparedColorMap map(texture->colors);
     const Affine3 from_solid = texture_from_solid(recipe);
     Values values;
     for_each_texel(solid, step, [&](const TexelMap& texel, std::uint32_t x, std::uint32_t y) {
-        append(map(evaluate_field(recipe.texture.quadric, octaves, from_solid(texel(x, y)))),
-               values);
+        append(map(evaluate_field(texture->quadric, octaves, from_solid(texel(x, y)))), values);
     });
     return values;
 }

@@ -116,7 +116,7 @@ Image<Rgb8> cube_part(const std::string& arguments) {
     std::string cube, recipe, shown;
     double size = 0.0;
     words >> cube >> recipe >> size >> shown;
-    const Texture texture = load_recipe(recipe).texture;
+    const Texture texture = *plain_texture(load_recipe(recipe).texture);
     const Image<Rgb8> forward = draw_cube(texture, size, side, CubeMethod::forward);
     if (shown == "forward") return forward;
     const Image<Rgb8> pixelwise = draw_cube(texture, size, side, CubeMethod::pixelwise);

@@ -14,7 +14,6 @@
 #include "app/options/idle_options.h"
 #include "app/recipe/images.h"
 #include "app/recipe/lattice_check.h"
-#include "app/recipe/names.h"
 #include "app/surface/normals.h"
 #include "app/surface/posed_corners.h"
 #include "app/surface/sample_meshes.h"

@@ -166,7 +166,7 @@ std::vector<std::string> files_of_mesh(const std::string& mesh_path, MeshFiles w
 std::vector<std::string> images_of_recipe(const std::string& path_or_preset, const Recipe& recipe) {
     std::vector<std::string> files;
     const fs::path folder = fs::path(path_or_preset).parent_path();
-    for (const TextureGraph* graph : {&recipe.graph, &recipe.bump.input})
+    for (const TextureGraph* graph : {&recipe.texture, &recipe.bump.input})
         for (const GraphImage& image : graph->images) {
             std::string file = (folder / image.file).string();
             if (std::ranges::find(files, file) == files.end()) files.push_back(std::move(file));

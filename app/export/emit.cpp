@@ -112,14 +112,12 @@ void encode(Imf::OStream& stream, const SolidMap& map, const Vec3d& base) {
 }  // namespace
 
 std::string emit_glsl(const Recipe& recipe, const Affine3& texture_from_mesh) {
-    const TextureGraph graph =
-        recipe.graph.empty() ? graph_of_texture(recipe.texture) : recipe.graph;
-    const GlslTexture texture = glsl_graph(graph, GlslReal::float32);
+    const GlslTexture texture = glsl_graph(recipe.texture, GlslReal::float32);
     std::string text = glsl_constant_tables(texture.tables, GlslReal::float32);
     for (const GlslPart& part : texture.parts)
         if (part.name != "numbers/real.glsl")
             text += std::string(part.text.empty() ? embedded_shader(part.name) : part.text) + "\n";
-    return header(recipe) + images_text(texture, graph) + "\n" +
+    return header(recipe) + images_text(texture, recipe.texture) + "\n" +
            glsl_needed_by("texture_color", glsl_in_float(text)) + "\n" + matrix(texture_from_mesh) +
            "\n" + main_function;
 }

@@ -208,8 +208,8 @@ Evaluation evaluate_graph(const GraphEvaluator& evaluate, GraphEvaluator::Scratc
 
 std::vector<PointResult> evaluate_graph(const Recipe& recipe, const PointFile& file) {
     const Filter filter{FilterKind::trapezoid};
-    const GraphEvaluator exact(recipe.graph, filter),
-        quick(recipe.graph, filter, PrecisionKind::float32);
+    const GraphEvaluator exact(recipe.texture, filter),
+        quick(recipe.texture, filter, PrecisionKind::float32);
     GraphEvaluator::Scratch scratch = exact.make_scratch();
     const Affine3 map = texture_from_solid(recipe);
     std::vector<PointResult> results;
@@ -221,13 +221,14 @@ std::vector<PointResult> evaluate_graph(const Recipe& recipe, const PointFile& f
     return results;
 }
 
-std::vector<PointResult> evaluate_model(const Recipe& recipe, const PointFile& file) {
-    const PreparedRecipe prepared{recipe.texture.quadric, expand_octaves(recipe.texture),
-                                  PreparedColorMap(recipe.texture.colors),
-                                  texture_from_solid(recipe)};
+/// The values of a recipe of which `texture` is the plain texture.
+std::vector<PointResult> evaluate_model(const Recipe& recipe, const Texture& texture,
+                                        const PointFile& file) {
+    const PreparedRecipe prepared{texture.quadric, expand_octaves(texture),
+                                  PreparedColorMap(texture.colors), texture_from_solid(recipe)};
     std::optional<FixedField> fixed;
     if (recipe.precision.kind == PrecisionKind::fixed)
-        fixed.emplace(recipe.texture, recipe.precision.format);
+        fixed.emplace(texture, recipe.precision.format);
     std::vector<PointResult> results;
     for (const auto& [x, y, z, w] : file.points) {
         const Vec3d point(x, y, z);
@@ -305,8 +306,9 @@ std::vector<PointResult> evaluate_points(const Recipe& recipe, const PointFile& 
         const Vec3d s = texture_from_solid(recipe)(Vec3d(x, y, z));
         check_lattice(recipe, Box3{s, s});
     }
+    const Texture* texture = plain_texture(recipe.texture);
     std::vector<PointResult> results =
-        recipe.graph.empty() ? evaluate_model(recipe, file) : evaluate_graph(recipe, file);
+        texture ? evaluate_model(recipe, *texture, file) : evaluate_graph(recipe, file);
     if (recipe.precision.kind == PrecisionKind::float64) return only_float64(std::move(results));
     return results;
 }

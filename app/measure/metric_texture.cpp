@@ -46,14 +46,14 @@ Affine3 texture_from_normalised(const Recipe& recipe, const Mesh& mesh) {
     return texture_from_mesh(recipe, mesh).after(mesh_from_unit.after(unit_from_normalised));
 }
 
-/// The longest step in the noise lattice per unit step on the normalised mesh.
-double highest_frequency(std::span<const Octave> octaves, const Affine3& from_normalised) {
-    double highest = 0.0;
+/// The detail of noise: a share of the lattice cell that is smallest on the normalised mesh.
+double detail_of(std::span<const Octave> octaves, const Affine3& from_normalised) {
+    double highest = 0.0;  // steps in the lattice per unit step on the mesh
     for (const Octave& octave : octaves) {
         const Mat3d steps = octave.lattice_from_solid.linear * from_normalised.linear;
         for (int axis = 0; axis < 3; ++axis) highest = std::max(highest, glm::length(steps[axis]));
     }
-    return highest;
+    return highest > 0.0 ? std::min(coarsest_detail, detail_of_cell / highest) : coarsest_detail;
 }
 
 }  // namespace
@@ -64,14 +64,10 @@ MetricTexture metric_marble_texture() {
 
 MetricTexture recipe_texture(const Recipe& recipe, const Mesh& mesh) {
     const Affine3 map = texture_from_normalised(recipe, mesh);
-    const double frequency = highest_frequency(expand_octaves(recipe.texture), map);
-    MetricTexture texture{recipe.name, {}, coarsest_detail};
-    if (frequency > 0.0) texture.detail = std::min(coarsest_detail, detail_of_cell / frequency);
-    if (!recipe.graph.empty()) texture.detail = graph_detail;
-    texture.color = [map, color = texture_color(recipe)](const Vec3d& point) {
-        return color(map(point));
-    };
-    return texture;
+    const Texture* plain = plain_texture(recipe.texture);
+    return {recipe.name,
+            [map, color = texture_color(recipe)](const Vec3d& point) { return color(map(point)); },
+            plain ? detail_of(expand_octaves(*plain), map) : graph_detail};
 }
 
 Mesh normalised(const Mesh& mesh) {

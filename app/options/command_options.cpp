@@ -11,7 +11,6 @@
 
 #include "app/base/messages.h"
 #include "app/recipe/keyed_recipe.h"
-#include "app/recipe/names.h"
 #include "app/recipe/parameters.h"
 #include "app/surface/sample_meshes.h"
 #include "atlas/base/error.h"

@@ -37,10 +37,11 @@ std::string idle_reason(const Recipe& recipe, std::string_view path) {
 
 std::string idle_kernel(const Recipe& recipe, Kernel kernel) {
     if (kernel == Kernel::automatic) return "";
-    if (!recipe.graph.empty())
+    const Texture* texture = plain_texture(recipe.texture);
+    if (!texture)
         return "the texture has other nodes than a color_map over a field, whose noise has one way";
     if (!has_fast_way(recipe, {})) return "only --precision float32 has it";
-    if (std::ranges::none_of(expand_octaves(recipe.texture), on_lattice))
+    if (std::ranges::none_of(expand_octaves(*texture), on_lattice))
         return "only value and perlin noise without a period, time or turbulence has it";
     const FilterKind filter = recipe.filter.kind;
     const bool slopes = filter != FilterKind::none && filter != FilterKind::supersample;

@@ -7,10 +7,10 @@
 #include <CLI/CLI.hpp>
 
 #include "app/options/command_options.h"
-#include "app/recipe/names.h"
 #include "app/recipe/parameters.h"
 #include "atlas/base/error.h"
 #include "procedural/noise/domain_warp.h"
+#include "procedural/noise/names.h"
 
 namespace burl {
 

@@ -51,7 +51,7 @@ std::uint32_t source_level(const MeshAtlas& atlas, const LevelRule& rule, std::u
 
 Recipe sample_recipe(const Recipe& recipe) {
     Recipe result = recipe;
-    const bool plain = recipe.graph.empty() && recipe.filter.kind == FilterKind::none;
+    const bool plain = plain_texture(recipe.texture) && recipe.filter.kind == FilterKind::none;
     if (plain && recipe.precision.kind.value_or(PrecisionKind::float32) == PrecisionKind::float32)
         result.filter.kind = FilterKind::trapezoid;
     return result;

@@ -2,7 +2,11 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include "app/paint/texture.h"
+#include "atlas/base/error.h"
+#include "procedural/bresenham/field.h"
 #include "procedural/fill/forward.h"
 #include "procedural/fill/graph.h"
 #include "procedural/fill/synthesize.h"
@@ -21,32 +25,40 @@ ForwardPrecision forward_precision(const Recipe& recipe) {
                                                            : ForwardPrecision::float64;
 }
 
+/// The reason why forward differences cannot make the recipe's texture; empty where they can.
+std::string forward_problem(const Recipe& recipe) {
+    const Texture* texture = plain_texture(recipe.texture);
+    if (!texture) return "the texture has other nodes than a color_map over a field";
+    if (const std::string why = no_forward_form(expand_octaves(*texture)); !why.empty()) return why;
+    if (recipe.filter.kind != FilterKind::none || recipe.filter.band_limit)
+        return "filters need f besides the scan line, and differences run along it";
+    if (recipe.precision.kind.value_or(PrecisionKind::float64) == PrecisionKind::fixed)
+        return "it adds in float64 or float32, not in fixed:I.F";
+    return "";
+}
+
 }  // namespace
 
 bool has_fast_way(const Recipe& recipe, const HostWay& way) {
-    return !way.forward && recipe.graph.empty() && bake_precision(recipe) == PrecisionKind::float32;
-}
-
-bool has_fast_graph(const Recipe& recipe, const HostWay& way) {
-    return !way.forward && !recipe.graph.empty() &&
-           bake_precision(recipe) == PrecisionKind::float32;
+    return !way.forward && bake_precision(recipe) == PrecisionKind::float32;
 }
 
 template <class Pixel>
 Image<Pixel> fill_unpainted(const SolidAtlas& solid, const Recipe& recipe, const HostWay& way,
                             const Economy& economy, const RowWindow& rows) {
     const Affine3 map = texture_from_solid(recipe);
-    if (way.forward)
-        return synthesize_forward<Pixel>(solid, recipe.texture, map, forward_precision(recipe),
-                                         way.threads, economy, rows);
-    if (!recipe.graph.empty())  // one function for both precisions
-        return synthesize_graph<Pixel>(solid, recipe.graph, map, recipe.filter, way.threads,
+    const Texture* texture = plain_texture(recipe.texture);
+    if (!texture)  // one function for both precisions
+        return synthesize_graph<Pixel>(solid, recipe.texture, map, recipe.filter, way.threads,
                                        bake_precision(recipe), economy, rows);
+    if (way.forward)
+        return synthesize_forward<Pixel>(solid, *texture, map, forward_precision(recipe),
+                                         way.threads, economy, rows);
     if (!has_fast_way(recipe, way))
-        return synthesize_texels<Pixel>(solid, recipe.texture, map, recipe.precision, recipe.filter,
+        return synthesize_texels<Pixel>(solid, *texture, map, recipe.precision, recipe.filter,
                                         way.threads, economy, rows);
-    return synthesize_model<Pixel>(solid, recipe.texture, map, way.threads, recipe.filter,
-                                   way.kernel, economy, rows);
+    return synthesize_model<Pixel>(solid, *texture, map, way.threads, recipe.filter, way.kernel,
+                                   economy, rows);
 }
 
 template <class Pixel>
@@ -75,5 +87,10 @@ template Image<Rgb16> fill_unpainted(const SolidAtlas&, const Recipe&, const Hos
                                      const Economy&, const RowWindow&);
 template Image<RgbF> fill_unpainted(const SolidAtlas&, const Recipe&, const HostWay&,
                                     const Economy&, const RowWindow&);
+
+void check_forward(const Recipe& recipe) {
+    if (const std::string problem = forward_problem(recipe); !problem.empty())
+        throw Error(ExitCode::usage, fmt::format("--kernel forward: {}; leave it out", problem));
+}
 
 }  // namespace burl

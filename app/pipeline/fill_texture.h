@@ -17,7 +17,7 @@ struct HostWay {
     int threads = 0;  ///< number of threads; 0: all
     Kernel kernel = Kernel::automatic;
     /// Whether octaves are evaluated by forward differences, in the recipe's precision or else
-    /// float64; the recipe must pass check_forward (app/recipe/forward_check.h).
+    /// float64; the recipe must pass check_forward.
     bool forward = false;
     bool operator==(const HostWay&) const = default;
 };
@@ -25,14 +25,12 @@ struct HostWay {
 /// Cache key of an unpainted texture on a given atlas: all parts of the recipe that it depends on.
 struct TextureKey {
     SolidOptions solid{};
-    Texture texture{};
-    TextureGraph graph{};
+    TextureGraph texture;
     Filter filter{};
     Precision precision{};
     explicit TextureKey(const Recipe& recipe)
         : solid(recipe.solid),
           texture(recipe.texture),
-          graph(recipe.graph),
           filter(recipe.filter),
           precision(recipe.precision) {}
     bool operator==(const TextureKey&) const = default;
@@ -59,11 +57,14 @@ inline constexpr std::size_t band_rows = 16;
 void fill_in_bands(const SolidAtlas& solid, const Recipe& recipe, const HostWay& way,
                    const Economy& economy, std::size_t texels, const TakeRows& take);
 
-/// Whether the recipe is the 1999 model in float32 without forward differences, which
-/// CachedSynthesis can cache (procedural/cache/synthesis.h).
-bool has_fast_way(const Recipe& recipe, const HostWay& way);
-/// Whether the recipe is a graph in float32, which CachedGraph may be able to cache
+/// Whether the texture is filled in float32 without forward differences: CachedSynthesis can cache
+/// it if it is plain (procedural/cache/synthesis.h), and CachedGraph some others
 /// (procedural/cache/graph.h).
-bool has_fast_graph(const Recipe& recipe, const HostWay& way);
+bool has_fast_way(const Recipe& recipe, const HostWay& way);
+
+/// Throws Error(usage) where the recipe's texture is not a polynomial between cell crossings
+/// (procedural/bresenham), has a filter, or asks for fixed-point arithmetic: the kernel `forward`
+/// would make another texture.
+void check_forward(const Recipe& recipe);
 
 }  // namespace burl

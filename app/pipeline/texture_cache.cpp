@@ -43,13 +43,14 @@ CachedGraph& TextureCache::number() {
 template <class Pixel>
 void TextureCache::fill(const Recipe& recipe, const HostWay& way, const Economy& economy,
                         Image<Pixel>& image) {
-    const bool keeps = budget_ > 0 && economy.skips.allows(Skip::kept_terms);
-    if (keeps && has_fast_way(recipe, way))
-        terms(recipe, way.kernel)
-            .synthesize(recipe.texture, way.threads, image, recipe.filter, economy);
-    else if (keeps && has_fast_graph(recipe, way) &&
-             CachedGraph::splits(recipe.graph, recipe.filter))
-        number().synthesize(recipe.graph, texture_from_solid(recipe), way.threads, image, economy);
+    const bool keeps =
+        budget_ > 0 && economy.skips.allows(Skip::kept_terms) && has_fast_way(recipe, way);
+    const Texture* texture = plain_texture(recipe.texture);
+    if (keeps && texture)
+        terms(recipe, way.kernel).synthesize(*texture, way.threads, image, recipe.filter, economy);
+    else if (keeps && CachedGraph::splits(recipe.texture, recipe.filter))
+        number().synthesize(recipe.texture, texture_from_solid(recipe), way.threads, image,
+                            economy);
     else
         image = fill_unpainted<Pixel>(*solid_, recipe, way, economy);
 }

@@ -62,15 +62,10 @@ Vec4d color_and_alpha(const GraphSample& sample) {
     return {sample.color(), sample.wire == Wire::number ? 1.0 : sample.channels[3].value};
 }
 
-/// The recipe's texture as a graph, whose nodes filter.
-TextureGraph graph_of(const Recipe& recipe) {
-    return recipe.graph.empty() ? graph_from_json(texture_to_json(recipe.texture)) : recipe.graph;
-}
-
 }  // namespace
 
 FilteredColor filtered_color(const Recipe& recipe, FilterKind kind) {
-    if (kind == FilterKind::none && recipe.graph.empty()) {
+    if (kind == FilterKind::none && plain_texture(recipe.texture)) {
         return [color = texture_color(recipe, recipe.precision)](const Vec3d& s, const Footprint&) {
             return Vec4d(color(s), 1.0);
         };
@@ -79,7 +74,7 @@ FilteredColor filtered_color(const Recipe& recipe, FilterKind kind) {
         throw Error(ExitCode::usage,
                     "fixed point has no gradients to filter by; draw it with --filter none");
     const Filter filter{kind, recipe.filter.samples, recipe.filter.band_limit};
-    const auto graph = std::make_shared<GraphSampler>(graph_of(recipe), filter);
+    const auto graph = std::make_shared<GraphSampler>(recipe.texture, filter);
     const bool filtered = kind != FilterKind::none;
     return [graph, filtered](const Vec3d& s, const Footprint& footprint) {
         return color_and_alpha((*graph)(s, filtered ? footprint : Footprint{}));
@@ -87,12 +82,13 @@ FilteredColor filtered_color(const Recipe& recipe, FilterKind kind) {
 }
 
 FilteredColor filter_width_grey(const Recipe& recipe) {
-    if (!recipe.graph.empty())
+    const Texture* texture = plain_texture(recipe.texture);
+    if (!texture)
         throw Error(ExitCode::usage,
                     fmt::format("--widths: the texture of '{}' is a graph, which has no single "
                                 "filter width; use a recipe that is a color_map of a field",
                                 recipe.name));
-    return [octaves = expand_octaves(recipe.texture), quadric = recipe.texture.quadric](
+    return [octaves = expand_octaves(*texture), quadric = texture->quadric](
                const Vec3d& s, const Footprint& covered) {
         const Vec3d slope = sample_field<double>(quadric, octaves, s).gradient;
         const double width =
@@ -102,27 +98,26 @@ FilteredColor filter_width_grey(const Recipe& recipe) {
 }
 
 TextureColor texture_color(const Recipe& recipe, const Precision& precision) {
-    if (!recipe.graph.empty() && precision.kind == PrecisionKind::float32)
-        return [graph = std::make_shared<GraphColorSampler>(recipe.graph)](const Vec3d& s) {
+    const Texture* texture = plain_texture(recipe.texture);
+    if (!texture && precision.kind == PrecisionKind::float32)
+        return [graph = std::make_shared<GraphColorSampler>(recipe.texture)](const Vec3d& s) {
             return (*graph)(s);
         };
-    if (!recipe.graph.empty()) {
-        return [graph = std::make_shared<GraphSampler>(recipe.graph)](const Vec3d& s) {
+    if (!texture) {
+        return [graph = std::make_shared<GraphSampler>(recipe.texture)](const Vec3d& s) {
             return (*graph)(s).color();
         };
     }
     if (precision.kind == PrecisionKind::fixed)
-        return [field = FixedField(recipe.texture, precision.format),
-                colors = recipe.texture.colors](const Vec3d& s) {
-            return evaluate_color(colors, field(s));
-        };
+        return [field = FixedField(*texture, precision.format), colors = texture->colors](
+                   const Vec3d& s) { return evaluate_color(colors, field(s)); };
     if (precision.kind == PrecisionKind::float32)
-        return [octaves = expand_octaves(recipe.texture), quadric = recipe.texture.quadric,
-                colors = recipe.texture.colors](const Vec3d& s) {
+        return [octaves = expand_octaves(*texture), quadric = texture->quadric,
+                colors = texture->colors](const Vec3d& s) {
             return evaluate_color(colors, sample_field<float>(quadric, octaves, s).value);
         };
-    return [octaves = expand_octaves(recipe.texture), quadric = recipe.texture.quadric,
-            colors = recipe.texture.colors](const Vec3d& s) {
+    return [octaves = expand_octaves(*texture), quadric = texture->quadric,
+            colors = texture->colors](const Vec3d& s) {
         return evaluate_color(colors, evaluate_field(quadric, octaves, s));
     };
 }

@@ -1,9 +1,16 @@
 #pragma once
 // Checks the JSON of a texture graph against the node table: node names, inputs and their types,
-// parameters, depth and number of nodes.
+// parameters, depth and number of nodes. The two nodes of the 1999 texture, colour map and field,
+// follow the recipe's table wherever they stand.
 #include "app/recipe/schema_check.h"
 
 namespace burl {
+
+/// The first problem of a color_map's `wrap` and `stops`.
+std::optional<RecipeProblem> find_map_problem(const Json& map, const std::string& path);
+
+/// The first problem of a field: keys, values, periods and times.
+std::optional<RecipeProblem> find_field_problem(const Json& field, const std::string& path);
 
 /// The first problem of a "texture" that is a graph giving a colour; `path` is its dotted path.
 std::optional<RecipeProblem> find_graph_problem(const Json& texture, const std::string& path);

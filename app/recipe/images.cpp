@@ -18,14 +18,14 @@ fs::path real_folder(const fs::path& file) {
 }
 
 bool has_images(const Recipe& recipe) {
-    return !recipe.graph.images.empty() || !recipe.bump.input.images.empty();
+    return !recipe.texture.images.empty() || !recipe.bump.input.images.empty();
 }
 
 /// The recipe with every image's path replaced by spell(absolute path, path).
 template <class Spell>
 Recipe with_names(Recipe recipe, const std::string& from, const Spell& spell) {
     const fs::path folder = real_folder(from);
-    for (TextureGraph* graph : {&recipe.graph, &recipe.bump.input})
+    for (TextureGraph* graph : {&recipe.texture, &recipe.bump.input})
         for (GraphImage& image : graph->images) {
             // Symbolic links of the file itself are kept.
             const fs::path file = folder / image.file;

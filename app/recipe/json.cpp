@@ -3,7 +3,6 @@
 #include <filesystem>
 #include <memory>
 #include <set>
-#include <typeinfo>
 #include <utility>
 
 #include <nlohmann/json.hpp>
@@ -16,35 +15,11 @@
 #include "app/recipe/settings.h"
 #include "atlas/base/error.h"
 #include "procedural/graph/json.h"
-#include "procedural/model/texture_json.h"
+#include "procedural/model/members.h"
 
 namespace burl {
 
 namespace {
-
-/// The last part of its path; of items ("points.*") the one before it.
-std::string key_of(const RecipeParameter& row) {
-    const std::string_view path = row.path.substr(0, row.path.find_last_not_of(".*") + 1);
-    return std::string(path.substr(path.rfind('.') + 1));
-}
-
-/// Sets the members of `owner` that the table and the JSON have.
-template <class Owner>
-void read_members(const Json& json, Owner& owner) {
-    for (const RecipeParameter& row : parameters())
-        if (row.owner && *row.owner == typeid(Owner))
-            if (const std::string key = key_of(row); json.contains(key))
-                row.read(json[key], &owner);
-}
-
-/// Adds the members of `owner` that the table has.
-template <class Owner>
-void write_members(const Owner& owner, Json& json) {
-    for (const RecipeParameter& row : parameters())
-        if (row.owner && *row.owner == typeid(Owner))
-            if (Json value = row.write(&owner); !value.is_null())
-                json[key_of(row)] = std::move(value);
-}
 
 /// Adds up the sizes that one recipe's images declare, before any is decoded.
 class DeclaredImages {
@@ -83,79 +58,58 @@ const Json& part_of(const Json& json, const char* key) {
     return json.contains(key) ? json[key] : none;
 }
 
-template <class Owner>
-void read_list(const Json& json, std::vector<Owner>& list) {
-    for (const Json& one : json) read_members(one, list.emplace_back());
-}
-
-template <class Owner>
-Json list_json(const std::vector<Owner>& list) {
-    Json json = Json::array();
-    for (const Owner& one : list) write_members(one, json.emplace_back());
-    return json;
-}
-
 KeyedAnimation animation_from_json(const Json& json) {
     KeyedAnimation animation;
-    read_members(json, animation);
+    read_members(parameters(), json, animation);
     const Json& tracks = part_of(json, "tracks");
-    read_list(tracks, animation.tracks);
+    read_list(parameters(), tracks, animation.tracks);
     for (std::size_t i = 0; i < tracks.size(); ++i)
-        for (const Json& key : tracks[i]["keys"])
-            animation.tracks[i].keys.push_back({key[0].get<double>(), key[1].get<double>()});
+        read_list(parameters(), tracks[i]["keys"], animation.tracks[i].keys);
     return animation;
 }
 
 Json animation_to_json(const KeyedAnimation& animation) {
     Json json;
-    write_members(animation, json);
-    Json& tracks = json["tracks"] = list_json(animation.tracks);
-    for (std::size_t i = 0; i < tracks.size(); ++i) {
-        Json& keys = tracks[i]["keys"] = Json::array();
-        for (const KeyPoint& key : animation.tracks[i].keys)
-            keys.push_back({key.seconds, key.value});
-    }
+    write_members(parameters(), animation, json);
+    Json& tracks = json["tracks"] = list_json(parameters(), animation.tracks);
+    for (std::size_t i = 0; i < tracks.size(); ++i)
+        tracks[i]["keys"] = list_json(parameters(), animation.tracks[i].keys);
     return json;
 }
 
 Recipe recipe_from_json(const Json& json, const ImageReader& read_image) {
     Recipe recipe;
-    read_members(json, recipe);
-    read_members(part_of(json, "atlas"), recipe.atlas);
-    read_members(part_of(json, "solid"), recipe.solid);
-    const Json& texture = part_of(json, "texture");
-    if (is_graph(texture))
-        recipe.graph = graph_from_json(texture, read_image);
-    else
-        recipe.texture = texture_from_json(texture);
+    read_members(parameters(), json, recipe);
+    read_members(parameters(), part_of(json, "atlas"), recipe.atlas);
+    read_members(parameters(), part_of(json, "solid"), recipe.solid);
+    recipe.texture = graph_from_json(part_of(json, "texture"), read_image);
     const Json& bump = part_of(json, "bump");
-    read_members(bump, recipe.bump);
+    read_members(parameters(), bump, recipe.bump);
     if (bump.contains("input")) recipe.bump.input = graph_from_json(bump["input"], read_image);
-    read_members(part_of(json, "filter"), recipe.filter);
-    read_members(part_of(json, "precision"), recipe.precision);
-    read_members(part_of(json, "precision"), recipe.precision.format);
-    read_list(part_of(json, "paint"), recipe.paint);
-    read_members(part_of(json, "pose"), recipe.pose);
+    read_members(parameters(), part_of(json, "filter"), recipe.filter);
+    read_members(parameters(), part_of(json, "precision"), recipe.precision);
+    read_members(parameters(), part_of(json, "precision"), recipe.precision.format);
+    read_list(parameters(), part_of(json, "paint"), recipe.paint);
+    read_members(parameters(), part_of(json, "pose"), recipe.pose);
     recipe.animation = animation_from_json(part_of(json, "animation"));
     return recipe;
 }
 
 Json tree_of(const Recipe& recipe) {
     Json json{{"burl", 1}};
-    write_members(recipe, json);
-    write_members(recipe.atlas, json["atlas"]);
-    write_members(recipe.solid, json["solid"]);
-    json["texture"] =
-        recipe.graph.empty() ? texture_to_json(recipe.texture) : graph_to_json(recipe.graph);
-    write_members(recipe.filter, json["filter"]);
-    write_members(recipe.precision, json["precision"]);
-    write_members(recipe.precision.format, json["precision"]);
+    write_members(parameters(), recipe, json);
+    write_members(parameters(), recipe.atlas, json["atlas"]);
+    write_members(parameters(), recipe.solid, json["solid"]);
+    json["texture"] = graph_to_json(recipe.texture);
+    write_members(parameters(), recipe.filter, json["filter"]);
+    write_members(parameters(), recipe.precision, json["precision"]);
+    write_members(parameters(), recipe.precision.format, json["precision"]);
     if (!recipe.bump.empty()) {
-        write_members(recipe.bump, json["bump"]);
+        write_members(parameters(), recipe.bump, json["bump"]);
         json["bump"]["input"] = graph_to_json(recipe.bump.input);
     }
-    if (!recipe.paint.empty()) json["paint"] = list_json(recipe.paint);
-    if (recipe.pose != PoseOptions{}) write_members(recipe.pose, json["pose"]);
+    if (!recipe.paint.empty()) json["paint"] = list_json(parameters(), recipe.paint);
+    if (recipe.pose != PoseOptions{}) write_members(parameters(), recipe.pose, json["pose"]);
     if (recipe.animation != KeyedAnimation{})
         json["animation"] = animation_to_json(recipe.animation);
     return json;
@@ -212,7 +166,7 @@ Recipe parse_recipe(const std::string& json, const std::string& origin,
         declared.add(path_of(file), wrap);
         return blank_image(wrap);
     });
-    for (TextureGraph* graph : {&recipe.graph, &recipe.bump.input})
+    for (TextureGraph* graph : {&recipe.texture, &recipe.bump.input})
         for (GraphImage& image : graph->images)
             image.pixels = images.pyramid(path_of(image.file), image.pixels->wrap());
     return recipe;
@@ -226,7 +180,7 @@ Recipe with_numbers(const Recipe& recipe, const std::vector<std::string>& settin
     apply_settings(tree, with_arrays(tree, settings));
     Recipe result = recipe_from_json(
         tree, [](const std::string&, ImageWrap wrap) { return blank_image(wrap); });
-    result.graph.images = recipe.graph.images;
+    result.texture.images = recipe.texture.images;
     result.bump.input.images = recipe.bump.input.images;
     result.paint = recipe.paint;
     result.animation = recipe.animation;

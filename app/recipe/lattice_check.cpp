@@ -2,17 +2,29 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include <fmt/format.h>
 
 #include "app/base/mapped_box.h"
-#include "app/recipe/graph_lattice.h"
 #include "atlas/base/error.h"
+#include "atlas/solid/solid_atlas.h"
+#include "procedural/graph/graph.h"
+#include "procedural/graph/table.h"
 #include "procedural/model/octaves.h"
+#include "procedural/noise/fractal_sum.h"
 
 namespace burl {
 
 namespace {
+
+/// The largest lattice coordinate of a texture's noise, in cells from the origin, with its noise
+/// term and octave; the search ends at the first beyond farthest_cell.
+struct LatticeReach {
+    double reach = 0.0;  ///< infinite where a coordinate is not finite
+    std::size_t term = 0;
+    std::uint32_t octave = 0;
+};
 
 /// The largest absolute lattice coordinate where absolute texture coordinates are at most `sizes`;
 /// infinite where it is not a number.
@@ -28,8 +40,8 @@ double farthest(const Octave& octave, const Vec3d& sizes) {
     return result;
 }
 
-}  // namespace
-
+/// The reach of the texture's noise where absolute texture coordinates are at most `sizes`. Octaves
+/// of amplitude 0 do not count.
 LatticeReach farthest_lattice(const Texture& texture, const Vec3d& sizes) {
     LatticeReach result;
     for (std::size_t i = 0; i < texture.noise.size(); ++i) {
@@ -45,6 +57,8 @@ LatticeReach farthest_lattice(const Texture& texture, const Vec3d& sizes) {
     return result;
 }
 
+/// The end of a sentence about a noise that reaches so many cells from the origin: the problem and
+/// its remedies.
 std::string too_far(double cells) {
     return fmt::format(
         "reaches {:.2g} lattice cells from the origin, and beyond 2^46 (7e13) cells too little of "
@@ -53,16 +67,101 @@ std::string too_far(double cells) {
         cells);
 }
 
+double largest(const Vec3d& sizes) {
+    const double most = std::max({sizes.x, sizes.y, sizes.z});
+    return std::isnan(sizes.x + sizes.y + sizes.z) ? HUGE_VAL : most;
+}
+
+/// Bounds of the absolute coordinates of matrix (translate + rotate scale p), given those of p. A
+/// rotation is bounded by the distance from the origin.
+Vec3d transformed(const NodeParameters& node, const Vec3d& p) {
+    const Vec3d scale = glm::abs(node.vector("scale")), shift = glm::abs(node.vector("translate"));
+    const bool turned = node.vector("rotate") != Vec3d(0.0);
+    Vec3d inner = scale * p;
+    if (turned) inner = Vec3d(glm::length(inner));
+    inner += shift;
+    Vec3d outer(0.0);
+    for (int row = 0; row < 3; ++row) {
+        const auto entry = [&](int column) {
+            return std::abs(node.parameter("matrix", std::size_t(4 * row + column)));
+        };
+        outer[row] = entry(0) * inner.x + entry(1) * inner.y + entry(2) * inner.z + entry(3);
+    }
+    return outer;
+}
+
+double octave_weights_of(const NodeParameters& node) {
+    return octave_weights(node.parameter("gain"), std::uint32_t(node.parameter("octaves")));
+}
+
+/// Bounds of the absolute coordinates of the point that a node makes of a point bounded by p.
+Vec3d moved_sizes(const NodeParameters& node, const Vec3d& p) {
+    const std::string_view type = type_of(node.self()).name;
+    const double distance = glm::length(p);
+    if (type == "transform") return transformed(node, p);
+    if (type == "warp")  // no noise of three or four dimensions exceeds 2
+        return p + Vec3d(2.0 * std::abs(node.parameter("strength")) * octave_weights_of(node));
+    if (type == "map_uv")
+        return {std::abs(node.parameter("scale", 0)) * p.x + std::abs(node.parameter("offset", 0)),
+                std::abs(node.parameter("scale", 1)) * p.y + std::abs(node.parameter("offset", 1)),
+                p.z};
+    if (type == "map_spherical") return {1.0, 1.0, distance};
+    if (type == "map_cylindrical") return {1.0, std::max(p.z, 1.0), distance};
+    if (type == "map_planar")
+        return {glm::dot(glm::abs(node.vector("vs")), p) + std::abs(node.parameter("offset", 0)),
+                glm::dot(glm::abs(node.vector("vt")), p) + std::abs(node.parameter("offset", 1)),
+                0.0};
+    return p;
+}
+
+/// The largest absolute lattice coordinate at which a noise node is evaluated, in cells, over all
+/// octaves; 0 for other nodes.
+double reach(const TextureGraph& graph, const NodeParameters& node, const Vec3d& p) {
+    const std::string_view type = type_of(node.self()).name;
+    if (type == "field") return farthest_lattice(graph.textures[node.self().texture], p).reach;
+    if (type == "dots") return largest({p.x, p.y, 0.0});
+    if (type == "bumps") return largest(glm::abs(node.vector("frequency")) * p);
+    if (type != "fbm" && type != "wrinkled" && type != "windy" && type != "marble" &&
+        type != "warp")
+        return 0.0;
+    const double scale = type == "marble" ? node.parameter("scale") : 1.0;
+    const double last = std::pow(node.parameter("lacunarity"), node.parameter("octaves") - 1.0);
+    return scale * std::max(last, 1.0) * largest(p);
+}
+
+/// Throws Error(unsupported) in one sentence, which begins with `name` and names the node, where a
+/// noise node may have lattice coordinates beyond farthest_cell, or not finite ones, anywhere in a
+/// box of texture coordinates whose absolute values are at most `box_sizes`. Nested mappings are
+/// bounded by interval arithmetic, so the bounds may be wider than the coordinates that occur.
+void check_graph_lattice(const TextureGraph& graph, const Vec3d& box_sizes,
+                         const std::string& name) {
+    // Bounds of the points that nodes give; unused for other nodes.
+    std::vector<Vec3d> sizes{box_sizes};
+    for (std::size_t n = 1; n < graph.nodes.size(); ++n) {
+        const NodeParameters node(graph.nodes[n]);
+        const Vec3d& p = sizes[node.self().place];
+        const double far = reach(graph, node, p);
+        if (!(far <= farthest_cell))
+            throw Error(
+                ExitCode::unsupported,
+                fmt::format("{}: a node \"{}\" {}", name, type_of(node.self()).name, too_far(far)));
+        sizes.push_back(node.self().wire == Wire::point ? moved_sizes(node, p) : Vec3d(0.0));
+    }
+}
+
+}  // namespace
+
 void check_lattice(const Recipe& recipe, const Box3& box) {
     const Vec3d sizes = glm::max(glm::abs(box.low), glm::abs(box.high));
-    check_graph_lattice(recipe.graph, sizes, "texture");
+    const Texture* texture = plain_texture(recipe.texture);
+    if (!texture) check_graph_lattice(recipe.texture, sizes, "texture");
     check_graph_lattice(recipe.bump.input, sizes, "bump.input");
-    if (!recipe.graph.empty()) return;
-    const LatticeReach far = farthest_lattice(recipe.texture, sizes);
+    if (!texture) return;
+    const LatticeReach far = farthest_lattice(*texture, sizes);
     if (far.reach <= farthest_cell) return;
     throw Error(ExitCode::unsupported,
                 fmt::format("texture.input.noise.{}: octave {} of {} {}", far.term, far.octave + 1,
-                            recipe.texture.noise[far.term].octaves, too_far(far.reach)));
+                            texture->noise[far.term].octaves, too_far(far.reach)));
 }
 
 void check_lattice(const Recipe& recipe, const Mesh& mesh) {

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "app/recipe/key_track.h"
 #include "app/recipe/paint_stroke.h"
+#include "atlas/base/enum_names.h"
 #include "atlas/solid/atlas.h"
 #include "atlas/solid/solid_atlas.h"
 #include "procedural/batch/filter.h"
@@ -31,19 +31,50 @@ struct PoseOptions {
     bool operator==(const PoseOptions&) const = default;
 };
 
+/// The value of a number of the recipe at one time.
+struct KeyPoint {
+    double seconds = 0.0;  ///< the time, at least 0
+    double value = 0.0;
+    bool operator==(const KeyPoint&) const = default;
+};
+
+/// The interpolation between two keys.
+enum class KeyEase {
+    linear,
+    smooth  ///< smoothstep, 3 x^2 - 2 x^3: at rest in every key
+};
+template <>
+inline constexpr auto enum_names<KeyEase> = enum_words("linear", "smooth");
+
+/// The keys of one number of a recipe.
+struct KeyTrack {
+    /// The dotted path, such as "texture.input.noise.0.phase.2".
+    std::string path{};
+    KeyEase ease = KeyEase::linear;
+    std::vector<KeyPoint> keys{};  ///< the keys, ascending by distinct times
+    bool operator==(const KeyTrack&) const = default;
+};
+
+/// Numbers of a recipe keyed over time; app/recipe/keyed_recipe.h evaluates them.
+struct KeyedAnimation {
+    double seconds = 2.0;  ///< the animation's length
+    int rate = 24;         ///< frames per second
+    bool loop = false;     ///< the end coincides with the beginning
+    std::vector<KeyTrack> tracks{};
+    bool operator==(const KeyedAnimation&) const = default;
+};
+
 struct Recipe {
     std::string name;
     AtlasOptions atlas;
     SolidOptions solid;
-    Texture texture;  ///< a texture of the 1999 model, which bakes fastest; unused where `graph` is
-                      ///< not empty
-    TextureGraph graph;  ///< a texture of any other form
+    TextureGraph texture = plain_graph({});  ///< a plain graph bakes fastest
     Bump bump;
     Filter filter;
     Precision precision;
     std::vector<PaintStroke> paint;  ///< strokes over the texture, in this order
     PoseOptions pose;          ///< the pose for drawing; the texture is that of the mesh at rest
-    KeyedAnimation animation;  ///< keys over time (app/recipe/keyed_recipe.h)
+    KeyedAnimation animation;  ///< keys over time
     bool operator==(const Recipe&) const = default;
 };
 

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/base/messages.h"
-#include "app/recipe/schema_tree.h"
+#include "app/recipe/schema_check.h"
 #include "atlas/base/error.h"
 #include "procedural/graph/json.h"
 

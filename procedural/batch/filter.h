@@ -1,6 +1,8 @@
 #pragma once
 // The average over a texel's footprint (Hart et al. 1999, section 3; docs/reference/filtering.md):
 // a plain comparable value, part of the recipe.
+#include "atlas/base/enum_names.h"
+
 namespace burl {
 
 enum class FilterKind {
@@ -13,6 +15,10 @@ enum class FilterKind {
     trapezoid2,   ///< `trapezoid`, with f's mean and slopes from the texel's corners
     supersample,  ///< stratified samples with Gaussian weights
 };
+template <>
+inline constexpr auto enum_names<FilterKind> = enum_words("none", "table-mip", "table-sat",
+                                                          "table-sat3", "exact", "trapezoid",
+                                                          "trapezoid2", "supersample");
 
 struct Filter {
     FilterKind kind = FilterKind::none;

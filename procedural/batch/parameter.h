@@ -1,9 +1,14 @@
 #pragma once
 // The description of one key of a recipe: its type, range and default. Tables of these describe
-// recipes as a whole (app/recipe/parameters.h) and the nodes of a texture graph
-// (procedural/graph/table.h).
+// recipes as a whole (app/recipe/parameters.h), the 1999 texture (procedural/model/texture_json.h)
+// and the nodes of a texture graph (procedural/graph/table.h).
 #include <cstddef>
+#include <functional>
 #include <string_view>
+#include <typeinfo>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
 
 namespace burl {
 
@@ -27,6 +32,23 @@ struct Parameter {
     std::string_view default_value;  ///< JSON; empty where the key may be absent or is required
     std::string_view choices;        ///< words of a `choice`, separated by "|"
     std::string_view tip;
+    std::string_view label{};  ///< name of the editor's slider; empty: the key in words
+    bool rare = false;         ///< whether few people need it, so that editors fold it away
 };
+
+/// A parameter that is a member of a struct (procedural/model/members.h).
+struct MemberParameter : Parameter {
+    const std::type_info* owner = nullptr;  ///< the struct; null for a parameter that is no member
+    /// Sets the member of the struct at `owner` from JSON that has been checked.
+    std::function<void(const nlohmann::ordered_json& json, void* owner)> read{};
+    /// Returns the member of the struct at `owner` as JSON; null for a key that is left out.
+    std::function<nlohmann::ordered_json(const void* owner)> write{};
+};
+
+/// "number", "integer", ... as the documentation calls it.
+std::string_view to_string(ParameterType type);
+
+/// Words of a list separated by "|".
+std::vector<std::string_view> split_choices(std::string_view choices);
 
 }  // namespace burl

@@ -4,9 +4,13 @@
 // the recipe.
 #include <optional>
 
+#include "atlas/base/enum_names.h"
+
 namespace burl {
 
 enum class PrecisionKind { float32, float64, fixed };
+template <>
+inline constexpr auto enum_names<PrecisionKind> = enum_words("float32", "float64", "fixed");
 
 /// The fixed-point format I.F: two's complement numbers of I + F bits, F of them after the point,
 /// from -2^(I-1) up to 2^(I-1) in steps of 2^-F.

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "atlas/base/enum_names.h"
 #include "atlas/base/image.h"
 #include "atlas/base/vec.h"
 
@@ -13,6 +14,8 @@ namespace burl {
 
 /// The index of f outside [0, 1): f modulo one, or f clamped to [0, 1].
 enum class Wrap { repeat, clamp };
+template <>
+inline constexpr auto enum_names<Wrap> = enum_words("repeat", "clamp");
 
 /// A colour at a position of the map.
 struct ColorStop {

@@ -286,21 +286,4 @@ GlslTexture glsl_filtered_graph(const TextureGraph& graph, const Filter& filter,
     return functions.texture(body, parts);
 }
 
-TextureGraph graph_of_texture(const Texture& texture) {
-    const auto type = [](std::string_view name) {
-        return std::uint32_t(find_node(name) - graph_table().data());
-    };
-    TextureGraph graph;
-    graph.textures = {texture};
-    graph.nodes.resize(3);
-    graph.nodes[0].wire = Wire::point;
-    GraphNode &field = graph.nodes[1], &color = graph.nodes[2];
-    field.type = type("field");
-    field.texture = color.texture = 0;
-    color.type = type("color_map");
-    color.wire = Wire::color;
-    color.inputs = {1};
-    return graph;
-}
-
 }  // namespace burl

@@ -30,7 +30,4 @@ std::string no_filtered_shader(const TextureGraph& graph, const Filter& filter);
 /// Error(unsupported) where there is no shader for the graph.
 GlslTexture glsl_filtered_graph(const TextureGraph& graph, const Filter& filter, GlslReal real);
 
-/// The graph of a texture of the 1999 model: a color_map over a field.
-TextureGraph graph_of_texture(const Texture& texture);
-
 }  // namespace burl

@@ -1,7 +1,8 @@
 #pragma once
 // A texture as a graph of nodes (docs/reference/nodes.md), which the JSON tree of a recipe
-// describes when it is more than a colour map over a field. A plain comparable value: every node
-// comes after those it reads, so that evaluating them one after the other needs no recursion.
+// describes. A comparable value: every node comes after those it reads, so that evaluating them one
+// after the other needs no recursion. A colour map over a field, the 1999 texture, is a graph of a
+// form of its own, the plain graph, whose texture the fastest kernels fill.
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -50,6 +51,14 @@ struct TextureGraph {
     bool empty() const { return nodes.empty(); }
     bool operator==(const TextureGraph&) const = default;
 };
+
+/// The graph of a 1999 texture: the solid point, a field and a color_map over it, both of
+/// `textures[0]`.
+TextureGraph plain_graph(Texture texture);
+
+/// The texture of a graph that plain_graph made; null for any other graph.
+const Texture* plain_texture(const TextureGraph& graph);
+Texture* plain_texture(TextureGraph& graph);
 
 /// Limits on graphs: more than anyone draws by hand, and few enough for fast evaluation.
 inline constexpr std::size_t max_graph_depth = 64, max_graph_nodes = 1000;

@@ -25,22 +25,10 @@ std::uint32_t index_of(const NodeType& type) {
     return std::uint32_t(&type - graph_table().data());
 }
 
-/// The index of `word` among the words of a choice, which are separated by "|".
+/// The index of `word` among the words of a choice.
 double choice_index(std::string_view choices, std::string_view word) {
-    double index = 0.0;
-    for (std::size_t begin = 0; begin <= choices.size(); ++index) {
-        const std::size_t end = std::min(choices.find('|', begin), choices.size());
-        if (choices.substr(begin, end - begin) == word) return index;
-        begin = end + 1;
-    }
-    return 0.0;
-}
-
-/// The word of a choice at `index`.
-std::string_view choice_word(std::string_view choices, double index) {
-    std::size_t begin = 0;
-    for (; index > 0.0; --index) begin = choices.find('|', begin) + 1;
-    return choices.substr(begin, std::min(choices.find('|', begin), choices.size()) - begin);
+    const auto words = split_choices(choices);
+    return double(std::ranges::find(words, word) - words.begin());
 }
 
 /// Appends a parameter's numbers to `all`: an infinity for null, nothing for text.
@@ -58,7 +46,8 @@ void append_parameter(const Parameter& parameter, const Json& value, std::vector
 }
 
 Json parameter_json(const Parameter& parameter, const double* values) {
-    if (parameter.type == ParameterType::choice) return choice_word(parameter.choices, values[0]);
+    if (parameter.type == ParameterType::choice)
+        return split_choices(parameter.choices)[std::size_t(values[0])];
     if (parameter.type == ParameterType::integer) return std::int64_t(values[0]);
     if (parameter.type == ParameterType::number) return values[0];
     return std::vector<double>(values, values + parameter.count);
@@ -235,6 +224,8 @@ bool is_graph(const Json& texture) {
 }
 
 TextureGraph graph_from_json(const Json& texture, const ImageReader& read_image) {
+    const bool is_plain = texture.is_object() && !is_graph(texture);
+    if (is_plain) return plain_graph(texture_from_json(texture));
     return GraphReader(read_image).read(texture);
 }
 

@@ -12,8 +12,8 @@
 
 namespace burl {
 
-/// Whether a recipe's "texture" is anything but a color_map over a field, which texture_json.h
-/// reads.
+/// Whether a recipe's "texture" is anything but a color_map over a field, of which graph_from_json
+/// makes a plain graph.
 bool is_graph(const nlohmann::ordered_json& texture);
 
 /// Reads an image by the name that a recipe gives it; nodes of one image may share its MIP map.

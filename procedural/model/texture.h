@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "atlas/base/enum_names.h"
 #include "atlas/base/vec.h"
 #include "procedural/color/map.h"
 #include "procedural/noise/fractal_sum.h"
@@ -20,7 +21,9 @@ struct Quadric {
     bool operator==(const Quadric&) const = default;
 };
 
-enum class NoiseRange { unit, bipolar };  ///< [0, 1] or [-1, 1]; "unit" and "signed" in JSON
+enum class NoiseRange { unit, bipolar };  ///< [0, 1] or [-1, 1]
+template <>
+inline constexpr auto enum_names<NoiseRange> = enum_words("unit", "signed");
 
 /// A noise term: octave k adds amplitude * gain^k * n_{seed+k}(lacunarity^k F s + phase), k =
 /// 0..octaves-1, where F is diag(frequency). `matrix` (row-major 3x4) replaces frequency and phase:

@@ -1,8 +1,6 @@
 #include "procedural/model/texture_json.h"
 
-#include <fmt/format.h>
-#include <nlohmann/json.hpp>
-
+#include "procedural/model/members.h"
 #include "procedural/noise/names.h"
 
 namespace burl {
@@ -11,135 +9,119 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::array wraps{Named{"repeat", Wrap::repeat}, Named{"clamp", Wrap::clamp}};
-constexpr std::array ranges{Named{"unit", NoiseRange::unit}, Named{"signed", NoiseRange::bipolar}};
-constexpr std::array weights{Named{"raw", false}, Named{"normalized", true}};
-
-template <class T, std::size_t N>
-using Names = std::array<Named<T>, N>;
-
-template <class T, std::size_t N>
-T value_of(const Names<T, N>& names, const std::string& name, T otherwise) {
-    for (const auto& known : names)
-        if (name == known.name) return known.value;
-    return otherwise;
+MemberParameter coefficient(std::string_view path, double Quadric::*member, std::string_view tip,
+                            std::string_view label) {
+    return member_row(path, member, {-1e9, 1e9, 0.05}, tip, {.label = label});
 }
 
-template <class T, std::size_t N>
-std::string_view name_of(const Names<T, N>& names, T value) {
-    for (const auto& known : names)
-        if (value == known.value) return known.name;
-    return "";
+/// The name of a node, which is no member.
+MemberParameter node_row(std::string_view path, std::string_view name, std::string_view tip) {
+    const std::string_view quoted = members::kept(fmt::format("\"{}\"", name));
+    return {{path, ParameterType::choice, 0, 0, 0, 1, "", quoted, name, tip}};
 }
 
-/// Sets `target` to the key's value, if the key is there.
-template <class T>
-void read(const Json& json, const char* key, T& target) {
-    if (json.contains(key)) target = json[key].get<T>();
+std::vector<MemberParameter> make_table() {
+    return {
+        node_row("texture.node", "color_map", "kind of the tree's root"),
+        member_row("texture.wrap", &ColorMap::wrap, {},
+                   "the map's index modulo one, or clamped to [0,1]"),
+        member_row("texture.stops.*.0", &ColorStop::position, {0, 1, 0.01},
+                   "index of a stop, not below the stop before it", {.required = true}),
+        member_row("texture.stops.*.1", &ColorStop::color, {}, "sRGB colour of a stop",
+                   {.required = true}),
+        node_row("texture.input.node", "field", "kind of the node that gives the index"),
+        coefficient("texture.input.quadric.A", &Quadric::a, "coefficient of s^2", "s\u00b2"),
+        coefficient("texture.input.quadric.B", &Quadric::b, "half the coefficient of s t", "2 s t"),
+        coefficient("texture.input.quadric.C", &Quadric::c, "half the coefficient of s r", "2 s r"),
+        coefficient("texture.input.quadric.D", &Quadric::d, "half the coefficient of s", "2 s"),
+        coefficient("texture.input.quadric.E", &Quadric::e, "coefficient of t^2", "t\u00b2"),
+        coefficient("texture.input.quadric.F", &Quadric::f, "half the coefficient of t r", "2 t r"),
+        coefficient("texture.input.quadric.G", &Quadric::g, "half the coefficient of t", "2 t"),
+        coefficient("texture.input.quadric.H", &Quadric::h, "coefficient of r^2", "r\u00b2"),
+        coefficient("texture.input.quadric.I", &Quadric::i, "half the coefficient of r", "2 r"),
+        coefficient("texture.input.quadric.J", &Quadric::j, "constant", "constant"),
+        member_row("texture.input.noise.*.kind", &NoiseTerm::kind, {},
+                   "which noise; docs/reference/noise.md defines them"),
+        member_row("texture.input.noise.*.fade", &NoiseTerm::fade, {},
+                   "interpolation between lattice points; value noise only"),
+        member_row(
+            "texture.input.noise.*.feature", &NoiseTerm::feature, {},
+            "distance to the nearest or the second nearest point, or their difference; worley only",
+            {.label = "distance to"}),
+        member_row("texture.input.noise.*.radius2", &NoiseTerm::radius2, {0.1, 0.6, 0.05},
+                   "squared radius of the kernels; simplex only, continuous up to 0.5",
+                   {.label = "kernel radius, squared"}),
+        member_row("texture.input.noise.*.period", &NoiseTerm::period,
+                   {0, largest_period, 1, "cells"},
+                   "whole cells of the first octave after which the noise repeats; 0: never",
+                   {.label = "repeats after"}),
+        member_row("texture.input.noise.*.time", &NoiseTerm::time, {-1e9, 1e9, 0.1, "cells"},
+                   "fourth lattice coordinate, the same in every octave; left out: noise of three "
+                   "dimensions",
+                   {.rare = true}),
+        member_row("texture.input.noise.*.time_period", &NoiseTerm::time_period,
+                   {0, largest_period, 1, "cells"},
+                   "whole cells along time after which the noise repeats; 0: never",
+                   {.label = "repeats in time after", .rare = true}),
+        member_row("texture.input.noise.*.sum", &NoiseTerm::shape, {},
+                   "what octaves add: n, |n| or (1 - |n|)^2", {.label = "octaves add"}),
+        member_row("texture.input.noise.*.weights", &NoiseTerm::normalized,
+                   {.words = "raw|normalized"},
+                   "normalized: amplitudes are divided by the sum of gain^k", {.rare = true}),
+        member_row("texture.input.noise.*.range", &NoiseTerm::range, {},
+                   "n from 0 or about 0; left out: unit for value, worley, turbulence and ridged",
+                   {.label = "values", .rare = true}),
+        member_row("texture.input.noise.*.amplitude", &NoiseTerm::amplitude, {-1e6, 1e6, 0.05},
+                   "factor of the first octave"),
+        member_row("texture.input.noise.*.frequency", &NoiseTerm::frequency, {-1e6, 1e6, 0.1},
+                   "lattice cells per unit of s, t and r"),
+        member_row("texture.input.noise.*.phase", &NoiseTerm::phase, {-1e9, 1e9, 0.1, "cells"},
+                   "added to the lattice coordinates of every octave, never scaled",
+                   {.label = "shift"}),
+        member_row("texture.input.noise.*.matrix", &NoiseTerm::matrix, {-1e9, 1e9, 0.1},
+                   "3 rows of 4: affine map to lattice coordinates in place of frequency and phase",
+                   {.rare = true}),
+        member_row("texture.input.noise.*.seed", &NoiseTerm::seed, {0, 4294967295.0, 1},
+                   "number of the random lattice; octave k uses seed + k"),
+        member_row("texture.input.noise.*.octaves", &NoiseTerm::octaves, {1, 24, 1},
+                   "how many octaves are summed", {.label = "detail (octaves)"}),
+        member_row("texture.input.noise.*.lacunarity", &NoiseTerm::lacunarity, {0.01, 16, 0.05},
+                   "frequency ratio from one octave to the next", {.label = "octave spacing"}),
+        member_row("texture.input.noise.*.gain", &NoiseTerm::gain, {0, 2, 0.05},
+                   "amplitude ratio from one octave to the next", {.label = "roughness"})};
 }
 
-void read(const Json& json, const char* key, std::uint32_t& target) {
-    // Whole numbers may be written as 4.0 or 1e3.
-    if (json.contains(key)) target = std::uint32_t(json[key].get<double>());
-}
-
-void read(const Json& json, const char* key, Vec3d& target) {
-    if (!json.contains(key)) return;
-    for (int axis = 0; axis < 3; ++axis) target[axis] = json[key][std::size_t(axis)].get<double>();
-}
-
-void read(const Json& json, const char* key, Period<3>& target) {
-    if (!json.contains(key)) return;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-        target[axis] = std::uint32_t(json[key][axis].get<double>());
-}
-
-template <class T, std::size_t N>
-void read(const Json& json, const char* key, const Names<T, N>& names, T& target) {
-    if (json.contains(key)) target = value_of(names, json[key].get<std::string>(), target);
-}
-
-Json to_json(const Vec3d& v) {
-    return Json::array({v.x, v.y, v.z});
-}
-
-/// The ten coefficients under the names of eq. (3).
-template <class QuadricType, class Function>
-void for_each_coefficient(QuadricType& q, Function&& function) {
-    function("A", q.a), function("B", q.b), function("C", q.c), function("D", q.d);
-    function("E", q.e), function("F", q.f), function("G", q.g), function("H", q.h);
-    function("I", q.i), function("J", q.j);
-}
-
-NoiseTerm noise_from_json(const Json& json) {
-    NoiseTerm term;
-    read(json, "kind", noise_kinds, term.kind);
-    read(json, "fade", fade_names, term.fade);
-    read(json, "feature", feature_names, term.feature);
-    read(json, "radius2", term.radius2);
-    read(json, "period", term.period);
-    if (json.contains("time")) term.time = json["time"].get<double>();
-    read(json, "time_period", term.time_period);
-    read(json, "sum", sum_names, term.shape);
-    read(json, "weights", weights, term.normalized);
-    if (json.contains("range"))
-        term.range = value_of(ranges, json["range"].get<std::string>(), NoiseRange::unit);
-    read(json, "amplitude", term.amplitude);
-    read(json, "frequency", term.frequency);
-    read(json, "phase", term.phase);
-    if (json.contains("matrix")) term.matrix = json["matrix"].get<std::array<double, 12>>();
-    read(json, "seed", term.seed);
-    read(json, "octaves", term.octaves);
-    read(json, "lacunarity", term.lacunarity);
-    read(json, "gain", term.gain);
-    return term;
-}
-
-Json noise_to_json(const NoiseTerm& term) {
-    const NoiseTerm defaults;
-    Json json;
-    json["kind"] = name_of(noise_kinds, term.kind);
-    if (term.kind == NoiseKind::value || term.fade != defaults.fade)
-        json["fade"] = name_of(fade_names, term.fade);
-    if (term.feature != defaults.feature) json["feature"] = name_of(feature_names, term.feature);
-    if (term.radius2 != defaults.radius2) json["radius2"] = term.radius2;
-    if (term.period != defaults.period) json["period"] = term.period;
-    if (term.time) json["time"] = *term.time;
-    if (term.time_period != defaults.time_period) json["time_period"] = term.time_period;
-    if (term.shape != defaults.shape) json["sum"] = name_of(sum_names, term.shape);
-    if (term.normalized) json["weights"] = name_of(weights, term.normalized);
-    if (term.range) json["range"] = name_of(ranges, *term.range);
-    json["amplitude"] = term.amplitude;
-    if (!term.matrix || term.frequency != defaults.frequency)
-        json["frequency"] = to_json(term.frequency);
-    if (!term.matrix || term.phase != defaults.phase) json["phase"] = to_json(term.phase);
-    if (term.matrix) json["matrix"] = *term.matrix;
-    json["seed"] = term.seed;
-    json["octaves"] = term.octaves;
-    json["lacunarity"] = term.lacunarity;
-    json["gain"] = term.gain;
-    return json;
+/// Whether a noise term is written with this key even where it has its default.
+bool is_always_written(std::string_view key, const NoiseTerm& term) {
+    constexpr std::array<std::string_view, 6> always{"kind",    "amplitude",  "seed",
+                                                     "octaves", "lacunarity", "gain"};
+    if (key == "fade") return term.kind == NoiseKind::value;
+    if (key == "frequency" || key == "phase") return !term.matrix;
+    return std::ranges::find(always, key) != always.end();
 }
 
 Json field_to_json(const Texture& texture) {
     Json json{{"node", "field"}, {"quadric", Json::object()}, {"noise", Json::array()}};
-    for_each_coefficient(texture.quadric, [&json](const char* name, double coefficient) {
-        if (coefficient != 0.0) json["quadric"][name] = coefficient;
-    });
-    for (const NoiseTerm& term : texture.noise) json["noise"].push_back(noise_to_json(term));
+    write_members(texture_parameters(), texture.quadric, json["quadric"],
+                  [](std::string_view) { return false; });
+    for (const NoiseTerm& term : texture.noise)
+        write_members(texture_parameters(), term, json["noise"].emplace_back(),
+                      [&](std::string_view key) { return is_always_written(key, term); });
     return json;
 }
 
 void read_field(const Json& json, Texture& texture) {
     if (json.contains("quadric"))
-        for_each_coefficient(texture.quadric, [&](const char* name, double& coefficient) {
-            read(json["quadric"], name, coefficient);
-        });
-    if (!json.contains("noise")) return;
-    for (const Json& term : json["noise"]) texture.noise.push_back(noise_from_json(term));
+        read_members(texture_parameters(), json["quadric"], texture.quadric);
+    if (json.contains("noise")) read_list(texture_parameters(), json["noise"], texture.noise);
 }
 
 }  // namespace
+
+std::span<const MemberParameter> texture_parameters() {
+    static const std::vector<MemberParameter> table = make_table();
+    return table;
+}
 
 Rgb8 color_from_hex(const std::string& text) {
     const auto channel = [&text](std::size_t at) {
@@ -154,30 +136,25 @@ std::string color_to_hex(const Rgb8& color) {
 
 Texture texture_from_json(const Json& json) {
     Texture texture;
-    read(json, "wrap", wraps, texture.colors.wrap);
-    if (json.contains("stops")) {
-        for (const Json& stop : json["stops"])
-            texture.colors.stops.push_back(
-                {stop[0].get<double>(), color_from_hex(stop[1].get<std::string>())});
-    } else {
+    read_members(texture_parameters(), json, texture.colors);
+    if (json.contains("stops"))
+        read_list(texture_parameters(), json["stops"], texture.colors.stops);
+    else
         texture.colors.stops = {{0.0, {0, 0, 0}}, {1.0, {255, 255, 255}}};
-    }
     if (json.contains("input")) read_field(json["input"], texture);
     return texture;
 }
 
 Json stops_to_json(const std::vector<ColorStop>& stops) {
-    Json json = Json::array();
-    for (const ColorStop& stop : stops)
-        json.push_back(Json::array({stop.position, color_to_hex(stop.color)}));
-    return json;
+    return list_json(texture_parameters(), stops);
 }
 
 Json texture_to_json(const Texture& texture) {
-    return Json{{"node", "color_map"},
-                {"wrap", name_of(wraps, texture.colors.wrap)},
-                {"stops", stops_to_json(texture.colors.stops)},
-                {"input", field_to_json(texture)}};
+    Json json{{"node", "color_map"}};
+    write_members(texture_parameters(), texture.colors, json);
+    json["stops"] = stops_to_json(texture.colors.stops);
+    json["input"] = field_to_json(texture);
+    return json;
 }
 
 }  // namespace burl

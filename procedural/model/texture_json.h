@@ -1,11 +1,17 @@
 #pragma once
 // The texture as JSON: a tree of nodes, here a color_map over a field (f = quadric + noise).
 // docs/reference/recipes.md lists the keys.
+#include <span>
+
 #include <nlohmann/json_fwd.hpp>
 
+#include "procedural/batch/parameter.h"
 #include "procedural/model/texture.h"
 
 namespace burl {
+
+/// The table of the texture's parameters, in the order of the JSON, with their paths in a recipe.
+std::span<const MemberParameter> texture_parameters();
 
 /// Reads the value of a recipe's "texture" key. Keys, types and ranges must have been checked. Keys
 /// that are left out have the defaults of the structs; a missing map is black to white.

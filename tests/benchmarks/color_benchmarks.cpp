@@ -69,7 +69,7 @@ void register_filters(const ColorMap& map) {
 }  // namespace
 
 void register_color_benchmarks() {
-    const ColorMap map = load_recipe("marble").texture.colors;
+    const ColorMap map = plain_texture(load_recipe("marble").texture)->colors;
     register_look_up(map);
     const auto linear = footprints(0.0, 1.0);  // its widths are as good as light
     register_batch(

@@ -70,7 +70,7 @@ bool octaves_are_refused(double lacunarity, int octaves, double scale) {
     Recipe recipe;
     NoiseTerm term;
     term.lacunarity = lacunarity, term.octaves = std::uint32_t(octaves), term.gain = 1.0;
-    recipe.texture.noise = {term};
+    plain_texture(recipe.texture)->noise = {term};
     try {
         check_lattice(recipe, Box3{Vec3d(-scale), Vec3d(scale)});
     } catch (const Error& error) {

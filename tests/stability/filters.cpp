@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
-#include "app/recipe/names.h"
 #include "procedural/color/srgb.h"
 #include "procedural/fill/synthesize.h"
 #include "procedural/fill/texels.h"

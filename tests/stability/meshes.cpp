@@ -90,8 +90,8 @@ StabilityGroup mesh_group(StabilityChoice choice) {
     for (MeshSubject& one : mesh_subjects(choice)) {
         Pipeline pipeline(std::move(one.mesh));
         pipeline.set_recipe(one.recipe);
-        group.cases.push_back({std::move(one.input), one.recipe.texture, pipeline.solid(),
-                               texture_from_solid(one.recipe)});
+        group.cases.push_back({std::move(one.input), *plain_texture(one.recipe.texture),
+                               pipeline.solid(), texture_from_solid(one.recipe)});
     }
     return group;
 }

@@ -42,7 +42,7 @@ Json numbers(const Vec3d& v) {
 Json case_json(const StabilityCase& one) {
     Recipe recipe;
     recipe.name = one.input;
-    recipe.texture = one.texture;
+    recipe.texture = plain_graph(one.texture);
     recipe.solid.space = SolidSpace::object;
     Json spans = Json::array();
     for_each_span(one.solid, [&](const Span& span, const TexelMap& map, std::int64_t y) {

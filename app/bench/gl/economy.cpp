@@ -22,7 +22,7 @@ namespace {
 /// Marble with its octaves as separate terms, which can be edited one by one.
 Recipe four_terms(std::uint32_t size) {
     Recipe recipe = sized_recipe("marble", size);
-    take_apart(recipe.texture);
+    take_apart(*plain_texture(recipe.texture));
     return recipe;
 }
 
@@ -50,17 +50,17 @@ struct Edit {
 std::vector<Edit> edits() {
     return {{"colour",
              [](Recipe& r) {
-                 auto& stops = r.texture.colors.stops;
+                 auto& stops = plain_texture(r.texture)->colors.stops;
                  std::swap(stops[1].color, stops[2].color);
              }},
             {"amplitude of 1 of 4 terms",
              [](Recipe& r) {
-                 double& a = r.texture.noise[3].amplitude;
+                 double& a = plain_texture(r.texture)->noise[3].amplitude;
                  a = a == 0.05 ? 0.0625 : 0.05;
              }},
             {"phase of 1 of 4 terms",
              [](Recipe& r) {
-                 double& x = r.texture.noise[3].phase.x;
+                 double& x = plain_texture(r.texture)->noise[3].phase.x;
                  // This octave never shares its coordinates with another.
                  x = x == 0.5 ? 0.25 : 0.5;
              }},

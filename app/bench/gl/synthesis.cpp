@@ -129,7 +129,7 @@ class GlWay final : public Way {
     template <class Pixel>
     void draw(Image<Pixel>& image) {
         const Recipe& recipe = subject_.pipeline->recipe();
-        synthesis_->synthesize(subject_.pipeline->solid(), recipe.texture,
+        synthesis_->synthesize(subject_.pipeline->solid(), *plain_texture(recipe.texture),
                                texture_from_solid(recipe), 0, image);
     }
 

@@ -9,7 +9,6 @@
 #include "app/editor/session/groups.h"
 #include "app/editor/session/stops.h"
 #include "app/recipe/leaves.h"
-#include "app/recipe/names.h"
 #include "procedural/model/texture_json.h"
 
 namespace burl {

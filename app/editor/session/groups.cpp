@@ -85,7 +85,7 @@ bool is_rare(const RecipeLeaf& leaf, std::string_view kind) {
     if (leaf.label == "period") return is_noise(leaf.group);
     if (leaf.label == "period_u" || leaf.label == "period_v") return true;
     return std::ranges::any_of(parameters_with(leaf.label),
-                               [](const RecipeParameter& one) { return one.use.rare; });
+                               [](const RecipeParameter& one) { return one.rare; });
 }
 
 /// Returns the sort key of a group: 0 first; the texture's own groups are 1.
@@ -237,7 +237,7 @@ std::string number_label(const std::vector<ParameterGroup>& groups, const std::s
 
 std::string parameter_label(std::string_view key) {
     for (const RecipeParameter& parameter : parameters_with(key))
-        if (!parameter.use.label.empty()) return std::string(parameter.use.label);
+        if (!parameter.label.empty()) return std::string(parameter.label);
     if (const std::string_view words = in_words(node_labels, key); !words.empty())
         return std::string(words);
     std::string text(key);

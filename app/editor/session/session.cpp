@@ -88,7 +88,7 @@ bool keeps_images(const Recipe& recipe, const std::vector<std::string>& settings
         return path.ends_with(".file") || path.ends_with(".wrap") ||
                setting.substr(end + 1).starts_with('{');
     };
-    const bool any = !recipe.graph.images.empty() || !recipe.bump.input.images.empty();
+    const bool any = !recipe.texture.images.empty() || !recipe.bump.input.images.empty();
     return any && std::ranges::none_of(settings, other);
 }
 

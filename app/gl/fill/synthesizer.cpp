@@ -26,20 +26,22 @@ class GlSynthesizer final : public TextureSynthesizer {
     std::string problem(const Recipe& recipe) const override {
         if (recipe.precision.kind.value_or(PrecisionKind::float32) != PrecisionKind::float32)
             return "OpenGL computes in float32, and another precision is asked for";
-        if (recipe.graph.empty()) return textures_.problem(recipe.texture, recipe.filter);
-        return textures_.problem(recipe.graph, recipe.filter);
+        if (const Texture* texture = plain_texture(recipe.texture))
+            return textures_.problem(*texture, recipe.filter);
+        return textures_.problem(recipe.texture, recipe.filter);
     }
 
     void synthesize(const SolidAtlas& solid, const Recipe& recipe, int threads,
                     ImageToFill image) override {
         const Affine3 map = texture_from_solid(recipe);
+        const Texture* texture = plain_texture(recipe.texture);
         std::visit(
             [&](auto* pixels) {
-                if (recipe.graph.empty())
+                if (texture)
+                    textures_.synthesize(solid, *texture, map, threads, *pixels, recipe.filter);
+                else
                     textures_.synthesize(solid, recipe.texture, map, threads, *pixels,
                                          recipe.filter);
-                else
-                    textures_.synthesize(solid, recipe.graph, map, threads, *pixels, recipe.filter);
             },
             image);
         sum_ += textures_.work();
@@ -110,17 +112,17 @@ class GlMultipassSynthesizer final : public TextureSynthesizer {
                    "precision";
         if (recipe.filter.kind != FilterKind::none || recipe.filter.band_limit)
             return "the papers' passes have no filters";
-        if (!recipe.graph.empty())
-            return "the papers' passes make no other textures than a color_map over a field";
-        return textures_.problem(recipe.texture);
+        const Texture* texture = plain_texture(recipe.texture);
+        return texture ? textures_.problem(*texture)
+                       : "the papers' passes make no other textures than a color_map over a field";
     }
 
     void synthesize(const SolidAtlas& solid, const Recipe& recipe, int threads,
                     ImageToFill image) override {
         std::visit(
             [&](auto* pixels) {
-                textures_.synthesize(solid, recipe.texture, texture_from_solid(recipe), threads,
-                                     *pixels);
+                textures_.synthesize(solid, *plain_texture(recipe.texture),
+                                     texture_from_solid(recipe), threads, *pixels);
             },
             image);
         sum_ += textures_.work();

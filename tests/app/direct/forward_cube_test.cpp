@@ -52,7 +52,7 @@ TEST(ForwardCube, CoversTheHexagonOnce) {
 TEST(ForwardCube, ForwardDifferencesDrawNearlyTheSamePicture) {
     std::size_t all = 0;
     for (const auto& [name, size] : {std::pair{"bresenham-wood", 1.0}, {"bresenham-marble", 2.0}}) {
-        const Texture texture = load_recipe(name).texture;
+        const Texture texture = *plain_texture(load_recipe(name).texture);
         const Image<Rgb8> each = draw_cube(texture, size, 160, CubeMethod::pixelwise);
         const Image<Rgb8> forward = draw_cube(texture, size, 160, CubeMethod::forward);
         const Image<Rgb8> different = disagreement(each, forward);

@@ -180,13 +180,13 @@ TEST(RecipeImages, AreReadOnce) {
         "file": "a.png"}, "b": {"node": "image", "file": "./a.png"}}}})";
     RecipeImages images;
     const Recipe recipe = parse_recipe(thrice, scratch / "r.json", {}, images);
-    ASSERT_EQ(recipe.graph.images.size(), 3u);
-    EXPECT_EQ(recipe.graph.images[2].pixels, recipe.graph.images[1].pixels);
-    EXPECT_NE(recipe.graph.images[1].pixels, recipe.graph.images[0].pixels) << "another wrap";
+    ASSERT_EQ(recipe.texture.images.size(), 3u);
+    EXPECT_EQ(recipe.texture.images[2].pixels, recipe.texture.images[1].pixels);
+    EXPECT_NE(recipe.texture.images[1].pixels, recipe.texture.images[0].pixels) << "another wrap";
     EXPECT_EQ(parse_recipe(thrice, scratch / "r.json"), recipe);
     const Recipe again = parse_recipe(thrice, scratch / "r.json", {"solid.scale=2"}, images);
     for (std::size_t i = 0; i < 3; ++i)
-        EXPECT_EQ(again.graph.images[i].pixels, recipe.graph.images[i].pixels);
+        EXPECT_EQ(again.texture.images[i].pixels, recipe.texture.images[i].pixels);
 }
 
 /// The head of a PNG of that size, which has no pixels.

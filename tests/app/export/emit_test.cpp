@@ -87,7 +87,7 @@ TEST_P(GlEmitPresetTest, GivesTheHostsColours) {
 
 TEST_F(GlEmitTest, ColourMapsOfManyStopsBecomeConstants) {
     Recipe recipe = load_recipe("marble", {"atlas.size=64", "atlas.kind=area"});
-    std::vector<ColorStop>& stops = recipe.texture.colors.stops;
+    std::vector<ColorStop>& stops = plain_texture(recipe.texture)->colors.stops;
     stops.clear();
     for (int i = 0; i < 300; ++i)
         stops.push_back({i / 300.0, {std::uint8_t(i % 2), std::uint8_t(i / 2), 100}});
@@ -131,7 +131,7 @@ TEST(GlEmit, PresetsAndNodesAreValidGlsl) {
     for (const std::string& name : presets()) add("preset-" + name, load_recipe(name));
     for (const GraphCase& one : graph_cases) {
         Recipe recipe;
-        recipe.graph = graph_of(one.json);
+        recipe.texture = graph_of(one.json);
         add(fmt::format("node-{}", one.node), recipe);
     }
     const std::string log = scratch / "log.txt";

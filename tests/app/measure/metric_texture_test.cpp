@@ -35,9 +35,9 @@ TEST(MetricTexture, RecipesKeepTheirPlaceOnTheMesh) {
         EXPECT_LE(texture.detail, 0.025);
         const Affine3 to_texture = texture_from_mesh(recipe, mesh);
         for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-            const Vec3d expected =
-                evaluate_color(recipe.texture.colors,
-                               evaluate_field(recipe.texture, to_texture(mesh.positions[i])));
+            const Vec3d expected = evaluate_color(
+                plain_texture(recipe.texture)->colors,
+                evaluate_field(*plain_texture(recipe.texture), to_texture(mesh.positions[i])));
             const Vec3d difference = texture.color(unit.positions[i]) - expected;
             EXPECT_LT(glm::length(difference), 1e-9) << space << " " << i;
         }

@@ -107,7 +107,7 @@ TEST(Animation, LoopsWithPeriodicNoise) {
     const auto field = [&](int cells, const Vec3d& s) {
         std::vector<std::string> settings = periodic;
         settings.push_back(fmt::format("{}={}", phase, cells));
-        return evaluate_field(load_recipe("fire", settings).texture, s);
+        return evaluate_field(*plain_texture(load_recipe("fire", settings).texture), s);
     };
     for (int i = 0; i < 20; ++i) {
         const Vec3d s(0.37 * i, 0.1, -0.23 * i);
@@ -131,10 +131,10 @@ TEST(Animation, TimeIsTheFourthCoordinateOfEveryOctave) {
                                noise, {frequency * s.x, frequency * s.y, frequency * s.z, 1.3})
                                .value;
         }
-        EXPECT_NEAR(evaluate_field(recipe("1.3").texture, s), sum, 1e-13);
-        EXPECT_EQ(evaluate_field(recipe("0.5").texture, s),
-                  evaluate_field(recipe("4.5").texture, s));
-        const auto octaves = expand_octaves(recipe("1.3").texture);
+        EXPECT_NEAR(evaluate_field(*plain_texture(recipe("1.3").texture), s), sum, 1e-13);
+        EXPECT_EQ(evaluate_field(*plain_texture(recipe("0.5").texture), s),
+                  evaluate_field(*plain_texture(recipe("4.5").texture), s));
+        const auto octaves = expand_octaves(*plain_texture(recipe("1.3").texture));
         const FieldSample f = sample_field<double>({}, octaves, s);
         for (int axis = 0; axis < 3; ++axis) {
             Vec3d h(0.0);

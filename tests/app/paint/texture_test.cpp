@@ -315,7 +315,7 @@ TEST(PaintedPipeline, EditsRedoOnlyTheirOwnStageAndGiveTheBytesOfABakeAnew) {
     recipe.paint.resize(2);  // undone
     show(recipe);
     EXPECT_EQ(runs(), 1u);
-    recipe.texture.noise[0].amplitude = 0.75;
+    plain_texture(recipe.texture)->noise[0].amplitude = 0.75;
     show(recipe);
     EXPECT_EQ(runs(), 2u);
     const Image<Rgb16> other = baked<Rgb16>(recipe);
@@ -326,7 +326,8 @@ TEST(PaintedPipeline, EditsRedoOnlyTheirOwnStageAndGiveTheBytesOfABakeAnew) {
 
 TEST(PaintedPipeline, TheScaleOfTheTextureLeavesPaintWhereItIs) {
     Recipe recipe = painted_recipe();
-    recipe.texture.colors.stops = {{0.0, {90, 90, 90}}};  // one colour, whatever the scale
+    plain_texture(recipe.texture)->colors.stops = {
+        {0.0, {90, 90, 90}}};  // one colour, whatever the scale
     const Image<Rgb8> before = baked<Rgb8>(recipe);
     recipe.solid.scale = 3.0;
     EXPECT_EQ(baked<Rgb8>(recipe), before);

@@ -116,9 +116,10 @@ TEST(SolidTransform, LatticesAreCheckedWhereCornersLie) {
     // Far along x only: too far for the lattice once x is turned to the axis of high frequency.
     Mesh mesh = cube_mesh({1e6, 0.0, 0.0});
     Recipe recipe = load_recipe("marble", {"solid.space=object"});
-    recipe.texture.noise.front().octaves = 1;
-    recipe.texture.noise.front().frequency = {1.0, 1e6, 1e6};
-    recipe.texture.noise.front().phase = Vec3d(0.0);
+    NoiseTerm& term = plain_texture(recipe.texture)->noise.front();
+    term.octaves = 1;
+    term.frequency = {1.0, 1e6, 1e6};
+    term.phase = Vec3d(0.0);
     recipe.solid.scale = 1e3;
     EXPECT_NO_THROW(check_lattice(recipe, mesh));
     recipe.solid.rotate = {0.0, 0.0, 90.0};

@@ -50,10 +50,11 @@ TEST(Eval, GivesARecipesFieldGradientAndColor) {
         return all["points"][std::size_t(i)]["float64"]["value"].get<double>();
     };
     const Recipe recipe = load_recipe("marble", {"solid.scale=3"});
-    EXPECT_NEAR(value(0), evaluate_field(recipe.texture, 3.0 * Vec3d(0.1, 0.2, 0.3)), 1e-14);
+    EXPECT_NEAR(value(0),
+                evaluate_field(*plain_texture(recipe.texture), 3.0 * Vec3d(0.1, 0.2, 0.3)), 1e-14);
     const Json& first = all["points"][0]["float64"];
     EXPECT_NEAR(first["gradient"][0].get<double>(), (value(1) - value(2)) / (2 * h), 1e-6);
-    const Vec3d color = evaluate_color(recipe.texture.colors, value(0));
+    const Vec3d color = evaluate_color(plain_texture(recipe.texture)->colors, value(0));
     for (int channel = 0; channel < 3; ++channel)
         EXPECT_NEAR(first["color"][std::size_t(channel)].get<double>(), color[channel], 1e-14);
     EXPECT_EQ(first["srgb"].get<std::string>().size(), 7u);

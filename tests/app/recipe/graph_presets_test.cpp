@@ -50,7 +50,7 @@ TEST(GraphPresets, BakeInFloat32WhatTheyAreInFloat64) {
                                       std::string("precision.kind=") + precision});
         };
         const Recipe recipe = load("float32");
-        if (recipe.graph.empty()) continue;
+        if (plain_texture(recipe.texture)) continue;
         pipeline.set_recipe(recipe);
         const Image<RgbF> fast = pipeline.synthesize<RgbF>();
         pipeline.set_recipe(load("float64"));

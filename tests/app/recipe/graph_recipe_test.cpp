@@ -62,8 +62,8 @@ std::string wrong_setting(const std::string& texture, const std::string& setting
 TEST(GraphRecipe, EveryNodeIsReadAndWrittenBack) {
     for (const GraphCase& graph : graph_cases) {
         const Recipe recipe = with_texture(std::string(graph.json));
-        ASSERT_FALSE(recipe.graph.empty()) << graph.node;
-        EXPECT_EQ(recipe.graph, graph_of(graph.json)) << graph.node;
+        ASSERT_FALSE(plain_texture(recipe.texture)) << graph.node;
+        EXPECT_EQ(recipe.texture, graph_of(graph.json)) << graph.node;
         EXPECT_EQ(parse_recipe(to_json(recipe), origin()), recipe) << to_json(recipe);
     }
 }
@@ -102,12 +102,13 @@ TEST(GraphRecipe, TimeIsReadWrittenAndLeftOut) {
 }
 
 TEST(GraphRecipe, TheModelOf1999KeepsItsOwnForm) {
-    EXPECT_TRUE(with_texture("{}").graph.empty());
-    EXPECT_TRUE(with_texture(R"({"node": "color_map", "input": {"node": "field"}})").graph.empty());
-    EXPECT_TRUE(with_texture(R"({"input": {"noise": [{}]}})").graph.empty());
-    EXPECT_FALSE(with_texture(R"({"input": {"node": "fbm"}})").graph.empty());
-    EXPECT_FALSE(with_texture(R"({"input": 0.5})").graph.empty());
-    EXPECT_FALSE(with_texture(R"({"node": "field"})").graph.empty());
+    EXPECT_TRUE(plain_texture(with_texture("{}").texture));
+    EXPECT_TRUE(plain_texture(
+        with_texture(R"({"node": "color_map", "input": {"node": "field"}})").texture));
+    EXPECT_TRUE(plain_texture(with_texture(R"({"input": {"noise": [{}]}})").texture));
+    EXPECT_FALSE(plain_texture(with_texture(R"({"input": {"node": "fbm"}})").texture));
+    EXPECT_FALSE(plain_texture(with_texture(R"({"input": 0.5})").texture));
+    EXPECT_FALSE(plain_texture(with_texture(R"({"node": "field"})").texture));
     for (const EmbeddedFile& file : embedded_recipes()) {
         const Recipe recipe = parse_recipe(std::string(file.content), std::string(file.name));
         EXPECT_EQ(parse_recipe(to_json(recipe), "again"), recipe) << file.name;
@@ -233,10 +234,10 @@ TEST(GraphRecipe, SettingsReachIntoTheTree) {
     const std::string base = R"({"node": "mix", "a": {"node": "fbm"}, "b": {"node": "color_map",
         "stops": [[0, "#000000"], [1, "#ffffff"]], "input": 0.5}, "amount": 0.1})";
     const auto set = [&](const std::vector<std::string>& settings) {
-        return with_texture(base, settings).graph;
+        return with_texture(base, settings).texture;
     };
     const auto expected = [](std::string json, const std::string& from, const std::string& to) {
-        return with_texture(json.replace(json.find(from), from.size(), to)).graph;
+        return with_texture(json.replace(json.find(from), from.size(), to)).texture;
     };
     EXPECT_EQ(set({"texture.a.octaves=3"}), expected(base, "\"fbm\"", "\"fbm\", \"octaves\": 3"));
     EXPECT_EQ(set({"texture.a.kind=value"}),
@@ -252,7 +253,7 @@ TEST(GraphRecipe, SettingsReachIntoTheTree) {
     EXPECT_THAT(wrong_setting(base, "texture.a.b.c=1"), HasSubstr("unknown key \"b\""));
     EXPECT_THAT(wrong_setting(base, "texture.b.stops.7=1"), HasSubstr("the next index is 2"));
     // A model of 1999 becomes a graph when a node takes the place of its input.
-    EXPECT_FALSE(with_texture("{}", {R"(texture.input={"node":"windy"})"}).graph.empty());
+    EXPECT_FALSE(plain_texture(with_texture("{}", {R"(texture.input={"node":"windy"})"}).texture));
 }
 
 /// Rows of a section's table as sets of cells.

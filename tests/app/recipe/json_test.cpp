@@ -41,9 +41,10 @@ Recipe with(const std::vector<std::string>& settings, const std::string& json = 
 TEST(Recipe, EverythingIsOptional) {
     const Recipe recipe = parse_recipe("{}", "r.json");
     Recipe expected;
-    expected.texture.colors.stops = {{0.0, {0, 0, 0}}, {1.0, {255, 255, 255}}};
+    plain_texture(expected.texture)->colors.stops = {{0.0, {0, 0, 0}}, {1.0, {255, 255, 255}}};
     EXPECT_EQ(recipe, expected);
-    EXPECT_EQ(parse_recipe(R"({"texture": {"input": {"noise": [{}]}}})", "r").texture.noise,
+    EXPECT_EQ(plain_texture(parse_recipe(R"({"texture": {"input": {"noise": [{}]}}})", "r").texture)
+                  ->noise,
               std::vector<NoiseTerm>(1));
 }
 
@@ -67,8 +68,9 @@ TEST(Recipe, ReadsEveryKey) {
                       AtlasWeight::area,  AtlasPartition::graph, 3,
                       Diagonals::overscan};
     expected.solid = {SolidSpace::object, 0.25};
-    expected.texture.colors = {Wrap::clamp, {{0.25, {16, 32, 48}}, {1.0, {255, 254, 0}}}};
-    expected.texture.quadric = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10};
+    Texture& texture = *plain_texture(expected.texture);
+    texture.colors = {Wrap::clamp, {{0.25, {16, 32, 48}}, {1.0, {255, 254, 0}}}};
+    texture.quadric = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10};
     NoiseTerm first;
     first.kind = NoiseKind::perlin, first.fade = Fade::quintic;
     first.range = NoiseRange::bipolar, first.amplitude = 0.5;
@@ -77,7 +79,7 @@ TEST(Recipe, ReadsEveryKey) {
     NoiseTerm second;
     second.matrix = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12};
     second.range = NoiseRange::unit;
-    expected.texture.noise = {first, second};
+    texture.noise = {first, second};
     expected.filter = {FilterKind::supersample, 9, true};
     EXPECT_EQ(recipe, expected);
 }
@@ -91,17 +93,18 @@ Recipe random_recipe(std::mt19937& random) {
                     1 + std::uint32_t(random() % 16384), AtlasWeight(random() % 4)};
     recipe.solid = {SolidSpace(random() % 2), 1e-3 + unit(random)};
     recipe.filter = {FilterKind(random() % 8), 1 + int(random() % 1024), random() % 2 == 0};
-    if (random() % 2) recipe.texture.quadric.f = number(random);
-    if (random() % 2) recipe.texture.quadric.j = number(random);
-    recipe.texture.colors.wrap = Wrap(random() % 2);
+    Texture& texture = *plain_texture(recipe.texture);
+    if (random() % 2) texture.quadric.f = number(random);
+    if (random() % 2) texture.quadric.j = number(random);
+    texture.colors.wrap = Wrap(random() % 2);
     double position = 0.0;
     do {
-        recipe.texture.colors.stops.push_back(
+        texture.colors.stops.push_back(
             {position, {std::uint8_t(random()), std::uint8_t(random()), std::uint8_t(random())}});
         position = std::min(1.0, position + 0.3 * unit(random));
     } while (random() % 4);
     for (auto count = random() % 4; count > 0; --count) {
-        NoiseTerm& term = recipe.texture.noise.emplace_back();
+        NoiseTerm& term = texture.noise.emplace_back();
         term.kind = NoiseKind(random() % 8), term.fade = Fade(random() % 3);
         term.feature = WorleyFeature(random() % 3), term.shape = OctaveShape(random() % 3);
         term.radius2 = random() % 2 ? 0.6 : 0.5, term.normalized = random() % 2;
@@ -223,12 +226,13 @@ TEST(Settings, EditNumbersWordsAndWholeParts) {
         with({"texture.input.noise.0.amplitude=0.7", "texture.wrap=clamp", "atlas.size=2048",
               "name=12", "texture.input.quadric={\"A\": 3}", "texture.stops=[[0, \"#010203\"]]"},
              R"({"texture": {"input": {"noise": [{"amplitude": 0.1}]}}})");
-    EXPECT_EQ(recipe.texture.noise.at(0).amplitude, 0.7);
-    EXPECT_EQ(recipe.texture.colors.wrap, Wrap::clamp);
+    const Texture& texture = *plain_texture(recipe.texture);
+    EXPECT_EQ(texture.noise.at(0).amplitude, 0.7);
+    EXPECT_EQ(texture.colors.wrap, Wrap::clamp);
     EXPECT_EQ(recipe.atlas.size, 2048u);
     EXPECT_EQ(recipe.name, "12");
-    EXPECT_EQ(recipe.texture.quadric, Quadric{3});
-    EXPECT_EQ(recipe.texture.colors.stops, (std::vector<ColorStop>{{0.0, {1, 2, 3}}}));
+    EXPECT_EQ(texture.quadric, Quadric{3});
+    EXPECT_EQ(texture.colors.stops, (std::vector<ColorStop>{{0.0, {1, 2, 3}}}));
 }
 
 TEST(Settings, MakeWhatIsMissing) {
@@ -236,18 +240,19 @@ TEST(Settings, MakeWhatIsMissing) {
         with({"texture.input.noise.0.gain=0.25", "texture.input.noise.1.kind=perlin",
               "texture.input.noise.1.frequency.2=5", "texture.stops.0=[0.5, \"#ffffff\"]",
               "texture.stops.0.1=#000010", "texture.input.quadric.J=-1"});
-    ASSERT_EQ(recipe.texture.noise.size(), 2u);
-    EXPECT_EQ(recipe.texture.noise[0].gain, 0.25);
-    EXPECT_EQ(recipe.texture.noise[1].kind, NoiseKind::perlin);
-    EXPECT_EQ(recipe.texture.noise[1].frequency, Vec3d(1, 1, 5));
-    EXPECT_EQ(recipe.texture.colors.stops, (std::vector<ColorStop>{{0.5, {0, 0, 16}}}));
-    EXPECT_EQ(recipe.texture.quadric.j, -1.0);
+    const Texture& texture = *plain_texture(recipe.texture);
+    ASSERT_EQ(texture.noise.size(), 2u);
+    EXPECT_EQ(texture.noise[0].gain, 0.25);
+    EXPECT_EQ(texture.noise[1].kind, NoiseKind::perlin);
+    EXPECT_EQ(texture.noise[1].frequency, Vec3d(1, 1, 5));
+    EXPECT_EQ(texture.colors.stops, (std::vector<ColorStop>{{0.5, {0, 0, 16}}}));
+    EXPECT_EQ(texture.quadric.j, -1.0);
 }
 
 TEST(Settings, MayPassThroughAnInvalidRecipe) {
     const Recipe recipe = with({"texture.stops.0.0=0.8", "texture.stops.1.0=0.9"},
                                R"({"texture": {"stops": [[0.1, "#000000"], [0.2, "#ffffff"]]}})");
-    EXPECT_EQ(recipe.texture.colors.stops[0].position, 0.8);
+    EXPECT_EQ(plain_texture(recipe.texture)->colors.stops[0].position, 0.8);
 }
 
 TEST(Settings, WrongPathsAreUsageErrorsWithTheNearest) {
@@ -305,7 +310,7 @@ TEST(Presets, FollowThePapersEquations) {
     const Vec3d p(0.37, -1.21, 2.9);
     const double s = p.x, t = p.y, r = p.z;
     const auto preset = [&p](const char* name) {
-        return evaluate_field(load_recipe(name).texture, p);
+        return evaluate_field(*plain_texture(load_recipe(name).texture), p);
     };
     EXPECT_NEAR(preset("wood"), s * s + t * t + noise(0, {4 * s, 4 * t, r}), 1e-14);
     EXPECT_NEAR(preset("clouds"), sum(p), 1e-14);
@@ -325,7 +330,7 @@ TEST(Presets, FollowThePapersEquations) {
         marble += std::pow(0.5, i) * linear(i, std::pow(2.0, i) * p);
     EXPECT_NEAR(preset("bresenham-marble"), marble, 1e-14);
     EXPECT_NEAR(preset("zoneplate"), 50 * s * s + 50 * t * t, 1e-12);
-    EXPECT_EQ(load_recipe("planet").texture.colors.wrap, Wrap::clamp);
+    EXPECT_EQ(plain_texture(load_recipe("planet").texture)->colors.wrap, Wrap::clamp);
 }
 
 TEST(Recipe, MapsTheMeshToTextureCoordinates) {

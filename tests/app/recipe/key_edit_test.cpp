@@ -58,8 +58,9 @@ TEST(KeyEdit, TheLastKeyLeavesItsValue) {
     EXPECT_EQ(keys_of(one.animation), (std::vector<KeyPoint>{{1.0, 0.75}}));
     one = with_key_removed(one, amplitude, 0);
     EXPECT_TRUE(one.animation.tracks.empty());
-    EXPECT_EQ(one.texture.noise[0].amplitude, 0.75);
-    EXPECT_EQ(with_track_removed(recipe, amplitude, 0.5).texture.noise[0].amplitude, 0.4375);
+    EXPECT_EQ(plain_texture(one.texture)->noise[0].amplitude, 0.75);
+    EXPECT_EQ(plain_texture(with_track_removed(recipe, amplitude, 0.5).texture)->noise[0].amplitude,
+              0.4375);
 }
 
 TEST(KeyEdit, WhatIsSeenAtATimeIsWhatWasMadeOfIt) {
@@ -93,7 +94,8 @@ TEST(KeyEdit, EditsOfUnkeyedNumbersCountAtAllTimes) {
     for (const double time : {0.0, 0.7, 2.0}) {
         const Recipe seen = recipe_at(edited, time);
         EXPECT_EQ(seen.solid.scale, 2.5);
-        EXPECT_EQ(seen.texture.noise[0].amplitude, value_at(recipe.animation.tracks[0], time));
+        EXPECT_EQ(plain_texture(seen.texture)->noise[0].amplitude,
+                  value_at(recipe.animation.tracks[0], time));
     }
 }
 
@@ -101,7 +103,7 @@ TEST(KeyEdit, KeysOfWhatIsGoneGoToo) {
     Recipe recipe = load_recipe("marble");
     recipe.animation = animation_of({{0.0, 0.1}});
     Recipe still = recipe_at(recipe, 0.0);
-    still.texture.noise.clear();
+    plain_texture(still.texture)->noise.clear();
     EXPECT_TRUE(with_still(recipe, 0.0, still).animation.tracks.empty());
 }
 
@@ -145,7 +147,7 @@ TEST(KeyedSession, SlidersSetKeysOfKeyedNumbersAndUndoTakesThemBack) {
     session.set_time(1.0);
     EXPECT_EQ(session.still(), recipe_at(before, 1.0));
     EXPECT_TRUE(session.set(amplitude, 0.375));
-    EXPECT_EQ(session.still().texture.noise[0].amplitude, 0.375);
+    EXPECT_EQ(plain_texture(session.still().texture)->noise[0].amplitude, 0.375);
     EXPECT_EQ(keys_of(session.recipe().animation)[1], (KeyPoint{1.0, 0.375}));
     EXPECT_TRUE(session.set("solid.scale", 3.0));
     EXPECT_EQ(session.recipe().animation.tracks[0].keys.size(), 3u);

@@ -9,11 +9,13 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "app/base/embedded.h"
-#include "app/recipe/names.h"
+#include "app/base/json_text.h"
 #include "app/recipe/recipe.h"
 #include "atlas/solid/atlas.h"
+#include "procedural/noise/names.h"
 #include "tests/paths.h"
 
 namespace burl {
@@ -98,11 +100,13 @@ TEST(Parameters, AreDocumentedWithTypeDefaultAndRange) {
     }
 }
 
+/// A recipe in which every parameter has a place at index 0 of its arrays.
+const std::string base =
+    R"({"texture": {"stops": [[0, "#000000"]], "input": {"noise": [{}]}}, "bump": {"input": 0}, "paint": [{}],
+        "animation": {"tracks": [{"path": "texture.input.quadric.A", "keys": [[0, 1]]}]}})";
+
 TEST(Parameters, AgreeWithTheRecipeTheyDescribe) {
     // Setting a parameter to its own default changes nothing.
-    const std::string base =
-        R"({"texture": {"stops": [[0, "#000000"]], "input": {"noise": [{}]}}, "bump": {"input": 0}, "paint": [{}],
-            "animation": {"tracks": [{"path": "texture.input.quadric.A", "keys": [[0, 1]]}]}})";
     const Recipe plain = parse_recipe(base, "base");
     for (const Parameter& parameter : parameters()) {
         if (parameter.default_value.empty()) continue;
@@ -115,9 +119,6 @@ TEST(Parameters, AgreeWithTheRecipeTheyDescribe) {
 }
 
 TEST(Parameters, AcceptTheirLimitsAndNothingBeyond) {
-    const std::string base =
-        R"({"texture": {"stops": [[0, "#000000"]], "input": {"noise": [{}]}}, "bump": {"input": 0}, "paint": [{}],
-            "animation": {"tracks": [{"path": "texture.input.quadric.A", "keys": [[0, 1]]}]}})";
     for (const Parameter& parameter : parameters()) {
         if (parameter.low >= parameter.high || parameter.type == ParameterType::numbers) continue;
         const std::string path = first_path(parameter);
@@ -128,6 +129,54 @@ TEST(Parameters, AcceptTheirLimitsAndNothingBeyond) {
         EXPECT_NO_THROW(set(parameter.high)) << path;
         EXPECT_ANY_THROW(set(parameter.low - 1.0)) << path;
         EXPECT_ANY_THROW(set(parameter.high + 1.0)) << path;
+    }
+}
+
+/// JSON of a value one step from the default, or from the number in its range that is nearest to 0;
+/// null for a parameter with a single value.
+Json other_value(const Parameter& p) {
+    const Json otherwise = p.default_value.empty() ? Json() : Json::parse(p.default_value);
+    const auto stepped = [&p](const Json& from) {
+        const double x = from.is_number() ? from.get<double>() : std::clamp(0.0, p.low, p.high);
+        return x + (x + p.step <= p.high ? p.step : -p.step);
+    };
+    switch (p.type) {
+        case ParameterType::number:
+        case ParameterType::integer:
+            return p.low == p.high ? Json() : Json(stepped(otherwise));
+        case ParameterType::numbers: {
+            Json all = Json::array();
+            for (std::size_t i = 0; i < p.count; ++i)
+                all.push_back(stepped(otherwise.is_null() ? Json() : otherwise[i]));
+            return all;
+        }
+        case ParameterType::text:
+            return "texture.input.quadric.B";
+        case ParameterType::color:
+            return "#123456";
+        case ParameterType::choice:
+            break;
+    }
+    for (const std::string_view word : split_choices(p.choices))
+        if (word != otherwise) return word;
+    return {};
+}
+
+TEST(Parameters, AreFoundBackInTheRecipeAndInItsJson) {
+    const Recipe plain = parse_recipe(base, "base");
+    for (const Parameter& parameter : parameters()) {
+        const Json value = other_value(parameter);
+        if (value.is_null()) continue;
+        const std::string path = first_path(parameter);
+        const std::string setting = fmt::format("{}={}", path, value.dump());
+        const Recipe set = parse_recipe(base, "base", {setting});
+        EXPECT_NE(set, plain) << setting;
+        EXPECT_EQ(parse_recipe(to_json(set), "set"), set) << setting;
+        std::string pointer = "/" + path;
+        std::ranges::replace(pointer, '.', '/');
+        EXPECT_EQ(Json::parse(to_json(set)).at(Json::json_pointer(pointer)), value) << setting;
+        if (path.starts_with("paint") || path.starts_with("animation")) continue;
+        EXPECT_EQ(with_numbers(plain, {setting}), set) << setting;
     }
 }
 

@@ -130,7 +130,7 @@ class EditSessionImages : public testing::Test {
             write_png(folder / name, Image<Rgb8>(2, 2, Rgb8{10, 20, 30}));
         write_file(file, pictured_json);
     }
-    static std::string name_in(const Recipe& recipe) { return recipe.graph.images.at(0).file; }
+    static std::string name_in(const Recipe& recipe) { return recipe.texture.images.at(0).file; }
 
     ScratchFolder folder;
     std::string file = folder / "old/r.json", moved = folder / "new/r.json";
@@ -143,7 +143,7 @@ TEST_F(EditSessionImages, AreFoundFromAnotherFolder) {
     EXPECT_EQ(name_in(session.recipe()), "../old/images/a.png");
     EXPECT_EQ(load_recipe(moved), session.recipe());
     EXPECT_FALSE(session.history().changed());
-    EXPECT_EQ(session.history().opened().graph, load_recipe(moved, {"texture.b=0.5"}).graph);
+    EXPECT_EQ(session.history().opened().texture, load_recipe(moved, {"texture.b=0.5"}).texture);
     ASSERT_TRUE(session.set("texture.a.file", "../old/images/b.png")) << session.log().back().text;
     session.history().undo();
     session.history().undo();
@@ -166,7 +166,7 @@ TEST_F(EditSessionImages, KeepTheirNamesWhereTheyLeadOn) {
 TEST_F(EditSessionImages, AreWrappedAnewWhereThatIsEdited) {
     EditSession session(load_recipe(file), file);
     ASSERT_TRUE(session.set("texture.a.wrap", "black"));
-    EXPECT_EQ(session.recipe().graph.images.at(0).pixels->wrap(), ImageWrap::black);
+    EXPECT_EQ(session.recipe().texture.images.at(0).pixels->wrap(), ImageWrap::black);
 }
 
 TEST_F(EditSessionImages, SurviveInTheAutosave) {

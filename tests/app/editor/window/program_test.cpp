@@ -35,8 +35,8 @@ TEST_F(GlEditProgramTest, ADragOfASliderIsOneStepThatUndoTakesBack) {
     const Image<Rgb8> before = settled(*editor);
     const Recipe recipe = editor->session().recipe();
     play(*editor, R"({"drag": "texture.input.noise.0.amplitude", "by": [30, 0]})");
-    EXPECT_GT(editor->session().recipe().texture.noise.front().amplitude,
-              recipe.texture.noise.front().amplitude);
+    EXPECT_GT(plain_texture(editor->session().recipe().texture)->noise.front().amplitude,
+              plain_texture(recipe.texture)->noise.front().amplitude);
     EXPECT_GT(different(*editor, before), 3000u);
     play(*editor, R"({"key": "Ctrl+Z"})");
     EXPECT_EQ(editor->session().recipe(), recipe);
@@ -57,15 +57,15 @@ TEST_F(GlEditProgramTest, SlidersTakeTypedNumbersAndGoBackToTheirDefault) {
 TEST_F(GlEditProgramTest, StopsAreAddedMovedAndDeleted) {
     const auto editor = start();
     const Recipe recipe = editor->session().recipe();
-    const std::size_t stops = recipe.texture.colors.stops.size();
+    const std::size_t stops = plain_texture(recipe.texture)->colors.stops.size();
     play(*editor,
          R"({"click": "tab:Colours"}, {"wait": 2}, {"click": "texture.bar"}, {"wait": 2})");
-    EXPECT_EQ(editor->session().recipe().texture.colors.stops.size(), stops + 1);
-    const auto at = editor->session().recipe().texture.colors.stops[1].position;
+    EXPECT_EQ(plain_texture(editor->session().recipe().texture)->colors.stops.size(), stops + 1);
+    const auto at = plain_texture(editor->session().recipe().texture)->colors.stops[1].position;
     play(*editor, R"({"drag": "texture.stops.1", "by": [-12, 0]})");
-    EXPECT_LT(editor->session().recipe().texture.colors.stops[1].position, at);
+    EXPECT_LT(plain_texture(editor->session().recipe().texture)->colors.stops[1].position, at);
     play(*editor, R"({"wait": 2}, {"click": "texture.delete"})");
-    EXPECT_EQ(editor->session().recipe().texture.colors.stops.size(), stops);
+    EXPECT_EQ(plain_texture(editor->session().recipe().texture)->colors.stops.size(), stops);
     play(*editor, R"({"key": "Ctrl+Z"}, {"key": "Ctrl+Z"}, {"key": "Ctrl+Z"})");
     EXPECT_EQ(editor->session().recipe(), recipe);
 }

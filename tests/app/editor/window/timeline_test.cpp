@@ -31,7 +31,8 @@ TEST_F(GlEditProgramTest, KeysAreSetWithTwoMovesOfASlider) {
     ASSERT_EQ(track.keys.size(), 2u);
     EXPECT_EQ(track.keys[1].seconds, time);
     EXPECT_GT(track.keys[1].value, track.keys[0].value);
-    EXPECT_EQ(editor->session().still().texture.noise[0].amplitude, track.keys[1].value);
+    EXPECT_EQ(plain_texture(editor->session().still().texture)->noise[0].amplitude,
+              track.keys[1].value);
     play(*editor, R"({"key": "Ctrl+Z"}, {"key": "Ctrl+Z"}, {"key": "Ctrl+Z"})");
     EXPECT_EQ(editor->session().recipe(), before);
 }

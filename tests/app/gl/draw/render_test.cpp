@@ -238,7 +238,7 @@ TEST_F(GlRenderTest, BakedFileLooksLikeTheGroundTruth) {
     EXPECT_GT(diff.pixels, 4000u);
     EXPECT_GT(diff.psnr_db, 46.0);
     // With the texture turned by half a period it must not match.
-    recipe.texture.quadric.j += 0.5;
+    plain_texture(recipe.texture)->quadric.j += 0.5;
     EXPECT_LT(diff_images(baked, render_direct(pipeline.mesh(), recipe, camera, options),
                           {.ignore = background_srgb})
                   .psnr_db,

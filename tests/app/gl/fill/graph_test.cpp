@@ -321,7 +321,7 @@ std::vector<std::string> graph_presets() {
     std::vector<std::string> names;
     for (const EmbeddedFile& preset : embedded_recipes()) {
         const std::string name(preset.name.substr(0, preset.name.rfind('.')));
-        if (!load_recipe(name).graph.empty()) names.push_back(name);
+        if (!plain_texture(load_recipe(name).texture)) names.push_back(name);
     }
     return names;
 }
@@ -334,8 +334,8 @@ TEST_P(GlGraphPresetTest, HasTheHostsBytes) {
     const Recipe recipe = load_recipe(GetParam(), {"atlas.size=64", "atlas.kind=area"});
     pipeline.set_recipe(recipe);
     const Affine3 map = texture_from_solid(recipe);
-    EXPECT_EQ(differing(drawn<Rgb8>(gl, pipeline.solid(), recipe.graph, map),
-                        on_host<Rgb8>(pipeline.solid(), recipe.graph, map)),
+    EXPECT_EQ(differing(drawn<Rgb8>(gl, pipeline.solid(), recipe.texture, map),
+                        on_host<Rgb8>(pipeline.solid(), recipe.texture, map)),
               0u);
 }
 

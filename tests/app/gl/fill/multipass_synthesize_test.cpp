@@ -39,7 +39,7 @@ struct Distance {
 
 /// The distance of the colour map's index from the host's.
 Distance distance_of(GlMultipassSynthesis& gl, const SolidAtlas& solid, const Recipe& recipe) {
-    const Texture& texture = recipe.texture;
+    const Texture& texture = *plain_texture(recipe.texture);
     const Affine3 map = texture_from_solid(recipe);
     Image<float> index;
     gl.synthesize(solid, texture, map, 0, index);
@@ -60,7 +60,8 @@ std::vector<Recipe> presets(const GlMultipassSynthesis& gl) {
     std::vector<Recipe> recipes;
     for (const EmbeddedFile& preset : embedded_recipes()) {
         Recipe recipe = load_recipe(std::string(preset.name.substr(0, preset.name.find('.'))));
-        if (recipe.graph.empty() && gl.problem(recipe.texture).empty())
+        if (const Texture* texture = plain_texture(recipe.texture);
+            texture && gl.problem(*texture).empty())
             recipes.push_back(std::move(recipe));
     }
     return recipes;
@@ -104,11 +105,12 @@ TEST_F(GlMultipassSynthesizeTest, ColorsAreTheHostsButForRounding) {
     const Affine3 map = texture_from_solid(recipe);
     GlMultipassSynthesis gl(*context, {});
     Image<Rgb8> colors, again;
-    gl.synthesize(subject.solid(), recipe.texture, map, 0, colors);
-    const Image<Rgb8> host = synthesize_model<Rgb8>(subject.solid(), recipe.texture, map, 0);
+    gl.synthesize(subject.solid(), *plain_texture(recipe.texture), map, 0, colors);
+    const Image<Rgb8> host =
+        synthesize_model<Rgb8>(subject.solid(), *plain_texture(recipe.texture), map, 0);
     EXPECT_LE(differing(colors, host), colors.pixels().size() / 500);
     EXPECT_EQ(gl.work().passes, 4 * 63 + 2);
-    gl.synthesize(subject.solid(), recipe.texture, map, 0, again);
+    gl.synthesize(subject.solid(), *plain_texture(recipe.texture), map, 0, again);
     EXPECT_EQ(differing(colors, again), 0u);
     EXPECT_EQ(gl.work().maps, 0) << "kept";
 }
@@ -120,11 +122,12 @@ TEST_F(GlMultipassSynthesizeTest, WiderPixelsAreNearTheHosts) {
     GlMultipassSynthesis gl(*context, {});
     Image<RgbF> linear;
     Image<Rgb16> codes;
-    gl.synthesize(subject.solid(), recipe.texture, map, 0, linear);
-    gl.synthesize(subject.solid(), recipe.texture, map, 0, codes);
-    const Image<RgbF> host_linear = synthesize_model<RgbF>(subject.solid(), recipe.texture, map, 0);
+    gl.synthesize(subject.solid(), *plain_texture(recipe.texture), map, 0, linear);
+    gl.synthesize(subject.solid(), *plain_texture(recipe.texture), map, 0, codes);
+    const Image<RgbF> host_linear =
+        synthesize_model<RgbF>(subject.solid(), *plain_texture(recipe.texture), map, 0);
     const Image<Rgb16> host_codes =
-        synthesize_model<Rgb16>(subject.solid(), recipe.texture, map, 0);
+        synthesize_model<Rgb16>(subject.solid(), *plain_texture(recipe.texture), map, 0);
     for (std::size_t i = 0; i < linear.pixels().size(); ++i) {
         ASSERT_NEAR(linear.pixels()[i].g, host_linear.pixels()[i].g, 2e-5f) << i;
         ASSERT_NEAR(int(codes.pixels()[i].g), int(host_codes.pixels()[i].g), 2) << i;
@@ -145,7 +148,7 @@ std::vector<MultipassOptions> forms() {
 
 Recipe two_octaves() {
     Recipe recipe = load_recipe("marble");
-    recipe.texture.noise[0].octaves = 2;
+    plain_texture(recipe.texture)->noise[0].octaves = 2;
     return recipe;
 }
 
@@ -155,10 +158,10 @@ TEST_F(GlMultipassSynthesizeTest, EveryFormGivesIndicesAndTheSameAgain) {
     const Affine3 map = texture_from_solid(recipe);
     for (const MultipassOptions& form : forms()) {
         GlMultipassSynthesis gl(*context, form);
-        ASSERT_EQ(gl.problem(recipe.texture), "");
+        ASSERT_EQ(gl.problem(*plain_texture(recipe.texture)), "");
         Image<float> index, again;
-        gl.synthesize(subject.solid(), recipe.texture, map, 0, index);
-        gl.synthesize(subject.solid(), recipe.texture, map, 1, again);
+        gl.synthesize(subject.solid(), *plain_texture(recipe.texture), map, 0, index);
+        gl.synthesize(subject.solid(), *plain_texture(recipe.texture), map, 1, again);
         float least = 1.0f, largest = 0.0f;
         for (const float i : index.pixels()) {
             ASSERT_TRUE(i >= 0.0f && i <= 1.0f) << i;
@@ -176,8 +179,8 @@ TEST_F(GlMultipassSynthesizeTest, ANewOneGivesTheSame) {
     const Affine3 map = texture_from_solid(recipe);
     GlMultipassSynthesis one(*context, forms().back()), other(*context, forms().back());
     Image<float> index, anew;
-    one.synthesize(subject.solid(), recipe.texture, map, 0, index);
-    other.synthesize(subject.solid(), recipe.texture, map, 0, anew);
+    one.synthesize(subject.solid(), *plain_texture(recipe.texture), map, 0, index);
+    other.synthesize(subject.solid(), *plain_texture(recipe.texture), map, 0, anew);
     EXPECT_EQ(differing(index, anew), 0u);
 }
 
@@ -190,8 +193,8 @@ TEST_F(GlMultipassSynthesizeTest, TilesLeaveNoTrace) {
     limits.tile = 40;
     GlMultipassSynthesis whole(*context, options), parts(*context, options, limits);
     Image<Rgb8> one, many;
-    whole.synthesize(subject.solid(), recipe.texture, map, 0, one);
-    parts.synthesize(subject.solid(), recipe.texture, map, 0, many);
+    whole.synthesize(subject.solid(), *plain_texture(recipe.texture), map, 0, one);
+    parts.synthesize(subject.solid(), *plain_texture(recipe.texture), map, 0, many);
     EXPECT_EQ(differing(one, many), 0u);
     EXPECT_EQ(parts.work().passes, 4 * whole.work().passes);
 }

@@ -49,7 +49,7 @@ std::vector<Pair> pairs_in_turn() {
     std::vector<Pair> pairs;
     std::size_t next[2] = {0, 0};
     for (const std::string& preset : statistics_presets()) {
-        std::size_t& turn = next[load_recipe(preset).graph.empty() ? 0 : 1];
+        std::size_t& turn = next[plain_texture(load_recipe(preset).texture) ? 0 : 1];
         pairs.push_back({preset, std::string(filters[turn++ % std::size(filters)])});
     }
     return pairs;
@@ -91,12 +91,13 @@ TEST_P(GlPresetFilterTest, IsTheHostsAndRepeats) {
                              fmt::format("filter.kind={}", filter)});
     const std::unique_ptr<TextureSynthesizer> gl = make_gl_synthesizer(std::move(context));
     if (const std::string why = gl->problem(recipe); !why.empty()) {
-        ASSERT_FALSE(recipe.graph.empty()) << why;
+        ASSERT_FALSE(plain_texture(recipe.texture)) << why;
         ASSERT_TRUE(filter.starts_with("table")) << why;
         GTEST_SKIP() << "refused: " << why;
     }
     // A graph's filtered nodes take sine, angle and power from the C library on the host.
-    const bool nodes_filter = !recipe.graph.empty() && filter != "none" && filter != "supersample";
+    const bool nodes_filter =
+        !plain_texture(recipe.texture) && filter != "none" && filter != "supersample";
     const double tolerance = nodes_filter ? 2e-6 : 0.0;
     Pipeline pipeline(torus(300));
     pipeline.set_recipe(recipe);

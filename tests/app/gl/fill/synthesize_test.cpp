@@ -46,8 +46,9 @@ template <class Pixel>
 void expect_equal(GlSynthesis& gl, SynthesizeSubject& subject, const Recipe& recipe) {
     const Affine3 map = texture_from_solid(recipe);
     Image<Pixel> drawn;
-    gl.synthesize(subject.solid(), recipe.texture, map, 0, drawn);
-    const Image<Pixel> expected = on_host<Pixel>(subject.solid(), recipe.texture, map);
+    gl.synthesize(subject.solid(), *plain_texture(recipe.texture), map, 0, drawn);
+    const Image<Pixel> expected =
+        on_host<Pixel>(subject.solid(), *plain_texture(recipe.texture), map);
     EXPECT_EQ(differing(drawn, expected), 0u) << recipe.name << " " << sizeof(Pixel);
 }
 
@@ -58,8 +59,8 @@ TEST_F(GlSynthesizeTest, EveryPresetHasTheHostsBytes) {
     for (const EmbeddedFile& preset : embedded_recipes()) {
         const Recipe recipe =
             load_recipe(std::string(preset.name.substr(0, preset.name.find('.'))));
-        if (!recipe.graph.empty()) continue;
-        ASSERT_EQ(gl.problem(recipe.texture), "") << recipe.name;
+        if (!plain_texture(recipe.texture)) continue;
+        ASSERT_EQ(gl.problem(*plain_texture(recipe.texture)), "") << recipe.name;
         expect_equal<Rgb8>(gl, subject, recipe);
         expect_equal<float>(gl, subject, recipe);
         ++presets;
@@ -78,7 +79,7 @@ TEST_F(GlSynthesizeTest, WiderPixelsHaveTheHostsBits) {
 /// Marble with another list of terms.
 Recipe with_noise(const std::vector<NoiseTerm>& terms) {
     Recipe recipe = load_recipe("marble");
-    recipe.texture.noise = terms;
+    plain_texture(recipe.texture)->noise = terms;
     return recipe;
 }
 
@@ -101,13 +102,12 @@ TEST_F(GlSynthesizeTest, ColoursJumpWhereTheHostsDo) {
     SynthesizeSubject subject("sample:cube", 64);
     Recipe recipe = load_recipe("marble");
     // Far more steps than entries in the first hundredth, jumps, and ends that hold.
-    recipe.texture.colors.wrap = Wrap::clamp;
-    recipe.texture.colors.stops.clear();
+    ColorMap& colors = plain_texture(recipe.texture)->colors;
+    colors = {Wrap::clamp, {}};
     for (int i = 0; i < 400; ++i)
-        recipe.texture.colors.stops.push_back(
-            {0.2 + 1e-5 * i, i % 2 == 0 ? Rgb8{0, 255, 7} : Rgb8{255, 0, 130}});
-    recipe.texture.colors.stops.push_back({0.6, {1, 2, 3}});
-    recipe.texture.colors.stops.push_back({0.6, {201, 202, 203}});
+        colors.stops.push_back({0.2 + 1e-5 * i, i % 2 == 0 ? Rgb8{0, 255, 7} : Rgb8{255, 0, 130}});
+    colors.stops.push_back({0.6, {1, 2, 3}});
+    colors.stops.push_back({0.6, {201, 202, 203}});
     expect_equal<Rgb8>(gl, subject, recipe);
     expect_equal<RgbF>(gl, subject, recipe);
 }
@@ -181,12 +181,13 @@ TEST_F(GlSynthesizeTest, StepsFarFieldsAndSimplexHaveTheHostsBytes) {
     GlSynthesis gl(*context);
     SynthesizeSubject subject("sample:teapot", 64);
     Recipe flat = with_noise({});
-    flat.texture.quadric = {};
-    flat.texture.quadric.j = 0.5;  // every texel at a step of the colours
-    flat.texture.colors = {Wrap::repeat, {{0.0, {9, 9, 9}}, {0.5, {9, 9, 9}}, {0.5, {99, 9, 9}}}};
+    Texture& steps = *plain_texture(flat.texture);
+    steps.quadric = {};
+    steps.quadric.j = 0.5;  // every texel at a step of the colours
+    steps.colors = {Wrap::repeat, {{0.0, {9, 9, 9}}, {0.5, {9, 9, 9}}, {0.5, {99, 9, 9}}}};
     Recipe far = load_recipe("marble"), simplex = far;
-    far.texture.quadric.j = 1e7;
-    simplex.texture.noise[0].kind = NoiseKind::simplex;
+    plain_texture(far.texture)->quadric.j = 1e7;
+    plain_texture(simplex.texture)->noise[0].kind = NoiseKind::simplex;
     for (const Recipe& recipe : {flat, far, simplex}) expect_equal<Rgb8>(gl, subject, recipe);
 }
 
@@ -199,12 +200,13 @@ TEST_F(GlSynthesizeTest, TilesAndThreadsLeaveNoTrace) {
     const Recipe recipe = load_recipe("wood");
     const Affine3 map = texture_from_solid(recipe);
     Image<Rgb8> one, two;
-    whole.synthesize(subject.solid(), recipe.texture, map, 1, one);
-    tiled.synthesize(subject.solid(), recipe.texture, map, 2, two);
+    const Texture& texture = *plain_texture(recipe.texture);
+    whole.synthesize(subject.solid(), texture, map, 1, one);
+    tiled.synthesize(subject.solid(), texture, map, 2, two);
     EXPECT_EQ(differing(one, two), 0u);
     EXPECT_EQ(whole.work().passes, 1);
     EXPECT_EQ(tiled.work().passes, 9);
-    tiled.synthesize(subject.solid(), recipe.texture, map, 0, two);
+    tiled.synthesize(subject.solid(), texture, map, 0, two);
     EXPECT_EQ(tiled.work().maps, 9);
     EXPECT_EQ(differing(one, two), 0u);
 }
@@ -216,13 +218,14 @@ TEST_F(GlSynthesizeTest, EditsKeepMapsAndShaders) {
     expect_equal<Rgb8>(gl, subject, recipe);
     EXPECT_EQ(gl.work().maps, 1);
     EXPECT_GT(gl.work().compile, 0.0);
-    recipe.texture.noise[0].amplitude = 0.31;
-    recipe.texture.noise[0].seed = 77;
-    recipe.texture.colors.stops[1].color = {9, 99, 199};
+    Texture& texture = *plain_texture(recipe.texture);
+    texture.noise[0].amplitude = 0.31;
+    texture.noise[0].seed = 77;
+    texture.colors.stops[1].color = {9, 99, 199};
     expect_equal<Rgb8>(gl, subject, recipe);
     EXPECT_EQ(gl.work().maps, 0);
     EXPECT_EQ(gl.work().compile, 0.0);
-    recipe.texture.quadric.i = 0.75;
+    texture.quadric.i = 0.75;
     expect_equal<Rgb8>(gl, subject, recipe);
     EXPECT_EQ(gl.work().maps, 1);
     recipe.solid.scale = 5.0;
@@ -239,8 +242,9 @@ TEST_F(GlSynthesizeTest, WithoutFloat64TheFieldAgreesTo2em6) {
     const Recipe recipe = load_recipe("marble");
     const Affine3 map = texture_from_solid(recipe);
     Image<float> drawn;
-    gl.synthesize(subject.solid(), recipe.texture, map, 0, drawn);
-    const Image<float> expected = on_host<float>(subject.solid(), recipe.texture, map);
+    gl.synthesize(subject.solid(), *plain_texture(recipe.texture), map, 0, drawn);
+    const Image<float> expected =
+        on_host<float>(subject.solid(), *plain_texture(recipe.texture), map);
     float largest = 0.0f;
     for (std::size_t i = 0; i < drawn.pixels().size(); ++i)
         largest = std::max(largest, std::abs(drawn.pixels()[i] - expected.pixels()[i]));
@@ -254,11 +258,11 @@ TEST_F(GlSynthesizeTest, MoreLatticesThanTextureUnitsAreRefused) {
     NoiseTerm term;
     term.octaves = 24, term.lacunarity = 1.9;
     const Recipe recipe = with_noise({term});
-    EXPECT_NE(gl.problem(recipe.texture), "");
+    EXPECT_NE(gl.problem(*plain_texture(recipe.texture)), "");
     Image<Rgb8> image;
-    EXPECT_THROW(
-        gl.synthesize(subject.solid(), recipe.texture, texture_from_solid(recipe), 0, image),
-        Error);
+    EXPECT_THROW(gl.synthesize(subject.solid(), *plain_texture(recipe.texture),
+                               texture_from_solid(recipe), 0, image),
+                 Error);
 }
 
 }  // namespace

@@ -1,0 +1,45 @@
+#include "procedural/graph/graph.h"
+
+#include <utility>
+
+#include "procedural/graph/table.h"
+
+namespace burl {
+
+namespace {
+
+/// The nodes of every plain graph.
+std::vector<GraphNode> make_plain_nodes() {
+    const auto type = [](std::string_view name) {
+        return std::uint32_t(find_node(name) - graph_table().data());
+    };
+    GraphNode solid, field, color_map;
+    solid.wire = Wire::point;
+    field.type = type("field");
+    color_map.type = type("color_map");
+    color_map.wire = Wire::color;
+    color_map.inputs = {1};
+    field.texture = color_map.texture = 0;
+    return {solid, field, color_map};
+}
+
+const std::vector<GraphNode>& plain_nodes() {
+    static const std::vector<GraphNode> nodes = make_plain_nodes();
+    return nodes;
+}
+
+}  // namespace
+
+TextureGraph plain_graph(Texture texture) {
+    return {plain_nodes(), {std::move(texture)}, {}};
+}
+
+const Texture* plain_texture(const TextureGraph& graph) {
+    return graph.nodes == plain_nodes() ? &graph.textures.front() : nullptr;
+}
+
+Texture* plain_texture(TextureGraph& graph) {
+    return graph.nodes == plain_nodes() ? &graph.textures.front() : nullptr;
+}
+
+}  // namespace burl
