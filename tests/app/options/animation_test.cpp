@@ -20,11 +20,10 @@ namespace {
 const char* const square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
 const std::string amplitude = "texture.input.noise.0.amplitude";
 const std::string phase = "texture.input.noise.0.phase.2";
-
 const std::string seed = "texture.input.noise.0.seed";
 
 double between(double from, double to, int i, int last) {
-    const double t = double(i) / double(last);
+    const double t = i / double(last);
     return (1.0 - t) * from + t * to;
 }
 
