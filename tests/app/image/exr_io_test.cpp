@@ -32,7 +32,7 @@ Image<RgbF> in_halves(Image<RgbF> image) {
     return image;
 }
 
-Image<RgbF> read_back(const std::string& path) {
+Image<RgbF> read_image(const std::string& path) {
     Imf::InputFile file(path.c_str());
     const Imath::Box2i window = file.header().dataWindow();
     EXPECT_EQ(file.header().compression(), Imf::ZIP_COMPRESSION);
@@ -56,7 +56,7 @@ TEST(Exr, ComesBackInHalvesWithinTheirPrecision) {
     const Image<RgbF> image = ramp(37, 21);
     write_exr(folder / "a.exr", image).commit();
     EXPECT_EQ(folder.entries(), 1u);
-    const Image<RgbF> back = read_back(folder / "a.exr");
+    const Image<RgbF> back = read_image(folder / "a.exr");
     EXPECT_EQ(back, in_halves(image));
     ASSERT_EQ(back.width(), image.width());
     ASSERT_EQ(back.height(), image.height());

@@ -20,11 +20,10 @@ namespace {
 const char* const square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
 const std::string amplitude = "texture.input.noise.0.amplitude";
 const std::string phase = "texture.input.noise.0.phase.2";
-
 const std::string seed = "texture.input.noise.0.seed";
 
 double between(double from, double to, int i, int last) {
-    const double t = double(i) / double(last);
+    const double t = i / double(last);
     return (1.0 - t) * from + t * to;
 }
 
@@ -34,13 +33,11 @@ TEST(Animation, GoesLinearlyAndExactlyFromOneEndToTheOther) {
         const auto recipes =
             frame_recipes(RecipeOptions(), {{amplitude + "=0.1:0.7", seed + "=1:4"}, 10, loop});
         ASSERT_EQ(recipes.size(), 10u);
-        for (int i = 0; i < 10; ++i) {
-            const double whole = std::round(1.0 + 3.0 * i / last);
-            const std::vector<std::string> edits{
-                fmt::format("{}={}", amplitude, between(0.1, 0.7, i, last)),
-                fmt::format("{}={}", seed, whole)};
-            EXPECT_EQ(recipes[std::size_t(i)], load_recipe("marble", edits)) << i;
-        }
+        for (int i = 0; i < 10; ++i)
+            EXPECT_EQ(recipes[std::size_t(i)],
+                      load_recipe("marble",
+                                  {fmt::format("{}={}", amplitude, between(0.1, 0.7, i, last)),
+                                   fmt::format("{}={}", seed, std::round(1 + 3.0 * i / last))}));
         EXPECT_EQ(recipes[0], load_recipe("marble", {amplitude + "=0.1", seed + "=1"}));
         EXPECT_EQ(recipes[9] == load_recipe("marble", {amplitude + "=0.7", seed + "=4"}), !loop);
     }
