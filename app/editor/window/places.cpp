@@ -8,10 +8,8 @@ namespace burl {
 namespace {
 
 GlRenderbuffer make_depth(const GladGLContext& gl, const PictureSize& size) {
-    GLuint name = 0;
-    gl.GenRenderbuffers(1, &name);
-    GlRenderbuffer depth(gl, name);
-    gl.BindRenderbuffer(GL_RENDERBUFFER, name);
+    GlRenderbuffer depth(gl);
+    gl.BindRenderbuffer(GL_RENDERBUFFER, depth.get());
     gl.RenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, size.width, size.height);
     return depth;
 }
