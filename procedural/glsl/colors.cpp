@@ -16,10 +16,6 @@ TableTexel two(double x, double y) {
     return {halves(x), halves(y)};
 }
 
-std::uint32_t code_of(const Rgb8& color) {
-    return std::uint32_t(color.r) | std::uint32_t(color.g) << 8 | std::uint32_t(color.b) << 16;
-}
-
 /// The largest number of steps within one of `count` entries, not at its begin, rounded up to a
 /// power of two.
 std::uint32_t most_steps(std::span<const ColorTable8::Step> steps, std::uint32_t count) {
@@ -47,12 +43,12 @@ ColorSteps color_steps(const ColorTable8& table) {
     std::uint32_t first = 0;
     for (std::uint32_t i = 0; i <= result.count; ++i) {
         while (steps[first + 1].index <= double(i) / result.count) ++first;
-        result.entries.emplace_back(code_of(steps[first].color), halves(steps[first + 1].index),
-                                    code_of(steps[first + 1].color));
+        result.entries.emplace_back(number_of({steps[first].color}), halves(steps[first + 1].index),
+                                    number_of({steps[first + 1].color}));
         result.first.push_back(first);
     }
     for (const ColorTable8::Step& step : steps)
-        result.steps.emplace_back(halves(step.index), code_of(step.color), 0u);
+        result.steps.emplace_back(halves(step.index), number_of({step.color}), 0u);
     result.steps.insert(result.steps.end(), result.most, result.steps.back());
     return result;
 }

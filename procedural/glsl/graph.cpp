@@ -241,6 +241,12 @@ std::string too_many_stops(const TextureGraph& graph) {
     return "";
 }
 
+void check(const std::string& why) {
+    if (!why.empty())
+        throw Error(ExitCode::unsupported,
+                    fmt::format("the texture cannot be written as GLSL: {}", why));
+}
+
 }  // namespace
 
 std::string no_graph_shader(const TextureGraph& graph) {
@@ -259,16 +265,6 @@ std::string no_filtered_shader(const TextureGraph& graph, const Filter& filter) 
     }
     return too_many_stops(graph);
 }
-
-namespace {
-
-void check(const std::string& why) {
-    if (!why.empty())
-        throw Error(ExitCode::unsupported,
-                    fmt::format("the texture cannot be written as GLSL: {}", why));
-}
-
-}  // namespace
 
 GlslTexture glsl_graph(const TextureGraph& graph, GlslReal real) {
     check(no_graph_shader(graph));

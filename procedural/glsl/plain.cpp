@@ -74,33 +74,6 @@ std::size_t bracketed_number(std::string_view text) {
     return end > 1 && end < text.size() && text[end] == ')' ? end + 1 : 0;
 }
 
-}  // namespace
-
-std::string glsl_in_float(std::string_view text) {
-    const std::string branches = float_branches(text);
-    std::string plain;
-    std::size_t done = 0;
-    for_names(branches, [&](std::string_view name, std::size_t begin, std::size_t end) {
-        if (begin < done) return;
-        const std::string_view rest = std::string_view(branches).substr(end);
-        const auto* known = std::ranges::find(replacements, name, &Replacement::name);
-        if (known == replacements.end() && name != "exact") return;
-        plain += branches.substr(done, begin - done);
-        done = end;
-        if (name == "exact") {
-            done += rest.starts_with(' ') ? 1 : 0;
-        } else if (const std::size_t number = name == "real" ? bracketed_number(rest) : 0) {
-            plain += rest.substr(1, number - 2);
-            done += number;
-        } else {
-            plain += known->by;
-        }
-    });
-    return plain + branches.substr(done);
-}
-
-namespace {
-
 /// A definition of a function, struct, uniform, macro or constants.
 struct Definition {
     std::string text;  ///< text with comments
@@ -160,6 +133,29 @@ bool defines(const Definition& definition, std::string_view name) {
 }
 
 }  // namespace
+
+std::string glsl_in_float(std::string_view text) {
+    const std::string branches = float_branches(text);
+    std::string plain;
+    std::size_t done = 0;
+    for_names(branches, [&](std::string_view name, std::size_t begin, std::size_t end) {
+        if (begin < done) return;
+        const std::string_view rest = std::string_view(branches).substr(end);
+        const auto* known = std::ranges::find(replacements, name, &Replacement::name);
+        if (known == replacements.end() && name != "exact") return;
+        plain += branches.substr(done, begin - done);
+        done = end;
+        if (name == "exact") {
+            done += rest.starts_with(' ') ? 1 : 0;
+        } else if (const std::size_t number = name == "real" ? bracketed_number(rest) : 0) {
+            plain += rest.substr(1, number - 2);
+            done += number;
+        } else {
+            plain += known->by;
+        }
+    });
+    return plain + branches.substr(done);
+}
 
 std::string glsl_needed_by(std::string_view root, std::string_view text) {
     std::vector<Definition> all = definitions_of(text);

@@ -68,6 +68,21 @@ void run_work(const GraphSlope& work, const StepArrays& arrays, GraphEvaluator::
         arrays.outputs[0][j] = glm::dot(work.direction, samples[j].channels[0].slope);
 }
 
+std::size_t octaves_of(const ValueStep& step) {
+    const auto* sum = std::get_if<NoiseSum>(&step.work);
+    return sum ? sum->octaves.size() : 0;
+}
+
+void run_step(const ValueStep& step, std::size_t count, ValueProgram::Scratch& scratch,
+              GraphEvaluator::Scratch& graph) {
+    StepArrays arrays;
+    arrays.count = count;
+    for (std::size_t k = 0; k < step.inputs.size(); ++k) arrays.inputs[k] = scratch[step.inputs[k]];
+    for (std::size_t k = 0; k < step.outputs.size(); ++k)
+        arrays.outputs[k] = scratch[step.outputs[k]];
+    std::visit([&](const auto& work) { run_work(work, arrays, graph); }, step.work);
+}
+
 }  // namespace
 
 ValueProgram::ValueProgram(const Skips* skips)
@@ -128,25 +143,6 @@ std::vector<Register> ValueProgram::finish(std::vector<Register> results) {
     registers_ = share_arrays(steps_, fixed_steps_, std::span<Register>(results), registers_).count;
     return results;
 }
-
-namespace {
-
-std::size_t octaves_of(const ValueStep& step) {
-    const auto* sum = std::get_if<NoiseSum>(&step.work);
-    return sum ? sum->octaves.size() : 0;
-}
-
-void run_step(const ValueStep& step, std::size_t count, ValueProgram::Scratch& scratch,
-              GraphEvaluator::Scratch& graph) {
-    StepArrays arrays;
-    arrays.count = count;
-    for (std::size_t k = 0; k < step.inputs.size(); ++k) arrays.inputs[k] = scratch[step.inputs[k]];
-    for (std::size_t k = 0; k < step.outputs.size(); ++k)
-        arrays.outputs[k] = scratch[step.outputs[k]];
-    std::visit([&](const auto& work) { run_work(work, arrays, graph); }, step.work);
-}
-
-}  // namespace
 
 std::size_t ValueProgram::octaves() const {
     std::size_t count = 0;
