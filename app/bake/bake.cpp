@@ -22,29 +22,17 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-void tell_shortage(const Pipeline& pipeline, const BakePlan& plan) {
-    const std::string problem =
-        shortage(capacity(pipeline.mesh().triangles.size(), pipeline.recipe().atlas));
-    if (!problem.empty() && plan.tell)
-        plan.tell(fmt::format("{}: {}", pipeline.mesh().name, problem));
+void tell(const BakePlan& plan, const Mesh& mesh, const std::string& what) {
+    if (!what.empty() && plan.tell) plan.tell(fmt::format("{}: {}", mesh.name, what));
 }
 
-void tell_fallback(const Pipeline& pipeline, const BakePlan& plan, const Atlas& atlas) {
-    const std::string& why = atlas.notes.fallback;
-    if (!why.empty() && plan.tell) plan.tell(fmt::format("{}: {}", pipeline.mesh().name, why));
-}
-
-/// The recipe's atlas. A warning about triangles that get too few texels is printed before the
-/// layout, but for strips after it: they may not hold the mesh at all, and then the error alone is
-/// printed.
-const MeshAtlas& lay_out(Pipeline& pipeline, const BakePlan& plan) {
-    const AtlasKind kind = pipeline.recipe().atlas.kind;
-    const bool strips = kind != AtlasKind::patch && kind != AtlasKind::quad;
-    if (!strips) tell_shortage(pipeline, plan);
-    const MeshAtlas& atlas = pipeline.mesh_atlas();
-    tell_fallback(pipeline, plan, atlas.atlas());
-    if (strips) tell_shortage(pipeline, plan);
-    return atlas;
+/// Warns of triangles that get too few texels: before the layout, but for strips after it, which
+/// may not hold the mesh at all; then the error alone is told.
+void tell_shortage(const BakePlan& plan, const Mesh& mesh, const AtlasOptions& atlas,
+                   const MeshAtlas* made) {
+    const bool strips = atlas.kind != AtlasKind::patch && atlas.kind != AtlasKind::quad;
+    if (strips == (made != nullptr))
+        tell(plan, mesh, shortage(capacity(mesh.triangles.size(), atlas)));
 }
 
 std::string shader_text(const BakePlan& plan, const Pipeline& pipeline) {
@@ -126,15 +114,25 @@ void commit(std::vector<AtomicFile>& files, BakeResult& result) {
 }  // namespace
 
 BakeResult bake(Pipeline& pipeline, const BakePlan& plan, const MeshPose* pose, LaterBake later) {
-    set_frame(pipeline, plan, 0);
-    const std::string shader = shader_text(plan, pipeline);
-    const MeshAtlas& atlas = lay_out(pipeline, plan);
-    if (later == LaterBake::none) pipeline.release_neighbours();
-    const SolidAtlas& points = pipeline.solid();
     BakeResult result;
     result.levels.rule = plan.levels.rule;
-    if (plan.measures) result.metrics = measure(pipeline.atlas_mesh(), atlas.atlas(), points);
-    if (pipeline.mesh().triangles.size() > many_triangles) return_freed_memory();
+    const Mesh& mesh = pipeline.mesh();
+    set_frame(pipeline, plan, 0);
+    const Recipe& recipe = pipeline.recipe();
+    const std::string shader = shader_text(plan, pipeline);
+
+    StageContext& context = pipeline.context();
+    Stages& stages = pipeline.stages();
+    tell_shortage(plan, mesh, recipe.atlas, nullptr);
+    const Connectivity& edges = stages.connectivity.run(context, mesh);
+    const MeshAtlas& atlas = *stages.layout.run(context, mesh, edges, recipe.atlas);
+    tell(plan, mesh, atlas.atlas().notes.fallback);
+    tell_shortage(plan, mesh, recipe.atlas, &atlas);
+    if (later == LaterBake::none) stages.connectivity.release_neighbours();
+    const SolidAtlas& points = stages.solid.run(context, mesh, atlas, recipe.solid.space);
+    if (plan.measures) result.metrics = measure(atlas.mesh(mesh), atlas.atlas(), points);
+    if (mesh.triangles.size() > many_triangles) return_freed_memory();
+
     const bool needed_later =
         later == LaterBake::atlas || !plan.solid_map.empty() || plan.normals != NormalSpace::none;
     for (std::size_t i = 0; i < plan.paths.size(); ++i) {

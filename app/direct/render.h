@@ -6,7 +6,6 @@
 #include <span>
 
 #include "app/direct/infinite_plane.h"
-#include "app/pipeline/filtered_color.h"
 #include "app/pipeline/texture_color.h"
 #include "app/scene/camera.h"
 #include "app/scene/shading.h"

@@ -1,25 +1,13 @@
 #pragma once
-// The pipeline from mesh to pixels, for the command line and for programs that edit a recipe: mesh
-// -> connectivity -> layout -> spans -> field -> colours -> paint -> levels. The stages' results
-// are cached, and a new recipe repeats only the stages that depend on what it changes (table in
-// docs/lab/economy.md).
-#include <map>
+// A mesh, a recipe and the stages between them (app/pipeline/stages.h), for programs that ask for
+// one result of several recipes one after the other: a new recipe repeats only the stages that
+// depend on what it changes (table in docs/lab/economy.md).
 #include <memory>
-#include <optional>
 #include <stop_token>
-#include <string>
-#include <variant>
+#include <utility>
 #include <vector>
 
-#include "app/pipeline/direct_levels.h"
-#include "app/pipeline/fill_texture.h"
-#include "app/pipeline/kept_paint.h"
-#include "app/pipeline/kept_texture.h"
-#include "app/pipeline/stage_records.h"
-#include "app/pipeline/texture_synthesizer.h"
-#include "app/recipe/recipe.h"
-#include "app/surface/normal_frames.h"
-#include "atlas/build/mesh_atlas.h"
+#include "app/pipeline/stages.h"
 
 namespace burl {
 
@@ -29,18 +17,18 @@ class Pipeline {
   public:
     /// Takes the mesh, which must have finite points and at least one triangle, as read_mesh
     /// guarantees.
-    explicit Pipeline(Mesh mesh);
+    explicit Pipeline(Mesh mesh) : mesh_(std::move(mesh)) {}
 
     /// Sets the recipe; every cached result that the change leaves valid stays.
     void set_recipe(const Recipe& recipe);
     /// Sets the number of threads, 0 being all; no result depends on it.
-    void set_threads(int threads) { way_.threads = threads; }
+    void set_threads(int threads) { context_.way.threads = threads; }
     /// Sets the kernel of the host's synthesis; cached pictures are invalidated if it changes.
     void set_kernel(Kernel kernel);
     /// Sets whether textures are synthesised by forward differences (HostWay::forward).
     void set_forward(bool forward);
     /// Sets which work may be left out; no result depends on it.
-    void set_skips(const Skips& skips) { skips_ = skips; }
+    void set_skips(const Skips& skips) { context_.skips = skips; }
     /// Sets the cache's budget for a sequence of recipes: textures, normal maps and at most `bytes`
     /// of fields and octaves stay from one recipe to the next. With 0, the default, only what
     /// picture() shows stays.
@@ -55,7 +43,7 @@ class Pipeline {
     const Mesh& atlas_mesh() { return mesh_atlas().mesh(mesh_); }
     const Recipe& recipe() const { return recipe_; }
     /// The mesh's connectivity; computed on the first call.
-    const Connectivity& connectivity();
+    const Connectivity& connectivity() { return stages_.connectivity.run(context_, mesh_); }
     /// Makes the recipe's atlas, which mesh_atlas() would do otherwise; false if `stop` was
     /// requested first. Throws Error.
     bool lay_out(const std::stop_token& stop);
@@ -69,18 +57,24 @@ class Pipeline {
     /// point samples or filtered over the level's own texels, as the recipe says. Defined for Rgb8,
     /// Rgb16 and RgbF (linear light).
     template <class Pixel>
-    Image<Pixel> synthesize(std::uint32_t level = 0);
+    Image<Pixel> synthesize(std::uint32_t level = 0) {
+        return stages_.texture.run<Pixel>(context_, solid(level), recipe_, level);
+    }
     /// Whether the texture can be synthesised in bands of rows: by the host without a cache.
-    bool has_bands() const { return cache_ == 0 && !synthesizer_; }
+    bool has_bands() const { return context_.cache == 0 && !context_.synthesizer; }
     /// Gives the texture in linear light to `take` in bands whose rows are a multiple of band_rows
     /// (procedural/fill/synthesize.h), but for the last band. A band has about `texels` texels; the
     /// default makes 48 MB of float pixels. The time that `take` needs is not counted as synthesis.
-    void synthesize_in_bands(const TakeRows& take, std::size_t texels = std::size_t(1) << 22);
+    void synthesize_in_bands(const TakeRows& take, std::size_t texels = std::size_t(1) << 22) {
+        stages_.texture.run_in_bands(context_, solid(), recipe_, take, texels);
+    }
     /// The texture's level `level` for programs that show it while it changes; the image is valid
     /// until the next call for that level. Null if `stop` was requested first; cached octaves stay
     /// valid. Defined for Rgb8, Rgb16 and RgbF.
     template <class Pixel>
-    const Image<Pixel>* picture(std::uint32_t level = 0, const std::stop_token& stop = {});
+    const Image<Pixel>* picture(std::uint32_t level = 0, const std::stop_token& stop = {}) {
+        return stages_.texture.show<Pixel>(context_, solid(level), recipe_, level, stop);
+    }
     /// The levels 1 to `count` of `texture`, which is in linear light: averaged
     /// (atlas/build/block_levels.h), or direct and synthesised by the host
     /// (app/pipeline/direct_levels.h).
@@ -98,57 +92,31 @@ class Pipeline {
     /// the mesh's space. Defined for Rgb8 and Rgb16 (linear codes) and RgbF (components from -1 to
     /// 1).
     template <class Pixel>
-    Image<Pixel> normal_map(double crease_degrees, bool tangent_space);
+    Image<Pixel> normal_map(double crease_degrees, bool tangent_space) {
+        const SolidAtlas& points = solid();
+        return stages_.normals.run<Pixel>(context_, mesh_, mesh_atlas(), points, recipe_,
+                                          crease_degrees, tangent_space);
+    }
 
     /// Frees the solid points, some 170 bytes per triangle, and the cached textures and normal
     /// maps; they are computed again when they are needed.
     void release_texels() { forget_solid(); }
     /// Frees the triangles' neighbours, 12 bytes per triangle, which layouts alone need;
     /// connectivity() has only its counts until another layout is made.
-    void release_neighbours() {
-        if (connectivity_) connectivity_->neighbours = {};
-    }
+    void release_neighbours() { stages_.connectivity.release_neighbours(); }
 
-    const StageRecords& records() const { return records_; }
-    /// The size of cached fields and octaves in bytes.
-    std::size_t cached_bytes() const;
+    /// The stages, for a caller that runs them one by one (app/bake/bake.cpp), and their context.
+    Stages& stages() { return stages_; }
+    StageContext& context() { return context_; }
+    const StageRecords& records() const { return context_.records; }
 
   private:
-    /// Cache of a texture's level: its solid points (null for level 0, which has the atlas's),
-    /// texture and paint.
-    struct Level {
-        std::unique_ptr<const SolidAtlas> solid{};
-        std::unique_ptr<KeptTexture> kept{};
-        std::unique_ptr<KeptPaint> paint{};
-    };
-    struct KeptNormals;
-
     void forget_solid();
-    void forget_pictures();
-    KeptTexture& kept(std::uint32_t number);
-    const SolidAtlas& finest_solid();
-    LevelSynthesis level_synthesis(StageCost& cost) const;
-    template <class Pixel>
-    const Image<Pixel>* unpainted(KeptTexture& texture, std::uint32_t level,
-                                  const std::stop_token& stop);
-    template <class Pixel>
-    void paint(const SolidAtlas& points, Image<Pixel>& image);
-    void synthesize_elsewhere(const SolidAtlas& points, ImageToFill image, StageCost& cost);
-    const NormalFrames& frames(const NormalFramesKey& key);
 
     Mesh mesh_;
     Recipe recipe_;
-    HostWay way_;
-    Skips skips_;
-    std::size_t cache_ = 0;
-    std::shared_ptr<TextureSynthesizer> synthesizer_;
-    std::optional<Connectivity> connectivity_;
-    std::optional<MeshAtlas> atlas_;
-    std::unique_ptr<const SolidAtlas> solid_;
-    std::map<std::uint32_t, Level> levels_;
-    std::optional<NormalFrames> frames_;
-    std::shared_ptr<KeptNormals> normals_;
-    StageRecords records_;
+    StageContext context_;
+    Stages stages_;
 };
 
 }  // namespace burl

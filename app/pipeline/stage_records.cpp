@@ -15,6 +15,12 @@ StageCost& operator+=(StageCost& sum, const StageCost& cost) {
 
 }  // namespace
 
+std::uint64_t texels_of(const SolidAtlas& solid) {
+    std::uint64_t count = 0;
+    for (const Span& span : solid.spans) count += span.count;
+    return count;
+}
+
 bool StageRecords::keep(Stage stage) {
     if (!std::exchange(unasked_[unsigned(stage)], false)) return false;
     StageRecord& record = records_[unsigned(stage)];

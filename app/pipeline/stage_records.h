@@ -7,8 +7,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
+#include <vector>
 
 #include "app/base/stopwatch.h"
+#include "atlas/base/image.h"
+#include "atlas/solid/solid_atlas.h"
 #include "procedural/batch/economy.h"
 
 namespace burl {
@@ -26,6 +29,19 @@ struct StageCost {
     /// Texels and octaves evaluated, and those left out by reason.
     SynthesisWork work{};
 };
+
+/// The number of texels in spans.
+std::uint64_t texels_of(const SolidAtlas& solid);
+
+template <class Element>
+std::uint64_t bytes_of(const std::vector<Element>& elements) {
+    return elements.size() * sizeof(Element);
+}
+
+template <class Pixel>
+std::uint64_t bytes_of(const Image<Pixel>& image) {
+    return image.width() * image.height() * sizeof(Pixel);
+}
 
 /// Record of one stage over all recipes.
 struct StageRecord {

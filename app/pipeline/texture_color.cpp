@@ -1,13 +1,99 @@
 #include "app/pipeline/texture_color.h"
 
+#include <algorithm>
+#include <cmath>
 #include <memory>
 #include <utility>
 
-#include "app/pipeline/graph_sampler.h"
+#include <fmt/format.h>
+#include <tbb/enumerable_thread_specific.h>
+
+#include "atlas/base/error.h"
+#include "procedural/color/srgb.h"
 #include "procedural/fixed/field.h"
+#include "procedural/graph/evaluator.h"
+#include "procedural/graph/values.h"
 #include "procedural/model/octaves.h"
 
 namespace burl {
+
+namespace {
+
+/// A texture graph in float64 with gradients. Every thread has scratch arrays, which are too large
+/// to be allocated for every point.
+class GraphSampler {
+  public:
+    /// Takes the graph, and a filter as GraphEvaluator does.
+    explicit GraphSampler(const TextureGraph& graph, const Filter& filter = {FilterKind::trapezoid})
+        : evaluate_(graph, filter), scratch_([this] { return evaluate_.make_scratch(); }) {}
+
+    /// The graph's value at s, filtered over the footprint; a footprint of 0 gives the unfiltered
+    /// value. May be called from several threads at once.
+    GraphSample operator()(const Vec3d& s, const Footprint& footprint = {}) {
+        GraphSample sample;
+        evaluate_({&s, 1}, {&footprint, 1}, scratch_.local(), {&sample, 1});
+        return sample;
+    }
+
+  private:
+    GraphEvaluator evaluate_;
+    tbb::enumerable_thread_specific<GraphEvaluator::Scratch> scratch_;
+};
+
+/// A texture graph in float32, unfiltered, as colours in linear light. Every thread has scratch
+/// arrays.
+class GraphColorSampler {
+  public:
+    explicit GraphColorSampler(const TextureGraph& graph)
+        : values_(graph), scratch_([this] { return values_.make_scratch(); }) {}
+
+    /// The colour at s. May be called from several threads at once.
+    Vec3d operator()(const Vec3d& s) { return values_(s, scratch_.local()); }
+
+  private:
+    GraphValues values_;
+    tbb::enumerable_thread_specific<GraphValues::Scratch> scratch_;
+};
+
+/// Linear light multiplied by alpha, and alpha; numbers have alpha 1.
+Vec4d color_and_alpha(const GraphSample& sample) {
+    return {sample.color(), sample.wire == Wire::number ? 1.0 : sample.channels[3].value};
+}
+
+}  // namespace
+
+FilteredColor filtered_color(const Recipe& recipe, FilterKind kind) {
+    if (kind == FilterKind::none && plain_texture(recipe.texture)) {
+        return [color = texture_color(recipe, recipe.precision)](const Vec3d& s, const Footprint&) {
+            return Vec4d(color(s), 1.0);
+        };
+    }
+    if (kind != FilterKind::none && recipe.precision.kind == PrecisionKind::fixed)
+        throw Error(ExitCode::usage,
+                    "fixed point has no gradients to filter by; draw it with --filter none");
+    const Filter filter{kind, recipe.filter.samples, recipe.filter.band_limit};
+    const auto graph = std::make_shared<GraphSampler>(recipe.texture, filter);
+    const bool filtered = kind != FilterKind::none;
+    return [graph, filtered](const Vec3d& s, const Footprint& footprint) {
+        return color_and_alpha((*graph)(s, filtered ? footprint : Footprint{}));
+    };
+}
+
+FilteredColor filter_width_grey(const Recipe& recipe) {
+    const Texture* texture = plain_texture(recipe.texture);
+    if (!texture)
+        throw Error(ExitCode::usage,
+                    fmt::format("--widths: the texture of '{}' is a graph, which has no single "
+                                "filter width; use a recipe that is a color_map of a field",
+                                recipe.name));
+    return [octaves = expand_octaves(*texture), quadric = texture->quadric](
+               const Vec3d& s, const Footprint& covered) {
+        const Vec3d slope = sample_field<double>(quadric, octaves, s).gradient;
+        const double width =
+            256.0 * std::hypot(glm::dot(slope, covered.u), glm::dot(slope, covered.v));
+        return Vec4d(Vec3d(srgb_decode((std::clamp(width, 1.0, 256.0) - 1.0) / 255.0)), 1.0);
+    };
+}
 
 TextureColor texture_color(const Recipe& recipe, const Precision& precision) {
     const Texture* texture = plain_texture(recipe.texture);

@@ -1,11 +1,28 @@
 #pragma once
-// The recipe's texture as functions of a point, unfiltered; in float64 they are the reference of
-// pictures and measures.
+// The recipe's texture as functions of a point: unfiltered, which in float64 is the reference of
+// pictures and measures; or filtered over the footprint of a picture's sample, by a bake's filters
+// (docs/reference/filtering.md).
 #include <functional>
 
 #include "app/recipe/recipe.h"
+#include "procedural/batch/texel_place.h"
 
 namespace burl {
+
+/// Function that gives linear light multiplied by alpha, and alpha, at texture coordinates s. The
+/// footprint is the change of s to the neighbouring samples. May be called from several threads at
+/// once.
+using FilteredColor = std::function<Vec4d(const Vec3d& s, const Footprint& footprint)>;
+
+/// The texture filtered by `kind`, which must not be `supersample`. With `none` footprints are
+/// ignored, and the 1999 model is evaluated in the recipe's precision, else float64. Throws
+/// Error(usage) for a filter of a recipe in fixed point.
+FilteredColor filtered_color(const Recipe& recipe, FilterKind kind);
+
+/// The filter's width instead of the colour (Hart et al. 1999, figure 9c): a grey whose sRGB code
+/// is w - 1 where the footprint covers w entries of a colour table of 256; w is clamped to [1,
+/// 256]. Throws Error(usage) for a recipe whose texture is a graph, which has no single colour map.
+FilteredColor filter_width_grey(const Recipe& recipe);
 
 /// Function that gives the colour, in linear light, at texture coordinates s. May be called from
 /// several threads at once.

@@ -365,13 +365,13 @@ void EditBaker::work(const WorkerRequest& request, const std::stop_token& stop) 
         fresh_ = false;
     }
     auto start = std::chrono::steady_clock::now();
-    const Drag drag = request.moving ? Drag::moving : Drag::released;
+    const SliderState slider = request.moving ? SliderState::moving : SliderState::released;
     // With only paint changed, level 0 is quicker than a coarser level, its time says nothing about
     // level choice, and the sharp texture on screen need not become blurred first.
     LevelChoice finest(budget_, 0);
     const bool whole = better || (finest_ && only_paint_differs(*finest_, recipe));
     const bool done =
-        refine<Rgb8>(*pipeline_, whole ? finest : *choice_, drag, patience, stop,
+        refine<Rgb8>(*pipeline_, whole ? finest : *choice_, slider, patience, stop,
                      [&](std::uint32_t level, const Image<Rgb8>& texels) {
                          const auto now = std::chrono::steady_clock::now();
                          if (level == 0) finest_ = recipe;

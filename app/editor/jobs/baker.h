@@ -11,8 +11,8 @@
 #include "app/editor/jobs/levels.h"
 #include "app/editor/jobs/worker.h"
 #include "app/measure/atlas_sheet.h"
-#include "app/pipeline/level_choice.h"
 #include "app/pipeline/pipeline.h"
+#include "app/pipeline/refinement.h"
 #include "app/scene/surface_pick.h"
 #include "atlas/read/pose.h"
 

@@ -2,6 +2,8 @@
 // any have the same bytes, for all presets and a thousand recipes at random.
 #include "procedural/batch/economy.h"
 
+#include <filesystem>
+
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

@@ -146,7 +146,7 @@ TEST(Pipeline, KeepsNothingOfASingleBake) {
     pipeline.set_recipe(changed_recipe({}));
     const Image<Rgb8> image = pipeline.synthesize<Rgb8>();
     EXPECT_EQ(pipeline.synthesize<Rgb8>(), image);
-    EXPECT_EQ(pipeline.cached_bytes(), 0u);
+    EXPECT_EQ(pipeline.stages().texture.cached_bytes(), 0u);
     EXPECT_EQ(pipeline.records()[Stage::synthesis].runs, 2u);
 }
 
@@ -177,7 +177,7 @@ TEST(Pipeline, FollowsEditsOfEveryKindWithinAnyCache) {
             SCOPED_TRACE(i);
             pipeline.set_recipe(recipes[i]);
             EXPECT_EQ(pipeline.synthesize<Rgb8>(), baked_anew(recipes[i]));
-            EXPECT_LE(pipeline.cached_bytes(), cache);
+            EXPECT_LE(pipeline.stages().texture.cached_bytes(), cache);
             if (i % 4 != 0) continue;
             EXPECT_EQ(pipeline.synthesize<RgbF>(), baked_anew<RgbF>(recipes[i]));
             EXPECT_EQ(pipeline.synthesize<Rgb16>(), baked_anew<Rgb16>(recipes[i]));

@@ -40,7 +40,7 @@ class Refinement : public testing::Test {
         pipeline_.set_recipe(load_recipe("marble", {"atlas.size=64"}));
     }
     /// The levels shown, each of which must be the one that is baked.
-    std::vector<std::uint32_t> shown(LevelChoice choice, Drag drag, double patience) {
+    std::vector<std::uint32_t> shown(LevelChoice choice, SliderState slider, double patience) {
         std::vector<std::uint32_t> levels;
         Pipeline other(cube_mesh());
         other.set_recipe(pipeline_.recipe());
@@ -48,7 +48,7 @@ class Refinement : public testing::Test {
             levels.push_back(level);
             EXPECT_EQ(picture, other.synthesize<Rgb8>(level));
         };
-        EXPECT_TRUE(refine<Rgb8>(pipeline_, choice, drag, patience, {}, show));
+        EXPECT_TRUE(refine<Rgb8>(pipeline_, choice, slider, patience, {}, show));
         return levels;
     }
     Pipeline pipeline_;
@@ -56,12 +56,12 @@ class Refinement : public testing::Test {
 
 TEST_F(Refinement, ShowsOnePictureOfADragAndEndsWithTheTexture) {
     using Levels = std::vector<std::uint32_t>;
-    EXPECT_EQ(shown({0.0, 3}, Drag::moving, 0.0), Levels{3});
-    EXPECT_EQ(shown({0.0, 3}, Drag::released, 0.0), (Levels{3, 2, 1, 0}));
-    EXPECT_EQ(shown({0.0, 3}, Drag::released, 1e9), (Levels{3, 0}));
+    EXPECT_EQ(shown({0.0, 3}, SliderState::moving, 0.0), Levels{3});
+    EXPECT_EQ(shown({0.0, 3}, SliderState::released, 0.0), (Levels{3, 2, 1, 0}));
+    EXPECT_EQ(shown({0.0, 3}, SliderState::released, 1e9), (Levels{3, 0}));
     LevelChoice fast(1e9, 3);
     fast.took(3, 1e-9);
-    EXPECT_EQ(shown(fast, Drag::released, 0.0), Levels{0});
+    EXPECT_EQ(shown(fast, SliderState::released, 0.0), Levels{0});
 }
 
 TEST_F(Refinement, EndsWhereItIsStopped) {
@@ -72,7 +72,8 @@ TEST_F(Refinement, EndsWhereItIsStopped) {
         levels.push_back(level);
         if (level == 2) stop.request_stop();
     };
-    EXPECT_FALSE(refine<Rgb8>(pipeline_, choice, Drag::released, 0.0, stop.get_token(), show));
+    EXPECT_FALSE(
+        refine<Rgb8>(pipeline_, choice, SliderState::released, 0.0, stop.get_token(), show));
     EXPECT_EQ(levels, (std::vector<std::uint32_t>{3, 2}));
 }
 

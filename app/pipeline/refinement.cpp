@@ -1,4 +1,4 @@
-#include "app/pipeline/level_choice.h"
+#include "app/pipeline/refinement.h"
 
 #include <algorithm>
 #include <cmath>

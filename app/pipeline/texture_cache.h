@@ -1,22 +1,55 @@
 #pragma once
-// Cache of one atlas's unpainted texture, from one recipe to the next: the picture, which is valid
+// Caches of one atlas's texture from one recipe to the next. Unpainted: the picture, which is valid
 // while its recipe's TextureKey stays the same, and the field and octaves that it was made of,
-// within a budget.
+// within a budget. Painted: a new stroke changes the texels that it reaches, and a new texture
+// below leaves the paint layer valid.
+#include <cstdint>
+#include <memory>
 #include <optional>
+#include <span>
 #include <variant>
 
+#include "app/paint/texture.h"
 #include "app/pipeline/fill_texture.h"
 #include "procedural/kept/graph.h"
 #include "procedural/kept/kept.h"
 
 namespace burl {
 
+/// Cached paint layer and painted texture of one atlas. Not to be used by two threads at a time.
+class PaintCache {
+  public:
+    /// `solid` must outlive this object. `threads` 0 means all; no result depends on it.
+    PaintCache(const SolidAtlas& solid, int threads) : layer_(solid, threads) {}
+
+    /// The texture `base` with the strokes over it; the reference is valid until the next call.
+    /// `number`, from 1 on, identifies the base: a number that differs from the last call's means
+    /// that the base has changed. Adds the count of texels that were mixed to `texels`.
+    template <class Pixel>
+    const Image<Pixel>& show(const Image<Pixel>& base, std::uint64_t number,
+                             std::span<const PaintStroke> strokes, std::uint64_t& texels);
+    /// The size of the paint layer in bytes.
+    std::size_t bytes() const { return layer_.bytes(); }
+
+  private:
+    /// The painted texture in one kind of pixel.
+    template <class Pixel>
+    struct Shown {
+        PaintMixer<Pixel> mixer{};
+        Image<Pixel> image{};
+    };
+
+    PaintLayer layer_;
+    std::uint64_t number_ = 0;  ///< number of the base below the painted texture; 0: none
+    std::variant<std::monostate, Shown<Rgb8>, Shown<Rgb16>, Shown<RgbF>> shown_;
+};
+
 /// Cached texture of one atlas. Not to be used by two threads at a time.
-class KeptTexture {
+class TextureCache {
   public:
     /// `solid` must outlive this object. `budget` is the most bytes that fields and octaves may
     /// take (KeptSynthesis, KeptGraph); 0: only the picture is cached.
-    KeptTexture(const SolidAtlas& solid, std::size_t budget) : solid_(&solid), budget_(budget) {}
+    TextureCache(const SolidAtlas& solid, std::size_t budget) : solid_(&solid), budget_(budget) {}
 
     const SolidAtlas& solid() const { return *solid_; }
     /// The picture, if it is valid for `recipe` and has pixels of this kind, else null.

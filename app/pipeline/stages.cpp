@@ -1,0 +1,192 @@
+#include "app/pipeline/stages.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "atlas/base/mip_chain.h"
+#include "atlas/build/block_levels.h"
+#include "atlas/solid/level.h"
+#include "procedural/fill/normals.h"
+
+namespace burl {
+
+namespace {
+
+/// Adds the texels and bytes of levels; the texels of direct levels are counted by their synthesis.
+void add_levels(const std::vector<Image<RgbF>>& levels, const LevelRule& rule, StageCost& cost) {
+    for (const Image<RgbF>& level : levels) {
+        if (!rule.direct) cost.work.texels += level.width() * level.height();
+        cost.bytes += bytes_of(level);
+    }
+}
+
+/// The synthesis of direct levels: never by forward differences, which have no filter.
+LevelSynthesis level_synthesis(const StageContext& context, StageCost& cost) {
+    HostWay way = context.way;
+    way.forward = false;
+    return [skips = context.skips, way, &cost](const SolidAtlas& solid, const Recipe& recipe) {
+        return fill_texture<RgbF>(solid, recipe, way, {skips, &cost.work});
+    };
+}
+
+}  // namespace
+
+const Connectivity& ConnectivityStage::run(StageContext& context, const Mesh& mesh) {
+    if (edges_) {
+        context.records.keep(Stage::connectivity);
+        return *edges_;
+    }
+    edges_ = context.records.time(Stage::connectivity, [&](StageCost& cost) {
+        Connectivity edges = build_connectivity(mesh);
+        cost.triangles = mesh.triangles.size();
+        cost.bytes = bytes_of(edges.neighbours);
+        return edges;
+    });
+    return *edges_;
+}
+
+void ConnectivityStage::release_neighbours() {
+    if (edges_) edges_->neighbours = {};
+}
+
+const MeshAtlas* LayoutStage::run(StageContext& context, const Mesh& mesh,
+                                  const Connectivity& edges, const AtlasOptions& options,
+                                  const std::stop_token& stop) {
+    if (atlas_) {
+        context.records.keep(Stage::layout);
+        return &*atlas_;
+    }
+    context.records.attempt(Stage::layout, [&](StageCost& cost) {
+        atlas_ = build_atlas(mesh, edges, options, stop);
+        if (!atlas_) return false;
+        cost.triangles = atlas_->atlas().corners.size();
+        cost.bytes = bytes_of(atlas_->atlas().corners);
+        return true;
+    });
+    return atlas_ ? &*atlas_ : nullptr;
+}
+
+const SolidAtlas& SolidStage::run(StageContext& context, const Mesh& mesh, const MeshAtlas& atlas,
+                                  SolidSpace space) {
+    if (solid_) {
+        context.records.keep(Stage::spans);
+        return *solid_;
+    }
+    solid_ = context.records.time(Stage::spans, [&](StageCost& cost) {
+        const Affine3 map = solid_from_mesh(mesh, space);
+        auto solid = std::make_unique<const SolidAtlas>(
+            rasterize(mesh, atlas, map_positions(atlas.mesh(mesh), map)));
+        cost.triangles = atlas.atlas().corners.size();
+        cost.work.texels = texels_of(*solid);
+        cost.bytes = bytes_of(solid->spans) + bytes_of(solid->maps);
+        return solid;
+    });
+    return *solid_;
+}
+
+const SolidAtlas& SolidStage::run_level(const SolidAtlas& finest, std::uint32_t level) {
+    if (level == 0) return finest;
+    std::unique_ptr<const SolidAtlas>& coarse = levels_[level];
+    if (!coarse) coarse = std::make_unique<const SolidAtlas>(solid_level(finest, level));
+    return *coarse;
+}
+
+void SolidStage::forget() {
+    levels_.clear();
+    solid_.reset();
+}
+
+std::vector<Image<RgbF>> LevelStage::run(StageContext& context, const MeshAtlas& atlas,
+                                         const SolidAtlas& solid, const Recipe& recipe,
+                                         const Image<RgbF>& texture, std::uint32_t count,
+                                         const LevelRule& rule) const {
+    return context.records.time(Stage::levels, [&](StageCost& cost) {
+        std::vector<Image<RgbF>> levels =
+            rule.direct           ? direct_levels(atlas, solid, recipe, texture, count, rule,
+                                                  level_synthesis(context, cost))
+            : context.synthesizer ? context.synthesizer->levels(atlas, texture, count)
+                                  : block_levels(atlas, texture, count);
+        add_levels(levels, rule, cost);
+        return levels;
+    });
+}
+
+std::vector<Image<RgbF>> LevelStage::run_in_bands(StageContext& context, const MeshAtlas& atlas,
+                                                  const SolidAtlas& solid, const Recipe& recipe,
+                                                  const TextureStage& texture, std::uint32_t count,
+                                                  const LevelRule& rule,
+                                                  const TakeRows& take) const {
+    const std::size_t half = recipe.atlas.size / 2;
+    auto first_level = Image<RgbF>::unset(half, half);
+    const auto halve_rows = [&](std::size_t first, Image<RgbF> rows) {
+        const Image<RgbF> halved = halve(rows);
+        std::ranges::copy(halved.pixels(), &first_level(0, first / 2));
+        take(first, std::move(rows));
+    };
+    texture.run_in_bands(context, solid, recipe, halve_rows);
+    const TextureMeans means = [&](std::uint32_t last) {
+        std::vector<Image<RgbF>> levels = block_levels(atlas, first_level, last, 1);
+        levels.insert(levels.begin(), std::move(first_level));
+        return levels;
+    };
+    return context.records.time(Stage::levels, [&](StageCost& cost) {
+        std::vector<Image<RgbF>> levels = rule.direct
+                                              ? direct_levels(atlas, solid, recipe, means, count,
+                                                              rule, level_synthesis(context, cost))
+                                              : means(count);
+        add_levels(levels, rule, cost);
+        return levels;
+    });
+}
+
+Image<RgbF> LevelStage::run_one(StageContext& context, const MeshAtlas& atlas,
+                                const SolidAtlas& solid, const Recipe& recipe, std::uint32_t number,
+                                const LevelRule& rule) const {
+    return context.records.time(Stage::levels, [&](StageCost& cost) {
+        Image<RgbF> level =
+            direct_level(atlas, solid, recipe, number, rule, level_synthesis(context, cost));
+        cost.bytes = bytes_of(level);
+        return level;
+    });
+}
+
+bool NormalStage::Map::is_of(const Recipe& recipe, const NormalFramesKey& key) const {
+    return bump == recipe.bump && solid == recipe.solid && filter == recipe.filter && frames == key;
+}
+
+template <class Pixel>
+Image<Pixel> NormalStage::run(StageContext& context, const Mesh& mesh, const MeshAtlas& atlas,
+                              const SolidAtlas& solid, const Recipe& recipe, double crease_degrees,
+                              bool tangent_space) {
+    const NormalFramesKey key{recipe.solid.space, crease_degrees, tangent_space};
+    if (map_ && map_->is_of(recipe, key))
+        if (const auto* image = std::get_if<Image<Pixel>>(&map_->image)) {
+            context.records.keep(Stage::normals);
+            return *image;
+        }
+    Image<Pixel> map = context.records.time(Stage::normals, [&](StageCost& cost) {
+        if (!frames_ || frames_->key != key) frames_ = make_normal_frames(mesh, atlas, key);
+        Image<Pixel> image = synthesize_normals<Pixel>(
+            solid,
+            {atlas.mesh(mesh), atlas.atlas(), frames_->positions, frames_->normals,
+             frames_->tangents},
+            recipe.bump, texture_from_solid(recipe), recipe.filter, context.way.threads);
+        cost.work.texels = texels_of(solid);
+        cost.bytes = bytes_of(image);
+        return image;
+    });
+    if (context.cache > 0 && context.skips.allows(Skip::stages))
+        map_ = Map{recipe.bump, recipe.solid, recipe.filter, key, map};
+    else
+        frames_.reset();
+    return map;
+}
+
+template Image<RgbF> NormalStage::run(StageContext&, const Mesh&, const MeshAtlas&,
+                                      const SolidAtlas&, const Recipe&, double, bool);
+template Image<Rgb8> NormalStage::run(StageContext&, const Mesh&, const MeshAtlas&,
+                                      const SolidAtlas&, const Recipe&, double, bool);
+template Image<Rgb16> NormalStage::run(StageContext&, const Mesh&, const MeshAtlas&,
+                                       const SolidAtlas&, const Recipe&, double, bool);
+
+}  // namespace burl

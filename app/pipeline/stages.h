@@ -1,0 +1,166 @@
+#pragma once
+// The stages between a mesh and its files: connectivity -> layout -> solid points -> texture ->
+// levels, and normals. A stage is a value whose run() takes a context and its input and gives its
+// result. A result that is asked for again is the cached one, for which an owner must forget() a
+// stage before its input changes (Pipeline::set_recipe).
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <stop_token>
+#include <variant>
+#include <vector>
+
+#include "app/pipeline/direct_levels.h"
+#include "app/pipeline/fill_texture.h"
+#include "app/pipeline/stage_records.h"
+#include "app/pipeline/texture_cache.h"
+#include "app/pipeline/texture_synthesizer.h"
+#include "app/recipe/recipe.h"
+#include "app/surface/normal_frames.h"
+#include "atlas/build/mesh_atlas.h"
+
+namespace burl {
+
+/// How stages run, on which no result depends but by the rounding of a kernel, and the records of
+/// what they did.
+struct StageContext {
+    HostWay way{};          ///< how the host synthesises
+    Skips skips{};          ///< which work may be left out
+    std::size_t cache = 0;  ///< bytes for fields and octaves from one recipe to the next
+    std::shared_ptr<TextureSynthesizer> synthesizer{};  ///< of level 0 of textures; null: the host
+    StageRecords records{};
+};
+
+/// The mesh's edges: who is whose neighbour.
+class ConnectivityStage {
+  public:
+    const Connectivity& run(StageContext& context, const Mesh& mesh);
+    /// Frees the triangles' neighbours, 12 bytes per triangle, which layouts alone need.
+    void release_neighbours();
+    /// Whether the result has its counts alone.
+    bool is_released() const { return edges_ && edges_->neighbours.empty(); }
+    void forget() { edges_.reset(); }
+
+  private:
+    std::optional<Connectivity> edges_;
+};
+
+/// The atlas: where each triangle lies in the texture.
+class LayoutStage {
+  public:
+    /// The mesh's atlas; null if `stop` was requested before it was made. Throws Error.
+    const MeshAtlas* run(StageContext& context, const Mesh& mesh, const Connectivity& edges,
+                         const AtlasOptions& options, const std::stop_token& stop = {});
+    bool has_result() const { return atlas_.has_value(); }
+    void forget() { atlas_.reset(); }
+
+  private:
+    std::optional<MeshAtlas> atlas_;
+};
+
+/// The solid points of the atlas's texels, as spans of rows.
+class SolidStage {
+  public:
+    const SolidAtlas& run(StageContext& context, const Mesh& mesh, const MeshAtlas& atlas,
+                          SolidSpace space);
+    /// The solid points of level `level` of the atlas whose own are `finest` (atlas/solid/level.h).
+    const SolidAtlas& run_level(const SolidAtlas& finest, std::uint32_t level);
+    void forget();
+
+  private:
+    std::unique_ptr<const SolidAtlas> solid_;
+    std::map<std::uint32_t, std::unique_ptr<const SolidAtlas>> levels_;
+};
+
+/// The texture: field, colours and paint at solid points.
+class TextureStage {
+  public:
+    /// The texture, or its level `level`, whose solid points are `solid`. Defined for Rgb8, Rgb16
+    /// and RgbF (linear light).
+    template <class Pixel>
+    Image<Pixel> run(StageContext& context, const SolidAtlas& solid, const Recipe& recipe,
+                     std::uint32_t level = 0);
+    /// Gives the texture in linear light to `take` in bands whose rows are a multiple of band_rows
+    /// (procedural/fill/synthesize.h), but for the last band. A band has about `texels` texels; the
+    /// default makes 48 MB of float pixels. The time that `take` needs is not counted as synthesis.
+    void run_in_bands(StageContext& context, const SolidAtlas& solid, const Recipe& recipe,
+                      const TakeRows& take, std::size_t texels = std::size_t(1) << 22) const;
+    /// The texture of a program that shows it while it changes; valid until the next call for that
+    /// level. Null if `stop` was requested first. Defined for Rgb8, Rgb16 and RgbF.
+    template <class Pixel>
+    const Image<Pixel>* show(StageContext& context, const SolidAtlas& solid, const Recipe& recipe,
+                             std::uint32_t level, const std::stop_token& stop);
+    /// Invalidates the pictures; cached fields and octaves stay.
+    void forget_pictures();
+    void forget() { levels_.clear(); }
+    /// The size of cached fields and octaves in bytes.
+    std::size_t cached_bytes() const;
+
+  private:
+    /// The caches of one level of the texture.
+    struct Level {
+        std::optional<TextureCache> texture{};
+        std::optional<PaintCache> paint{};
+    };
+    Level& level(const StageContext& context, const SolidAtlas& solid, std::uint32_t number);
+
+    std::map<std::uint32_t, Level> levels_;
+};
+
+/// The MIP levels 1 and up, averaged or synthesised by themselves (LevelRule).
+class LevelStage {
+  public:
+    /// The levels 1 to `count` of `texture`, which is in linear light.
+    std::vector<Image<RgbF>> run(StageContext& context, const MeshAtlas& atlas,
+                                 const SolidAtlas& solid, const Recipe& recipe,
+                                 const Image<RgbF>& texture, std::uint32_t count,
+                                 const LevelRule& rule) const;
+    /// The levels 1 to `count` of the texture whose bands run_in_bands gives to `take`.
+    std::vector<Image<RgbF>> run_in_bands(StageContext& context, const MeshAtlas& atlas,
+                                          const SolidAtlas& solid, const Recipe& recipe,
+                                          const TextureStage& texture, std::uint32_t count,
+                                          const LevelRule& rule, const TakeRows& take) const;
+    /// The level `number` alone, by a direct rule.
+    Image<RgbF> run_one(StageContext& context, const MeshAtlas& atlas, const SolidAtlas& solid,
+                        const Recipe& recipe, std::uint32_t number, const LevelRule& rule) const;
+};
+
+/// The normal map of the recipe's bumps.
+class NormalStage {
+  public:
+    /// The map of Pipeline::normal_map. Defined for Rgb8 and Rgb16 (linear codes) and RgbF
+    /// (components from -1 to 1).
+    template <class Pixel>
+    Image<Pixel> run(StageContext& context, const Mesh& mesh, const MeshAtlas& atlas,
+                     const SolidAtlas& solid, const Recipe& recipe, double crease_degrees,
+                     bool tangent_space);
+    void forget() { map_.reset(); }
+    void forget_frames() { frames_.reset(); }
+
+  private:
+    /// The latest map with all that it depends on besides the atlas.
+    struct Map {
+        Bump bump;
+        SolidOptions solid;
+        Filter filter;
+        NormalFramesKey frames;
+        std::variant<Image<Rgb8>, Image<Rgb16>, Image<RgbF>> image{};
+        bool is_of(const Recipe& recipe, const NormalFramesKey& key) const;
+    };
+
+    std::optional<NormalFrames> frames_;
+    std::optional<Map> map_;
+};
+
+/// All stages, in the order in which data runs through them.
+struct Stages {
+    ConnectivityStage connectivity{};
+    LayoutStage layout{};
+    SolidStage solid{};
+    TextureStage texture{};
+    LevelStage levels{};
+    NormalStage normals{};
+};
+
+}  // namespace burl

@@ -1,0 +1,146 @@
+#include <chrono>
+#include <utility>
+
+#include "app/paint/texture.h"
+#include "app/pipeline/stages.h"
+
+namespace burl {
+
+namespace {
+
+/// Synthesises the unpainted texture by the context's synthesizer.
+void synthesize_elsewhere(StageContext& context, const SolidAtlas& solid, const Recipe& recipe,
+                          ImageToFill image, StageCost& cost) {
+    context.synthesizer->synthesize(solid, recipe, context.way.threads, image);
+    cost.work.texels = texels_of(solid);
+}
+
+template <class Pixel>
+void paint(StageContext& context, const SolidAtlas& solid, const Recipe& recipe,
+           Image<Pixel>& image) {
+    if (recipe.paint.empty()) return;
+    context.records.time(Stage::paint, [&](StageCost& cost) {
+        cost.work.texels = paint_over(solid, recipe.paint, context.way.threads, image);
+        cost.bytes = bytes_of(image);
+        return true;
+    });
+}
+
+/// The cached unpainted picture, made anew where the recipe or the kind of pixel has changed; null
+/// if `stop` was requested first.
+template <class Pixel>
+const Image<Pixel>* unpainted(StageContext& context, TextureCache& cache, const Recipe& recipe,
+                              std::uint32_t level, const std::stop_token& stop) {
+    if (context.skips.allows(Skip::stages))
+        if (const Image<Pixel>* image = cache.find<Pixel>(recipe)) {
+            context.records.keep(Stage::synthesis);
+            return image;
+        }
+    Image<Pixel>& image = cache.open<Pixel>();
+    const bool done = context.records.attempt(Stage::synthesis, [&](StageCost& cost) {
+        if (context.synthesizer && level == 0)
+            synthesize_elsewhere(context, cache.solid(), recipe, &image, cost);
+        else
+            cache.fill(recipe, context.way, {context.skips, &cost.work, stop}, image);
+        cost.bytes = bytes_of(image);
+        return !stop.stop_requested();
+    });
+    if (!done) return nullptr;
+    cache.close(recipe);
+    return &image;
+}
+
+}  // namespace
+
+/// The caches of a level; level l has 3/4 * 4^-l of the budget, its share of a MIP chain's texels.
+TextureStage::Level& TextureStage::level(const StageContext& context, const SolidAtlas& solid,
+                                         std::uint32_t number) {
+    Level& level = levels_[number];
+    const std::size_t finest = context.cache - context.cache / 4;
+    if (!level.texture) level.texture.emplace(solid, number < 16 ? finest >> (2 * number) : 0);
+    return level;
+}
+
+template <class Pixel>
+Image<Pixel> TextureStage::run(StageContext& context, const SolidAtlas& solid, const Recipe& recipe,
+                               std::uint32_t level) {
+    if (context.cache > 0) return *show<Pixel>(context, solid, recipe, level, {});
+    Image<Pixel> image;
+    context.records.time(Stage::synthesis, [&](StageCost& cost) {
+        if (context.synthesizer && level == 0)
+            synthesize_elsewhere(context, solid, recipe, &image, cost);
+        else
+            image = fill_unpainted<Pixel>(solid, recipe, context.way, {context.skips, &cost.work});
+        cost.bytes = bytes_of(image);
+        return true;
+    });
+    paint(context, solid, recipe, image);
+    return image;
+}
+
+void TextureStage::run_in_bands(StageContext& context, const SolidAtlas& solid,
+                                const Recipe& recipe, const TakeRows& take,
+                                std::size_t texels) const {
+    using Clock = std::chrono::steady_clock;
+    StageCost cost, paint_cost;
+    std::chrono::duration<double> taking{}, painting{};
+    const auto start = Clock::now();
+    const auto take_rows = [&](std::size_t first, Image<RgbF> rows) {
+        const auto filled = Clock::now();
+        cost.bytes += bytes_of(rows);
+        paint_cost.work.texels += paint_over(solid, recipe.paint, context.way.threads, rows, first);
+        const auto painted = Clock::now();
+        take(first, std::move(rows));
+        painting += painted - filled;
+        taking += Clock::now() - painted;
+    };
+    fill_in_bands(solid, recipe, context.way, {context.skips, &cost.work}, texels, take_rows);
+    const std::chrono::duration<double> all = Clock::now() - start;
+    context.records.add(Stage::synthesis, (all - painting - taking).count(), cost);
+    if (recipe.paint.empty()) return;
+    paint_cost.bytes = cost.bytes;
+    context.records.add(Stage::paint, painting.count(), paint_cost);
+}
+
+template <class Pixel>
+const Image<Pixel>* TextureStage::show(StageContext& context, const SolidAtlas& solid,
+                                       const Recipe& recipe, std::uint32_t number,
+                                       const std::stop_token& stop) {
+    auto& [texture, layer] = level(context, solid, number);
+    const Image<Pixel>* base = unpainted<Pixel>(context, *texture, recipe, number, stop);
+    if (!context.skips.allows(Skip::stages) || recipe.paint.empty()) layer.reset();
+    if (!base || recipe.paint.empty()) return base;
+    return context.records.time(Stage::paint, [&](StageCost& cost) {
+        if (!layer) layer.emplace(solid, context.way.threads);
+        const Image<Pixel>& painted =
+            layer->show(*base, texture->number_of_picture(), recipe.paint, cost.work.texels);
+        cost.bytes = bytes_of(painted);
+        return &painted;
+    });
+}
+
+void TextureStage::forget_pictures() {
+    for (auto& [number, level] : levels_)
+        if (level.texture) level.texture->forget_picture();
+}
+
+std::size_t TextureStage::cached_bytes() const {
+    std::size_t bytes = 0;
+    for (const auto& [number, level] : levels_) bytes += level.texture ? level.texture->bytes() : 0;
+    return bytes;
+}
+
+template Image<Rgb8> TextureStage::run(StageContext&, const SolidAtlas&, const Recipe&,
+                                       std::uint32_t);
+template Image<Rgb16> TextureStage::run(StageContext&, const SolidAtlas&, const Recipe&,
+                                        std::uint32_t);
+template Image<RgbF> TextureStage::run(StageContext&, const SolidAtlas&, const Recipe&,
+                                       std::uint32_t);
+template const Image<Rgb8>* TextureStage::show(StageContext&, const SolidAtlas&, const Recipe&,
+                                               std::uint32_t, const std::stop_token&);
+template const Image<Rgb16>* TextureStage::show(StageContext&, const SolidAtlas&, const Recipe&,
+                                                std::uint32_t, const std::stop_token&);
+template const Image<RgbF>* TextureStage::show(StageContext&, const SolidAtlas&, const Recipe&,
+                                               std::uint32_t, const std::stop_token&);
+
+}  // namespace burl
