@@ -5,17 +5,15 @@
 #include <memory>
 #include <utility>
 
+#include <fmt/format.h>
 #include <tbb/enumerable_thread_specific.h>
-#include <nlohmann/json.hpp>
 
 #include "atlas/base/error.h"
 #include "procedural/color/srgb.h"
 #include "procedural/fixed/field.h"
 #include "procedural/graph/evaluator.h"
-#include "procedural/graph/json.h"
 #include "procedural/graph/values.h"
 #include "procedural/model/octaves.h"
-#include "procedural/model/texture_json.h"
 
 namespace burl {
 
