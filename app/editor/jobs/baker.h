@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "app/editor/jobs/errands.h"
 #include "app/editor/jobs/levels.h"
 #include "app/editor/jobs/worker.h"
 #include "app/measure/atlas_sheet.h"

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/editor/jobs/errands.h"
+#include "app/editor/jobs/worker.h"
 #include "app/recipe/recipe.h"
 #include "atlas/base/image.h"
 

@@ -1,10 +1,13 @@
 #pragma once
 // The editor's panels: each shows a part of the session and passes edits to it. The only state of
 // their own is what is shown and selected.
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include <imgui.h>
 
 #include "app/editor/jobs/figures.h"
 #include "app/editor/panels/items.h"
@@ -18,6 +21,18 @@ struct PanelContext {
     EditSession& session;
     EditItems& items;
 };
+
+/// Calls ImGui::Begin for the small window of a tool, which ImGui::End must follow, in the upper
+/// left corner `low` of the object's view. The window's close button clears `on`. The window does
+/// not take the keyboard's focus.
+inline bool begin_tool_window(const char* name, bool& on, const ImVec2& low) {
+    constexpr float margin = 8.0f;
+    ImGui::SetNextWindowPos({low.x + margin, low.y + margin});
+    ImGui::SetNextWindowBgAlpha(0.8f);
+    return ImGui::Begin(name, &on,
+                        ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove |
+                            ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoFocusOnAppearing);
+}
 
 /// Draws a slider for every parameter in the tables (app/recipe/leaves.h), grouped as in the
 /// recipe; the pose's weight only where the mesh has a pose (`posed`).
@@ -46,5 +61,12 @@ void log_panel(const PanelContext& context);
 
 /// Draws the window of keys and gestures; returns false once it was closed.
 bool cheat_sheet(const PanelContext& context);
+
+/// Returns a preset's thumbnail, side x side pixels; null: not ready.
+using PresetPicture = std::function<ImTextureID(const std::string& preset, int side)>;
+
+/// Draws the gallery of presets, a thumbnail and a name each; a click opens one. `search` is the
+/// text that filters it. Items are "preset:NAME" for every visible preset, and "preset search".
+void presets_panel(const PanelContext& context, std::string& search, const PresetPicture& picture);
 
 }  // namespace burl

@@ -1,7 +1,7 @@
 #pragma once
 // The timeline below the object: clock, scrub bar, and the keys of animated numbers as diamonds.
 #include "app/editor/panels/panels.h"
-#include "app/editor/session/timeline.h"
+#include "app/editor/session/session.h"
 
 namespace burl {
 

@@ -11,7 +11,7 @@
 #include "app/base/stopwatch.h"
 #include "app/editor/panels/keys.h"
 #include "app/editor/panels/scale.h"
-#include "app/editor/session/event_frames.h"
+#include "app/editor/session/input.h"
 #include "app/image/image_io.h"
 #include "app/recipe/keyed_recipe.h"
 #include "atlas/base/error.h"

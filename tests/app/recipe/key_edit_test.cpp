@@ -7,7 +7,7 @@
 
 #include <random>
 
-#include "app/editor/session/timeline.h"
+#include "app/editor/session/session.h"
 #include "app/recipe/key_check.h"
 #include "app/recipe/keyed_recipe.h"
 #include "app/recipe/leaves.h"

@@ -1,5 +1,5 @@
 // Painting in the editor by pointer and keys, without a display, and a hand's strokes.
-#include "app/editor/panels/paint_hand.h"
+#include "app/editor/panels/paint.h"
 
 #include <gtest/gtest.h>
 

@@ -9,7 +9,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "app/editor/panels/sliders.h"
+#include "app/editor/panels/parameters.h"
 #include "app/editor/window/program.h"
 #include "app/surface/sample_meshes.h"
 #include "tests/app/programs/run_program.h"
