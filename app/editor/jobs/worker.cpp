@@ -5,9 +5,9 @@
 
 namespace burl {
 
-EditErrands::EditErrands() : thread_([this](const std::stop_token& ending) { run(ending); }) {}
+JobQueue::JobQueue() : thread_([this](const std::stop_token& ending) { run(ending); }) {}
 
-void EditErrands::end() {
+void JobQueue::end() {
     {
         const std::scoped_lock lock(mutex_);
         ended_ = true;
@@ -17,22 +17,22 @@ void EditErrands::end() {
     if (thread_.joinable()) thread_.join();
 }
 
-void EditErrands::add(Errand errand) {
+void JobQueue::add(Job job) {
     {
         const std::scoped_lock lock(mutex_);
         if (ended_) return;
-        waiting_.push_back(std::move(errand));
+        waiting_.push_back(std::move(job));
     }
     changed_.notify_all();
 }
 
-void EditErrands::cancel() {
+void JobQueue::cancel() {
     const std::scoped_lock lock(mutex_);
     waiting_.clear();
     current_.request_stop();
 }
 
-void EditErrands::hold(bool held) {
+void JobQueue::hold(bool held) {
     {
         const std::scoped_lock lock(mutex_);
         if (std::exchange(held_, held) == held) return;
@@ -40,26 +40,26 @@ void EditErrands::hold(bool held) {
     changed_.notify_all();
 }
 
-bool EditErrands::idle() const {
+bool JobQueue::idle() const {
     const std::scoped_lock lock(mutex_);
     return !busy_ && waiting_.empty();
 }
 
-void EditErrands::wait() const {
+void JobQueue::wait() const {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [&] { return !busy_ && waiting_.empty(); });
 }
 
-void EditErrands::run(const std::stop_token& ending) {
+void JobQueue::run(const std::stop_token& ending) {
     std::unique_lock lock(mutex_);
     while (changed_.wait(lock, ending, [&] { return !held_ && !waiting_.empty(); })) {
-        const Errand errand = std::move(waiting_.front());
+        const Job job = std::move(waiting_.front());
         waiting_.pop_front();
         current_ = std::stop_source();
         busy_ = true;
         const std::stop_token stop = current_.get_token();
         lock.unlock();
-        errand(stop);
+        job(stop);
         lock.lock();
         busy_ = false;
         changed_.notify_all();

@@ -1,6 +1,7 @@
 #pragma once
-// A worker thread beside the user interface: the latest request wins, and the work for an older one
-// is told to stop.
+// Threads beside the user interface: a worker for which the latest request wins, and the work for
+// an older one is told to stop; and a job queue for jobs that may take long and that no window
+// waits for.
 #include <condition_variable>
 #include <cstdint>
 #include <deque>
@@ -15,23 +16,20 @@
 
 namespace burl {
 
-// A background job queue beside the editor's baking: jobs that may take long and that no window
-// waits for run one after the other on a thread of their own.
-
 /// A first-in, first-out job queue with one thread. All functions may be called by any thread,
 /// except that end() must not be called by a job.
-class EditErrands {
+class JobQueue {
   public:
     /// A job; it should return early once `stop` is requested, and must not throw.
-    using Errand = std::function<void(const std::stop_token& stop)>;
+    using Job = std::function<void(const std::stop_token& stop)>;
 
-    EditErrands();
-    EditErrands(const EditErrands&) = delete;
-    EditErrands& operator=(const EditErrands&) = delete;
-    ~EditErrands() { end(); }
+    JobQueue();
+    JobQueue(const JobQueue&) = delete;
+    JobQueue& operator=(const JobQueue&) = delete;
+    ~JobQueue() { end(); }
 
     /// Appends a job; after end() the job is dropped.
-    void add(Errand errand);
+    void add(Job job);
     /// Requests the stop of the running job, without waiting for it, and drops the waiting jobs.
     void cancel();
     /// Requests the stop of the running job, drops the waiting ones, joins the thread and drops
@@ -51,7 +49,7 @@ class EditErrands {
     // change.
     mutable std::mutex mutex_;
     mutable std::condition_variable_any changed_;
-    std::deque<Errand> waiting_;
+    std::deque<Job> waiting_;
     std::stop_source current_{std::nostopstate};
     bool busy_ = false, ended_ = false, held_ = false;
     std::jthread thread_;  ///< last member: its thread uses all the others

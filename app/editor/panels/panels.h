@@ -11,6 +11,7 @@
 
 #include "app/editor/jobs/figures.h"
 #include "app/editor/panels/items.h"
+#include "app/editor/session/autosave.h"
 #include "app/editor/session/session.h"
 #include "app/pipeline/stage_records.h"
 
@@ -21,6 +22,11 @@ struct PanelContext {
     EditSession& session;
     EditItems& items;
 };
+
+/// Flags of the windows that fill the screen.
+inline constexpr ImGuiWindowFlags fixed_window =
+    ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
+    ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoTitleBar;
 
 /// Calls ImGui::Begin for the small window of a tool, which ImGui::End must follow, in the upper
 /// left corner `low` of the object's view. The window's close button clears `on`. The window does
@@ -54,13 +60,20 @@ struct MetricsView {
     std::shared_ptr<const AtlasFigures> atlas{};               ///< null: not ready
     StageRecords records{};
 };
-void metrics_panel(const PanelContext& context, const MetricsView& view);
+void metrics_panel(const MetricsView& view);
 
 /// Draws the log, newest line last.
 void log_panel(const PanelContext& context);
 
 /// Draws the window of keys and gestures; returns false once it was closed.
 bool cheat_sheet(const PanelContext& context);
+
+/// Draws the window of recipes left behind by crashed editors, each to be taken or thrown away;
+/// nothing where there are none.
+void recovery_window(const PanelContext& context, EditAutosave& autosave);
+
+/// Draws an entry of a menu, "menu:LABEL" among the items; returns whether it was chosen.
+bool menu_item(EditItems& items, const char* label, const char* key, bool enabled = true);
 
 /// Returns a preset's thumbnail, side x side pixels; null: not ready.
 using PresetPicture = std::function<ImTextureID(const std::string& preset, int side)>;

@@ -34,10 +34,10 @@ bool has_key_now(const EditSession& session, const std::string& path) {
 
 class TimelinePanel {
   public:
-    TimelinePanel(const PanelContext& context, EditTimeline& timeline)
+    explicit TimelinePanel(const PanelContext& context)
         : session_(context.session),
           items_(context.items),
-          timeline_(timeline),
+          timeline_(session_.timeline),
           animation_(session_.recipe().animation),
           groups_(parameter_groups(recipe_leaves(slider_json(session_.still())))) {}
 
@@ -70,7 +70,7 @@ class TimelinePanel {
 
     void clock() {
         if (ImGui::Button(timeline_.playing ? "Pause" : "Play", {scaled(64.0f), 0.0f}))
-            toggle_playing(timeline_, session_);
+            toggle_playing(session_);
         items_.note("timeline.play");
         ImGui::SameLine();
         const int frame = int(std::lround(session_.time() * animation_.rate)) + 1;
@@ -282,7 +282,8 @@ class TimelinePanel {
     float lane_low_ = 0.0f, lane_width_ = 1.0f;
 };
 
-void remove_chosen(EditTimeline& timeline, EditSession& session) {
+void remove_chosen(EditSession& session) {
+    EditTimeline& timeline = session.timeline;
     const KeyTrack* track = find_track(session.recipe().animation, timeline.chosen.path);
     if (track && timeline.chosen.key < track->keys.size())
         session.change_with([&] {
@@ -301,21 +302,18 @@ float timeline_height(const EditSession& session) {
            float(rows) * (ImGui::GetFrameHeightWithSpacing() + 2.0f) + 2.0f * style.WindowPadding.y;
 }
 
-void timeline_panel(const PanelContext& context, EditTimeline& timeline) {
-    if (ImGui::Begin("Timeline", nullptr,
-                     ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
-                         ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoTitleBar |
-                         ImGuiWindowFlags_NoBringToFrontOnFocus))
-        TimelinePanel(context, timeline).show();
+void timeline_panel(const PanelContext& context) {
+    if (ImGui::Begin("Timeline", nullptr, fixed_window)) TimelinePanel(context).show();
     ImGui::End();
 }
 
-void timeline_shortcuts(EditTimeline& timeline, EditSession& session) {
+void timeline_shortcuts(EditSession& session) {
+    EditTimeline& timeline = session.timeline;
     if (pressed("K")) timeline.open = !timeline.open;
     if (!timeline.open) return;
-    if (pressed("Space") && !ImGui::GetIO().NavVisible) toggle_playing(timeline, session);
+    if (pressed("Space") && !ImGui::GetIO().NavVisible) toggle_playing(session);
     if (pressed("I")) toggle_key(session);
-    if (pressed("Delete")) remove_chosen(timeline, session);
+    if (pressed("Delete")) remove_chosen(session);
 }
 
 void toggle_key(EditSession& session) {

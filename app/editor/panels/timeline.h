@@ -9,10 +9,10 @@ namespace burl {
 float timeline_height(const EditSession& session);
 
 /// Draws the timeline at the position set for ImGui's next window.
-void timeline_panel(const PanelContext& context, EditTimeline& timeline);
+void timeline_panel(const PanelContext& context);
 
 /// Handles the keys of the timeline: K, and while it is open Space, I and Delete.
-void timeline_shortcuts(EditTimeline& timeline, EditSession& session);
+void timeline_shortcuts(EditSession& session);
 
 /// Adds a key with the present value of the number edited last at the clock's time, or removes the
 /// key it has there.

@@ -249,22 +249,22 @@ ClockStep clock_after(const KeyedAnimation& animation, double seconds, double dt
     return {animation.seconds, true};
 }
 
-void toggle_playing(EditTimeline& timeline, EditSession& session) {
+void toggle_playing(EditSession& session) {
     const KeyedAnimation& animation = session.recipe().animation;
-    timeline.playing = !timeline.playing;
-    if (!timeline.playing)
+    session.timeline.playing = !session.timeline.playing;
+    if (!session.timeline.playing)
         session.set_time(nearest_frame(animation, session.time()));
     else if (!animation.loop && session.time() >= animation.seconds)
         session.set_time(0.0);
 }
 
-void advance(EditTimeline& timeline, EditSession& session, double dt) {
+void advance(EditSession& session, double dt) {
     const KeyedAnimation& animation = session.recipe().animation;
     if (session.time() > animation.seconds) session.set_time(animation.seconds);
-    if (!timeline.playing) return;
+    if (!session.timeline.playing) return;
     const ClockStep step = clock_after(animation, session.time(), dt);
     session.set_time(step.seconds);
-    if (step.ended) timeline.playing = false;
+    if (step.ended) session.timeline.playing = false;
 }
 
 }  // namespace burl

@@ -120,11 +120,11 @@ bool GlEditAtlas::shortcuts() {
     return true;
 }
 
-void GlEditAtlas::follow(const EditBaker& baker, std::uint64_t request, const Recipe& recipe) {
+void GlEditAtlas::follow(const FrontBuffer& baked, std::uint64_t request, const Recipe& recipe) {
     ViewWish wish;
-    if (state.shown || edges || borders) wish.lines = baker.surface();
+    if (state.shown || edges || borders) wish.lines = baked.surface();
     if (state.shown) {
-        wish.sheet = baker.sheet();
+        wish.sheet = baked.sheet();
         wish.mode = state.mode;
     } else {
         sheet_.release();
@@ -133,7 +133,7 @@ void GlEditAtlas::follow(const EditBaker& baker, std::uint64_t request, const Re
         on_object_.reset();
     }
     if (state.shown && state.mode == SheetMode::error) {
-        const auto picture = baker.picture();
+        const auto picture = baked.picture();
         late_ = !picture || picture->request != request || picture->level != 0;
         if (!late_) {
             wish.picture = picture;
@@ -231,7 +231,7 @@ const GlTexture* GlEditAtlas::draw(const GlEditObject& object, const Vec2d& size
                        object.picture()->number, options);
 }
 
-std::optional<TexelView> GlEditAtlas::texel(const EditBaker& baker, const GlEditObject& object,
+std::optional<TexelView> GlEditAtlas::texel(const FrontBuffer& baked, const GlEditObject& object,
                                             std::uint32_t side) const {
     std::optional<Vec2d> uv = pointer_;
     if (!uv && on_object_) uv = on_object_->uv;
@@ -239,7 +239,7 @@ std::optional<TexelView> GlEditAtlas::texel(const EditBaker& baker, const GlEdit
         glm::any(glm::greaterThanEqual(*uv, Vec2d(1.0))))
         return {};
     TexelView view{texel_of(uv->x, side), texel_of(uv->y, side)};
-    if (const auto sheet = baker.sheet()) view.facts = texel_facts(*sheet, view.x, view.y);
+    if (const auto sheet = baked.sheet()) view.facts = texel_facts(*sheet, view.x, view.y);
     const auto at = [&](const auto& image) {
         return image(std::size_t(uv->x * double(image.width())),
                      std::size_t(uv->y * double(image.height())));
@@ -250,9 +250,9 @@ std::optional<TexelView> GlEditAtlas::texel(const EditBaker& baker, const GlEdit
     return view;
 }
 
-void GlEditAtlas::panel(const PanelContext& context, const EditBaker& baker,
+void GlEditAtlas::panel(const PanelContext& context, const FrontBuffer& baked,
                         const GlEditObject& object, const SurfacePick* pick) {
-    const auto surface = baker.surface();
+    const auto surface = baked.surface();
     const std::uint32_t side = surface ? surface->size : 1;
     atlas_controls(context, state, int(std::bit_width(side)) - 1);
     const ImVec2 low = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
@@ -278,7 +278,7 @@ void GlEditAtlas::panel(const PanelContext& context, const EditBaker& baker,
     if (shown && !shown->problem.empty())
         ImGui::TextWrapped("%s", shown->problem.c_str());
     else
-        atlas_readout(texel(baker, object, side));
+        atlas_readout(texel(baked, object, side));
 }
 
 }  // namespace burl

@@ -74,14 +74,14 @@ class GlEditAtlas {
     bool shortcuts();
     /// Takes over the pipeline's newest results, once a frame. `request` is the number of the last
     /// request, and `recipe` its recipe.
-    void follow(const EditBaker& baker, std::uint64_t request, const Recipe& recipe);
+    void follow(const FrontBuffer& baked, std::uint64_t request, const Recipe& recipe);
     /// Picks the surface point under the pointer; ImGui's last item must be the object's view.
     void look_at_object(const ObjectView& view);
     /// Marks the point under the pointer in the atlas on the object, in the current ImGui window.
     void mark_object(const ObjectView& view) const;
     /// Draws the atlas and its controls in the current ImGui window. `pick`: the object's picking
     /// structure; null: not ready.
-    void panel(const PanelContext& context, const EditBaker& baker, const GlEditObject& object,
+    void panel(const PanelContext& context, const FrontBuffer& baked, const GlEditObject& object,
                const SurfacePick* pick);
 
     /// The lines of the newest surface; null: not wanted, or not ready.
@@ -99,7 +99,7 @@ class GlEditAtlas {
     void input(const Vec2d& low, const Vec2d& size, const SurfacePick* pick, std::uint32_t side);
     const GlTexture* draw(const GlEditObject& object, const Vec2d& size);
     void mark_atlas(const Vec2d& low, const Vec2d& size) const;
-    std::optional<TexelView> texel(const EditBaker& baker, const GlEditObject& object,
+    std::optional<TexelView> texel(const FrontBuffer& baked, const GlEditObject& object,
                                    std::uint32_t side) const;
     std::span<const BorderLine> outline(const SurfaceHit& hit) const;
 

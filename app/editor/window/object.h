@@ -7,8 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "app/editor/jobs/baker.h"
-#include "app/editor/jobs/levels.h"
+#include "app/editor/jobs/front_buffer.h"
 #include "app/editor/tools/view.h"
 #include "app/editor/window/lines.h"
 #include "app/editor/window/places.h"
