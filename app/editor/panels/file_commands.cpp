@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/editor/panels/keys.h"
+#include "app/editor/panels/widgets.h"
 #include "atlas/base/error.h"
 #include "atlas/file/file_extension.h"
 
@@ -97,10 +98,7 @@ void FileCommands::quit() {
 
 void FileCommands::closing_window(EditItems& items) {
     if (!asks_to_close_ || dialog_.is_open()) return;
-    const ImVec2 display = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowPos({0.5f * display.x, 0.5f * display.y}, ImGuiCond_Always, {0.5f, 0.5f});
-    ImGui::Begin("Quit", &asks_to_close_,
-                 ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse);
+    begin_centred_window("Quit", &asks_to_close_);
     EditHistory& history = session_.history();
     ImGui::TextUnformatted(history.changed()
                                ? "The recipe has changes that are not saved."

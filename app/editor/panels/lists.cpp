@@ -7,6 +7,7 @@
 #include <array>
 
 #include "app/editor/panels/panels.h"
+#include "app/editor/panels/widgets.h"
 
 namespace burl {
 
@@ -82,11 +83,7 @@ void log_panel(const PanelContext& context) {
 
 bool cheat_sheet(const PanelContext& context) {
     bool open = true;
-    ImGui::SetNextWindowPos(
-        ImVec2(0.5f * ImGui::GetIO().DisplaySize.x, 0.5f * ImGui::GetIO().DisplaySize.y),
-        ImGuiCond_Always, ImVec2(0.5f, 0.5f));
-    if (ImGui::Begin("Keys", &open,
-                     ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse)) {
+    if (begin_centred_window("Keys", &open)) {
         if (ImGui::BeginTable("keys", 2, ImGuiTableFlags_SizingFixedFit)) {
             for (const auto& [key, what] : keys) {
                 ImGui::TableNextColumn();
@@ -105,22 +102,13 @@ bool cheat_sheet(const PanelContext& context) {
 
 void recovery_window(const PanelContext& context, EditAutosave& autosave) {
     if (autosave.left_behind().empty()) return;
-    const ImVec2 display = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowPos({0.5f * display.x, 0.5f * display.y}, ImGuiCond_Always, {0.5f, 0.5f});
-    ImGui::Begin("Unsaved work", nullptr,
-                 ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse);
+    begin_centred_window("Unsaved work");
     ImGui::TextUnformatted("What was not saved by an editor that did not end well:");
     for (std::size_t i = 0; i < autosave.left_behind().size(); ++i)
         if (left_row(context, autosave, i)) break;
     if (ImGui::Button("Ask again at the next start")) autosave.leave_all();
     context.items.note("recover later");
     ImGui::End();
-}
-
-bool menu_item(EditItems& items, const char* label, const char* key, bool enabled) {
-    const bool chosen = ImGui::MenuItem(label, key, false, enabled);
-    items.note(fmt::format("menu:{}", label));
-    return chosen;
 }
 
 }  // namespace burl

@@ -13,7 +13,7 @@
 
 #include "app/editor/panels/items.h"
 #include "app/editor/panels/keys.h"
-#include "app/editor/panels/scale.h"
+#include "app/editor/panels/widgets.h"
 #include "app/editor/tools/grab.h"
 #include "app/editor/tools/solid_gizmo.h"
 #include "app/editor/tools/view.h"
@@ -96,11 +96,11 @@ class Drawing {
         return lit_ == handle ? bright : colors[std::size_t(handle.axis)];
     }
     void letter(const ImVec2& middle, int axis, ImU32 color) const {
-        constexpr std::array names{"x", "y", "z"};
-        const ImVec2 size = ImGui::CalcTextSize(names[std::size_t(axis)]);
+        constexpr std::array letters{"x", "y", "z"};
+        const ImVec2 size = ImGui::CalcTextSize(letters[std::size_t(axis)]);
         list_.AddCircleFilled(middle, 0.55f * size.y, shadow);
         list_.AddText({middle.x - 0.5f * size.x, middle.y - 0.5f * size.y}, color,
-                      names[std::size_t(axis)]);
+                      letters[std::size_t(axis)]);
     }
     void head(const ImVec2& tip, const ImVec2& neck, const ImVec2& u, float width,
               ImU32 color) const {

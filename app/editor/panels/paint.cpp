@@ -8,7 +8,7 @@
 #include <imgui.h>
 
 #include "app/editor/panels/keys.h"
-#include "app/editor/panels/scale.h"
+#include "app/editor/panels/widgets.h"
 
 namespace burl {
 
@@ -29,16 +29,6 @@ void modes(const PanelContext& context, PaintMode& mode) {
     ImGui::SameLine();
     if (ImGui::RadioButton("erase", mode == PaintMode::erase)) mode = PaintMode::erase;
     context.items.note("paint.erase");
-}
-
-void color(const PanelContext& context, Rgb8& color) {
-    std::array<float, 3> shown{float(color.r) / 255.0f, float(color.g) / 255.0f,
-                               float(color.b) / 255.0f};
-    if (ImGui::ColorEdit3("colour", shown.data())) {
-        const auto code = [](float v) { return std::uint8_t(std::lround(255.0f * v)); };
-        color = {code(shown[0]), code(shown[1]), code(shown[2])};
-    }
-    context.items.note("paint.colour");
 }
 
 constexpr int brush_points = 48;
@@ -79,7 +69,8 @@ void paint_panel(const PanelContext& context, PaintTool& tool, const ImVec2& low
               ImGuiSliderFlags_Logarithmic);
         slide(context, "hardness", tool.brush.hardness, 0.0, 1.0);
         slide(context, "opacity", tool.brush.opacity, 0.0, 1.0);
-        color(context, tool.brush.color);
+        edit_color("colour", tool.brush.color);
+        context.items.note("paint.colour");
         ImGui::PopItemWidth();
         const std::size_t strokes = context.session.recipe().paint.size();
         ImGui::Text("%zu stroke%s", strokes, strokes == 1 ? "" : "s");

@@ -23,23 +23,6 @@ struct PanelContext {
     EditItems& items;
 };
 
-/// Flags of the windows that fill the screen.
-inline constexpr ImGuiWindowFlags fixed_window =
-    ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
-    ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoTitleBar;
-
-/// Calls ImGui::Begin for the small window of a tool, which ImGui::End must follow, in the upper
-/// left corner `low` of the object's view. The window's close button clears `on`. The window does
-/// not take the keyboard's focus.
-inline bool begin_tool_window(const char* name, bool& on, const ImVec2& low) {
-    constexpr float margin = 8.0f;
-    ImGui::SetNextWindowPos({low.x + margin, low.y + margin});
-    ImGui::SetNextWindowBgAlpha(0.8f);
-    return ImGui::Begin(name, &on,
-                        ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove |
-                            ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoFocusOnAppearing);
-}
-
 /// Draws a slider for every parameter in the tables (app/recipe/leaves.h), grouped as in the
 /// recipe; the pose's weight only where the mesh has a pose (`posed`).
 void parameters_panel(const PanelContext& context, bool posed);
@@ -72,8 +55,13 @@ bool cheat_sheet(const PanelContext& context);
 /// nothing where there are none.
 void recovery_window(const PanelContext& context, EditAutosave& autosave);
 
-/// Draws an entry of a menu, "menu:LABEL" among the items; returns whether it was chosen.
-bool menu_item(EditItems& items, const char* label, const char* key, bool enabled = true);
+/// The timeline's height in screen coordinates.
+float timeline_height(const EditSession& session);
+/// Draws the timeline below the object: clock, scrub bar, and the keys of animated numbers as
+/// diamonds.
+void timeline_panel(const PanelContext& context);
+/// Handles the keys of the timeline: K, and while it is open Space, I and Delete.
+void timeline_shortcuts(EditSession& session);
 
 /// Returns a preset's thumbnail, side x side pixels; null: not ready.
 using PresetPicture = std::function<ImTextureID(const std::string& preset, int side)>;

@@ -13,6 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/editor/panels/panels.h"
+#include "app/editor/panels/widgets.h"
 #include "app/editor/session/groups.h"
 #include "app/recipe/parameters.h"
 
@@ -166,17 +167,14 @@ ValueEdit edit_choice(const RecipeLeaf& leaf, EditItems& items, const char* id) 
     return edit;
 }
 
-ValueEdit edit_color(const RecipeLeaf& leaf, const char* id) {
+ValueEdit edit_hex(const RecipeLeaf& leaf, const char* id) {
     const std::string hex = leaf.value.get<std::string>();
     unsigned code = 0;
     if (hex.size() == 7) std::sscanf(hex.c_str() + 1, "%6x", &code);
-    float rgb[3] = {float(code >> 16 & 255U) / 255.0f, float(code >> 8 & 255U) / 255.0f,
-                    float(code & 255U) / 255.0f};
-    const bool changed = ImGui::ColorEdit3(id, rgb);
+    Rgb8 color{std::uint8_t(code >> 16), std::uint8_t(code >> 8), std::uint8_t(code)};
+    const bool changed = edit_color(id, color);
     ValueEdit edit = gesture();
-    const auto byte = [](float v) { return std::clamp(int(std::lround(v * 255.0f)), 0, 255); };
-    if (changed)
-        edit.value = fmt::format("#{:02x}{:02x}{:02x}", byte(rgb[0]), byte(rgb[1]), byte(rgb[2]));
+    if (changed) edit.value = fmt::format("#{:02x}{:02x}{:02x}", color.r, color.g, color.b);
     return edit;
 }
 
@@ -209,7 +207,7 @@ ValueEdit edit_leaf(const RecipeLeaf& leaf, EditItems& items) {
             edit = edit_choice(leaf, items, id.c_str());
             break;
         case ParameterType::color:
-            edit = edit_color(leaf, id.c_str());
+            edit = edit_hex(leaf, id.c_str());
             items.note(leaf.path);
             break;
         case ParameterType::text:

@@ -7,7 +7,7 @@
 #include <imgui_internal.h>
 #include <imgui_stdlib.h>
 
-#include "app/editor/panels/scale.h"
+#include "app/editor/panels/widgets.h"
 #include "app/recipe/preset_notes.h"
 
 namespace burl {

@@ -1,5 +1,3 @@
-#include "app/editor/panels/timeline.h"
-
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -8,7 +6,8 @@
 #include <cmath>
 
 #include "app/editor/panels/keys.h"
-#include "app/editor/panels/scale.h"
+#include "app/editor/panels/panels.h"
+#include "app/editor/panels/widgets.h"
 #include "app/editor/session/groups.h"
 #include "app/recipe/key_check.h"
 #include "app/recipe/key_edit.h"
@@ -32,6 +31,22 @@ bool has_key_now(const EditSession& session, const std::string& path) {
     return track && key_near(animation, *track, session.time()) < track->keys.size();
 }
 
+/// Adds a key with the present value of the number edited last at the clock's time, or removes the
+/// key it has there.
+void toggle_key(EditSession& session) {
+    const std::string path = session.touched();
+    const KeyedAnimation& animation = session.recipe().animation;
+    const auto number = find_number(slider_json(session.still()), path);
+    if (!number) return;
+    if (!has_key_now(session, path)) {
+        session.change_keys(with_key(animation, path, session.time(), number->value));
+        return;
+    }
+    const std::size_t key = key_near(animation, *find_track(animation, path), session.time());
+    session.change_with([&] { return with_key_removed(session.recipe(), path, key); });
+}
+
+/// The timeline in one frame.
 class TimelinePanel {
   public:
     explicit TimelinePanel(const PanelContext& context)
@@ -63,11 +78,6 @@ class TimelinePanel {
 
     std::string label(const std::string& path) const { return number_label(groups_, path); }
 
-    void gesture() {
-        if (ImGui::IsItemActivated()) session_.history().begin_gesture();
-        if (ImGui::IsItemDeactivated()) session_.history().end_gesture();
-    }
-
     void clock() {
         if (ImGui::Button(timeline_.playing ? "Pause" : "Play", {scaled(64.0f), 0.0f}))
             toggle_playing(session_);
@@ -94,7 +104,7 @@ class TimelinePanel {
         const bool moved = ImGui::DragScalar("s", ImGuiDataType_Double, &edited.seconds, 0.02f,
                                              &low, &high, "%.2f", ImGuiSliderFlags_AlwaysClamp);
         items_.note("timeline.seconds");
-        gesture();
+        follow_gesture(session_.history());
         if (ImGui::IsItemHovered()) ImGui::SetTooltip("How long the animation is");
         if (moved) session_.change_keys(edited);
     }
@@ -105,7 +115,7 @@ class TimelinePanel {
         const bool moved = ImGui::DragInt("frames/s", &edited.rate, 0.1f, 1, 240, "%d",
                                           ImGuiSliderFlags_AlwaysClamp);
         items_.note("timeline.rate");
-        gesture();
+        follow_gesture(session_.history());
         if (moved) session_.change_keys(edited);
     }
 
@@ -251,7 +261,7 @@ class TimelinePanel {
     /// Handles input on a key: a press selects it and sets the clock to its time, a drag moves it,
     /// and a right click removes it.
     void key_input(const KeyTrack& track, std::size_t index) {
-        gesture();
+        follow_gesture(session_.history());
         if (ImGui::IsItemActivated()) {
             timeline_.playing = false;
             timeline_.chosen = {track.path, index};
@@ -314,19 +324,6 @@ void timeline_shortcuts(EditSession& session) {
     if (pressed("Space") && !ImGui::GetIO().NavVisible) toggle_playing(session);
     if (pressed("I")) toggle_key(session);
     if (pressed("Delete")) remove_chosen(session);
-}
-
-void toggle_key(EditSession& session) {
-    const std::string path = session.touched();
-    const KeyedAnimation& animation = session.recipe().animation;
-    const auto number = find_number(slider_json(session.still()), path);
-    if (!number) return;
-    if (!has_key_now(session, path)) {
-        session.change_keys(with_key(animation, path, session.time(), number->value));
-        return;
-    }
-    const std::size_t key = key_near(animation, *find_track(animation, path), session.time());
-    session.change_with([&] { return with_key_removed(session.recipe(), path, key); });
 }
 
 }  // namespace burl

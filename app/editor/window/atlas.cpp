@@ -51,28 +51,11 @@ std::int64_t texel_of(double coordinate, std::uint32_t side) {
 GlEditSheet::GlEditSheet(const GladGLContext& gl)
     : gl_(&gl), program_(gl, "maps/full_screen.vert", "draw/sheet.frag"), pass_(gl) {}
 
-void GlEditSheet::upload(const SheetPicture& picture) {
-    texture_ = make_texture(*gl_);
-    gl_->BindTexture(GL_TEXTURE_2D, texture_.get());
-    gl_->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    for (std::size_t l = 0; l < picture.levels.size(); ++l) {
-        const Image<Rgb8>& level = picture.levels[l];
-        gl_->TexImage2D(GL_TEXTURE_2D, GLint(l), GL_SRGB8, GLsizei(level.width()),
-                        GLsizei(level.height()), 0, GL_RGB, GL_UNSIGNED_BYTE,
-                        level.pixels().data());
-    }
-    gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-    gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-    gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
-    check_gl(*gl_, "uploading a picture of the atlas");
-}
-
 const GlTexture* GlEditSheet::draw(const std::shared_ptr<const SheetPicture>& picture,
                                    const SheetViewOptions& options) {
     if (!picture || picture->levels.empty()) return nullptr;
     if (picture != picture_) {
-        upload(*picture);
+        texture_ = upload_levels(*gl_, picture->levels, GL_SRGB8);
         picture_ = picture;
         ++uploads_;
     }

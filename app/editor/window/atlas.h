@@ -47,7 +47,6 @@ class GlEditSheet {
         SheetViewOptions options{};
         bool operator==(const Drawn&) const = default;
     };
-    void upload(const SheetPicture& picture);
 
     const GladGLContext* gl_;
     GlProgram program_;

@@ -8,8 +8,7 @@
 
 #include "app/editor/panels/keys.h"
 #include "app/editor/panels/paint.h"
-#include "app/editor/panels/scale.h"
-#include "app/editor/panels/timeline.h"
+#include "app/editor/panels/widgets.h"
 #include "app/editor/window/program.h"
 
 namespace burl {
@@ -70,53 +69,45 @@ void EditorProgram::view_shortcuts() {
     if (pressed("Ctrl+0")) scale_ = normal_scale_;
 }
 
-bool EditorProgram::menu_item(const char* label, const char* key, bool enabled) {
-    return burl::menu_item(items_, label, key, enabled);
-}
-
-void EditorProgram::menu_toggle(const char* label, const char* key, bool& value) {
-    ImGui::MenuItem(label, key, &value);
-    items_.note(fmt::format("menu:{}", label));
-}
-
 void EditorProgram::file_menu() {
-    if (menu_item("Open...", "Ctrl+O")) commands_.open_dialog();
+    if (menu_item(items_, "Open...", "Ctrl+O")) commands_.open_dialog();
     commands_.recent_menu(items_);
     commands_.pose_menu(items_);
-    if (menu_item("Reload", "F5")) loader_.files().reload();
-    if (menu_item("Save recipe", "Ctrl+S")) commands_.save();
-    if (menu_item("Save recipe as...", "Ctrl+Shift+S")) commands_.save_dialog();
+    if (menu_item(items_, "Reload", "F5")) loader_.files().reload();
+    if (menu_item(items_, "Save recipe", "Ctrl+S")) commands_.save();
+    if (menu_item(items_, "Save recipe as...", "Ctrl+Shift+S")) commands_.save_dialog();
     const bool idle = !commands_.exporting(), moves = !session_.recipe().animation.tracks.empty();
-    if (menu_item("Export...", "Ctrl+E", idle)) commands_.export_dialog();
-    if (menu_item("Export frames...", "", moves && idle)) commands_.export_frames_dialog();
-    if (menu_item("Screenshot", "F12")) screenshot_due_ = true;
-    if (menu_item("Quit", "Ctrl+Q")) commands_.quit();
+    if (menu_item(items_, "Export...", "Ctrl+E", idle)) commands_.export_dialog();
+    if (menu_item(items_, "Export frames...", "", moves && idle)) commands_.export_frames_dialog();
+    if (menu_item(items_, "Screenshot", "F12")) screenshot_due_ = true;
+    if (menu_item(items_, "Quit", "Ctrl+Q")) commands_.quit();
 }
 
 void EditorProgram::edit_menu() {
     EditHistory& history = session_.history();
-    if (menu_item("Undo", "Ctrl+Z", history.can_undo())) history.undo();
-    if (menu_item("Redo", "Ctrl+Y", history.can_redo())) history.redo();
-    if (menu_item("Move the texture", "G")) viewport_.take_tool(viewport_.move.on);
-    if (menu_item("Paint", "P")) viewport_.take_tool(viewport_.paint.tool.on);
-    if (menu_item("Clear paint", "", !session_.recipe().paint.empty())) clear_paint(session_);
+    if (menu_item(items_, "Undo", "Ctrl+Z", history.can_undo())) history.undo();
+    if (menu_item(items_, "Redo", "Ctrl+Y", history.can_redo())) history.redo();
+    if (menu_item(items_, "Move the texture", "G")) viewport_.take_tool(viewport_.move.on);
+    if (menu_item(items_, "Paint", "P")) viewport_.take_tool(viewport_.paint.tool.on);
+    if (menu_item(items_, "Clear paint", "", !session_.recipe().paint.empty()))
+        clear_paint(session_);
 }
 
 void EditorProgram::view_menu() {
     EditCamera& camera = viewport_.camera;
-    if (menu_item("Fit", "F")) camera = fitted(camera);
-    if (menu_item("Front", "1")) camera = from_front(camera);
-    if (menu_item("Side", "3")) camera = from_side(camera);
-    if (menu_item("Top", "7")) camera = from_top(camera);
-    menu_toggle("Light", "L", viewport_.lit);
-    menu_toggle("Turntable", "T", viewport_.turntable);
-    menu_toggle("Atlas", "V", atlas_.state.shown);
-    menu_toggle("Wireframe", "W", atlas_.edges);
-    menu_toggle("Chart borders", "B", atlas_.borders);
-    menu_toggle("Timeline", "K", session_.timeline.open);
+    if (menu_item(items_, "Fit", "F")) camera = fitted(camera);
+    if (menu_item(items_, "Front", "1")) camera = from_front(camera);
+    if (menu_item(items_, "Side", "3")) camera = from_side(camera);
+    if (menu_item(items_, "Top", "7")) camera = from_top(camera);
+    menu_toggle(items_, "Light", "L", viewport_.lit);
+    menu_toggle(items_, "Turntable", "T", viewport_.turntable);
+    menu_toggle(items_, "Atlas", "V", atlas_.state.shown);
+    menu_toggle(items_, "Wireframe", "W", atlas_.edges);
+    menu_toggle(items_, "Chart borders", "B", atlas_.borders);
+    menu_toggle(items_, "Timeline", "K", session_.timeline.open);
     ImGui::Separator();
-    if (menu_item("Larger text", "Ctrl++")) scale_ = larger_scale(scale_);
-    if (menu_item("Smaller text", "Ctrl+-")) scale_ = smaller_scale(scale_);
+    if (menu_item(items_, "Larger text", "Ctrl++")) scale_ = larger_scale(scale_);
+    if (menu_item(items_, "Smaller text", "Ctrl+-")) scale_ = smaller_scale(scale_);
 }
 
 void EditorProgram::menu() {
@@ -132,7 +123,7 @@ void EditorProgram::menu() {
     under("Edit", [&] { edit_menu(); });
     under("View", [&] { view_menu(); });
     under("Help", [&] {
-        if (menu_item("Keys", "F1")) keys_open_ = true;
+        if (menu_item(items_, "Keys", "F1")) keys_open_ = true;
     });
     ImGui::Text("  %s%s", session_.recipe().name.c_str(), session_.history().unsaved() ? " *" : "");
     if (requests_.comparing()) ImGui::TextUnformatted("  as it was opened (A)");

@@ -10,7 +10,7 @@
 
 #include "app/base/stopwatch.h"
 #include "app/editor/panels/keys.h"
-#include "app/editor/panels/scale.h"
+#include "app/editor/panels/widgets.h"
 #include "app/editor/session/input.h"
 #include "app/image/image_io.h"
 #include "atlas/base/error.h"

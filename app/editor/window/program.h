@@ -106,8 +106,6 @@ class EditorProgram {
     // layout.cpp: the windows of a frame, menus and shortcuts
     void shortcuts();
     void view_shortcuts();
-    bool menu_item(const char* label, const char* key, bool enabled = true);
-    void menu_toggle(const char* label, const char* key, bool& value);
     void file_menu();
     void edit_menu();
     void view_menu();

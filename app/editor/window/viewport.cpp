@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/base/stopwatch.h"
+#include "app/editor/panels/widgets.h"
 
 namespace burl {
 
