@@ -2,34 +2,9 @@
 
 namespace burl {
 
-std::shared_ptr<const EditSurface> FrontBuffer::surface() const {
-    const std::scoped_lock lock(mutex_);
-    return surface_;
-}
-
-std::shared_ptr<const EditPicture> FrontBuffer::picture() const {
-    const std::scoped_lock lock(mutex_);
-    return picture_;
-}
-
-std::shared_ptr<const EditSurface> FrontBuffer::coming() const {
-    const std::scoped_lock lock(mutex_);
-    return coming_;
-}
-
-std::shared_ptr<const SurfacePick> FrontBuffer::pick() const {
-    const std::scoped_lock lock(mutex_);
-    return pick_;
-}
-
 std::shared_ptr<const AtlasSheet> FrontBuffer::sheet() const {
     const std::scoped_lock lock(mutex_);
     return surface_ && sheet_of_.first == surface_->number ? sheet_ : nullptr;
-}
-
-StageRecords FrontBuffer::records() const {
-    const std::scoped_lock lock(mutex_);
-    return records_;
 }
 
 void FrontBuffer::announce(std::shared_ptr<EditSurface> surface,
@@ -38,11 +13,6 @@ void FrontBuffer::announce(std::shared_ptr<EditSurface> surface,
     surface->number = ++numbers_;
     coming_ = std::move(surface);
     coming_pick_ = std::move(pick);
-}
-
-bool FrontBuffer::coming_has_pick() const {
-    const std::scoped_lock lock(mutex_);
-    return coming_pick_ != nullptr;
 }
 
 void FrontBuffer::publish(EditPicture picture, const StageRecords& records) {

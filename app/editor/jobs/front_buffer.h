@@ -31,26 +31,26 @@ struct EditPicture {
 class FrontBuffer {
   public:
     /// The newest surface; null: none yet.
-    std::shared_ptr<const EditSurface> surface() const;
+    std::shared_ptr<const EditSurface> surface() const { return read(surface_); }
     /// The newest picture; null: none yet.
-    std::shared_ptr<const EditPicture> picture() const;
+    std::shared_ptr<const EditPicture> picture() const { return read(picture_); }
     /// The surface that replaces surface() with its first picture, so that it can be uploaded
     /// meanwhile; null: none.
-    std::shared_ptr<const EditSurface> coming() const;
+    std::shared_ptr<const EditSurface> coming() const { return read(coming_); }
     /// The BVH of the newest surface; null, or an older surface's (scene() then belongs to that
     /// one), until it is built and the newest surface's first picture is published.
-    std::shared_ptr<const SurfacePick> pick() const;
+    std::shared_ptr<const SurfacePick> pick() const { return read(pick_); }
     /// The atlas sheet of the newest surface; null: none, or none wanted.
     std::shared_ptr<const AtlasSheet> sheet() const;
     /// Records of the pipeline's stages, taken when the newest picture was published.
-    StageRecords records() const;
+    StageRecords records() const { return read(records_); }
 
     /// Announces the surface that the next picture shows, and its BVH where it is built already
     /// (null: not). Numbers the surface.
     void announce(std::shared_ptr<EditSurface> surface,
                   std::shared_ptr<const SurfacePick> pick = nullptr);
     /// Whether the surface announced has its BVH already.
-    bool coming_has_pick() const;
+    bool coming_has_pick() const { return read(coming_pick_) != nullptr; }
     /// Publishes a picture of the surface announced, or of the one shown where none is. Numbers the
     /// picture.
     void publish(EditPicture picture, const StageRecords& records);
@@ -69,6 +69,12 @@ class FrontBuffer {
     void publish(std::shared_ptr<const AtlasSheet> sheet, SolidSpace space);
 
   private:
+    template <class Member>
+    Member read(const Member& member) const {
+        const std::scoped_lock lock(mutex_);
+        return member;
+    }
+
     mutable std::mutex mutex_;  ///< guards all members
     std::shared_ptr<const EditSurface> surface_, coming_;
     std::shared_ptr<const SurfacePick> pick_, coming_pick_;  ///< the BVH of coming_, if built
