@@ -14,6 +14,7 @@
 #include "procedural/bresenham/field.h"
 #include "procedural/color/table.h"
 #include "procedural/field/sampler.h"
+#include "procedural/noise/names.h"
 #include "procedural/noise/noise.h"
 
 namespace burl {

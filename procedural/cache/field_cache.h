@@ -56,7 +56,7 @@ class FieldCache {
 
   private:
     CacheMemory memory_;
-    EditHistory history_;
+    EditTracker history_;
     KeptStart start_;                 ///< prefix of the sum, cached in the memory of f
     std::vector<NoiseKey> keys_;      ///< keys of the octaves of the field begun
     std::vector<KeptNoise> octaves_;  ///< arrays of the octaves of the field begun

@@ -21,7 +21,7 @@ bool CacheMemory::allot_field(bool slopes) {
     return true;
 }
 
-void CacheMemory::allot_octaves(const std::vector<NoiseKey>& keys, const EditHistory& history) {
+void CacheMemory::allot_octaves(const std::vector<NoiseKey>& keys, const EditTracker& history) {
     using Octaves = decltype(octaves);
     const auto has_array = [](const auto& octave) { return octave.data() != nullptr; };
     std::size_t rest = allot_field(false) ? bytes_per_texel() - sizeof(double) : 0;

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "procedural/cache/edit_history.h"
+#include "procedural/cache/edit_tracker.h"
 #include "procedural/cache/span_line_cache.h"
 #include "procedural/cache/texel_layout.h"
 #include "procedural/color/map.h"
@@ -52,7 +52,7 @@ class CacheMemory {
     bool allot_field(bool slopes);
     /// Allots the arrays of f without slopes, of octaves and of the quadric, as many as fit, and
     /// frees those of all other octaves. A valid octave keeps its array; dragged ones get none.
-    void allot_octaves(const std::vector<NoiseKey>& keys, const EditHistory& history);
+    void allot_octaves(const std::vector<NoiseKey>& keys, const EditTracker& history);
     /// Allots the span lines if the last allot_octaves() left room for them.
     void allot_lines();
     /// Allots the entries of the colour table; false if the budget has no room for them.

@@ -70,19 +70,19 @@ bool break_by_break(const FilterWidths& w) {
 /// f and widths in the range of the formulas: with `repeat` f less whole periods, so that adding
 /// half a width rounds nothing off it; with `clamp` no wider than 2^40, which is as good as
 /// infinite.
-struct Footprint {
+struct ReducedFootprint {
     double f = 0.0;
     FilterWidths widths;
 };
 
-Footprint reduced(const MapPieces& map, double f, const FilterWidths& widths) {
+ReducedFootprint reduced(const MapPieces& map, double f, const FilterWidths& widths) {
     if (map.wrap() == Wrap::repeat) return {f - std::floor(f), widths};
     const double scale = std::min(1.0, 0x1p40 / widths.wide);
     return {f * scale, {widths.wide * scale, widths.narrow * scale}};
 }
 
 /// Whether a footprint lies in one of the constant ends of a `clamp` map.
-bool beyond_ends(const MapPieces& map, const Footprint& at) {
+bool beyond_ends(const MapPieces& map, const ReducedFootprint& at) {
     const double half = 0.5 * (at.widths.wide + at.widths.narrow);
     return map.wrap() == Wrap::clamp && (at.f - half >= 1.0 || at.f + half <= 0.0);
 }
@@ -108,7 +108,7 @@ Vec3d box_filtered(const MapPieces& map, double f, double width) {
 
 Vec3d trapezoid_filtered(const MapPieces& map, double f, const FilterWidths& widths) {
     if (!std::isfinite(f) || !std::isfinite(widths.wide)) return map.extended(0.0, 0.0);
-    const Footprint at = reduced(map, f, widths);
+    const ReducedFootprint at = reduced(map, f, widths);
     const auto [wide, narrow] = at.widths;
     if (beyond_ends(map, at)) return map.extended(at.f, at.f);
     if (break_by_break(at.widths)) return sum_over_breaks(map, at.f, at.widths);

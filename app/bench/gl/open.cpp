@@ -117,7 +117,7 @@ OpenBench bench_open(std::size_t faces) {
     }
     const auto read = [&](EditorProgram& editor) { return editor.files().mesh() == file; };
     const auto shown = [&](EditorProgram& editor) {
-        const auto surface = editor.baker().surface();
+        const auto surface = editor.baker().front().surface();
         return surface->triangles == bench.faces && editor.shown() &&
                editor.shown()->surface == surface->number;
     };
@@ -128,7 +128,7 @@ OpenBench bench_open(std::size_t faces) {
         return finest(editor) && editor.shown_smooth();
     };
     const auto patches = [&](EditorProgram& editor) {
-        return finest(editor) && editor.baker().surface()->atlas == "patch";
+        return finest(editor) && editor.baker().front().surface()->atlas == "patch";
     };
     {
         Opening opening(file);

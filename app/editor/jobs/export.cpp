@@ -8,7 +8,7 @@
 
 #include "app/bake/bake.h"
 #include "app/base/atomic_file.h"
-#include "app/editor/jobs/reader.h"
+#include "app/editor/jobs/open_files.h"
 #include "app/export/command_files.h"
 #include "app/export/emit.h"
 #include "app/options/animation.h"

@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-#include "app/editor/jobs/baker.h"
+#include "app/editor/jobs/surface.h"
 
 namespace burl {
 

@@ -62,7 +62,7 @@ std::shared_ptr<const Image<Rgb8>> EditThumbnails::picture(const std::string& pr
     const Key key{preset, side};
     const auto [place, fresh] = pictures_.try_emplace(key);
     if (!fresh) return place->second;
-    errands_.add([this, key](const std::stop_token&) { make(key); });
+    jobs_.add([this, key](const std::stop_token&) { make(key); });
     return nullptr;
 }
 

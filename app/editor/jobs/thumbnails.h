@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/editor/jobs/errands.h"
+#include "app/editor/jobs/worker.h"
 #include "app/recipe/recipe.h"
 #include "atlas/base/image.h"
 
@@ -35,10 +35,10 @@ class EditThumbnails {
     /// stays null where the preset cannot be drawn.
     std::shared_ptr<const Image<Rgb8>> picture(const std::string& preset, int side);
     /// While held, no thumbnail is begun.
-    void hold(bool held) { errands_.hold(held); }
+    void hold(bool held) { jobs_.hold(held); }
     /// Whether no thumbnail is being drawn or queued.
-    bool idle() const { return errands_.idle(); }
-    void wait() const { errands_.wait(); }
+    bool idle() const { return jobs_.idle(); }
+    void wait() const { jobs_.wait(); }
 
   private:
     using Key = std::pair<std::string, int>;
@@ -49,7 +49,7 @@ class EditThumbnails {
     // `mutex_` guards pictures_.
     /// Null: queued, or cannot be drawn.
     std::map<Key, std::shared_ptr<const Image<Rgb8>>> pictures_;
-    EditErrands errands_;  ///< last member: its thread uses all the others
+    JobQueue jobs_;  ///< last member: its thread uses all the others
 };
 
 }  // namespace burl

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "app/editor/jobs/baker.h"
+#include "app/editor/jobs/front_buffer.h"
 #include "app/editor/jobs/worker.h"
 #include "app/measure/atlas_sheet.h"
 #include "app/measure/texture_error.h"

@@ -1,8 +1,10 @@
 #pragma once
-// A worker thread beside the user interface: the latest request wins, and the work for an older one
-// is told to stop.
+// Threads beside the user interface: a worker for which the latest request wins, and the work for
+// an older one is told to stop; and a job queue for jobs that may take long and that no window
+// waits for.
 #include <condition_variable>
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <mutex>
 #include <optional>
@@ -13,6 +15,45 @@
 #include "app/recipe/recipe.h"
 
 namespace burl {
+
+/// A first-in, first-out job queue with one thread. All functions may be called by any thread,
+/// except that end() must not be called by a job.
+class JobQueue {
+  public:
+    /// A job; it should return early once `stop` is requested, and must not throw.
+    using Job = std::function<void(const std::stop_token& stop)>;
+
+    JobQueue();
+    JobQueue(const JobQueue&) = delete;
+    JobQueue& operator=(const JobQueue&) = delete;
+    ~JobQueue() { end(); }
+
+    /// Appends a job; after end() the job is dropped.
+    void add(Job job);
+    /// Requests the stop of the running job, without waiting for it, and drops the waiting jobs.
+    void cancel();
+    /// Requests the stop of the running job, drops the waiting ones, joins the thread and drops
+    /// every job added later.
+    void end();
+    /// While held, no waiting job is started.
+    void hold(bool held);
+    /// Whether no job runs or waits.
+    bool idle() const;
+    /// Blocks until idle().
+    void wait() const;
+
+  private:
+    void run(const std::stop_token& ending);
+
+    // `mutex_` guards waiting_, current_, busy_, ended_ and held_; `changed_` is notified when they
+    // change.
+    mutable std::mutex mutex_;
+    mutable std::condition_variable_any changed_;
+    std::deque<Job> waiting_;
+    std::stop_source current_{std::nostopstate};
+    bool busy_ = false, ended_ = false, held_ = false;
+    std::jthread thread_;  ///< last member: its thread uses all the others
+};
 
 /// A recipe to show; while its slider is `moving`, a coarse level is enough.
 struct WorkerRequest {

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/editor/panels/panels.h"
+#include "app/editor/panels/widgets.h"
 #include "app/editor/session/groups.h"
 #include "app/editor/session/stops.h"
 #include "app/recipe/leaves.h"
@@ -141,31 +142,22 @@ class MapEditor {
         ImGui::SetNextItemWidth(0.3f * width_);
         const bool moved =
             ImGui::SliderScalar("place", ImGuiDataType_Double, &position, &zero, &one, "%.3f");
-        gesture();
+        follow_gesture(history());
         if (moved) set_stops(with_stop_moved(map_.stops, selection_.stop, position));
         ImGui::SameLine();
-        float rgb[3] = {float(stop.color.r) / 255.0f, float(stop.color.g) / 255.0f,
-                        float(stop.color.b) / 255.0f};
+        Rgb8 color = stop.color;
         ImGui::SetNextItemWidth(0.45f * width_);
-        const bool colored = ImGui::ColorEdit3("colour", rgb);
+        const bool colored = edit_color("colour", color);
         context_.items.note(path_ + ".colour");
-        gesture();
-        if (colored) recolor(rgb);
+        follow_gesture(history());
+        if (colored) recolor(color);
         if (ImGui::SmallButton("delete stop")) remove(selection_.stop);
         context_.items.note(path_ + ".delete");
     }
 
-    void gesture() {
-        if (ImGui::IsItemActivated()) history().begin_gesture();
-        if (ImGui::IsItemDeactivated()) history().end_gesture();
-    }
-
-    void recolor(const float (&rgb)[3]) {
-        const auto code = [](float v) {
-            return std::uint8_t(std::clamp(std::lround(v * 255.0f), 0L, 255L));
-        };
+    void recolor(const Rgb8& color) {
         std::vector<ColorStop> stops = map_.stops;
-        stops[selection_.stop].color = {code(rgb[0]), code(rgb[1]), code(rgb[2])};
+        stops[selection_.stop].color = color;
         set_stops(stops);
     }
 

@@ -50,6 +50,10 @@ std::vector<FolderEntry> list_folder(const std::string& folder,
     return entries;
 }
 
+std::string file_name(const std::string& path) {
+    return fs::path(path).filename().string();
+}
+
 std::string claim_numbered(const std::string& stem, const std::string& extension) {
     for (int number = 1;; ++number) {
         const std::string path = fmt::format("{}-{:03}{}", stem, number, extension);

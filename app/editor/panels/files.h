@@ -21,6 +21,9 @@ struct FolderEntry {
 std::vector<FolderEntry> list_folder(const std::string& folder,
                                      const std::vector<std::string>& extensions);
 
+/// Returns the last part of a path.
+std::string file_name(const std::string& path);
+
 /// Joins names as "a.mtl, a.obj and a.png"; of many only the first, and the number of the others.
 std::string names_together(const std::vector<std::string>& names);
 

@@ -1,4 +1,5 @@
-// Panels that are lists: the log and the keyboard shortcuts.
+// Panels that are lists: the log, the keyboard shortcuts, recipes left behind, and entries of
+// menus.
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -6,6 +7,7 @@
 #include <array>
 
 #include "app/editor/panels/panels.h"
+#include "app/editor/panels/widgets.h"
 
 namespace burl {
 
@@ -47,6 +49,27 @@ constexpr auto keys = std::to_array<std::pair<const char*, const char*>>({
     {"Shift while dragging", "a tenth of the speed"},
 });
 
+/// Draws a left recipe with its buttons; returns whether one was pressed.
+bool left_row(const PanelContext& context, EditAutosave& autosave, std::size_t left) {
+    const LeftRecipe& recipe = autosave.left_behind()[left];
+    const std::string number = left == 0 ? "" : fmt::format(" {}", left + 1);
+    ImGui::PushID(int(left));
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(recipe.title.c_str());
+    ImGui::SameLine();
+    const bool taken = ImGui::Button("Take it");
+    context.items.note("recover" + number);
+    ImGui::SameLine();
+    const bool unwanted = ImGui::Button("Throw it away");
+    context.items.note("do not recover" + number);
+    ImGui::PopID();
+    if (taken && context.session.recover_recipe(recipe.json, recipe.file))
+        autosave.take(left, context.session.history());
+    else if (unwanted)
+        autosave.throw_away(left);
+    return taken || unwanted;
+}
+
 }  // namespace
 
 void log_panel(const PanelContext& context) {
@@ -60,11 +83,7 @@ void log_panel(const PanelContext& context) {
 
 bool cheat_sheet(const PanelContext& context) {
     bool open = true;
-    ImGui::SetNextWindowPos(
-        ImVec2(0.5f * ImGui::GetIO().DisplaySize.x, 0.5f * ImGui::GetIO().DisplaySize.y),
-        ImGuiCond_Always, ImVec2(0.5f, 0.5f));
-    if (ImGui::Begin("Keys", &open,
-                     ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse)) {
+    if (begin_centred_window("Keys", &open)) {
         if (ImGui::BeginTable("keys", 2, ImGuiTableFlags_SizingFixedFit)) {
             for (const auto& [key, what] : keys) {
                 ImGui::TableNextColumn();
@@ -79,6 +98,17 @@ bool cheat_sheet(const PanelContext& context) {
     }
     ImGui::End();
     return open;
+}
+
+void recovery_window(const PanelContext& context, EditAutosave& autosave) {
+    if (autosave.left_behind().empty()) return;
+    begin_centred_window("Unsaved work");
+    ImGui::TextUnformatted("What was not saved by an editor that did not end well:");
+    for (std::size_t i = 0; i < autosave.left_behind().size(); ++i)
+        if (left_row(context, autosave, i)) break;
+    if (ImGui::Button("Ask again at the next start")) autosave.leave_all();
+    context.items.note("recover later");
+    ImGui::End();
 }
 
 }  // namespace burl

@@ -101,7 +101,7 @@ void stages(const StageRecords& records) {
 
 }  // namespace
 
-void metrics_panel(const PanelContext&, const MetricsView& view) {
+void metrics_panel(const MetricsView& view) {
     if (ImGui::BeginTable("facts", 2, ImGuiTableFlags_RowBg)) {
         ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed);
         ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch);

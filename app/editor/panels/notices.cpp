@@ -2,25 +2,19 @@
 
 #include <imgui.h>
 
+#include <utility>
+
 namespace burl {
 
 namespace {
 
 const ImVec4 problem_color{1.0f, 0.55f, 0.4f, 1.0f};  // as in the log
-constexpr float most_width = 40.0f;                   // maximum width of a line, in font sizes
+constexpr double news_seconds = 12.0;
+constexpr float most_width = 40.0f;  // maximum width of a line, in font sizes
 
-}  // namespace
-
-std::string notices_panel(EditItems& items, const std::vector<Notice>& notices, float bottom) {
-    if (notices.empty()) return {};
+/// Draws the lines of a window of notices; returns the answer clicked.
+std::string notice_lines(EditItems& items, const std::vector<Notice>& notices) {
     std::string answer;
-    const float margin = ImGui::GetStyle().WindowPadding.x;
-    ImGui::SetNextWindowPos({margin, bottom - margin}, ImGuiCond_Always, {0.0f, 1.0f});
-    ImGui::SetNextWindowBgAlpha(0.85f);
-    ImGui::Begin("Notices", nullptr,
-                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
-                     ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoFocusOnAppearing |
-                     ImGuiWindowFlags_NoNav);
     for (const Notice& notice : notices) {
         if (notice.problem) ImGui::PushStyleColor(ImGuiCol_Text, problem_color);
         ImGui::PushTextWrapPos(most_width * ImGui::GetFontSize());
@@ -33,7 +27,29 @@ std::string notices_panel(EditItems& items, const std::vector<Notice>& notices, 
             items.note(choice);
         }
     }
+    return answer;
+}
+
+}  // namespace
+
+void EditNotices::tell(std::string text, bool problem) {
+    news_ = {std::move(text), {"Dismiss"}, problem};
+    until_ = seconds_() + news_seconds;
+}
+
+std::string EditNotices::show(EditItems& items, std::vector<Notice> notices, float bottom) {
+    if (seconds_() < until_) notices.push_back(news_);
+    if (notices.empty()) return {};
+    const float margin = ImGui::GetStyle().WindowPadding.x;
+    ImGui::SetNextWindowPos({margin, bottom - margin}, ImGuiCond_Always, {0.0f, 1.0f});
+    ImGui::SetNextWindowBgAlpha(0.85f);
+    ImGui::Begin("Notices", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
+                     ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoFocusOnAppearing |
+                     ImGuiWindowFlags_NoNav);
+    const std::string answer = notice_lines(items, notices);
     ImGui::End();
+    if (answer == "Dismiss") until_ = 0.0;
     return answer;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
-// Notices in the lower left corner of the object's view: background work under way, and questions
-// that can wait.
+// Notices in the lower left corner of the object's view: background work under way, questions that
+// can wait, and news.
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -15,8 +16,23 @@ struct Notice {
     bool problem = false;
 };
 
-/// Draws the notices, their lower edge at y = `bottom`, the end of the object's view; nothing
-/// without notices. Returns the answer clicked in this frame; empty: none.
-std::string notices_panel(EditItems& items, const std::vector<Notice>& notices, float bottom);
+/// Draws notices, and keeps the newest message for some seconds.
+class EditNotices {
+  public:
+    /// `seconds` returns the time on a steady clock.
+    explicit EditNotices(std::function<double()> seconds) : seconds_(std::move(seconds)) {}
+
+    /// Shows a message for 12 seconds, or until it is dismissed.
+    void tell(std::string text, bool problem = false);
+    /// Draws `notices` and the message below them, their lower edge at y = `bottom`, the end of the
+    /// object's view; nothing where there are none. Returns the answer clicked in this frame;
+    /// empty: none.
+    std::string show(EditItems& items, std::vector<Notice> notices, float bottom);
+
+  private:
+    std::function<double()> seconds_;
+    Notice news_;
+    double until_ = 0.0;  ///< time on the clock until which `news_` is shown
+};
 
 }  // namespace burl

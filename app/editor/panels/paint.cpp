@@ -1,14 +1,14 @@
 #include "app/editor/panels/paint.h"
 
-#include <fmt/format.h>
-#include <imgui.h>
-
+#include <algorithm>
 #include <array>
 #include <cmath>
 
+#include <fmt/format.h>
+#include <imgui.h>
+
 #include "app/editor/panels/keys.h"
-#include "app/editor/panels/scale.h"
-#include "app/editor/panels/tool_window.h"
+#include "app/editor/panels/widgets.h"
 
 namespace burl {
 
@@ -31,14 +31,16 @@ void modes(const PanelContext& context, PaintMode& mode) {
     context.items.note("paint.erase");
 }
 
-void color(const PanelContext& context, Rgb8& color) {
-    std::array<float, 3> shown{float(color.r) / 255.0f, float(color.g) / 255.0f,
-                               float(color.b) / 255.0f};
-    if (ImGui::ColorEdit3("colour", shown.data())) {
-        const auto code = [](float v) { return std::uint8_t(std::lround(255.0f * v)); };
-        color = {code(shown[0]), code(shown[1]), code(shown[2])};
-    }
-    context.items.note("paint.colour");
+constexpr int brush_points = 48;
+constexpr int most_steps = 200;  // limit of points between two pointer positions
+
+double solid_units(const ObjectView& view) {
+    return glm::length(view.solid_from_mesh.linear[0]);
+}
+
+/// Returns the pixels per solid unit at a surface point.
+double pixels_per_unit(const ObjectView& view, const SurfaceHit& hit) {
+    return 0.5 * view.size.y * camera_of(view).focal_y / (hit.depth * solid_units(view));
 }
 
 }  // namespace
@@ -67,7 +69,8 @@ void paint_panel(const PanelContext& context, PaintTool& tool, const ImVec2& low
               ImGuiSliderFlags_Logarithmic);
         slide(context, "hardness", tool.brush.hardness, 0.0, 1.0);
         slide(context, "opacity", tool.brush.opacity, 0.0, 1.0);
-        color(context, tool.brush.color);
+        edit_color("colour", tool.brush.color);
+        context.items.note("paint.colour");
         ImGui::PopItemWidth();
         const std::size_t strokes = context.session.recipe().paint.size();
         ImGui::Text("%zu stroke%s", strokes, strokes == 1 ? "" : "s");
@@ -76,6 +79,74 @@ void paint_panel(const PanelContext& context, PaintTool& tool, const ImVec2& low
         context.items.note("paint.clear");
     }
     ImGui::End();
+}
+
+/// Paints along the surface from the last pointer position to this one, so that fast strokes have
+/// no gaps.
+void EditPaint::lead_to(const ObjectView& view, EditSession& session, const Vec2d& pointer) {
+    const std::optional<SurfaceHit> hit = hit_at(view, pointer);
+    if (!hit) {
+        last_.reset();
+        return;
+    }
+    const Vec2d from = last_.value_or(pointer);
+    const double pixels = glm::distance(pointer, from);
+    const double step = std::max(0.5, 0.5 * tool.brush.radius * pixels_per_unit(view, *hit));
+    const int steps = std::clamp(int(std::ceil(pixels / step)), 1, most_steps);
+    Recipe recipe = session.recipe();
+    bool leads = last_.has_value();
+    for (int k = 1; k <= steps; ++k) {
+        const auto place = hit_at(view, glm::mix(from, pointer, double(k) / steps));
+        if (place)
+            recipe =
+                painted_at(std::move(recipe), tool, view.solid_from_mesh(place->mesh_point), leads);
+        leads = place.has_value();
+    }
+    last_ = pointer;
+    session.history().change(std::move(recipe));
+}
+
+bool EditPaint::input(const ObjectView& view, EditSession& session) {
+    const ImGuiIO& io = ImGui::GetIO();
+    EditHistory& history = session.history();
+    const bool began = tool.on && ImGui::IsItemActivated() && ImGui::IsMouseClicked(0) &&
+                       !io.KeyAlt && !io.KeyCtrl && hit_at(view, pointer_now());
+    if (began) {
+        painting_ = true;
+        last_.reset();
+        history.begin_gesture();
+    }
+    if (!painting_) return false;
+    if (ImGui::IsMouseDown(0) && tool.on && history.in_gesture())  // undo has not ended the stroke
+        lead_to(view, session, pointer_now());
+    else {
+        painting_ = false;
+        history.end_gesture();
+    }
+    return true;
+}
+
+void EditPaint::draw(const ObjectView& view) const {
+    const Vec2d pointer = pointer_now();
+    if (!tool.on || !is_over(view, pointer)) return;
+    const auto hit = hit_at(view, pointer);
+    if (!hit) return;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const auto ring = [&](double radius, ImU32 color, float width) {
+        std::vector<ImVec2> points;
+        for (const Vec3d& p : circle(hit->point, view.pick->normal(*hit),
+                                     radius / solid_units(view), brush_points)) {
+            const Vec3d seen = on_screen(view, p);
+            points.push_back({float(seen.x), float(seen.y)});
+        }
+        list.AddPolyline(points.data(), brush_points, color, ImDrawFlags_Closed, width);
+    };
+    const Rgb8& c = tool.brush.color;
+    const bool erases = tool.brush.mode == PaintMode::erase;
+    ring(tool.brush.radius, IM_COL32(0, 0, 0, 200), 4.0f);
+    ring(tool.brush.radius, erases ? IM_COL32(255, 255, 255, 255) : IM_COL32(c.r, c.g, c.b, 255),
+         2.0f);
+    ring(tool.brush.hardness * tool.brush.radius, IM_COL32(255, 255, 255, 110), 1.0f);
 }
 
 }  // namespace burl

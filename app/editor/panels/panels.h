@@ -1,13 +1,17 @@
 #pragma once
 // The editor's panels: each shows a part of the session and passes edits to it. The only state of
 // their own is what is shown and selected.
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include <imgui.h>
+
 #include "app/editor/jobs/figures.h"
 #include "app/editor/panels/items.h"
+#include "app/editor/session/autosave.h"
 #include "app/editor/session/session.h"
 #include "app/pipeline/stage_records.h"
 
@@ -39,12 +43,31 @@ struct MetricsView {
     std::shared_ptr<const AtlasFigures> atlas{};               ///< null: not ready
     StageRecords records{};
 };
-void metrics_panel(const PanelContext& context, const MetricsView& view);
+void metrics_panel(const MetricsView& view);
 
 /// Draws the log, newest line last.
 void log_panel(const PanelContext& context);
 
 /// Draws the window of keys and gestures; returns false once it was closed.
 bool cheat_sheet(const PanelContext& context);
+
+/// Draws the window of recipes left behind by crashed editors, each to be taken or thrown away;
+/// nothing where there are none.
+void recovery_window(const PanelContext& context, EditAutosave& autosave);
+
+/// The timeline's height in screen coordinates.
+float timeline_height(const EditSession& session);
+/// Draws the timeline below the object: clock, scrub bar, and the keys of animated numbers as
+/// diamonds.
+void timeline_panel(const PanelContext& context);
+/// Handles the keys of the timeline: K, and while it is open Space, I and Delete.
+void timeline_shortcuts(EditSession& session);
+
+/// Returns a preset's thumbnail, side x side pixels; null: not ready.
+using PresetPicture = std::function<ImTextureID(const std::string& preset, int side)>;
+
+/// Draws the gallery of presets, a thumbnail and a name each; a click opens one. `search` is the
+/// text that filters it. Items are "preset:NAME" for every visible preset, and "preset search".
+void presets_panel(const PanelContext& context, std::string& search, const PresetPicture& picture);
 
 }  // namespace burl

@@ -1,13 +1,13 @@
-#include "app/editor/panels/presets.h"
+#include "app/editor/panels/panels.h"
+
+#include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 #include <imgui_internal.h>
 #include <imgui_stdlib.h>
 
-#include <algorithm>
-#include <cmath>
-
-#include "app/editor/panels/scale.h"
+#include "app/editor/panels/widgets.h"
 #include "app/recipe/preset_notes.h"
 
 namespace burl {

@@ -1,5 +1,3 @@
-#include "app/editor/panels/timeline.h"
-
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -8,7 +6,8 @@
 #include <cmath>
 
 #include "app/editor/panels/keys.h"
-#include "app/editor/panels/scale.h"
+#include "app/editor/panels/panels.h"
+#include "app/editor/panels/widgets.h"
 #include "app/editor/session/groups.h"
 #include "app/recipe/key_check.h"
 #include "app/recipe/key_edit.h"
@@ -32,12 +31,28 @@ bool has_key_now(const EditSession& session, const std::string& path) {
     return track && key_near(animation, *track, session.time()) < track->keys.size();
 }
 
+/// Adds a key with the present value of the number edited last at the clock's time, or removes the
+/// key it has there.
+void toggle_key(EditSession& session) {
+    const std::string path = session.touched();
+    const KeyedAnimation& animation = session.recipe().animation;
+    const auto number = find_number(slider_json(session.still()), path);
+    if (!number) return;
+    if (!has_key_now(session, path)) {
+        session.change_keys(with_key(animation, path, session.time(), number->value));
+        return;
+    }
+    const std::size_t key = key_near(animation, *find_track(animation, path), session.time());
+    session.change_with([&] { return with_key_removed(session.recipe(), path, key); });
+}
+
+/// The timeline in one frame.
 class TimelinePanel {
   public:
-    TimelinePanel(const PanelContext& context, EditTimeline& timeline)
+    explicit TimelinePanel(const PanelContext& context)
         : session_(context.session),
           items_(context.items),
-          timeline_(timeline),
+          timeline_(session_.timeline),
           animation_(session_.recipe().animation),
           groups_(parameter_groups(recipe_leaves(slider_json(session_.still())))) {}
 
@@ -63,14 +78,9 @@ class TimelinePanel {
 
     std::string label(const std::string& path) const { return number_label(groups_, path); }
 
-    void gesture() {
-        if (ImGui::IsItemActivated()) session_.history().begin_gesture();
-        if (ImGui::IsItemDeactivated()) session_.history().end_gesture();
-    }
-
     void clock() {
         if (ImGui::Button(timeline_.playing ? "Pause" : "Play", {scaled(64.0f), 0.0f}))
-            toggle_playing(timeline_, session_);
+            toggle_playing(session_);
         items_.note("timeline.play");
         ImGui::SameLine();
         const int frame = int(std::lround(session_.time() * animation_.rate)) + 1;
@@ -94,7 +104,7 @@ class TimelinePanel {
         const bool moved = ImGui::DragScalar("s", ImGuiDataType_Double, &edited.seconds, 0.02f,
                                              &low, &high, "%.2f", ImGuiSliderFlags_AlwaysClamp);
         items_.note("timeline.seconds");
-        gesture();
+        follow_gesture(session_.history());
         if (ImGui::IsItemHovered()) ImGui::SetTooltip("How long the animation is");
         if (moved) session_.change_keys(edited);
     }
@@ -105,7 +115,7 @@ class TimelinePanel {
         const bool moved = ImGui::DragInt("frames/s", &edited.rate, 0.1f, 1, 240, "%d",
                                           ImGuiSliderFlags_AlwaysClamp);
         items_.note("timeline.rate");
-        gesture();
+        follow_gesture(session_.history());
         if (moved) session_.change_keys(edited);
     }
 
@@ -251,7 +261,7 @@ class TimelinePanel {
     /// Handles input on a key: a press selects it and sets the clock to its time, a drag moves it,
     /// and a right click removes it.
     void key_input(const KeyTrack& track, std::size_t index) {
-        gesture();
+        follow_gesture(session_.history());
         if (ImGui::IsItemActivated()) {
             timeline_.playing = false;
             timeline_.chosen = {track.path, index};
@@ -282,7 +292,8 @@ class TimelinePanel {
     float lane_low_ = 0.0f, lane_width_ = 1.0f;
 };
 
-void remove_chosen(EditTimeline& timeline, EditSession& session) {
+void remove_chosen(EditSession& session) {
+    EditTimeline& timeline = session.timeline;
     const KeyTrack* track = find_track(session.recipe().animation, timeline.chosen.path);
     if (track && timeline.chosen.key < track->keys.size())
         session.change_with([&] {
@@ -301,34 +312,18 @@ float timeline_height(const EditSession& session) {
            float(rows) * (ImGui::GetFrameHeightWithSpacing() + 2.0f) + 2.0f * style.WindowPadding.y;
 }
 
-void timeline_panel(const PanelContext& context, EditTimeline& timeline) {
-    if (ImGui::Begin("Timeline", nullptr,
-                     ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
-                         ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoTitleBar |
-                         ImGuiWindowFlags_NoBringToFrontOnFocus))
-        TimelinePanel(context, timeline).show();
+void timeline_panel(const PanelContext& context) {
+    if (ImGui::Begin("Timeline", nullptr, fixed_window)) TimelinePanel(context).show();
     ImGui::End();
 }
 
-void timeline_shortcuts(EditTimeline& timeline, EditSession& session) {
+void timeline_shortcuts(EditSession& session) {
+    EditTimeline& timeline = session.timeline;
     if (pressed("K")) timeline.open = !timeline.open;
     if (!timeline.open) return;
-    if (pressed("Space") && !ImGui::GetIO().NavVisible) toggle_playing(timeline, session);
+    if (pressed("Space") && !ImGui::GetIO().NavVisible) toggle_playing(session);
     if (pressed("I")) toggle_key(session);
-    if (pressed("Delete")) remove_chosen(timeline, session);
-}
-
-void toggle_key(EditSession& session) {
-    const std::string path = session.touched();
-    const KeyedAnimation& animation = session.recipe().animation;
-    const auto number = find_number(slider_json(session.still()), path);
-    if (!number) return;
-    if (!has_key_now(session, path)) {
-        session.change_keys(with_key(animation, path, session.time(), number->value));
-        return;
-    }
-    const std::size_t key = key_near(animation, *find_track(animation, path), session.time());
-    session.change_with([&] { return with_key_removed(session.recipe(), path, key); });
+    if (pressed("Delete")) remove_chosen(session);
 }
 
 }  // namespace burl

@@ -1,14 +1,18 @@
 #include "app/editor/session/autosave.h"
 
-#include <fmt/format.h>
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <system_error>
 #include <utility>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#include <nlohmann/json.hpp>
 
 #include "app/base/atomic_file.h"
 #include "app/base/file_bytes.h"
@@ -21,6 +25,14 @@ namespace burl {
 namespace fs = std::filesystem;
 
 namespace {
+
+/// Whether the path still leads to the open file, which its last holder may just have removed.
+bool still_names(const std::string& path, int descriptor) {
+    struct stat named {
+    }, opened{};
+    return ::stat(path.c_str(), &named) == 0 && ::fstat(descriptor, &opened) == 0 &&
+           named.st_dev == opened.st_dev && named.st_ino == opened.st_ino;
+}
 
 constexpr double every_seconds = 3.0;
 constexpr std::size_t most_files = 1000;  // shared by all editors
@@ -64,6 +76,34 @@ std::optional<LeftRecipe> read_left(const std::string& file) {
 }
 
 }  // namespace
+
+std::optional<EditLock> EditLock::take(const std::string& path) {
+    constexpr int attempts = 10;
+    for (int i = 0; i < attempts; ++i) {
+        const int descriptor = ::open(path.c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0600);
+        if (descriptor < 0) return {};
+        const bool locked = ::flock(descriptor, LOCK_EX | LOCK_NB) == 0;
+        if (locked && still_names(path, descriptor)) return EditLock(path, descriptor);
+        ::close(descriptor);
+        if (!locked) return {};
+    }
+    return {};
+}
+
+EditLock::EditLock(EditLock&& other) noexcept
+    : path_(std::move(other.path_)), descriptor_(std::exchange(other.descriptor_, -1)) {}
+
+EditLock& EditLock::operator=(EditLock&& other) noexcept {
+    std::swap(path_, other.path_);
+    std::swap(descriptor_, other.descriptor_);
+    return *this;
+}
+
+EditLock::~EditLock() {
+    if (descriptor_ < 0) return;
+    ::unlink(path_.c_str());
+    ::close(descriptor_);
+}
 
 EditAutosave::EditAutosave(std::string file) : first_(std::move(file)) {
     find_left();

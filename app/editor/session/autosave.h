@@ -5,12 +5,32 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/editor/session/history.h"
-#include "app/editor/session/lock.h"
 
 namespace burl {
+
+/// A lock file that one running program at a time can hold, until destruction. The system releases
+/// it when the program ends, however it ends: the lock is flock()'s, as fcntl's locks would end
+/// when any descriptor of the file is closed.
+class EditLock {
+  public:
+    /// Creates the file `path` and locks it; empty where another program holds it or the file
+    /// cannot be created.
+    static std::optional<EditLock> take(const std::string& path);
+    EditLock(EditLock&& other) noexcept;
+    EditLock& operator=(EditLock&& other) noexcept;
+    /// Removes the file and releases the lock.
+    ~EditLock();
+
+  private:
+    EditLock(std::string path, int descriptor) : path_(std::move(path)), descriptor_(descriptor) {}
+
+    std::string path_;
+    int descriptor_ = -1;
+};
 
 /// A recipe left behind by an editor that crashed or was killed.
 struct LeftRecipe {

@@ -45,4 +45,12 @@ glm::dvec2 input_pair(const Json& json, const std::string& place, const std::str
 [[noreturn]] void refuse_input(const std::string& place, const std::string& key,
                                const char* wanted);
 
+/// Splits the events that arrived while one frame was drawn into at least one frame that processes
+/// them one after another: a click whose press and release arrive during one slow frame would
+/// otherwise be lost. No frame has two changes of one key or of buttons, a pointer's move and a
+/// change of a button, a wheel or key event after a change of a button, or a modifier's change
+/// after another key's press. (Dear ImGui does so itself from 1.87 on, by
+/// io.ConfigInputTrickleEventQueue; Debian 12 packages 1.86.)
+std::vector<std::vector<InputEvent>> in_frames(const std::vector<InputEvent>& events);
+
 }  // namespace burl

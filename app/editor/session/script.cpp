@@ -152,6 +152,14 @@ std::vector<Frame> key_frames(const std::string& keys) {
 
 }  // namespace
 
+void append_frame(InputScript& script, const std::vector<InputEvent>& events) {
+    ScriptStep step;
+    step.kind = events.empty() ? Kind::settle : Kind::events;
+    step.events = events;
+    if (events.empty() && !script.steps.empty() && script.steps.back() == step) return;
+    script.steps.push_back(std::move(step));
+}
+
 std::string script_text(const InputScript& script) {
     Json steps = Json::array();
     for (const ScriptStep& step : script.steps) steps.push_back(step_json(step));

@@ -48,6 +48,9 @@ struct InputScript {
     bool operator==(const InputScript&) const = default;
 };
 
+/// Appends one frame's events to a recording as a step; frames without any become one "settle".
+void append_frame(InputScript& script, const std::vector<InputEvent>& events);
+
 /// Returns {"burl_input": 1, "size": [w, h], "steps": [{"click": "undo"}, ...]} as text.
 std::string script_text(const InputScript& script);
 /// Parses a script. Throws Error(invalid_file) that names `origin`, the step and the fault.

@@ -1,6 +1,7 @@
 #include "app/editor/session/session.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string_view>
 #include <utility>
 
@@ -239,6 +240,31 @@ std::string bake_command(const std::string& mesh, const std::string& base_path, 
     }
     std::ranges::transform(words, words.begin(), quoted);
     return fmt::format("{}", fmt::join(words, " "));
+}
+
+ClockStep clock_after(const KeyedAnimation& animation, double seconds, double dt) {
+    const double then = seconds + dt;
+    if (then < animation.seconds) return {then, false};
+    if (animation.loop) return {std::fmod(then, animation.seconds), false};
+    return {animation.seconds, true};
+}
+
+void toggle_playing(EditSession& session) {
+    const KeyedAnimation& animation = session.recipe().animation;
+    session.timeline.playing = !session.timeline.playing;
+    if (!session.timeline.playing)
+        session.set_time(nearest_frame(animation, session.time()));
+    else if (!animation.loop && session.time() >= animation.seconds)
+        session.set_time(0.0);
+}
+
+void advance(EditSession& session, double dt) {
+    const KeyedAnimation& animation = session.recipe().animation;
+    if (session.time() > animation.seconds) session.set_time(animation.seconds);
+    if (!session.timeline.playing) return;
+    const ClockStep step = clock_after(animation, session.time(), dt);
+    session.set_time(step.seconds);
+    if (step.ended) session.timeline.playing = false;
 }
 
 }  // namespace burl

@@ -1,6 +1,7 @@
 #pragma once
 // The state of an editor besides its textures: the recipe with its undo stack, the animation clock
 // and the log. Independent of windows and OpenGL.
+#include <cstddef>
 #include <cstdint>
 #include <deque>
 #include <functional>
@@ -20,6 +21,24 @@ struct LogLine {
     std::string text;
 };
 
+/// A selected key of the track at `path`; an empty path: none.
+struct KeyChoice {
+    std::string path{};
+    std::size_t key = 0;
+    bool operator==(const KeyChoice&) const = default;
+};
+
+/// The state of the timeline of a recipe with animation tracks.
+struct EditTimeline {
+    /// Whether the panel is shown, and whether the animation plays.
+    bool open = false, playing = false;
+    bool scrubbing = false;  ///< the pointer drags the time
+    KeyChoice chosen{};
+
+    /// Whether the time is about to change, so that a coarse level of the texture is enough.
+    bool moving() const { return playing || scrubbing; }
+};
+
 /// The edited recipe. All functions are called by one thread.
 class EditSession {
   public:
@@ -31,6 +50,9 @@ class EditSession {
     const Recipe& recipe() const { return history_.recipe(); }
     const std::string& recipe_path() const { return history_.path(); }
 
+    EditTimeline timeline{};
+    /// Whether a slider, a drag or the clock is changing the recipe.
+    bool moving() const { return history_.in_gesture() || timeline.moving(); }
     /// The time on the animation clock in seconds; setting it is no edit.
     double time() const { return time_; }
     void set_time(double seconds) { time_ = seconds; }
@@ -113,5 +135,19 @@ RecipeSettings settings_between(const Recipe& base, const Recipe& recipe);
 std::string bake_command(const std::string& mesh, const std::string& base_path, const Recipe& base,
                          const Recipe& recipe, std::vector<std::string> output = {},
                          const std::string& pose = {});
+
+/// A time on the clock; `ended`: the end of an animation that does not loop.
+struct ClockStep {
+    double seconds = 0.0;
+    bool ended = false;
+};
+/// Returns the time `dt` seconds after `seconds`.
+ClockStep clock_after(const KeyedAnimation& animation, double seconds, double dt);
+
+/// Starts playing, from the beginning where the clock is at the end; or stops at the nearest frame.
+void toggle_playing(EditSession& session);
+
+/// Advances the session's clock by `dt` seconds while the animation plays.
+void advance(EditSession& session, double dt);
 
 }  // namespace burl

@@ -1,6 +1,76 @@
 #include "app/editor/tools/view.h"
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
 namespace burl {
+
+namespace {
+
+EditCamera turned_to(EditCamera camera, double azimuth, double elevation) {
+    camera.view.azimuth_degrees = azimuth;
+    camera.view.elevation_degrees = elevation;
+    return camera;
+}
+
+}  // namespace
+
+EditCamera orbited(EditCamera camera, const glm::dvec2& pixels, double side) {
+    const double degrees = 180.0 / std::max(side, 1.0);
+    const double azimuth = camera.view.azimuth_degrees - degrees * pixels.x;
+    camera.view.azimuth_degrees = azimuth - 360.0 * std::floor(azimuth / 360.0 + 0.5);
+    camera.view.elevation_degrees =
+        std::clamp(camera.view.elevation_degrees + degrees * pixels.y, -90.0, 90.0);
+    return camera;
+}
+
+EditCamera panned(EditCamera camera, const glm::dvec2& pixels, double side) {
+    const Camera looking = orbit_camera(camera.view, {Vec3d(0.0), 1.0}, {1, 1});
+    const double half_field = 0.5 * vertical_field_of_view_degrees * std::numbers::pi / 180.0;
+    const double radii_per_pixel =
+        2.0 * camera.view.distance * std::tan(half_field) / std::max(side, 1.0);
+    camera.target += radii_per_pixel * (pixels.y * looking.up - pixels.x * looking.right);
+    return camera;
+}
+
+EditCamera zoomed(EditCamera camera, double notches) {
+    camera.view.distance = std::clamp(camera.view.distance * std::pow(0.9, notches), 0.05, 100.0);
+    return camera;
+}
+
+EditCamera fitted(EditCamera camera) {
+    camera.target = Vec3d(0.0);
+    camera.view.distance = View{}.distance;
+    return camera;
+}
+
+EditCamera from_front(EditCamera camera) {
+    return turned_to(camera, 0.0, 0.0);
+}
+EditCamera from_side(EditCamera camera) {
+    return turned_to(camera, 90.0, 0.0);
+}
+EditCamera from_top(EditCamera camera) {
+    return turned_to(camera, 0.0, 90.0);
+}
+
+Camera camera_of(const EditCamera& camera, const Sphere& sphere, const PictureSize& size) {
+    const double radius = sphere.radius > 0.0 ? sphere.radius : 1.0;
+    Camera result = orbit_camera(camera.view, sphere, size);
+    result.eye += radius * camera.target;
+    // The field of view applies to the shorter side, so that the scene fits into narrow views, too.
+    const double narrow = std::min(1.0, double(size.width) / std::max(size.height, 1));
+    result.focal_x *= narrow;
+    result.focal_y *= narrow;
+    // With a moved target the bounding sphere is off centre: both clip planes make room for it.
+    const double away = radius * glm::length(camera.target);
+    const double distance = camera.view.distance * radius;
+    result.near_distance =
+        std::max(distance - away - 1.01 * radius, 0.01 * std::min(radius, distance));
+    result.far_distance = distance + away + 1.01 * radius;
+    return result;
+}
 
 PictureSize picture_size(const ObjectView& view) {
     return {int(view.size.x), int(view.size.y)};

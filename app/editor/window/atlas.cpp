@@ -1,11 +1,11 @@
 #include "app/editor/window/atlas.h"
 
-#include <fmt/format.h>
-#include <imgui.h>
-
 #include <algorithm>
 #include <bit>
 #include <cmath>
+
+#include <fmt/format.h>
+#include <imgui.h>
 
 #include "app/editor/panels/keys.h"
 #include "app/editor/window/imgui.h"
@@ -48,6 +48,53 @@ std::int64_t texel_of(double coordinate, std::uint32_t side) {
 
 }  // namespace
 
+GlEditSheet::GlEditSheet(const GladGLContext& gl)
+    : gl_(&gl),
+      program_(make_full_screen_program(
+          gl, "the atlas view",
+          ShaderSource().add("color/srgb_encode.glsl").add("draw/sheet.frag"))),
+      pass_(gl) {}
+
+const GlTexture* GlEditSheet::draw(const std::shared_ptr<const SheetPicture>& picture,
+                                   const SheetViewOptions& options) {
+    if (!picture || picture->levels.empty()) return nullptr;
+    if (picture != picture_) {
+        texture_ = upload_levels(*gl_, picture->levels, GL_SRGB8);
+        picture_ = picture;
+        ++uploads_;
+    }
+    return draw(texture_, std::uint32_t(picture->levels.front().width()), uploads_, options);
+}
+
+const GlTexture* GlEditSheet::draw(const GlTexture& texture, std::uint32_t side,
+                                   std::uint64_t number, const SheetViewOptions& options) {
+    if (options.size.x <= 0 || options.size.y <= 0) return nullptr;
+    const Drawn now{texture.get(), number, options};
+    if (drawn_ == now) return &shown_->texture();
+    if (!shown_ || shown_->size() != options.size)
+        shown_.emplace(*gl_, options.size, std::initializer_list<GLenum>{GL_RGBA8});
+    const int coarsest = int(std::bit_width(std::max(side, 1U))) - 1;
+    const Vec2d size(options.size);
+    shown_->bind();
+    program_.use();
+    program_.set("image", 0);
+    program_.set("uv_low", glm::vec2(uv_at(options.frame, size, Vec2d(0.0))));
+    program_.set("uv_per_pixel", glm::vec2(float(1.0 / pixels_per_unit(options.frame, size))));
+    program_.set("level", std::clamp(options.level, 0, coarsest));
+    bind_texture(*gl_, 0, texture);
+    pass_.draw();
+    check_gl(*gl_, "drawing the atlas");
+    drawn_ = now;
+    return &shown_->texture();
+}
+
+void GlEditSheet::release() {
+    picture_.reset();
+    texture_ = {};
+    shown_.reset();
+    drawn_.reset();
+}
+
 GlEditAtlas::GlEditAtlas(const GladGLContext& gl, std::function<void()> wake)
     : maker_(std::move(wake)), sheet_(gl) {}
 
@@ -60,11 +107,11 @@ bool GlEditAtlas::shortcuts() {
     return true;
 }
 
-void GlEditAtlas::follow(const EditBaker& baker, std::uint64_t request, const Recipe& recipe) {
+void GlEditAtlas::follow(const FrontBuffer& baked, std::uint64_t request, const Recipe& recipe) {
     ViewWish wish;
-    if (state.shown || edges || borders) wish.lines = baker.surface();
+    if (state.shown || edges || borders) wish.lines = baked.surface();
     if (state.shown) {
-        wish.sheet = baker.sheet();
+        wish.sheet = baked.sheet();
         wish.mode = state.mode;
     } else {
         sheet_.release();
@@ -73,7 +120,7 @@ void GlEditAtlas::follow(const EditBaker& baker, std::uint64_t request, const Re
         on_object_.reset();
     }
     if (state.shown && state.mode == SheetMode::error) {
-        const auto picture = baker.picture();
+        const auto picture = baked.picture();
         late_ = !picture || picture->request != request || picture->level != 0;
         if (!late_) {
             wish.picture = picture;
@@ -171,7 +218,7 @@ const GlTexture* GlEditAtlas::draw(const GlEditObject& object, const Vec2d& size
                        object.picture()->number, options);
 }
 
-std::optional<TexelView> GlEditAtlas::texel(const EditBaker& baker, const GlEditObject& object,
+std::optional<TexelView> GlEditAtlas::texel(const FrontBuffer& baked, const GlEditObject& object,
                                             std::uint32_t side) const {
     std::optional<Vec2d> uv = pointer_;
     if (!uv && on_object_) uv = on_object_->uv;
@@ -179,7 +226,7 @@ std::optional<TexelView> GlEditAtlas::texel(const EditBaker& baker, const GlEdit
         glm::any(glm::greaterThanEqual(*uv, Vec2d(1.0))))
         return {};
     TexelView view{texel_of(uv->x, side), texel_of(uv->y, side)};
-    if (const auto sheet = baker.sheet()) view.facts = texel_facts(*sheet, view.x, view.y);
+    if (const auto sheet = baked.sheet()) view.facts = texel_facts(*sheet, view.x, view.y);
     const auto at = [&](const auto& image) {
         return image(std::size_t(uv->x * double(image.width())),
                      std::size_t(uv->y * double(image.height())));
@@ -190,9 +237,9 @@ std::optional<TexelView> GlEditAtlas::texel(const EditBaker& baker, const GlEdit
     return view;
 }
 
-void GlEditAtlas::panel(const PanelContext& context, const EditBaker& baker,
+void GlEditAtlas::panel(const PanelContext& context, const FrontBuffer& baked,
                         const GlEditObject& object, const SurfacePick* pick) {
-    const auto surface = baker.surface();
+    const auto surface = baked.surface();
     const std::uint32_t side = surface ? surface->size : 1;
     atlas_controls(context, state, int(std::bit_width(side)) - 1);
     const ImVec2 low = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
@@ -218,7 +265,7 @@ void GlEditAtlas::panel(const PanelContext& context, const EditBaker& baker,
     if (shown && !shown->problem.empty())
         ImGui::TextWrapped("%s", shown->problem.c_str());
     else
-        atlas_readout(texel(baker, object, side));
+        atlas_readout(texel(baked, object, side));
 }
 
 }  // namespace burl

@@ -49,6 +49,23 @@ ScreenRect whole(const ImDrawData& data) {
 
 }  // namespace
 
+GlTexture upload_levels(const GladGLContext& gl, const std::vector<Image<Rgb8>>& levels,
+                        GLenum format) {
+    GlTexture texture(gl);
+    gl.BindTexture(GL_TEXTURE_2D, texture.get());
+    gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    for (std::size_t level = 0; level < levels.size(); ++level)
+        gl.TexImage2D(GL_TEXTURE_2D, GLint(level), GLint(format), GLsizei(levels[level].width()),
+                      GLsizei(levels[level].height()), 0, GL_RGB, GL_UNSIGNED_BYTE,
+                      levels[level].pixels().data());
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    check_gl(gl, "uploading a picture of the user interface");
+    return texture;
+}
+
 GlImGui::GlImGui(const GladGLContext& gl)
     : gl_(&gl), program_(gl, "draw/imgui.vert", "draw/imgui.frag"), vertex_array_(gl) {
     gl.BindVertexArray(vertex_array_.get());

@@ -4,10 +4,12 @@
 #include <imgui.h>
 
 #include <cstdint>
+#include <vector>
 
 #include "app/editor/panels/changes.h"
 #include "app/gl/device/objects.h"
 #include "app/gl/device/target.h"
+#include "atlas/base/image.h"
 
 namespace burl {
 
@@ -15,6 +17,11 @@ namespace burl {
 inline ImTextureID imgui_texture(const GlTexture& texture) {
     return reinterpret_cast<ImTextureID>(std::uintptr_t(texture.get()));
 }
+
+/// Uploads MIP levels as a texture of this internal format, with trilinear filtering, clamped to
+/// the edges.
+GlTexture upload_levels(const GladGLContext& gl, const std::vector<Image<Rgb8>>& levels,
+                        GLenum format);
 
 /// A rectangle of whole pixels on the screen, row 0 on top; `high` is exclusive.
 struct PixelRect {

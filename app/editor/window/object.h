@@ -5,16 +5,37 @@
 #include <future>
 #include <memory>
 #include <optional>
+#include <vector>
 
-#include "app/editor/jobs/baker.h"
-#include "app/editor/tools/camera.h"
+#include "app/editor/jobs/front_buffer.h"
+#include "app/editor/tools/view.h"
 #include "app/editor/window/lines.h"
 #include "app/editor/window/places.h"
-#include "app/editor/window/texture.h"
+#include "app/gl/device/objects.h"
 #include "app/gl/device/target.h"
 #include "app/gl/draw/scene.h"
 
 namespace burl {
+
+/// The baked texture in OpenGL, in storage that is reused: a new texture of the same size is a copy
+/// of its MIP levels. The OpenGL context must be current in every call.
+class GlEditTexture {
+  public:
+    /// `texture` is owned by the caller.
+    GlEditTexture(const GladGLContext& gl, GLuint texture) : gl_(&gl), texture_(texture) {}
+
+    /// Uploads MIP levels and sets trilinear filtering, clamped to the edges. Where only level 0 is
+    /// given, OpenGL generates the others. Throws Error(unsupported) where the texture is larger
+    /// than this OpenGL supports.
+    void show(const std::vector<Image<Rgba8>>& levels);
+
+  private:
+    void make_storage(const std::vector<Image<Rgba8>>& levels);
+
+    const GladGLContext* gl_;
+    GLuint texture_;
+    std::size_t width_ = 0, height_ = 0, count_ = 0;  ///< size of level 0, and number of levels
+};
 
 /// The inputs that decide the rendered view.
 struct ObjectViewOptions {

@@ -10,26 +10,12 @@
 
 #include "app/base/stopwatch.h"
 #include "app/editor/panels/keys.h"
-#include "app/editor/panels/scale.h"
-#include "app/editor/session/event_frames.h"
+#include "app/editor/panels/widgets.h"
+#include "app/editor/session/input.h"
 #include "app/image/image_io.h"
-#include "app/recipe/keyed_recipe.h"
 #include "atlas/base/error.h"
 
 namespace burl {
-
-namespace {
-
-/// Evaluates a recipe's animation at a time; a recipe invalid at that time is returned unevaluated.
-Recipe still_of(const Recipe& recipe, double seconds) {
-    try {
-        return recipe_at(recipe, seconds);
-    } catch (const Error&) {
-        return recipe;
-    }
-}
-
-}  // namespace
 
 EditorProgram::ImGuiOwner::ImGuiOwner() {
     IMGUI_CHECKVERSION();
@@ -49,61 +35,37 @@ EditorProgram::EditorProgram(std::unique_ptr<GlWindow> window, const EditorOptio
     : window_(std::move(window)),
       renderer_(window_->context().gl()),
       session_(load_recipe(options.recipe, options.settings), options.recipe),
+      notices_([this] { return window_->seconds(); }),
       autosave_(options.autosave),
-      export_([this] { window_->wake(); }),
-      first_mesh_(options.mesh),
-      files_([this] { window_->wake(); }, options.recent),
-      baker_([this] { window_->wake(); }),
-      posed_pick_([this] { window_->wake(); }),
-      object_(window_->context().gl()),
-      figures_([this] { window_->wake(); }),
-      atlas_(window_->context().gl(), [this] { window_->wake(); }) {
+      baker_(wake()),
+      requests_(session_, baker_),
+      loader_(session_, baker_, requests_, options.mesh, options.recipe, wake(), options.recent),
+      commands_(session_, loader_, notices_, wake()),
+      atlas_(window_->context().gl(), wake()),
+      viewport_(window_->context().gl(), session_, baker_, requests_, atlas_, wake()),
+      side_(window_->context(), options.gallery, wake()) {
     scale_ = normal_scale_ = options.ui_scale * window_->text_scale();
-    if (options.gallery) gallery_.emplace(window_->context().gl(), [this] { window_->wake(); });
-    files_.set_recipe(options.recipe);
-    files_.open(options.mesh);
-}
-
-EditorProgram::~EditorProgram() {
-    export_.wait();
 }
 
 void EditorProgram::take(const InputEvent& event) {
     feed(ImGui::GetIO(), event);
     if (event.kind == InputKind::drop)
-        for (const std::string& file : event.files) open(file);
-    if (event.kind == InputKind::close) ask_to_close();
+        for (const std::string& file : event.files) loader_.files().open(file);
+    if (event.kind == InputKind::close) commands_.quit();
 }
 
 /// Takes over the results of other threads and writes the autosave when it is due.
 void EditorProgram::take_news() {
-    take_files();
+    if (loader_.take()) {
+        side_.deselect();
+        session_.timeline.chosen = {};
+    }
     if (const auto problem = baker_.take_problem()) session_.complain(*problem);
     if (const auto problem = atlas_.take_problem()) session_.complain(*problem);
-    if (const auto outcome = export_.take_outcome()) {
-        if (outcome->problem)
-            session_.complain(outcome->text);
-        else
-            session_.tell(outcome->text);
-        if (!outcome->problem) news(outcome->text, false);
-    }
-    if (const auto problem = session_.take_problem(); problem && !files_.asks())
-        news(*problem, true);
+    commands_.take_outcome();
+    if (const auto problem = session_.take_problem(); problem && !loader_.files().asks())
+        notices_.tell(*problem, true);
     autosave_.keep(session_.history(), last_seconds_);
-}
-
-void EditorProgram::note(const std::vector<InputEvent>& events) {
-    if (!recording_) return;
-    recording_->size = window_->size();
-    ScriptStep step;
-    if (events.empty()) {
-        step.kind = ScriptStep::Kind::settle;
-        if (!recording_->steps.empty() && recording_->steps.back() == step) return;
-    } else {
-        step.kind = ScriptStep::Kind::events;
-        step.events = events;
-    }
-    recording_->steps.push_back(std::move(step));
 }
 
 void EditorProgram::take_screenshot() {
@@ -120,28 +82,9 @@ void EditorProgram::take_screenshot() {
     }
 }
 
-/// Returns the recipe on screen, which is the opened one while comparing.
-Recipe EditorProgram::shown_recipe() {
-    return comparing_ ? still_of(session_.history().opened(), session_.time()) : session_.still();
-}
-
-/// Requests the texture of the recipe on screen unless that was done. The pose's weight is left
-/// out: it changes no texel.
-void EditorProgram::request_texture() {
-    if (baker_.want_sheet(atlas_.state.shown)) requested_.reset();
-    if (comparing_ && compared_ != session_.recipe()) comparing_ = false;
-    WorkerRequest wanted{shown_recipe(), is_moving()};
-    wanted.recipe.pose = {};
-    const bool same = requested_ && requested_->recipe == wanted.recipe &&
-                      (requested_->moving == wanted.moving || !requested_->moving);
-    if (same) return;
-    requested_ = wanted;
-    request_ = baker_.request(wanted.recipe, wanted.moving);
-}
-
 bool EditorProgram::settled() const {
-    return files_.idle() && baker_.idle() && posed_pick_.idle() && atlas_.idle() &&
-           !object_.uploading() && !is_moving();
+    return loader_.files().idle() && baker_.idle() && viewport_.idle() && atlas_.idle() &&
+           !viewport_.object().uploading() && !session_.moving();
 }
 
 void EditorProgram::frame(const std::vector<InputEvent>& events) {
@@ -155,8 +98,8 @@ void EditorProgram::frame(const std::vector<InputEvent>& events) {
     if (std::exchange(screenshot_due_, false)) take_screenshot();
 }
 
-/// Runs a frame except for drawing the screen.
-void EditorProgram::panels(const std::vector<InputEvent>& events) {
+/// Tells ImGui the size and the time of the frame that begins.
+void EditorProgram::begin_frame() {
     ImGuiIO& io = ImGui::GetIO();
     const glm::ivec2 size = window_->size(), pixels = window_->pixels();
     io.DisplaySize = {float(size.x), float(size.y)};
@@ -166,50 +109,57 @@ void EditorProgram::panels(const std::vector<InputEvent>& events) {
     const double now = window_->seconds();
     io.DeltaTime = float(std::clamp(now - last_seconds_, 1e-4, 0.25));
     last_seconds_ = now;
-    note(events);
+}
+
+/// Runs a frame except for drawing the screen.
+void EditorProgram::panels(const std::vector<InputEvent>& events) {
+    begin_frame();
+    if (recording_) {
+        recording_->size = window_->size();
+        append_frame(*recording_, events);
+    }
     for (const InputEvent& event : events) take(event);
     take_news();
-    advance(timeline_, session_, double(io.DeltaTime));
+    advance(session_, double(ImGui::GetIO().DeltaTime));
     items_.clear();
     if (std::exchange(shown_scale_, scale_) != scale_) {
         set_interface_scale(scale_);
         renderer_.upload_fonts();
     }
-    object_image_ = {};
     const std::string new_title = title();
     if (std::exchange(shown_title_, new_title) != new_title) window_->set_title(new_title);
-    share_ = pose_share();
-    posed_pick_.follow(object_.surface(), share_, is_moving());
+    viewport_.follow();
     forget_unseen_popups();
     ImGui::NewFrame();
     shortcuts();
     layout();
     ImGui::Render();
-    request_texture();
-    atlas_.follow(baker_, request_, requested_->recipe);
+    requests_.update(atlas_.state.shown);
+    atlas_.follow(baker_.front(), requests_.last(), requests_.last_recipe());
     follow_opening();
 }
 
 /// Holds background work that can wait while a mesh is being opened and needs the processors.
 void EditorProgram::follow_opening() {
-    const bool is_seen = !object_.uploading() && object_.picture() == baker_.picture().get();
-    const bool opening =
-        !files_.reading(FileKind::mesh).empty() || baker_.opening() || (opening_ && !is_seen);
+    const GlEditObject& object = viewport_.object();
+    const bool is_seen = !object.uploading() && object.picture() == baker_.front().picture().get();
+    const bool opening = !loader_.files().reading(FileKind::mesh).empty() || baker_.opening() ||
+                         (opening_ && !is_seen);
     if (opening_ && !opening) frames_to_draw_ = std::max(frames_to_draw_, 2);
     opening_ = opening;
-    baker_.hold_errands(opening_);
-    if (gallery_) gallery_->hold(opening_);
+    baker_.hold_jobs(opening_);
+    side_.hold(opening_);
 }
 
 std::string EditorProgram::title() const {
-    const std::string mesh = std::filesystem::path(files_.mesh()).filename().string();
+    const std::string mesh = file_name(loader_.files().mesh());
     return fmt::format("{}{} on {} - Burl", session_.recipe().name,
                        session_.history().unsaved() ? " *" : "", mesh);
 }
 
 void EditorProgram::draw_screen() {
     window_->bind_screen();
-    renderer_.update(*ImGui::GetDrawData(), Vec3f(0.1f), object_image_);
+    renderer_.update(*ImGui::GetDrawData(), Vec3f(0.1f), viewport_.image());
 }
 
 Image<Rgb8> EditorProgram::screenshot() {
@@ -223,22 +173,24 @@ Image<Rgb8> EditorProgram::screenshot() {
 /// wait.
 std::vector<InputEvent> EditorProgram::until_due() {
     std::vector<InputEvent> events;
+    GlEditObject& object = viewport_.object();
     while (true) {
-        const bool uploading = object_.uploading();
+        const bool uploading = object.uploading();
         window_->context().make_current();
-        object_.upload();
+        object.upload();
         const std::vector<InputEvent> some =
-            window_->poll(object_.uploading() ? 0.0 : pace_.seconds_left());
+            window_->poll(object.uploading() ? 0.0 : pace_.seconds_left());
         events.insert(events.end(), some.begin(), some.end());
-        const bool news = some.empty() && !object_.uploading();
-        const bool ended = uploading && !object_.uploading();
+        const bool news = some.empty() && !object.uploading();
+        const bool ended = uploading && !object.uploading();
         if (news || ended || !passes_by(some) || pace_.seconds_left() <= 0.0) return events;
     }
 }
 
 void EditorProgram::turn() {
-    const bool busy = frames_to_draw_ > 0 || turntable_ || timeline_.playing || object_.uploading();
-    const bool handled = ImGui::IsAnyMouseDown() || turntable_ || timeline_.playing;
+    const bool moves = viewport_.turntable || session_.timeline.playing;
+    const bool busy = frames_to_draw_ > 0 || moves || viewport_.object().uploading();
+    const bool handled = ImGui::IsAnyMouseDown() || moves;
     const std::vector<InputEvent> events =
         opening_ && !handled ? until_due() : window_->poll(busy ? 0.0 : 1.0);
     // Waking up without an event means that a background thread has news: a frame is due.
@@ -254,23 +206,22 @@ void EditorProgram::turn() {
 }
 
 void EditorProgram::run() {
-    files_.watch();
-    while (!closing_) turn();
+    loader_.files().watch();
+    while (!wants_to_close()) turn();
     autosave_.clear();
 }
 
 void EditorProgram::settle() {
-    while (files_.settle()) frame({});
-    export_.wait();
-    baker_.hold_errands(false);
+    while (loader_.files().settle()) frame({});
+    commands_.wait();
+    baker_.hold_jobs(false);
     baker_.wait();
     do {
         frame({});
-    } while (object_.uploading());
+    } while (viewport_.object().uploading());
     frame({});
-    posed_pick_.wait();
-    if (gallery_) gallery_->wait();
-    figures_.wait();
+    viewport_.wait();
+    side_.wait();
     atlas_.wait();
     window_->present();
 }
@@ -279,7 +230,7 @@ void EditorProgram::play(InputScript script, const std::string& folder) {
     ScriptPlayer player(std::move(script));
     frame({});
     window_->present();
-    while (!player.done() && !closing_) {
+    while (!player.done() && !wants_to_close()) {
         ScriptPlayer::Frame next =
             player.next([this](const std::string& item) { return items_.find(item); });
         if (next.settle) settle();

@@ -7,7 +7,7 @@
 
 #include <random>
 
-#include "app/editor/session/timeline.h"
+#include "app/editor/session/session.h"
 #include "app/recipe/key_check.h"
 #include "app/recipe/keyed_recipe.h"
 #include "app/recipe/leaves.h"
@@ -125,18 +125,17 @@ TEST(Clock, RunsToTheEndOrRoundAndRound) {
 
 TEST(Clock, PlaysFromTheStartOnceItHasEndedAndStopsOnAFrame) {
     EditSession session(load_recipe("forming-marble"), "forming-marble");
-    EditTimeline timeline;
-    toggle_playing(timeline, session);
-    advance(timeline, session, 0.51);
+    toggle_playing(session);
+    advance(session, 0.51);
     EXPECT_DOUBLE_EQ(session.time(), 0.51);
-    toggle_playing(timeline, session);
+    toggle_playing(session);
     EXPECT_DOUBLE_EQ(session.time(), 0.5);
-    EXPECT_FALSE(timeline.moving());
-    toggle_playing(timeline, session);
-    advance(timeline, session, 9.0);
+    EXPECT_FALSE(session.timeline.moving());
+    toggle_playing(session);
+    advance(session, 9.0);
     EXPECT_EQ(session.time(), session.recipe().animation.seconds);
-    EXPECT_FALSE(timeline.playing);
-    toggle_playing(timeline, session);
+    EXPECT_FALSE(session.timeline.playing);
+    toggle_playing(session);
     EXPECT_EQ(session.time(), 0.0);
     EXPECT_FALSE(session.history().can_undo());  // playing is no edit
 }

@@ -44,8 +44,8 @@ TEST(CacheMemory, IsEvaluatedAnewAfterAFilterThatItHasNoRoomFor) {
     }
 }
 
-TEST(EditHistory, CallsDraggedWhatChangesInTwoFieldsRunning) {
-    EditHistory history;
+TEST(EditTracker, CallsDraggedWhatChangesInTwoFieldsRunning) {
+    EditTracker history;
     const auto record = [&](double frequency) {
         const Texture texture = one_term(frequency);
         history.record(FieldSampler(texture, false).noise_keys(), FieldKey(texture, {}));

@@ -30,51 +30,51 @@ Image<Rgb8> picture_of(const Mesh& mesh, const Recipe& recipe) {
 /// Until patches of these texels a side are being laid out, or there already.
 void wait_for_layout(const EditBaker& baker, std::uint32_t size) {
     const auto done = [&] {
-        const auto surface = baker.surface();
+        const auto surface = baker.front().surface();
         return surface && surface->atlas == "patch" && surface->size == size;
     };
     while (!baker.laying_out() && !done()) std::this_thread::yield();
 }
 
-TEST(EditErrands, AreDoneInOrderAndCancelledAtOnce) {
-    EditErrands errands;
+TEST(EditJobQueue, AreDoneInOrderAndCancelledAtOnce) {
+    JobQueue jobs;
     std::vector<int> done;
-    errands.add([&](const std::stop_token&) { done.push_back(1); });
-    errands.add([&](const std::stop_token&) { done.push_back(2); });
-    errands.wait();
+    jobs.add([&](const std::stop_token&) { done.push_back(1); });
+    jobs.add([&](const std::stop_token&) { done.push_back(2); });
+    jobs.wait();
     EXPECT_EQ(done, (std::vector{1, 2}));
     std::atomic<bool> begun = false, stopped = false;
-    errands.add([&](const std::stop_token& stop) {
+    jobs.add([&](const std::stop_token& stop) {
         begun = true;
         while (!stop.stop_requested()) std::this_thread::yield();
         stopped = true;
     });
-    errands.add([&](const std::stop_token&) { done.push_back(3); });
+    jobs.add([&](const std::stop_token&) { done.push_back(3); });
     while (!begun) std::this_thread::yield();
-    errands.cancel();
-    errands.wait();
+    jobs.cancel();
+    jobs.wait();
     EXPECT_TRUE(stopped);
-    errands.end();
-    errands.add([&](const std::stop_token&) { done.push_back(4); });
-    EXPECT_TRUE(errands.idle());
+    jobs.end();
+    jobs.add([&](const std::stop_token&) { done.push_back(4); });
+    EXPECT_TRUE(jobs.idle());
     EXPECT_EQ(done, (std::vector{1, 2}));
 }
 
-TEST(EditErrands, WaitWhileTheyAreHeld) {
-    EditErrands errands;
+TEST(EditJobQueue, WaitWhileTheyAreHeld) {
+    JobQueue jobs;
     std::atomic<int> done = 0;
-    errands.hold(true);
-    errands.add([&](const std::stop_token&) { ++done; });
+    jobs.hold(true);
+    jobs.add([&](const std::stop_token&) { ++done; });
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
     EXPECT_EQ(done, 0);
-    EXPECT_FALSE(errands.idle());
-    errands.hold(false);
-    errands.wait();
+    EXPECT_FALSE(jobs.idle());
+    jobs.hold(false);
+    jobs.wait();
     EXPECT_EQ(done, 1);
-    errands.hold(true);
-    errands.add([&](const std::stop_token&) { ++done; });
-    errands.cancel();
-    errands.wait();
+    jobs.hold(true);
+    jobs.add([&](const std::stop_token&) { ++done; });
+    jobs.cancel();
+    jobs.wait();
     EXPECT_EQ(done, 1);
 }
 
@@ -98,9 +98,9 @@ TEST(EditBaker, ALargeMeshHasPairsAtOnceAndThenPatches) {
     std::mutex mutex;
     EditBaker baker([&] {
         const std::scoped_lock lock(mutex);
-        if (made && made->surface() &&
-            (atlases.empty() || atlases.back() != made->surface()->atlas))
-            atlases.push_back(made->surface()->atlas);
+        if (made && made->front().surface() &&
+            (atlases.empty() || atlases.back() != made->front().surface()->atlas))
+            atlases.push_back(made->front().surface()->atlas);
     });
     {
         const std::scoped_lock lock(mutex);
@@ -111,19 +111,19 @@ TEST(EditBaker, ALargeMeshHasPairsAtOnceAndThenPatches) {
     baker.wait();
     EXPECT_EQ(atlases, (std::vector<std::string>{"quad", "patch"}));
     EXPECT_FALSE(baker.laying_out());
-    EXPECT_EQ(baker.surface()->size, 256u);
-    EXPECT_EQ(baker.picture()->surface, baker.surface()->number);
-    EXPECT_EQ(baker.picture()->level, 0u);
-    EXPECT_EQ(baker.picture()->texels, picture_of(mesh, recipe));
-    ASSERT_TRUE(baker.pick());
-    EXPECT_EQ(&baker.pick()->scene(), &baker.surface()->scene);
+    EXPECT_EQ(baker.front().surface()->size, 256u);
+    EXPECT_EQ(baker.front().picture()->surface, baker.front().surface()->number);
+    EXPECT_EQ(baker.front().picture()->level, 0u);
+    EXPECT_EQ(baker.front().picture()->texels, picture_of(mesh, recipe));
+    ASSERT_TRUE(baker.front().pick());
+    EXPECT_EQ(&baker.front().pick()->scene(), &baker.front().surface()->scene);
     // The atlas stays while the recipe's others change.
-    const auto surface = baker.surface();
+    const auto surface = baker.front().surface();
     const Recipe scaled = recipe_of(256, {"solid.scale=2"});
     baker.request(scaled, false);
     baker.wait();
-    EXPECT_EQ(baker.surface(), surface);
-    EXPECT_EQ(baker.picture()->texels, picture_of(mesh, scaled));
+    EXPECT_EQ(baker.front().surface(), surface);
+    EXPECT_EQ(baker.front().picture()->texels, picture_of(mesh, scaled));
     EXPECT_FALSE(baker.take_problem());
 }
 
@@ -134,16 +134,16 @@ TEST(EditBaker, AnotherMeshOrAnotherAtlasDoesNotWaitForPatches) {
     wait_for_layout(baker, 256);
     baker.request(recipe_of(128), false);
     baker.wait();
-    EXPECT_EQ(baker.surface()->atlas, "patch");
-    EXPECT_EQ(baker.surface()->size, 128u);
+    EXPECT_EQ(baker.front().surface()->atlas, "patch");
+    EXPECT_EQ(baker.front().surface()->size, 128u);
     baker.request(recipe_of(256), false);
     wait_for_layout(baker, 256);
     const Mesh cube = sample_mesh("sample:cube");
     baker.set_mesh(cube);
     baker.request(recipe_of(64), false);
     baker.wait();
-    EXPECT_EQ(baker.surface()->triangles, cube.triangles.size());
-    EXPECT_EQ(baker.picture()->texels, picture_of(cube, recipe_of(64)));
+    EXPECT_EQ(baker.front().surface()->triangles, cube.triangles.size());
+    EXPECT_EQ(baker.front().picture()->texels, picture_of(cube, recipe_of(64)));
 }
 
 TEST(EditBaker, ASurfaceComesBeforeItsFirstPicture) {
@@ -152,10 +152,10 @@ TEST(EditBaker, ASurfaceComesBeforeItsFirstPicture) {
     EditBaker* made = nullptr;
     EditBaker baker([&] {
         const std::scoped_lock lock(mutex);
-        if (made && made->coming()) {
+        if (made && made->front().coming()) {
             EXPECT_TRUE(made->opening());
-            EXPECT_NE(made->coming(), made->surface());
-            coming.push_back(made->coming());
+            EXPECT_NE(made->front().coming(), made->front().surface());
+            coming.push_back(made->front().coming());
         }
     });
     {
@@ -167,26 +167,26 @@ TEST(EditBaker, ASurfaceComesBeforeItsFirstPicture) {
     baker.request(recipe_of(64), false);
     baker.wait();
     ASSERT_EQ(coming.size(), 1u);
-    EXPECT_EQ(coming.front(), baker.surface());
+    EXPECT_EQ(coming.front(), baker.front().surface());
     EXPECT_FALSE(coming.front()->scene.surfaces.empty());
-    EXPECT_FALSE(baker.coming());
+    EXPECT_FALSE(baker.front().coming());
     EXPECT_FALSE(baker.opening());
 }
 
 TEST(EditBaker, WhatIsHeldWaitsUntilThePicturesAreSeen) {
     EditBaker baker([] {});
-    baker.hold_errands(true);
+    baker.hold_jobs(true);
     baker.set_mesh(bumpy_sphere(many_faces + 1000));
     baker.request(recipe_of(64), false);
-    while (!baker.picture() || baker.opening()) std::this_thread::yield();
+    while (!baker.front().picture() || baker.opening()) std::this_thread::yield();
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
-    EXPECT_FALSE(baker.pick());
+    EXPECT_FALSE(baker.front().pick());
     EXPECT_FALSE(baker.idle());
-    EXPECT_EQ(baker.surface()->atlas, "quad");
-    baker.hold_errands(false);
+    EXPECT_EQ(baker.front().surface()->atlas, "quad");
+    baker.hold_jobs(false);
     baker.wait();
-    EXPECT_TRUE(baker.pick());
-    EXPECT_EQ(baker.surface()->atlas, "patch");
+    EXPECT_TRUE(baker.front().pick());
+    EXPECT_EQ(baker.front().surface()->atlas, "patch");
 }
 
 TEST(EditBaker, EndsWhilePatchesAreLaidOut) {
@@ -194,7 +194,7 @@ TEST(EditBaker, EndsWhilePatchesAreLaidOut) {
     baker.set_mesh(bumpy_sphere(many_faces + 1000));
     baker.request(recipe_of(256), false);
     wait_for_layout(baker, 256);
-    EXPECT_EQ(baker.picture()->level, 0u);
+    EXPECT_EQ(baker.front().picture()->level, 0u);
 }
 
 TEST(EditBaker, TheOldSurfaceStaysUntilThereIsAPictureOfTheNewOne) {
@@ -202,21 +202,21 @@ TEST(EditBaker, TheOldSurfaceStaysUntilThereIsAPictureOfTheNewOne) {
     baker.set_mesh(sample_mesh("sample:cube"));
     baker.request(recipe_of(64), false);
     baker.wait();
-    const auto surface = baker.surface();
+    const auto surface = baker.front().surface();
     baker.set_mesh(sample_mesh("sample:teapot"));
     // Noise so far from the origin has no picture.
     Recipe far = recipe_of(64);
     far.solid.scale = 1e18;
     baker.request(far, false);
     baker.wait();
-    EXPECT_EQ(baker.surface(), surface);
+    EXPECT_EQ(baker.front().surface(), surface);
     const auto problem = baker.take_problem();
     ASSERT_TRUE(problem);
     EXPECT_NE(problem->find("lattice cells"), std::string::npos) << *problem;
     baker.request(recipe_of(64), false);
     baker.wait();
-    EXPECT_NE(baker.surface(), surface);
-    EXPECT_EQ(baker.picture()->surface, baker.surface()->number);
+    EXPECT_NE(baker.front().surface(), surface);
+    EXPECT_EQ(baker.front().picture()->surface, baker.front().surface()->number);
 }
 
 }  // namespace

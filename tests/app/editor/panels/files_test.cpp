@@ -15,7 +15,7 @@
 #include "app/base/atomic_file.h"
 #include "app/base/file_bytes.h"
 #include "app/editor/jobs/export.h"
-#include "app/editor/jobs/reader.h"
+#include "app/editor/jobs/open_files.h"
 #include "app/editor/session/autosave.h"
 #include "app/image/image_io.h"
 #include "app/pipeline/pipeline.h"

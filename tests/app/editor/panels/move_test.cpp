@@ -25,9 +25,9 @@ class EditMoveTest : public GlEditProgramTest {
 
     static ObjectView view_of(EditorProgram& editor) {
         ObjectView view;
-        view.pick = editor.baker().pick();
+        view.pick = editor.baker().front().pick();
         view.camera = editor.camera();
-        const auto surface = editor.baker().surface();
+        const auto surface = editor.baker().front().surface();
         view.sphere = surface->sphere;
         view.solid_from_mesh = view.unit_from_mesh = surface->unit_from_mesh;
         const ItemRect rect = *editor.items().find("object");
@@ -77,7 +77,7 @@ class EditMoveTest : public GlEditProgramTest {
     /// The colour under the pointer, by bilinear lookup of the finest picture.
     static Vec3d color_at(EditorProgram& editor, const Vec2d& pointer) {
         settled(editor);
-        const Image<Rgb8>& texels = editor.baker().picture()->texels;
+        const Image<Rgb8>& texels = editor.baker().front().picture()->texels;
         const Vec2d at =
             hit_at(view_of(editor), pointer).value().uv * double(texels.width()) - Vec2d(0.5);
         Vec3d sum(0.0);

@@ -1,5 +1,5 @@
 // Painting in the editor by pointer and keys, without a display, and a hand's strokes.
-#include "app/editor/panels/paint_hand.h"
+#include "app/editor/panels/paint.h"
 
 #include <gtest/gtest.h>
 
@@ -54,7 +54,7 @@ class EditPaintTest : public GlEditProgramTest {
         return editor.session().recipe().paint;
     }
     static std::uint64_t runs(EditorProgram& editor, Stage stage) {
-        return editor.baker().records()[stage].runs;
+        return editor.baker().front().records()[stage].runs;
     }
 };
 
@@ -81,8 +81,8 @@ TEST_F(EditPaintTest, ADragPaintsTheSurfaceUnderThePointerAsOneStep) {
     EXPECT_GT(runs(*editor, Stage::paint), 2u);
     Pipeline pipeline(load_mesh("sample:cube"));
     pipeline.set_recipe(editor->session().recipe());
-    ASSERT_TRUE(editor->baker().picture());
-    EXPECT_EQ(editor->baker().picture()->texels, pipeline.synthesize<Rgb8>());
+    ASSERT_TRUE(editor->baker().front().picture());
+    EXPECT_EQ(editor->baker().front().picture()->texels, pipeline.synthesize<Rgb8>());
     play(*editor, R"({"key": "Ctrl+Z"})");
     EXPECT_TRUE(paint(*editor).empty());
     EXPECT_FALSE(editor->session().history().can_undo());

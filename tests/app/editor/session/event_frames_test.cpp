@@ -1,5 +1,5 @@
 // Events as frames: none is lost, their order stays, and what must be seen apart is.
-#include "app/editor/session/event_frames.h"
+#include "app/editor/session/input.h"
 
 #include <gtest/gtest.h>
 

@@ -9,7 +9,7 @@
 #include <set>
 
 #include "app/base/embedded.h"
-#include "app/editor/session/seed.h"
+#include "app/editor/panels/parameters.h"
 #include "app/recipe/key_check.h"
 
 namespace burl {

@@ -1,5 +1,5 @@
 // The editor's camera does what hands expect, measured in the picture.
-#include "app/editor/tools/camera.h"
+#include "app/editor/tools/view.h"
 
 #include <gtest/gtest.h>
 

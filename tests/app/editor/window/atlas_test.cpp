@@ -30,18 +30,18 @@ class EditAtlasTest : public GlEditProgramTest {
 TEST_F(EditAtlasTest, NothingOfItIsMadeWhileItIsHidden) {
     const auto editor = start();
     const Image<Rgb8> before = settled(*editor);
-    EXPECT_FALSE(editor->baker().sheet());
+    EXPECT_FALSE(editor->baker().front().sheet());
     EXPECT_FALSE(editor->atlas().lines());
     EXPECT_FALSE(editor->items().find("atlas view"));
-    const auto runs = editor->baker().records()[Stage::synthesis].runs;
+    const auto runs = editor->baker().front().records()[Stage::synthesis].runs;
     play(*editor, R"({"key": "V"}, {"settle": true}, {"wait": 2})");
-    EXPECT_TRUE(editor->baker().sheet());
+    EXPECT_TRUE(editor->baker().front().sheet());
     EXPECT_TRUE(editor->items().find("atlas view"));
     EXPECT_FALSE(editor->atlas().picture());  // the texture needs none of its own
     play(*editor, R"({"click": "menu:View"}, {"wait": 2}, {"click": "menu:Atlas"}, {"wait": 2})");
-    EXPECT_FALSE(editor->baker().sheet());
+    EXPECT_FALSE(editor->baker().front().sheet());
     EXPECT_FALSE(editor->atlas().lines());
-    EXPECT_EQ(editor->baker().records()[Stage::synthesis].runs, runs);
+    EXPECT_EQ(editor->baker().front().records()[Stage::synthesis].runs, runs);
     EXPECT_EQ(different(*editor, before), 0u);
 }
 
@@ -52,7 +52,7 @@ TEST_F(EditAtlasTest, EveryModeIsAnotherPictureAndTheTextureIsTheObjects) {
     // The middle of the view is the middle of the texture.
     const glm::dvec2 middle = view(*editor).middle();
     const Rgb8 seen = texture(std::size_t(middle.x + 1), std::size_t(middle.y + 1)),
-               texel = editor->baker().picture()->texels(32, 32);
+               texel = editor->baker().front().picture()->texels(32, 32);
     EXPECT_NEAR(seen.r, texel.r, 1);
     EXPECT_NEAR(seen.b, texel.b, 1);
     std::vector<Image<Rgb8>> seen_before{texture};

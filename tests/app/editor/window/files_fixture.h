@@ -51,7 +51,7 @@ class GlEditFilesTest : public GlEditProgramTest {
         return {bytes.begin(), bytes.end()};
     }
     static std::size_t triangles(const EditorProgram& editor) {
-        return editor.baker().surface()->triangles;
+        return editor.baker().front().surface()->triangles;
     }
 
     static constexpr const char* settle = R"({"settle": true}, {"wait": 2})";

@@ -28,7 +28,8 @@ TEST_F(GlEditFilesTest, ADroppedMeshTakesThePlaceOfTheOldOne) {
     play(*editor, dropped(folder / "m.obj"));
     EXPECT_EQ(triangles(*editor), 2u);
     EXPECT_EQ(editor->files().mesh(), folder / "m.obj");
-    EXPECT_EQ(editor->baker().picture()->surface, editor->baker().surface()->number);
+    EXPECT_EQ(editor->baker().front().picture()->surface,
+              editor->baker().front().surface()->number);
     EXPECT_GT(different(*editor, before), 3000u);
     // What cannot be read is said, and changes nothing but the log.
     const Image<Rgb8> after = settled(*editor);

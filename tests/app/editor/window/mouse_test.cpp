@@ -9,7 +9,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "app/editor/panels/sliders.h"
+#include "app/editor/panels/parameters.h"
 #include "app/editor/window/program.h"
 #include "app/surface/sample_meshes.h"
 #include "tests/app/programs/run_program.h"
@@ -254,7 +254,7 @@ TEST_F(GlEditMouseTest, OpensDragsUndoesSavesAndOpensAgain) {
         // A mesh by the dialog; a recipe by a drop, which the X test extension has not.
         person.choose_file("o", mesh);
         person.until("the torus", [&] {
-            return editor.baker().surface()->triangles ==
+            return editor.baker().front().surface()->triangles ==
                    sample_mesh("sample:torus").triangles.size();
         });
         InputEvent drop{InputKind::drop};

@@ -24,9 +24,9 @@ class GlEditObjectTest : public GlTest {
                                                  "texture.input.noise.0.amplitude=" + amplitude}),
                           false);
             baker.wait();
-            pictures.push_back(baker.picture());
+            pictures.push_back(baker.front().picture());
         }
-        surface = baker.surface();
+        surface = baker.front().surface();
     }
 
     static std::vector<std::uint8_t> texels(GlEditObject& object) {

@@ -64,7 +64,7 @@ class GlEditPoseTest : public GlEditProgramTest {
 TEST_F(GlEditPoseTest, AWeightMovesTheObjectAndNoTexture) {
     const Image<Rgb8> rest = settled(*editor);
     open_pose("bent.obj");
-    const std::uint64_t runs = editor->baker().records()[Stage::synthesis].runs;
+    const std::uint64_t runs = editor->baker().front().records()[Stage::synthesis].runs;
     EXPECT_EQ(runs, 1u);  // the pose has made none
     EXPECT_GT(different(*editor, rest), 500u);
     play(*editor, R"({"click": "tab:Parameters"}, {"wait": 2})");
@@ -77,11 +77,11 @@ TEST_F(GlEditPoseTest, AWeightMovesTheObjectAndNoTexture) {
     EXPECT_EQ(editor->session().recipe().pose.weight, 1.0);
     EXPECT_EQ(settled(*editor), posed);
     EXPECT_EQ(editor->last_request(), request);
-    EXPECT_EQ(editor->baker().records()[Stage::synthesis].runs, runs);
+    EXPECT_EQ(editor->baker().front().records()[Stage::synthesis].runs, runs);
     play(*editor, R"({"click": "menu:File"}, {"wait": 2}, {"click": "menu:Close pose"},
                      {"settle": true}, {"click": "tab:Presets"}, {"wait": 2})");
     EXPECT_EQ(settled(*editor), rest);
-    EXPECT_EQ(editor->baker().records()[Stage::synthesis].runs, runs);
+    EXPECT_EQ(editor->baker().front().records()[Stage::synthesis].runs, runs);
 }
 
 TEST_F(GlEditPoseTest, AnExportIsWhatTheCommandLineOfTheLogWrites) {
@@ -127,7 +127,7 @@ TEST_F(GlEditPoseTest, APoseOfTheFileIsInItsMenuAndItsWeightIsKeyed) {
     editor->session().set_time(0.0);
     play(*editor, settle);
     EXPECT_GT(different(*editor, flat), 500u);  // the object, and the timeline's clock
-    EXPECT_EQ(editor->baker().records()[Stage::synthesis].runs, 1u);
+    EXPECT_EQ(editor->baker().front().records()[Stage::synthesis].runs, 1u);
 }
 
 TEST_F(GlEditPoseTest, PaintGoesWhereTheSurfaceWasAtRest) {
@@ -155,7 +155,7 @@ TEST_F(GlEditPoseTest, APoseThatChangesOnDiskIsReadAgain) {
     write_file(folder / "bent.obj", sheet_obj(-0.8));
     play(*editor, settle);
     EXPECT_GT(different(*editor, before), 500u);
-    EXPECT_EQ(editor->baker().records()[Stage::synthesis].runs, 1u);
+    EXPECT_EQ(editor->baker().front().records()[Stage::synthesis].runs, 1u);
 }
 
 }  // namespace

@@ -25,8 +25,8 @@ TEST_F(GlEditProgramTest, ShowsTheObjectWithItsTexture) {
             ++(screen(x, y) == background_srgb ? background : other);
     EXPECT_GT(background, 40000u);
     EXPECT_GT(other, 20000u);
-    ASSERT_TRUE(editor->baker().picture());
-    EXPECT_EQ(editor->baker().picture()->level, 0u);
+    ASSERT_TRUE(editor->baker().front().picture());
+    EXPECT_EQ(editor->baker().front().picture()->level, 0u);
 }
 
 TEST_F(GlEditProgramTest, ADragOfASliderIsOneStepThatUndoTakesBack) {
@@ -77,10 +77,10 @@ TEST_F(GlEditProgramTest, TheCameraMovesAndTheRecipeStays) {
     play(*editor, R"({"drag": "object", "by": [80, 30]})");
     EXPECT_NE(editor->camera().view.azimuth_degrees, camera.view.azimuth_degrees);
     EXPECT_GT(different(*editor, before), 3000u);
-    const auto runs = editor->baker().records()[Stage::synthesis].runs;
+    const auto runs = editor->baker().front().records()[Stage::synthesis].runs;
     play(*editor, R"({"wheel": "object", "by": [0, 2]}, {"key": "1"}, {"key": "F"})");
     EXPECT_EQ(editor->camera().view.azimuth_degrees, 0.0);
-    EXPECT_EQ(editor->baker().records()[Stage::synthesis].runs, runs);
+    EXPECT_EQ(editor->baker().front().records()[Stage::synthesis].runs, runs);
     EXPECT_FALSE(editor->session().history().can_undo());
 }
 
@@ -117,12 +117,12 @@ TEST_F(GlEditProgramTest, AMeshOpensFromTheFirstFrameOnUntilItsFinestPictureIsSm
         editor->turn();
         EXPECT_TRUE(editor->shown()->level == 0 || !editor->shown_smooth());
     }
-    EXPECT_EQ(editor->shown(), editor->baker().picture().get());
+    EXPECT_EQ(editor->shown(), editor->baker().front().picture().get());
     EXPECT_EQ(editor->shown()->level, 0u);
     editor->turn();
     EXPECT_TRUE(editor->shown_smooth());
     while (!editor->baker().idle()) editor->turn();
-    EXPECT_TRUE(editor->baker().pick()) << "what was held goes on";
+    EXPECT_TRUE(editor->baker().front().pick()) << "what was held goes on";
 }
 
 TEST_F(GlEditProgramTest, SavesAndExportsThroughTheDialog) {

@@ -45,7 +45,7 @@ TEST_F(GlEditProgramTest, PlayingMovesThePictureAndIsNoEdit) {
     EXPECT_GT(editor->session().time(), 1.5);
     EXPECT_LT(editor->session().time(), 2.5);
     EXPECT_GT(different(*editor, before), 3000u);
-    EXPECT_EQ(editor->baker().picture()->level, 0u);  // fine again once it rests
+    EXPECT_EQ(editor->baker().front().picture()->level, 0u);  // fine again once it rests
     EXPECT_FALSE(editor->session().history().can_undo());
     EXPECT_FALSE(editor->session().history().changed());
 }

@@ -27,7 +27,7 @@ struct FieldKey {
 
 /// The changes between the fields of one texture after another. A parameter is dragged while it
 /// changes in two fields running.
-class EditHistory {
+class EditTracker {
   public:
     /// Records the next field; octave k is compared with octave k of the field before.
     void record(const std::vector<NoiseKey>& octaves, const FieldKey& field);

@@ -1,4 +1,4 @@
-#include "procedural/cache/edit_history.h"
+#include "procedural/cache/edit_tracker.h"
 
 namespace burl {
 
@@ -10,7 +10,7 @@ FieldKey::FieldKey(const Texture& texture, const Filter& filter)
     if (has_slopes() && kind != FilterKind::trapezoid2) kind = FilterKind::exact;
 }
 
-void EditHistory::record(const std::vector<NoiseKey>& octaves, const FieldKey& field) {
+void EditTracker::record(const std::vector<NoiseKey>& octaves, const FieldKey& field) {
     octaves_.resize(octaves.size());
     for (std::size_t k = 0; k < octaves.size(); ++k)
         octaves_[k].note(moved_ || (k < last_octaves_.size() && last_octaves_[k] != octaves[k]));

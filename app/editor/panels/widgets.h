@@ -1,0 +1,49 @@
+#pragma once
+// What the panels share: the scale of text and panels, windows, entries of menus, colour fields and
+// gestures of Dear ImGui.
+#include <imgui.h>
+
+#include "app/editor/panels/items.h"
+#include "app/editor/session/history.h"
+#include "atlas/base/image.h"
+
+namespace burl {
+
+/// The next larger or smaller scale of a fixed list from 0.5 to 4, clamped at its ends; at scale 1
+/// the font is 13 pixels high.
+double larger_scale(double scale);
+double smaller_scale(double scale);
+
+/// Sets style and fonts of ImGui's current context, between frames; the fonts are rasterised at
+/// that size, so that they stay sharp, and their texture must be uploaded again.
+void set_interface_scale(double scale);
+
+/// The scale set last; 0: none yet.
+double interface_scale();
+
+/// Flags of the windows that fill the screen.
+inline constexpr ImGuiWindowFlags fixed_window =
+    ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
+    ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoTitleBar;
+
+/// Calls ImGui::Begin for a window in the middle of the screen, as large as its content, which
+/// ImGui::End must follow. The window's close button clears `open`; null: it has none.
+bool begin_centred_window(const char* name, bool* open = nullptr);
+
+/// Calls ImGui::Begin for the small window of a tool, which ImGui::End must follow, in the upper
+/// left corner `low` of the object's view. The window's close button clears `on`. The window does
+/// not take the keyboard's focus.
+bool begin_tool_window(const char* name, bool& on, const ImVec2& low);
+
+/// Draws an entry of a menu, "menu:LABEL" among the items; returns whether it was chosen.
+bool menu_item(EditItems& items, const char* label, const char* key, bool enabled = true);
+/// Draws an entry of a menu that switches `value`, "menu:LABEL" among the items.
+void menu_toggle(EditItems& items, const char* label, const char* key, bool& value);
+
+/// Draws a field that edits a colour; returns whether it was edited in this frame.
+bool edit_color(const char* label, Rgb8& color);
+
+/// Begins and ends a gesture of `history` with one of ImGui's last item.
+void follow_gesture(EditHistory& history);
+
+}  // namespace burl

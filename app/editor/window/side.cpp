@@ -1,0 +1,77 @@
+#include "app/editor/window/side.h"
+
+#include <fmt/format.h>
+
+#include "app/editor/panels/widgets.h"
+#include "app/editor/window/imgui.h"
+#include "procedural/numbers/simd_target.h"
+
+namespace burl {
+
+ImTextureID GlEditGallery::picture(const std::string& preset, int side) {
+    const std::pair key(preset, side);
+    if (const auto found = textures_.find(key); found != textures_.end())
+        return imgui_texture(found->second);
+    const auto image = thumbnails_.picture(preset, side);
+    if (!image) return nullptr;
+    return imgui_texture(
+        textures_.emplace(key, upload_levels(*gl_, picture_levels(*image), GL_RGB8)).first->second);
+}
+
+SidePanels::SidePanels(GlContext& context, bool gallery, const std::function<void()>& wake)
+    : context_(context), figures_(wake) {
+    if (gallery) gallery_.emplace(context.gl(), wake);
+}
+
+void SidePanels::hold(bool held) {
+    if (gallery_) gallery_->hold(held);
+}
+
+void SidePanels::wait() const {
+    if (gallery_) gallery_->wait();
+    figures_.wait();
+}
+
+void SidePanels::window(const PanelContext& context, const EditBaker& baker, bool posed) {
+    const auto tab = [&](const char* name, auto panel) {
+        const bool open = ImGui::BeginTabItem(name);
+        context.items.note(fmt::format("tab:{}", name));
+        if (!open) return;
+        if (ImGui::BeginChild(name)) panel();
+        ImGui::EndChild();
+        ImGui::EndTabItem();
+    };
+    // The object's texture comes before thumbnails.
+    const PresetPicture picture = [&](const std::string& preset, int side) -> ImTextureID {
+        return gallery_ && baker.front().picture() ? gallery_->picture(preset, side) : nullptr;
+    };
+    if (ImGui::Begin("Side", nullptr, fixed_window) && ImGui::BeginTabBar("tabs")) {
+        tab("Presets", [&] { presets_panel(context, preset_search_, picture); });
+        tab("Parameters", [&] { parameters_panel(context, posed); });
+        tab("Colours", [&] { color_maps_panel(context, stop_); });
+        tab("Metrics", [&] { metrics_panel(metrics(baker.front())); });
+        tab("Log", [&] { log_panel(context); });
+        ImGui::EndTabBar();
+    }
+    ImGui::End();
+}
+
+MetricsView SidePanels::metrics(const FrontBuffer& front) {
+    MetricsView view;
+    if (const auto surface = front.surface()) {
+        view.facts.emplace_back("triangles", fmt::format("{}", surface->triangles));
+        view.facts.emplace_back("atlas", fmt::format("{}, {} x {} texels", surface->atlas,
+                                                     surface->size, surface->size));
+        view.atlas = figures_.of(surface);
+    }
+    if (const auto picture = front.picture()) {
+        view.facts.emplace_back("level shown", fmt::format("{}", picture->level));
+        view.facts.emplace_back("made in", fmt::format("{:.1f} ms", 1e3 * picture->seconds));
+    }
+    view.facts.emplace_back("instructions", simd_level());
+    view.facts.emplace_back("renderer", context_.description());
+    view.records = front.records();
+    return view;
+}
+
+}  // namespace burl

@@ -1,0 +1,70 @@
+#pragma once
+// The panels at the window's side, in tabs: presets, parameters, colour maps, metrics and the log.
+#include <imgui.h>
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "app/editor/jobs/baker.h"
+#include "app/editor/jobs/figures.h"
+#include "app/editor/jobs/thumbnails.h"
+#include "app/editor/panels/panels.h"
+#include "app/gl/device/context.h"
+#include "app/gl/device/objects.h"
+
+namespace burl {
+
+/// Thumbnails of the presets as OpenGL textures, uploaded as they become ready. All functions are
+/// called by the user interface's thread.
+class GlEditGallery {
+  public:
+    /// `wake` is called by another thread whenever a thumbnail is ready.
+    GlEditGallery(const GladGLContext& gl, std::function<void()> wake)
+        : gl_(&gl), thumbnails_(std::move(wake)) {}
+
+    /// The thumbnail of a preset, side x side pixels, drawn in the background when first asked for
+    /// (app/editor/jobs/thumbnails.h); null: not ready. The OpenGL context must be current.
+    ImTextureID picture(const std::string& preset, int side);
+
+    /// While held, no thumbnail is begun.
+    void hold(bool held) { thumbnails_.hold(held); }
+    void wait() const { thumbnails_.wait(); }
+
+  private:
+    const GladGLContext* gl_;
+    std::map<std::pair<std::string, int>, GlTexture> textures_;
+    EditThumbnails thumbnails_;
+};
+
+/// Draws the tabs. All functions are called by the user interface's thread.
+class SidePanels {
+  public:
+    /// `gallery`: whether presets have thumbnails. `wake` is called by other threads when there is
+    /// something new to show.
+    SidePanels(GlContext& context, bool gallery, const std::function<void()>& wake);
+
+    /// Draws the window at the place set for ImGui's next window. `posed`: whether the mesh has a
+    /// pose.
+    void window(const PanelContext& context, const EditBaker& baker, bool posed);
+    /// Drops the selection of a colour stop, for another document.
+    void deselect() { stop_ = {}; }
+
+    /// While held, no thumbnail is begun.
+    void hold(bool held);
+    /// Blocks until nothing is being made for the panels.
+    void wait() const;
+
+  private:
+    MetricsView metrics(const FrontBuffer& front);
+
+    GlContext& context_;
+    StopSelection stop_;
+    std::string preset_search_;
+    std::optional<GlEditGallery> gallery_;
+    EditFigures figures_;
+};
+
+}  // namespace burl
