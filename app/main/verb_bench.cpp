@@ -6,17 +6,11 @@
 
 #include <CLI/CLI.hpp>
 
-#include "app/base/messages.h"
 #include "app/base/version.h"
-#include "app/bench/atlas.h"
-#include "app/bench/bench.h"
 #include "app/bench/command.h"
 #include "app/export/command_files.h"
 #include "app/main/verbs.h"
 #include "app/options/command_options.h"
-#include "atlas/base/error.h"
-#include "procedural/batch/texel_batch.h"
-#include "procedural/numbers/simd_target.h"
 
 namespace burl {
 

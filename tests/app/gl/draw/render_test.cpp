@@ -8,6 +8,7 @@
 #include <functional>
 
 #include "app/export/export.h"
+#include "app/image/convert_image.h"
 #include "app/image/image_diff.h"
 #include "app/image/image_io.h"
 #include "app/pipeline/pipeline.h"
@@ -299,7 +300,7 @@ TEST_F(GlRenderTest, MinifiedLookupsKeepToTheirBlock) {
     Pipeline pipeline(mesh);
     pipeline.set_recipe(recipe);
     const Image<RgbF> texture = halves(pipeline.atlas_mesh(), pipeline.atlas());
-    export_scene(folder / "sphere.glb", pipeline.atlas_mesh(), pipeline.atlas(), texture);
+    export_scene(folder / "sphere.glb", pipeline.atlas_mesh(), pipeline.atlas(), to_rgb8(texture));
     const Scene scene = load_scene(folder / "sphere.glb");
     ASSERT_EQ(scene.surfaces[0].blocks.size(), scene.surfaces[0].positions.size());
     for (std::size_t i = 0; i < scene.surfaces[0].blocks.size(); ++i) {

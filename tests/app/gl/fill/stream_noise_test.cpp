@@ -37,7 +37,7 @@ OctaveGroup group_of(NoiseKind kind, Fade fade, double radius2, int octaves) {
     group.scale = 1.0 / stream_unit(kind);
     for (int k = 0; k < octaves; ++k)
         group.octaves.push_back(
-            {k == 0 ? 0u : 0x9e3779b9u * std::uint32_t(k), k, float(std::ldexp(1.1, -k))});
+            {k == 0 ? 0u : 0x9e3779b9u * std::uint32_t(k), k, float(std::ldexp(1.1, -k)), radius2});
     return group;
 }
 
