@@ -31,9 +31,9 @@ struct ShadedBatch : FieldBatch {
     std::tuple<std::vector<Rgb16>, std::vector<RgbF>> means;
 };
 
-// A shader's shade() colours a batch, and pixel() gives one of its texels or pixels() a run of them.
-// A shader for which the field's values at the texels' centres are not enough has sample(), which
-// evaluates the batch instead of FieldSampler::values.
+// A shader's shade() colours a batch, and pixel() gives one of its texels or pixels() a run of
+// them. A shader for which the field's values at the texels' centres are not enough has sample(),
+// which evaluates the batch instead of FieldSampler::values.
 
 /// The shader that stores the field.
 class FieldCopy {

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "atlas/solid/solid_atlas.h"
-#include "procedural/kernels/lattice_stream.h"
 #include "procedural/kept/rows.h"
+#include "procedural/kernels/lattice_stream.h"
 
 namespace burl {
 
