@@ -62,10 +62,10 @@ Image<float> largest_of(const Image<float>& finer) {
 
 Image<Rgb8> colored(const Image<float>& codes, double scale) {
     Image<Rgb8> picture(codes.width(), codes.height());
-    const Rgb8 gap = encoded(gap_color);
+    const Rgb8 empty = encoded(gap_color);
     for (std::size_t y = 0; y < codes.height(); ++y)
         for (std::size_t x = 0; x < codes.width(); ++x)
-            picture(x, y) = codes(x, y) < 0.0f ? gap : false_color(double(codes(x, y)) / scale);
+            picture(x, y) = codes(x, y) < 0.0f ? empty : false_color(double(codes(x, y)) / scale);
     return picture;
 }
 

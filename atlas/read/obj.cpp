@@ -11,7 +11,7 @@ namespace burl {
 namespace {
 
 /// The three lists that a face corner indexes.
-enum Kind { position, texture, normal };
+enum Kind { position_list, texture_list, normal_list };
 constexpr std::array<const char*, 3> kind_names{"vertex", "texture coordinate", "normal"};
 constexpr std::array<const char*, 3> kind_plurals{"vertices", "texture coordinates", "normals"};
 
@@ -37,14 +37,16 @@ class ObjParser {
             if (beyond_[k] > count(static_cast<Kind>(k))) return false;
         return true;
     }
-    Counts counts() const { return {count(position), count(texture), count(normal)}; }
+    Counts counts() const {
+        return {count(position_list), count(texture_list), count(normal_list)};
+    }
     PolygonSoup finish();
 
   private:
     std::size_t count(Kind kind) const {
-        return kind == position  ? soup_.points.size()
-               : kind == texture ? soup_.uvs.values.size()
-                                 : soup_.normals.values.size();
+        return kind == position_list  ? soup_.points.size()
+               : kind == texture_list ? soup_.uvs.values.size()
+                                      : soup_.normals.values.size();
     }
     void parse_line();
     void parse_vertex();
@@ -131,10 +133,10 @@ void ObjParser::parse_corner() {
     std::int64_t index = 0;
     std::uint32_t uv = no_index, vn = no_index;
     if (!in_.raw_integer(index)) in_.integer("a vertex index");
-    const std::uint32_t point = resolve(index, position);
+    const std::uint32_t point = resolve(index, position_list);
     if (in_.take('/')) {
-        if (in_.raw_integer(index)) uv = resolve(index, texture);
-        if (in_.take('/') && in_.raw_integer(index)) vn = resolve(index, normal);
+        if (in_.raw_integer(index)) uv = resolve(index, texture_list);
+        if (in_.take('/') && in_.raw_integer(index)) vn = resolve(index, normal_list);
     }
     if (!in_.at_token_end())
         in_.fail(
