@@ -62,7 +62,7 @@ void fill_gaps(std::span<const Span> spans, const Pixel& background, std::span<P
 
 /// The number of spans ahead for which maps are prefetched: neighbouring spans show triangles from
 /// all over the mesh, which hardware does not prefetch.
-inline constexpr std::size_t map_prefetch = 8;
+inline constexpr std::ptrdiff_t map_prefetch = 8;
 
 inline void prefetch(const TexelMap& map) {
     const char* bytes = reinterpret_cast<const char*>(&map);
@@ -115,8 +115,8 @@ class PieceReader {
             const std::span<const Span> spans = solid_.row(y_);
             for (; number_ < spans.size(); ++number_, done_ = 0) {
                 if (batch.count == batch_capacity) return true;
-                if (number_ + map_prefetch < spans.size())
-                    prefetch(stored(maps_, spans[number_ + map_prefetch].map));
+                if (std::ptrdiff_t(spans.size() - number_) > map_prefetch)
+                    prefetch(stored(maps_, (&spans[number_])[map_prefetch].map));
                 if (!add_rest(spans[number_], batch)) return true;
             }
         }
