@@ -73,6 +73,10 @@ void fill_in_bands(const SolidAtlas& solid, const Recipe& recipe, const HostWay&
                    const Economy& economy, std::size_t texels, const TakeRows& take) {
     const std::size_t least = band_rows * solid.size;
     const std::size_t at_once = band_rows * std::max<std::size_t>(1, texels / least);
+    const Texture* texture = plain_texture(recipe.texture);
+    if (texture && has_fast_way(recipe, way))
+        return synthesize_model_in_bands(solid, *texture, texture_from_solid(recipe), way.threads,
+                                         recipe.filter, way.kernel, economy, at_once, take);
     for (std::size_t first = 0; first < solid.size; first += at_once)
         take(first, fill_unpainted<RgbF>(solid, recipe, way, economy, {first, first + at_once}));
 }

@@ -1,13 +1,12 @@
 #pragma once
 // Synthesis of a recipe's texture on the host: chooses among the vectorised 1999 model, other
 // arithmetic texel by texel, forward differences and graphs of nodes.
-#include <functional>
-
 #include "app/recipe/recipe.h"
 #include "atlas/base/image.h"
 #include "procedural/batch/economy.h"
 #include "procedural/batch/kernel.h"
 #include "procedural/batch/row_window.h"
+#include "procedural/fill/synthesize.h"
 
 namespace burl {
 
@@ -45,9 +44,6 @@ Image<Pixel> fill_texture(const SolidAtlas& solid, const Recipe& recipe, const H
 template <class Pixel>
 Image<Pixel> fill_unpainted(const SolidAtlas& solid, const Recipe& recipe, const HostWay& way,
                             const Economy& economy = {}, const RowWindow& rows = {});
-
-/// A callback that takes rows of a texture from `first` on, in order.
-using TakeRows = std::function<void(std::size_t first, Image<RgbF> rows)>;
 
 /// The number of rows of which a band has a multiple, except for the last band.
 inline constexpr std::size_t band_rows = 16;

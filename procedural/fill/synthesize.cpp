@@ -107,22 +107,35 @@ Image<typename Shader::Pixel> fill_rows(const SolidAtlas& solid, const Texture& 
     return image;
 }
 
+/// The result of fill(shader) for the shader of the filter, whose tables are made here.
+template <class Pixel, class Fill>
+auto with_shader(const ColorMap& colors, const Filter& filter, const Fill& fill) {
+    if (filter.kind == FilterKind::none) return fill(PointColor<Pixel>(colors));
+    if (filter.kind == FilterKind::supersample)
+        return fill(SupersampledColor<Pixel>(colors, filter.samples));
+    return fill(FilteredColor<PointColor<Pixel>>(colors, filter.kind));
+}
+
 }  // namespace
 
 template <class Pixel>
 Image<Pixel> synthesize_model(const SolidAtlas& solid, const Texture& texture, const Affine3& map,
                               int threads, const Filter& filter, Kernel kernel,
                               const Economy& economy, const RowWindow& rows) {
-    const bool limit = filter.band_limit;
-    const ColorMap& colors = texture.colors;
-    if (filter.kind == FilterKind::none)
-        return fill_rows(solid, texture, map, limit, threads, kernel, economy, rows,
-                         PointColor<Pixel>(colors));
-    if (filter.kind == FilterKind::supersample)
-        return fill_rows(solid, texture, map, limit, threads, kernel, economy, rows,
-                         SupersampledColor<Pixel>(colors, filter.samples));
-    return fill_rows(solid, texture, map, limit, threads, kernel, economy, rows,
-                     FilteredColor<PointColor<Pixel>>(colors, filter.kind));
+    return with_shader<Pixel>(texture.colors, filter, [&](const auto& shader) {
+        return fill_rows(solid, texture, map, filter.band_limit, threads, kernel, economy, rows,
+                         shader);
+    });
+}
+
+void synthesize_model_in_bands(const SolidAtlas& solid, const Texture& texture, const Affine3& map,
+                               int threads, const Filter& filter, Kernel kernel,
+                               const Economy& economy, std::size_t rows, const TakeRows& take) {
+    with_shader<RgbF>(texture.colors, filter, [&](const auto& shader) {
+        for (std::size_t first = 0; first < solid.size; first += rows)
+            take(first, fill_rows(solid, texture, map, filter.band_limit, threads, kernel, economy,
+                                  {first, first + rows}, shader));
+    });
 }
 
 template Image<Rgb8> synthesize_model(const SolidAtlas&, const Texture&, const Affine3&, int,
