@@ -8,6 +8,7 @@
 #include "procedural/color/srgb.h"
 #include "procedural/graph/box_means.h"
 #include "procedural/model/texture_json.h"
+#include "procedural/noise/names.h"
 #include "procedural/noise/noise.h"
 #include "tests/procedural/graph/cases.h"
 
@@ -237,7 +238,7 @@ TEST(GraphNoise, OctavesFadeToTheirMean) {
 }
 
 TEST(GraphNoise, MeansAreThoseOfTheNoise) {
-    for (int kind = 0; kind <= int(NoiseKind::white); ++kind)
+    for (std::size_t kind = 0; kind < noise_kinds.size(); ++kind)
         for (const bool timed : {false, true}) {
             NoiseSpec noise;
             noise.kind = NoiseKind(kind);
