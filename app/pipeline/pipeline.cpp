@@ -7,13 +7,14 @@ namespace burl {
 /// Forgets what the recipe's change makes invalid, before its successors take memory.
 void Pipeline::set_recipe(const Recipe& recipe) {
     const bool forgets = !context_.skips.allows(Skip::stages);
-    const bool new_atlas = forgets || recipe.atlas != recipe_.atlas;
-    if (forgets || (new_atlas && stages_.connectivity.is_released())) stages_.connectivity.forget();
-    if (new_atlas) {
-        stages_.layout.forget();
+    const bool new_layout =
+        forgets || recipe.atlas != recipe_.atlas || !stages_.layout.has_result();
+    if (new_layout || recipe.solid.space != recipe_.solid.space) forget_solid();
+    if (new_layout) {
         stages_.normals.forget_frames();
+        stages_.layout.forget();
+        if (forgets || stages_.connectivity.is_released()) stages_.connectivity.forget();
     }
-    if (!stages_.layout.has_result() || recipe.solid.space != recipe_.solid.space) forget_solid();
     recipe_ = recipe;
     context_.records.begin_recipe();
 }

@@ -103,7 +103,9 @@ class Pipeline {
     void release_texels() { forget_solid(); }
     /// Frees the triangles' neighbours, 12 bytes per triangle, which layouts alone need;
     /// connectivity() has only its counts until another layout is made.
-    void release_neighbours() { stages_.connectivity.release_neighbours(); }
+    void release_neighbours() {
+        if (stages_.layout.has_result()) stages_.connectivity.release_neighbours();
+    }
 
     /// The stages, for a caller that runs them one by one (app/bake/bake.cpp), and their context.
     Stages& stages() { return stages_; }

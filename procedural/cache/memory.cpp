@@ -13,7 +13,7 @@ bool CacheMemory::allot_field(bool slopes) {
         field.free();
         return false;
     }
-    if (slopes && !slopes_u.data()) {
+    if (slopes && !slopes_v.data()) {  // the one that is allotted last
         slopes_u = CacheArray<float>(layout.size());
         slopes_v = CacheArray<float>(layout.size());
     }

@@ -1,11 +1,14 @@
 #include "procedural/model/members.h"
 
 #include <deque>
+#include <mutex>
 
 namespace burl::members {
 
 std::string_view kept(std::string text) {
+    static std::mutex one_at_a_time;
     static std::deque<std::string> texts;
+    const std::scoped_lock lock(one_at_a_time);
     return texts.emplace_back(std::move(text));
 }
 

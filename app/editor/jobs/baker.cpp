@@ -234,7 +234,7 @@ bool EditBaker::bake_levels(const WorkerRequest& request, bool better,
 }
 
 void EditBaker::work(const WorkerRequest& request, const std::stop_token& stop) {
-    const bool posed = take_mesh();
+    posed_ |= take_mesh();
     if (!pipeline_) return;
     check_lattice(request.recipe, pipeline_->mesh());
     Recipe recipe = request.recipe;
@@ -242,7 +242,8 @@ void EditBaker::work(const WorkerRequest& request, const std::stop_token& stop) 
     const bool better = front_.coming_has_pick();  // laid out in the background
     pipeline_->set_recipe(recipe);
     if (better) normals_.reset();
-    renew_surface(recipe, posed && !better);
+    renew_surface(recipe, posed_ && !better);
+    posed_ = false;
     const bool done = bake_levels(request, better, stop);
     if (done && !request.moving && shown_bumps_) publish_normals();
     queue_jobs(request.recipe, request.moving);

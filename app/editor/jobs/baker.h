@@ -94,6 +94,7 @@ class EditBaker {
     AtlasOptions shown_atlas_;              ///< atlas in `pipeline_`
     bool shown_bumps_ = false;              ///< whether the surface has bumps
     bool fresh_ = true;                     ///< no surface of this mesh was made yet
+    bool posed_ = false;         ///< the pose was taken, and its surface not yet announced
     std::uint64_t jobs_of_ = 0;  ///< number of the surface whose background jobs were queued
     std::optional<AtlasOptions> laid_out_;  ///< the recipe's own atlas, once `pipeline_` has it
     std::shared_ptr<const Image<Rgb8>> normals_;  ///< newest normal map of the surface

@@ -100,6 +100,7 @@ ShaderSource GlGraphPass::set(const SolidAtlas& solid, const TextureGraph& graph
                               const Affine3& texture_from_atlas, int threads,
                               const Filter& filter) {
     if (solid_ != &solid) forget_atlas();
+    if (texture_from_atlas != texture_from_atlas_) points_.forget_atlas();
     solid_ = &solid;
     texture_from_atlas_ = texture_from_atlas;
     threads_ = threads;
@@ -117,7 +118,8 @@ ShaderSource GlGraphPass::set(const SolidAtlas& solid, const TextureGraph& graph
 
 std::shared_ptr<const GlPointMap> GlGraphPass::set_tile(const GlTile& tile) {
     if (filter_.kind == FilterKind::none) return points_.points(texture_from_atlas_, false, tile);
-    if (!std::exchange(lines_known_, true)) lines_.set_atlas(*solid_, solid_->maps, threads_);
+    if (!lines_known_) lines_.set_atlas(*solid_, solid_->maps, threads_);
+    lines_known_ = true;
     lines_.set_tile(tile);
     return nullptr;
 }
@@ -152,6 +154,7 @@ void GlGraphPass::finish() {
 
 void GlGraphPass::forget_atlas() {
     points_.forget_atlas();
+    lines_.forget_atlas();
     lines_known_ = false;
     solid_ = nullptr;
 }

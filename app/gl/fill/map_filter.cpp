@@ -55,6 +55,7 @@ void GlMapFilter::forget_atlas() {
     kept_.clear();
     bytes_ = 0;
     slopes_.reset();
+    lines_.forget_atlas();
     lines_known_ = false;
     solid_ = nullptr;
 }
@@ -102,7 +103,8 @@ void GlMapFilter::set_field(const FieldOctaves& octaves, const Quadric& quadric)
 void GlMapFilter::set_tile(const GlTile& tile) {
     if (!beside_centres()) slopes_ = slope_map(tile);
     if (!has_lines()) return;
-    if (!std::exchange(lines_known_, true)) lines_.set_atlas(*solid_, maps_, threads_);
+    if (!lines_known_) lines_.set_atlas(*solid_, maps_, threads_);
+    lines_known_ = true;
     lines_.set_tile(tile);
 }
 

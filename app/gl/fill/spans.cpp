@@ -107,6 +107,12 @@ void GlTexelLines::set_atlas(const SolidAtlas& solid, std::span<const TexelMap> 
     threads_ = threads;
 }
 
+void GlTexelLines::forget_atlas() {
+    spans_.clear();
+    maps_.reset();
+    solid_ = nullptr;
+}
+
 void GlTexelLines::set_tile(const GlTile& tile) {
     const auto known = std::ranges::find(spans_, tile, &Spans::tile);
     if (known != spans_.end()) {

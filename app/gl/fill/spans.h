@@ -68,6 +68,8 @@ class GlTexelLines {
     /// triangles in the wanted space. Throws Error(unsupported) where they exceed OpenGL's buffer
     /// textures.
     void set_atlas(const SolidAtlas& solid, std::span<const TexelMap> maps, int threads);
+    /// Frees everything about the atlas.
+    void forget_atlas();
     /// Sets the tile of the following draws: makes its spans where they are not kept.
     void set_tile(const GlTile& tile);
     /// Binds the textures, from unit `first_unit` on, and sets the uniforms of a program in use.
