@@ -7,11 +7,11 @@
 
 namespace burl {
 
-/// Calls work(i) once for every i < count, on several threads. Each call may write only data of its
-/// own; then the result does not depend on the number of threads.
+/// Calls work(i) once for every i < count, on several threads, `grain` calls or more at a time.
+/// Each call may write only data of its own; then the result does not depend on the number of
+/// threads.
 template <class Work>
-void for_each_index(std::size_t count, const Work& work) {
-    constexpr std::size_t grain = 4096;
+void for_each_index(std::size_t count, const Work& work, std::size_t grain = 4096) {
     using Range = tbb::blocked_range<std::size_t>;
     tbb::parallel_for(Range(0, count, grain), [&](const Range& range) {
         for (std::size_t i = range.begin(); i < range.end(); ++i) work(i);

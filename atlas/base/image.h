@@ -1,5 +1,6 @@
 #pragma once
 // Rectangles of pixels, row 0 first (row 0 is v = 0 in glTF), rows contiguous.
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -17,6 +18,22 @@ struct Rgb {
 using Rgb8 = Rgb<std::uint8_t>;    ///< sRGB-encoded, 0..255
 using Rgb16 = Rgb<std::uint16_t>;  ///< sRGB-encoded, 0..65535
 using RgbF = Rgb<float>;           ///< linear light
+
+/// A colour with its opacity `a`, 0 (transparent) to the greatest code (opaque), which is linear in
+/// all types.
+template <class T>
+struct Rgba {
+    T r{}, g{}, b{}, a{};
+    bool operator==(const Rgba&) const = default;
+};
+using Rgba8 = Rgba<std::uint8_t>;    ///< sRGB-encoded, 0..255, not premultiplied
+using Rgba16 = Rgba<std::uint16_t>;  ///< sRGB-encoded, 0..65535, not premultiplied
+/// Linear light times opacity (Porter and Duff, "Compositing Digital Images", 1984), so that means
+/// of texels are means of what is seen: transparent texels have no colour.
+using RgbaF = Rgba<float>;
+
+using Grey8 = std::uint8_t;    ///< a number from 0 to 1, linear, as 0..255
+using Grey16 = std::uint16_t;  ///< a number from 0 to 1, linear, as 0..65535
 
 template <class T>
 class Image {
@@ -45,5 +62,14 @@ class Image {
     std::size_t width_ = 0, height_ = 0;
     std::vector<T, PixelAllocator<T>> pixels_;
 };
+
+/// The image whose pixels are convert(pixel).
+template <class To, class From, class Convert>
+Image<To> converted(const Image<From>& image, const Convert& convert) {
+    auto result = Image<To>::unset(image.width(), image.height());
+    for (std::size_t y = 0; y < image.height(); ++y)
+        std::ranges::transform(image.row(y), result.row(y).begin(), convert);
+    return result;
+}
 
 }  // namespace burl

@@ -17,8 +17,14 @@ double widen(float value) {
 Vec3d widen(const Vec3f& value) {
     return Vec3d(value);
 }
+Vec4d widen(const Vec4f& value) {
+    return Vec4d(value);
+}
 Vec3d widen(const RgbF& value) {
     return {double(value.r), double(value.g), double(value.b)};
+}
+Vec4d widen(const RgbaF& value) {
+    return {double(value.r), double(value.g), double(value.b), double(value.a)};
 }
 void narrow(double sum, float& value) {
     value = float(sum);
@@ -26,8 +32,27 @@ void narrow(double sum, float& value) {
 void narrow(const Vec3d& sum, Vec3f& value) {
     value = Vec3f(sum);
 }
+void narrow(const Vec4d& sum, Vec4f& value) {
+    value = Vec4f(sum);
+}
 void narrow(const Vec3d& sum, RgbF& value) {
     value = {float(sum.x), float(sum.y), float(sum.z)};
+}
+void narrow(const Vec4d& sum, RgbaF& value) {
+    value = {float(sum.x), float(sum.y), float(sum.z), float(sum.w)};
+}
+
+float times(float value, float factor) {
+    return value * factor;
+}
+Vec4f times(const Vec4f& value, float factor) {
+    return value * factor;
+}
+RgbF times(const RgbF& p, float factor) {
+    return {p.r * factor, p.g * factor, p.b * factor};
+}
+RgbaF times(const RgbaF& p, float factor) {
+    return {p.r * factor, p.g * factor, p.b * factor, p.a * factor};
 }
 
 /// Filter taps of new texel i of an axis with `size` old ones.
@@ -74,11 +99,10 @@ Image<T> halve(const Image<T>& image) {
                        [&](std::size_t x, std::size_t y) -> const T& { return image(x, y); });
 }
 
-Image<RgbF> halve_product(const Image<RgbF>& image, const Image<float>& factor) {
-    return halve_at<RgbF>(image.width(), image.height(), [&](std::size_t x, std::size_t y) {
-        const RgbF& p = image(x, y);
-        const float f = factor(x, y);
-        return RgbF{p.r * f, p.g * f, p.b * f};
+template <class T>
+Image<T> halve_product(const Image<T>& image, const Image<float>& factor) {
+    return halve_at<T>(image.width(), image.height(), [&](std::size_t x, std::size_t y) {
+        return times(image(x, y), factor(x, y));
     });
 }
 
@@ -93,9 +117,16 @@ MipChain<T> build_mip_chain(Image<T> image) {
 
 template Image<float> halve(const Image<float>&);
 template Image<Vec3f> halve(const Image<Vec3f>&);
+template Image<Vec4f> halve(const Image<Vec4f>&);
 template Image<RgbF> halve(const Image<RgbF>&);
+template Image<RgbaF> halve(const Image<RgbaF>&);
+template Image<float> halve_product(const Image<float>&, const Image<float>&);
+template Image<Vec4f> halve_product(const Image<Vec4f>&, const Image<float>&);
+template Image<RgbF> halve_product(const Image<RgbF>&, const Image<float>&);
+template Image<RgbaF> halve_product(const Image<RgbaF>&, const Image<float>&);
 template MipChain<float> build_mip_chain(Image<float>);
 template MipChain<Vec3f> build_mip_chain(Image<Vec3f>);
 template MipChain<RgbF> build_mip_chain(Image<RgbF>);
+template MipChain<RgbaF> build_mip_chain(Image<RgbaF>);
 
 }  // namespace burl

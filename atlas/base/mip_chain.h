@@ -21,13 +21,15 @@ struct MipChain {
 /// of the image. Along an even side a texel takes two old ones with equal weights; an odd side of
 /// 2m+1 texels becomes m, so every new texel covers 2 + 1/m old ones and takes parts of three
 /// (Guthe & Heckbert, "Non-Power-of-Two Mipmap Creation", 2005). The image's mean is kept in both
-/// cases. Sums are in double, texels rounded once per level. T is float, Vec3f or RgbF.
+/// cases. Sums are in double, texels rounded once per level. T is float,
+/// Vec3f, Vec4f, RgbF or RgbaF.
 template <class T>
 Image<T> halve(const Image<T>& image);
 
 /// halve() of the texelwise product of `image` and `factor`, which have the same size, without an
-/// image of the products.
-Image<RgbF> halve_product(const Image<RgbF>& image, const Image<float>& factor);
+/// image of the products. T is float, Vec4f, RgbF or RgbaF.
+template <class T>
+Image<T> halve_product(const Image<T>& image, const Image<float>& factor);
 
 /// Filter taps of one new texel along one axis: it covers the `count` (1 to 3) old texels from
 /// `first` on with these weights, whose sum is 1.

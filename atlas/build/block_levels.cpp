@@ -25,14 +25,27 @@ std::uint32_t log2_floor(std::uint32_t n) {
     return static_cast<std::uint32_t>(std::bit_width(n)) - 1;
 }
 
+float over(float sum, float weight) {
+    return sum / weight;
+}
+Vec4f over(const Vec4f& sum, float weight) {
+    return sum / weight;
+}
+RgbF over(const RgbF& sum, float weight) {
+    return {sum.r / weight, sum.g / weight, sum.b / weight};
+}
+RgbaF over(const RgbaF& sum, float weight) {
+    return {sum.r / weight, sum.g / weight, sum.b / weight, sum.a / weight};
+}
+
 /// The texelwise quotient of sums and weights; texels of weight 0, which hold no surface at all,
 /// keep the plain mean.
-Image<RgbF> divided(const Image<RgbF>& sums, const Image<float>& weights, Image<RgbF> plain) {
+template <class T>
+Image<T> divided(const Image<T>& sums, const Image<float>& weights, Image<T> plain) {
     for (std::size_t y = 0; y < plain.height(); ++y)
         for (std::size_t x = 0; x < plain.width(); ++x) {
             const float weight = weights(x, y);
-            const RgbF& sum = sums(x, y);
-            if (weight > 0.0f) plain(x, y) = {sum.r / weight, sum.g / weight, sum.b / weight};
+            if (weight > 0.0f) plain(x, y) = over(sums(x, y), weight);
         }
     return plain;
 }
@@ -49,14 +62,15 @@ std::uint32_t last_unmixed_level(const PatchAtlas& atlas) {
 
 /// Replaces levels first + 1, first + 2, ... as far as they lie above `pure` by means over inner
 /// texels only. `image` is level `first`.
-void keep_gutters_out(const PatchAtlas& atlas, const Image<RgbF>& image, std::uint32_t first,
-                      std::uint32_t pure, std::span<Image<RgbF>> levels) {
+template <class T>
+void keep_gutters_out(const PatchAtlas& atlas, const Image<T>& image, std::uint32_t first,
+                      std::uint32_t pure, std::span<Image<T>> levels) {
     Image<float> weights = inner_texels(atlas, first);
-    Image<RgbF> sums;
+    Image<T> sums;
     for (std::uint32_t l = first + 1; l <= first + levels.size(); ++l) {
         sums = l == first + 1 ? halve_product(image, weights) : halve(sums);
         weights = halve(weights);
-        Image<RgbF>& level = levels[l - first - 1];
+        Image<T>& level = levels[l - first - 1];
         if (l > pure) level = divided(sums, weights, std::move(level));
     }
 }
@@ -133,9 +147,10 @@ Image<float> inner_texels(const PatchAtlas& atlas, std::uint32_t level) {
     return inner;
 }
 
-std::vector<Image<RgbF>> block_levels(const MeshAtlas& atlas, const Image<RgbF>& image,
-                                      std::uint32_t levels, std::uint32_t first) {
-    std::vector<Image<RgbF>> result;
+template <class T>
+std::vector<Image<T>> block_levels(const MeshAtlas& atlas, const Image<T>& image,
+                                   std::uint32_t levels, std::uint32_t first) {
+    std::vector<Image<T>> result;
     const std::uint32_t last = std::min(levels, log2_floor(atlas.atlas().options.size));
     for (std::uint32_t l = first + 1; l <= last; ++l)
         result.push_back(halve(result.empty() ? image : result.back()));
@@ -148,5 +163,14 @@ std::vector<Image<RgbF>> block_levels(const MeshAtlas& atlas, const Image<RgbF>&
     }
     return result;
 }
+
+template std::vector<Image<float>> block_levels(const MeshAtlas&, const Image<float>&,
+                                                std::uint32_t, std::uint32_t);
+template std::vector<Image<Vec4f>> block_levels(const MeshAtlas&, const Image<Vec4f>&,
+                                                std::uint32_t, std::uint32_t);
+template std::vector<Image<RgbF>> block_levels(const MeshAtlas&, const Image<RgbF>&, std::uint32_t,
+                                               std::uint32_t);
+template std::vector<Image<RgbaF>> block_levels(const MeshAtlas&, const Image<RgbaF>&,
+                                                std::uint32_t, std::uint32_t);
 
 }  // namespace burl

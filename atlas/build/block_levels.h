@@ -34,10 +34,13 @@ Image<float> inner_texels(const PatchAtlas& atlas, std::uint32_t level = 0);
 /// gutter with surface.
 bool halves_in_bands(const MeshAtlas& atlas);
 
-/// Levels first + 1 to `levels` (at most down to 1 x 1) of a texture in linear light whose level
+/// Levels first + 1 to `levels` (at most down to 1 x 1) of a texture of linear values whose level
 /// `first` is `image`. Level l has max(1, floor(N / 2^l)) texels a side, as in OpenGL; sums are in
-/// double, texels rounded once per level.
-std::vector<Image<RgbF>> block_levels(const MeshAtlas& atlas, const Image<RgbF>& image,
-                                      std::uint32_t levels, std::uint32_t first = 0);
+/// double, texels rounded once per level. T is float (a number, such as metalness), Vec4f, RgbF
+/// (linear light) or RgbaF (premultiplied, which makes these the levels of a blended texture: the
+/// mean of an opaque red texel and a transparent one of any colour is red of opacity 1/2).
+template <class T>
+std::vector<Image<T>> block_levels(const MeshAtlas& atlas, const Image<T>& image,
+                                   std::uint32_t levels, std::uint32_t first = 0);
 
 }  // namespace burl

@@ -9,6 +9,7 @@
 
 #include "atlas/base/mip_chain.h"
 #include "atlas/read/read_mesh.h"
+#include "tests/atlas/support/made_atlas.h"
 #include "tests/atlas/support/made_patches.h"
 #include "tests/paths.h"
 
@@ -22,10 +23,6 @@ Image<RgbF> noise(std::uint32_t size) {
     for (std::uint32_t y = 0; y < size; ++y)
         for (RgbF& p : image.row(y)) p = {any(), any(), any()};
     return image;
-}
-
-MeshAtlas atlas_of(const Mesh& mesh, AtlasKind kind, std::uint32_t size) {
-    return build_atlas(mesh, build_connectivity(mesh), {.kind = kind, .size = size});
 }
 
 /// A level's texel against level 0.
@@ -58,9 +55,9 @@ bool ends_anywhere(const PatchLayout& layout) {
 }
 
 TEST(BlockLevels, AbovePureLevelsOnlyInnerTexelsCount) {
-    const MeshAtlas ring = atlas_of(made::ring(40, 20), AtlasKind::patch, 512);
-    const MeshAtlas teapot =
-        atlas_of(read_mesh(test::binary_folder() + "/meshes/teapot.obj"), AtlasKind::patch, 1024);
+    const MeshAtlas ring = made::atlas_of(made::ring(40, 20), AtlasKind::patch, 512);
+    const MeshAtlas teapot = made::atlas_of(read_mesh(test::binary_folder() + "/meshes/teapot.obj"),
+                                            AtlasKind::patch, 1024);
     ASSERT_EQ(last_pure_level(ring), 3u);  // gutters of 512 / 128 texels
     ASSERT_TRUE(ends_anywhere(teapot.patches()->layout));
     for (const MeshAtlas* atlas : {&ring, &teapot}) {
@@ -113,7 +110,7 @@ TEST(BlockLevels, PureLevelsMixNoBlocks) {
     for (const auto& [kind, size, least] :
          {Case{AtlasKind::patch, 256, 1}, Case{AtlasKind::patch, 384, 1},
           Case{AtlasKind::quad, 256, 1}}) {
-        const MeshAtlas atlas = atlas_of(made::box(4), kind, size);
+        const MeshAtlas atlas = made::atlas_of(made::box(4), kind, size);
         const PaintedBlocks blocks(atlas);
         const std::uint32_t pure = last_pure_level(atlas);
         ASSERT_GE(pure, least);
@@ -126,7 +123,7 @@ TEST(BlockLevels, PureLevelsMixNoBlocks) {
 }
 
 TEST(BlockLevels, GoOnFromAnyLevelThatKeepsGuttersApart) {
-    const MeshAtlas atlas = atlas_of(made::ring(40, 20), AtlasKind::patch, 512);
+    const MeshAtlas atlas = made::atlas_of(made::ring(40, 20), AtlasKind::patch, 512);
     ASSERT_TRUE(atlas.patches());
     ASSERT_EQ(last_pure_level(atlas), 3u);
     const auto whole = block_levels(atlas, noise(512), 9);
@@ -145,7 +142,7 @@ TEST(BlockLevels, GoOnFromAnyLevelThatKeepsGuttersApart) {
 
 TEST(BlockLevels, SharesOfSurfaceAreMeansOfInnerTexels) {
     for (const std::uint32_t size : {512u, 300u}) {
-        const MeshAtlas atlas = atlas_of(made::ring(40, 20), AtlasKind::patch, size);
+        const MeshAtlas atlas = made::atlas_of(made::ring(40, 20), AtlasKind::patch, size);
         ASSERT_TRUE(atlas.patches());
         const Image<float> all = inner_texels(*atlas.patches());
         for (const std::uint32_t level : {1u, 2u, 3u, 4u}) {
@@ -172,7 +169,7 @@ TEST(BlockLevels, SharesOfSurfaceAreMeansOfInnerTexels) {
 TEST(BlockLevels, AConstantStaysConstant) {
     for (const AtlasKind kind : {AtlasKind::area, AtlasKind::patch})
         for (const std::uint32_t size : {200u, 256u}) {
-            const MeshAtlas atlas = atlas_of(made::tube(24, 20, 6.0), kind, size);
+            const MeshAtlas atlas = made::atlas_of(made::tube(24, 20, 6.0), kind, size);
             const Image<RgbF> texture(size, size, {0.25f, 0.5f, 0.75f});
             for (const Image<RgbF>& level : block_levels(atlas, texture, 20))
                 for (const RgbF& p : level.pixels()) {
@@ -184,16 +181,16 @@ TEST(BlockLevels, AConstantStaysConstant) {
 
 TEST(BlockLevels, StripsEndWhereTheNarrowestBlockIsTwoTexelsWide) {
     for (const std::uint32_t size : {64u, 256u, 1024u}) {
-        const MeshAtlas atlas = atlas_of(made::one_triangle(), AtlasKind::uniform, size);
+        const MeshAtlas atlas = made::atlas_of(made::one_triangle(), AtlasKind::uniform, size);
         EXPECT_EQ(last_level(atlas), std::uint32_t(std::log2(size)) - 1);
     }
-    const MeshAtlas many = atlas_of(made::ring(40, 20), AtlasKind::area, 256);
+    const MeshAtlas many = made::atlas_of(made::ring(40, 20), AtlasKind::area, 256);
     std::uint32_t narrowest = 256;
     for (const Block& block : many.atlas().blocks)
         narrowest = std::min({narrowest, block.width, block.height});
     EXPECT_GE(narrowest >> last_level(many), 2u);
     EXPECT_LT(narrowest >> (last_level(many) + 1), 2u);
-    EXPECT_EQ(last_level(atlas_of(made::ring(40, 20), AtlasKind::quad, 256)), 8u);
+    EXPECT_EQ(last_level(made::atlas_of(made::ring(40, 20), AtlasKind::quad, 256)), 8u);
 }
 
 }  // namespace
