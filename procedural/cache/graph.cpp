@@ -24,6 +24,7 @@ namespace {
 TextureGraph number_below(TextureGraph graph) {
     graph.textures[graph.nodes.back().texture] = {};
     graph.nodes.pop_back();
+    graph.result = std::uint32_t(graph.nodes.size() - 1);
     return graph;
 }
 
@@ -37,6 +38,7 @@ TextureGraph map_alone(const TextureGraph& graph) {
     TextureGraph alone;
     alone.nodes = {graph.nodes.front(), number, map};
     alone.textures = graph.textures;
+    alone.result = 2;
     return alone;
 }
 
@@ -66,6 +68,7 @@ void color_row(const GraphValues& map, std::span<const TexelLayout::Run> runs,
 
 bool CachedGraph::splits(const TextureGraph& graph, const Filter& filter) {
     if (filter.kind != FilterKind::none || graph.nodes.size() < 3) return false;
+    if (!graph.channels.empty() || graph.result != graph.nodes.size() - 1) return false;
     const GraphNode& last = graph.nodes.back();
     if (type_of(last).name != "color_map" || last.inputs.front() != graph.nodes.size() - 2)
         return false;

@@ -1,6 +1,9 @@
 #pragma once
-// The conversion of linear light to a pixel of any of the image formats: sRGB codes of 8 or 16
-// bits, or floats of linear light.
+// The conversion of linear light, without and with opacity, and of numbers to a pixel of any of the
+// image formats: sRGB codes of 8 or 16 bits, linear codes, or floats.
+#include <algorithm>
+#include <limits>
+
 #include "atlas/base/image.h"
 #include "atlas/base/vec.h"
 #include "procedural/batch/texel_batch.h"
@@ -26,6 +29,38 @@ template <>
 class PixelEncoder<RgbF> {
   public:
     RgbF operator()(const Vec3d& c) const { return {float(c.x), float(c.y), float(c.z)}; }
+};
+
+/// The linear code of a number: 0..1 becomes 0 to the greatest code, rounded to the nearest;
+/// numbers outside are clamped, NaN gives 0. Code: Grey8 or Grey16.
+template <class Code>
+Code linear_code(double value) {
+    constexpr double max_code = std::numeric_limits<Code>::max();
+    if (!(value > 0.0)) return 0;
+    return Code(std::min(value, 1.0) * max_code + 0.5);
+}
+
+/// Encodes linear light with opacity, (r a, g a, b a, a): RgbaF keeps it, codes hold the colour
+/// divided by the opacity and the opacity as a linear code. Transparent texels, which have no
+/// colour, are black.
+template <class Code>
+class PixelEncoder<Rgba<Code>> {
+  public:
+    Rgba<Code> operator()(const Vec4d& c) const {
+        if (!(c.w > 0.0)) return {};
+        return {encode_(c.x / c.w), encode_(c.y / c.w), encode_(c.z / c.w), linear_code<Code>(c.w)};
+    }
+
+  private:
+    SrgbEncoder<Code> encode_;
+};
+
+template <>
+class PixelEncoder<RgbaF> {
+  public:
+    RgbaF operator()(const Vec4d& c) const {
+        return {float(c.x), float(c.y), float(c.z), float(c.w)};
+    }
 };
 
 /// PixelEncoder for streams of colours: stream.color[c] is the array of channel c, of at most

@@ -8,20 +8,6 @@ namespace burl {
 
 namespace {
 
-/// The work of the texels of some rows by the evaluator; octaves are those of the value program of
-/// the same graph.
-SynthesisWork work_of(const SolidAtlas& solid, const RowWindow& rows, const ValueProgram& program,
-                      const Filter& filter) {
-    const std::uint64_t samples =
-        filter.kind == FilterKind::supersample ? std::uint64_t(filter.samples) : 1;
-    SynthesisWork work;
-    const std::uint64_t outside = texels_outside(solid, rows);
-    work.skip_texels(Skip::unread_texels, outside);
-    work.texels = std::uint64_t(solid.size) * rows.count() - outside;
-    work.octaves = work.texels * samples * program.octaves();
-    return work;
-}
-
 struct GraphColor {
     Vec3d operator()(const TexelPlace&, double, double, const GraphSample& sample) const {
         return sample.color();

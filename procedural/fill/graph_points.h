@@ -2,6 +2,8 @@
 // Texels of an atlas as point samples of a graph, one each or the weighted mean of several: batches
 // of points for a value program, and colours stored as pixels.
 #include <memory>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "atlas/base/image.h"
@@ -44,19 +46,43 @@ class BatchEncoder<Rgb8> {
     SrgbStreamEncoder encode_;
 };
 
-/// The batch of texels of one thread.
+/// The arrays of planes over a batch of texels.
+using PlaneArrays = std::span<const double* const>;
+
+/// Stores the first three planes, a colour, as pixels of an image.
 template <class Pixel>
+class ImageStore {
+  public:
+    /// Both must outlive this object.
+    ImageStore(const BatchEncoder<Pixel>& encode, const RowBand<Pixel>& image)
+        : encode_(encode), image_(image) {}
+
+    void operator()(PlaneArrays planes, std::size_t count, std::span<const Piece> pieces) {
+        encode_({planes[0], planes[1], planes[2]}, count, pixels_);
+        const Pixel* from = pixels_;
+        for (const Piece& piece : pieces) {
+            std::copy_n(from, piece.solid.count, &image_(piece.x, piece.y));
+            from += piece.solid.count;
+        }
+    }
+
+  private:
+    const BatchEncoder<Pixel>& encode_;
+    const RowBand<Pixel>& image_;
+    Pixel pixels_[value_batch];
+};
+
+/// The batch of texels of one thread; `Store` takes the planes of each batch.
+template <class Store>
 class PointQueue {
   public:
-    PointQueue(const GraphValues& graph, const Filter& filter, const BatchEncoder<Pixel>& encode,
-               const RowBand<Pixel>& image)
+    PointQueue(const GraphValues& graph, const Filter& filter, Store store)
         : graph_(graph),
           supersampled_(filter.kind == FilterKind::supersample),
           pattern_(supersampled_ ? filter.samples : 1),
-          encode_(encode),
-          image_(image),
+          store_(std::move(store)),
           scratch_(graph.make_scratch()),
-          sums_(supersampled_ ? 4 : 0) {}
+          sums_(supersampled_ ? graph.results().size() + 1 : 0) {}
 
     /// Adds a span's texels. Their points are computed from the span's start, so the bytes do not
     /// depend on batches.
@@ -73,16 +99,15 @@ class PointQueue {
         }
     }
 
-    /// Evaluates the batch and stores its pixels.
+    /// Evaluates the batch and stores its texels.
     void flush() {
         if (count_ == 0) return;
         scratch_.work.texels += count_;
-        encode_(supersampled_ ? mean_colors() : point_colors(), count_, pixels_);
-        const Pixel* from = pixels_;
-        for (const Piece& piece : pieces_) {
-            std::copy_n(from, piece.solid.count, &image_(piece.x, piece.y));
-            from += piece.solid.count;
-        }
+        if (supersampled_)
+            find_means();
+        else
+            find_values();
+        store_(planes_, count_, pieces_);
         pieces_.clear();
         count_ = 0;
     }
@@ -91,7 +116,13 @@ class PointQueue {
     const SynthesisWork& work() const { return scratch_.work; }
 
   private:
-    std::array<const double*, 3> point_colors() {
+    void run() {
+        graph_.program().run(count_, scratch_);
+        planes_.clear();
+        for (const Register r : graph_.results()) planes_.push_back(scratch_[r]);
+    }
+
+    void find_values() {
         for (int axis = 0; axis < 3; ++axis) {
             lines_.clear();
             for (const auto& [x, y, solid, down, length] : pieces_)
@@ -99,23 +130,26 @@ class PointQueue {
                     {solid.start[axis], solid.step[axis], 0.0, solid.first, solid.count});
             fill_parabolas(lines_, scratch_[Register(axis)]);
         }
-        return graph_(count_, scratch_);
+        run();
     }
 
-    /// The weighted means of all samples' colours.
-    std::array<const double*, 3> mean_colors() {
+    /// Sets the planes to the weighted means of all samples.
+    void find_means() {
+        const std::size_t planes = sums_.size() - 1;
         for (auto& sum : sums_) std::fill_n(sum.values, count_, 0.0);
         for (int i = 0; i < pattern_.samples(); ++i) {
             place_samples(i);
-            const auto color = graph_(count_, scratch_);
+            run();
             for (std::size_t j = 0; j < count_; ++j) {
-                for (std::size_t c = 0; c < 3; ++c) sums_[c].values[j] += weights_[j] * color[c][j];
-                sums_[3].values[j] += weights_[j];
+                for (std::size_t c = 0; c < planes; ++c)
+                    sums_[c].values[j] += weights_[j] * planes_[c][j];
+                sums_[planes].values[j] += weights_[j];
             }
         }
-        for (std::size_t c = 0; c < 3; ++c)
-            for (std::size_t j = 0; j < count_; ++j) sums_[c].values[j] /= sums_[3].values[j];
-        return {sums_[0].values, sums_[1].values, sums_[2].values};
+        for (std::size_t c = 0; c < planes; ++c) {
+            for (std::size_t j = 0; j < count_; ++j) sums_[c].values[j] /= sums_[planes].values[j];
+            planes_[c] = sums_[c].values;
+        }
     }
 
     void place_samples(int sample) {
@@ -133,15 +167,14 @@ class PointQueue {
     const GraphValues& graph_;
     bool supersampled_;
     SamplePattern pattern_;
-    const BatchEncoder<Pixel>& encode_;
-    const RowBand<Pixel>& image_;
+    Store store_;
     GraphValues::Scratch scratch_;
     std::vector<GraphValues::Scratch::Array> sums_;
+    std::vector<const double*> planes_;
     std::vector<Piece> pieces_;
     std::vector<ParabolaLine> lines_;
     std::size_t count_ = 0;
     double weights_[value_batch];
-    Pixel pixels_[value_batch];
 };
 
 /// The number of texels of these rows that lie in no span.
@@ -152,19 +185,31 @@ inline std::uint64_t texels_outside(const SolidAtlas& solid, const RowWindow& ro
     return count;
 }
 
-/// Fills the rows' texels that lie in spans by point samples of a value program; rows are filled in
-/// parallel.
-template <class Pixel>
+/// The work of the texels of some rows by the evaluator; octaves are those of the value program of
+/// the same graph.
+inline SynthesisWork work_of(const SolidAtlas& solid, const RowWindow& rows,
+                             const ValueProgram& program, const Filter& filter) {
+    const std::uint64_t samples =
+        filter.kind == FilterKind::supersample ? std::uint64_t(filter.samples) : 1;
+    SynthesisWork work;
+    const std::uint64_t outside = texels_outside(solid, rows);
+    work.skip_texels(Skip::unread_texels, outside);
+    work.texels = std::uint64_t(solid.size) * rows.count() - outside;
+    work.octaves = work.texels * samples * program.octaves();
+    return work;
+}
+
+/// Gives the rows' texels that lie in spans, as point samples of a value program, to a copy of
+/// `store` per thread; rows are filled in parallel.
+template <class Store>
 void fill_points(const SolidAtlas& solid, const Affine3& map, const GraphValues& graph,
-                 const Filter& filter, int threads, const Economy& economy,
-                 const RowBand<Pixel>& image) {
-    const BatchEncoder<Pixel> encode;
+                 const Filter& filter, int threads, const Economy& economy, const RowWindow& rows,
+                 const Store& store) {
     WorkSum work(economy.work);
-    const RowWindow rows = image.rows();
     RowGroups groups(solid.size, 16 * value_batch);
     groups.size = rows.count();
     const auto fill_rows = [&](const RowRange& range) {
-        const auto queue = std::make_unique<PointQueue<Pixel>>(graph, filter, encode, image);
+        const auto queue = std::make_unique<PointQueue<Store>>(graph, filter, store);
         for (std::size_t row = groups.begin(range.begin()); row != groups.begin(range.end());
              ++row) {
             const std::size_t y = rows.first + row;
@@ -186,6 +231,16 @@ void fill_points(const SolidAtlas& solid, const Affine3& map, const GraphValues&
     SynthesisWork gaps;
     gaps.skip_texels(Skip::unread_texels, texels_outside(solid, rows));
     work.add(gaps);
+}
+
+/// Fills the rows' texels that lie in spans by point samples of a value program's colour.
+template <class Pixel>
+void fill_points(const SolidAtlas& solid, const Affine3& map, const GraphValues& graph,
+                 const Filter& filter, int threads, const Economy& economy,
+                 const RowBand<Pixel>& image) {
+    const BatchEncoder<Pixel> encode;
+    fill_points(solid, map, graph, filter, threads, economy, image.rows(),
+                ImageStore<Pixel>(encode, image));
 }
 
 }  // namespace burl

@@ -51,7 +51,9 @@ class TexelQueue {
             double weights = 0.0;
             for (int i = 0; i < pattern_.samples(); ++i) {
                 const auto [u, v] = offset(i, texel);
-                const double weight = gaussian_weight(double(u), double(v));
+                // A sample that is alone keeps its bits.
+                const double weight =
+                    kind_ == FilterKind::supersample ? gaussian_weight(double(u), double(v)) : 1.0;
                 sum += weight * shade_(texel, double(u), double(v), *sample++);
                 weights += weight;
             }

@@ -59,13 +59,13 @@ std::string GlslMapTables::text() const {
 /// methods of antialiasing give the board itself.
 std::string GlslDuals::stripes_of(Antialiasing antialiasing, const std::string& x) {
     const std::string steps = fmt::format("{}, {}, {}", x, along(x, 'u'), along(x, 'v'));
-    if (!filtering_ || antialiasing == Antialiasing::none)
+    if (!filter_ || antialiasing == Antialiasing::none)
         return fmt::format("stripes_over_box({}, {}, {})", x, number(0.0), number(0.0));
     if (antialiasing == Antialiasing::closed_form)
         return fmt::format("stripes_over_box({})", steps);
     const Rgb8 black{0, 0, 0}, white{255, 255, 255};
     const ColorMap stripes{Wrap::repeat, {{0.0, black}, {0.5, black}, {0.5, white}, {1.0, white}}};
-    return fmt::format("stripes_over_both({}, {})", filtering_->maps.add(stripes), steps);
+    return fmt::format("stripes_over_both({}, {})", maps_.add(stripes), steps);
 }
 
 std::string GlslDuals::supersampled(std::size_t axes) const {
@@ -78,7 +78,7 @@ std::string GlslDuals::supersampled(std::size_t axes) const {
 }
 
 GlslDuals::Names GlslDuals::step(const Checkerboard& board) {
-    if (filtering_ && board.antialiasing == Antialiasing::supersample)
+    if (filter_ && board.antialiasing == Antialiasing::supersample)
         return {dual(supersampled(board.axes))};
     std::string sign;
     for (std::size_t i = 0; i < board.axes; ++i) {
@@ -94,10 +94,10 @@ GlslDuals::Names GlslDuals::color(const std::string& expression) {
 }
 
 GlslDuals::Names GlslDuals::step(const MapColors& colors) {
-    const FilterKind kind = filtering_->filter.kind;
-    const bool both = kind == FilterKind::trapezoid || kind == FilterKind::trapezoid2;
-    return color(fmt::format("dual_color({}, {}, {}, {}, {})", filtering_->maps.add(*colors.colors),
-                             in(0), along(in(0), 'u'), along(in(0), 'v'), both));
+    const bool both = filter_ && (filter_->kind == FilterKind::trapezoid ||
+                                  filter_->kind == FilterKind::trapezoid2);
+    return color(fmt::format("dual_color({}, {}, {}, {}, {})", maps_.add(*colors.colors), in(0),
+                             along(in(0), 'u'), along(in(0), 'v'), both));
 }
 
 GlslDuals::Names GlslDuals::step(const MarbleColors& colors) {

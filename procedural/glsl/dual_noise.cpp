@@ -3,6 +3,7 @@
 
 #include "procedural/field/lattice_sums.h"
 #include "procedural/glsl/duals.h"
+#include "procedural/glsl/simplex.h"
 #include "procedural/model/band_limit.h"
 
 namespace burl {
@@ -13,7 +14,7 @@ GlslDuals::Names GlslDuals::step(const OctaveSum& octaves) {
         for (std::string& x : p) x = dual(fmt::format("{} * {}", number(octaves.scale), x));
     const NoiseSum all = octaves.sum();
     std::string kept;
-    if (filtering_ && octaves.fades)
+    if (filter_ && octaves.fades)
         kept = variable(
             "float",
             fmt::format("float(visible_octaves({}, {}, {}, step_u, step_v, {}, {}))", p[0], p[1],
@@ -22,6 +23,21 @@ GlslDuals::Names GlslDuals::step(const OctaveSum& octaves) {
                                          octaves.mean(), new_name("n"));
     lines_ += written.lines;
     return {dual(fmt::format("dual_at({}, {}, {}, {})", written.result, p[0], p[1], p[2]))};
+}
+
+std::array<std::string, 2> GlslDuals::steps() const {
+    if (!filter_) return {"real3(0.0)", "real3(0.0)"};
+    return {"step_u", "step_v"};
+}
+
+GlslDuals::Names GlslDuals::step(const SimplexOctaves& octaves) {
+    return {dual(glsl_dual_simplex_sum(octaves, inputs_, steps(), functions_))};
+}
+
+GlslDuals::Names GlslDuals::step(const CurlOctaves& octaves) {
+    const std::string field =
+        variable("DualVector", glsl_dual_curl_sum(octaves, inputs_, steps(), functions_));
+    return {field + ".x", field + ".y", field + ".z"};
 }
 
 GlslDuals::Names GlslDuals::step(const DotsWeight& dots) {
@@ -120,7 +136,7 @@ std::string GlslDuals::quadric(const Quadric& q, const Field& f) {
 GlslDuals::Names GlslDuals::step(const FieldAt& field) {
     const std::vector<Octave> octaves = expand_octaves(*field.texture);
     const Field f{variable("exact real", number(0.0)), variable("exact real3", "real3(0.0)")};
-    if (filtering_ && filtering_->filter.band_limit)
+    if (filter_ && filter_->band_limit)
         add_faded_octaves(octaves, f);
     else
         add_octaves(octaves, f);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "procedural/graph/box_means.h"
 #include "procedural/graph/table.h"
 
 namespace burl {
@@ -29,11 +30,11 @@ std::string GlslDuals::variable(const std::string& type, const std::string& expr
 }
 
 std::string GlslDuals::along(const std::string& x, char step) const {
-    return filtering_ ? fmt::format("dot_of({}.yzw, step_{})", x, step) : number(0.0);
+    return filter_ ? fmt::format("dot_of({}.yzw, step_{})", x, step) : number(0.0);
 }
 
 std::string GlslDuals::box_width(const std::string& x) const {
-    if (!filtering_) return number(0.0);
+    if (!filter_) return number(0.0);
     return fmt::format("length_of({}, {})", along(x, 'u'), along(x, 'v'));
 }
 
@@ -124,7 +125,15 @@ GlslDuals::Names GlslDuals::step(const BoxMean& mean) {
 GlslDuals::Names GlslDuals::step(const BoxStep& share) {
     const std::string above = dual(
         fmt::format("({}) - {}", sum({share.factor}, share.offset), constant(share.threshold)));
-    return {dual(fmt::format("box_step({}, {})", above, box_width(above)))};
+    std::string box = fmt::format("{}, {}", above, box_width(above));
+    if (share.widest < widest_box)
+        box += fmt::format(", {}, {}", number(share.mean), number(share.widest));
+    return {dual(fmt::format("box_step({})", box))};
+}
+
+GlslDuals::Names GlslDuals::step(const BoxPulse& pulse) {
+    return {dual(
+        fmt::format("box_pulse({}, {}, {})", in(0), box_width(in(0)), number(pulse.threshold)))};
 }
 
 GlslDuals::Names GlslDuals::step(const PositiveTurn&) {
@@ -159,16 +168,17 @@ std::vector<std::string> GlslDuals::write(const TextureGraph& graph) {
 }
 
 std::string glsl_gradient_function(const TextureGraph& graph, const std::string& name,
-                                   GlslFunctions& functions) {
-    GlslDuals text(functions, nullptr);
+                                   GlslFunctions& functions, GlslMapTables& maps) {
+    GlslDuals text(functions, maps, nullptr);
     const std::string result = text.write(graph).front();
     return fmt::format("real4 {}(real3 solid) {{\n{}    return {};\n}}\n\n", name, text.lines(),
                        result);
 }
 
 std::string glsl_filtered_function(const TextureGraph& graph, const std::string& name,
-                                   GlslFunctions& functions, GlslFiltering& filtering) {
-    GlslDuals text(functions, &filtering);
+                                   const Filter& filter, GlslFunctions& functions,
+                                   GlslMapTables& maps) {
+    GlslDuals text(functions, maps, &filter);
     std::vector<std::string> results = text.write(graph);
     results.resize(3, results.front());
     return fmt::format(

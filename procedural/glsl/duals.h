@@ -28,18 +28,13 @@ class GlslMapTables {
     std::vector<MapBreak> breaks_;
 };
 
-/// The filter and the colour maps of steps that average over the footprint (step_u, step_v).
-struct GlslFiltering {
-    Filter filter;
-    GlslMapTables maps;
-};
-
 /// The text of one function's body, step by step.
 class GlslDuals {
   public:
-    /// The text of a function of point samples if `filtering` is null.
-    GlslDuals(GlslFunctions& functions, GlslFiltering* filtering)
-        : functions_(functions), sums_(functions), filtering_(filtering) {}
+    /// Steps average over the footprint (step_u, step_v) by `filter`; they are point samples if it
+    /// is null. Colour maps are added to `maps`.
+    GlslDuals(GlslFunctions& functions, GlslMapTables& maps, const Filter* filter)
+        : functions_(functions), sums_(functions), maps_(maps), filter_(filter) {}
 
     /// Writes the steps of a graph and returns the names of its number, or of red, green and blue.
     std::vector<std::string> write(const TextureGraph& graph);
@@ -49,18 +44,25 @@ class GlslDuals {
     using Names = std::vector<std::string>;
 
     // The functions that write a step and return the names of its outputs. Arithmetic is in
-    // duals.cpp, noise in dual_noise.cpp, boards and colours in dual_colors.cpp.
+    // duals.cpp, noise in dual_noise.cpp, cells and shapes in tiles.cpp, boards and colours in
+    // dual_colors.cpp.
     Names step(const ValueOperation& work);
     Names step(const BoxMean& mean);
+    Names step(const BoxPulse& pulse);
     Names step(const BoxStep& share);
     Names step(const PositiveTurn& turn);
     Names step(const SlopeAlong& slope);
     Names step(const Checkerboard& board);
     Names step(const OctaveSum& octaves);
+    Names step(const SimplexOctaves& octaves);
+    Names step(const CurlOctaves& octaves);
     Names step(const FieldAt& field);
     Names step(const MapColors& colors);
     Names step(const MarbleColors& colors);
     Names step(const DotsWeight& dots);
+    Names step(const CellNumber& number);
+    Names step(const CellFeature& feature);
+    Names step(const ScatteredShapes& shapes);
     Names step(const ImageColors& image);
 
     const std::string& in(std::size_t k) const { return inputs_[k]; }
@@ -95,6 +97,8 @@ class GlslDuals {
     std::string variable(const std::string& type, const std::string& expression);
     std::string new_name(std::string_view stem);
 
+    /// The footprint's two steps; 0 for point samples.
+    std::array<std::string, 2> steps() const;
     /// The change of x across the footprint along its step `u` or `v`.
     std::string along(const std::string& x, char step) const;
     /// The width of the box with the variance of x over the footprint.
@@ -102,20 +106,22 @@ class GlslDuals {
 
     GlslFunctions& functions_;
     GlslNoiseSums sums_;
-    GlslFiltering* filtering_;
+    GlslMapTables& maps_;
+    const Filter* filter_;
     std::string lines_;
     std::size_t variables_ = 0;
     Names inputs_;  ///< inputs of the step that is being written
 };
 
 /// The function `real4 NAME(real3 solid)`: a graph's number at a point, with its gradient, as the
-/// evaluator has it in float32 without a footprint.
+/// evaluator has it in float32 without a footprint. Its colour maps are added to `maps`.
 std::string glsl_gradient_function(const TextureGraph& graph, const std::string& name,
-                                   GlslFunctions& functions);
+                                   GlslFunctions& functions, GlslMapTables& maps);
 
 /// The function `real3 NAME(real3 solid, real3 step_u, real3 step_v)`: a graph's colour over the
-/// footprint with these steps, linear light over black.
+/// footprint with these steps, linear light over black. Its colour maps are added to `maps`.
 std::string glsl_filtered_function(const TextureGraph& graph, const std::string& name,
-                                   GlslFunctions& functions, GlslFiltering& filtering);
+                                   const Filter& filter, GlslFunctions& functions,
+                                   GlslMapTables& maps);
 
 }  // namespace burl

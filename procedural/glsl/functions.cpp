@@ -61,6 +61,10 @@ std::string halved_lines(const std::string& table, const ColorPieces& pieces) {
 
 }  // namespace
 
+void GlslFunctions::need(const char* file) {
+    if (std::ranges::find(files_, std::string_view(file)) == files_.end()) files_.push_back(file);
+}
+
 std::string GlslFunctions::new_name(std::string_view stem) {
     return fmt::format("{}{}", stem, names_++);
 }
@@ -155,6 +159,7 @@ GlslTexture GlslFunctions::texture(const std::string& body, std::span<const Glsl
     for (const char* file : {"numbers/elementary.glsl", "maps/level_size.glsl", "graph/graph.glsl"})
         texture.parts.push_back({file});
     texture.parts.insert(texture.parts.end(), more.begin(), more.end());
+    for (const char* file : files_) texture.parts.push_back({file});
     texture.parts.push_back({"the graph", text_ + body});
     return texture;
 }

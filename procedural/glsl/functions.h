@@ -24,6 +24,8 @@ class GlslFunctions {
     GlslReal real() const { return real_; }
     std::string number(double value) const { return glsl_number(value, real_); }
 
+    /// Makes the shader contain a file, which follows all parts that texture() is given.
+    void need(const char* file);
     /// Adds text that definitions after it may use.
     void add(const std::string& text) { text_ += text; }
     /// A new name: "STEM0", "STEM1" and so on.
@@ -59,6 +61,7 @@ class GlslFunctions {
     GlslReal real_;
     std::string text_;
     std::size_t names_ = 0;
+    std::vector<const char*> files_;
     std::vector<GlslImage> images_;
     std::vector<GlslTable> tables_;
     std::vector<Octave> octaves_;

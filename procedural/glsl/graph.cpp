@@ -8,6 +8,8 @@
 #include "atlas/base/error.h"
 #include "procedural/glsl/duals.h"
 #include "procedural/glsl/noise_sum.h"
+#include "procedural/glsl/simplex.h"
+#include "procedural/glsl/tiles.h"
 #include "procedural/graph/table.h"
 #include "procedural/graph/value_program.h"
 #include "procedural/graph/values.h"
@@ -16,11 +18,25 @@ namespace burl {
 
 namespace {
 
-/// The parts that functions with gradients need besides those of values.
-std::vector<GlslPart> gradient_parts(const ValueProgram& program) {
-    for (const ValueStep& step : program.steps())
-        if (std::holds_alternative<GraphSlope>(step.work)) return {{"graph/dual.glsl"}};
-    return {};
+bool has_node(const TextureGraph& graph, std::string_view name) {
+    return std::ranges::any_of(graph.nodes.begin() + 1, graph.nodes.end(),
+                               [&](const GraphNode& node) { return type_of(node).name == name; });
+}
+
+/// The parts that functions with gradients of colours need besides those of values.
+std::vector<GlslPart> color_parts(const TextureGraph& graph, const GlslMapTables& maps) {
+    std::vector<GlslPart> parts{
+        {"graph/dual.glsl"}, {"colour maps", maps.text()}, {"graph/dual_map.glsl"}};
+    if (!graph.images.empty()) parts.push_back({"graph/dual_image.glsl"});
+    return parts;
+}
+
+/// The parts that the functions of slopes need besides those of values. Slopes are of numbers, and
+/// `split` alone makes numbers of colours.
+std::vector<GlslPart> slope_parts(const TextureGraph& graph, const GlslMapTables& maps) {
+    if (!has_node(graph, "slope")) return {};
+    if (has_node(graph, "split")) return color_parts(graph, maps);
+    return {{"graph/dual.glsl"}};
 }
 
 /// A step as text. Constants need no line: their output is the number itself.
@@ -35,6 +51,8 @@ class GlslSteps {
   public:
     GlslSteps(const ValueProgram& program, GlslFunctions& functions);
 
+    /// The colour maps of functions with gradients.
+    const GlslMapTables& maps() const { return maps_; }
     /// Writes a step; `inputs` are operands.
     GlslStep write(const ValueWork& work, const std::vector<std::string>& inputs);
 
@@ -43,8 +61,13 @@ class GlslSteps {
 
     GlslStep step(const ValueOperation& operation, const Inputs& inputs);
     GlslStep step(const NoiseSum& sum, const Inputs& inputs);
+    GlslStep step(const SimplexOctaves& octaves, const Inputs& inputs);
+    GlslStep step(const CurlOctaves& octaves, const Inputs& inputs);
     GlslStep step(const ColorPieces& pieces, const Inputs& inputs);
     GlslStep step(const DotsWeight& dots, const Inputs& inputs);
+    GlslStep step(const CellNumber& cell, const Inputs& inputs);
+    GlslStep step(const CellFeature& feature, const Inputs& inputs);
+    GlslStep step(const ScatteredShapes& shapes, const Inputs& inputs);
     GlslStep step(const ImageLookup& lookup, const Inputs& inputs);
     GlslStep step(const GraphSlope& slope, const Inputs& inputs);
 
@@ -57,13 +80,14 @@ class GlslSteps {
 
     GlslFunctions& functions_;
     GlslNoiseSums sums_;
+    GlslMapTables maps_;
     bool has_angles_ = false;  ///< only angles depend on signs of zeros
     std::size_t values_ = 0;
     std::vector<std::pair<std::shared_ptr<const GraphEvaluator>, std::string>> graphs_;
 };
 
 GlslSteps::GlslSteps(const ValueProgram& program, GlslFunctions& functions)
-    : functions_(functions), sums_(functions) {
+    : functions_(functions), sums_(functions), maps_(functions.real()) {
     for (const ValueStep& step : program.steps()) {
         const auto* operation = std::get_if<ValueOperation>(&step.work);
         if (operation && operation->op == ValueOp::angle) has_angles_ = true;
@@ -156,6 +180,14 @@ GlslStep GlslSteps::step(const NoiseSum& sum, const Inputs& inputs) {
     return step;
 }
 
+GlslStep GlslSteps::step(const SimplexOctaves& octaves, const Inputs& inputs) {
+    return value(glsl_simplex_sum(octaves, inputs, functions_));
+}
+
+GlslStep GlslSteps::step(const CurlOctaves& octaves, const Inputs& inputs) {
+    return color(glsl_curl_sum(octaves, inputs, functions_));
+}
+
 GlslStep GlslSteps::step(const ColorPieces& pieces, const Inputs& inputs) {
     return color(fmt::format("{}({})", functions_.color_map(pieces), inputs[0]));
 }
@@ -163,6 +195,18 @@ GlslStep GlslSteps::step(const ColorPieces& pieces, const Inputs& inputs) {
 GlslStep GlslSteps::step(const DotsWeight& dots, const Inputs& inputs) {
     return value(fmt::format("dot_weight({}, {}, {}u, uvec2({}u, {}u), {})", inputs[0], inputs[1],
                              dots.seed, dots.period_u, dots.period_v, number(dots.radius)));
+}
+
+GlslStep GlslSteps::step(const CellNumber& cell, const Inputs& inputs) {
+    return value(glsl_call(cell, inputs, functions_));
+}
+
+GlslStep GlslSteps::step(const CellFeature& feature, const Inputs& inputs) {
+    return value(glsl_call(feature, inputs, functions_) + ".x");
+}
+
+GlslStep GlslSteps::step(const ScatteredShapes& shapes, const Inputs& inputs) {
+    return value(glsl_call(shapes, inputs, functions_) + ".x");
 }
 
 GlslStep GlslSteps::step(const ImageLookup& lookup, const Inputs& inputs) {
@@ -178,7 +222,7 @@ GlslStep GlslSteps::step(const GraphSlope& slope, const Inputs&) {
     auto known = std::ranges::find_if(graphs_, same);
     if (known == graphs_.end()) {
         const std::string name = functions_.new_name("gradient");
-        functions_.add(glsl_gradient_function(slope.graph->graph(), name, functions_));
+        functions_.add(glsl_gradient_function(slope.graph->graph(), name, functions_, maps_));
         known = graphs_.emplace(graphs_.end(), slope.graph, name);
     }
     const Vec3d& d = slope.direction;
@@ -198,7 +242,7 @@ class GraphWriter {
         std::string body = "real3 texture_color(real3 solid) {\n" + lines_;
         body += fmt::format("    return real3({}, {}, {});\n}}\n", name(values_.results()[0]),
                             name(values_.results()[1]), name(values_.results()[2]));
-        return functions_.texture(body, gradient_parts(values_.program()));
+        return functions_.texture(body, slope_parts(graph_, steps_.maps()));
     }
 
   private:
@@ -250,19 +294,15 @@ void check(const std::string& why) {
 }  // namespace
 
 std::string no_graph_shader(const TextureGraph& graph) {
-    for (std::size_t n = 1; n < graph.nodes.size(); ++n)
-        if (type_of(graph.nodes[n]).name == "slope") return too_many_stops(graph);
-    return "";
+    return has_node(graph, "slope") ? too_many_stops(graph) : "";
 }
 
 std::string no_filtered_shader(const TextureGraph& graph, const Filter& filter) {
     const bool tables = filter.kind == FilterKind::table_mip ||
                         filter.kind == FilterKind::table_sat ||
                         filter.kind == FilterKind::table_sat3;
-    for (std::size_t n = 1; n < graph.nodes.size(); ++n) {
-        const std::string_view name = type_of(graph.nodes[n]).name;
-        if (name == "color_map" && tables) return "colour tables filter graphs on the host alone";
-    }
+    if (tables && has_node(graph, "color_map"))
+        return "colour tables filter graphs on the host alone";
     return too_many_stops(graph);
 }
 
@@ -274,12 +314,10 @@ GlslTexture glsl_graph(const TextureGraph& graph, GlslReal real) {
 GlslTexture glsl_filtered_graph(const TextureGraph& graph, const Filter& filter, GlslReal real) {
     check(no_filtered_shader(graph, filter));
     GlslFunctions functions(real);
-    GlslFiltering filtering{filter, GlslMapTables(real)};
-    const std::string body = glsl_filtered_function(graph, "texture_color", functions, filtering);
-    std::vector<GlslPart> parts{
-        {"graph/dual.glsl"}, {"colour maps", filtering.maps.text()}, {"graph/dual_map.glsl"}};
-    if (!graph.images.empty()) parts.push_back({"graph/dual_image.glsl"});
-    return functions.texture(body, parts);
+    GlslMapTables maps(real);
+    const std::string body =
+        glsl_filtered_function(graph, "texture_color", filter, functions, maps);
+    return functions.texture(body, color_parts(graph, maps));
 }
 
 }  // namespace burl

@@ -48,6 +48,29 @@ inline Dual box_step(const Dual& x, double width) {
     return chain(x, 0.5 + x.value / width, 1.0 / width);
 }
 
+/// The share of the box where x - floor(x) is at least a threshold in [0, 1]. The error is at most
+/// 1e-15 / w + 1e-16.
+inline Dual box_pulse(const Dual& x, double width, double threshold) {
+    if (!(width < widest_box)) return 1.0 - threshold;
+    const auto pulse = [=](double u) { return u - std::floor(u) >= threshold ? 1.0 : 0.0; };
+    const double low = x.value - 0.5 * width, high = x.value + 0.5 * width;
+    const double start = std::floor(low), first = pulse(low), last = pulse(high);
+    if (start == std::floor(high) && first == last) return pulse(x.value);
+    // `below` is the length of pulses in [0, u]; u counts from the period that holds `low`.
+    const auto below = [=](double u) {
+        return std::floor(u) * (1.0 - threshold) + std::max(u - std::floor(u) - threshold, 0.0);
+    };
+    return chain(x, (below(high - start) - below(low - start)) / width, (last - first) / width);
+}
+
+/// The share of the box that is not negative, which fades to `mean` as the box widens from half of
+/// `widest` to `widest`.
+inline Dual box_step(const Dual& x, double width, double mean, double widest) {
+    const Dual share = box_step(x, width);
+    if (!(width > 0.5 * widest)) return share;
+    return dual_lerp(dual_smoothstep(0.5 * widest, widest, width), share, mean);
+}
+
 /// The mean of sin(x) over the box.
 inline Dual box_sin(const Dual& x, double width) {
     const double half = 0.5 * width;

@@ -131,7 +131,14 @@ DualFunction dual_function(const BoxMean& work, const DualSettings&) {
 DualFunction dual_function(const BoxStep& work, const DualSettings&) {
     return for_each_point([=](const DualCall& call, std::size_t i) {
         const Dual above = times(work.factor, call.in(0, i)) + work.offset - work.threshold;
-        return box_step(above, call.box_width(above, i));
+        return box_step(above, call.box_width(above, i), work.mean, work.widest);
+    });
+}
+
+DualFunction dual_function(const BoxPulse& work, const DualSettings&) {
+    return for_each_point([=](const DualCall& call, std::size_t i) {
+        const Dual x = call.in(0, i);
+        return box_pulse(x, call.box_width(x, i), work.threshold);
     });
 }
 

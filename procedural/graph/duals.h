@@ -19,7 +19,7 @@ namespace burl {
 inline constexpr std::size_t graph_batch_size = 256;
 
 /// The values and slopes of one number at the points of a batch.
-struct alignas(64) Channel {
+struct alignas(64) DualArray {
     std::array<double, graph_batch_size> value{};
     std::array<std::array<double, graph_batch_size>, 3> slope{};
 
@@ -39,8 +39,8 @@ struct DualPoint {
 
 /// The channels of a step and the footprints of the batch's points.
 struct DualCall {
-    std::array<const Channel*, 4> inputs{};
-    std::array<Channel*, 3> outputs{};
+    std::array<const DualArray*, most_step_inputs> inputs{};
+    std::array<DualArray*, 3> outputs{};
     std::span<const Footprint> footprints;  ///< footprint of each point
 
     std::size_t count() const { return footprints.size(); }
@@ -79,19 +79,26 @@ struct DualSettings {
     bool float32 = false;  ///< whether sums of noise are float32
 };
 
-// The functions of the kinds of work: arithmetic in duals.cpp, noise in dual_noise.cpp,
-// checkerboards and colours in dual_colors.cpp.
+// The functions of the kinds of work: arithmetic in duals.cpp, noise in dual_noise.cpp and
+// dual_simplex.cpp, cells and shapes in dual_tiles.cpp, checkerboards and colours in
+// dual_colors.cpp.
 DualFunction dual_function(const ValueOperation& work, const DualSettings& settings);
 DualFunction dual_function(const BoxMean& work, const DualSettings& settings);
+DualFunction dual_function(const BoxPulse& work, const DualSettings& settings);
 DualFunction dual_function(const BoxStep& work, const DualSettings& settings);
 DualFunction dual_function(const PositiveTurn& work, const DualSettings& settings);
 DualFunction dual_function(const SlopeAlong& work, const DualSettings& settings);
 DualFunction dual_function(const Checkerboard& work, const DualSettings& settings);
 DualFunction dual_function(const OctaveSum& work, const DualSettings& settings);
+DualFunction dual_function(const SimplexOctaves& work, const DualSettings& settings);
+DualFunction dual_function(const CurlOctaves& work, const DualSettings& settings);
 DualFunction dual_function(const FieldAt& work, const DualSettings& settings);
 DualFunction dual_function(const MapColors& work, const DualSettings& settings);
 DualFunction dual_function(const MarbleColors& work, const DualSettings& settings);
 DualFunction dual_function(const DotsWeight& work, const DualSettings& settings);
+DualFunction dual_function(const CellNumber& work, const DualSettings& settings);
+DualFunction dual_function(const CellFeature& work, const DualSettings& settings);
+DualFunction dual_function(const ScatteredShapes& work, const DualSettings& settings);
 DualFunction dual_function(const ImageColors& work, const DualSettings& settings);
 
 }  // namespace burl

@@ -9,6 +9,7 @@
 
 #include "procedural/batch/precision.h"
 #include "procedural/graph/duals.h"
+#include "procedural/graph/planes.h"
 
 namespace burl {
 
@@ -28,14 +29,15 @@ struct GraphSample {
 class GraphEvaluator {
   public:
     /// The arrays of one thread, reusable for any number of batches.
-    using Scratch = std::vector<Channel>;
+    using Scratch = std::vector<DualArray>;
 
     /// The graph must be valid (graph_from_json makes only valid ones) and not empty. `filter`
     /// decides how color_map and field average over footprints (docs/reference/nodes.md).
     /// `precision`, float64 or float32, is that of sums of noise.
     explicit GraphEvaluator(const TextureGraph& graph,
                             const Filter& filter = {FilterKind::trapezoid},
-                            PrecisionKind precision = PrecisionKind::float64);
+                            PrecisionKind precision = PrecisionKind::float64,
+                            GraphOutput output = GraphOutput::color);
 
     Scratch make_scratch() const;
     const TextureGraph& graph() const { return graph_; }
@@ -44,6 +46,11 @@ class GraphEvaluator {
     /// are given; any number of points.
     void operator()(std::span<const Vec3d> points, std::span<const Footprint> footprints,
                     Scratch& scratch, std::span<GraphSample> samples) const;
+
+    /// The planes (planes.h) at points; `output` must be GraphOutput::planes. At most
+    /// graph_batch_size points.
+    void planes(std::span<const Vec3d> points, std::span<const Footprint> footprints,
+                Scratch& scratch, std::span<double* const> planes) const;
 
     /// The result at one point.
     GraphSample operator()(const Vec3d& point, const Footprint& footprint = {}) const;
@@ -54,6 +61,9 @@ class GraphEvaluator {
         std::vector<Register> inputs, outputs;
     };
     static void run(const Step& step, std::span<const Footprint> footprints, Scratch& scratch);
+    /// Runs all steps for at most graph_batch_size points.
+    void run_batch(std::span<const Vec3d> points, std::span<const Footprint> footprints,
+                   Scratch& scratch) const;
 
     TextureGraph graph_;
     std::vector<Step> steps_;

@@ -31,15 +31,21 @@ const std::vector<GraphNode>& plain_nodes() {
 }  // namespace
 
 TextureGraph plain_graph(Texture texture) {
-    return {plain_nodes(), {std::move(texture)}, {}};
+    TextureGraph graph;
+    graph.nodes = plain_nodes();
+    graph.textures = {std::move(texture)};
+    graph.result = std::uint32_t(graph.nodes.size() - 1);
+    return graph;
 }
 
 const Texture* plain_texture(const TextureGraph& graph) {
-    return graph.nodes == plain_nodes() ? &graph.textures.front() : nullptr;
+    const bool plain = graph.nodes == plain_nodes() && graph.channels.empty();
+    return plain ? &graph.textures.front() : nullptr;
 }
 
 Texture* plain_texture(TextureGraph& graph) {
-    return graph.nodes == plain_nodes() ? &graph.textures.front() : nullptr;
+    const bool plain = graph.nodes == plain_nodes() && graph.channels.empty();
+    return plain ? &graph.textures.front() : nullptr;
 }
 
 }  // namespace burl

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "procedural/graph/channel.h"
 #include "procedural/graph/mip_image.h"
 #include "procedural/model/texture.h"
 
@@ -41,12 +42,36 @@ struct GraphImage {
     }
 };
 
-/// A texture as nodes, with the textures and images that they refer to.
+/// A node that a name of the recipe's `define` stands for at one point of evaluation.
+struct NamedNode {
+    std::uint32_t node = 0;
+    std::uint32_t place = 0;  ///< number of the node that gives the point where the name stands
+    bool operator==(const NamedNode&) const = default;
+};
+
+/// A name of the recipe's `define`, whose nodes all that use it at one point share.
+struct GraphName {
+    std::string name;
+    std::vector<NamedNode> uses;  ///< one per point of evaluation, never empty
+    bool operator==(const GraphName&) const = default;
+};
+
+/// The node of a channel besides the base colour.
+struct GraphChannel {
+    Channel channel = Channel::opacity;
+    std::uint32_t node = 0;
+    bool operator==(const GraphChannel&) const = default;
+};
+
+/// A texture, or a whole material, as nodes, with the textures and images that they refer to.
 struct TextureGraph {
-    /// nodes[0] is the solid point, the last node the result; an empty list is no graph.
+    /// nodes[0] is the solid point; an empty list is no graph.
     std::vector<GraphNode> nodes;
     std::vector<Texture> textures;
     std::vector<GraphImage> images;
+    std::uint32_t result = 0;            ///< number of the node of the base colour
+    std::vector<GraphChannel> channels;  ///< the other channels, in the order of Channel
+    std::vector<GraphName> names;        ///< names of shared nodes, in the recipe's order
 
     bool empty() const { return nodes.empty(); }
     bool operator==(const TextureGraph&) const = default;

@@ -53,18 +53,65 @@ Json parameter_json(const Parameter& parameter, const double* values) {
     return std::vector<double>(values, values + parameter.count);
 }
 
+/// Whether `json` is an object whose node is `name` or left out.
+bool is_node(const Json& json, std::string_view name) {
+    if (!json.is_object()) return false;
+    return !json.contains("node") || json["node"] == name;
+}
+
 /// Builds a graph from JSON, with every node after its inputs.
 class GraphReader {
   public:
-    explicit GraphReader(const ImageReader& read_image) : read_image_(read_image) {}
-
-    TextureGraph read(const Json& texture) {
+    /// `define` has the nodes that names stand for; null: none.
+    GraphReader(const ImageReader& read_image, const Json* define)
+        : read_image_(read_image), define_(define) {
         graph_.nodes.push_back({0, Wire::point, 0, {}, {}, no_texture, no_texture});
-        read_node(texture, 0);
+        if (!define) return;
+        for (const auto& item : define->items()) graph_.names.push_back({item.key(), {}});
+    }
+
+    void read_base(const Json& texture) {
+        graph_.result = is_graph(texture) ? read_node(texture, 0) : read_plain(texture);
+    }
+    void read_channels(const Json& material) {
+        for (std::size_t i = 0; i < enum_names<Channel>.size(); ++i) {
+            const std::string key(enum_names<Channel>[i]);
+            if (material.contains(key) && is_graph_channel(material[key]))
+                graph_.channels.push_back({Channel(i), read_node(material[key], 0)});
+        }
+    }
+    void read_scalar(const Json& input) { graph_.result = read_node(input, 0); }
+    /// Reads the names that nobody uses, so that they are not lost.
+    void read_unused_names() {
+        for (std::size_t i = 0; i < graph_.names.size(); ++i)
+            if (graph_.names[i].uses.empty()) read_name(graph_.names[i].name, 0);
+    }
+    TextureGraph finish() {
+        std::erase_if(graph_.names, [](const GraphName& name) { return name.uses.empty(); });
         return std::move(graph_);
     }
 
   private:
+    /// Reads a colour map over a field, the nodes of plain_graph.
+    std::uint32_t read_plain(const Json& texture) {
+        TextureGraph plain = plain_graph(texture_from_json(texture));
+        graph_.textures = std::move(plain.textures);
+        for (std::size_t n = 1; n < plain.nodes.size(); ++n) push(std::move(plain.nodes[n]));
+        return plain.result;
+    }
+
+    /// The node of a name at a place, which is read where it is first used there.
+    std::uint32_t read_name(const std::string& name, std::uint32_t place) {
+        const auto known = std::size_t(std::ranges::find(graph_.names, name, &GraphName::name) -
+                                       graph_.names.begin());
+        const auto& uses = graph_.names[known].uses;
+        const auto used = std::ranges::find(uses, place, &NamedNode::place);
+        if (used != uses.end()) return used->node;
+        const std::uint32_t node = read_node((*define_)[name], place);
+        graph_.names[known].uses.push_back({node, place});
+        return node;
+    }
+
     std::uint32_t push(GraphNode node) {
         graph_.nodes.push_back(std::move(node));
         return std::uint32_t(graph_.nodes.size() - 1);
@@ -120,6 +167,7 @@ class GraphReader {
     }
 
     std::uint32_t read_node(const Json& json, std::uint32_t place) {
+        if (is_graph_name(json)) return read_name(json.get<std::string>(), place);
         if (!json.is_object()) return read_constant(json, place);
         const NodeType& type = node_type(json);
         if (type.name == "constant") return read_constant(json["value"], place);
@@ -144,6 +192,7 @@ class GraphReader {
     }
 
     const ImageReader& read_image_;
+    const Json* define_;
     TextureGraph graph_;
 };
 
@@ -153,19 +202,38 @@ class GraphWriter {
     explicit GraphWriter(const TextureGraph& graph) : graph_(graph) {}
 
     /// The JSON of a node as an input of one that is evaluated at `place`: the nodes that make the
-    /// points in between are wrapped around it.
-    Json write(std::uint32_t index, std::uint32_t place) const {
+    /// points in between are wrapped around it, or around the last name that stands for it. The
+    /// node that `defined` names is written out.
+    Json write(std::uint32_t index, std::uint32_t place, const std::string& defined = "") const {
         const GraphNode& node = graph_.nodes[index];
-        Json json = write_inner(node);
-        for (std::uint32_t at = node.place; at != place; at = graph_.nodes[at].place) {
+        std::uint32_t at = node.place;
+        Json json = named(index, at, defined);
+        if (json.is_null()) json = write_inner(node);
+        while (at != place) {
             Json outer = write_keys(graph_.nodes[at]);
             outer["input"] = std::move(json);
-            json = std::move(outer);
+            at = graph_.nodes[at].place;
+            const Json name = named(index, at, defined);
+            json = name.is_null() ? std::move(outer) : name;
         }
         return json;
     }
 
+    Json write_names() const {
+        Json json = Json::object();
+        for (const auto& [name, uses] : graph_.names)
+            json[name] = write(uses.front().node, uses.front().place, name);
+        return json;
+    }
+
   private:
+    /// The name that stands for the node at a place, other than `defined`; null if there is none.
+    Json named(std::uint32_t index, std::uint32_t place, const std::string& defined) const {
+        for (const auto& [name, uses] : graph_.names)
+            if (name != defined && std::ranges::count(uses, NamedNode{index, place})) return name;
+        return {};
+    }
+
     Json write_inner(const GraphNode& node) const {
         const NodeType& type = type_of(node);
         if (type.name == "constant") return write_constant(node);
@@ -209,30 +277,61 @@ class GraphWriter {
     const TextureGraph& graph_;
 };
 
-/// Whether `json` is an object whose node is `name` or left out.
-bool is_node(const Json& json, std::string_view name) {
-    if (!json.is_object()) return false;
-    return !json.contains("node") || json["node"] == name;
-}
-
 }  // namespace
 
 bool is_graph(const Json& texture) {
+    if (is_graph_name(texture)) return true;
     if (!texture.is_object()) return false;
     if (!is_node(texture, "color_map")) return true;
     return texture.contains("input") && !is_node(texture["input"], "field");
 }
 
+bool is_graph_name(const Json& json) {
+    return json.is_string() && !json.get_ref<const std::string&>().starts_with('#');
+}
+
+bool is_graph_channel(const Json& json) {
+    return json.is_object() || is_graph_name(json);
+}
+
 TextureGraph graph_from_json(const Json& texture, const ImageReader& read_image) {
-    const bool is_plain = texture.is_object() && !is_graph(texture);
-    if (is_plain) return plain_graph(texture_from_json(texture));
-    return GraphReader(read_image).read(texture);
+    return material_from_json(texture, {}, {}, read_image);
+}
+
+TextureGraph material_from_json(const Json& texture, const Json& material, const Json& define,
+                                const ImageReader& read_image) {
+    GraphReader reader(read_image, define.is_object() ? &define : nullptr);
+    reader.read_base(texture);
+    reader.read_channels(material);
+    reader.read_unused_names();
+    return reader.finish();
+}
+
+TextureGraph scalar_from_json(const Json& input, const Json& define,
+                              const ImageReader& read_image) {
+    GraphReader reader(read_image, define.is_object() ? &define : nullptr);
+    reader.read_scalar(input);
+    return reader.finish();
 }
 
 Json graph_to_json(const TextureGraph& graph) {
-    Json json = GraphWriter(graph).write(std::uint32_t(graph.nodes.size() - 1), 0);
-    if (json.is_object()) return json;
+    Json json = GraphWriter(graph).write(graph.result, 0);
+    if (json.is_object() || is_graph_name(json)) return json;
     return {{"node", "constant"}, {"value", std::move(json)}};
+}
+
+Json channels_to_json(const TextureGraph& graph) {
+    Json json = Json::object();
+    for (const auto& [channel, node] : graph.channels) {
+        Json value = GraphWriter(graph).write(node, 0);
+        if (!is_graph_channel(value)) value = {{"node", "constant"}, {"value", std::move(value)}};
+        json[std::string(to_string(channel))] = std::move(value);
+    }
+    return json;
+}
+
+Json names_to_json(const TextureGraph& graph) {
+    return GraphWriter(graph).write_names();
 }
 
 }  // namespace burl

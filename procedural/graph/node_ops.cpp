@@ -42,6 +42,16 @@ Register NodeOps::apply(ValueOp op, std::vector<Register> inputs, const std::arr
     return apply(ValueOperation{op, p}, std::move(inputs));
 }
 
+Register NodeOps::clamped(Register a, double low, double high) {
+    return minimum(constant(high), maximum(constant(low), a));
+}
+
+Register NodeOps::share(Register a, double low, double high) {
+    if (low == high) return apply(ValueOp::at_least, {a}, {low});
+    // The difference comes first, so that the share of low is exactly 0.
+    return linear(1.0 / (high - low), linear(1.0, a, -low));
+}
+
 std::vector<Register> NodeOps::blend(Register weight) {
     std::vector<Register> result;
     for (std::size_t c = 0; c < channels(); ++c)

@@ -49,6 +49,16 @@ class NodeOps : public NodeParameters {
     Register multiply(Register a, Register b) { return apply(ValueOp::multiply, {a, b}); }
     /// The blend (1 - w) a + w b.
     Register lerp(Register w, Register a, Register b) { return apply(ValueOp::lerp, {w, a, b}); }
+    /// The ratio a / b, and 0 where b is not above 0.
+    Register ratio(Register a, Register b) { return apply(ValueOp::ratio, {a, b}); }
+    Register minimum(Register a, Register b) { return apply(ValueOp::minimum, {a, b}); }
+    Register maximum(Register a, Register b) { return apply(ValueOp::maximum, {a, b}); }
+    /// The number a, at least `low` and at most `high`; `high` where low > high. Its gradient is 0
+    /// from either bound on.
+    Register clamped(Register a, double low = 0.0, double high = 1.0);
+    /// The share (a - low) / (high - low) of the way from low to high; 0 below low and 1 from it on
+    /// where low = high.
+    Register share(Register a, double low, double high);
     Register sine(Register a) { return apply(ValueOp::sine, {a}); }
     Register length(Register a, Register b) { return apply(ValueOp::length, {a, b}); }
     /// The angle of the point (x, y), in radians, in [-pi, pi].
@@ -101,6 +111,10 @@ constexpr NodeInput a_number(std::string_view key, std::string_view tip,
                              std::string_view otherwise = {}) {
     return {key, Wire::number, false, otherwise, tip};
 }
+/// The input of a colour, of which a number is an opaque grey.
+constexpr NodeInput a_color(std::string_view key, std::string_view tip) {
+    return {key, Wire::color, false, {}, tip};
+}
 /// The input of a number or colour that sets what the node gives.
 constexpr NodeInput any(std::string_view key, std::string_view tip,
                         std::string_view otherwise = {}) {
@@ -124,7 +138,9 @@ constexpr NodeType a_node(std::string_view name, NodeResult result, Outputs (*de
 // The families of nodes in the table's order, each defined in its file nodes_....cpp.
 std::span<const NodeType> numbers();
 std::span<const NodeType> colors();
+std::span<const NodeType> channels();
 std::span<const NodeType> patterns();
+std::span<const NodeType> tiles();
 std::span<const NodeType> noises();
 std::span<const NodeType> points();
 

@@ -11,9 +11,7 @@ Outputs color_map(NodeOps& node) {
 }
 
 Outputs layer_over(NodeOps& node) {
-    const Register zero = node.constant(0.0), one = node.constant(1.0);
-    const Register opacity =
-        node.apply(ValueOp::minimum, {one, node.apply(ValueOp::maximum, {zero, node.input(2)})});
+    const Register opacity = node.clamped(node.input(2));
     const Register shows = node.linear(-1.0, node.multiply(opacity, node.input(0, 3)), 1.0);
     Outputs result;
     for (std::size_t c = 0; c < 4; ++c)
@@ -34,8 +32,7 @@ constexpr std::array color_rows{
            one_number),
     a_node("layer_over", NodeResult::color, layer_over,
            "top over base by top's alpha times opacity", "Porter and Duff 1984",
-           {NodeInput{"top", Wire::color, false, "", "the upper layer"},
-            NodeInput{"base", Wire::color, false, "", "what it covers"},
+           {a_color("top", "the upper layer"), a_color("base", "what it covers"),
             a_number("opacity", "factor of top's alpha, clamped to [0,1]", "1")}),
     a_node("image", NodeResult::color, image,
            "an image over [0,1]^2 of the point's first two coordinates, row 0 from 0 on", pbrt, {},

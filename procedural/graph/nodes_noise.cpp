@@ -1,5 +1,5 @@
-// The irregular textures: the field of the 1999 model, and those of pbrt after Chuang's slides
-// (2008).
+// The irregular textures: the field of the 1999 model, those of pbrt after Chuang's slides (2008),
+// simplex noise in many dimensions, fibres, and moves of the point by noise.
 #include <algorithm>
 #include <cmath>
 
@@ -78,6 +78,77 @@ Outputs dots(NodeOps& node) {
     return node.blend(node.apply(disks, {node.axis(0), node.axis(1)}));
 }
 
+OctaveLadder ladder_of(const NodeParameters& node) {
+    return {std::uint32_t(node.parameter("seed")), node.parameter("octaves"),
+            node.parameter("lacunarity"), node.parameter("gain")};
+}
+
+Outputs simplex_nd(NodeOps& node) {
+    SimplexNoise noise;
+    noise.dimensions = std::size_t(node.parameter("dimensions"));
+    noise.signal = SimplexSignal(int(node.parameter("signal")));
+    noise.waves = node.parameter("waves");
+    std::vector<Register> at = node.point();
+    for (std::size_t k = 3; k < noise.dimensions; ++k)
+        at.push_back(k < 7 ? node.input(k - 3) : node.constant(node.parameter("x8")));
+    return {node.apply(SimplexOctaves{noise, ladder_of(node)}, at)};
+}
+
+/// The rows of a rotation that takes the direction to the first axis; the first axis itself for a
+/// direction of length 0.
+std::array<Vec3d, 3> frame_along(const Vec3d& direction) {
+    const double length = glm::length(direction);
+    const Vec3d first = length > 0.0 ? direction / length : Vec3d(1.0, 0.0, 0.0);
+    const Vec3d sizes = glm::abs(first);
+    const int least = sizes.x <= sizes.y && sizes.x <= sizes.z ? 0 : sizes.y <= sizes.z ? 1 : 2;
+    Vec3d axis(0.0);
+    axis[least] = 1.0;
+    const Vec3d across = glm::cross(first, axis);
+    const Vec3d second = across / glm::length(across);
+    return {first, second, glm::cross(first, second)};
+}
+
+Outputs fibre(NodeOps& node) {
+    const std::array<Vec3d, 3> frame = frame_along(node.vector("direction"));
+    const double length = node.parameter("length"), width = node.parameter("width"),
+                 stray = node.parameter("wave");
+    const OctaveSum sum = octave_sum(node);
+    std::vector<Register> at{node.along(frame[0] / length)};
+    for (std::uint32_t side = 1; side < 3; ++side) {
+        const Register across = node.along(frame[side] / width);
+        if (stray == 0.0) {
+            at.push_back(across);
+            continue;
+        }
+        OctaveSum bends{sum.noise, 1.0};
+        bends.noise.seed += side << 16;
+        const Register bend = node.apply(
+            bends, {at[0], node.along(frame[1] / length), node.along(frame[2] / length)});
+        at.push_back(node.combine(1.0, across, stray / width, bend));
+    }
+    return {node.apply(sum, at)};
+}
+
+/// Follows the field's streamline through the point by the midpoint rule, whose steps keep volumes
+/// up to the third power of their length.
+Outputs curl(NodeOps& node) {
+    CurlOctaves field{{}, ladder_of(node)};
+    if (std::isfinite(node.parameter("time"))) field.time = node.parameter("time");
+    const double steps = node.parameter("steps"), reach = node.parameter("strength") / steps;
+    const auto moved = [&](const Outputs& from, double far, const Outputs& along) {
+        Outputs at;
+        for (const Register x : along) at.push_back(node.linear(node.parameter("scale"), x));
+        const Outputs move = node.add(field, at, 3);
+        Outputs result;
+        for (std::size_t i = 0; i < 3; ++i)
+            result.push_back(node.combine(1.0, from[i], far, move[i]));
+        return result;
+    };
+    Outputs p = node.point();
+    for (double k = 0.0; k < steps; ++k) p = moved(p, reach, moved(p, 0.5 * reach, p));
+    return p;
+}
+
 Outputs warp(NodeOps& node) {
     const OctaveSum sum = octave_sum(node);
     Outputs result;
@@ -141,6 +212,26 @@ constexpr std::array noise_rows{
     a_node("windy", NodeResult::number, windy,
            "abs(fbm(point / 10), 3 octaves) times fbm(point): gusts that raise waves", pbrt, {},
            octave_parameters("6")),
+    a_node("simplex_nd", NodeResult::number, simplex_nd,
+           "simplex noise of 2 to 8 dimensions with a signal of choice; x4 to x8 are the same in "
+           "every octave",
+           "Perlin 2001",
+           {a_number("x4", "fourth coordinate", "0"), a_number("x5", "fifth coordinate", "0"),
+            a_number("x6", "sixth coordinate", "0"), a_number("x7", "seventh coordinate", "0")},
+           {whole("dimensions", 2, 8, "5", "how many coordinates count"),
+            one_of("signal", "\"gradient\"", "gradient|value|wave",
+                   "about each corner: a random ramp, a random number, a random plane wave"),
+            real("waves", 0.05, 64, "2", "periods of a wave per cell"), seed_parameter,
+            octaves_parameter("1"), lacunarity_parameter, gain_parameter,
+            real("x8", -1e9, 1e9, "0", "eighth coordinate")}),
+    a_node("fibre", NodeResult::number, fibre,
+           "fbm of cells stretched along a direction: wood fibres, brushed metal", own, {},
+           {several("direction", 3, "[0,0,1]", "along which the fibres run"),
+            real("length", 1e-6, 1e6, "1", "of a cell along the fibres"),
+            real("width", 1e-6, 1e6, "0.05", "of a cell across the fibres"),
+            real("wave", -1e6, 1e6, "0", "how far fibres stray sideways, over `length`"),
+            kind_parameter, seed_parameter, octaves_parameter("4"), lacunarity_parameter,
+            gain_parameter, time_parameter}),
     a_node("marble", NodeResult::color, marble,
            "a spline of nine colours over (1 + sin(t + variation fbm)) / 2", pbrt, {},
            {kind_parameter, seed_parameter, octaves_parameter("8"), lacunarity_parameter,
@@ -168,6 +259,15 @@ constexpr std::array noise_rows{
            {real("strength", -1e6, 1e6, "0.5", "how far the point is moved"), kind_parameter,
             seed_parameter, octaves_parameter("1"), lacunarity_parameter, gain_parameter,
             time_parameter, time_period_parameter}),
+    a_node(
+        "curl", NodeResult::inner, curl,
+        "the point after a walk along a random field that keeps volumes: swirls and veins",
+        "Bridson et al. 2007", moved_input,
+        {real("strength", -1e6, 1e6, "0.25",
+              "length of the walk where the field has its mean square length"),
+         real("scale", 1e-6, 1e6, "1", "factor of the point"),
+         whole("steps", 1, 16, "4", "of the walk, two samples of the field each"), seed_parameter,
+         octaves_parameter("1"), lacunarity_parameter, gain_parameter, time_parameter}),
 };
 
 }  // namespace

@@ -23,6 +23,16 @@ NoiseSum OctaveSum::sum(double factor) const {
     return result;
 }
 
+namespace {
+
+/// The first `count` of a node's registers; a number is a grey.
+std::vector<Register> channel_registers(const std::vector<Register>& node, std::size_t count) {
+    if (node.size() < count) return std::vector<Register>(count, node.front());
+    return {node.begin(), node.begin() + std::ptrdiff_t(count)};
+}
+
+}  // namespace
+
 GraphProgram program_of(const TextureGraph& graph) {
     GraphProgram program;
     std::vector<std::vector<Register>> channels{{0, 1, 2}};  // those of the solid point
@@ -30,7 +40,10 @@ GraphProgram program_of(const TextureGraph& graph) {
         NodeOps node(graph, n, channels, program);
         channels.push_back(type_of(graph.nodes[n]).define(node));
     }
-    program.results = channels.back();
+    program.results = channels[graph.result];
+    for (const GraphChannel& one : graph.channels)
+        program.channels.push_back(
+            channel_registers(channels[one.node], is_color(one.channel) ? 3 : 1));
     return program;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "procedural/noise/lattice_site.h"
+#include "procedural/noise/simplex_curl.h"
 #include "procedural/noise/value_noise.h"
 
 namespace burl {
@@ -12,13 +13,14 @@ namespace {
 
 /// The input and output arrays of a step.
 struct StepArrays {
-    std::array<const double*, 4> inputs{};
+    std::array<const double*, most_step_inputs> inputs{};
     std::array<double*, 3> outputs{};
     std::size_t count = 0;
 };
 
 void run_work(const ValueOperation& work, const StepArrays& arrays, GraphEvaluator::Scratch&) {
-    apply(work, arrays.inputs, arrays.count, arrays.outputs[0]);
+    const auto& in = arrays.inputs;
+    apply(work, {in[0], in[1], in[2], in[3]}, arrays.count, arrays.outputs[0]);
 }
 
 void run_work(const NoiseSum& work, const StepArrays& arrays, GraphEvaluator::Scratch&) {
@@ -28,6 +30,44 @@ void run_work(const NoiseSum& work, const StepArrays& arrays, GraphEvaluator::Sc
 
 void run_work(const ColorPieces& work, const StepArrays& arrays, GraphEvaluator::Scratch&) {
     look_up(work, arrays.inputs[0], arrays.count, arrays.outputs);
+}
+
+/// Calls visit(seed, frequency, weight) for the octaves from the coarsest on, weights times
+/// `amplitude`.
+template <class Visit>
+void for_octaves(const OctaveLadder& ladder, double amplitude, Visit&& visit) {
+    double frequency = 1.0, weight = amplitude;
+    for (std::uint32_t k = 0; k < std::uint32_t(ladder.octaves); ++k) {
+        visit(ladder.seed + k, frequency, weight);
+        frequency *= ladder.lacunarity;
+        weight *= ladder.gain;
+    }
+}
+
+void run_work(const SimplexOctaves& work, const StepArrays& arrays, GraphEvaluator::Scratch&) {
+    std::fill_n(arrays.outputs[0], arrays.count, 0.0);
+    const auto add = [&](std::uint32_t seed, double frequency, double weight) {
+        for (std::size_t j = 0; j < arrays.count; ++j) {
+            Point<most_simplex_dimensions> p{};
+            for (std::size_t i = 0; i < work.noise.dimensions; ++i)
+                p[i] = (i < 3 ? frequency : 1.0) * arrays.inputs[i][j];
+            arrays.outputs[0][j] += weight * sample_simplex<float>(work.noise, seed, p).value;
+        }
+    };
+    for_octaves(work.octaves, work.noise.amplitude(), add);
+}
+
+void run_work(const CurlOctaves& work, const StepArrays& arrays, GraphEvaluator::Scratch&) {
+    for (double* out : arrays.outputs) std::fill_n(out, arrays.count, 0.0);
+    const auto add = [&](std::uint32_t seed, double frequency, double weight) {
+        for (std::size_t j = 0; j < arrays.count; ++j) {
+            Point<3> p;
+            for (std::size_t i = 0; i < 3; ++i) p[i] = frequency * arrays.inputs[i][j];
+            const FieldVector<double> field = sample_curl<float>(seed, p, work.time);
+            for (std::size_t a = 0; a < 3; ++a) arrays.outputs[a][j] += weight * field.value[a];
+        }
+    };
+    for_octaves(work.octaves, simplex_curl_amplitude(work.time ? 4 : 3), add);
 }
 
 /// The node `dots` without a footprint: square (i, j) has three numbers of `cell` noise.
@@ -50,6 +90,26 @@ void run_work(const DotsWeight& work, const StepArrays& arrays, GraphEvaluator::
     }
 }
 
+void run_work(const CellNumber& work, const StepArrays& arrays, GraphEvaluator::Scratch&) {
+    for (std::size_t j = 0; j < arrays.count; ++j) {
+        const auto axis = [&](std::size_t k) {
+            return arrays.inputs[k] ? arrays.inputs[k][j] : 0.0;
+        };
+        arrays.outputs[0][j] = cell_number({axis(0), axis(1), axis(2)}, work.seed);
+    }
+}
+
+void run_work(const CellFeature& work, const StepArrays& arrays, GraphEvaluator::Scratch&) {
+    const double *x = arrays.inputs[0], *y = arrays.inputs[1], *z = arrays.inputs[2];
+    for (std::size_t j = 0; j < arrays.count; ++j)
+        arrays.outputs[0][j] = cell_feature({x[j], y[j], z[j]}, work.points, work.gives).value;
+}
+
+void run_work(const ScatteredShapes& work, const StepArrays& arrays, GraphEvaluator::Scratch&) {
+    for (std::size_t j = 0; j < arrays.count; ++j)
+        arrays.outputs[0][j] = scattered_at(work, arrays.inputs[0][j], arrays.inputs[1][j]).value;
+}
+
 void run_work(const ImageLookup& work, const StepArrays& arrays, GraphEvaluator::Scratch&) {
     for (std::size_t j = 0; j < arrays.count; ++j) {
         const double s = arrays.inputs[0][j], t = arrays.inputs[1][j];
@@ -69,8 +129,11 @@ void run_work(const GraphSlope& work, const StepArrays& arrays, GraphEvaluator::
 }
 
 std::size_t octaves_of(const ValueStep& step) {
-    const auto* sum = std::get_if<NoiseSum>(&step.work);
-    return sum ? sum->octaves.size() : 0;
+    if (const auto* sum = std::get_if<NoiseSum>(&step.work)) return sum->octaves.size();
+    if (const auto* sum = std::get_if<SimplexOctaves>(&step.work))
+        return std::size_t(sum->octaves.octaves);
+    const auto* field = std::get_if<CurlOctaves>(&step.work);
+    return field ? std::size_t(field->octaves.octaves) : 0;
 }
 
 void run_step(const ValueStep& step, std::size_t count, ValueProgram::Scratch& scratch,

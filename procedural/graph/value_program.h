@@ -33,7 +33,8 @@ struct GraphSlope {
 
 /// The work of a step.
 using ValueWork =
-    std::variant<ValueOperation, NoiseSum, ColorPieces, DotsWeight, ImageLookup, GraphSlope>;
+    std::variant<ValueOperation, NoiseSum, SimplexOctaves, CurlOctaves, ColorPieces, DotsWeight,
+                 CellNumber, CellFeature, ScatteredShapes, ImageLookup, GraphSlope>;
 
 /// A step of a program: work with the arrays that it reads and writes.
 struct ValueStep {

@@ -69,9 +69,10 @@ class Lowering {
         for (Register axis = 0; axis < 3; ++axis) values_.push_back({false, axis});
     }
 
-    /// The arrays of the graph's channels.
-    std::vector<Register> operator()() {
-        const GraphProgram program = program_of(graph_);
+    /// The arrays of the base colour's channels, or of all planes.
+    std::vector<Register> operator()(GraphOutput output) {
+        GraphProgram program = program_of(graph_);
+        if (output == GraphOutput::planes) program.results = plane_registers(program);
         for (const GraphStep& step : program.steps) {
             program_.begin_node(step.node);
             inputs_ = step.inputs;
@@ -184,6 +185,11 @@ class Lowering {
 
     void lower(const BoxMean& mean) { give(ValueOperation{mean.function, {}}); }
 
+    void lower(const BoxPulse& pulse) {
+        const Register part = program_.add(ValueOp::fract, {in(0)});
+        give(program_.add(ValueOp::at_least, {part}, {pulse.threshold}));
+    }
+
     void lower(const BoxStep& step) {
         const Register above = linear(step.factor, in(0), step.offset - step.threshold);
         give(program_.add(ValueOp::at_least, {above}, {0.0}));
@@ -197,7 +203,9 @@ class Lowering {
     /// The input's derivative is left to an evaluator: it is the only gradient that values need.
     void lower(const SlopeAlong& slope) {
         TextureGraph input = graph_;
-        input.nodes.resize(graph_.nodes[node_].inputs[0] + 1);
+        input.result = graph_.nodes[node_].inputs[0];
+        input.nodes.resize(input.result + 1);
+        input.channels.clear();
         const auto graph =
             std::make_shared<GraphEvaluator>(input, Filter{}, PrecisionKind::float32);
         give(program_.add(GraphSlope{graph, slope.direction}, {0, 1, 2}).front());
@@ -214,6 +222,9 @@ class Lowering {
     }
 
     void lower(const OctaveSum& octaves) { give(octaves.sum(octaves.scale)); }
+
+    void lower(const SimplexOctaves& octaves) { give(octaves); }
+    void lower(const CurlOctaves& octaves) { give(octaves, 3); }
 
     /// The array of the quadric plus a constant: the quadratic part by Horner's rule, if there is
     /// one.
@@ -246,6 +257,9 @@ class Lowering {
     void lower(const MapColors& colors) { give(pieces_of(colors), 3); }
     void lower(const MarbleColors& colors) { give(pieces_of(colors), 3); }
     void lower(const DotsWeight& dots) { give(dots); }
+    void lower(const CellNumber& number) { give(number); }
+    void lower(const CellFeature& feature) { give(feature); }
+    void lower(const ScatteredShapes& shapes) { give(shapes); }
     void lower(const ImageColors& image) {
         give(ImageLookup{image.pixels, image.pixels->wrap()}, 3);
     }
@@ -259,10 +273,11 @@ class Lowering {
 
 }  // namespace
 
-GraphValues::GraphValues(const TextureGraph& graph, const Skips* skips) : program_(skips) {
-    std::vector<Register> results = Lowering(graph, program_)();
+GraphValues::GraphValues(const TextureGraph& graph, const Skips* skips, GraphOutput output)
+    : program_(skips) {
+    std::vector<Register> results = Lowering(graph, program_)(output);
     if (results.size() == 1) results.resize(3, results.front());
-    results.resize(3);  // over black
+    if (output == GraphOutput::color) results.resize(3);  // over black
     results_ = program_.finish(results);
 }
 

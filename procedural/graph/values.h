@@ -3,6 +3,7 @@
 // pictures in precision float32 use them where the filter needs no footprints. Everything else is
 // float64, so that jumps (docs/reference/nodes.md) lie where the float64 evaluation has them, up to
 // the noise's error.
+#include "procedural/graph/planes.h"
 #include "procedural/graph/value_program.h"
 
 namespace burl {
@@ -13,7 +14,8 @@ class GraphValues {
 
     /// The graph must be valid (graph_from_json makes only valid ones) and not empty. `skips` is
     /// passed to ValueProgram.
-    explicit GraphValues(const TextureGraph& graph, const Skips* skips = nullptr);
+    explicit GraphValues(const TextureGraph& graph, const Skips* skips = nullptr,
+                         GraphOutput output = GraphOutput::color);
 
     Scratch make_scratch() const { return program_.make_scratch(); }
 
@@ -26,7 +28,7 @@ class GraphValues {
     Vec3d operator()(const Vec3d& point, Scratch& scratch) const;
 
     const ValueProgram& program() const { return program_; }
-    /// The program's arrays that hold red, green and blue.
+    /// The program's arrays that hold red, green and blue, or, for GraphOutput::planes, all planes.
     const std::vector<Register>& results() const { return results_; }
 
   private:

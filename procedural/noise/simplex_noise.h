@@ -31,9 +31,15 @@ constexpr std::uint32_t bit_pattern_sum(std::uint32_t i, std::uint32_t j, std::u
 /// * sum(x); `stretch`, sqrt(N+1), is its factor along the diagonal. The kernel's squared radius
 /// `radius2` is the largest at which no kernel reaches beyond the simplices round its corner (but
 /// in three dimensions the appendix's); `amplitude` makes |n| <= 1 almost tight in two and four
-/// dimensions and is the appendix's in three.
+/// dimensions and is the appendix's in three. From five dimensions on there is the lattice alone,
+/// whose kernels simplex_signal.h has.
 template <std::size_t N>
-struct SimplexShape;
+struct SimplexShape {
+    static_assert(N >= 5 && N <= 8);
+    static constexpr std::array stretches{2.4494897427831779, 2.6457513110645907,
+                                          2.8284271247461903, 3.0};
+    static constexpr double stretch = stretches[N - 5];
+};
 
 template <>
 struct SimplexShape<2> {
@@ -138,6 +144,28 @@ SimplexPlace<N> simplex_place(const LatticeSite<double, N>& site) {
     return result;
 }
 
+/// Calls visit(corner, offset) for the corners of the simplex that holds a point, from the lowest
+/// to the highest: the corner in skewed coordinates, and the point less the corner.
+template <class Real, std::size_t N, class Visit>
+void for_simplex_corners(SimplexPlace<N> place, Visit&& visit) {
+    // The walk from the lowest corner to the highest goes along the largest offset first.
+    std::array<std::size_t, N + 1> walk;
+    std::iota(walk.begin(), walk.end(), std::size_t(0));
+    for (std::size_t i = 1; i < N; ++i)  // ties keep their order, as the appendix has them
+        for (std::size_t j = i; j > 0 && place.offset[walk[j]] > place.offset[walk[j - 1]]; --j)
+            std::swap(walk[j], walk[j - 1]);
+    std::array<Real, N> offset;
+    for (std::size_t axis = 0; axis < N; ++axis) offset[axis] = Real(place.offset[axis]);
+    constexpr auto unskew = Real((1.0 - 1.0 / SimplexShape<N>::stretch) / double(N));
+    for (const std::size_t axis : walk) {
+        visit(place.corner, offset);
+        if (axis == N) break;
+        ++place.corner[axis];
+        for (Real& x : offset) x += unskew;
+        offset[axis] -= Real(1);
+    }
+}
+
 /// A lattice point modulo the period, in skewed coordinates. Six times the unskewed coordinates are
 /// whole numbers; each is taken modulo six periods.
 inline std::array<std::int64_t, 3> wrap_simplex(std::array<std::int64_t, 3> corner,
@@ -181,29 +209,15 @@ NoiseSample<Real, N> simplex_noise(const Point<N>& p, std::uint32_t seed,
                                    double radius2 = SimplexShape<N>::radius2,
                                    const Period<N>& period = {}) {
     using Shape = SimplexShape<N>;
-    SimplexPlace<N> place = simplex_place(lattice_site<double>(p, period));
-    // The walk from the lowest corner to the highest goes along the largest offset first.
-    std::array<std::size_t, N + 1> walk;
-    std::iota(walk.begin(), walk.end(), std::size_t(0));
-    for (std::size_t i = 1; i < N; ++i)  // ties keep their order, as the appendix has them
-        for (std::size_t j = i; j > 0 && place.offset[walk[j]] > place.offset[walk[j - 1]]; --j)
-            std::swap(walk[j], walk[j - 1]);
-    std::array<Real, N> offset;
-    for (std::size_t axis = 0; axis < N; ++axis) offset[axis] = Real(place.offset[axis]);
-    constexpr auto unskew = Real((1.0 - 1.0 / Shape::stretch) / double(N));
     NoiseSample<Real, N> sum;
-    for (const std::size_t axis : walk) {
-        auto corner = place.corner;
+    const auto add = [&](auto corner, const std::array<Real, N>& offset) {
         if constexpr (N == 3) corner = wrap_simplex(corner, period);
         std::array<std::uint32_t, N> index;
         for (std::size_t i = 0; i < N; ++i) index[i] = std::uint32_t(corner[i]);
         add_kernel(Shape::template gradient<Real>(Shape::hash(index, seed)), offset, Real(radius2),
                    sum);
-        if (axis == N) break;
-        ++place.corner[axis];
-        for (Real& x : offset) x += unskew;
-        offset[axis] -= Real(1);
-    }
+    };
+    for_simplex_corners<Real>(simplex_place(lattice_site<double>(p, period)), add);
     sum.value *= Real(Shape::amplitude);
     for (Real& x : sum.gradient) x *= Real(Shape::amplitude);
     return sum;

@@ -25,17 +25,13 @@ real4 dual_chain(real4 x, real value, real derivative) {
     return real4(value, zero == real(0.0) ? slope : real3(0.0));
 }
 
-// pi / 2, and -2 / ln 2. (Literals without LF are float32 numbers; constants that float32 does not
-// hold are written as quotients elsewhere.)
+// -2 / ln 2. (Literals without LF are float32 numbers; constants that float32 does not hold are
+// written as quotients elsewhere.)
 #if REAL_IS_DOUBLE
-const double quarter_turn = 1.5707963267948966LF, gaussian_falloff = -2.8853900817779268LF;
+const double gaussian_falloff = -2.8853900817779268LF;
 #else
-const float quarter_turn = 1.5707963267948966, gaussian_falloff = -2.8853900817779268;
+const float gaussian_falloff = -2.8853900817779268;
 #endif
-real cosine(real x) {
-    exact real ahead = x + quarter_turn;
-    return sine(ahead);
-}
 real4 dual_sin(real4 x) {
     return dual_chain(x, sine(x.x), cosine(x.x));
 }
@@ -135,12 +131,42 @@ real4 box_fract(real4 x, real width) {
     return dual_chain(x, mean, derivative);
 }
 
+// The share of the box where the fraction is at least a threshold.
+real pulse_at(real x, real threshold) {
+    exact real fraction = x - floor(x);
+    return fraction >= threshold ? real(1.0) : real(0.0);
+}
+// The length of pulses in [0, u].
+real pulse_below(real u, real threshold) {
+    exact real below =
+        floor(u) * (real(1.0) - threshold) + max(u - floor(u) - threshold, real(0.0));
+    return below;
+}
+real4 box_pulse(real4 x, real width, real threshold) {
+    if (!(width < widest_box)) return dual(real(1.0) - threshold);
+    exact real low = x.x - real(0.5) * width, high = x.x + real(0.5) * width;
+    real start = floor(low), first = pulse_at(low, threshold), last = pulse_at(high, threshold);
+    if (start == floor(high) && first == last) return dual(pulse_at(x.x, threshold));
+    exact real share =
+        (pulse_below(high - start, threshold) - pulse_below(low - start, threshold)) / width;
+    exact real derivative = (last - first) / width;
+    return dual_chain(x, share, derivative);
+}
+
 // The share of the box that is not negative.
 real4 box_step(real4 x, real width) {
     if (abs(x.x) >= real(0.5) * width || !(width > real(0.0)))
         return dual(x.x >= real(0.0) ? real(1.0) : real(0.0));
     exact real share = real(0.5) + x.x / width;
     return dual_chain(x, share, real(1.0) / width);
+}
+
+// The same; it fades to `mean` as the box widens from half of `widest` to `widest`.
+real4 box_step(real4 x, real width, real mean, real widest) {
+    real4 share = box_step(x, width);
+    exact real begin = real(0.5) * widest;
+    if (!(width > begin)) return share;
+    return dual_lerp(dual(smooth_step(begin, widest, width)), share, dual(mean));
 }
 
 real4 box_sin(real4 x, real width) {

@@ -73,7 +73,7 @@ double binary_power(double x) {
     return high ? packDouble2x32(uvec2(0u, 0x7ff00000u)) : low ? 0.0lf : result;
 }
 
-const double least_normal = 2.2250738585072014e-308lf;
+const double least_normal = 2.2250738585072014e-308lf, quarter_turn = 1.5707963267948966lf;  // pi / 2
 
 #else
 
@@ -137,8 +137,15 @@ float binary_power(float x) {
 }
 
 const float least_normal = 1.17549435e-38;
+const float quarter_turn = 1.5707963267948966;
 
 #endif
+
+// cos(x), x in radians: the sine of x + pi / 2.
+real cosine(real x) {
+    exact real ahead = x + quarter_turn;
+    return sine(ahead);
+}
 
 // x^e for an e >= 0 that is not whole; a negative x counts as 0.
 real power(real x, real e) {

@@ -21,7 +21,8 @@ TEST(GraphProgram, StepsReadWhatWasFilledAndFillWhatNobodyDid) {
             node = step.node;
         }
         EXPECT_EQ(program.registers, filled) << graph.node;
-        EXPECT_EQ(program.results.size(), std::size_t(nodes.nodes.back().wire)) << graph.node;
+        EXPECT_EQ(program.results.size(), std::size_t(nodes.nodes[nodes.result].wire))
+            << graph.node;
         for (const Register r : program.results) EXPECT_LT(r, filled) << graph.node;
     }
 }

@@ -1,0 +1,36 @@
+#include "procedural/graph/planes.h"
+
+#include <algorithm>
+
+#include "procedural/graph/table.h"
+
+namespace burl {
+
+std::vector<Register> plane_registers(const GraphProgram& program) {
+    std::vector<Register> planes = program.results;
+    if (planes.size() == 1) planes.assign(3, program.results.front());
+    for (const std::vector<Register>& channel : program.channels)
+        planes.insert(planes.end(), channel.begin(), channel.end());
+    return planes;
+}
+
+PlaneLayout::PlaneLayout(const TextureGraph& graph) {
+    if (graph.nodes[graph.result].wire == Wire::color) alpha_ = count_++;
+    for (const auto& [channel, node] : graph.channels) {
+        first_[std::size_t(channel)] = count_;
+        count_ += is_color(channel) ? 3 : 1;
+    }
+}
+
+bool is_opaque(const TextureGraph& graph, std::uint32_t node) {
+    const GraphNode& self = graph.nodes[node];
+    if (self.wire != Wire::color) return true;
+    const NodeType& type = type_of(self);
+    if (type.name == "constant") return self.parameters[3] >= 255.0;
+    // A layer over an opaque base is opaque together with it.
+    if (type.name == "layer_over") return is_opaque(graph, self.inputs[1]);
+    return std::ranges::all_of(self.inputs,
+                               [&](std::uint32_t input) { return is_opaque(graph, input); });
+}
+
+}  // namespace burl
