@@ -10,6 +10,7 @@
 #include "app/bake/texture.h"
 #include "app/base/stopwatch.h"
 #include "app/export/emit.h"
+#include "app/image/image_io.h"
 #include "app/recipe/lattice_check.h"
 #include "atlas/base/memory.h"
 #include "atlas/build/capacity.h"
@@ -56,15 +57,36 @@ ExportOptions export_options(Pipeline& pipeline, const BakePlan& plan, const Mes
     return options;
 }
 
+std::optional<NormalMap> bake_normals(Pipeline& pipeline, const BakePlan& plan,
+                                      const BakedMaterial& material) {
+    auto map = bake_normals(pipeline, plan.normals, plan.depth, plan.crease_degrees);
+    if (map) add_levels(*map, material.normal_levels);
+    if (map && plan.normals_down) turn_green(*map);
+    return map;
+}
+
 /// Writes the files of an .exr band by band; the whole texture is never in memory.
 std::vector<AtomicFile> files_in_bands(Pipeline& pipeline, const BakePlan& plan,
                                        const std::string& path, BakeResult& result) {
-    result.normals = bake_normals(pipeline, plan.normals, plan.depth, plan.crease_degrees);
+    result.normals = bake_normals(pipeline, plan, {});
     BandsWritten bands = write_exr_in_bands(pipeline, path, plan.levels,
                                             result.normals ? &*result.normals : nullptr);
     result.levels.count = std::uint32_t(bands.levels);
     result.writing += bands.seconds;
     return std::move(bands.files);
+}
+
+/// Writes a material as .exr, with a layer per channel.
+std::vector<AtomicFile> files_of_material(Pipeline& pipeline, const BakePlan& plan,
+                                          const std::string& path, const MaterialAsked& asked,
+                                          BakeResult& result) {
+    std::vector<AtomicFile> files;
+    result.normals = bake_normals(pipeline, plan, {});
+    if (result.normals)
+        encode_normals(*result.normals, sink_of(files.emplace_back(normal_map_path(path))));
+    files.push_back(write_material_exr(pipeline, path, asked));
+    result.levels.count = asked.levels;
+    return files;
 }
 
 /// Writes the files of a frame, which are still to be committed. If `releases`, the solid points
@@ -73,17 +95,27 @@ std::vector<AtomicFile> files_of_frame(Pipeline& pipeline, const BakePlan& plan,
                                        const std::string& path, const MeshPose* pose, bool releases,
                                        BakeResult& result) {
     const ImageKind kind = plan.kind;
+    MaterialAsked asked = plan.material();
+    const bool pictures = has_pictures(pipeline.recipe(), plan.packing, asked.rough_levels());
+    if (pictures) asked.levels = levels_there_are(pipeline, plan.levels, kind).count;
+    if (kind == ImageKind::rgb_float && pictures)
+        return files_of_material(pipeline, plan, path, asked, result);
     if (kind == ImageKind::rgb_float && !plan.compress && comes_in_bands(pipeline, plan.levels))
         return files_in_bands(pipeline, plan, path, result);
-    BakedTexture texture = bake_texture(pipeline, kind, plan.levels);
+    BakedMaterial material;
+    if (pictures) material = bake_material(pipeline, asked);
+    BakedTexture texture =
+        pictures ? BakedTexture{std::move(material.color), std::move(material.color_levels)}
+                 : bake_texture(pipeline, kind, plan.levels);
     result.texture = compressed_bake(pipeline.atlas(), std::move(texture.image), plan.compress);
-    std::optional<NormalMap> normals =
-        bake_normals(pipeline, plan.normals, plan.depth, plan.crease_degrees);
+    std::optional<NormalMap> normals = bake_normals(pipeline, plan, material);
     if (releases) pipeline.release_texels();
     const auto writing = Clock::now();
     ExportOptions options = export_options(pipeline, plan, pose);
     options.levels = std::move(texture.levels);
     options.normals = std::move(normals);
+    options.material = material_factors(pipeline.recipe(), asked.rough_levels());
+    options.pictures = std::move(material.pictures);
     const BakedAtlas& baked = result.texture;
     std::vector<AtomicFile> files =
         scene_files(path, pipeline.atlas_mesh(), baked.packed ? *baked.packed : pipeline.atlas(),

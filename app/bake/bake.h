@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/bake/material.h"
 #include "app/bake/texture.h"
 #include "app/export/export.h"
 #include "app/pipeline/pipeline.h"
@@ -27,11 +28,18 @@ struct BakePlan {
     double crease_degrees = 40.0;      ///< crease angle of computed normals (app/surface/normals.h)
     LevelsAsked levels{};
     NormalSpace normals = NormalSpace::none;
+    bool normals_down = false;         ///< whether a normal map's green points down
+    Packing packing = Packing::gltf;   ///< which of a material's channels share a picture
     std::optional<double> compress{};  ///< the largest error of --compress (app/bake/texture.h)
     std::string solid_map{};           ///< path of the solid map; empty: none
     std::string shader{};              ///< path of the texture as GLSL; empty: none
     bool measures = true;              ///< whether the atlas is measured for a report
     int threads = 0;                   ///< number of threads for the solid map; 0: all
+
+    /// What is asked of the material; strip atlases may have fewer levels.
+    MaterialAsked material() const {
+        return {packing, depth, levels.count, normals == NormalSpace::tangent, crease_degrees};
+    }
 };
 
 /// Results that a later bake with the same pipeline reuses: none, the mesh, or the mesh and the

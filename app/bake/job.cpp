@@ -75,6 +75,8 @@ BakePlan plan_of(const BakeCommand& command,
     const Recipe& first = recipes->front();
     plan.levels = levels_asked(command.levels, command.level_rule, first.atlas.size, plan.kind);
     plan.normals = normals_asked(command.normals, first, command.out);
+    plan.normals_down = command.normal_y == "-";
+    plan.packing = packing_asked(command.packing, command.out);
     plan.compress = command.compress;
     plan.solid_map = command.solid_map;
     plan.shader = command.emitted_glsl;
@@ -115,7 +117,10 @@ BakeJob::BakeJob(const BakeCommand& command, const Json& settings)
 std::vector<std::string> BakeJob::outputs(std::uint32_t levels) const {
     std::vector<std::string> outputs;
     for (const std::string& path : plan_.paths)
-        std::ranges::move(output_paths(path, levels, has_normals()), std::back_inserter(outputs));
+        std::ranges::move(
+            output_paths(path, levels, has_normals(), picture_names(recipe(), plan_.material()),
+                         plan_.material().rough_levels()),
+            std::back_inserter(outputs));
     for (const std::string& path : {command_.solid_map, command_.emitted_glsl})
         if (!path.empty()) outputs.push_back(path);
     return outputs;
@@ -149,6 +154,11 @@ void BakeJob::check() const {
         throw Error(ExitCode::usage,
                     "--compress: blocks alike in colour may differ in their normals; add --normals "
                     "none to leave the bumps out");
+    check_material(recipe(), plan_.material(),
+                   plan_.levels.rule.direct   ? "--level-rule direct"
+                   : command_.compress        ? "--compress"
+                   : command_.synth != "host" ? "--synth " + command_.synth
+                                              : "");
     check_idle();
 }
 
@@ -161,6 +171,13 @@ void BakeJob::check_idle() const {
     const bool mesh = holds_mesh(command_.out), normals = has_normals();
     if (command_.depth && plan_.kind == ImageKind::rgb_float && !normals)
         refuse("--depth", "an .exr always has floats");
+    if (command_.normal_y == "-" && !normals) refuse("--normal-y", "there is no normal map");
+    if (command_.normal_y == "-" && holds_mesh(command_.out) && is_gltf(command_.out))
+        refuse("--normal-y -", "the green of a glTF's normals points up");
+    if (!command_.packing.empty() && plan_.kind == ImageKind::rgb_float)
+        refuse("--pack", "an .exr has a layer per channel");
+    if (!command_.packing.empty() && picture_names(recipe(), plan_.material()).empty())
+        refuse("--pack", "nothing but the recipe's colour varies");
     if (command_.crease && !mesh && !normals) refuse("--crease", "a texture alone has no normals");
     const auto why_no_kernel = [kernel = kernel_named(command_.kernel)](const Recipe& recipe) {
         return idle_kernel(recipe, kernel);

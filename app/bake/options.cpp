@@ -9,6 +9,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "app/pipeline/material.h"
 #include "app/recipe/parameters.h"
 #include "atlas/base/error.h"
 #include "procedural/batch/kernel.h"
@@ -32,6 +33,30 @@ void add_kernel(CLI::App& verb, std::string& kernel) {
             "texel in float64, the same as --precision float64")
         ->check(one_of(names))
         ->capture_default_str();
+}
+
+/// Adds the options of normal maps and of a material's pictures.
+void add_pictures(CLI::App& verb, BakeCommand& command) {
+    verb.add_option("--normals", command.normals,
+                    "Normal map of the recipe's bumps: tangent (the default; in the material of "
+                    ".glb, .gltf and .obj, else beside as NAME_normal.png), object or none")
+        ->check(one_of({"tangent", "object", "none"}));
+    verb.add_option("--pack", command.packing,
+                    "Which of a material's channels share a picture: gltf (the default of .glb "
+                    "and .gltf), unreal, unity, godot, or separate (the default of the others)")
+        ->check(one_of({enum_names<Packing>.begin(), enum_names<Packing>.end()}));
+    verb.add_option("--normal-y", command.normal_y,
+                    "Where the green of a normal map points: + (up, glTF, Godot, Unity) or - "
+                    "(down, Unreal)")
+        ->check(one_of({"+", "-"}))
+        ->capture_default_str();
+    verb.add_option("--depth", command.depth, "Bits per channel of .png textures")
+        ->check(CLI::IsMember({8, 16}))
+        ->default_str("8");
+    verb.add_option("--crease", command.crease,
+                    "Angle in degrees above which computed normals split")
+        ->check(in_range(0.0, 180.0))
+        ->default_str("40");
 }
 
 /// Whether no output depends on the option, or it is part of the recipe, or names the mesh or the
@@ -79,17 +104,7 @@ void add_bake_options(CLI::App& verb, BakeCommand& command) {
         verb.get_option("--frames")->excludes(verb.get_option(option));
     verb.add_option("--emit-glsl", command.emitted_glsl,
                     "Write the texture as a GLSL 3.30 fragment shader to this file, for engines");
-    verb.add_option("--normals", command.normals,
-                    "Normal map of the recipe's bumps: tangent (the default; in the material of "
-                    ".glb, .gltf and .obj, else beside as NAME_normal.png), object or none")
-        ->check(one_of({"tangent", "object", "none"}));
-    verb.add_option("--depth", command.depth, "Bits per channel of .png textures")
-        ->check(CLI::IsMember({8, 16}))
-        ->default_str("8");
-    verb.add_option("--crease", command.crease,
-                    "Angle in degrees above which computed normals split")
-        ->check(in_range(0.0, 180.0))
-        ->default_str("40");
+    add_pictures(verb, command);
     add_kernel(verb, command.kernel);
     verb.add_option("--synth", command.synth,
                     "Who makes the texture: host, gl (OpenGL, the same texture), gl-multipass (the "

@@ -11,6 +11,7 @@
 #include "app/export/formats.h"
 #include "app/image/exr_io.h"
 #include "app/image/image_io.h"
+#include "app/pipeline/material.h"
 #include "atlas/base/error.h"
 #include "atlas/build/block_levels.h"
 
@@ -31,20 +32,6 @@ std::uint32_t count_asked(const std::string& text, std::uint32_t all, ImageKind 
                             text));
     }
     return kind == ImageKind::rgb_float && count > 0 ? all : std::min(count, all);
-}
-
-/// The levels that a bake of the pipeline's recipe has, fewer than asked for on strip atlases.
-LevelsAsked levels_there_are(Pipeline& pipeline, const LevelsAsked& asked, ImageKind kind) {
-    const MeshAtlas& atlas = pipeline.mesh_atlas();
-    const std::uint32_t last = last_level(atlas);
-    if (asked.count <= last) return asked;
-    const bool all = kind == ImageKind::rgb_float;
-    warn(
-        fmt::format("{}: MIP levels above {} of the {} atlas mix unrelated triangles and {}; "
-                    "use --atlas quad or patch for more",
-                    pipeline.mesh().name, last, to_string(atlas.atlas().options.kind),
-                    all ? "are of little use" : "are left out"));
-    return {all ? asked.count : last, asked.rule};
 }
 
 BakedImage synthesize(Pipeline& pipeline, ImageKind kind) {
@@ -106,6 +93,19 @@ LevelsAsked levels_asked(const std::string& text, const std::string& rule, std::
     return asked;
 }
 
+LevelsAsked levels_there_are(Pipeline& pipeline, const LevelsAsked& asked, ImageKind kind) {
+    const MeshAtlas& atlas = pipeline.mesh_atlas();
+    const std::uint32_t last = last_level(atlas);
+    if (asked.count <= last) return asked;
+    const bool all = kind == ImageKind::rgb_float;
+    warn(
+        fmt::format("{}: MIP levels above {} of the {} atlas mix unrelated triangles and {}; "
+                    "use --atlas quad or patch for more",
+                    pipeline.mesh().name, last, to_string(atlas.atlas().options.kind),
+                    all ? "are of little use" : "are left out"));
+    return {all ? asked.count : last, asked.rule};
+}
+
 NormalSpace normals_asked(const std::string& text, const Recipe& recipe,
                           const std::string& out_path) {
     if (text == "none") return NormalSpace::none;
@@ -147,13 +147,39 @@ std::optional<NormalMap> bake_normals(Pipeline& pipeline, NormalSpace space, int
     return NormalMap{pipeline.normal_map<Rgb8>(crease_degrees, tangent), tangent};
 }
 
+void add_levels(NormalMap& map, const std::vector<Image<RgbF>>& levels) {
+    for (const Image<RgbF>& level : levels) {
+        if (std::holds_alternative<Image<Rgb16>>(map.image))
+            map.levels.emplace_back(normal_codes16(level));
+        else
+            map.levels.emplace_back(normal_codes8(level));
+    }
+}
+
+void encode_normals(const NormalMap& map, const ByteSink& sink) {
+    std::visit([&](const auto& image) { encode_png(image, sink, PngContent::data); }, map.image);
+}
+
+void turn_green(NormalMap& map) {
+    const auto turn = [](auto& image) {
+        for (std::size_t y = 0; y < image.height(); ++y)
+            for (auto& pixel : image.row(y)) pixel.g = static_cast<decltype(pixel.g)>(~pixel.g);
+    };
+    std::visit(turn, map.image);
+    for (auto& level : map.levels) std::visit(turn, level);
+}
+
 BakedAtlas compressed_bake(const Atlas& atlas, BakedImage image,
                            const std::optional<double>& most_error) {
     if (!most_error) return {std::nullopt, std::move(image), std::nullopt};
     return std::visit(
-        [&](const auto& picture) {
-            auto result = compress_blocks(atlas, picture, *most_error);
-            return BakedAtlas{std::move(result.atlas), std::move(result.image), result.notes};
+        [&]<class Pixel>(const Image<Pixel>& picture) -> BakedAtlas {
+            if constexpr (requires { Pixel::a; }) {
+                throw Error(ExitCode::usage, "--compress: blocks with alpha are not compared yet");
+            } else {
+                auto result = compress_blocks(atlas, picture, *most_error);
+                return {std::move(result.atlas), std::move(result.image), result.notes};
+            }
         },
         image);
 }
@@ -170,7 +196,7 @@ BandsWritten write_exr_in_bands(Pipeline& pipeline, const std::string& path,
     const auto start = std::chrono::steady_clock::now();
     const double before = stage_seconds(pipeline);
     std::vector<AtomicFile> files;
-    if (normals) encode_png(*normals, sink_of(files.emplace_back(normal_map_path(path))));
+    if (normals) encode_normals(*normals, sink_of(files.emplace_back(normal_map_path(path))));
     files.push_back(write_texture(pipeline, path, levels));
     const double stages = stage_seconds(pipeline) - before;
     return {levels.count, std::move(files), seconds_since(start) - stages};

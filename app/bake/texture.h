@@ -26,6 +26,10 @@ struct LevelsAsked {
 LevelsAsked levels_asked(const std::string& text, const std::string& rule, std::uint32_t size,
                          ImageKind kind);
 
+/// The levels that a bake of the pipeline's recipe has: strip atlases have at most last_level. A
+/// warning on stderr says that more are left out, or, in float images, mix unrelated triangles.
+LevelsAsked levels_there_are(Pipeline& pipeline, const LevelsAsked& asked, ImageKind kind);
+
 /// Space of a normal map's normals; none: no normal map.
 enum class NormalSpace { none, tangent, object };
 
@@ -41,15 +45,22 @@ struct BakedTexture {
     std::vector<BakedImage> levels{};  ///< levels 1, 2, ...
 };
 
-/// The texture of the pipeline's recipe with `levels`, as images of `kind`. Strip atlases have at
-/// most last_level levels; a warning on stderr says that more are left out, or, in float images,
-/// mix unrelated triangles.
+/// The texture of the pipeline's recipe with levels_there_are, as images of `kind`.
 BakedTexture bake_texture(Pipeline& pipeline, ImageKind kind, const LevelsAsked& levels);
 
 /// The normal map of the pipeline's recipe, of 16 bits per channel if `depth` is 16, else 8; none
 /// for NormalSpace::none.
 std::optional<NormalMap> bake_normals(Pipeline& pipeline, NormalSpace space, int depth,
                                       double crease_degrees);
+
+/// Adds MIP levels, unit vectors, in the codes of the map.
+void add_levels(NormalMap& map, const std::vector<Image<RgbF>>& levels);
+
+/// Writes level 0 of the map as a PNG file.
+void encode_normals(const NormalMap& map, const ByteSink& sink);
+
+/// Turns the normals' second component round, for programs whose textures' second axis points up.
+void turn_green(NormalMap& map);
 
 /// The atlas and the texture that a bake writes, with the results of compression.
 struct BakedAtlas {

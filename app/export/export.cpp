@@ -51,9 +51,31 @@ AtomicFile write_exr_file(const SceneContent& content) {
     return write_exr(content.path, *levels[0]);
 }
 
-void add_normals(std::vector<AtomicFile>& files, const SceneContent& content) {
-    if (const auto& normals = content.options.normals)
-        encode_png(*normals, sink_of(files.emplace_back(normal_map_path(content.path))));
+template <class Pixel>
+constexpr bool is_coded = !std::is_same_v<Pixel, RgbF> && !std::is_same_v<Pixel, RgbaF>;
+
+/// Encodes an image of 8 or 16 bits of a variant, which it refers to.
+template <class Images>
+std::function<void(const ByteSink&)> encoder(const Images& images, PngContent content) {
+    return [&images, content](const ByteSink& sink) {
+        const auto encode = [&]<class Pixel>(const Image<Pixel>& image) {
+            if constexpr (is_coded<Pixel>) encode_png(image, sink, content);
+        };
+        std::visit(encode, images);
+    };
+}
+
+/// A texture with its levels.
+template <class Images>
+std::vector<SceneImage> texture_of(const std::string& name, const std::string& path,
+                                   const Images& image, const std::vector<Images>& levels,
+                                   PngContent content) {
+    std::vector<SceneImage> texture{{name, path, encoder(image, content)}};
+    for (std::size_t l = 1; l <= levels.size(); ++l)
+        texture.push_back({fmt::format("{} level {}", name, l),
+                           fs::path(path).replace_extension(level_extension(l)).string(),
+                           encoder(levels[l - 1], content)});
+    return texture;
 }
 
 }  // namespace
@@ -65,9 +87,9 @@ std::string material_name(const SceneContent& content) {
     return mesh + ' ' + recipe;
 }
 
-void encode_png(const BakedImage& image, const ByteSink& sink) {
-    if (const auto* rgb16 = std::get_if<Image<Rgb16>>(&image)) return encode_png(*rgb16, sink);
-    encode_png(std::get<Image<Rgb8>>(image), sink);
+std::string picture_path(const std::string& out_path, const std::string& name) {
+    const fs::path path(out_path);
+    return (path.parent_path() / (path.stem().string() + "_" + name + ".png")).string();
 }
 
 void encode_png(const NormalMap& normals, const ByteSink& sink) {
@@ -75,19 +97,32 @@ void encode_png(const NormalMap& normals, const ByteSink& sink) {
                normals.image);
 }
 
+std::vector<std::vector<SceneImage>> scene_textures(const SceneContent& content,
+                                                    const std::string& color) {
+    const std::string name = material_name(content);
+    const ExportOptions& options = content.options;
+    std::vector<std::vector<SceneImage>> textures{
+        texture_of(name, color, content.image, options.levels, PngContent::color)};
+    if (const auto& normals = options.normals)
+        textures.push_back(texture_of(name + " normals", normal_map_path(content.path),
+                                      normals->image, normals->levels, PngContent::data));
+    for (const ExportPicture& picture : options.pictures)
+        textures.push_back(texture_of(
+            name + ' ' + picture.name, picture_path(content.path, picture.name), picture.image,
+            picture.levels, picture.is_color ? PngContent::color : PngContent::data));
+    return textures;
+}
+
 void add_images(std::vector<AtomicFile>& files, const SceneContent& content,
-                const std::string& texture) {
-    add_normals(files, content);
-    std::size_t number = 0;
-    for (const BakedImage& level : content.options.levels) {
-        const fs::path path = fs::path(texture).replace_extension(level_extension(++number));
-        encode_png(level, sink_of(files.emplace_back(path.string())));
-    }
-    encode_png(content.image, sink_of(files.emplace_back(texture)));
+                const std::string& color) {
+    for (const std::vector<SceneImage>& texture : scene_textures(content, color))
+        for (const SceneImage& image : texture)
+            image.encode(sink_of(files.emplace_back(image.path)));
 }
 
 std::vector<std::string> output_paths(const std::string& out_path, std::uint32_t levels,
-                                      bool normals) {
+                                      bool normals, const std::vector<std::string>& pictures,
+                                      bool normal_levels) {
     std::vector<std::string> paths{out_path};
     for (const char* extension : format_of(out_path).beside) {
         if (!extension) continue;
@@ -95,9 +130,21 @@ std::vector<std::string> output_paths(const std::string& out_path, std::uint32_t
     }
     const Format format = format_of(out_path).format;
     if (format == Format::glb || format == Format::exr) levels = 0;
-    for (std::uint32_t l = 1; l <= levels; ++l)
-        paths.push_back(fs::path(out_path).replace_extension(level_extension(l)).string());
-    if (normals && format != Format::glb) paths.push_back(normal_map_path(out_path));
+    const auto add_levels = [&](const std::string path) {
+        for (std::uint32_t l = 1; l <= levels; ++l)
+            paths.push_back(fs::path(path).replace_extension(level_extension(l)).string());
+    };
+    add_levels(out_path);
+    if (format == Format::glb) return paths;
+    if (normals) {
+        paths.push_back(normal_map_path(out_path));
+        if (normal_levels) add_levels(paths.back());
+    }
+    if (format == Format::exr) return paths;
+    for (const std::string& name : pictures) {
+        paths.push_back(picture_path(out_path, name));
+        add_levels(paths.back());
+    }
     return paths;
 }
 
@@ -127,7 +174,9 @@ std::vector<AtomicFile> scene_files(const std::string& out_path, const Mesh& mes
     if (format == Format::png) {
         add_images(files, content, out_path);
     } else if (format == Format::exr) {
-        add_normals(files, content);
+        if (const auto& normals = content.options.normals)
+            encoder(normals->image,
+                    PngContent::data)(sink_of(files.emplace_back(normal_map_path(content.path))));
         files.push_back(write_exr_file(content));
     } else {
         files.push_back(write_glb(content));

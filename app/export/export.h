@@ -8,6 +8,7 @@
 
 #include "app/base/atomic_file.h"
 #include "app/image/convert_image.h"
+#include "app/recipe/material.h"
 #include "atlas/mesh/mesh.h"
 #include "atlas/read/pose.h"
 #include "atlas/solid/atlas.h"
@@ -20,6 +21,20 @@ struct NormalMap {
     /// Whether normals are in the frames of corner_tangents with the normals of ExportOptions;
     /// otherwise they are in object space, which glTF cannot hold.
     bool tangent_space = true;
+    std::vector<std::variant<Image<Rgb8>, Image<Rgb16>>> levels{};  ///< MIP levels 1, 2, ...
+};
+
+/// The codes of a picture: colour without or with alpha, or one number per texel.
+using PictureImage = std::variant<Image<Rgb8>, Image<Rgb16>, Image<Rgba8>, Image<Rgba16>,
+                                  Image<Grey8>, Image<Grey16>>;
+
+/// A picture of a material besides its base colour and its normals.
+struct ExportPicture {
+    std::string name;                    ///< "orm": the file is NAME_orm.png
+    PictureImage image{};                ///< as large as the texture
+    std::vector<PictureImage> levels{};  ///< MIP levels 1, 2, ...
+    bool is_color = false;               ///< whether codes are sRGB rather than linear
+    std::vector<std::string> slots{};    ///< places in a glTF material, as JSON pointers
 };
 
 /// A pose of the exported mesh (atlas_pose), and its weight.
@@ -35,6 +50,9 @@ struct ExportOptions {
     std::string recipe_name{};         ///< the recipe's name, the second part of the material's
     std::vector<BakedImage> levels{};  ///< MIP levels 1, 2, ... (atlas/build/block_levels.h)
     std::optional<NormalMap> normals{};
+    /// The material's numbers, which are factors of what its pictures show.
+    Material material{};
+    std::vector<ExportPicture> pictures{};
     /// The pose becomes a morph target in .glb and .gltf; .obj is written as posed. Images are
     /// those of the mesh at rest.
     std::optional<ExportPose> pose{};
@@ -42,10 +60,14 @@ struct ExportOptions {
 
 /// All files that scene_files writes, `out_path` first: "a.obj" gives a.obj, a.mtl and a.png, and
 /// with MIP levels a.1.png, a.2.png, ...; .glb and .exr contain their levels. Normals add
-/// a_normal.png, except for .glb. Throws Error(usage) unless the extension is one of .glb, .gltf,
-/// .obj, .png, .exr (any case), listing them.
+/// a_normal.png and a picture "orm" a_orm.png, with levels of its own, except for .glb;
+/// `normal_levels` says whether the normals have levels, too. Throws
+/// Error(usage) unless the extension is one of .glb, .gltf, .obj, .png, .exr (any case), listing
+/// them.
 std::vector<std::string> output_paths(const std::string& out_path, std::uint32_t levels = 0,
-                                      bool normals = false);
+                                      bool normals = false,
+                                      const std::vector<std::string>& pictures = {},
+                                      bool normal_levels = false);
 
 /// Whether the format is .glb or .gltf, whose materials take normal maps in tangent space only.
 /// Throws Error(usage) for an unknown extension.

@@ -1,5 +1,6 @@
 #pragma once
 // The writers of formats that scene_files() chooses from, and what they share.
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -21,14 +22,24 @@ struct SceneContent {
 /// has one name.
 std::string material_name(const SceneContent& content);
 
-/// Encodes an image of 8 or 16 bits, or a normal map, as the content of a PNG file.
-void encode_png(const BakedImage& image, const ByteSink& sink);
-void encode_png(const NormalMap& normals, const ByteSink& sink);
+/// An image of a scene: a level of a texture.
+struct SceneImage {
+    std::string name;                               ///< "teapot marble level 1"
+    std::string path;                               ///< of its file, where it has one of its own
+    std::function<void(const ByteSink&)> encode{};  ///< writes it as a PNG file
+};
 
-/// Adds the PNG files of the normal map, of the MIP levels NAME.1.png, NAME.2.png, ..., and of the
-/// texture, at `texture`.
+/// The path of a picture beside an output: "a_orm.png" for "a.obj".
+std::string picture_path(const std::string& out_path, const std::string& name);
+
+/// The textures of a scene, each with its MIP levels: the base colour, whose file is `color`, the
+/// normal map, if any, and the material's pictures. They refer to the content.
+std::vector<std::vector<SceneImage>> scene_textures(const SceneContent& content,
+                                                    const std::string& color);
+
+/// Adds the PNG files of all textures; the base colour's is `color`.
 void add_images(std::vector<AtomicFile>& files, const SceneContent& content,
-                const std::string& texture);
+                const std::string& color);
 
 /// Writes one .glb file, images last. Throws Error: io, or unsupported for more than 4 GiB and for
 /// points beyond the range of 32-bit floats.

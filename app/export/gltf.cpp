@@ -2,8 +2,10 @@
 // here rather than by a library, so that the texture is a plain bufferView (not a data URI), bounds
 // are those of the floats written, and every byte goes through AtomicFile.
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
+#include <iterator>
 #include <limits>
 
 #include <nlohmann/json.hpp>
@@ -79,10 +81,9 @@ void write_meshes(AtomicFile& file, const GltfScene& scene) {
 
 /// Appends the image to the buffer and stores its offset and length in its bufferView. Throws
 /// Error(unsupported) beyond 4 GiB.
-template <class Picture>
-void write_image(AtomicFile& file, GltfScene& scene, const Picture& image, std::size_t view) {
+void write_image(AtomicFile& file, GltfScene& scene, const SceneImage& image, std::size_t view) {
     std::uint64_t size = 0;
-    encode_png(image, [&](std::span<const std::uint8_t> bytes) {
+    image.encode([&](std::span<const std::uint8_t> bytes) {
         size += bytes.size();
         if (scene.binary_size + size > most_bytes) throw too_long(file.target());
         file.write(bytes);
@@ -109,16 +110,6 @@ std::vector<PartVertices> vertices_of(const SceneContent& content) {
     return export_vertices(mesh, atlas, normals, tangents, &posed);
 }
 
-/// The names of the texture, its MIP levels, then the normal map.
-std::vector<std::string> image_names(const SceneContent& content) {
-    const std::string name = material_name(content);
-    std::vector<std::string> names{name};
-    for (std::size_t l = 1; l <= content.options.levels.size(); ++l)
-        names.push_back(fmt::format("{} level {}", name, l));
-    if (content.options.normals) names.push_back(name + " normals");
-    return names;
-}
-
 }  // namespace
 
 // Lengths of images are known only once they are encoded: the head is first written with the
@@ -127,8 +118,11 @@ AtomicFile write_glb(const SceneContent& content) {
     const std::vector<PartVertices> vertices = vertices_of(content);
     GltfScene scene = build_gltf_scene(content, vertices);
     std::size_t view = scene.json["bufferViews"].size();
-    for (const std::string& name : image_names(content)) {
-        scene.json["images"].push_back({{"name", name},
+    std::vector<SceneImage> images;
+    for (std::vector<SceneImage>& texture : scene_textures(content, ""))
+        std::ranges::move(texture, std::back_inserter(images));
+    for (const SceneImage& image : images) {
+        scene.json["images"].push_back({{"name", image.name},
                                         {"bufferView", scene.json["bufferViews"].size()},
                                         {"mimeType", "image/png"}});
         scene.json["bufferViews"].push_back(
@@ -139,9 +133,7 @@ AtomicFile write_glb(const SceneContent& content) {
     AtomicFile file(content.path);
     file.write(glb_head("", length, 0));
     write_meshes(file, scene);
-    write_image(file, scene, content.image, view);
-    for (const BakedImage& level : content.options.levels) write_image(file, scene, level, ++view);
-    if (const auto& normals = content.options.normals) write_image(file, scene, *normals, ++view);
+    for (const SceneImage& image : images) write_image(file, scene, image, view++);
     scene.json["buffers"][0]["byteLength"] = scene.binary_size;
     const std::string head = glb_head(dump(scene.json, -1), length, scene.binary_size);
     if (head.size() + scene.binary_size > most_bytes) throw too_long(content.path);
@@ -158,14 +150,10 @@ std::vector<AtomicFile> write_gltf(const SceneContent& content) {
     const auto uri = [](const std::string& file) {
         return percent_encoded(std::filesystem::path(file).filename().string());
     };
-    const std::size_t levels = content.options.levels.size();
-    const std::vector<std::string> names = image_names(content);
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        const std::string file = i > levels ? normal_map_path(content.path)
-                                            : beside(i == 0 ? ".png" : level_extension(i));
-        scene.json["images"].push_back(
-            {{"name", names[i]}, {"uri", uri(file)}, {"mimeType", "image/png"}});
-    }
+    for (const std::vector<SceneImage>& texture : scene_textures(content, beside(".png")))
+        for (const SceneImage& image : texture)
+            scene.json["images"].push_back(
+                {{"name", image.name}, {"uri", uri(image.path)}, {"mimeType", "image/png"}});
     const std::string buffer = beside(".bin");
     scene.json["buffers"] =
         Json::array({{{"uri", uri(buffer)}, {"byteLength", scene.binary_size}}});

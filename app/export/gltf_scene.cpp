@@ -9,6 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/export/gltf_material.h"
 #include "app/export/vertices.h"
 #include "atlas/base/error.h"
 
@@ -230,28 +231,6 @@ Json sampler(const AtlasOptions& atlas) {
             {"wrapT", int(gl_clamp_to_edge)}};
 }
 
-/// The material, double-sided: a solid texture is the same on both sides, and open sheets and
-/// meshes with inconsistent winding look whole.
-Json material(const SceneContent& content) {
-    Json json{
-        {"name", material_name(content)},
-        {"pbrMetallicRoughness",
-         {{"baseColorTexture", {{"index", 0}}}, {"metallicFactor", 0.0}, {"roughnessFactor", 0.6}}},
-        {"doubleSided", true}};
-    if (content.options.normals) json["normalTexture"] = {{"index", 1}};
-    return json;
-}
-
-/// The base colour texture, then the normal map.
-Json textures(const SceneContent& content) {
-    const std::size_t levels = content.options.levels.size();
-    Json color{{"sampler", 0}, {"source", 0}};
-    for (std::size_t l = 1; l <= levels; ++l) color["extras"]["burl_levels"].push_back(l);
-    Json result = Json::array({color});
-    if (content.options.normals) result.push_back({{"sampler", 0}, {"source", 1 + levels}});
-    return result;
-}
-
 }  // namespace
 
 TextureFilter baked_filter(const AtlasOptions& atlas) {
@@ -274,8 +253,7 @@ GltfScene build_gltf_scene(const SceneContent& content, std::span<const PartVert
     }
     UniqueNames names;
     for (const PartVertices& part : vertices) add_part(scene, content, part, names);
-    scene.json["materials"] = Json::array({material(content)});
-    scene.json["textures"] = textures(content);
+    add_material(scene.json, content);
     scene.json["samplers"] = Json::array({sampler(content.atlas.options)});
     return scene;
 }

@@ -30,10 +30,9 @@ struct GltfScene {
 TextureFilter baked_filter(const AtlasOptions& atlas);
 
 /// Builds meshes (one per part, one primitive each), nodes (one per placement), material, sampler
-/// and textures. Images are left to the caller: 0 is the texture, l its MIP level l, and the one
-/// after these the normal map, if any. The texture's extras.burl_levels lists the levels. The scene
-/// refers to the vertices, which must outlive it. Throws Error(unsupported) for points beyond the
-/// range of 32-bit floats.
+/// and textures. Images are left to the caller: those of scene_textures, one after the other. A
+/// texture's extras.burl_levels lists its levels. The scene refers to the vertices, which must
+/// outlive it. Throws Error(unsupported) for points beyond the range of 32-bit floats.
 GltfScene build_gltf_scene(const SceneContent& content, std::span<const PartVertices> vertices);
 
 /// The zeros that pad so many bytes to a multiple of 4.

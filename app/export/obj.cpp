@@ -17,6 +17,7 @@
 #include "app/surface/node_transform.h"
 #include "app/surface/normals.h"
 #include "app/surface/posed_corners.h"
+#include "procedural/color/srgb.h"
 
 namespace burl {
 namespace {
@@ -177,6 +178,38 @@ Text obj_text(const Mesh& mesh, const Atlas& atlas, std::span<const Vec3f> norma
     return text;
 }
 
+/// The lines of the material besides its base colour and normals, by the extension of MTL for
+/// physically based rendering that Blender, Clara.io and Assimp read; none for a material without
+/// anything of its own.
+std::string mtl_material(const SceneContent& content) {
+    const Material& m = content.options.material;
+    const auto& pictures = content.options.pictures;
+    std::string text;
+    if (m != Material{} || !pictures.empty())
+        text += fmt::format("Pr {}\nPm {}\n", m.roughness, m.metallic);
+    if (m.clearcoat != 0.0)
+        text += fmt::format("Pc {}\nPcr {}\n", m.clearcoat, m.clearcoat_roughness);
+    if (m.ior != 1.5) text += fmt::format("Ni {}\n", m.ior);
+    if (m.emissive != Rgb8{}) {
+        const Vec3d light = m.emissive_strength * linear_light(m.emissive);
+        text += fmt::format("Ke {} {} {}\n", light.x, light.y, light.z);
+    }
+    constexpr std::array<std::array<const char*, 2>, 4> maps{{{"roughness", "map_Pr"},
+                                                              {"metallic", "map_Pm"},
+                                                              {"emissive", "map_Ke"},
+                                                              {"sheen", "map_Ps"}}};
+    for (const ExportPicture& picture : pictures)
+        for (const auto& [name, line] : maps)
+            if (picture.name == name)
+                text += fmt::format("{} {}\n", line,
+                                    file_name(picture_path(content.path, picture.name)));
+    if (has_alpha(content.image))
+        text += fmt::format(
+            "map_d -imfchan m {}\n",
+            file_name(std::filesystem::path(content.path).replace_extension(".png").string()));
+    return text;
+}
+
 /// Writes the files of a mesh with these normals, one per triangle corner.
 std::vector<AtomicFile> write_files(const SceneContent& content, const Mesh& mesh,
                                     std::span<const Vec3f> normals) {
@@ -191,6 +224,7 @@ std::vector<AtomicFile> write_files(const SceneContent& content, const Mesh& mes
     const auto& bumps = content.options.normals;
     if (bumps && bumps->tangent_space)
         material += fmt::format("norm {}\n", file_name(normal_map_path(content.path)));
+    material += mtl_material(content);
     std::vector<AtomicFile> files;
     add_images(files, content, texture);
     files.emplace_back(library).write(material);

@@ -2,33 +2,74 @@
 
 #include <utility>
 
-#include "procedural/color/srgb.h"
+#include "procedural/color/pixel_encoder.h"
 
 namespace burl {
 namespace {
 
 template <class Code>
-Image<Rgb<Code>> encoded(const Image<RgbF>& image) {
-    const SrgbEncoder<Code> encode;
-    const auto code = [&](float v) { return encode(double(v)); };
-    Image<Rgb<Code>> result(image.width(), image.height());
-    for (std::size_t y = 0; y < image.height(); ++y) {
-        for (std::size_t x = 0; x < image.width(); ++x) {
-            const RgbF& p = image(x, y);
-            result(x, y) = {code(p.r), code(p.g), code(p.b)};
-        }
-    }
-    return result;
+Image<Rgb<Code>> opaque(const Image<RgbF>& image) {
+    const PixelEncoder<Rgb<Code>> encode;
+    return converted<Rgb<Code>>(image, [&](const RgbF& p) { return encode({p.r, p.g, p.b}); });
+}
+
+template <class Code>
+Image<Rgba<Code>> divided(const Image<RgbaF>& image, const RgbF& transparent) {
+    const PixelEncoder<Rgba<Code>> encode;
+    Rgba<Code> nothing = encode({transparent.r, transparent.g, transparent.b, 1.0});
+    nothing.a = 0;
+    return converted<Rgba<Code>>(image, [&](const RgbaF& p) {
+        return p.a > 0.0f ? encode({p.r, p.g, p.b, p.a}) : nothing;
+    });
+}
+
+template <class Code>
+Image<Rgba<Code>> numbers(const Image<RgbaF>& image) {
+    const auto code = [](float v) { return linear_code<Code>(double(v)); };
+    return converted<Rgba<Code>>(image, [&](const RgbaF& p) {
+        return Rgba<Code>{code(p.r), code(p.g), code(p.b), code(p.a)};
+    });
 }
 
 }  // namespace
 
 Image<Rgb8> to_rgb8(const Image<RgbF>& image) {
-    return encoded<std::uint8_t>(image);
+    return opaque<std::uint8_t>(image);
 }
 
 Image<Rgb16> to_rgb16(const Image<RgbF>& image) {
-    return encoded<std::uint16_t>(image);
+    return opaque<std::uint16_t>(image);
+}
+
+Image<Rgba8> to_rgba8(const Image<RgbaF>& image, const RgbF& transparent) {
+    return divided<std::uint8_t>(image, transparent);
+}
+
+Image<Rgba16> to_rgba16(const Image<RgbaF>& image, const RgbF& transparent) {
+    return divided<std::uint16_t>(image, transparent);
+}
+
+RgbF mean_color(const Image<RgbaF>& image) {
+    Vec4d sum(0.0);
+    for (const RgbaF& p : image.pixels()) sum += Vec4d(p.r, p.g, p.b, p.a);
+    if (!(sum.w > 0.0)) return {};
+    return {float(sum.x / sum.w), float(sum.y / sum.w), float(sum.z / sum.w)};
+}
+
+Image<Grey8> to_grey8(const Image<float>& image) {
+    return converted<Grey8>(image, linear_code<Grey8>);
+}
+
+Image<Grey16> to_grey16(const Image<float>& image) {
+    return converted<Grey16>(image, linear_code<Grey16>);
+}
+
+Image<Rgba8> to_linear8(const Image<RgbaF>& image) {
+    return numbers<std::uint8_t>(image);
+}
+
+Image<Rgba16> to_linear16(const Image<RgbaF>& image) {
+    return numbers<std::uint16_t>(image);
 }
 
 BakedImage convert_to(Image<RgbF> image, ImageKind kind) {

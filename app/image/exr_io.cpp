@@ -15,9 +15,6 @@
 namespace burl {
 namespace {
 
-constexpr std::size_t tile_side = 64;
-constexpr std::size_t rows_at_once = 256;  ///< a multiple of ZIP's 16, so that threads share them
-
 constexpr const char* what_it_is = "OpenEXR image";  ///< in errors
 constexpr const char* channels[] = {"R", "G", "B"};
 
@@ -66,15 +63,15 @@ Imf::Header header_of(std::size_t width, std::size_t height) {
 void write_level(Imf::TiledOutputFile& file, int level, const Image<RgbF>& image) {
     HalfRows half(image);
     for (int tile = 0; tile < file.numYTiles(level); ++tile) {
-        const std::size_t begin = tile_side * std::size_t(tile);
-        file.setFrameBuffer(half.rows(begin, std::min(begin + tile_side, image.height())));
+        const std::size_t begin = exr_tile_side * std::size_t(tile);
+        file.setFrameBuffer(half.rows(begin, std::min(begin + exr_tile_side, image.height())));
         file.writeTiles(0, file.numXTiles(level) - 1, tile, tile, level);
     }
 }
 
 Imf::Header tiled_header(std::size_t width, std::size_t height) {
     Imf::Header header = header_of(width, height);
-    header.setTileDescription({tile_side, tile_side, Imf::MIPMAP_LEVELS, Imf::ROUND_DOWN});
+    header.setTileDescription({exr_tile_side, exr_tile_side, Imf::MIPMAP_LEVELS, Imf::ROUND_DOWN});
     return header;
 }
 
@@ -87,18 +84,18 @@ void encode_levels(Imf::OStream& stream, std::span<const Image<RgbF>* const> lev
 class TileRows {
   public:
     TileRows(Imf::TiledOutputFile& file, std::size_t width, std::size_t height)
-        : file_(file), height_(height), rows_(width, tile_side) {}
+        : file_(file), height_(height), rows_(width, exr_tile_side) {}
 
     void add(const Image<RgbF>& rows) {
         for (std::size_t y = 0; y < rows.height(); ++y) {
-            std::ranges::copy(rows.row(y), rows_.row(next_ % tile_side).begin());
-            if (++next_ % tile_side == 0 || next_ == height_) write();
+            std::ranges::copy(rows.row(y), rows_.row(next_ % exr_tile_side).begin());
+            if (++next_ % exr_tile_side == 0 || next_ == height_) write();
         }
     }
 
   private:
     void write() {
-        const std::size_t tile = (next_ - 1) / tile_side, begin = tile * tile_side;
+        const std::size_t tile = (next_ - 1) / exr_tile_side, begin = tile * exr_tile_side;
         HalfRows half(rows_);
         file_.setFrameBuffer(half.rows(0, next_ - begin, begin));
         file_.writeTiles(0, file_.numXTiles(0) - 1, int(tile), int(tile), 0);
@@ -113,8 +110,8 @@ class TileRows {
 void write_rows(Imf::OutputFile& file, const Image<RgbF>& image) {
     HalfRows half(image);
     const auto line = std::size_t(file.currentScanLine());
-    for (std::size_t y = 0; y < image.height(); y += rows_at_once) {
-        const std::size_t end = std::min(y + rows_at_once, image.height());
+    for (std::size_t y = 0; y < image.height(); y += exr_rows_at_once) {
+        const std::size_t end = std::min(y + exr_rows_at_once, image.height());
         file.setFrameBuffer(half.rows(y, end, line));
         file.writePixels(int(end - y));
     }

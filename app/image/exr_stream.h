@@ -1,6 +1,7 @@
 #pragma once
 // Files that OpenEXR writes through an AtomicFile.
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <exception>
 #include <span>
@@ -12,6 +13,12 @@
 #include "atlas/base/error.h"
 
 namespace burl {
+
+/// The side of tiles in pixels.
+inline constexpr std::size_t exr_tile_side = 64;
+/// The number of rows that are converted and written at a time: a multiple of ZIP's 16, so that
+/// threads share them.
+inline constexpr std::size_t exr_rows_at_once = 256;
 
 /// A stream into the file, which must outlive it. OpenEXR seeks back to fill in its offset table,
 /// which goes through AtomicFile::overwrite. An exception of the file is kept, since OpenEXR may

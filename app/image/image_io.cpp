@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <concepts>
 #include <csetjmp>
 #include <cstring>
 #include <exception>
@@ -20,6 +21,7 @@ namespace burl {
 namespace {
 
 static_assert(sizeof(Rgb8) == 3 && sizeof(Rgb16) == 6, "pixels are libpng's rows");
+static_assert(sizeof(Rgba8) == 4 && sizeof(Rgba16) == 8, "pixels are libpng's rows");
 static_assert(sizeof(png_color) == 3, "a palette is an array of pixels");
 
 constexpr png_uint_32 max_side = 1u << 20;
@@ -151,8 +153,10 @@ struct Raster {
     std::size_t width, height;
     int bits = 8, color_type = PNG_COLOR_TYPE_RGB;
     std::span<const Rgb8> palette{};
-    std::size_t stride() const {
-        return width * (color_type == PNG_COLOR_TYPE_RGB ? 3 : 1) * std::size_t(bits / 8);
+    std::size_t stride() const { return width * channels() * std::size_t(bits / 8); }
+    std::size_t channels() const {
+        if (color_type == PNG_COLOR_TYPE_RGB_ALPHA) return 4;
+        return color_type == PNG_COLOR_TYPE_RGB ? 3 : 1;
     }
 };
 
@@ -200,21 +204,34 @@ void encode_to(const ByteSink& sink, const Raster& raster, int level, PngContent
                                                raster.width, raster.height, writer.message.text));
 }
 
-std::vector<std::uint8_t> encode(const Raster& raster, int level) {
+std::vector<std::uint8_t> encode(const Raster& raster, int level,
+                                 PngContent content = PngContent::color) {
     std::vector<std::uint8_t> out;
     out.reserve(raster.stride() * raster.height / 2 + 1024);
     encode_to(
         [&](std::span<const std::uint8_t> bytes) {
             out.insert(out.end(), bytes.begin(), bytes.end());
         },
-        raster, level, PngContent::color);
+        raster, level, content);
     return out;
 }
 
 template <class Pixel>
-Raster raster_of(const Image<Pixel>& image) {
+Raster raster_of(const Image<Pixel>& image, int bits, int color_type) {
     return {reinterpret_cast<const std::uint8_t*>(image.pixels().data()), image.width(),
-            image.height(), int(sizeof(Pixel) / 3 * 8)};
+            image.height(), bits, color_type};
+}
+template <class Code>
+Raster raster_of(const Image<Rgb<Code>>& image) {
+    return raster_of(image, 8 * int(sizeof(Code)), PNG_COLOR_TYPE_RGB);
+}
+template <class Code>
+Raster raster_of(const Image<Rgba<Code>>& image) {
+    return raster_of(image, 8 * int(sizeof(Code)), PNG_COLOR_TYPE_RGB_ALPHA);
+}
+template <class Code>
+requires std::unsigned_integral<Code> Raster raster_of(const Image<Code>& image) {
+    return raster_of(image, 8 * int(sizeof(Code)), PNG_COLOR_TYPE_GRAY);
 }
 
 bool is_grey(const IndexedImage& image) {
@@ -260,21 +277,28 @@ PngSize png_size(const std::string& path) {
     return {png_get_uint_32(&head[16]), png_get_uint_32(&head[20])};
 }
 
-std::vector<std::uint8_t> encode_png(const Image<Rgb8>& image, int level) {
-    return encode(raster_of(image), level);
+template <class Pixel>
+std::vector<std::uint8_t> encode_png(const Image<Pixel>& image, int level) {
+    return encode(raster_of(image), level, png_content<Pixel>);
 }
 
-std::vector<std::uint8_t> encode_png(const Image<Rgb16>& image, int level) {
-    return encode(raster_of(image), level);
-}
-
-void encode_png(const Image<Rgb8>& image, const ByteSink& sink, PngContent content) {
+template <class Pixel>
+void encode_png(const Image<Pixel>& image, const ByteSink& sink, PngContent content) {
     encode_to(sink, raster_of(image), default_png_level, content);
 }
 
-void encode_png(const Image<Rgb16>& image, const ByteSink& sink, PngContent content) {
-    encode_to(sink, raster_of(image), default_png_level, content);
-}
+template std::vector<std::uint8_t> encode_png(const Image<Rgb8>&, int);
+template std::vector<std::uint8_t> encode_png(const Image<Rgb16>&, int);
+template std::vector<std::uint8_t> encode_png(const Image<Rgba8>&, int);
+template std::vector<std::uint8_t> encode_png(const Image<Rgba16>&, int);
+template std::vector<std::uint8_t> encode_png(const Image<Grey8>&, int);
+template std::vector<std::uint8_t> encode_png(const Image<Grey16>&, int);
+template void encode_png(const Image<Rgb8>&, const ByteSink&, PngContent);
+template void encode_png(const Image<Rgb16>&, const ByteSink&, PngContent);
+template void encode_png(const Image<Rgba8>&, const ByteSink&, PngContent);
+template void encode_png(const Image<Rgba16>&, const ByteSink&, PngContent);
+template void encode_png(const Image<Grey8>&, const ByteSink&, PngContent);
+template void encode_png(const Image<Grey16>&, const ByteSink&, PngContent);
 
 std::vector<std::uint8_t> encode_png(const IndexedImage& image) {
     Image<std::uint8_t> pixels = image.pixels;

@@ -1,5 +1,6 @@
 #pragma once
 // PNG files through libpng. libpng stays inside image_io.cpp: its long jumps come out as Error.
+#include <concepts>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -38,19 +39,24 @@ Image<Rgb8> decode_png(std::span<const std::uint8_t> bytes, const std::string& o
 
 /// The meaning of the pixels: colours, which are marked as sRGB, or data such as normals.
 enum class PngContent { color, data };
+/// The meaning of pixels of which nothing else is said: grey ones are data.
+template <class Pixel>
+inline constexpr PngContent png_content =
+    std::unsigned_integral<Pixel> ? PngContent::data : PngContent::color;
 
-/// The content of a PNG file, row 0 on top. `level` is zlib's, 0..9. The image has at least one
-/// pixel. Throws Error(runtime) when it cannot be encoded (a side above 2^20, say).
-std::vector<std::uint8_t> encode_png(const Image<Rgb8>& image, int level = default_png_level);
-std::vector<std::uint8_t> encode_png(const Image<Rgb16>& image, int level = default_png_level);
+/// The content of a PNG file, row 0 on top: RGB, RGBA or grey, of 8 or 16 bits, the codes as they
+/// are. Pixel is Rgb8, Rgb16, Rgba8, Rgba16, Grey8 or Grey16. `level` is zlib's, 0..9. Colours are
+/// marked as sRGB, numbers are not. The image has at least one pixel. Throws Error(runtime) when it
+/// cannot be encoded (a side above 2^20, say).
+template <class Pixel>
+std::vector<std::uint8_t> encode_png(const Image<Pixel>& image, int level = default_png_level);
 
 /// Encodes at default_png_level and passes the bytes to the sink as they are produced: beside a
 /// texture of 16384 x 16384 texels there is no memory for its file. Exceptions of the sink are
 /// passed on.
-void encode_png(const Image<Rgb8>& image, const ByteSink& sink,
-                PngContent content = PngContent::color);
-void encode_png(const Image<Rgb16>& image, const ByteSink& sink,
-                PngContent content = PngContent::color);
+template <class Pixel>
+void encode_png(const Image<Pixel>& image, const ByteSink& sink,
+                PngContent content = png_content<Pixel>);
 
 /// A PNG with a palette, or in grey where all colours are grey, at zlib's level 9; for small files.
 std::vector<std::uint8_t> encode_png(const IndexedImage& image);

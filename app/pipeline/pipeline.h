@@ -60,6 +60,12 @@ class Pipeline {
     Image<Pixel> synthesize(std::uint32_t level = 0) {
         return stages_.texture.run<Pixel>(context_, solid(level), recipe_, level);
     }
+    /// The pictures of the recipe's material (app/pipeline/material.h) by the host, without paint.
+    /// Defined for Rgba8, Rgba16 and RgbaF.
+    template <class Pixel>
+    std::vector<Image<Pixel>> pictures(const std::vector<PicturePlan>& plans) {
+        return stages_.texture.run_pictures<Pixel>(context_, solid(), recipe_, plans);
+    }
     /// Whether the texture can be synthesised in bands of rows: by the host without a cache.
     bool has_bands() const { return context_.cache == 0 && !context_.synthesizer; }
     /// Gives the texture in linear light to `take` in bands whose rows are a multiple of band_rows

@@ -19,6 +19,7 @@
 #include "app/recipe/recipe.h"
 #include "app/surface/tangents.h"
 #include "atlas/build/mesh_atlas.h"
+#include "procedural/fill/pictures.h"
 
 namespace burl {
 
@@ -86,6 +87,12 @@ class TextureStage {
     /// default makes 48 MB of float pixels. The time that `take` needs is not counted as synthesis.
     void run_in_bands(StageContext& context, const SolidAtlas& solid, const Recipe& recipe,
                       const TakeRows& take, std::size_t texels = std::size_t(1) << 22) const;
+    /// The pictures of the recipe's material by the host, without paint. Defined for Rgba8, Rgba16
+    /// and RgbaF.
+    template <class Pixel>
+    std::vector<Image<Pixel>> run_pictures(StageContext& context, const SolidAtlas& solid,
+                                           const Recipe& recipe,
+                                           const std::vector<PicturePlan>& plans) const;
     /// The texture of a program that shows it while it changes; valid until the next call for that
     /// level. Null if `stop` was requested first. Defined for Rgb8, Rgb16 and RgbF.
     template <class Pixel>

@@ -103,6 +103,20 @@ void TextureStage::run_in_bands(StageContext& context, const SolidAtlas& solid,
 }
 
 template <class Pixel>
+std::vector<Image<Pixel>> TextureStage::run_pictures(StageContext& context, const SolidAtlas& solid,
+                                                     const Recipe& recipe,
+                                                     const std::vector<PicturePlan>& plans) const {
+    return context.records.time(Stage::synthesis, [&](StageCost& cost) {
+        std::vector<Image<Pixel>> pictures = synthesize_pictures<Pixel>(
+            solid, recipe.texture, plans, texture_from_solid(recipe), recipe.filter,
+            context.way.threads, recipe.precision.kind.value_or(PrecisionKind::float32),
+            {context.skips, &cost.work});
+        for (const Image<Pixel>& picture : pictures) cost.bytes += bytes_of(picture);
+        return pictures;
+    });
+}
+
+template <class Pixel>
 const Image<Pixel>* TextureStage::show(StageContext& context, const SolidAtlas& solid,
                                        const Recipe& recipe, std::uint32_t number,
                                        const std::stop_token& stop) {
@@ -136,6 +150,12 @@ template Image<Rgb16> TextureStage::run(StageContext&, const SolidAtlas&, const 
                                         std::uint32_t);
 template Image<RgbF> TextureStage::run(StageContext&, const SolidAtlas&, const Recipe&,
                                        std::uint32_t);
+template std::vector<Image<Rgba8>> TextureStage::run_pictures(
+    StageContext&, const SolidAtlas&, const Recipe&, const std::vector<PicturePlan>&) const;
+template std::vector<Image<Rgba16>> TextureStage::run_pictures(
+    StageContext&, const SolidAtlas&, const Recipe&, const std::vector<PicturePlan>&) const;
+template std::vector<Image<RgbaF>> TextureStage::run_pictures(
+    StageContext&, const SolidAtlas&, const Recipe&, const std::vector<PicturePlan>&) const;
 template const Image<Rgb8>* TextureStage::show(StageContext&, const SolidAtlas&, const Recipe&,
                                                std::uint32_t, const std::stop_token&);
 template const Image<Rgb16>* TextureStage::show(StageContext&, const SolidAtlas&, const Recipe&,

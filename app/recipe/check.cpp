@@ -8,6 +8,7 @@
 #include "app/recipe/graph_check.h"
 #include "app/recipe/key_check.h"
 #include "app/recipe/schema_check.h"
+#include "app/recipe/spelling.h"
 #include "procedural/graph/json.h"
 
 namespace burl {
@@ -60,24 +61,27 @@ std::string filter_problem(const Json& filter) {
 /// The problem of a recipe with precision.kind "fixed" that asks for noise, nodes or filters
 /// without a fixed-point form. Keys, types and ranges must have been checked.
 Found find_precision_problem(const Json& recipe) {
-    const Json none = Json::object();
-    const auto part = [&](const char* key) -> const Json& {
-        return recipe.contains(key) ? recipe[key] : none;
-    };
+    const auto part = [&](const char* key) -> const Json& { return part_of(recipe, key); };
     if (part("precision").value("kind", "") != "fixed") return {};
     std::string problem = texture_problem(part("texture"));
+    if (problem.empty() && without_channel_nodes(part("material")) != part("material"))
+        problem = "channels of the material are nodes; use float64";
     if (problem.empty()) problem = filter_problem(part("filter"));
     if (problem.empty()) return {};
     return RecipeProblem{"precision.kind",
                          fmt::format("precision.kind is \"fixed\", but {}", problem)};
 }
 
-/// The schema whose texture is left to find_graph_problem.
-SchemaNode schema_without_texture() {
-    SchemaNode schema = build_schema();
-    for (auto& [name, node] : schema.children)
-        if (name == "texture") node->elsewhere = true;
-    return schema;
+/// The recipe without what is left to find_material_problem: "define", channels that are nodes,
+/// and a texture that is a graph.
+Json without_graphs(const Json& recipe) {
+    Json rest = recipe;
+    if (!rest.is_object()) return rest;
+    rest.erase("define");
+    if (rest.contains("texture") && is_graph(rest["texture"])) rest.erase("texture");
+    if (!rest.contains("material") || !rest["material"].is_object()) return rest;
+    rest["material"] = without_channel_nodes(rest["material"]);
+    return rest;
 }
 
 /// The first problem of "bump.input", in a recipe that has passed the schema.
@@ -86,31 +90,38 @@ Found find_bump_problem(const Json& recipe) {
     if (!recipe["bump"].contains("input"))
         return RecipeProblem{"bump.input",
                              "bump.input is missing, must be a node that gives a number"};
-    return find_scalar_problem(recipe["bump"]["input"], "bump.input");
+    return find_scalar_problem(recipe["bump"]["input"], "bump.input", part_of(recipe, "define"));
+}
+
+/// The first problem of a texture that is a colour map over a field.
+Found find_plain_problem(const Json& texture) {
+    if (Found found = find_map_problem(texture, "texture")) return found;
+    if (!texture.contains("input")) return {};
+    return find_field_problem(texture["input"], "texture.input");
 }
 
 Found find_texture_problem(const Json& recipe) {
-    const Json none = Json::object();
-    const Json& texture =
-        recipe.is_object() && recipe.contains("texture") ? recipe["texture"] : none;
-    if (is_graph(texture)) {
-        if (Found found = check_value(schema_without_texture(), recipe, "")) return found;
-        if (Found found = find_graph_problem(texture, "texture")) return found;
-        return find_precision_problem(recipe);
-    }
-    if (Found found = check_value(recipe_schema(), recipe, "")) return found;
-    if (Found found = find_map_problem(texture, "texture")) return found;
-    if (texture.contains("input"))
-        if (Found found = find_field_problem(texture["input"], "texture.input")) return found;
-    return find_precision_problem(recipe);
+    if (Found found = check_value(recipe_schema(), without_graphs(recipe), "")) return found;
+    const Json& texture = part_of(recipe, "texture");
+    if (!is_graph(texture))
+        if (Found found = find_plain_problem(texture)) return found;
+    return find_material_problem(texture, part_of(recipe, "material"), part_of(recipe, "define"));
+}
+
+Found find_respelled_problem(const Json& recipe) {
+    if (Found found = find_texture_problem(recipe)) return found;
+    if (Found found = find_precision_problem(recipe)) return found;
+    if (Found found = find_bump_problem(recipe)) return found;
+    return find_animation_problem(recipe);
 }
 
 }  // namespace
 
 Found find_problem(const Json& recipe) {
-    if (Found found = find_texture_problem(recipe)) return found;
-    if (Found found = find_bump_problem(recipe)) return found;
-    return find_animation_problem(recipe);
+    if (Found found = find_spelling_problem(recipe)) return found;
+    Found found = find_respelled_problem(respelled(recipe));
+    if (found) found = as_written(*found, recipe);
+    return found;
 }
 
 }  // namespace burl

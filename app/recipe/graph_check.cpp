@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "app/base/messages.h"
 #include "atlas/base/error.h"
+#include "procedural/graph/json.h"
 #include "procedural/graph/table.h"
 #include "procedural/noise/spec.h"
 
@@ -127,25 +129,37 @@ std::string shortened(const std::string& path) {
     return fmt::format("{}...{}", path.substr(0, 36), path.substr(path.size() - 20));
 }
 
-/// A checker of one graph. It recurses no deeper than max_graph_depth, however deep the JSON is.
+/// Where a node stands: the point at which it is evaluated, and how deep.
+struct GraphPlace {
+    std::size_t point = 0;  ///< 0: the solid point
+    std::size_t depth = 0;
+};
+
+/// A checker of one graph. It recurses no deeper than max_graph_depth, however deep the JSON is,
+/// and visits a name once at each point, as its nodes are made.
 class GraphChecker {
   public:
+    /// `define` has the nodes that names stand for.
+    explicit GraphChecker(const Json& define) : define_(define) {}
+
     /// Checks a node or constant that must give `wanted`, and sets `given` to the type that it
     /// gives.
-    Found check_input(const Json& value, const std::string& path, Wire wanted, std::size_t depth,
-                      Wire& given) {
+    Found check_input(const Json& value, const std::string& path, Wire wanted,
+                      const GraphPlace& place, Wire& given) {
         if (++nodes_ > max_graph_nodes)
             return RecipeProblem{path, fmt::format("{}: the texture has more than {} nodes, "
                                                    "counting constants; draw less",
                                                    shortened(path), max_graph_nodes)};
-        if (depth >= max_graph_depth)
+        if (place.depth >= max_graph_depth)
             return RecipeProblem{path, fmt::format("{}: nodes are nested more than {} deep; use "
                                                    "fewer levels",
                                                    shortened(path), max_graph_depth)};
         given = Wire::number;
         if (is_color(value)) given = Wire::color;
-        if (value.is_object()) {
-            if (Found found = check_node(value, path, wanted, depth, given)) return found;
+        if (is_graph_name(value)) {
+            if (Found found = check_name(value, path, wanted, place, given)) return found;
+        } else if (value.is_object()) {
+            if (Found found = check_node(value, path, wanted, place, given)) return found;
         } else if (given == Wire::number && !is_constant_number(value)) {
             return mismatch(path, value, wanted_text(wanted));
         }
@@ -155,11 +169,76 @@ class GraphChecker {
         return {};
     }
 
+    /// Checks the names that nobody uses, too.
+    Found check_names_left() {
+        for (const auto& item : define_.items()) {
+            Wire given = Wire::number;
+            if (Found found = check_definition(item.key(), {0, 1}, given)) return found;
+        }
+        return {};
+    }
+
   private:
-    Found check_node(const Json& node, const std::string& path, Wire wanted, std::size_t depth,
-                     Wire& given) {
+    Found check_name(const Json& value, const std::string& path, Wire wanted,
+                     const GraphPlace& place, Wire& given) {
+        const std::string& name = value.get_ref<const std::string&>();
+        if (!define_.contains(name)) return unknown_name(value, path, wanted);
+        if (Found found = check_definition(name, {place.point, place.depth + 1}, given))
+            return found;
+        if (given == Wire::color && wanted == Wire::number)
+            return RecipeProblem{path, fmt::format("{} is {}, which gives a colour, must be {}",
+                                                   path, shown(value), wanted_text(wanted))};
+        return {};
+    }
+
+    RecipeProblem unknown_name(const Json& value, const std::string& path, Wire wanted) const {
+        std::vector<std::string_view> names;
+        for (const auto& item : define_.items()) names.push_back(item.key());
+        if (names.empty()) return mismatch(path, value, wanted_text(wanted));
+        const std::string_view nearest = nearest_word(value.get_ref<const std::string&>(), names);
+        return {path,
+                fmt::format("{} is {}, which \"define\" does not name; {}", path, shown(value),
+                            nearest.empty() ? fmt::format("it has {}", fmt::join(names, ", "))
+                                            : fmt::format("did you mean \"{}\"?", nearest))};
+    }
+
+    /// Checks what a name stands for, once at each point.
+    Found check_definition(const std::string& name, const GraphPlace& place, Wire& given) {
+        const auto known = given_.find({name, place.point});
+        if (known != given_.end()) {
+            given = known->second;
+            return {};
+        }
+        const std::string path = "define." + name;
+        if (Found found = check_circle(name, path)) return found;
+        const Json& value = define_[name];
+        if (name.empty() || name[0] == '#' || name.find('.') != std::string::npos)
+            return RecipeProblem{path, fmt::format("{}: a name of \"define\" must not be empty, "
+                                                   "begin with # or have a dot; rename it",
+                                                   path)};
+        if (is_graph_name(value))
+            return RecipeProblem{path, fmt::format("{} is {}, must be a node, a number or a colour",
+                                                   path, shown(value))};
+        open_.push_back(name);
+        Found found = check_input(value, path, Wire::color, place, given);
+        open_.pop_back();
+        given_[{name, place.point}] = given;
+        return found;
+    }
+
+    /// Whether the name is used within its own definition.
+    Found check_circle(const std::string& name, const std::string& path) const {
+        const auto first = std::ranges::find(open_, name);
+        if (first == open_.end()) return {};
+        const std::vector<std::string> circle(first, open_.end());
+        return RecipeProblem{path, fmt::format("{} is made of itself: {} uses {}; break the circle",
+                                               path, fmt::join(circle, " uses "), name)};
+    }
+
+    Found check_node(const Json& node, const std::string& path, Wire wanted,
+                     const GraphPlace& place, Wire& given) {
         // Only the recipe's texture itself may leave out "node": it is a color_map then.
-        if (!node.contains("node") && depth > 0)
+        if (!node.contains("node") && place.depth > 0)
             return RecipeProblem{path,
                                  fmt::format("{} has no key \"node\" that says what it is", path)};
         const Json name = node.contains("node") ? node["node"] : Json("color_map");
@@ -167,23 +246,23 @@ class GraphChecker {
             name.is_string() ? find_node(name.get_ref<const std::string&>()) : nullptr;
         if (!type) return unknown_node(name, join_path(path, "node"));
         if (type->name == "field") return find_field_problem(node, path);
-        if (type->name == "constant") return check_constant(node, path, wanted, depth, given);
+        if (type->name == "constant") return check_constant(node, path, wanted, place, given);
         if (Found found = check_keys(*type, node, path)) return found;
         if (type->name == "color_map")
             if (Found found = find_map_problem(node, path)) return found;
-        return check_inputs(*type, node, path, wanted, depth, given);
+        return check_inputs(*type, node, path, wanted, place, given);
     }
 
-    Found check_constant(const Json& node, const std::string& path, Wire wanted, std::size_t depth,
-                         Wire& given) {
+    Found check_constant(const Json& node, const std::string& path, Wire wanted,
+                         const GraphPlace& place, Wire& given) {
         if (Found found = check_names({"node", "value"}, node, path)) return found;
         const std::string value_path = join_path(path, "value");
         if (!node.contains("value"))
             return RecipeProblem{value_path, fmt::format("{} is missing, must be {}", value_path,
                                                          wanted_text(wanted))};
-        if (node["value"].is_object())
+        if (node["value"].is_object() || is_graph_name(node["value"]))
             return mismatch(value_path, node["value"], "a number or a colour");
-        return check_input(node["value"], value_path, wanted, depth, given);
+        return check_input(node["value"], value_path, wanted, place, given);
     }
 
     static Found check_names(const std::vector<std::string_view>& known, const Json& node,
@@ -224,8 +303,10 @@ class GraphChecker {
     }
 
     Found check_inputs(const NodeType& type, const Json& node, const std::string& path, Wire wanted,
-                       std::size_t depth, Wire& given) {
+                       const GraphPlace& place, Wire& given) {
         given = type.result == NodeResult::color ? Wire::color : Wire::number;
+        const GraphPlace below{type.result == NodeResult::inner ? ++points_ : place.point,
+                               place.depth + 1};
         for (const NodeInput& input : type.inputs()) {
             const std::string input_path = join_path(path, input.key);
             if (!node.contains(input.key)) {
@@ -238,14 +319,17 @@ class GraphChecker {
             const Wire from = input.sets_wire ? wanted : input.wire;
             Wire got = Wire::number;
             if (Found found =
-                    check_input(node[std::string(input.key)], input_path, from, depth + 1, got))
+                    check_input(node[std::string(input.key)], input_path, from, below, got))
                 return found;
             if (input.sets_wire && got == Wire::color) given = Wire::color;
         }
         return {};
     }
 
-    std::size_t nodes_ = 0;
+    const Json& define_;
+    std::map<std::pair<std::string, std::size_t>, Wire> given_;  ///< types of names at points
+    std::vector<std::string> open_;  ///< names whose definitions are being checked
+    std::size_t nodes_ = 0, points_ = 0;
 };
 
 }  // namespace
@@ -266,14 +350,27 @@ Found find_field_problem(const Json& field, const std::string& path) {
     return check_noise(field, path);
 }
 
-Found find_graph_problem(const Json& texture, const std::string& path) {
+Found find_material_problem(const Json& texture, const Json& material, const Json& define) {
+    if (!define.is_object()) return mismatch("define", define, "an object of nodes by their names");
+    GraphChecker checker(define);
     Wire given = Wire::number;
-    return GraphChecker().check_input(texture, path, Wire::color, 0, given);
+    if (is_graph(texture))
+        if (Found found = checker.check_input(texture, "texture", Wire::color, {}, given))
+            return found;
+    for (std::size_t i = 0; i < enum_names<Channel>.size(); ++i) {
+        const std::string key(enum_names<Channel>[i]);
+        if (!material.contains(key) || !is_graph_channel(material[key])) continue;
+        const Wire wanted = is_color(Channel(i)) ? Wire::color : Wire::number;
+        if (Found found = checker.check_input(material[key], join_path("material", key), wanted,
+                                              {0, 1}, given))
+            return found;
+    }
+    return checker.check_names_left();
 }
 
-Found find_scalar_problem(const Json& input, const std::string& path) {
+Found find_scalar_problem(const Json& input, const std::string& path, const Json& define) {
     Wire given = Wire::number;
-    return GraphChecker().check_input(input, path, Wire::number, 1, given);
+    return GraphChecker(define).check_input(input, path, Wire::number, {0, 1}, given);
 }
 
 }  // namespace burl

@@ -12,10 +12,14 @@ std::optional<RecipeProblem> find_map_problem(const Json& map, const std::string
 /// The first problem of a field: keys, values, periods and times.
 std::optional<RecipeProblem> find_field_problem(const Json& field, const std::string& path);
 
-/// The first problem of a "texture" that is a graph giving a colour; `path` is its dotted path.
-std::optional<RecipeProblem> find_graph_problem(const Json& texture, const std::string& path);
+/// The first problem of what a recipe's graph is made of: a "texture" that is a graph, the channels
+/// of "material" that are nodes, and all of "define", whose names must not lead back to themselves.
+std::optional<RecipeProblem> find_material_problem(const Json& texture, const Json& material,
+                                                   const Json& define);
 
-/// The first problem of a graph that must give a number, or of a plain number in its place.
-std::optional<RecipeProblem> find_scalar_problem(const Json& input, const std::string& path);
+/// The first problem of a graph that must give a number, or of a plain number in its place; its
+/// names are those of `define`.
+std::optional<RecipeProblem> find_scalar_problem(const Json& input, const std::string& path,
+                                                 const Json& define);
 
 }  // namespace burl

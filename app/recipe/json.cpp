@@ -13,6 +13,7 @@
 #include "app/recipe/images.h"
 #include "app/recipe/leaves.h"
 #include "app/recipe/settings.h"
+#include "app/recipe/spelling.h"
 #include "atlas/base/error.h"
 #include "procedural/graph/json.h"
 #include "procedural/model/members.h"
@@ -52,12 +53,6 @@ std::shared_ptr<const MipImage> blank_image(ImageWrap wrap) {
     return std::make_shared<const MipImage>(Image<Rgb8>(1, 1), wrap);
 }
 
-/// An empty object for a part of the recipe that is left out.
-const Json& part_of(const Json& json, const char* key) {
-    static const Json none = Json::object();
-    return json.contains(key) ? json[key] : none;
-}
-
 KeyedAnimation animation_from_json(const Json& json) {
     KeyedAnimation animation;
     read_members(parameters(), json, animation);
@@ -82,10 +77,13 @@ Recipe recipe_from_json(const Json& json, const ImageReader& read_image) {
     read_members(parameters(), json, recipe);
     read_members(parameters(), part_of(json, "atlas"), recipe.atlas);
     read_members(parameters(), part_of(json, "solid"), recipe.solid);
-    recipe.texture = graph_from_json(part_of(json, "texture"), read_image);
+    const Json &define = part_of(json, "define"), &material = part_of(json, "material");
+    recipe.texture = material_from_json(part_of(json, "texture"), material, define, read_image);
+    read_members(parameters(), without_channel_nodes(material), recipe.material);
     const Json& bump = part_of(json, "bump");
     read_members(parameters(), bump, recipe.bump);
-    if (bump.contains("input")) recipe.bump.input = graph_from_json(bump["input"], read_image);
+    if (bump.contains("input"))
+        recipe.bump.input = scalar_from_json(bump["input"], define, read_image);
     read_members(parameters(), part_of(json, "filter"), recipe.filter);
     read_members(parameters(), part_of(json, "precision"), recipe.precision);
     read_members(parameters(), part_of(json, "precision"), recipe.precision.format);
@@ -95,12 +93,23 @@ Recipe recipe_from_json(const Json& json, const ImageReader& read_image) {
     return recipe;
 }
 
+/// The channels that differ from the defaults.
+Json material_to_json(const Recipe& recipe) {
+    Json json = Json::object();
+    write_members(parameters(), recipe.material, json, [](std::string_view) { return false; });
+    json.update(channels_to_json(recipe.texture));
+    return json;
+}
+
 Json tree_of(const Recipe& recipe) {
     Json json{{"burl", 1}};
     write_members(parameters(), recipe, json);
     write_members(parameters(), recipe.atlas, json["atlas"]);
     write_members(parameters(), recipe.solid, json["solid"]);
+    if (!recipe.texture.names.empty()) json["define"] = names_to_json(recipe.texture);
     json["texture"] = graph_to_json(recipe.texture);
+    if (Json material = material_to_json(recipe); !material.empty())
+        json["material"] = std::move(material);
     write_members(parameters(), recipe.filter, json["filter"]);
     write_members(parameters(), recipe.precision, json["precision"]);
     write_members(parameters(), recipe.precision.format, json["precision"]);
@@ -158,6 +167,7 @@ Recipe parse_recipe(const std::string& json, const std::string& origin,
                     const std::vector<std::string>& settings, RecipeImages& images) {
     Json tree = parse_json_text(json, origin);
     if (const auto problem = find_problem(tree)) throw invalid_file(origin, 0, problem->sentence);
+    tree = respelled(std::move(tree));
     if (!settings.empty()) apply_settings(tree, settings);
     const auto path_of = [folder = std::filesystem::path(origin).parent_path()](
                              const std::string& file) { return (folder / file).string(); };

@@ -94,6 +94,17 @@ double octave_weights_of(const NodeParameters& node) {
     return octave_weights(node.parameter("gain"), std::uint32_t(node.parameter("octaves")));
 }
 
+/// The farthest that a node `curl` moves a coordinate: no component of its field exceeds 3.
+Vec3d curl_reach(const NodeParameters& node) {
+    return Vec3d(3.0 * std::abs(node.parameter("strength")) * octave_weights_of(node));
+}
+
+/// The frequency of a noise node's last octave, or of its first where that is higher.
+double highest_frequency(const NodeParameters& node) {
+    const double last = std::pow(node.parameter("lacunarity"), node.parameter("octaves") - 1.0);
+    return std::max(last, 1.0);
+}
+
 /// Bounds of the absolute coordinates of the point that a node makes of a point bounded by p.
 Vec3d moved_sizes(const NodeParameters& node, const Vec3d& p) {
     const std::string_view type = type_of(node.self()).name;
@@ -101,6 +112,7 @@ Vec3d moved_sizes(const NodeParameters& node, const Vec3d& p) {
     if (type == "transform") return transformed(node, p);
     if (type == "warp")  // no noise of three or four dimensions exceeds 2
         return p + Vec3d(2.0 * std::abs(node.parameter("strength")) * octave_weights_of(node));
+    if (type == "curl") return p + curl_reach(node);
     if (type == "map_uv")
         return {std::abs(node.parameter("scale", 0)) * p.x + std::abs(node.parameter("offset", 0)),
                 std::abs(node.parameter("scale", 1)) * p.y + std::abs(node.parameter("offset", 1)),
@@ -114,19 +126,39 @@ Vec3d moved_sizes(const NodeParameters& node, const Vec3d& p) {
     return p;
 }
 
-/// The largest absolute lattice coordinate at which a noise node is evaluated, in cells, over all
-/// octaves; 0 for other nodes.
+/// The largest absolute number of a tile in a pattern, along any axis.
+double tile_reach(const NodeParameters& node, const Vec3d& p) {
+    const double width = node.parameter("width"), height = node.parameter("height"),
+                 depth = node.parameter("depth");
+    if (!(height > 0.0)) return largest({2.0 * p.x / width, 2.0 * p.y / width, 0.0});
+    const double course = p.y / height;
+    const double moved = std::abs(node.parameter("offset")) * course + 1.0;
+    return largest({p.x / width + moved, course, depth > 0.0 ? p.z / depth + moved : 0.0});
+}
+
+/// The largest absolute lattice coordinate at which a noise node or pattern is evaluated, in cells,
+/// over all octaves; 0 for other nodes.
 double reach(const TextureGraph& graph, const NodeParameters& node, const Vec3d& p) {
     const std::string_view type = type_of(node.self()).name;
     if (type == "field") return farthest_lattice(graph.textures[node.self().texture], p).reach;
-    if (type == "dots") return largest({p.x, p.y, 0.0});
+    if (type == "tiles" || type == "bricks" || type == "planks" || type == "hexagons" ||
+        type == "herringbone")
+        return tile_reach(node, p);
+    if (type == "cells") return largest(p);
+    if (type == "dots" || type == "scatter") return largest({p.x, p.y, 0.0});
     if (type == "bumps") return largest(glm::abs(node.vector("frequency")) * p);
-    if (type != "fbm" && type != "wrinkled" && type != "windy" && type != "marble" &&
-        type != "warp")
+    if (type == "curl")  // sampled along the whole walk
+        return node.parameter("scale") * highest_frequency(node) * largest(p + curl_reach(node));
+    if (type == "fibre") {
+        const double size = std::min(node.parameter("length"), node.parameter("width"));
+        const double stray = 2.0 * std::abs(node.parameter("wave"));
+        return highest_frequency(node) * (glm::length(p) + stray) / size;
+    }
+    if (type != "simplex_nd" && type != "fbm" && type != "wrinkled" && type != "windy" &&
+        type != "marble" && type != "warp")
         return 0.0;
     const double scale = type == "marble" ? node.parameter("scale") : 1.0;
-    const double last = std::pow(node.parameter("lacunarity"), node.parameter("octaves") - 1.0);
-    return scale * std::max(last, 1.0) * largest(p);
+    return scale * highest_frequency(node) * largest(p);
 }
 
 /// Throws Error(unsupported) in one sentence, which begins with `name` and names the node, where a

@@ -60,10 +60,18 @@ class LeafWalk {
         return value.is_object() && value.contains(name) ? value[name] : empty_;
     }
 
+    /// Whether a node or a name stands in the place of a material's number or colour.
+    static bool is_node_of(const Parameter& parameter, const Json& value) {
+        const bool fixed =
+            parameter.type == ParameterType::color || parameter.type == ParameterType::number;
+        return fixed && is_graph_channel(value);
+    }
+
     void add(const Parameter& parameter, const Json& owner, std::string_view key,
              const std::string& path, const std::string& group) {
         const std::string name(key);
         if (name == "node" || path == "burl") return;
+        if (owner.contains(name) && is_node_of(parameter, owner[name])) return;
         // Tables are static, so the pointer owns nothing.
         RecipeLeaf leaf{path, group, name, {std::shared_ptr<void>(), &parameter}, {}};
         if (owner.contains(name))
@@ -138,6 +146,10 @@ std::vector<RecipeLeaf> recipe_leaves(const Json& recipe) {
     });
     walk.walk_schema(schema, recipe, "", "recipe");
     if (graph) walk.walk_node(recipe["texture"], "texture", "");
+    for (const char* part : {"define", "material"})
+        if (recipe.contains(part))
+            for (const auto& [key, value] : recipe[part].items())
+                if (value.is_object()) walk.walk_node(value, fmt::format("{}.{}", part, key), key);
     if (recipe.contains("bump") && recipe["bump"].contains("input"))
         walk.walk_node(recipe["bump"]["input"], "bump.input", "bump");
     return std::move(walk.leaves);

@@ -95,6 +95,37 @@ std::vector<RecipeParameter> rows_before_texture() {
             "added to solid coordinates after the scale", {.label = "move"})};
 }
 
+std::vector<RecipeParameter> material_rows() {
+    return {row("material.opacity", &Material::opacity, {0, 1, 0.05},
+                "factor of the base colour's alpha"),
+            row("material.metallic", &Material::metallic, {0, 1, 0.05},
+                "0: wood, stone, paint; 1: bare metal, whose colour its base colour is"),
+            row("material.roughness", &Material::roughness, {0, 1, 0.05}, "0: a mirror; 1: chalk"),
+            row("material.occlusion", &Material::occlusion, {0, 1, 0.05},
+                "share of the sky that lights the surface"),
+            row("material.emissive", &Material::emissive, {}, "sRGB colour of light that it gives"),
+            row("material.emissive_strength", &Material::emissive_strength, {0, 1e6, 0.1},
+                "factor of emissive"),
+            row("material.ior", &Material::ior, {1, 5, 0.01},
+                "refractive index: water 1.33, glass 1.5", {.rare = true}),
+            row("material.specular", &Material::specular, {0, 1, 0.05},
+                "factor of the reflection of what is no metal", {.rare = true}),
+            row("material.clearcoat", &Material::clearcoat, {0, 1, 0.05},
+                "weight of a layer of varnish"),
+            row("material.clearcoat_roughness", &Material::clearcoat_roughness, {0, 1, 0.05},
+                "roughness of the varnish"),
+            row("material.sheen", &Material::sheen, {}, "sRGB colour of a fabric's sheen",
+                {.rare = true}),
+            row("material.sheen_roughness", &Material::sheen_roughness, {0, 1, 0.05},
+                "roughness of the sheen", {.rare = true}),
+            row("material.transmission", &Material::transmission, {0, 1, 0.05},
+                "share of light that passes through", {.rare = true}),
+            row("material.alpha", &Material::alpha, {},
+                "blend: shows what is behind; mask: there or not; opaque: transparent is black"),
+            row("material.alpha_cutoff", &Material::alpha_cutoff, {0, 1, 0.05},
+                "mask: alpha from which a texel is there", {.rare = true})};
+}
+
 std::vector<RecipeParameter> rows_after_texture() {
     return {
         row("bump.height", &Bump::height, {-1e6, 1e6, 0.001, "solid units"},
@@ -143,6 +174,7 @@ std::vector<RecipeParameter> rows_after_texture() {
 std::vector<RecipeParameter> make_table() {
     std::vector<RecipeParameter> table = rows_before_texture();
     for (const MemberParameter& one : texture_parameters()) table.push_back({one, {}});
+    std::ranges::move(material_rows(), std::back_inserter(table));
     std::ranges::move(rows_after_texture(), std::back_inserter(table));
     return table;
 }

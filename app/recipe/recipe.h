@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/recipe/material.h"
 #include "app/recipe/paint_stroke.h"
 #include "atlas/base/enum_names.h"
 #include "atlas/solid/atlas.h"
@@ -69,6 +70,7 @@ struct Recipe {
     AtlasOptions atlas;
     SolidOptions solid;
     TextureGraph texture = plain_graph({});  ///< a plain graph bakes fastest
+    Material material;  ///< channels that do not vary; the others are nodes of the texture
     Bump bump;
     Filter filter;
     Precision precision;

@@ -8,6 +8,7 @@
 
 #include "app/base/messages.h"
 #include "atlas/base/error.h"
+#include "procedural/graph/json.h"
 
 namespace burl {
 
@@ -95,6 +96,19 @@ bool fits(const Parameter& p, const Json& value) {
 }
 
 }  // namespace
+
+const Json& part_of(const Json& recipe, const char* key) {
+    static const Json none = Json::object();
+    return recipe.is_object() && recipe.contains(key) ? recipe[key] : none;
+}
+
+Json without_channel_nodes(Json material) {
+    for (const std::string_view channel : enum_names<Channel>) {
+        const auto found = material.find(std::string(channel));
+        if (found != material.end() && is_graph_channel(*found)) material.erase(found);
+    }
+    return material;
+}
 
 std::vector<std::string_view> split_path(std::string_view path) {
     std::vector<std::string_view> parts;

@@ -40,6 +40,12 @@ SchemaNode build_schema();
 /// The tree of parameters(), made once.
 const SchemaNode& recipe_schema();
 
+/// The value of a key of the recipe; an empty object where it is left out.
+const Json& part_of(const Json& recipe, const char* key);
+
+/// The recipe's "material" without the channels that are nodes.
+Json without_channel_nodes(Json material);
+
 /// The parts of a dotted path: at least one, possibly empty.
 std::vector<std::string_view> split_path(std::string_view path);
 

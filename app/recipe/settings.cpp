@@ -9,6 +9,7 @@
 
 #include "app/base/messages.h"
 #include "app/recipe/schema_check.h"
+#include "app/recipe/spelling.h"
 #include "atlas/base/error.h"
 #include "procedural/graph/json.h"
 
@@ -102,6 +103,8 @@ Json parse_value(const std::string& text, const SchemaNode& node) {
 bool lies_in_graph(const Json& recipe, std::span<const std::string_view> parts) {
     if (parts.size() < 2) return false;
     if (parts[0] == "bump") return parts[1] == "input";
+    if (parts[0] == "define") return true;
+    if (parts[0] == "material") return parts.size() > 2;
     return parts[0] == "texture" && recipe.contains("texture") && is_graph(recipe["texture"]);
 }
 
@@ -127,7 +130,7 @@ std::string apply_setting(Json& recipe, const std::string& setting) {
     if (equals == std::string::npos || equals == 0)
         throw Error(ExitCode::usage,
                     fmt::format("--set: \"{}\" must have the form path=value", setting));
-    const std::string path = setting.substr(0, equals);
+    const std::string path = respelled_path(setting.substr(0, equals));
     const SchemaNode* node = &recipe_schema();
     // The edit is made in a copy, since a wrong path must leave the recipe unchanged.
     Json edited = recipe;

@@ -39,7 +39,10 @@ LevelsAsked export_levels(const ExportRequest& request) {
 std::vector<std::string> files_of_texture(const ExportRequest& request, const std::string& out,
                                           std::uint32_t levels) {
     const NormalSpace normals = normals_asked("", request.recipe, out);
-    return output_paths(out, levels, normals != NormalSpace::none);
+    const MaterialAsked asked{packing_asked("", out), export_depth, levels,
+                              normals == NormalSpace::tangent};
+    return output_paths(out, levels, normals != NormalSpace::none,
+                        picture_names(request.recipe, asked), asked.rough_levels());
 }
 
 std::vector<std::string> files_of_frames(const ExportRequest& request) {
@@ -75,6 +78,7 @@ BakePlan plan_of(const ExportRequest& request) {
     plan.depth = export_depth;
     plan.levels = export_levels(request);
     plan.normals = normals_asked("", request.recipe, request.out);
+    plan.packing = packing_asked("", request.out);
     plan.recipe = [&request](std::size_t) { return request.recipe; };
     plan.paths = {request.out};
     plan.measures = false;

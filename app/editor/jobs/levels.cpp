@@ -33,9 +33,9 @@ void EditLevels::halve_row(const Image<Rgba8>& fine, std::size_t y, std::span<Rg
     for (std::size_t x = 0; x < row.size(); ++x) {
         const std::size_t left = std::min(2 * x, low.size() - 1),
                           right = std::min(2 * x + 1, low.size() - 1);
-        for (std::size_t c = 0; c < 3; ++c)
-            row[x][c] = mean(low[left][c], low[right][c], high[left][c], high[right][c]);
-        row[x][3] = 255;
+        const Rgba8 &a = low[left], &b = low[right], &c = high[left], &d = high[right];
+        row[x] = {mean(a.r, b.r, c.r, d.r), mean(a.g, b.g, c.g, d.g), mean(a.b, b.b, c.b, d.b),
+                  255};
     }
 }
 

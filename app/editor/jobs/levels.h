@@ -11,8 +11,6 @@
 
 namespace burl {
 
-using Rgba8 = std::array<std::uint8_t, 4>;  ///< red, green, blue in sRGB codes, and alpha 255
-
 /// Makes MIP levels of 8-bit sRGB textures by tables. Calls may run at the same time.
 class EditLevels {
   public:
@@ -22,6 +20,7 @@ class EditLevels {
     /// to one texel: means in linear light of 2 x 2 texels of the next finer level (of 2 x 1 where
     /// one side is one texel long), rounded to the nearest sRGB code; within 1/40 of a code from
     /// the middle between two codes it may be the other one. Other textures have level 0 alone.
+    /// Alpha is 255 everywhere.
     std::vector<Image<Rgba8>> operator()(const Image<Rgb8>& texels) const;
 
   private:

@@ -28,15 +28,11 @@ constexpr std::array node_labels{
 };
 
 constexpr std::array titles{
-    Name{"animation", "Animation"},
-    Name{"atlas", "Texture's size and layout"},
-    Name{"bump", "Relief"},
-    Name{"color_map", "Colour map"},
-    Name{"filter", "Filter"},
-    Name{"precision", "Arithmetic"},
-    Name{"quadric", "Shape (quadric)"},
-    Name{"recipe", "Name"},
-    Name{"solid", "Scale and place"},
+    Name{"animation", "Animation"},  Name{"atlas", "Texture's size and layout"},
+    Name{"bump", "Relief"},          Name{"color_map", "Colour map"},
+    Name{"filter", "Filter"},        Name{"material", "Material"},
+    Name{"precision", "Arithmetic"}, Name{"quadric", "Shape (quadric)"},
+    Name{"recipe", "Name"},          Name{"solid", "Scale and place"},
     Name{"texture", "Colours"},
 };
 
@@ -90,9 +86,10 @@ bool is_rare(const RecipeLeaf& leaf, std::string_view kind) {
 
 /// Returns the sort key of a group: 0 first; the texture's own groups are 1.
 int group_place(std::string_view name) {
-    constexpr std::array<std::pair<std::string_view, int>, 8> places{{{"pose", 3},
+    constexpr std::array<std::pair<std::string_view, int>, 9> places{{{"pose", 3},
                                                                       {"solid", 0},
                                                                       {"texture", 2},
+                                                                      {"material", 4},
                                                                       {"animation", 4},
                                                                       {"filter", 5},
                                                                       {"atlas", 6},

@@ -217,18 +217,35 @@ TEST(LatticeCheck, RefusesWhatLiesTooFarOutInOneSentence) {
         EXPECT_EQ(scratch.files(), 2u) << command;  // nothing is written
     }
     const std::string near = scratch.write("near.csv", "1,2,3\n");
-    for (const auto& [texture, says] :
-         {std::pair{R"({"node": "fbm", "octaves": 20, "lacunarity": 16})",
-                    "texture: a node \"fbm\""},
-          {R"({"node": "transform", "scale": [1e6, 1, 1], "input": {"node": "transform",
+    for (
+        const auto& [texture, says] :
+        {std::pair{R"({"node": "fbm", "octaves": 20, "lacunarity": 16})",
+                   "texture: a node \"fbm\""},
+         {R"({"node": "transform", "scale": [1e6, 1, 1], "input": {"node": "transform",
                "matrix": [1e6,0,0,0, 0,1,0,0, 0,0,1,0], "input": {"node": "wrinkled", "octaves": 9}}})",
-           "\"wrinkled\" reaches"},
-          {R"({"node": "warp", "strength": 1e6, "gain": 2, "octaves": 24, "input":
+          "\"wrinkled\" reaches"},
+         {R"({"node": "warp", "strength": 1e6, "gain": 2, "octaves": 24, "input":
                {"node": "transform", "scale": [10, 1, 1], "input": {"node": "dots"}}})",
-           "\"dots\" reaches "},
-          {R"({"node": "map_spherical", "input": {"node": "field", "noise": [
+          "\"dots\" reaches "},
+         {R"({"node": "transform", "scale": [1, 1e6, 1], "input": {"node": "transform",
+               "scale": [1, 1e6, 1], "input": {"node": "bricks", "height": 1e-4}}})",
+          "\"bricks\" reaches "},
+         {R"({"node": "transform", "scale": [1e6, 1, 1], "input": {"node": "transform",
+               "scale": [1e6, 1, 1], "input": {"node": "transform", "scale": [1e3, 1, 1],
+               "input": {"node": "cells"}}}})",
+          "\"cells\" reaches "},
+         {R"({"node": "simplex_nd", "octaves": 20, "lacunarity": 16})", "a node \"simplex_nd\""},
+         {R"({"node": "fibre", "width": 1e-6, "octaves": 24, "lacunarity": 4})",
+          "\"fibre\" reaches"},
+         {R"({"node": "curl", "strength": 1e6, "scale": 1e6, "gain": 2, "octaves": 24,
+               "input": {"node": "dots"}})",
+          "\"curl\" reaches"},
+         {R"({"node": "curl", "strength": 1e6, "gain": 2, "octaves": 24, "lacunarity": 0.5, "input":
+               {"node": "transform", "scale": [10, 1, 1], "input": {"node": "dots"}}})",
+          "\"dots\" reaches "},
+         {R"({"node": "map_spherical", "input": {"node": "field", "noise": [
                {"lacunarity": 16, "octaves": 16}]}})",
-           "\"field\" reaches "}}) {
+          "\"field\" reaches "}}) {
         const std::string recipe =
             scratch.write("r.json", fmt::format(R"({{"texture": {}}})", texture));
         for (const std::string& command :

@@ -21,13 +21,15 @@ Image<Rgb8> random_texels(std::size_t width, std::size_t height) {
 }
 
 /// The code of the mean of four, not rounded.
-double mean_code(const Image<Rgba8>& fine, std::size_t x, std::size_t y, std::size_t channel) {
+double mean_code(const Image<Rgba8>& fine, std::size_t x, std::size_t y,
+                 std::uint8_t Rgba8::*channel) {
     double sum = 0.0;
     for (const std::size_t row : {2 * y, 2 * y + 1})
         for (const std::size_t column : {2 * x, 2 * x + 1})
-            sum += srgb_decode(fine(std::min(column, fine.width() - 1),
-                                    std::min(row, fine.height() - 1))[channel] /
-                               255.0);
+            sum += srgb_decode(
+                fine(std::min(column, fine.width() - 1), std::min(row, fine.height() - 1)).*
+                    channel /
+                255.0);
     return 255.0 * srgb_encode(0.25 * sum);
 }
 
@@ -40,8 +42,8 @@ TEST(EditLevels, AreMeansInLinearLight) {
         ASSERT_EQ(levels[l].height(), std::max(32u >> l, 1u));
         for (std::size_t y = 0; y < levels[l].height(); ++y)
             for (std::size_t x = 0; x < levels[l].width(); ++x)
-                for (std::size_t c = 0; c < 3; ++c)
-                    EXPECT_LE(std::abs(levels[l](x, y)[c] - mean_code(levels[l - 1], x, y, c)),
+                for (const auto c : {&Rgba8::r, &Rgba8::g, &Rgba8::b})
+                    EXPECT_LE(std::abs(levels[l](x, y).*c - mean_code(levels[l - 1], x, y, c)),
                               0.5 + 0.025);
     }
 }

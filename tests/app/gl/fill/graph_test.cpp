@@ -21,6 +21,7 @@
 #include "procedural/graph/table.h"
 #include "procedural/noise/names.h"
 #include "tests/app/gl/device/fixture.h"
+#include "tests/app/gl/fill/graph_pictures.h"
 #include "tests/procedural/graph/cases.h"
 #include "tests/procedural/support/synthetic_atlas.h"
 
@@ -29,55 +30,6 @@ namespace {
 
 using testing::HasSubstr;
 using GlGraphTest = GlTest;
-
-const Affine3 graph_somewhere{Mat3d(1.7), Vec3d(0.3, -0.2, 0.1)};
-
-template <class Pixel>
-Image<Pixel> on_host(const SolidAtlas& solid, const TextureGraph& graph, const Affine3& map) {
-    if constexpr (std::is_same_v<Pixel, Rgb8>)
-        return synthesize_graph<Rgb8>(solid, graph, map, Filter{}, 1);
-    else if constexpr (std::is_same_v<Pixel, Rgb16>)
-        return synthesize_graph<Rgb16>(solid, graph, map, Filter{}, 1);
-    else
-        return synthesize_graph<RgbF>(solid, graph, map, Filter{}, 1);
-}
-
-template <class Pixel>
-Image<Pixel> drawn(GlSynthesis& gl, const SolidAtlas& solid, const TextureGraph& graph,
-                   const Affine3& map) {
-    Image<Pixel> image;
-    gl.synthesize(solid, graph, map, 1, image);
-    return image;
-}
-
-std::size_t colors_of(const Image<RgbF>& image) {
-    std::set<std::array<float, 3>> colors;
-    for (const RgbF& c : image.pixels()) colors.insert({c.r, c.g, c.b});
-    return colors.size();
-}
-
-/// Share of texels that are further apart than `error` in some channel.
-double share_beyond(const Image<RgbF>& a, const Image<RgbF>& b, double error) {
-    double beyond = 0.0;
-    for (std::size_t i = 0; i < a.pixels().size(); ++i) {
-        const RgbF &p = a.pixels()[i], &q = b.pixels()[i];
-        const double away =
-            std::max({std::abs(double(p.r) - double(q.r)), std::abs(double(p.g) - double(q.g)),
-                      std::abs(double(p.b) - double(q.b))});
-        beyond += away <= error ? 0.0 : 1.0;
-    }
-    return beyond / double(a.pixels().size());
-}
-
-/// Linear light, which 8- and 16-bit codes follow from.
-void expect_equal(GlSynthesis& gl, std::string_view name, const TextureGraph& graph,
-                  const SolidAtlas& solid) {
-    const Image<RgbF> expected = on_host<RgbF>(solid, graph, graph_somewhere);
-    EXPECT_EQ(differing(drawn<RgbF>(gl, solid, graph, graph_somewhere), expected), 0u) << name;
-    if (name != "constant" && name != "slope") {
-        EXPECT_GT(colors_of(expected), 1u) << name;
-    }
-}
 
 TextureGraph map_of(int stops) {
     std::string json = R"({"node": "color_map", "input": {"node": "coordinate"}, "stops": [)";
@@ -147,10 +99,17 @@ constexpr std::array slope_cases{
     GraphCase{"coordinate", R"({"node": "power", "exponent": 2, "input": {"node": "coordinate",
         "direction": [0.5, -2, 1.5], "offset": 0.3}})"},
     GraphCase{"add", R"({"node": "add", "a": {"node": "fbm"}, "b": {"node": "coordinate"}})"},
+    GraphCase{"subtract",
+              R"({"node": "subtract", "a": {"node": "fbm"}, "b": {"node": "coordinate"}})"},
     GraphCase{"multiply",
               R"({"node": "multiply", "a": {"node": "fbm"}, "b": {"node": "coordinate"}})"},
+    GraphCase{"divide", R"({"node": "divide", "a": {"node": "coordinate"},
+        "b": {"node": "add", "a": {"node": "fbm"}, "b": 3}})"},
     GraphCase{"min", R"({"node": "min", "a": {"node": "fbm"}, "b": {"node": "fbm", "seed": 9}})"},
     GraphCase{"max", R"({"node": "max", "a": {"node": "fbm"}, "b": {"node": "fbm", "seed": 9}})"},
+    GraphCase{"clamp", R"({"node": "clamp", "low": -0.2, "high": 0.1, "input": {"node": "fbm"}})"},
+    GraphCase{"remap", R"({"node": "remap", "in_low": -0.3, "in_high": 0.25, "out_low": 2,
+        "out_high": -1, "input": {"node": "fbm"}})"},
     GraphCase{"abs", R"({"node": "abs", "input": {"node": "fbm", "octaves": 2}})"},
     GraphCase{"power", R"({"node": "power", "exponent": 2.5,
         "input": {"node": "add", "a": 0.5, "b": {"node": "fbm"}}})"},
@@ -164,6 +123,18 @@ constexpr std::array slope_cases{
         "b": {"node": "fbm"}}})"},
     GraphCase{"smoothstep", R"({"node": "smoothstep", "low": -0.4, "high": 0.6,
         "input": {"node": "fbm"}})"},
+    GraphCase{"length", R"({"node": "length", "x": {"node": "fbm"}, "z": {"node": "coordinate"}})"},
+    GraphCase{"distance", R"({"node": "distance", "point": [0.3, -0.2, 0.5]})"},
+    GraphCase{"dot", R"({"node": "dot", "x": {"node": "fbm"}, "y": {"node": "fbm", "seed": 9},
+        "direction": [1, -2, 0.5]})"},
+    GraphCase{"split", R"({"node": "split", "channel": "green", "input": {"node": "mix",
+        "a": {"node": "color_map", "stops": [[0, "#102030"], [1, "#f0e0d0"]],
+              "input": {"node": "fbm"}}, "b": {"node": "marble"}}})"},
+    GraphCase{"hsv", R"({"node": "split", "channel": "red", "input": {"node": "hsv", "hue": 0.2,
+        "saturation": 2, "input": {"node": "map_uv", "scale": [0.3, 0.2],
+        "input": {"node": "image", "file": "image.png"}}}})"},
+    GraphCase{"levels",
+              R"({"node": "levels", "in_black": -0.5, "gamma": 2.2, "input": {"node": "fbm"}})"},
     GraphCase{"mix", R"({"node": "mix", "a": {"node": "fbm"}, "b": {"node": "coordinate"},
         "amount": {"node": "fbm", "seed": 3}})"},
     GraphCase{"bilerp", R"({"node": "bilerp", "v00": 0.1, "v01": {"node": "fbm"}, "v10": 0.7,
@@ -179,6 +150,13 @@ constexpr std::array slope_cases{
     GraphCase{"rings", R"({"node": "rings", "spacing": 0.4, "a": {"node": "fbm"}})"},
     GraphCase{"wood_grain", R"({"node": "wood_grain", "spacing": 0.4, "wobble": 0.3, "wobbles": 4,
         "twist": 1.5, "profile": "ramp"})"},
+    GraphCase{"tiles", R"({"node": "tiles", "gives": "v", "a": {"node": "fbm"}})"},
+    GraphCase{"bricks", R"({"node": "bricks", "gives": "edge", "depth": 0.8, "offset": 0.3})"},
+    GraphCase{"planks", R"({"node": "planks", "gives": "edge"})"},
+    GraphCase{"hexagons", R"({"node": "hexagons", "gives": "edge", "width": 0.7})"},
+    GraphCase{"herringbone", R"({"node": "herringbone", "gives": "v", "a": {"node": "fbm"}})"},
+    GraphCase{"cells", R"({"node": "cells", "jitter": 0.9, "a": {"node": "fbm"}})"},
+    GraphCase{"scatter", R"({"node": "scatter", "shape": "leaf", "gives": "edge"})"},
     GraphCase{"field", R"({"node": "field", "quadric": {"A": 1, "F": -0.5, "I": 2, "J": 3},
         "noise": [{"kind": "perlin", "octaves": 3, "range": "unit",
         "matrix": [1, 2, 0, 0.1, 0, 1, -1, 0.2, 0.5, 0, 3, 0.3]},
@@ -194,6 +172,12 @@ constexpr std::array slope_cases{
         "input": {"node": "fbm", "octaves": 2}})"},
     GraphCase{"warp",
               R"({"node": "warp", "strength": 0.4, "octaves": 2, "input": {"node": "fbm"}})"},
+    GraphCase{"simplex_nd", R"({"node": "simplex_nd", "dimensions": 8, "signal": "value",
+        "octaves": 2, "x4": {"node": "fbm", "octaves": 2}, "x7": {"node": "coordinate"}})"},
+    GraphCase{"fibre", R"({"node": "fibre", "direction": [1, 2, -1], "length": 1.5, "width": 0.3,
+        "wave": 0.2})"},
+    GraphCase{"curl", R"({"node": "curl", "strength": 0.4, "steps": 2, "octaves": 2,
+        "input": {"node": "fbm"}})"},
     GraphCase{"map_uv", R"({"node": "map_uv", "scale": [2, 3], "input": {"node": "fbm"}})"},
     GraphCase{"map_spherical", R"({"node": "map_spherical", "input": {"node": "fbm"}})"},
     GraphCase{"map_cylindrical",
@@ -255,6 +239,21 @@ TEST_P(GlGraphNoiseTest, HasTheHostsBits) {
 INSTANTIATE_TEST_SUITE_P(Kinds, GlGraphNoiseTest, testing::ValuesIn(noise_kinds),
                          [](const auto& test) { return std::string(test.param.name); });
 
+TEST_F(GlGraphTest, SimplexNoisesHaveTheHostsBits) {
+    GlSynthesis gl(*context);
+    const SolidAtlas solid = SyntheticAtlas{64, 16, 3.0, 0.04}.make(3);
+    for (int dimensions = 2; dimensions <= 8; ++dimensions) {
+        const char* signals[] = {"gradient", "value", "wave"};
+        const std::string name = fmt::format("{} dimensions", dimensions);
+        expect_equal(gl, name,
+                     graph_of(fmt::format(R"({{"node": "simplex_nd", "octaves": 2,
+            "dimensions": {}, "signal": "{}", "seed": 9, "x4": {{"node": "coordinate"}}, "x5": -2.3,
+            "x8": 0.7}})",
+                                          dimensions, signals[dimensions % 3])),
+                     solid);
+    }
+}
+
 TEST_F(GlGraphTest, FieldsHaveTheHostsBits) {
     GlSynthesis gl(*context);
     const SolidAtlas solid = SyntheticAtlas{64, 16, 1e4, 0.04}.make(9);
@@ -264,6 +263,22 @@ TEST_F(GlGraphTest, FieldsHaveTheHostsBits) {
         {"kind": "value", "fade": "linear", "seed": 4294967295, "octaves": 2},
         {"kind": "value", "fade": "smooth", "period": [5, 5, 5]}]})"),
                  solid);
+}
+
+TEST_F(GlGraphTest, TilesHaveTheHostsBits) {
+    GlSynthesis gl(*context);
+    const SolidAtlas solid = SyntheticAtlas{64, 16, 3.0, 0.04}.make(9);
+    std::string all = R"({"node": "cells", "gives": "id"})";
+    const auto add = [&](const std::string& keys) {
+        all = fmt::format(R"({{"node": "add", "a": {{"seed": 5, {}}}, "b": {}}})", keys, all);
+    };
+    for (const char* gives : {R"("gives": "tile")", R"("gives": "edge")", R"("gives": "id")"})
+        for (const char* node : {"tiles", "bricks", "planks", "hexagons", "herringbone"})
+            add(fmt::format(R"({}, "node": "{}")", gives, node));
+    for (const char* gives : {R"("gives": "shape")", R"("gives": "edge")", R"("gives": "id")"})
+        for (const char* shape : {"disk", "square", "ring", "star", "leaf"})
+            add(fmt::format(R"({}, "node": "scatter", "shape": "{}")", gives, shape));
+    expect_equal(gl, "tiles", graph_of(all), solid);
 }
 
 TEST_F(GlGraphTest, ImagesHaveTheHostsBitsWhateverLiesBeyond) {

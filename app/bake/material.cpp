@@ -1,0 +1,250 @@
+#include "app/bake/material.h"
+
+#include <algorithm>
+#include <deque>
+#include <iterator>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "app/image/exr_layers.h"
+#include "app/paint/texture.h"
+#include "atlas/base/error.h"
+#include "atlas/build/alpha_levels.h"
+#include "atlas/build/block_levels.h"
+#include "atlas/build/normal_levels.h"
+
+namespace burl {
+
+namespace {
+
+template <class Code>
+Image<Rgb<Code>> without_alpha(const Image<Rgba<Code>>& image) {
+    return converted<Rgb<Code>>(image, [](const Rgba<Code>& p) {
+        return Rgb<Code>{p.r, p.g, p.b};
+    });
+}
+
+/// The picture with as many components as it has.
+template <class Code>
+PictureImage packed(Image<Rgba<Code>> image, std::size_t components) {
+    if (components == 4) return image;
+    if (components == 3) return without_alpha(image);
+    return converted<Code>(image, [](const Rgba<Code>& p) { return p.r; });
+}
+
+std::vector<PicturePlan> plans_of(const Recipe& recipe,
+                                  const std::vector<MaterialPicture>& wanted) {
+    std::vector<PicturePlan> plans{base_color_plan(recipe)};
+    for (const MaterialPicture& one : wanted) plans.push_back(one.plan);
+    return plans;
+}
+
+/// Paints over an opaque colour.
+void paint(Pipeline& pipeline, Image<RgbaF>& color) {
+    auto opaque = converted<RgbF>(color, [](const RgbaF& p) { return RgbF{p.r, p.g, p.b}; });
+    paint_over(pipeline.solid(), pipeline.recipe().paint, pipeline.context().way.threads, opaque);
+    color = converted<RgbaF>(opaque, [](const RgbF& p) { return RgbaF{p.r, p.g, p.b, 1.0f}; });
+}
+
+template <class Code>
+BakedMaterial bake(Pipeline& pipeline, const std::vector<MaterialPicture>& wanted) {
+    const Recipe& recipe = pipeline.recipe();
+    std::vector<Image<Rgba<Code>>> images = pipeline.pictures<Rgba<Code>>(plans_of(recipe, wanted));
+    BakedMaterial material;
+    if (is_transparent(recipe)) {
+        material.color = std::move(images[0]);
+    } else {
+        Image<Rgb<Code>> color = without_alpha(images[0]);
+        images[0] = {};
+        paint_over(pipeline.solid(), recipe.paint, pipeline.context().way.threads, color);
+        material.color = std::move(color);
+    }
+    for (std::size_t i = 0; i < wanted.size(); ++i)
+        material.pictures.push_back({wanted[i].name,
+                                     packed(std::move(images[i + 1]), wanted[i].components),
+                                     {},
+                                     wanted[i].plan.is_color,
+                                     wanted[i].slots});
+    return material;
+}
+
+/// A picture in linear floats, with its MIP levels behind it.
+using FloatLevels = std::vector<Image<RgbaF>>;
+
+/// The component `c` of a pixel.
+template <class Pixel>
+auto& component(Pixel& pixel, std::size_t c) {
+    return c == 0 ? pixel.r : c == 1 ? pixel.g : c == 2 ? pixel.b : pixel.a;
+}
+
+/// Sets the roughness in a picture's levels to that of the normals' levels; `sign` and `offset` say
+/// what the picture holds: offset + sign * roughness.
+void set_roughness(FloatLevels& levels, const std::vector<NormalLevel>& normals, std::size_t c,
+                   float sign, float offset) {
+    for (std::size_t l = 1; l < levels.size() && l <= normals.size(); ++l) {
+        const Image<float>& roughness = normals[l - 1].roughness;
+        for (std::size_t y = 0; y < roughness.height(); ++y)
+            for (std::size_t x = 0; x < roughness.width(); ++x)
+                component(levels[l](x, y), c) = offset + sign * roughness(x, y);
+    }
+}
+
+/// The levels of the normal map with the roughness of a picture, which gets theirs.
+std::vector<NormalLevel> levels_with_normals(Pipeline& pipeline, const MaterialAsked& asked,
+                                             const MaterialPicture& picture, FloatLevels& levels) {
+    const std::size_t c = *picture.roughness;
+    const float sign = picture.plan.components[c].factor < 0.0 ? -1.0f : 1.0f;
+    const auto offset = float(picture.plan.components[c].offset);
+    const auto roughness = converted<float>(
+        levels[0], [&](const RgbaF& pixel) { return sign * (component(pixel, c) - offset); });
+    std::vector<NormalLevel> normals =
+        normal_levels(pipeline.mesh_atlas(), pipeline.normal_map<RgbF>(asked.crease_degrees, true),
+                      roughness, asked.levels);
+    set_roughness(levels, normals, c, sign, offset);
+    return normals;
+}
+
+/// All pictures, the base colour first, in linear floats with their levels, and those of the
+/// normal map.
+struct FloatMaterial {
+    std::vector<FloatLevels> pictures{};
+    std::vector<Image<RgbF>> normals{};
+};
+
+FloatMaterial float_material(Pipeline& pipeline, const MaterialAsked& asked,
+                             const std::vector<MaterialPicture>& wanted) {
+    const Recipe& recipe = pipeline.recipe();
+    std::vector<Image<RgbaF>> images = pipeline.pictures<RgbaF>(plans_of(recipe, wanted));
+    if (!recipe.paint.empty()) paint(pipeline, images[0]);
+    const bool mask = is_transparent(recipe) && recipe.material.alpha == AlphaMode::mask;
+    FloatMaterial material;
+    for (std::size_t i = 0; i < images.size(); ++i) {
+        FloatLevels means = i == 0 && mask
+                                ? masked_levels(pipeline.mesh_atlas(), images[i],
+                                                float(recipe.material.alpha_cutoff), asked.levels)
+                                : block_levels(pipeline.mesh_atlas(), images[i], asked.levels);
+        FloatLevels& levels = material.pictures.emplace_back();
+        levels.push_back(std::move(images[i]));
+        std::ranges::move(means, std::back_inserter(levels));
+        if (i == 0 || !asked.rough_levels() || !wanted[i - 1].roughness) continue;
+        for (NormalLevel& level : levels_with_normals(pipeline, asked, wanted[i - 1], levels))
+            material.normals.push_back(std::move(level.normals));
+    }
+    return material;
+}
+
+/// A level of a picture in codes.
+template <class Code>
+Image<Rgba<Code>> coded(const Image<RgbaF>& level, bool is_color) {
+    if constexpr (sizeof(Code) == 1)
+        return is_color ? to_rgba8(level, mean_color(level)) : to_linear8(level);
+    else
+        return is_color ? to_rgba16(level, mean_color(level)) : to_linear16(level);
+}
+
+template <class Code>
+BakedMaterial bake_levels(Pipeline& pipeline, const MaterialAsked& asked,
+                          const std::vector<MaterialPicture>& wanted) {
+    const Recipe& recipe = pipeline.recipe();
+    FloatMaterial floats = float_material(pipeline, asked, wanted);
+    BakedMaterial material;
+    for (const Image<RgbaF>& level : floats.pictures[0]) {
+        Image<Rgba<Code>> codes = coded<Code>(level, true);
+        BakedImage image = is_transparent(recipe) ? BakedImage(std::move(codes))
+                                                  : BakedImage(without_alpha(codes));
+        if (&level == floats.pictures[0].data())
+            material.color = std::move(image);
+        else
+            material.color_levels.push_back(std::move(image));
+    }
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+        ExportPicture picture{wanted[i].name, {}, {}, wanted[i].plan.is_color, wanted[i].slots};
+        for (const Image<RgbaF>& level : floats.pictures[i + 1])
+            picture.levels.push_back(
+                packed(coded<Code>(level, wanted[i].plan.is_color), wanted[i].components));
+        picture.image = std::move(picture.levels.front());
+        picture.levels.erase(picture.levels.begin());
+        material.pictures.push_back(std::move(picture));
+    }
+    material.normal_levels = std::move(floats.normals);
+    return material;
+}
+
+}  // namespace
+
+Packing packing_asked(const std::string& text, const std::string& out_path) {
+    const bool gltf = is_gltf(out_path);
+    if (text.empty()) return gltf ? Packing::gltf : Packing::separate;
+    const Packing packing = *enum_named<Packing>(text);
+    if (gltf && packing != Packing::gltf)
+        throw Error(ExitCode::usage,
+                    fmt::format("{}: --pack {}: a glTF has an order of its own; leave --pack out, "
+                                "or write .png or .obj",
+                                out_path, text));
+    return packing;
+}
+
+std::vector<std::string> picture_names(const Recipe& recipe, const MaterialAsked& asked) {
+    std::vector<std::string> names;
+    for (const MaterialPicture& one :
+         material_pictures(recipe, asked.packing, asked.rough_levels()))
+        names.push_back(one.name);
+    return names;
+}
+
+BakedMaterial bake_material(Pipeline& pipeline, const MaterialAsked& asked) {
+    const std::vector<MaterialPicture> wanted =
+        material_pictures(pipeline.recipe(), asked.packing, asked.rough_levels());
+    if (asked.levels > 0)
+        return asked.depth == 16 ? bake_levels<std::uint16_t>(pipeline, asked, wanted)
+                                 : bake_levels<std::uint8_t>(pipeline, asked, wanted);
+    return asked.depth == 16 ? bake<std::uint16_t>(pipeline, wanted)
+                             : bake<std::uint8_t>(pipeline, wanted);
+}
+
+AtomicFile write_material_exr(Pipeline& pipeline, const std::string& path,
+                              const MaterialAsked& asked) {
+    const Recipe& recipe = pipeline.recipe();
+    const std::vector<MaterialPicture> wanted =
+        material_pictures(recipe, Packing::separate, asked.rough_levels());
+    const FloatMaterial floats = float_material(pipeline, asked, wanted);
+    std::deque<Image<RgbF>> colors;
+    std::deque<Image<float>> numbers;
+    std::vector<ExrLayer> layers(floats.pictures.size());
+    for (std::size_t i = 0; i < layers.size(); ++i) {
+        const bool alpha = i == 0 && is_transparent(recipe);
+        const bool number = i > 0 && wanted[i - 1].components == 1;
+        if (i > 0) layers[i].name = wanted[i - 1].name;
+        layers[i].channels = alpha ? "RGBA" : number ? "Y" : "RGB";
+        for (const Image<RgbaF>& level : floats.pictures[i]) {
+            if (alpha)
+                layers[i].levels.push_back(&level);
+            else if (number)
+                layers[i].levels.push_back(&numbers.emplace_back(
+                    converted<float>(level, [](const RgbaF& p) { return p.r; })));
+            else
+                layers[i].levels.push_back(
+                    &colors.emplace_back(converted<RgbF>(level, [](const RgbaF& p) {
+                        return RgbF{p.r, p.g, p.b};
+                    })));
+        }
+    }
+    return write_exr_layers(path, layers);
+}
+
+void check_material(const Recipe& recipe, const MaterialAsked& asked, const std::string& what) {
+    if (is_transparent(recipe) && !recipe.paint.empty())
+        throw Error(ExitCode::usage,
+                    "the recipe paints over a transparent texture, which is not done yet; add "
+                    "--set material.alpha=opaque, or take the paint out");
+    if (what.empty() || !has_pictures(recipe, asked.packing)) return;
+    const std::string channel =
+        is_transparent(recipe) ? "opacity" : material_pictures(recipe, asked.packing).front().name;
+    throw Error(ExitCode::usage,
+                fmt::format("{}: the recipe's material varies in more than colour ({}), for which "
+                            "this is not done yet; leave it out",
+                            what, channel));
+}
+
+}  // namespace burl

@@ -1,0 +1,91 @@
+// Factors are those of glTF 2.0 and the ratified KHR_materials_... extensions; what has its default
+// is left out.
+#include "app/export/gltf_material.h"
+
+#include <nlohmann/json.hpp>
+
+#include "procedural/color/srgb.h"
+
+namespace burl {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json light(const Rgb8& color) {
+    const Vec3d linear = linear_light(color);
+    return {linear.x, linear.y, linear.z};
+}
+
+/// The extensions of channels that are not in the core of glTF.
+Json extensions(const Material& m) {
+    Json json = Json::object();
+    const auto extension = [&](const char* name) -> Json& {
+        return json[std::string("KHR_materials_") + name];
+    };
+    if (m.emissive_strength != 1.0)
+        extension("emissive_strength") = {{"emissiveStrength", m.emissive_strength}};
+    if (m.ior != 1.5) extension("ior") = {{"ior", m.ior}};
+    if (m.specular != 1.0) extension("specular") = {{"specularFactor", m.specular}};
+    if (m.clearcoat != 0.0)
+        extension("clearcoat") = {{"clearcoatFactor", m.clearcoat},
+                                  {"clearcoatRoughnessFactor", m.clearcoat_roughness}};
+    if (m.sheen != Rgb8{})
+        extension("sheen") = {{"sheenColorFactor", light(m.sheen)},
+                              {"sheenRoughnessFactor", m.sheen_roughness}};
+    if (m.transmission != 0.0) extension("transmission") = {{"transmissionFactor", m.transmission}};
+    return json;
+}
+
+/// The material, double-sided: a solid texture is the same on both sides, and open sheets and
+/// meshes with inconsistent winding look whole.
+Json material(const SceneContent& content) {
+    const Material& m = content.options.material;
+    Json json{{"name", material_name(content)},
+              {"pbrMetallicRoughness",
+               {{"baseColorTexture", {{"index", 0}}},
+                {"metallicFactor", m.metallic},
+                {"roughnessFactor", m.roughness}}},
+              {"doubleSided", true}};
+    if (content.options.normals) json["normalTexture"] = {{"index", 1}};
+    if (m.emissive != Rgb8{}) json["emissiveFactor"] = light(m.emissive);
+    if (has_alpha(content.image)) {
+        const bool mask = m.alpha == AlphaMode::mask;
+        json["alphaMode"] = mask ? "MASK" : "BLEND";
+        if (mask) json["alphaCutoff"] = m.alpha_cutoff;
+    }
+    if (Json used = extensions(m); !used.empty()) json["extensions"] = std::move(used);
+    std::size_t texture = content.options.normals ? 2 : 1;
+    for (const ExportPicture& picture : content.options.pictures) {
+        for (const std::string& slot : picture.slots)
+            json[Json::json_pointer(slot)] = {{"index", texture}};
+        ++texture;
+    }
+    return json;
+}
+
+/// The textures, whose images follow one another with their levels.
+Json textures(const SceneContent& content) {
+    Json result = Json::array();
+    std::size_t image = 0;
+    for (const std::vector<SceneImage>& texture : scene_textures(content, "")) {
+        Json json{{"sampler", 0}, {"source", image}};
+        for (std::size_t l = 1; l < texture.size(); ++l)
+            json["extras"]["burl_levels"].push_back(image + l);
+        image += texture.size();
+        result.push_back(std::move(json));
+    }
+    return result;
+}
+
+}  // namespace
+
+void add_material(Json& document, const SceneContent& content) {
+    Json one = material(content);
+    if (one.contains("extensions"))
+        for (const auto& item : one["extensions"].items())
+            document["extensionsUsed"].push_back(item.key());
+    document["materials"] = Json::array({std::move(one)});
+    document["textures"] = textures(content);
+}
+
+}  // namespace burl

@@ -1,0 +1,35 @@
+#pragma once
+// OpenEXR files of several images: a material's channels beside one another, or one image with
+// opacity. Halves as in exr_io.h; colours with opacity are premultiplied, as the format defines.
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "app/base/atomic_file.h"
+#include "atlas/base/image.h"
+
+namespace burl {
+
+/// An image of one to four floats a pixel, which outlives its use.
+using FloatImage = std::variant<const Image<float>*, const Image<RgbF>*, const Image<RgbaF>*>;
+
+/// An image of a file, with its MIP levels.
+struct ExrLayer {
+    /// The layer's name, such as "metallic" or "coat.normal"; empty for the file's main image.
+    std::string name{};
+    /// A letter per component of the pixels, which with the name makes a channel's name: "RGB",
+    /// "RGBA", "XYZ" (a normal), "Y" (a number, "metallic.Y").
+    std::string channels = "RGB";
+    /// Level 0 alone or all levels down to 1 x 1, of max(1, floor(n / 2^l)) pixels a side.
+    std::vector<FloatImage> levels{};
+};
+
+/// Writes an EXR file of at least one layer, ZIP-compressed: scan lines, or tiles of 64 x 64 with
+/// MIPMAP_LEVELS rounded down where layers have several levels. All layers have the same sizes.
+/// Throws Error(io), and Error(runtime) where two channels have one name, a layer has not as many
+/// letters as components, sizes differ, or OpenEXR cannot encode it. The file is complete but not
+/// committed.
+AtomicFile write_exr_layers(const std::string& path, std::span<const ExrLayer> layers);
+
+}  // namespace burl
