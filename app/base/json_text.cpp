@@ -58,6 +58,15 @@ class RepeatedKeys {
     std::string first_;
 };
 
+/// The reason to stop parsing a document that is too deep.
+struct TooDeep {};
+
+/// True; a depth from max_json_depth on ends the parse by an exception.
+bool is_shallow(int depth) {
+    if (depth >= max_json_depth) throw TooDeep{};
+    return true;
+}
+
 void print(const Json& json, std::size_t indent, std::string& out) {
     const bool flat = !json.is_object() &&
                       !(json.is_array() && std::any_of(json.begin(), json.end(), [](const Json& j) {
@@ -85,12 +94,15 @@ Json parse_json_text(const std::string& text, const std::string& origin) {
     RepeatedKeys keys;
     try {
         Json json = Json::parse(text, [&keys](int depth, Json::parse_event_t event, Json& parsed) {
-            return keys(depth, event, parsed);
+            return is_shallow(depth) && keys(depth, event, parsed);
         });
         if (!keys.first().empty())
             throw invalid_file(
                 origin, 0, fmt::format("the key \"{}\" is given twice; keep one", keys.first()));
         return json;
+    } catch (const TooDeep&) {
+        throw invalid_file(origin, 0,
+                           fmt::format("nested more than {} levels deep", max_json_depth));
     } catch (const Json::parse_error& error) {
         const std::size_t byte = error.byte > 0 ? error.byte - 1 : 0;
         throw invalid_file(origin, line_of(text, byte),
@@ -98,6 +110,15 @@ Json parse_json_text(const std::string& text, const std::string& origin) {
     } catch (const Json::exception& error) {
         throw invalid_file(origin, line_of_number(text, error.what()),
                            fmt::format("not valid JSON: {}", reason(error.what())));
+    }
+}
+
+Json parse_json_value(const std::string& text) {
+    try {
+        return Json::parse(
+            text, [](int depth, Json::parse_event_t, Json&) { return is_shallow(depth); }, false);
+    } catch (const TooDeep&) {
+        return Json(Json::value_t::discarded);
     }
 }
 

@@ -91,7 +91,7 @@ Json& number_item(Json& numbers, const Parameter& parameter, std::string_view pa
 }
 
 Json parse_value(const std::string& text, const SchemaNode& node) {
-    Json value = Json::parse(text, nullptr, false);
+    Json value = parse_json_value(text);
     const bool word = node.parameter && (node.parameter->type == ParameterType::text ||
                                          node.parameter->type == ParameterType::choice ||
                                          node.parameter->type == ParameterType::color);
