@@ -16,6 +16,7 @@
 #include "app/measure/report.h"
 #include "app/options/command_options.h"
 #include "app/options/idle_options.h"
+#include "app/recipe/channel_texture.h"
 #include "atlas/base/error.h"
 #include "procedural/model/texture_json.h"
 
@@ -26,17 +27,18 @@ namespace {
 struct EvalCommand {
     RecipeOptions recipe;
     NoiseOptions noise;
-    std::string points;
+    std::string points, channel;
     bool json = false;
 };
 
 /// The keys without effect on the texture at a point.
-constexpr std::array idle_in_eval{IdleKey{"atlas", "eval works without an atlas"},
-                                  IdleKey{"solid.space", "eval's points are in solid space"},
-                                  IdleKey{"bump", "eval is of the texture alone"},
-                                  IdleKey{"filter", "eval is of points, which no filter averages"},
-                                  IdleKey{"paint", "eval is of the texture below the paint"},
-                                  IdleKey{"pose", "eval has no mesh"}};
+constexpr std::array idle_in_eval{
+    IdleKey{"atlas", "eval works without an atlas"},
+    IdleKey{"solid.space", "eval's points are in solid space"},
+    IdleKey{"bump.height", "eval is of numbers, which nothing shades"},
+    IdleKey{"filter", "eval is of points, which no filter averages"},
+    IdleKey{"paint", "eval is of the texture below the paint"},
+    IdleKey{"pose", "eval has no mesh"}};
 
 std::string srgb_text(const Vec3d& linear) {
     return color_to_hex(encoded(linear));
@@ -118,18 +120,31 @@ void print_table(const PointFile& file, const std::vector<PointResult>& results,
     }
 }
 
+/// The recipe with the channel asked for as its texture.
+Recipe of_channel(Recipe recipe, const std::string& channel) {
+    if (channel.empty()) return recipe;
+    if (recipe.precision.kind == PrecisionKind::fixed)
+        throw Error(ExitCode::usage,
+                    "--channel is of float32 and float64; fixed point has colours alone");
+    recipe.texture = channel_texture(recipe, channel);
+    return recipe;
+}
+
 void run_eval(const EvalCommand& command, bool recipe_given) {
     if (recipe_given == command.noise.given())
         throw Error(ExitCode::usage, "name either a recipe or, with --noise, one noise");
     if (!recipe_given && (!command.recipe.settings.empty() || command.recipe.time))
         throw Error(ExitCode::usage,
                     "--set and --time are of recipes; a noise has options of its own");
+    if (!recipe_given && !command.channel.empty())
+        throw Error(ExitCode::usage, "--channel is of recipes; a noise has one value");
     // Points are read last, since a wrong recipe should be reported without them.
     std::optional<Recipe> recipe;
     if (recipe_given) {
         recipe = command.recipe.load();
         refuse_edits(command.recipe, idle_in_eval);
         check_edits(command.recipe, *recipe);
+        recipe = of_channel(std::move(*recipe), command.channel);
     }
     const std::optional<std::string>& asked = command.recipe.precision;
     const Precision precision = recipe  ? recipe->precision
@@ -155,6 +170,9 @@ void add_eval(CLI::App& program) {
         verb->add_option("recipe", command->recipe.recipe, "Preset name or recipe file (.json)");
     command->recipe.add_settings(*verb);
     verb->add_option("--points", command->points, "Points, lines of x,y,z (.csv)")->required();
+    verb->add_option("--channel", command->channel,
+                     "Channel of the recipe's material in place of its colour")
+        ->check(CLI::IsMember(channel_names()));
     command->noise.add(*verb);
     command->recipe.add_precision(*verb, "float32, beside float64");
     verb->add_flag("--json", command->json, "Print JSON");

@@ -137,6 +137,35 @@ TEST(Eval, AddsFixedPointWhereAsked) {
     EXPECT_GT(sum["largest_difference"]["value"].get<double>(), 0.0);
 }
 
+TEST(Eval, GivesTheChannelsOfAMaterial) {
+    const Scratch scratch;
+    const std::string recipe = scratch.write("m.json", R"({
+        "define": {"ramp": {"node": "coordinate", "direction": [2, 0, 0], "offset": 0.1}},
+        "material": {"base_color": {"node": "scale", "a": "#ffffff80", "b": "ramp"},
+            "opacity": {"node": "multiply", "a": "ramp", "b": 0.5}, "ior": 1.25,
+            "roughness": {"node": "subtract", "a": 1, "b": "ramp"}, "emissive": "#ff0000",
+            "height": {"node": "multiply", "a": "ramp", "b": "ramp"}}})");
+    const double ramp = 2 * 0.2 + 0.1;
+    const auto channel = [&](const std::string& name) {
+        return eval_json(scratch, "0.2,7,-3\n",
+                         fmt::format("'{}' --channel {}", recipe, name))["points"][0]["float64"];
+    };
+    const auto expect = [&](const std::string& name, double value, double slope) {
+        EXPECT_NEAR(channel(name)["value"].get<double>(), value, 1e-15) << name;
+        EXPECT_NEAR(channel(name)["gradient"][0].get<double>(), slope, 1e-15) << name;
+    };
+    expect("roughness", 1 - ramp, -2);
+    expect("height", ramp * ramp, 4 * ramp);
+    expect("opacity", 0.5 * ramp, 1);
+    expect("metallic", 0, 0);
+    expect("ior", 1.25, 0);
+    const double alpha = 128.0 / 255;
+    expect("base_color", alpha * ramp, 2 * alpha);
+    // A number is an opaque grey, so it scales red, green and blue alone.
+    expect("alpha", alpha * 0.5 * ramp, alpha);
+    EXPECT_EQ(channel("emissive")["srgb"].get<std::string>(), "#ff0000");
+}
+
 struct BadEval {
     const char* content;
     const char* options;
@@ -173,6 +202,10 @@ TEST(Eval, RefusesWhatItCannotDoInOneSentence) {
            "perlin"},
           {"1,2,3\n1e14,0,0\n", "--noise value", 5, "point 2: the noise reaches 1e+14"},
           {"1e8,0,0\n", "--noise perlin --octaves 24", 5, "point 1: the noise reaches 8.4e+14"},
+          {"1,2,3\n", "marble --channel rougness", 1, "rougness"},
+          {"1,2,3\n", "marble --channel height", 1, "the recipe has no height"},
+          {"1,2,3\n", "marble --channel alpha --precision fixed:8.8", 1, "--channel"},
+          {"1,2,3\n", "--noise value --channel alpha", 1, "--channel is of recipes"},
           {"1,2,3\n", "marble --noise value", 1, "either"},
           {"1,2,3\n", "", 1, "either"},
           {"1,2,3\n", "no_such_recipe", 1, "no_such_recipe"}}) {
