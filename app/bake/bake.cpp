@@ -11,6 +11,7 @@
 #include "app/base/stopwatch.h"
 #include "app/export/emit.h"
 #include "app/image/image_io.h"
+#include "app/pipeline/displaced_mesh.h"
 #include "app/recipe/lattice_check.h"
 #include "atlas/base/memory.h"
 #include "atlas/build/capacity.h"
@@ -117,9 +118,12 @@ std::vector<AtomicFile> files_of_frame(Pipeline& pipeline, const BakePlan& plan,
     options.material = material_factors(pipeline.recipe(), asked.rough_levels());
     options.pictures = std::move(material.pictures);
     const BakedAtlas& baked = result.texture;
+    const Atlas& atlas = baked.packed ? *baked.packed : pipeline.atlas();
+    const Mesh& rest = pipeline.atlas_mesh();
     std::vector<AtomicFile> files =
-        scene_files(path, pipeline.atlas_mesh(), baked.packed ? *baked.packed : pipeline.atlas(),
-                    baked.image, options);
+        plan.displaces ? scene_files(path, displaced_mesh(rest, pipeline.recipe(), pipeline.mesh()),
+                                     atlas, baked.image, options)
+                       : scene_files(path, rest, atlas, baked.image, options);
     result.levels.count = std::uint32_t(options.levels.size());
     result.normals = std::move(options.normals);
     result.writing += seconds_since(writing);

@@ -30,6 +30,7 @@ struct BakePlan {
     NormalSpace normals = NormalSpace::none;
     bool normals_down = false;         ///< whether a normal map's green points down
     Packing packing = Packing::gltf;   ///< which of a material's channels share a picture
+    bool displaces = false;            ///< whether the exported mesh is moved by the height
     std::optional<double> compress{};  ///< the largest error of --compress (app/bake/texture.h)
     std::string solid_map{};           ///< path of the solid map; empty: none
     std::string shader{};              ///< path of the texture as GLSL; empty: none

@@ -74,7 +74,10 @@ BakePlan plan_of(const BakeCommand& command,
     plan.crease_degrees = command.crease_degrees();
     const Recipe& first = recipes->front();
     plan.levels = levels_asked(command.levels, command.level_rule, first.atlas.size, plan.kind);
-    plan.normals = normals_asked(command.normals, first, command.out);
+    plan.displaces = command.displace.has_value();
+    const std::string& normals =
+        plan.displaces && command.normals.empty() ? "none" : command.normals;
+    plan.normals = normals_asked(normals, first, command.out);
     plan.normals_down = command.normal_y == "-";
     plan.packing = packing_asked(command.packing, command.out);
     plan.compress = command.compress;
@@ -154,12 +157,28 @@ void BakeJob::check() const {
         throw Error(ExitCode::usage,
                     "--compress: blocks alike in colour may differ in their normals; add --normals "
                     "none to leave the bumps out");
+    check_displacement();
     check_material(recipe(), plan_.material(),
                    plan_.levels.rule.direct   ? "--level-rule direct"
                    : command_.compress        ? "--compress"
                    : command_.synth != "host" ? "--synth " + command_.synth
                                               : "");
     check_idle();
+}
+
+/// Throws Error(usage) where --displace cannot be had with what else is asked for.
+void BakeJob::check_displacement() const {
+    if (!command_.displace) return;
+    const auto refuse = [&](const char* why) {
+        throw Error(ExitCode::usage, fmt::format("{}: --displace: {}", command_.out, why));
+    };
+    if (!holds_mesh(command_.out))
+        refuse("a texture alone has no points to move; write .glb, .gltf or .obj, or leave it out");
+    if (recipe().bump.empty())
+        refuse("the recipe has no height; add material.height, or leave --displace out");
+    if (has_normals())
+        refuse("the normal map would show the same height once more; leave --normals out");
+    if (!command_.pose.empty()) refuse("a pose has points of its own; leave one of the two out");
 }
 
 /// Throws Error(usage) if an option would have no effect.

@@ -41,6 +41,10 @@ void add_pictures(CLI::App& verb, BakeCommand& command) {
                     "Normal map of the recipe's bumps: tangent (the default; in the material of "
                     ".glb, .gltf and .obj, else beside as NAME_normal.png), object or none")
         ->check(one_of({"tangent", "object", "none"}));
+    verb.add_option("--displace", command.displace,
+                    "Move the mesh's points by the recipe's height, after splitting every triangle "
+                    "in four this many times, in place of a normal map")
+        ->check(CLI::Range(0, 8));
     verb.add_option("--pack", command.packing,
                     "Which of a material's channels share a picture: gltf (the default of .glb "
                     "and .gltf), unreal, unity, godot, or separate (the default of the others)")

@@ -7,6 +7,7 @@
 #include "app/gl/device/context.h"
 #include "app/options/animation.h"
 #include "app/options/command_options.h"
+#include "atlas/mesh/subdivide.h"
 
 namespace CLI {
 class App;
@@ -33,10 +34,14 @@ struct BakeCommand {
     std::string gl_precision, gl_randomizer;  ///< words of multipass_synth; empty: its defaults
     bool gl_equalize = false;
     std::optional<double> compress;
+    std::optional<int> displace;       ///< how often triangles are split before displacement
     bool json = false, quiet = false;  ///< print the JSON report, or nothing, on stdout
     bool force = false;                ///< bake even if the outputs are up to date
 
     int bits() const { return depth.value_or(8); }
+    /// The mesh at rest, split as --displace says. Throws Error as MeshOptions::load and
+    /// subdivided() do.
+    Mesh load_mesh() const { return subdivided(meshes.load(mesh), displace.value_or(0)); }
     double crease_degrees() const { return crease.value_or(40.0); }
 };
 

@@ -132,7 +132,8 @@ std::vector<Bake> check_manifest(const BatchCommand& command) {
 /// A key that is equal for bakes that can use one pipeline.
 std::string mesh_key(const Bake& bake) {
     const BakeCommand& command = bake.job.command();
-    return fmt::format("{} {} {}", command.meshes.read.weld, command.meshes.read.unshare_instances,
+    return fmt::format("{} {} {} {}", command.meshes.read.weld,
+                       command.meshes.read.unshare_instances, command.displace.value_or(0),
                        real_path(command.mesh));
 }
 
@@ -180,7 +181,7 @@ class SharedMesh {
         if (problem_) throw *problem_;
         const auto start = std::chrono::steady_clock::now();
         try {
-            pipeline_.emplace(job.command().meshes.load(job.command().mesh));
+            pipeline_.emplace(job.command().load_mesh());
             return_large_blocks(pipeline_->mesh().triangles.size());
         } catch (const Error& error) {
             problem_ = error;
