@@ -28,6 +28,7 @@ void write_all(const Folder& folder) {
     const burl::Model torus = burl::make_torus();
     folder.write("teapot.obj", obj_text(burl::make_teapot()));
     folder.write("king.obj", obj_text(burl::make_king()));
+    folder.write("bust.obj", obj_text(burl::make_bust()));
     folder.write("icosphere.obj", obj_text(burl::make_icosphere()));
     folder.write("cube.obj", obj_text(burl::make_cube()));
     folder.write("cad_part.obj", obj_text(burl::make_cad_part()));

@@ -39,6 +39,9 @@ Model make_teapot(int segments = 10);
 /// A chess king: a lathed body with long slivers and a cross on top, two closed shells.
 Model make_king(int segments = 48);
 
+/// A head and shoulders on a foot, one closed shell; `step` is the length of its grid's cells.
+Model make_bust(double step = 0.036);
+
 /// Torus about the y axis: radii 1 and 0.4.
 Model make_torus(int around = 64, int across = 32);
 

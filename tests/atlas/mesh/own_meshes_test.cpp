@@ -174,6 +174,17 @@ TEST(OwnMeshes, IcosphereIsNearlyASphere) {
     EXPECT_EQ(slender_triangles(mesh, 1.5), 0u);
 }
 
+TEST(OwnMeshes, BustIsOneShellAndTheSameOnBothSides) {
+    const Mesh mesh = made("bust.obj");
+    EXPECT_TRUE(count(mesh).closed_manifold());
+    EXPECT_EQ(count(mesh).euler(), 2);
+    EXPECT_GT(volume(mesh), 0.0);
+    EXPECT_LT(double(slender_triangles(mesh, 10.0)), 0.01 * double(mesh.triangles.size()));
+    const Box3 box = bounding_box(mesh);
+    EXPECT_NEAR(box.low.x, -box.high.x, 0.01);
+    EXPECT_NEAR(box.low.y, 0.0, 0.02);  // smooth minima bulge
+}
+
 double polygon_area(int corners, double radius) {
     return 0.5 * corners * radius * radius * std::sin(2.0 * pi / corners);
 }
