@@ -151,7 +151,8 @@ Image<RgbF> LevelStage::run_one(StageContext& context, const MeshAtlas& atlas,
 }
 
 bool NormalStage::Map::is_of(const Recipe& recipe, const NormalFramesKey& key) const {
-    return bump == recipe.bump && solid == recipe.solid && filter == recipe.filter && frames == key;
+    return bump == recipe.bump && solid == recipe.solid && filter == recipe.filter &&
+           precision == graph_precision(recipe) && frames == key;
 }
 
 template <class Pixel>
@@ -166,17 +167,18 @@ Image<Pixel> NormalStage::run(StageContext& context, const Mesh& mesh, const Mes
         }
     Image<Pixel> map = context.records.time(Stage::normals, [&](StageCost& cost) {
         if (!frames_ || frames_->key != key) frames_ = make_normal_frames(mesh, atlas, key);
-        Image<Pixel> image = synthesize_normals<Pixel>(
-            solid,
-            {atlas.mesh(mesh), atlas.atlas(), frames_->positions, frames_->normals,
-             frames_->tangents},
-            recipe.bump, texture_from_solid(recipe), recipe.filter, context.way.threads);
+        Image<Pixel> image =
+            synthesize_normals<Pixel>(solid,
+                                      {atlas.mesh(mesh), atlas.atlas(), frames_->positions,
+                                       frames_->normals, frames_->tangents},
+                                      recipe.bump, texture_from_solid(recipe), recipe.filter,
+                                      context.way.threads, graph_precision(recipe));
         cost.work.texels = texels_of(solid);
         cost.bytes = bytes_of(image);
         return image;
     });
     if (context.cache > 0 && context.skips.allows(Skip::stages))
-        map_ = Map{recipe.bump, recipe.solid, recipe.filter, key, map};
+        map_ = Map{recipe.bump, recipe.solid, recipe.filter, graph_precision(recipe), key, map};
     else
         frames_.reset();
     return map;

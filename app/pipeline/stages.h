@@ -151,6 +151,7 @@ class NormalStage {
         Bump bump;
         SolidOptions solid;
         Filter filter;
+        PrecisionKind precision{};
         NormalFramesKey frames;
         std::variant<Image<Rgb8>, Image<Rgb16>, Image<RgbF>> image{};
         bool is_of(const Recipe& recipe, const NormalFramesKey& key) const;

@@ -80,6 +80,9 @@ struct Recipe {
     bool operator==(const Recipe&) const = default;
 };
 
+/// The precision in which graphs of the recipe sum their noise: float64 if it asks for that.
+PrecisionKind graph_precision(const Recipe& recipe);
+
 /// The map from solid space (unit box or object) to texture coordinates s.
 Affine3 texture_from_solid(const Recipe& recipe);
 

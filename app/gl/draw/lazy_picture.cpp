@@ -84,7 +84,7 @@ Image<Rgb8> view_normals(const ViewSource& source, const Mesh& mesh, const Texel
     return synthesize_normals<Rgb8>(
         cut_to(source.solid, texels),
         {mesh, source.layout.atlas(), frames.positions, frames.normals, frames.tangents},
-        recipe.bump, texture_from_solid(recipe), recipe.filter, threads);
+        recipe.bump, texture_from_solid(recipe), recipe.filter, threads, graph_precision(recipe));
 }
 
 }  // namespace
