@@ -13,7 +13,7 @@ from mathutils import Vector
 
 folder, samples, *files = sys.argv[sys.argv.index("--") + 1 :]
 middle = (0, 0, 1.0)
-views = {"": ((1.55, -5.0, 1.75), middle, 145), "-close": ((0.8, -2.1, 1.55), (0.05, 0, 1.0), 85)}
+views = {"": ((1.55, -5.0, 1.75), middle, 85), "-close": ((0.8, -2.1, 1.55), (0.05, 0, 1.0), 85)}
 
 
 def aim(thing, target):
@@ -49,6 +49,7 @@ def studio():
     scene = bpy.context.scene
     scene.render.engine = "CYCLES"
     scene.cycles.samples = int(samples)
+    scene.cycles.use_denoising = False  # Debian builds Blender without a denoiser
     scene.cycles.max_bounces = 6
     scene.render.resolution_x, scene.render.resolution_y = 240, 300
     scene.world = bpy.data.worlds.new("sky")
