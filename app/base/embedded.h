@@ -11,7 +11,7 @@ struct EmbeddedFile {
     std::string_view content;
 };
 
-std::span<const EmbeddedFile> embedded_recipes();  ///< the presets, assets/recipes/*.json
+std::span<const EmbeddedFile> embedded_recipes();  ///< the presets, assets/recipes/papers/*.json
 std::span<const EmbeddedFile> embedded_meshes();   ///< the sample meshes, *.obj
 std::span<const EmbeddedFile> embedded_shaders();  ///< all files of shaders/
 

@@ -96,7 +96,7 @@ double solid_units(const Mesh& mesh, SolidSpace space);
 Recipe parse_recipe(const std::string& json, const std::string& origin,
                     const std::vector<std::string>& settings = {});
 
-/// The names of the presets in assets/recipes, in alphabetical order.
+/// The names of the presets in assets/recipes/papers, in alphabetical order.
 std::vector<std::string_view> preset_names();
 
 /// Whether the argument has the form of a preset's name, known or not; anything with a dot or a

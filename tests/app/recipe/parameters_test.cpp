@@ -201,7 +201,8 @@ TEST(DocumentedRecipes, BeginWithAnAtlasForAnyViewer) {
 TEST(Presets, AreAllDocumented) {
     const std::string all = documentation();
     const std::string text = all.substr(all.find("## Presets"));
-    const std::filesystem::directory_iterator files(test::source_folder() + "/assets/recipes");
+    const std::filesystem::directory_iterator files(test::source_folder() +
+                                                    "/assets/recipes/papers");
     EXPECT_EQ(std::distance(begin(files), end(files)), std::ssize(embedded_recipes()));
     for (const EmbeddedFile& file : embedded_recipes()) {
         const std::string_view name = file.name.substr(0, file.name.find('.'));
