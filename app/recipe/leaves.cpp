@@ -142,7 +142,8 @@ std::vector<RecipeLeaf> recipe_leaves(const Json& recipe) {
     SchemaNode schema = build_schema();
     std::erase_if(schema.children, [&](const auto& child) {
         return (graph && child.first == "texture") || child.first == "paint" ||
-               child.first == "animation" || (child.first == "bump" && !recipe.contains("bump"));
+               child.first == "animation" || child.first == "controls" ||
+               (child.first == "bump" && !recipe.contains("bump"));
     });
     walk.walk_schema(schema, recipe, "", "recipe");
     if (graph) walk.walk_node(recipe["texture"], "texture", "");
