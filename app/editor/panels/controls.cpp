@@ -51,6 +51,14 @@ Parameter slider_of(const ControlState& state, const std::string& tip, const std
     return parameter;
 }
 
+/// A range over orders of magnitude has a slider that reaches the small values, too.
+SliderScale scale_of(const RecipeControl& control) {
+    constexpr double wide = 30;
+    const bool orders = control.range && (*control.range)[0] > 0.0 &&
+                        (*control.range)[1] > wide * (*control.range)[0];
+    return orders ? SliderScale::logarithmic : SliderScale::linear;
+}
+
 void show_control(const PanelContext& context, const ControlState& state) {
     EditHistory& history = context.session.history();
     const std::string tip = control_tip(state.control);
@@ -59,7 +67,8 @@ void show_control(const PanelContext& context, const ControlState& state) {
     const RecipeLeaf leaf{state.control.name, "controls", state.control.name,
                           std::make_shared<const Parameter>(slider_of(state, tip, opened)),
                           state.value};
-    const ValueEdit edit = edit_leaf(leaf, state.control.name, context.items);
+    const ValueEdit edit =
+        edit_leaf(leaf, state.control.name, context.items, scale_of(state.control));
     if (edit.began) history.begin_gesture();
     if ((edit.began || edit.value) && !state.value.is_string()) context.session.touch(state.path);
     if (edit.value) context.session.set(state.control.name, *edit.value);

@@ -92,19 +92,26 @@ SliderRange held_range(const char* shown, const SliderRange& range, double value
     return range;
 }
 
+/// Returns a value moved by a share of its range.
+double moved_by(double value, double share, const SliderRange& range, SliderScale scale) {
+    if (scale == SliderScale::linear) return value + share * (range.high - range.low);
+    return value * std::pow(range.high / range.low, share);
+}
+
 /// Draws a slider for one number, named `shown` for ImGui.
-ValueEdit edit_number(const Parameter& parameter, std::size_t item, double value,
-                      const char* shown) {
+ValueEdit edit_number(const Parameter& parameter, std::size_t item, double value, const char* shown,
+                      SliderScale scale) {
     const SliderRange range = held_range(shown, slider_range(parameter, value), value);
     const bool whole = parameter.type == ParameterType::integer;
     double moved = value;
-    ImGui::SliderScalar(shown, ImGuiDataType_Double, &moved, &range.low, &range.high,
-                        whole ? "%.0f" : "%.4g");
+    ImGui::SliderScalar(
+        shown, ImGuiDataType_Double, &moved, &range.low, &range.high, whole ? "%.0f" : "%.4g",
+        scale == SliderScale::linear ? ImGuiSliderFlags_None : ImGuiSliderFlags_Logarithmic);
     ValueEdit edit = gesture();
     const ImGuiIO& io = ImGui::GetIO();
     if (ImGui::IsItemActive() && io.KeyShift && !io.KeyCtrl)
-        moved = value + 0.1 * (range.high - range.low) * double(io.MouseDelta.x) /
-                            double(ImGui::CalcItemWidth());
+        moved = moved_by(value, 0.1 * double(io.MouseDelta.x) / double(ImGui::CalcItemWidth()),
+                         range, scale);
     if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0)) {
         moved = default_of(parameter, item).value_or(value);
         ImGui::ClearActiveID();  // keeps the slider from following the pointer again
@@ -127,8 +134,8 @@ ValueEdit edit_numbers(const RecipeLeaf& leaf, EditItems& items) {
         if (i % across != 0) ImGui::SameLine(0.0f, gap);
         ImGui::SetNextItemWidth(width);
         const std::string id = fmt::format("##{}.{}", leaf.path, i);
-        const ValueEdit one =
-            edit_number(*leaf.parameter, i, leaf.value[i].get<double>(), id.c_str());
+        const ValueEdit one = edit_number(*leaf.parameter, i, leaf.value[i].get<double>(),
+                                          id.c_str(), SliderScale::linear);
         items.note(fmt::format("{}.{}", leaf.path, i));
         ValueEdit all = one;
         all.item = i;
@@ -191,14 +198,15 @@ SliderRange slider_range(const Parameter& parameter, double value) {
     return range;
 }
 
-ValueEdit edit_leaf(const RecipeLeaf& leaf, const std::string& label, EditItems& items) {
+ValueEdit edit_leaf(const RecipeLeaf& leaf, const std::string& label, EditItems& items,
+                    SliderScale scale) {
     const std::string id = "##" + leaf.path;
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x * 0.62f);
     ValueEdit edit;
     switch (leaf.parameter->type) {
         case ParameterType::number:
         case ParameterType::integer:
-            edit = edit_number(*leaf.parameter, 0, leaf.value.get<double>(), id.c_str());
+            edit = edit_number(*leaf.parameter, 0, leaf.value.get<double>(), id.c_str(), scale);
             items.note(leaf.path);
             break;
         case ParameterType::numbers:

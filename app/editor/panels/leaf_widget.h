@@ -24,8 +24,16 @@ struct ValueEdit {
     std::size_t item = 0;               ///< index of the edited number in a parameter of several
 };
 
+/// The scale of a slider's values along it.
+enum class SliderScale {
+    linear,
+    logarithmic  ///< equal ways are equal factors; the range must be above 0
+};
+
 /// Draws the widget of a leaf, then `label` with the leaf's description as tip, and returns the
-/// edit. Items are the leaf's path, or "path.0", "path.1" and so on for several numbers.
-ValueEdit edit_leaf(const RecipeLeaf& leaf, const std::string& label, EditItems& items);
+/// edit. `scale` is that of a single number's slider. Items are the leaf's path, or "path.0",
+/// "path.1" and so on for several numbers.
+ValueEdit edit_leaf(const RecipeLeaf& leaf, const std::string& label, EditItems& items,
+                    SliderScale scale = SliderScale::linear);
 
 }  // namespace burl

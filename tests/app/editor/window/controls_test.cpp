@@ -2,7 +2,11 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "app/base/atomic_file.h"
+#include "app/recipe/controls.h"
+#include "app/recipe/leaves.h"
 #include "tests/app/editor/window/fixture.h"
 #include "tests/app/recipe/control_samples.h"
 #include "tests/app/support/scratch_folder.h"
@@ -46,6 +50,16 @@ TEST_F(GlEditControls, SlidersKeepToTheRangeAndGoBackToWhatWasOpened) {
                      {"double_click": "detail"}, {"wait": 2})");
     EXPECT_EQ(editor->session().recipe(),
               load_recipe(folder / "r.json", {"atlas.size=64", "atlas.tries=1"}));
+}
+
+TEST_F(GlEditControls, AWideRangeHasItsGeometricMeanInTheMiddle) {
+    const auto editor = start_with(test::planks_json);
+    ASSERT_TRUE(editor->session().set(std::vector<std::string>{"size=3"}));
+    play(*editor, R"({"wait": 30}, {"click": "size"}, {"wait": 2})");
+    EXPECT_NEAR(editor->session().recipe().solid.scale, std::sqrt(0.05 * 5), 0.02);
+    play(*editor, R"({"wait": 30}, {"click": "detail"}, {"wait": 2})");
+    const double middle = control_states(slider_json(editor->session().recipe()))[3].value;
+    EXPECT_NEAR(middle, 4.5, 0.5) << "a narrow one its mean, rounded";
 }
 
 TEST_F(GlEditControls, SavedRecipesKeepTheirControls) {
