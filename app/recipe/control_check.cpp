@@ -13,6 +13,8 @@ namespace burl {
 
 namespace {
 
+constexpr std::size_t most_controls = 100;  // more would not be few
+
 using FoundProblem = std::optional<RecipeProblem>;
 
 std::string letters_lowered(std::string text) {
@@ -171,6 +173,10 @@ class ControlChecker {
 
 FoundProblem find_control_problem(const Json& recipe) {
     if (!recipe.contains("controls") || recipe["controls"].empty()) return {};
+    if (const std::size_t count = recipe["controls"].size(); count > most_controls)
+        return RecipeProblem{
+            "controls",
+            fmt::format("controls has {} controls, must have at most {}", count, most_controls)};
     ControlChecker checker(recipe);
     for (std::size_t i = 0; i < recipe["controls"].size(); ++i)
         if (FoundProblem found = checker.check(i)) return found;

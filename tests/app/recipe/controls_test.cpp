@@ -205,5 +205,16 @@ TEST(Controls, AreRefusedWithTheirPath) {
     }
 }
 
+TEST(Controls, AreFew) {
+    std::string many;
+    for (int i = 0; i < 101; ++i)
+        many += fmt::format(R"({}{{"name": "{}", "range": [0.5, 2], "sets": ["solid.scale"]}})",
+                            i > 0 ? "," : "", i);
+    const auto parse = [&] { parse_recipe(fmt::format(R"({{"controls": [{}]}})", many), "many"); };
+    EXPECT_THAT(refusal(ExitCode::invalid_file, parse), HasSubstr("101 controls"));
+    many.erase(many.rfind(",{"));
+    EXPECT_NO_THROW(parse());
+}
+
 }  // namespace
 }  // namespace burl
