@@ -1,6 +1,6 @@
 #pragma once
-// Text files compiled into the program (shaders, preset recipes, sample meshes), so that a copied
-// binary needs nothing beside it.
+// Text files compiled into the program (shaders, recipes, materials, sample
+// meshes), so that a copied binary needs nothing beside it.
 #include <span>
 #include <string_view>
 
@@ -11,8 +11,9 @@ struct EmbeddedFile {
     std::string_view content;
 };
 
-std::span<const EmbeddedFile> embedded_recipes();  ///< the presets, assets/recipes/*.json
-std::span<const EmbeddedFile> embedded_meshes();   ///< the sample meshes, *.obj
-std::span<const EmbeddedFile> embedded_shaders();  ///< all files of shaders/
+std::span<const EmbeddedFile> embedded_recipes();    ///< the presets, assets/recipes/papers/*.json
+std::span<const EmbeddedFile> embedded_materials();  ///< assets/materials/*.json
+std::span<const EmbeddedFile> embedded_meshes();     ///< the sample meshes, *.obj
+std::span<const EmbeddedFile> embedded_shaders();    ///< all files of shaders/
 
 }  // namespace burl

@@ -101,6 +101,7 @@ void set_up(CLI::App& program) {
     burl::add_eval(program);
     burl::add_figures(program);
     burl::add_list(program);
+    burl::add_show(program);
 }
 
 /// Runs the verb, reports errors and returns the exit code. A wrong command line gives one sentence

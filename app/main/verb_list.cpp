@@ -12,6 +12,7 @@
 #include "app/main/verbs.h"
 #include "app/measure/report.h"
 #include "app/options/command_options.h"
+#include "app/recipe/material_notes.h"
 #include "app/recipe/parameters.h"
 #include "app/recipe/preset_notes.h"
 #include "app/recipe/recipe.h"
@@ -26,6 +27,7 @@ namespace {
 
 struct Entry {
     std::string name, text;
+    std::string group{};  ///< entries of a group follow one another; empty: none
 };
 
 /// Each atlas kind in a clause, in the order of AtlasKind.
@@ -41,6 +43,10 @@ Entry recipe_entry(std::string_view name) {
     const std::span<const PresetNote> notes = preset_notes();
     const auto note = std::ranges::find(notes, name, &PresetNote::name);
     return {std::string(name), note == notes.end() ? "" : std::string(note->about)};
+}
+
+Entry material_entry(const MaterialNote& note) {
+    return {note.name, note.about, note.group};
 }
 
 /// A parameter as "number 0..10, default 1: what it does".
@@ -82,6 +88,7 @@ std::vector<Entry> gl_entries(const std::string& platform) {
 
 std::vector<Entry> entries_of(const std::string& what) {
     if (what == "recipes") return entries(preset_names(), recipe_entry);
+    if (what == "materials") return entries(material_notes(), material_entry);
     if (what == "parameters")
         return entries(parameters(), [](const Parameter& parameter) {
             return Entry{std::string(parameter.path), describe(parameter)};
@@ -107,31 +114,42 @@ std::vector<Entry> entries_of(const std::string& what) {
     });
 }
 
+Json entry_json(const Entry& entry) {
+    Json json{{"name", entry.name}, {"text", entry.text}};
+    if (!entry.group.empty()) json["group"] = entry.group;
+    return json;
+}
+
 void print_entries(const std::vector<Entry>& entries, bool json) {
     if (json) {
         Json list = Json::array();
-        for (const Entry& entry : entries)
-            list.push_back({{"name", entry.name}, {"text", entry.text}});
+        for (const Entry& entry : entries) list.push_back(entry_json(entry));
         fmt::print("{}\n", list.dump(2));
         return;
     }
-    for (const Entry& entry : entries) fmt::print("{:<32} {}\n", entry.name, entry.text);
+    std::string group;
+    for (const Entry& entry : entries) {
+        if (entry.group != group) fmt::print("{}{}:\n", group.empty() ? "" : "\n", entry.group);
+        group = entry.group;
+        fmt::print("{}{:<32} {}\n", group.empty() ? "" : "  ", entry.name, entry.text);
+    }
 }
 
 }  // namespace
 
 void add_list(CLI::App& program) {
-    auto* verb = program.add_subcommand(
-        "list",
-        "List recipes, meshes, atlases, noises, nodes, parameters, figures, or this OpenGL");
+    auto* verb = program.add_subcommand("list",
+                                        "List recipes, materials, meshes, atlases, noises, nodes, "
+                                        "parameters, figures, or this OpenGL");
     auto what = std::make_shared<std::string>();
     auto platform = std::make_shared<std::string>(gl_platforms()[0]);
     auto json = std::make_shared<bool>(false);
-    verb->add_option("what", *what,
-                     "recipes, meshes, atlases, noises, nodes, parameters, figures or gl")
+    verb->add_option(
+            "what", *what,
+            "recipes, materials, meshes, atlases, noises, nodes, parameters, figures or gl")
         ->required()
-        ->check(one_of(
-            {"recipes", "meshes", "atlases", "noises", "nodes", "parameters", "figures", "gl"}));
+        ->check(one_of({"recipes", "materials", "meshes", "atlases", "noises", "nodes",
+                        "parameters", "figures", "gl"}));
     auto* gl = verb->add_option("--gl", *platform,
                                 "gl: osmesa (software) or egl (a graphics "
                                 "processor)")

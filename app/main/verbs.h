@@ -16,5 +16,6 @@ void add_bench(CLI::App& program);
 void add_eval(CLI::App& program);
 void add_figures(CLI::App& program);
 void add_list(CLI::App& program);
+void add_show(CLI::App& program);
 
 }  // namespace burl

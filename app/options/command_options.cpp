@@ -95,13 +95,14 @@ constexpr double megabyte = 1024.0 * 1024.0, usual_megabytes = 1024.0, most_mega
 }  // namespace
 
 void RecipeOptions::add_recipe(CLI::App& verb) {
-    verb.add_option("-r,--recipe", recipe, "Preset name or recipe file (.json)")
+    verb.add_option("-r,--recipe", recipe, "Name of a preset or material, or recipe file (.json)")
         ->capture_default_str();
     add_settings(verb);
 }
 
 void RecipeOptions::add_settings(CLI::App& verb) {
-    verb.add_option("--set", settings, "Edit of the recipe, PATH=VALUE; may be repeated")
+    verb.add_option("--set", settings,
+                    "Edit of the recipe, PATH=VALUE or CONTROL=VALUE; may be repeated")
         ->allow_extra_args(false)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     verb.add_option("--time", time, "Of a recipe with keys: its state after so many seconds")

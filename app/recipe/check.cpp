@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "app/recipe/controls.h"
 #include "app/recipe/graph_check.h"
 #include "app/recipe/key_check.h"
 #include "app/recipe/schema_check.h"
@@ -112,7 +113,8 @@ Found find_respelled_problem(const Json& recipe) {
     if (Found found = find_texture_problem(recipe)) return found;
     if (Found found = find_precision_problem(recipe)) return found;
     if (Found found = find_bump_problem(recipe)) return found;
-    return find_animation_problem(recipe);
+    if (Found found = find_animation_problem(recipe)) return found;
+    return find_control_problem(recipe);
 }
 
 }  // namespace

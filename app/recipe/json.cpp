@@ -9,10 +9,9 @@
 
 #include "app/base/real_path.h"
 #include "app/image/image_io.h"
+#include "app/recipe/apply.h"
 #include "app/recipe/check.h"
 #include "app/recipe/images.h"
-#include "app/recipe/leaves.h"
-#include "app/recipe/settings.h"
 #include "app/recipe/spelling.h"
 #include "atlas/base/error.h"
 #include "procedural/graph/json.h"
@@ -75,6 +74,7 @@ Json animation_to_json(const KeyedAnimation& animation) {
 Recipe recipe_from_json(const Json& json, const ImageReader& read_image) {
     Recipe recipe;
     read_members(parameters(), json, recipe);
+    read_list(parameters(), part_of(json, "controls"), recipe.controls);
     read_members(parameters(), part_of(json, "atlas"), recipe.atlas);
     read_members(parameters(), part_of(json, "solid"), recipe.solid);
     const Json &define = part_of(json, "define"), &material = part_of(json, "material");
@@ -101,9 +101,19 @@ Json material_to_json(const Recipe& recipe) {
     return json;
 }
 
+/// The controls, without the keys that say nothing.
+Json controls_to_json(const std::vector<RecipeControl>& controls) {
+    Json list = Json::array();
+    for (const RecipeControl& one : controls)
+        write_members(parameters(), one, list.emplace_back(),
+                      [](std::string_view key) { return key != "about"; });
+    return list;
+}
+
 Json tree_of(const Recipe& recipe) {
     Json json{{"burl", 1}};
-    write_members(parameters(), recipe, json);
+    write_members(parameters(), recipe, json, [](std::string_view key) { return key == "name"; });
+    if (!recipe.controls.empty()) json["controls"] = controls_to_json(recipe.controls);
     write_members(parameters(), recipe.atlas, json["atlas"]);
     write_members(parameters(), recipe.solid, json["solid"]);
     if (!recipe.texture.names.empty()) json["define"] = names_to_json(recipe.texture);
@@ -122,43 +132,6 @@ Json tree_of(const Recipe& recipe) {
     if (recipe.animation != KeyedAnimation{})
         json["animation"] = animation_to_json(recipe.animation);
     return json;
-}
-
-/// `path` lies at, above or below `other`.
-bool concerns(const std::string& path, const std::string& other) {
-    const std::string& shorter = path.size() < other.size() ? path : other;
-    const std::string& longer = path.size() < other.size() ? other : path;
-    return longer.starts_with(shorter) &&
-           (longer.size() == shorter.size() || longer[shorter.size()] == '.');
-}
-
-/// Applies the settings, then checks the result as a whole: single steps may pass through recipes
-/// that are not valid (stops out of order).
-void apply_settings(Json& json, const std::vector<std::string>& settings) {
-    std::vector<std::string> paths;
-    for (const std::string& setting : settings) paths.push_back(apply_setting(json, setting));
-    const auto problem = find_problem(json);
-    if (!problem) return;
-    for (std::size_t i = settings.size(); i-- > 0;) {
-        if (concerns(problem->path, paths[i]))
-            throw Error(ExitCode::usage,
-                        fmt::format("--set {}: {}", settings[i], problem->sentence));
-    }
-    throw Error(ExitCode::usage, "--set: " + problem->sentence);
-}
-
-/// Arrays of which single numbers are set must be there, which defaults of a graph's nodes are not.
-std::vector<std::string> with_arrays(const Json& tree, const std::vector<std::string>& settings) {
-    std::vector<std::string> all;
-    for (const RecipeLeaf& leaf : recipe_leaves(tree)) {
-        const std::string front = leaf.path + ".";
-        const auto inside = [&](const std::string& setting) { return setting.starts_with(front); };
-        if (leaf.parameter->type == ParameterType::numbers &&
-            std::any_of(settings.begin(), settings.end(), inside))
-            all.push_back(fmt::format("{}={}", leaf.path, leaf.value.dump()));
-    }
-    all.insert(all.end(), settings.begin(), settings.end());
-    return all;
 }
 
 }  // namespace

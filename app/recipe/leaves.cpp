@@ -88,7 +88,7 @@ class LeafWalk {
         Json value = node.contains(name)      ? node[name]
                      : input.fallback.empty() ? Json()
                                               : Json::parse(input.fallback);
-        if (!value.is_number() && !value.is_string()) return;
+        if (!value.is_number() && (!value.is_string() || is_graph_name(value))) return;
         const ParameterType type = value.is_string() ? ParameterType::color : ParameterType::number;
         const Parameter parameter{input.key, type, -1e6,           1e6, 0.05,
                                   1,         "",   input.fallback, "",  input.tip};
@@ -142,7 +142,8 @@ std::vector<RecipeLeaf> recipe_leaves(const Json& recipe) {
     SchemaNode schema = build_schema();
     std::erase_if(schema.children, [&](const auto& child) {
         return (graph && child.first == "texture") || child.first == "paint" ||
-               child.first == "animation" || (child.first == "bump" && !recipe.contains("bump"));
+               child.first == "animation" || child.first == "controls" ||
+               (child.first == "bump" && !recipe.contains("bump"));
     });
     walk.walk_schema(schema, recipe, "", "recipe");
     if (graph) walk.walk_node(recipe["texture"], "texture", "");

@@ -53,6 +53,9 @@ std::vector<RecipeParameter> rows_before_texture() {
     return {
         {{{"burl", ParameterType::integer, 1, 1, 1, 1, "", "1", "", "version of this format"}}, {}},
         row("name", &Recipe::name, {}, "what the texture is called"),
+        row("about", &Recipe::about, {}, "a sentence about it", {.rare = true}),
+        row("group", &Recipe::group, {}, "what kind of material it is, such as wood or stone",
+            {.rare = true}),
         row("atlas.kind", &AtlasOptions::kind, {}, "how triangles are packed", {},
             {"-a,--atlas", "Atlas: {}"}),
         row("atlas.size", &AtlasOptions::size, {1, max_atlas_size, 256, "texels"},
@@ -126,6 +129,18 @@ std::vector<RecipeParameter> material_rows() {
                 "mask: alpha from which a texel is there", {.rare = true})};
 }
 
+std::vector<RecipeParameter> control_rows() {
+    return {
+        row("controls.*.name", &RecipeControl::name, {},
+            "what the control is called, unlike any path: --set NAME=VALUE", {.required = true}),
+        row("controls.*.about", &RecipeControl::about, {}, "what it changes, in a few words"),
+        row("controls.*.range", &RecipeControl::range, {-1e9, 1e9, 0.1},
+            "its least and its greatest value; colours have none"),
+        row("controls.*.sets.*", &RecipeControl::sets, {},
+            "a path that it sets, or another one with a formula of its value x",
+            {.required = true})};
+}
+
 std::vector<RecipeParameter> rows_after_texture() {
     return {
         row("bump.height", &Bump::height, {-1e6, 1e6, 0.001, "solid units"},
@@ -173,6 +188,7 @@ std::vector<RecipeParameter> rows_after_texture() {
 
 std::vector<RecipeParameter> make_table() {
     std::vector<RecipeParameter> table = rows_before_texture();
+    std::ranges::move(control_rows(), std::back_inserter(table));
     for (const MemberParameter& one : texture_parameters()) table.push_back({one, {}});
     std::ranges::move(material_rows(), std::back_inserter(table));
     std::ranges::move(rows_after_texture(), std::back_inserter(table));

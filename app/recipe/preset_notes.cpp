@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "app/recipe/material_notes.h"
+
 namespace burl {
 
 namespace {
@@ -56,9 +58,11 @@ std::span<const PresetNote> preset_notes() {
 
 std::vector<PresetNote> presets_with(std::string_view text) {
     std::vector<PresetNote> found;
-    std::ranges::copy_if(notes, std::back_inserter(found), [&](const PresetNote& note) {
-        return holds(note.name, text) || holds(note.about, text);
-    });
+    const auto add = [&](const PresetNote& note) {
+        if (holds(note.name, text) || holds(note.about, text)) found.push_back(note);
+    };
+    for (const PresetNote& note : notes) add(note);
+    for (const MaterialNote& note : material_notes()) add({note.name, note.about});
     return found;
 }
 

@@ -15,7 +15,8 @@ struct PresetNote {
 /// All presets, each once: stone, wood, planets and skies, water and fire, patterns, relief, noise.
 std::span<const PresetNote> preset_notes();
 
-/// The presets whose name or description contains the text, ignoring case; all for an empty text.
+/// The presets, then the materials (material_notes.h), whose name or description contains the text,
+/// ignoring case; all for an empty text.
 std::vector<PresetNote> presets_with(std::string_view text);
 
 }  // namespace burl

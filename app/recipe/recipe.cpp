@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 
 #include <fmt/format.h>
 
@@ -22,14 +23,23 @@ std::string_view preset_name(const EmbeddedFile& file) {
     return file.name.substr(0, file.name.size() - extension.size());
 }
 
+std::vector<std::string_view> names_of(std::span<const EmbeddedFile> files) {
+    std::vector<std::string_view> names;
+    for (const EmbeddedFile& file : files) names.push_back(preset_name(file));
+    return names;
+}
+
 Error unknown_preset(const std::string& name) {
-    const std::vector<std::string_view> names = preset_names();
+    std::vector<std::string_view> names = preset_names();
+    std::ranges::copy(material_names(), std::back_inserter(names));
     const std::string_view nearest = nearest_word(name, names);
     const std::string hint = nearest.empty() ? "" : fmt::format("did you mean \"{}\"? ", nearest);
-    return Error(ExitCode::usage,
-                 fmt::format("there is no recipe \"{}\"; {}Presets: {}. Anything else must be the "
-                             "path of a .json file",
-                             name, hint, fmt::join(names, ", ")));
+    return Error(
+        ExitCode::usage,
+        fmt::format("there is no recipe or material \"{}\"; {}`burl list recipes` and `burl "
+                    "list materials` name them all; anything else must be the path of a "
+                    ".json file",
+                    name, hint));
 }
 
 }  // namespace
@@ -56,27 +66,34 @@ double solid_units(const Mesh& mesh, SolidSpace space) {
 }
 
 std::vector<std::string_view> preset_names() {
-    std::vector<std::string_view> names;
-    for (const EmbeddedFile& file : embedded_recipes()) names.push_back(preset_name(file));
-    return names;
+    return names_of(embedded_recipes());
+}
+
+std::vector<std::string_view> material_names() {
+    return names_of(embedded_materials());
 }
 
 bool names_preset(std::string_view path_or_preset) {
     return path_or_preset.find_first_of("./") == std::string_view::npos;
 }
 
+std::string recipe_text(const std::string& path_or_preset) {
+    if (!names_preset(path_or_preset)) {
+        const std::vector<std::uint8_t> bytes = read_file_bytes(path_or_preset);
+        return {bytes.begin(), bytes.end()};
+    }
+    for (const auto& files : {embedded_recipes(), embedded_materials()}) {
+        const auto found = std::ranges::find(files, path_or_preset, preset_name);
+        if (found != files.end()) return std::string(found->content);
+    }
+    throw unknown_preset(path_or_preset);
+}
+
 Recipe load_recipe(const std::string& path_or_preset, const std::vector<std::string>& settings,
                    RecipeImages& images) {
-    if (names_preset(path_or_preset)) {
-        const auto presets = embedded_recipes();
-        const auto found = std::ranges::find(presets, path_or_preset, preset_name);
-        if (found == presets.end()) throw unknown_preset(path_or_preset);
-        return parse_recipe(std::string(found->content), path_or_preset, settings, images);
-    }
-    const std::vector<std::uint8_t> bytes = read_file_bytes(path_or_preset);
-    Recipe recipe =
-        parse_recipe(std::string(bytes.begin(), bytes.end()), path_or_preset, settings, images);
-    if (recipe.name.empty()) recipe.name = std::filesystem::path(path_or_preset).stem().string();
+    Recipe recipe = parse_recipe(recipe_text(path_or_preset), path_or_preset, settings, images);
+    if (recipe.name.empty() && !names_preset(path_or_preset))
+        recipe.name = std::filesystem::path(path_or_preset).stem().string();
     return recipe;
 }
 

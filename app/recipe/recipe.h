@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/recipe/control.h"
 #include "app/recipe/material.h"
 #include "app/recipe/paint_stroke.h"
 #include "atlas/base/enum_names.h"
@@ -67,6 +68,9 @@ struct KeyedAnimation {
 
 struct Recipe {
     std::string name;
+    std::string about;  ///< a description of one sentence
+    std::string group;  ///< the kind of material, such as "wood"
+    std::vector<RecipeControl> controls;
     AtlasOptions atlas;
     SolidOptions solid;
     TextureGraph texture = plain_graph({});  ///< a plain graph bakes fastest
@@ -93,22 +97,30 @@ Affine3 texture_from_mesh(const Recipe& recipe, const Mesh& mesh);
 double solid_units(const Mesh& mesh, SolidSpace space);
 
 /// Parses recipe JSON; `origin` names it in messages. `settings` are "path=value" edits applied to
-/// the JSON first, such as "texture.input.noise.0.amplitude=0.7". Unknown keys, wrong types and
-/// values out of range throw Error(invalid_file), or Error(usage) for `settings`, naming the key
-/// and the nearest known one. Paths of a texture's images are relative to origin's folder.
+/// the JSON first, such as "texture.input.noise.0.amplitude=0.7", or set a control by its name,
+/// such as "ring spacing=0.01" (app/recipe/controls.h). Unknown keys, wrong types and values out of
+/// range throw Error(invalid_file), or Error(usage) for `settings`, naming the key and the nearest
+/// known one. Paths of a texture's images are relative to origin's folder.
 Recipe parse_recipe(const std::string& json, const std::string& origin,
                     const std::vector<std::string>& settings = {});
 
-/// The names of the presets in assets/recipes, in alphabetical order.
+/// The names of the presets in assets/recipes/papers, in alphabetical order.
 std::vector<std::string_view> preset_names();
 
-/// Whether the argument has the form of a preset's name, known or not; anything with a dot or a
-/// slash is a file's path.
+/// The names of the materials in assets/materials, in alphabetical order; none is a preset's.
+std::vector<std::string_view> material_names();
+
+/// Whether the argument has the form of a preset's or material's name, known or not; anything with
+/// a dot or a slash is a file's path.
 bool names_preset(std::string_view path_or_preset);
 
-/// The recipe in a file, or the preset of that name ("marble"; see names_preset). A recipe without
-/// a name gets its file's, without folder and extension. Throws Error as parse_recipe does, io
-/// where the file cannot be read, and usage for an unknown preset.
+/// The JSON of the recipe in a file, or of the preset or material of that name, as it was written.
+/// Throws Error(io) where the file cannot be read, and usage for an unknown name.
+std::string recipe_text(const std::string& path_or_preset);
+
+/// The recipe in a file, or the preset or material of that name ("marble"; see names_preset). A
+/// recipe without a name gets its file's, without folder and extension. Throws Error as
+/// parse_recipe does, io where the file cannot be read, and usage for an unknown preset.
 Recipe load_recipe(const std::string& path_or_preset,
                    const std::vector<std::string>& settings = {});
 

@@ -51,9 +51,10 @@ int main(int argc, char** argv) {
         .add_option("mesh", command.editor.mesh,
                     "Mesh file, or sample:NAME; a recipe file is shown on the teapot")
         ->capture_default_str();
-    program.add_option("-r,--recipe", command.editor.recipe, "Recipe file or preset")
+    program.add_option("-r,--recipe", command.editor.recipe, "Recipe file, preset or material")
         ->capture_default_str();
-    program.add_option("--set", command.editor.settings, "Edit of the recipe: path=value");
+    program.add_option("--set", command.editor.settings,
+                       "Edit of the recipe: path=value or control=value");
     program.add_option("--ui-scale", command.editor.ui_scale, "Size of text and panels")
         ->check(CLI::Range(0.5, 4.0));
     auto* script = program.add_option("--script", command.script, "Input to replay");

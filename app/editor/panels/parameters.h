@@ -1,19 +1,10 @@
 #pragma once
-// The panel of parameters (parameters_panel of panels.h): a slider, box or list for each parameter
-// of the table. Ctrl-click to type a value, double-click for the default, Shift to drag at a tenth
-// of the speed.
+// The panel of parameters (parameters_panel of panels.h): a widget for each parameter of the table.
 #include <cstdint>
 
-#include "app/recipe/leaves.h"
+#include "app/editor/panels/leaf_widget.h"
 
 namespace burl {
-
-/// The range of a parameter's slider: the table's range if it is narrow, otherwise 40 steps to both
-/// sides of the default; widened to contain `value`.
-struct SliderRange {
-    double low = 0.0, high = 1.0;
-};
-SliderRange slider_range(const Parameter& parameter, double value);
 
 /// Returns the random seed that a button puts in place of `seed`, the same in every run, so that
 /// scripts repeat: the next one of a linear congruential generator with the full period 2^16.

@@ -47,7 +47,10 @@ void SidePanels::window(const PanelContext& context, const EditBaker& baker, boo
     };
     if (ImGui::Begin("Side", nullptr, fixed_window) && ImGui::BeginTabBar("tabs")) {
         tab("Presets", [&] { presets_panel(context, preset_search_, picture); });
-        tab("Parameters", [&] { parameters_panel(context, posed); });
+        tab("Parameters", [&] {
+            controls_panel(context);
+            parameters_panel(context, posed);
+        });
         tab("Colours", [&] { color_maps_panel(context, stop_); });
         tab("Metrics", [&] { metrics_panel(metrics(baker.front())); });
         tab("Log", [&] { log_panel(context); });

@@ -36,7 +36,7 @@ Skips without_any() {
 std::vector<std::string> preset_names() {
     std::vector<std::string> names;
     for (const auto& file :
-         std::filesystem::directory_iterator(test::source_folder() + "/assets/recipes"))
+         std::filesystem::directory_iterator(test::source_folder() + "/assets/recipes/papers"))
         names.push_back(file.path().stem().string());
     std::ranges::sort(names);
     return names;

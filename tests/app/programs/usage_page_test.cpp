@@ -71,7 +71,7 @@ TEST_P(UsagePage, TellsTheOptionsOfTheHelp) {
 
 INSTANTIATE_TEST_SUITE_P(Verbs, UsagePage,
                          testing::Values("bake", "batch", "render", "diff", "metrics", "bench",
-                                         "eval", "figures", "list"),
+                                         "eval", "figures", "list", "show"),
                          [](const auto& verb) { return std::string(verb.param); });
 
 TEST(UsagePageOfBench, NamesEverySuite) {

@@ -287,7 +287,7 @@ TEST(Settings, WrongValuesAreUsageErrorsThatNameTheSetting) {
 TEST(Presets, AreFoundByName) {
     EXPECT_EQ(load_recipe("marble").name, "marble");
     EXPECT_EQ(load_recipe("marble", {"atlas.size=64"}).atlas.size, 64u);
-    EXPECT_EQ(load_recipe(test::source_folder() + "/assets/recipes/wood.json"),
+    EXPECT_EQ(load_recipe(test::source_folder() + "/assets/recipes/papers/wood.json"),
               load_recipe("wood"));
     EXPECT_THAT(message_of(ExitCode::usage, [] { load_recipe("mrable"); }),
                 HasSubstr("did you mean \"marble\"?"));

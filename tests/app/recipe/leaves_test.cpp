@@ -58,6 +58,17 @@ TEST(RecipeLeaves, StrokesOfPaintHaveNone) {
     EXPECT_EQ(recipe_leaves(Json::parse(to_json(recipe))).size(), recipe_leaves(plain).size());
 }
 
+/// A field of colour in its place would look like black and put a colour where the name stands.
+TEST(RecipeLeaves, NamesHaveNone) {
+    const Recipe recipe = parse_recipe(
+        R"({"define": {"a": {"node": "fbm"}}, "texture": {"node": "mix", "b": "#ff0000", "amount": "a"}})",
+        "named");
+    std::vector<std::string> inputs;
+    for (const RecipeLeaf& leaf : recipe_leaves(slider_json(recipe)))
+        if (leaf.path.starts_with("texture.")) inputs.push_back(leaf.path);
+    EXPECT_EQ(inputs, (std::vector<std::string>{"texture.a", "texture.b"}));
+}
+
 TEST(RecipeLeaves, FindsTheColorMaps) {
     EXPECT_EQ(color_map_paths(Json::parse(to_json(load_recipe("marble")))),
               std::vector<std::string>{"texture"});

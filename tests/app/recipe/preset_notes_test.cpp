@@ -8,6 +8,7 @@
 #include <string>
 
 #include "app/base/embedded.h"
+#include "app/recipe/material_notes.h"
 
 namespace burl {
 namespace {
@@ -24,11 +25,14 @@ TEST(PresetNotes, TellOfEveryPresetOnce) {
 }
 
 TEST(PresetNotes, AreFoundByNameAndSentenceInAnyCase) {
-    EXPECT_EQ(presets_with("").size(), preset_notes().size());
+    EXPECT_EQ(presets_with("").size(), preset_notes().size() + material_notes().size());
+    EXPECT_EQ(presets_with("").back().name, material_notes().back().name);
     EXPECT_TRUE(presets_with("no such thing").empty());
     const auto names = [](std::string_view text) {
         std::vector<std::string_view> found;
-        for (const PresetNote& note : presets_with(text)) found.push_back(note.name);
+        for (const PresetNote& note : presets_with(text))
+            if (std::ranges::count(preset_notes(), note.name, &PresetNote::name))
+                found.push_back(note.name);
         return found;
     };
     EXPECT_EQ(names("ZONE"), std::vector<std::string_view>{"zoneplate"});
