@@ -118,8 +118,8 @@ std::string emit_glsl(const Recipe& recipe, const Affine3& texture_from_mesh) {
         if (part.name != "numbers/real.glsl")
             text += std::string(part.text.empty() ? embedded_shader(part.name) : part.text) + "\n";
     return header(recipe) + images_text(texture, recipe.texture) + "\n" +
-           glsl_needed_by("texture_color", glsl_in_float(text)) + "\n" + matrix(texture_from_mesh) +
-           "\n" + main_function;
+           glsl_needed_by({"texture_color"}, glsl_in_float(text)) + "\n" +
+           matrix(texture_from_mesh) + "\n" + main_function;
 }
 
 WrittenSolidMap write_solid_map(const std::string& path, Pipeline& pipeline, int threads) {
