@@ -253,12 +253,16 @@ TEST(GlEmitMaterial, BumpsOfTooManyStopsAreRefused) {
     }
 }
 
-/// A recipe whose base colour, roughness or emission, and, of a number, bumps are one node.
+/// A recipe whose base colour, roughness or emission, and bumps are one node; the bumps of a colour
+/// are its luminance.
 Recipe all_of(const GraphCase& one) {
     Recipe recipe;
     recipe.texture = graph_of(one.json);
     const bool number = recipe.texture.nodes[recipe.texture.result].wire == Wire::number;
-    if (number) recipe.bump.input = recipe.texture;
+    recipe.bump.input =
+        number ? recipe.texture
+               : graph_of(fmt::format(R"({{"node": "split", "channel": "luminance", "input": {}}})",
+                                      one.json));
     recipe.texture.channels = {
         {number ? Channel::roughness : Channel::emissive, recipe.texture.result}};
     return recipe;
