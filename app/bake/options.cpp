@@ -106,8 +106,9 @@ void add_bake_options(CLI::App& verb, BakeCommand& command) {
         ->excludes("--compress");
     for (const char* option : {"--levels", "--compress", "--solid-map"})
         verb.get_option("--frames")->excludes(verb.get_option(option));
-    verb.add_option("--emit-glsl", command.emitted_glsl,
-                    "Write the texture as a GLSL 3.30 fragment shader to this file, for engines");
+    verb.add_option(
+        "--emit-glsl", command.emitted_glsl,
+        "Write the whole material as a GLSL 3.30 fragment shader to this file, for engines");
     add_pictures(verb, command);
     add_kernel(verb, command.kernel);
     verb.add_option("--synth", command.synth,

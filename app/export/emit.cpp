@@ -1,5 +1,8 @@
 #include "app/export/emit.h"
 
+#include <algorithm>
+#include <iterator>
+
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
@@ -9,6 +12,7 @@
 
 #include "app/base/shader_source.h"
 #include "app/base/version.h"
+#include "app/export/emit_material.h"
 #include "app/image/exr_stream.h"
 #include "app/pipeline/pipeline.h"
 #include "procedural/glsl/graph.h"
@@ -37,12 +41,14 @@ std::string header(const Recipe& recipe) {
     return fmt::format(R"(#version 330 core
 // Solid texture {}, written by Burl {} from its recipe.
 //
-// texture_color(solid) is the texture's colour in linear light at a point of solid space. To colour
-// a surface as it is drawn, call texture_color(solid_from_object * vec4(position, 1.0)) with the
-// position as it stands in the mesh's file. To fill the mesh's atlas, run main() once per texel (one
-// triangle over a target of the atlas's size) with the atlas's solid map, which burl bake --solid-map
-// writes. Encode the colours as sRGB, or let the target do it. They are point samples, and Burl's own
-// up to rounding to float32.
+// texture_color(solid) is the texture's colour in linear light, over black, at a point of solid space.
+// To colour a surface as it is drawn, call texture_color(solid_from_object * vec4(position, 1.0)) with
+// the position as it stands in the mesh's file. Of the same point texture_material(solid) is the whole
+// material, texture_height(solid) the height of its bumps, and texture_normal(solid, normal) the normal
+// with them. To fill the mesh's atlas with the colour, run main() once per texel (one triangle over a
+// target of the atlas's size) with the atlas's solid map, which burl bake --solid-map writes. Encode the
+// colours as sRGB, or let the target do it. They are point samples, and Burl's own up to rounding to
+// float32.
 )",
                        recipe.name.empty() ? "without a name" : in_comment(recipe.name),
                        burl_version());
@@ -80,6 +86,22 @@ std::string images_text(const GlslTexture& texture, const TextureGraph& graph) {
     return text;
 }
 
+/// The texture's graph with the images of the bumps beside its own.
+TextureGraph with_images_of_bumps(const Recipe& recipe) {
+    TextureGraph graph = recipe.texture;
+    std::ranges::copy(recipe.bump.input.images, std::back_inserter(graph.images));
+    return graph;
+}
+
+/// The text of all parts but numbers/real.glsl.
+std::string text_of(const GlslTexture& texture) {
+    std::string text = glsl_constant_tables(texture.tables, GlslReal::float32);
+    for (const GlslPart& part : texture.parts)
+        if (part.name != "numbers/real.glsl")
+            text += std::string(part.text.empty() ? embedded_shader(part.name) : part.text) + "\n";
+    return text;
+}
+
 constexpr const char* axes[] = {"X", "Y", "Z", "A"};
 constexpr const char* owner = "owner";
 
@@ -112,14 +134,12 @@ void encode(Imf::OStream& stream, const SolidMap& map, const Vec3d& base) {
 }  // namespace
 
 std::string emit_glsl(const Recipe& recipe, const Affine3& texture_from_mesh) {
-    const GlslTexture texture = glsl_graph(recipe.texture, GlslReal::float32);
-    std::string text = glsl_constant_tables(texture.tables, GlslReal::float32);
-    for (const GlslPart& part : texture.parts)
-        if (part.name != "numbers/real.glsl")
-            text += std::string(part.text.empty() ? embedded_shader(part.name) : part.text) + "\n";
-    return header(recipe) + images_text(texture, recipe.texture) + "\n" +
-           glsl_needed_by("texture_color", glsl_in_float(text)) + "\n" + matrix(texture_from_mesh) +
-           "\n" + main_function;
+    const GlslTexture texture = glsl_material(recipe.texture, recipe.bump.input, GlslReal::float32);
+    const std::string definitions = glsl_needed_by(
+        {"texture_color", "texture_planes", "bump_input"}, glsl_in_float(text_of(texture)));
+    return header(recipe) + images_text(texture, with_images_of_bumps(recipe)) + "\n" +
+           definitions + "\n" + matrix(texture_from_mesh) + "\n" +
+           emitted_material(recipe, texture_from_mesh) + "\n" + main_function;
 }
 
 WrittenSolidMap write_solid_map(const std::string& path, Pipeline& pipeline, int threads) {

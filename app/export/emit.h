@@ -12,9 +12,9 @@ class Pipeline;
 
 /// The text of a shader in readable GLSL 3.30 and float32, made without OpenGL. It defines `vec3
 /// texture_color(vec3 solid)` in linear light; the matrix `solid_from_object`, which maps the
-/// mesh's own coordinates to texture coordinates; and a main function that fills an atlas from its
-/// solid map. Throws Error(unsupported) for textures that shaders cannot evaluate
-/// (procedural/glsl/graph.h).
+/// mesh's own coordinates to texture coordinates; the whole material (emit_material.h); and a main
+/// function that fills an atlas with the colour from its solid map. Throws Error(unsupported) for
+/// textures and bumps that shaders cannot evaluate (procedural/glsl/graph.h).
 std::string emit_glsl(const Recipe& recipe, const Affine3& texture_from_mesh);
 
 /// A solid map's base, and its file.

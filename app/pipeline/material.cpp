@@ -23,13 +23,6 @@ constexpr std::array<std::pair<Channel, double Material::*>, 9> number_members{
      {Channel::sheen_roughness, &Material::sheen_roughness},
      {Channel::transmission, &Material::transmission}}};
 
-/// The number of a channel that does not vary.
-double constant_of(const Material& material, Channel channel) {
-    for (const auto& [known, member] : number_members)
-        if (known == channel) return material.*member;
-    return 1.0;
-}
-
 /// Makes plans of a recipe's channels.
 class Planner {
   public:
@@ -51,7 +44,7 @@ class Planner {
     PictureComponent number(Channel channel) const {
         if (const auto plane = planes_.of(channel)) return {1.0, plane};
         const bool factor = factors_ && channel != Channel::occlusion && !varies(channel);
-        return {factor ? 1.0 : constant_of(material_, channel)};
+        return {factor ? 1.0 : channel_number(material_, channel)};
     }
     bool is_occluded() const { return varies(Channel::occlusion) || material_.occlusion != 1.0; }
     static PictureComponent one() { return {1.0}; }
@@ -163,6 +156,12 @@ Image<Rgb8> normal_codes8(const Image<RgbF>& normals) {
 
 Image<Rgb16> normal_codes16(const Image<RgbF>& normals) {
     return normal_codes<std::uint16_t>(normals);
+}
+
+double channel_number(const Material& material, Channel channel) {
+    for (const auto& [known, member] : number_members)
+        if (known == channel) return material.*member;
+    return 1.0;
 }
 
 bool is_transparent(const Recipe& recipe) {

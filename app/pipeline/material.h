@@ -34,6 +34,9 @@ struct MaterialPicture {
     std::optional<std::size_t> roughness{};
 };
 
+/// The number of a channel that is no colour and does not vary.
+double channel_number(const Material& material, Channel channel);
+
 /// Whether the recipe's base colour may be transparent, and is to stay so.
 bool is_transparent(const Recipe& recipe);
 

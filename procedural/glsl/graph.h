@@ -19,6 +19,17 @@ std::string no_graph_shader(const TextureGraph& graph);
 /// is none.
 GlslTexture glsl_graph(const TextureGraph& graph, GlslReal real);
 
+/// Whether the shader of a whole material has a function of all planes: where its graph gives other
+/// channels or the base colour may be transparent.
+bool has_glsl_planes(const TextureGraph& graph);
+
+/// The shader of a whole material. It defines texture_color as glsl_graph() does; where
+/// has_glsl_planes(), `TexturePlanes texture_planes(real3 solid)`, a struct of `real4 base_color`,
+/// linear light times its alpha, and the graph's channels by their names, which evaluates once what
+/// they share; and, unless `height` is empty, `real4 bump_input(real3 solid)`, the height's number
+/// with its gradient. Throws Error(unsupported) where there is none.
+GlslTexture glsl_material(const TextureGraph& graph, const TextureGraph& height, GlslReal real);
+
 /// The reason why there is no shader for a graph whose nodes filter; empty where there is one.
 std::string no_filtered_shader(const TextureGraph& graph, const Filter& filter);
 

@@ -157,9 +157,9 @@ std::string glsl_in_float(std::string_view text) {
     return plain + branches.substr(done);
 }
 
-std::string glsl_needed_by(std::string_view root, std::string_view text) {
+std::string glsl_needed_by(const std::vector<std::string>& roots, std::string_view text) {
     std::vector<Definition> all = definitions_of(text);
-    std::vector<std::string> names{std::string(root)};
+    std::vector<std::string> names = roots;
     for (std::size_t i = 0; i < names.size(); ++i)
         for (Definition& definition : all) {
             if (definition.needed || !defines(definition, names[i])) continue;

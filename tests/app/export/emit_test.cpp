@@ -11,11 +11,9 @@
 
 #include "app/base/embedded.h"
 #include "app/bench/meshes.h"
-#include "app/gl/device/objects.h"
-#include "app/gl/device/target.h"
 #include "app/pipeline/pipeline.h"
 #include "procedural/maps/point_map.h"
-#include "tests/app/gl/device/fixture.h"
+#include "tests/app/export/emitted_shader.h"
 #include "tests/app/programs/run_program.h"
 #include "tests/procedural/graph/cases.h"
 
@@ -28,25 +26,8 @@ using test::Scratch;
 using testing::HasSubstr;
 using testing::Not;
 
-class GlEmitTest : public GlTest {
+class GlEmitTest : public EmittedShaderTest {
   protected:
-    /// The values that the shader's main function draws from the solid map.
-    std::vector<float> draw(const std::string& shader, const SolidMap& map, const Vec3d& base) {
-        const GladGLContext& gl = context->gl();
-        const GlProgram program = make_full_screen_program(gl, "an emitted shader",
-                                                           ShaderSource().add("emitted", shader));
-        const GlSize size(int(map.local.width()), int(map.local.height()));
-        const GlTexture texture = make_texture(gl, GL_RGBA32F, size, map.local.pixels());
-        const GlTarget target(gl, size, {GL_RGBA32F});
-        target.bind();
-        program.use();
-        program.set("solid_map", 0);
-        program.set("solid_base", Vec3f(base));
-        bind_texture(gl, 0, texture);
-        GlFullScreen(gl).draw();
-        return target.read<float>();
-    }
-
     /// Texels of a torus whose colours are further than 1e-4 from the host's.
     int texels_away(const Recipe& recipe) {
         Pipeline pipeline(torus(300));

@@ -37,7 +37,7 @@ TEST(GlslPlain, KeepsWhatTheRootNeeds) {
         "uint root(uint seed) {\n"
         "    return TWICE(mix_bits(seed));  // unlike left_out\n"
         "}\n";
-    EXPECT_EQ(glsl_needed_by("root", text),
+    EXPECT_EQ(glsl_needed_by({"root"}, text),
               "const uint prime = 7u,\n"
               "           other = 5u;\n"
               "\n"
@@ -49,8 +49,12 @@ TEST(GlslPlain, KeepsWhatTheRootNeeds) {
               "uint root(uint seed) {\n"
               "    return TWICE(mix_bits(seed));  // unlike left_out\n"
               "}\n");
-    EXPECT_EQ(glsl_needed_by("Site", text), "struct Site {\n    float place;\n};\n");
-    EXPECT_EQ(glsl_needed_by("nothing", text), "");
+    EXPECT_EQ(glsl_needed_by({"Site"}, text), "struct Site {\n    float place;\n};\n");
+    EXPECT_EQ(glsl_needed_by({"nothing"}, text), "");
+    EXPECT_EQ(glsl_needed_by({"unused", "nothing", "Site"}, text),
+              "const float unused = 1.0;\n"
+              "\n"
+              "struct Site {\n    float place;\n};\n");
 }
 
 TEST(GlslText, NumbersReadBackTheSame) {
