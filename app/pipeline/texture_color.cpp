@@ -84,7 +84,8 @@ FilteredColor filter_width_grey(const Recipe& recipe) {
     if (!texture)
         throw Error(ExitCode::usage,
                     fmt::format("--widths: the texture of '{}' is a graph, which has no single "
-                                "filter width; use a recipe that is a color_map of a field",
+                                "filter width; use a recipe that is an opaque color_map of a "
+                                "field",
                                 recipe.name));
     return [octaves = expand_octaves(*texture), quadric = texture->quadric](
                const Vec3d& s, const Footprint& covered) {

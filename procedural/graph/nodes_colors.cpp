@@ -7,7 +7,9 @@ namespace burl::nodes {
 namespace {
 
 Outputs color_map(NodeOps& node) {
-    return node.opaque(MapColors{&node.texture().colors}, {node.input(0)});
+    const ColorMap& map = node.texture().colors;
+    if (is_opaque(map)) return node.opaque(MapColors{&map}, {node.input(0)});
+    return node.with_alpha(MapColors{&map}, MapColors{&map, true}, {node.input(0)});
 }
 
 Outputs layer_over(NodeOps& node) {
