@@ -135,7 +135,7 @@ struct CellFeature {
 };
 
 /// The mean over the footprint of an image at a point's first two coordinates: red, green and blue,
-/// linear light.
+/// linear light times alpha. Of an image's alpha it is that of the map MipImage::alpha.
 struct ImageColors {
     std::shared_ptr<const MipImage> pixels;
     bool ewa = false;         ///< elliptically weighted average instead of trilinear lookup
