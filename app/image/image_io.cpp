@@ -284,6 +284,20 @@ PngColors decode_png_with_alpha(std::span<const std::uint8_t> bytes, const std::
     return read_pixels<Rgb8>(reader, origin);
 }
 
+std::pair<Image<Rgb8>, Image<Grey8>> colors_and_alpha(PngColors image) {
+    if (auto* opaque = std::get_if<Image<Rgb8>>(&image)) return {std::move(*opaque), {}};
+    const auto& both = std::get<Image<Rgba8>>(image);
+    Image<Rgb8> colors(both.width(), both.height());
+    Image<Grey8> alpha(both.width(), both.height());
+    for (std::size_t y = 0; y < both.height(); ++y)
+        for (std::size_t x = 0; x < both.width(); ++x) {
+            const Rgba8& p = both(x, y);
+            colors(x, y) = {p.r, p.g, p.b};
+            alpha(x, y) = p.a;
+        }
+    return {std::move(colors), std::move(alpha)};
+}
+
 Image<Rgb8> read_png(const std::string& path) {
     return decode_png(read_png_bytes(path), path);
 }
