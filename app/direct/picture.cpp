@@ -280,8 +280,7 @@ DirectPicture::DirectPicture(const DirectOptions& options)
 }
 
 FilteredColor DirectPicture::color_of(const Recipe& recipe, FilterKind otherwise) const {
-    return widths_ ? filter_width_grey(recipe)
-                   : filtered_color(recipe, filter_.value_or(otherwise));
+    return widths_ ? filter_width_grey(recipe) : shown_color(recipe, filter_.value_or(otherwise));
 }
 
 std::vector<PlaneLayer> DirectPicture::layers(const PictureRecipes& recipes) const {
@@ -311,7 +310,7 @@ Image<Rgb8> DirectPicture::draw_posed(const Recipe& recipe,
         const auto rest = [&](const Vec3d& step) {
             return step_at_rest(posed, mesh_, point.triangle, step);
         };
-        return Vec3d(color(position(mesh_, point), {rest(steps.u), rest(steps.v)}));
+        return color(position(mesh_, point), {rest(steps.u), rest(steps.v)});
     };
     const std::vector<Vec3f> normals = blended_normals(normals_, posed_normals_, weight);
     return render_samples({posed, normals, at, {}, planes}, camera_, picture_);
@@ -329,7 +328,7 @@ Image<Rgb8> DirectPicture::operator()(const PictureRecipes& recipes) const {
         bumped = bumped_normals(recipe, mesh_);
     }
     const SampleColor at = [&](const SurfacePoint& point, const Footprint& steps) {
-        return Vec3d(color(position(mesh_, point), steps));
+        return color(position(mesh_, point), steps);
     };
     return render_samples({mesh_, normals_, at, bumped, planes}, camera_, picture_);
 }

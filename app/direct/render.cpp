@@ -47,8 +47,8 @@ Mat3d cofactors(const Mat3d& m) {
     return {glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1])};
 }
 
-/// The mesh's colour at sample (x, y), which `t` covers.
-Vec3d shade(const Surface& surface, const ScreenTriangle& t, int x, int y) {
+/// The mesh's colour at sample (x, y), which `t` covers, premultiplied by alpha.
+Vec4d shade(const Surface& surface, const ScreenTriangle& t, int x, int y) {
     const Mesh& mesh = surface.scene.mesh;
     const Vec3d weights = barycentrics(t, x, y);
     const auto steps = barycentric_steps(t, x, y, weights);
@@ -61,14 +61,15 @@ Vec3d shade(const Surface& surface, const ScreenTriangle& t, int x, int y) {
         covered.v += steps[1][int(k)] * corner;
         normal += weights[int(k)] * Vec3d(surface.scene.normals[3 * std::size_t(t.triangle) + k]);
     }
-    const Vec3d color = surface.scene.color({t.triangle, weights}, covered);
+    const Vec4d color = surface.scene.color({t.triangle, weights}, covered);
     if (!surface.lit) return color;
+    const auto under = [&](double light) { return Vec4d(Vec3d(color) * light, color.w); };
     const Mat3d to_scene = cofactors(Mat3d(*t.placement));
     const Vec3d to_eye = surface.camera.eye - Vec3d(*t.placement * Vec4d(point, 1.0));
     if (!surface.scene.bumped || normal == Vec3d(0.0))
-        return color * headlight(to_scene * normal, to_eye);
+        return under(headlight(to_scene * normal, to_eye));
     const Vec3d bumped = surface.scene.bumped(point, glm::normalize(normal));
-    return color * headlight(to_scene * normal, to_scene * bumped, to_eye);
+    return under(headlight(to_scene * normal, to_scene * bumped, to_eye));
 }
 
 struct LayerHit {
@@ -76,42 +77,87 @@ struct LayerHit {
     PlaneHit at;
 };
 
-/// Collects the planes whose intersections at sample (x, y) are nearer than `depth`, nearest first.
-void find_planes(const Surface& surface, int x, int y, double depth, std::vector<LayerHit>& hits) {
+/// What a sample shows of all that is nearer than `depth`, and the share of what lies behind.
+struct SampleSum {
+    Vec3d light{0.0};
+    double shows = 1.0, depth = 0.0;
+
+    bool is_open() const { return shows > 0.0; }
+    void add(const Vec4d& color, double light_share = 1.0) {
+        light += shows * light_share * Vec3d(color);
+        shows *= 1.0 - color.w;
+    }
+};
+
+/// Collects the planes whose intersections at sample (x, y) are nearer than `depth`, but no nearer
+/// than `from`, nearest first.
+void find_planes(const Surface& surface, int x, int y, double from, double depth,
+                 std::vector<LayerHit>& hits) {
     hits.clear();
     for (const PlaneLayer& layer : surface.scene.planes) {
         const auto hit = meet(surface.rays, x, y, layer.plane);
-        if (hit && hit->depth < depth) hits.push_back({&layer, *hit});
+        if (hit && hit->depth >= from && hit->depth < depth) hits.push_back({&layer, *hit});
     }
     std::stable_sort(hits.begin(), hits.end(),
                      [](const LayerHit& a, const LayerHit& b) { return a.at.depth < b.at.depth; });
 }
 
-/// Composites the planes over one another, and over `behind` as far as they are transparent.
-Vec3d covered_by(const Surface& surface, std::span<const LayerHit> hits, const Vec3d& behind) {
-    Vec3d sum(0.0);
-    double shows = 1.0;
+/// Adds the planes as far as they are seen.
+void add_planes(const Surface& surface, std::span<const LayerHit> hits, SampleSum& sum) {
     for (const LayerHit& hit : hits) {
+        if (!sum.is_open()) return;
         const Vec4d color = hit.layer->color(hit.at.point, hit.at.steps);
         const double light =
             surface.lit ? headlight(hit.layer->plane.normal, surface.camera.eye - hit.at.point)
                         : 1.0;
-        sum += shows * light * Vec3d(color);
-        shows *= 1.0 - color.w;
-        if (!(shows > 0.0)) return sum;
+        sum.add(color, light);
     }
-    return sum + shows * behind;
 }
 
-/// The colour of sample (x, y); `visible` is the triangle there, or nothing_visible.
-Vec3d sample_color(const Surface& surface, std::span<const ScreenTriangle> triangles,
-                   std::uint32_t visible, int x, int y, std::vector<LayerHit>& hits) {
-    const ScreenTriangle* t = visible == nothing_visible ? nullptr : &triangles[visible];
+/// Adds what sample (x, y) shows up to the triangle `t`, or up to the background where it is null.
+void add_layer(const Surface& surface, const ScreenTriangle* t, int x, int y,
+               std::vector<LayerHit>& hits, SampleSum& sum) {
     const double depth =
         t ? depth_of(*t, surface.camera, x, y) : std::numeric_limits<double>::infinity();
-    find_planes(surface, x, y, depth, hits);
-    const Vec3d behind = t ? shade(surface, *t, x, y) : background_linear();
-    return covered_by(surface, hits, behind);
+    find_planes(surface, x, y, sum.depth, depth, hits);
+    add_planes(surface, hits, sum);
+    sum.depth = depth;
+    if (!sum.is_open()) return;
+    sum.add(t ? shade(surface, *t, x, y) : Vec4d(background_linear(), 1.0));
+}
+
+/// Some rows of samples of a picture, from `first_row` on.
+struct SampleBand {
+    std::span<const ScreenTriangle> triangles;
+    std::span<const std::uint32_t> candidates;  ///< the triangles that may reach these rows
+    int width = 0, first_row = 0, rows = 0;
+};
+
+/// Draws the rows: the frontmost triangles, then, where they are transparent, those behind them.
+Image<RgbF> draw_band(const Surface& surface, const SampleBand& band) {
+    const auto& [triangles, candidates, width, first_row, rows] = band;
+    auto front = visible_triangles(triangles, candidates, surface.camera, width, first_row, rows);
+    std::vector<SampleSum> sums(front.size());
+    std::vector<LayerHit> hits;
+    for (bool open = true; open;) {
+        open = false;
+        for (std::size_t k = 0; k < sums.size(); ++k) {
+            if (!sums[k].is_open()) continue;
+            const ScreenTriangle* t = front[k] == nothing_visible ? nullptr : &triangles[front[k]];
+            add_layer(surface, t, int(k) % width, first_row + int(k) / width, hits, sums[k]);
+            if (!sums[k].is_open()) front[k] = nothing_visible;
+            open = open || sums[k].is_open();
+        }
+        if (open)
+            front = triangles_behind(front, triangles, candidates, surface.camera, width, first_row,
+                                     rows);
+    }
+    Image<RgbF> drawn{std::size_t(width), std::size_t(rows)};
+    for (std::size_t k = 0; k < sums.size(); ++k) {
+        const Vec3d& c = sums[k].light;
+        drawn(k % drawn.width(), k / drawn.width()) = {float(c.x), float(c.y), float(c.z)};
+    }
+    return drawn;
 }
 
 }  // namespace
@@ -158,18 +204,8 @@ Image<Rgb8> render_samples(const DirectScene& scene, const Camera& camera,
     tbb::parallel_for(std::size_t(0), bands.size(), [&](std::size_t band) {
         const int first_row = int(band) * band_rows * n;
         const int rows = std::min(band_rows * n, samples.height - first_row);
-        const auto visible =
-            visible_triangles(triangles, bands[band], camera, samples.width, first_row, rows);
-        Image<RgbF> drawn(std::size_t(samples.width), std::size_t(rows));
-        std::vector<LayerHit> hits;
-        for (int j = 0; j < rows; ++j) {
-            for (int i = 0; i < samples.width; ++i) {
-                const auto x = std::size_t(i), y = std::size_t(j);
-                const std::uint32_t index = visible[y * drawn.width() + x];
-                const Vec3d c = sample_color(surface, triangles, index, i, first_row + j, hits);
-                drawn(x, y) = {float(c.x), float(c.y), float(c.z)};
-            }
-        }
+        const Image<RgbF> drawn =
+            draw_band(surface, {triangles, bands[band], samples.width, first_row, rows});
         resolve_samples(drawn, n, encode, picture, 0, band * std::size_t(band_rows));
     });
     return picture;
@@ -178,7 +214,7 @@ Image<Rgb8> render_samples(const DirectScene& scene, const Camera& camera,
 Image<Rgb8> render_points(const Mesh& mesh, std::span<const Vec3f> normals, const PointColor& color,
                           const Camera& camera, const PictureOptions& options) {
     const SampleColor at = [&](const SurfacePoint& point, const Footprint&) {
-        return color(point);
+        return Vec4d(color(point), 1.0);
     };
     return render_samples({mesh, normals, at, {}, {}}, camera, options);
 }

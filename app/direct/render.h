@@ -58,9 +58,10 @@ std::optional<PlaneHit> meet(const SampleRays& rays, int x, int y, const Plane& 
 /// The linear-light colour of a point of a triangle. Called from several threads.
 using PointColor = std::function<Vec3d(const SurfacePoint& point)>;
 
-/// The linear-light colour of a sample: of a point of a triangle whose footprint, its displacement
-/// between neighbouring samples, is `steps` (mesh coordinates). Called from several threads.
-using SampleColor = std::function<Vec3d(const SurfacePoint& point, const Footprint& steps)>;
+/// The linear-light colour of a sample, premultiplied by alpha: of a point of a triangle whose
+/// footprint, its displacement between neighbouring samples, is `steps` (mesh coordinates). Called
+/// from several threads.
+using SampleColor = std::function<Vec4d(const SurfacePoint& point, const Footprint& steps)>;
 
 /// A plane to the horizon and its colours at points of the scene, premultiplied by alpha; the plane
 /// is transparent where alpha is below 1.
@@ -78,8 +79,9 @@ struct DirectScene {
     std::span<const PlaneLayer> planes;
 };
 
-/// Draws mesh and planes, nearer ones over farther ones: every placement of every part of the mesh,
-/// all with the colours of the first. Bit-identical for every thread count.
+/// Draws mesh and planes, nearer ones over farther ones as far as they are transparent: every
+/// placement of every part of the mesh, all with the colours of the first. Bit-identical for every
+/// thread count.
 Image<Rgb8> render_samples(const DirectScene& scene, const Camera& camera,
                            const PictureOptions& options);
 

@@ -72,15 +72,25 @@ void main() {
 }
 )";
 
+/// The sentence about a shader's image, if it is that of the file or its alpha; else empty.
+std::string image_text(const GlslImage& image, const GraphImage& known) {
+    const std::string file = in_comment(known.file);
+    if (image.pixels.get() == known.pixels->alpha())
+        return fmt::format("// {} is the alpha of the image {}, as a grey, its top row first.\n",
+                           image.uniform, file);
+    if (image.pixels != known.pixels) return "";
+    return fmt::format(
+        "// {} is the image {}, decoded to linear light (an sRGB texture){}, "
+        "its top row first.\n",
+        image.uniform, file, known.pixels->alpha() ? " and multiplied by its alpha" : "");
+}
+
 std::string images_text(const GlslTexture& texture, const TextureGraph& graph) {
     std::string text;
     for (const GlslImage& image : texture.images)
         for (const GraphImage& known : graph.images)
-            if (known.pixels == image.pixels) {
-                text += fmt::format(
-                    "// {} is the image {}, decoded to linear light (an sRGB texture), "
-                    "its top row first.\n",
-                    image.uniform, in_comment(known.file));
+            if (const std::string sentence = image_text(image, known); !sentence.empty()) {
+                text += sentence;
                 break;
             }
     return text;

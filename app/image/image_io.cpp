@@ -104,8 +104,9 @@ void refuse_hostile_size(Reader& r) {
     }
 }
 
-/// Reads the header and sets up the conversion to 8-bit RGB rows; false after a libpng error.
-bool read_header(Reader& r) {
+/// Reads the header and sets up the conversion to 8-bit rows, RGB, or RGBA where there is alpha
+/// that is to be kept; false after a libpng error.
+bool read_header(Reader& r, bool keeps_alpha = false) {
     if (setjmp(png_jmpbuf(r.png))) return false;
     png_set_user_limits(r.png, max_side, max_side);
     png_set_read_fn(r.png, &r.source, on_read);
@@ -115,7 +116,10 @@ bool read_header(Reader& r) {
     png_set_expand_gray_1_2_4_to_8(r.png);
     png_set_gray_to_rgb(r.png);
     png_set_scale_16(r.png);
-    png_set_strip_alpha(r.png);
+    if (!keeps_alpha)
+        png_set_strip_alpha(r.png);
+    else if (png_get_valid(r.png, r.info, PNG_INFO_tRNS))
+        png_set_tRNS_to_alpha(r.png);
     r.passes = png_set_interlace_handling(r.png);
     png_read_update_info(r.png, r.info);
     return true;
@@ -246,18 +250,52 @@ void refuse_other_formats(std::span<const std::uint8_t> bytes, const std::string
 
 }  // namespace
 
+namespace {
+
+Error damaged_png(const Reader& reader, const std::string& origin) {
+    return invalid_file(origin, 0, fmt::format("damaged PNG image: {}", reader.message.text));
+}
+
+/// The pixels of a file whose header has been read, of as many bytes as its rows have.
+template <class Pixel>
+Image<Pixel> read_pixels(Reader& reader, const std::string& origin) {
+    Image<Pixel> image(png_get_image_width(reader.png, reader.info),
+                       png_get_image_height(reader.png, reader.info));
+    auto* pixels = reinterpret_cast<std::uint8_t*>(image.row(0).data());
+    if (!read_rows(reader, pixels, image.width() * sizeof(Pixel), image.height()))
+        throw damaged_png(reader, origin);
+    return image;
+}
+
+}  // namespace
+
 Image<Rgb8> decode_png(std::span<const std::uint8_t> bytes, const std::string& origin) {
     refuse_other_formats(bytes, origin);
     Reader reader(bytes);
-    const auto fail = [&] {
-        return invalid_file(origin, 0, fmt::format("damaged PNG image: {}", reader.message.text));
-    };
-    if (!reader.info || !read_header(reader)) throw fail();
-    Image<Rgb8> image(png_get_image_width(reader.png, reader.info),
-                      png_get_image_height(reader.png, reader.info));
-    auto* pixels = reinterpret_cast<std::uint8_t*>(image.row(0).data());
-    if (!read_rows(reader, pixels, image.width() * 3, image.height())) throw fail();
-    return image;
+    if (!reader.info || !read_header(reader)) throw damaged_png(reader, origin);
+    return read_pixels<Rgb8>(reader, origin);
+}
+
+PngColors decode_png_with_alpha(std::span<const std::uint8_t> bytes, const std::string& origin) {
+    refuse_other_formats(bytes, origin);
+    Reader reader(bytes);
+    if (!reader.info || !read_header(reader, true)) throw damaged_png(reader, origin);
+    if (png_get_channels(reader.png, reader.info) == 4) return read_pixels<Rgba8>(reader, origin);
+    return read_pixels<Rgb8>(reader, origin);
+}
+
+std::pair<Image<Rgb8>, Image<Grey8>> colors_and_alpha(PngColors image) {
+    if (auto* opaque = std::get_if<Image<Rgb8>>(&image)) return {std::move(*opaque), {}};
+    const auto& both = std::get<Image<Rgba8>>(image);
+    Image<Rgb8> colors(both.width(), both.height());
+    Image<Grey8> alpha(both.width(), both.height());
+    for (std::size_t y = 0; y < both.height(); ++y)
+        for (std::size_t x = 0; x < both.width(); ++x) {
+            const Rgba8& p = both(x, y);
+            colors(x, y) = {p.r, p.g, p.b};
+            alpha(x, y) = p.a;
+        }
+    return {std::move(colors), std::move(alpha)};
 }
 
 Image<Rgb8> read_png(const std::string& path) {

@@ -39,7 +39,8 @@ std::string idle_kernel(const Recipe& recipe, Kernel kernel) {
     if (kernel == Kernel::automatic) return "";
     const Texture* texture = plain_texture(recipe.texture);
     if (!texture)
-        return "the texture has other nodes than a color_map over a field, whose noise has one way";
+        return "the texture has other nodes than a color_map over a field, or transparent stops, "
+               "and its noise has one way";
     if (!has_fast_way(recipe, {})) return "only --precision float32 has it";
     if (std::ranges::none_of(expand_octaves(*texture), on_lattice))
         return "only value and perlin noise without a period, time or turbulence has it";

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <tbb/enumerable_thread_specific.h>
 
+#include "app/pipeline/material.h"
 #include "atlas/base/error.h"
 #include "procedural/color/srgb.h"
 #include "procedural/fixed/field.h"
@@ -60,6 +61,34 @@ Vec4d color_and_alpha(const GraphSample& sample) {
     return {sample.color(), sample.wire == Wire::number ? 1.0 : sample.channels[3].value};
 }
 
+/// A number at texture coordinates, over a footprint.
+using FilteredNumber = std::function<double(const Vec3d& s, const Footprint& footprint)>;
+
+/// The recipe's opacity, a number or a channel of its graph, in [0, 1].
+FilteredNumber opacity_at(const Recipe& recipe, FilterKind kind) {
+    TextureGraph graph = recipe.texture;
+    const auto channel =
+        std::ranges::find(graph.channels, Channel::opacity, &GraphChannel::channel);
+    const double factor = recipe.material.opacity;
+    if (channel == graph.channels.end())
+        return [factor](const Vec3d&, const Footprint&) { return factor; };
+    graph.result = channel->node;
+    graph.channels.clear();
+    const Filter filter{kind, recipe.filter.samples, recipe.filter.band_limit};
+    const auto number = std::make_shared<GraphSampler>(graph, filter);
+    const bool filtered = kind != FilterKind::none;
+    return [number, filtered, factor](const Vec3d& s, const Footprint& footprint) {
+        const GraphSample sample = (*number)(s, filtered ? footprint : Footprint{});
+        return std::clamp(factor * sample.channels[0].value, 0.0, 1.0);
+    };
+}
+
+/// The colour without its alpha from `cutoff` on, and nothing below.
+Vec4d masked(const Vec4d& color, double cutoff) {
+    if (color.w < cutoff) return Vec4d(0.0);
+    return {Vec3d(color) / (color.w > 0.0 ? color.w : 1.0), 1.0};
+}
+
 }  // namespace
 
 FilteredColor filtered_color(const Recipe& recipe, FilterKind kind) {
@@ -79,12 +108,29 @@ FilteredColor filtered_color(const Recipe& recipe, FilterKind kind) {
     };
 }
 
+FilteredColor shown_color(const Recipe& recipe, FilterKind kind) {
+    FilteredColor color = filtered_color(recipe, kind);
+    const Material& material = recipe.material;
+    if (material.alpha == AlphaMode::opaque)
+        return [color = std::move(color)](const Vec3d& s, const Footprint& footprint) {
+            return Vec4d(Vec3d(color(s, footprint)), 1.0);
+        };
+    if (!is_transparent(recipe)) return color;
+    const bool masks = material.alpha == AlphaMode::mask;
+    return [color = std::move(color), opacity = opacity_at(recipe, kind), masks,
+            cutoff = material.alpha_cutoff](const Vec3d& s, const Footprint& footprint) {
+        const Vec4d shown = opacity(s, footprint) * color(s, footprint);
+        return masks ? masked(shown, cutoff) : shown;
+    };
+}
+
 FilteredColor filter_width_grey(const Recipe& recipe) {
     const Texture* texture = plain_texture(recipe.texture);
     if (!texture)
         throw Error(ExitCode::usage,
                     fmt::format("--widths: the texture of '{}' is a graph, which has no single "
-                                "filter width; use a recipe that is a color_map of a field",
+                                "filter width; use a recipe that is an opaque color_map of a "
+                                "field",
                                 recipe.name));
     return [octaves = expand_octaves(*texture), quadric = texture->quadric](
                const Vec3d& s, const Footprint& covered) {

@@ -19,6 +19,11 @@ using FilteredColor = std::function<Vec4d(const Vec3d& s, const Footprint& footp
 /// Error(usage) for a filter of a recipe in fixed point.
 FilteredColor filtered_color(const Recipe& recipe, FilterKind kind);
 
+/// The colour that pictures show: that of filtered_color() times the recipe's opacity, and what
+/// `material.alpha` makes of it. A mask is there whole or not at all, and what is `opaque` shows
+/// black where it is transparent. Throws as filtered_color() does.
+FilteredColor shown_color(const Recipe& recipe, FilterKind kind);
+
 /// The filter's width instead of the colour (Hart et al. 1999, figure 9c): a grey whose sRGB code
 /// is w - 1 where the footprint covers w entries of a colour table of 256; w is clamped to [1,
 /// 256]. Throws Error(usage) for a recipe whose texture is a graph, which has no single colour map.

@@ -11,6 +11,7 @@
 #include "app/recipe/schema_check.h"
 #include "app/recipe/spelling.h"
 #include "procedural/graph/json.h"
+#include "procedural/model/texture_json.h"
 
 namespace burl {
 
@@ -32,9 +33,17 @@ std::string noise_problem(const Json& term) {
     return repeats ? "noise with a period" : "";
 }
 
+bool has_transparent_stop(const Json& map) {
+    const Json stops = map.value("stops", Json::array());
+    return std::ranges::any_of(
+        stops, [](const Json& stop) { return alpha_from_hex(stop[1].get<std::string>()) < 255; });
+}
+
 std::string texture_problem(const Json& texture) {
     if (is_graph(texture))
         return "the texture has other nodes than a color_map over a field; use float64";
+    if (has_transparent_stop(texture))
+        return "a stop of texture.stops is transparent; use float64, or leave its alpha out";
     const Json none = Json::object();
     const Json& field = texture.contains("input") ? texture["input"] : none;
     if (!field.contains("noise")) return "";

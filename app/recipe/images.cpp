@@ -41,7 +41,10 @@ std::shared_ptr<const MipImage> RecipeImages::pyramid(const std::string& path, I
     if (known) return known;
     const std::vector<std::uint8_t> bytes = read_png_bytes(path);
     digests_.add(path, bytes);
-    return known = std::make_shared<const MipImage>(decode_png(bytes, path), wrap);
+    const auto pyramid_of = [&](const auto& image) {
+        return std::make_shared<const MipImage>(image, wrap);
+    };
+    return known = std::visit(pyramid_of, decode_png_with_alpha(bytes, path));
 }
 
 Recipe parse_recipe(const std::string& json, const std::string& origin,

@@ -88,10 +88,11 @@ class LeafWalk {
         Json value = node.contains(name)      ? node[name]
                      : input.fallback.empty() ? Json()
                                               : Json::parse(input.fallback);
-        if (!value.is_number() && (!value.is_string() || is_graph_name(value))) return;
-        const ParameterType type = value.is_string() ? ParameterType::color : ParameterType::number;
-        const Parameter parameter{input.key, type, -1e6,           1e6, 0.05,
-                                  1,         "",   input.fallback, "",  input.tip};
+        const bool color = value.is_string() && !is_graph_name(value);
+        if (!value.is_number() && !color) return;
+        const ParameterType type = color ? ParameterType::color : ParameterType::number;
+        Parameter parameter{input.key, type, -1e6, 1e6, 0.05, 1, "", input.fallback, "", input.tip};
+        parameter.alpha = color;
         leaves.push_back({join(path, name), group, name,
                           std::make_shared<const Parameter>(parameter), std::move(value)});
     }

@@ -46,7 +46,8 @@ std::string expectation(const Parameter& p) {
             return (p.choices.find('|') == std::string_view::npos ? "" : "one of ") +
                    quoted_list(split_choices(p.choices));
         case ParameterType::color:
-            return "an sRGB colour \"#rrggbb\"";
+            return p.alpha ? "an sRGB colour \"#rrggbb\" or \"#rrggbbaa\""
+                           : "an sRGB colour \"#rrggbb\"";
     }
     return {};
 }
@@ -57,8 +58,8 @@ bool number_fits(const Parameter& p, const Json& value) {
     return std::isfinite(x) && x >= p.low && x <= p.high;
 }
 
-bool is_hex_color(const std::string& text) {
-    return text.size() == 7 && text[0] == '#' &&
+bool is_hex_color(const Parameter& p, const std::string& text) {
+    return (text.size() == 7 || (p.alpha && text.size() == 9)) && text[0] == '#' &&
            text.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
 }
 
@@ -84,7 +85,7 @@ bool fits(const Parameter& p, const Json& value) {
         case ParameterType::text:
             return value.is_string() && is_utf8(value);
         case ParameterType::color:
-            return value.is_string() && is_hex_color(value.get_ref<const std::string&>());
+            return value.is_string() && is_hex_color(p, value.get_ref<const std::string&>());
         case ParameterType::choice: {
             const auto words = split_choices(p.choices);
             return value.is_string() &&

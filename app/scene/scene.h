@@ -30,14 +30,26 @@ struct SceneTexture {
     /// needed.
     std::vector<Image<Rgb8>> levels{};
     bool is_color = true;  ///< false for data in linear codes (normals)
+    /// Alpha of the image and, as many as there are, of its levels; empty where all is opaque.
+    Image<Grey8> alpha{};
+    std::vector<Image<Grey8>> alpha_levels{};
+};
+
+/// The use that a material makes of alpha, as glTF defines it.
+enum class SceneAlpha {
+    opaque,  ///< none
+    mask,    ///< what is below the cutoff is not there
+    blend    ///< the share of the colour over what lies behind
 };
 
 struct SceneMaterial {
-    Vec4f factor{1.0f};  ///< linear; multiplies the texture's colour; alpha is ignored
+    Vec4f factor{1.0f};  ///< linear; multiplies the texture's colour and alpha
     int texture = -1;    ///< an index into Scene::textures; -1: white
     /// The index into Scene::textures of a tangent-space normal map; -1: none.
     int normals = -1;
     float normal_scale = 1.0f;
+    SceneAlpha alpha = SceneAlpha::opaque;
+    float alpha_cutoff = 0.5f;
 };
 
 /// The morph target of a surface: changes per vertex, which are scaled by the target's weight.

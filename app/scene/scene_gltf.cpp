@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <map>
 #include <string_view>
+#include <tuple>
 
 #include "app/image/image_io.h"
 #include "app/scene/scene.h"
@@ -192,6 +193,9 @@ class GltfSceneLoader {
         for (std::size_t k = 0; k < 4 && factor.size() == 4; ++k) {
             surface.material.factor[int(k)] = float(factor[k]);
         }
+        if (material.alphaMode == "MASK") surface.material.alpha = SceneAlpha::mask;
+        if (material.alphaMode == "BLEND") surface.material.alpha = SceneAlpha::blend;
+        surface.material.alpha_cutoff = float(material.alphaCutoff);
         if (material.normalTexture.index >= 0)
             set_normal_map(surface, material.normalTexture, where);
         const tinygltf::TextureInfo& info = material.pbrMetallicRoughness.baseColorTexture;
@@ -237,7 +241,7 @@ class GltfSceneLoader {
         const tinygltf::Texture& source = model_.textures[std::size_t(number)];
         SceneTexture texture;
         texture.is_color = is_color;
-        texture.image = image(source.source);
+        std::tie(texture.image, texture.alpha) = colors_and_alpha(image(source.source));
         add_levels(texture, source);
         if (source.sampler >= 0) {
             const tinygltf::Sampler& sampler = model_.samplers[std::size_t(source.sampler)];
@@ -259,15 +263,16 @@ class GltfSceneLoader {
             if (!number.IsInt() || number.GetNumberAsInt() < 0 ||
                 std::size_t(number.GetNumberAsInt()) >= model_.images.size())
                 return;
-            Image<Rgb8> level = image(number.GetNumberAsInt());
+            auto [level, alpha] = colors_and_alpha(image(number.GetNumberAsInt()));
             width = std::max<std::size_t>(1, width / 2);
             height = std::max<std::size_t>(1, height / 2);
             if (level.width() != width || level.height() != height) return;
             texture.levels.push_back(std::move(level));
+            if (texture.alpha.width() > 0) texture.alpha_levels.push_back(std::move(alpha));
         }
     }
 
-    Image<Rgb8> image(int number) {
+    PngColors image(int number) {
         const std::string where = fmt::format("images[{}]", number);
         if (number < 0) {
             throw Error(
@@ -284,7 +289,7 @@ class GltfSceneLoader {
             throw Error(ExitCode::unsupported,
                         fmt::format("{}: {} is {}; convert it to PNG", path_, where, type));
         }
-        return decode_png(image.image, fmt::format("{}: {}", path_, where));
+        return decode_png_with_alpha(image.image, fmt::format("{}: {}", path_, where));
     }
 
     /// Gives every triangle vertices of its own with its face normal, as glTF requires where a

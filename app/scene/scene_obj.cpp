@@ -4,6 +4,7 @@
 #include <optional>
 #include <set>
 #include <string_view>
+#include <tuple>
 
 #include "app/image/image_io.h"
 #include "app/scene/scene.h"
@@ -52,6 +53,7 @@ struct ObjMaterial {
     Vec4f color{1.0f};
     std::string map;      ///< map_Kd as written; empty: none
     std::string normals;  ///< norm as written; empty: none
+    std::string alpha;    ///< map_d as written; empty: none
 };
 
 Vec4f parse_color(const FileBuffer& file, std::string_view rest) {
@@ -75,6 +77,8 @@ std::optional<ObjMaterial> parse_material(const FileBuffer& file, const std::str
             material->map = rest;
         } else if (inside && keyword == "norm") {
             material->normals = rest;
+        } else if (inside && keyword == "map_d") {
+            material->alpha = rest;
         }
     });
     return material;
@@ -115,7 +119,8 @@ bool is_png(const std::filesystem::path& file) {
     return file.extension() == ".png" || file.extension() == ".PNG";
 }
 
-Image<Rgb8> read_map(const std::string& obj_path, const char* keyword, const std::string& map) {
+/// The colours of a map, and their alpha.
+PngColors read_map(const std::string& obj_path, const char* keyword, const std::string& map) {
     if (map.starts_with('-')) {
         throw Error(ExitCode::unsupported,
                     fmt::format("{}: options of {} ({}) are not supported; leave only the file "
@@ -128,7 +133,19 @@ Image<Rgb8> read_map(const std::string& obj_path, const char* keyword, const std
                                                        "it to PNG",
                                                        obj_path, printable(map)));
     }
-    return read_png((std::filesystem::path(obj_path).parent_path() / file).string());
+    const std::string png = (std::filesystem::path(obj_path).parent_path() / file).string();
+    return decode_png_with_alpha(read_png_bytes(png), png);
+}
+
+/// Whether alpha is that of the colours' map; a note is made of any other, which is not drawn.
+bool has_own_alpha(const std::string& path, const ObjMaterial& material,
+                   std::vector<std::string>& notes) {
+    if (material.alpha.empty()) return false;
+    if (material.alpha == material.map || material.alpha == "-imfchan m " + material.map)
+        return true;
+    notes.push_back(fmt::format("{}: map_d {} is another file than map_Kd; drawn opaque", path,
+                                printable(material.alpha)));
+    return false;
 }
 
 }  // namespace
@@ -148,13 +165,15 @@ Scene load_obj_scene(const std::string& path) {
     std::vector<SceneTexture> textures;
     std::vector<std::string> files;
     const auto add_texture = [&](const char* keyword, const std::string& map, bool is_color) {
-        textures.push_back({read_map(path, keyword, map)});
-        textures.back().is_color = is_color;
+        SceneTexture& texture = textures.emplace_back();
+        std::tie(texture.image, texture.alpha) = colors_and_alpha(read_map(path, keyword, map));
+        texture.is_color = is_color;
         files.push_back((folder / map).string());
         return int(textures.size()) - 1;
     };
     if (material) files.push_back((folder / use.library).string());
     if (mapped && !material->map.empty()) look.texture = add_texture("map_Kd", material->map, true);
+    if (look.texture >= 0 && has_own_alpha(path, *material, notes)) look.alpha = SceneAlpha::blend;
     if (mapped && !material->normals.empty()) {
         if (is_png(material->normals) && file_exists(folder / material->normals))
             look.normals = add_texture("norm", material->normals, false);

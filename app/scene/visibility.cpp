@@ -68,6 +68,56 @@ double at(const Vec3d& linear, double x, double y) {
     return linear.x * x + linear.y * y + linear.z;
 }
 
+/// Whether the sample at (x, y) is inside the triangle.
+bool covers(const ScreenTriangle& t, double x, double y) {
+    return covers(t.edges[0], at(t.edges[0], x, y)) && covers(t.edges[1], at(t.edges[1], x, y)) &&
+           covers(t.edges[2], at(t.edges[2], x, y));
+}
+
+/// The frontmost triangle of every sample among those for which
+/// is_candidate(sample, triangle, inverse depth) holds.
+template <class IsCandidate>
+std::vector<std::uint32_t> frontmost(std::span<const ScreenTriangle> triangles,
+                                     std::span<const std::uint32_t> candidates,
+                                     const Camera& camera, int width, int first_row, int rows,
+                                     const IsCandidate& is_candidate) {
+    const std::size_t count = std::size_t(width) * std::size_t(rows);
+    std::vector<std::uint32_t> visible(count, nothing_visible);
+    std::vector<double> nearest(count, 0.0);  // 1 / depth, larger is nearer
+    const double limit = camera.far_distance / camera.near_distance;
+    for (const std::uint32_t index : candidates) {
+        const ScreenTriangle& t = triangles[index];
+        const int y_end = std::min(t.y_end, first_row + rows);
+        for (int j = std::max(t.y_begin, first_row); j < y_end; ++j) {
+            const std::size_t row = std::size_t(j - first_row) * std::size_t(width);
+            for (int i = t.x_begin; i < t.x_end; ++i) {
+                const double x = i + 0.5, y = j + 0.5;
+                if (!covers(t, x, y)) continue;
+                const double inverse_depth = at(t.inverse_depth, x, y);
+                const std::size_t sample = row + std::size_t(i);
+                if (inverse_depth > limit || inverse_depth <= nearest[sample]) continue;
+                if (!is_candidate(sample, index, inverse_depth)) continue;
+                nearest[sample] = inverse_depth;
+                visible[sample] = index;
+            }
+        }
+    }
+    return visible;
+}
+
+/// The inverse depth of each sample's triangle; below all depths where there is none.
+std::vector<double> inverse_depths(std::span<const std::uint32_t> shown,
+                                   std::span<const ScreenTriangle> triangles, int width,
+                                   int first_row) {
+    std::vector<double> depths(shown.size(), -1.0);
+    for (std::size_t k = 0; k < shown.size(); ++k) {
+        if (shown[k] == nothing_visible) continue;
+        const int x = int(k) % width, y = first_row + int(k) / width;
+        depths[k] = at(triangles[shown[k]].inverse_depth, x + 0.5, y + 0.5);
+    }
+    return depths;
+}
+
 }  // namespace
 
 std::vector<ScreenTriangle> screen_triangles(const Mesh& mesh, const Camera& camera,
@@ -100,32 +150,21 @@ std::vector<std::uint32_t> visible_triangles(std::span<const ScreenTriangle> tri
                                              std::span<const std::uint32_t> candidates,
                                              const Camera& camera, int width, int first_row,
                                              int rows) {
-    const std::size_t count = std::size_t(width) * std::size_t(rows);
-    std::vector<std::uint32_t> visible(count, nothing_visible);
-    std::vector<double> nearest(count, 0.0);  // 1 / depth, larger is nearer
-    const double limit = camera.far_distance / camera.near_distance;
-    for (const std::uint32_t index : candidates) {
-        const ScreenTriangle& t = triangles[index];
-        const int y_end = std::min(t.y_end, first_row + rows);
-        for (int j = std::max(t.y_begin, first_row); j < y_end; ++j) {
-            const std::size_t row = std::size_t(j - first_row) * std::size_t(width);
-            for (int i = t.x_begin; i < t.x_end; ++i) {
-                const double x = i + 0.5, y = j + 0.5;
-                if (!covers(t.edges[0], at(t.edges[0], x, y)) ||
-                    !covers(t.edges[1], at(t.edges[1], x, y)) ||
-                    !covers(t.edges[2], at(t.edges[2], x, y))) {
-                    continue;
-                }
-                const double inverse_depth = at(t.inverse_depth, x, y);
-                if (inverse_depth > limit || inverse_depth <= nearest[row + std::size_t(i)]) {
-                    continue;
-                }
-                nearest[row + std::size_t(i)] = inverse_depth;
-                visible[row + std::size_t(i)] = index;
-            }
-        }
-    }
-    return visible;
+    return frontmost(triangles, candidates, camera, width, first_row, rows,
+                     [](std::size_t, std::uint32_t, double) { return true; });
+}
+
+std::vector<std::uint32_t> triangles_behind(std::span<const std::uint32_t> front,
+                                            std::span<const ScreenTriangle> triangles,
+                                            std::span<const std::uint32_t> candidates,
+                                            const Camera& camera, int width, int first_row,
+                                            int rows) {
+    const std::vector<double> depths = inverse_depths(front, triangles, width, first_row);
+    return frontmost(triangles, candidates, camera, width, first_row, rows,
+                     [&](std::size_t sample, std::uint32_t index, double depth) {
+                         return depth < depths[sample] ||
+                                (depth == depths[sample] && index > front[sample]);
+                     });
 }
 
 Vec3d barycentrics(const ScreenTriangle& triangle, int x, int y) {

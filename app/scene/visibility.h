@@ -42,6 +42,15 @@ std::vector<std::uint32_t> visible_triangles(std::span<const ScreenTriangle> tri
                                              const Camera& camera, int width, int first_row,
                                              int rows);
 
+/// The next triangle behind each of `front`, which holds visible triangles, or such as lie behind
+/// others, of the same rows: the frontmost of those that are farther away or, equally far, come
+/// later. There is nothing behind nothing_visible.
+std::vector<std::uint32_t> triangles_behind(std::span<const std::uint32_t> front,
+                                            std::span<const ScreenTriangle> triangles,
+                                            std::span<const std::uint32_t> candidates,
+                                            const Camera& camera, int width, int first_row,
+                                            int rows);
+
 /// The perspective-correct barycentric coordinates (sum 1) of sample (x, y) in a triangle that
 /// covers it.
 Vec3d barycentrics(const ScreenTriangle& triangle, int x, int y);

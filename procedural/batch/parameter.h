@@ -18,7 +18,7 @@ enum class ParameterType {
     numbers,  ///< array of `count` numbers, each within [low, high]
     text,     ///< any string
     choice,   ///< one of the words in `choices`
-    color     ///< "#rrggbb", sRGB
+    color     ///< "#rrggbb", sRGB; "#rrggbbaa" as well where it may be transparent
 };
 
 struct Parameter {
@@ -34,6 +34,7 @@ struct Parameter {
     std::string_view tip;
     std::string_view label{};  ///< name of the editor's slider; empty: the key in words
     bool rare = false;         ///< whether few people need it, so that editors fold it away
+    bool alpha = false;        ///< whether a colour may be transparent
 };
 
 /// A parameter that is a member of a struct (procedural/model/members.h).

@@ -1,5 +1,7 @@
 #include "procedural/color/map.h"
 
+#include <algorithm>
+
 #include "procedural/color/srgb.h"
 #include "procedural/color/table.h"
 
@@ -23,8 +25,20 @@ Vec3d evaluate_color(const ColorMap& map, double f) {
     if (map.wrap == Wrap::clamp && t >= map.stops.back().position) after = map.stops.back();
     const double width = after.position - before.position;
     const double weight = width > 0.0 ? (t - before.position) / width : 0.0;
-    return linear_light(before.color) +
-           weight * (linear_light(after.color) - linear_light(before.color));
+    return light_of(before) + weight * (light_of(after) - light_of(before));
+}
+
+Vec3d light_of(const ColorStop& stop) {
+    return stop.alpha / 255.0 * linear_light(stop.color);
+}
+
+bool is_opaque(const ColorMap& map) {
+    return std::ranges::all_of(map.stops, [](const ColorStop& stop) { return stop.alpha == 255; });
+}
+
+ColorMap alpha_map(ColorMap map) {
+    for (ColorStop& stop : map.stops) stop.color = {255, 255, 255};
+    return map;
 }
 
 }  // namespace burl

@@ -46,7 +46,7 @@ void MapPieces::fill_pieces(const ColorMap& map) {
     const std::vector<ColorStop> stops = covering_stops(map);
     for (std::size_t i = 0; i + 1 < stops.size(); ++i) {
         const double width = stops[i + 1].position - stops[i].position;
-        const Vec3d from = linear_light(stops[i].color), to = linear_light(stops[i + 1].color);
+        const Vec3d from = light_of(stops[i]), to = light_of(stops[i + 1]);
         Piece piece{
             stops[i].position, from, width > 0.0 ? (to - from) / width : Vec3d(0.0), {}, {}};
         if (wrap_ == Wrap::repeat && stops[i + 1].position <= 0.0) continue;
@@ -58,10 +58,9 @@ void MapPieces::fill_pieces(const ColorMap& map) {
         if (width > 0.0) pieces_.push_back(piece);
     }
     if (wrap_ == Wrap::clamp)
-        pieces_.push_back({stops.back().position, linear_light(stops.back().color), {}, {}, {}});
+        pieces_.push_back({stops.back().position, light_of(stops.back()), {}, {}, {}});
     if (wrap_ == Wrap::clamp)
-        pieces_.insert(pieces_.begin(),
-                       {pieces_.front().start, linear_light(stops[0].color), {}, {}, {}});
+        pieces_.insert(pieces_.begin(), {pieces_.front().start, light_of(stops[0]), {}, {}, {}});
 }
 
 void MapPieces::take_mean_out() {

@@ -114,7 +114,7 @@ PreparedColorMap::PreparedColorMap(const ColorMap& map) : wrap_(map.wrap) {
     stops.insert(stops.begin(), low);
     stops.push_back(high);
     for (const ColorStop& stop : stops)
-        segments_.push_back({stop.position, linear_light(stop.color), Vec3d(0.0)});
+        segments_.push_back({stop.position, light_of(stop), Vec3d(0.0)});
     for (std::size_t i = 0; i + 1 < segments_.size(); ++i) {
         const double width = segments_[i + 1].position - segments_[i].position;
         // Closer stops are a jump: no slope leads from one to the other.

@@ -82,7 +82,9 @@ class PictureStore {
         for (std::size_t c = 0; c < 4; ++c) {
             const bool color = plan.is_color && c < 3;
             find(plan.components[c], planes, count);
-            if (color && plan.alpha && !std::is_same_v<Code, float>)
+            if (color && std::is_same_v<Code, float>)
+                multiply_by_opacity(plan.components[3], planes, count);
+            else if (color && plan.alpha)
                 divide_by(planes[*plan.alpha], count, numbers_.values);
             if (color)
                 encode_.colors(numbers_.values, count, codes_[c]);
@@ -101,6 +103,13 @@ class PictureStore {
         if (component.times) multiply_by(planes[*component.times], count, numbers_.values);
         if (component.offset != 0.0)
             for (std::size_t j = 0; j < count; ++j) numbers_.values[j] += component.offset;
+    }
+
+    /// Multiplies by what alpha has besides that of the colour.
+    void multiply_by_opacity(const PictureComponent& alpha, PlaneArrays planes, std::size_t count) {
+        if (alpha.factor != 1.0)
+            for (std::size_t j = 0; j < count; ++j) numbers_.values[j] *= alpha.factor;
+        if (alpha.times) multiply_by(planes[*alpha.times], count, numbers_.values);
     }
 
     const std::vector<PicturePlan>& plans_;

@@ -34,10 +34,11 @@ struct PicturePlan {
 };
 
 /// The pictures of the graph's material, one per plan. Pixel is Rgba8 or Rgba16, which hold codes
-/// with colours not multiplied by alpha, or RgbaF, which holds linear numbers and colours times
-/// their alpha. Numbers are clamped to [0,1] in codes. Texels outside every span show the planes at
-/// the origin. `texture_from_atlas` maps the SolidAtlas's space to the texture's; `threads` 0 means
-/// all, and no byte depends on it. `precision` is float32 or float64.
+/// with colours not multiplied by alpha, or RgbaF, which holds linear numbers and colours times the
+/// picture's alpha, that is their own times `factor` and `times` of its component. Numbers are
+/// clamped to [0,1] in codes. Texels outside every span show the planes at the origin.
+/// `texture_from_atlas` maps the SolidAtlas's space to the texture's; `threads` 0 means all, and no
+/// byte depends on it. `precision` is float32 or float64.
 template <class Pixel>
 std::vector<Image<Pixel>> synthesize_pictures(const SolidAtlas& solid, const TextureGraph& graph,
                                               const std::vector<PicturePlan>& plans,

@@ -96,7 +96,7 @@ GlslDuals::Names GlslDuals::color(const std::string& expression) {
 GlslDuals::Names GlslDuals::step(const MapColors& colors) {
     const bool both = filter_ && (filter_->kind == FilterKind::trapezoid ||
                                   filter_->kind == FilterKind::trapezoid2);
-    return color(fmt::format("dual_color({}, {}, {}, {}, {})", maps_.add(*colors.colors), in(0),
+    return color(fmt::format("dual_color({}, {}, {}, {}, {})", maps_.add(colors.map()), in(0),
                              along(in(0), 'u'), along(in(0), 'v'), both));
 }
 

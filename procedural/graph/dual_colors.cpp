@@ -182,7 +182,7 @@ DualFunction dual_function(const Checkerboard& work, const DualSettings&) {
 }
 
 DualFunction dual_function(const MapColors& work, const DualSettings& settings) {
-    return MeanColors(*work.colors, settings.filter.kind);
+    return MeanColors(work.map(), settings.filter.kind);
 }
 
 DualFunction dual_function(const MarbleColors& work, const DualSettings&) {

@@ -39,13 +39,13 @@ TextureGraph plain_graph(Texture texture) {
 }
 
 const Texture* plain_texture(const TextureGraph& graph) {
-    const bool plain = graph.nodes == plain_nodes() && graph.channels.empty();
+    const bool plain = graph.nodes == plain_nodes() && graph.channels.empty() &&
+                       is_opaque(graph.textures.front().colors);
     return plain ? &graph.textures.front() : nullptr;
 }
 
 Texture* plain_texture(TextureGraph& graph) {
-    const bool plain = graph.nodes == plain_nodes() && graph.channels.empty();
-    return plain ? &graph.textures.front() : nullptr;
+    return const_cast<Texture*>(plain_texture(std::as_const(graph)));
 }
 
 }  // namespace burl

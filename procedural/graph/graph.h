@@ -81,7 +81,8 @@ struct TextureGraph {
 /// `textures[0]`.
 TextureGraph plain_graph(Texture texture);
 
-/// The texture of a graph that plain_graph made; null for any other graph.
+/// The texture of a graph that plain_graph made, if its colours are opaque; null for any other
+/// graph, since the kernels of plain graphs have no alpha.
 const Texture* plain_texture(const TextureGraph& graph);
 Texture* plain_texture(TextureGraph& graph);
 

@@ -125,10 +125,9 @@ class GraphReader {
         } else {
             const std::string text = value.get<std::string>();
             const Rgb8 color = color_from_hex(text);
-            const double alpha =
-                text.size() == 9 ? double(std::stoul(text.substr(7), nullptr, 16)) : 255.0;
             node.wire = Wire::color;
-            node.parameters = {double(color.r), double(color.g), double(color.b), alpha};
+            node.parameters = {double(color.r), double(color.g), double(color.b),
+                               double(alpha_from_hex(text))};
         }
         return push(std::move(node));
     }
@@ -246,10 +245,8 @@ class GraphWriter {
     Json write_constant(const GraphNode& node) const {
         const std::vector<double>& p = node.parameters;
         if (node.wire == Wire::number) return p[0];
-        std::string text =
-            color_to_hex({std::uint8_t(p[0]), std::uint8_t(p[1]), std::uint8_t(p[2])});
-        if (p[3] < 255.0) text += fmt::format("{:02x}", unsigned(p[3]));
-        return text;
+        return color_to_hex({std::uint8_t(p[0]), std::uint8_t(p[1]), std::uint8_t(p[2])},
+                            std::uint8_t(p[3]));
     }
 
     Json write_keys(const GraphNode& node) const {

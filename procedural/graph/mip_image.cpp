@@ -107,18 +107,54 @@ Image<RgbF> halved(const Image<RgbF>& image) {
     return result;
 }
 
-/// The image in linear light.
-Image<RgbF> decoded(const Image<Rgb8>& image) {
+/// The image whose texels are function(texel).
+template <class Pixel, class Function>
+Image<RgbF> each_texel(const Image<Pixel>& image, const Function& function) {
+    Image<RgbF> result(image.width(), image.height());
+    for (std::size_t y = 0; y < image.height(); ++y)
+        for (std::size_t x = 0; x < image.width(); ++x) result(x, y) = function(image(x, y));
+    return result;
+}
+
+float alpha_of(const Rgb8&) {
+    return 1.0f;
+}
+float alpha_of(const Rgba8& texel) {
+    return float(texel.a) / 255.0f;
+}
+
+/// The image in linear light, multiplied by its alpha.
+template <class Pixel>
+Image<RgbF> decoded(const Image<Pixel>& image) {
     std::array<float, 256> linear{};
     for (std::size_t code = 0; code < 256; ++code)
         linear[code] = float(srgb_decode(double(code) / 255.0));
-    Image<RgbF> result(image.width(), image.height());
+    return each_texel(image, [&](const Pixel& c) {
+        const float alpha = alpha_of(c);
+        return RgbF{alpha * linear[c.r], alpha * linear[c.g], alpha * linear[c.b]};
+    });
+}
+
+/// The image of its alpha, as greys.
+Image<RgbF> greys_of_alpha(const Image<Rgba8>& image) {
+    return each_texel(image, [](const Rgba8& texel) {
+        const float alpha = alpha_of(texel);
+        return RgbF{alpha, alpha, alpha};
+    });
+}
+
+bool has_transparent_texel(const Image<Rgba8>& image) {
+    return std::ranges::any_of(image.pixels(), [](const Rgba8& texel) { return texel.a < 255; });
+}
+
+/// Cuts the channels at those of `limits`.
+void cut_at(const Image<RgbF>& limits, Image<RgbF>& image) {
     for (std::size_t y = 0; y < image.height(); ++y)
         for (std::size_t x = 0; x < image.width(); ++x) {
-            const Rgb8 c = image(x, y);
-            result(x, y) = {linear[c.r], linear[c.g], linear[c.b]};
+            RgbF& c = image(x, y);
+            const RgbF& m = limits(x, y);
+            c = {std::min(c.r, m.r), std::min(c.g, m.g), std::min(c.b, m.b)};
         }
-    return result;
 }
 
 /// The blend (1 - w) a + w b.
@@ -129,8 +165,22 @@ ImageSample blend(const ImageSample& a, const ImageSample& b, double w) {
 
 }  // namespace
 
-MipImage::MipImage(const Image<Rgb8>& image, ImageWrap wrap) : wrap_(wrap) {
-    levels_.push_back(with_power_of_two_sides(decoded(image), wrap));
+MipImage::MipImage(const Image<Rgb8>& image, ImageWrap wrap)
+    : MipImage(with_power_of_two_sides(decoded(image), wrap), wrap) {}
+
+MipImage::MipImage(const Image<Rgba8>& image, ImageWrap wrap)
+    : MipImage(with_power_of_two_sides(decoded(image), wrap), wrap) {
+    if (!has_transparent_texel(image)) return;
+    Image<RgbF> alpha = with_power_of_two_sides(greys_of_alpha(image), wrap);
+    cut_at(Image<RgbF>(alpha.width(), alpha.height(), {1.0f, 1.0f, 1.0f}), alpha);
+    Image<RgbF> colors = std::move(levels_.front());
+    cut_at(alpha, colors);
+    *this = MipImage(std::move(colors), wrap);
+    alpha_.push_back(MipImage(std::move(alpha), wrap));
+}
+
+MipImage::MipImage(Image<RgbF> finest, ImageWrap wrap) : wrap_(wrap) {
+    levels_.push_back(std::move(finest));
     while (levels_.back().width() > 1 || levels_.back().height() > 1)
         levels_.push_back(halved(levels_.back()));
 }

@@ -9,9 +9,11 @@
 
 namespace burl {
 
-enum class ImageWrap { repeat, black, clamp };  ///< the colours outside [0, 1]^2
+/// The colours outside [0, 1]^2; `black` is transparent there if the image is somewhere.
+enum class ImageWrap { repeat, black, clamp };
 
-/// Linear light and its derivatives by s and t. An image spans [0, 1]^2, row 0 from t = 0 on.
+/// Linear light, multiplied by alpha, and its derivatives by s and t. An image spans [0, 1]^2, row
+/// 0 from t = 0 on.
 struct ImageSample {
     Vec3d color{0.0}, by_s{0.0}, by_t{0.0};
 };
@@ -23,6 +25,12 @@ class MipImage {
     /// resampled to the next one with Lanczos's filter (4 points, never below 0); every further
     /// level is the mean of 2 x 2 texels.
     MipImage(const Image<Rgb8>& image, ImageWrap wrap);
+    /// Makes the levels of an image's colours times alpha, and those of alpha if a texel is
+    /// transparent. What resampling overshoots is cut: alpha at 1, colours at alpha.
+    MipImage(const Image<Rgba8>& image, ImageWrap wrap);
+
+    /// The map whose red, green and blue are all the image's alpha; null for an opaque image.
+    const MipImage* alpha() const { return alpha_.empty() ? nullptr : &alpha_.front(); }
 
     ImageWrap wrap() const { return wrap_; }
     const std::vector<Image<RgbF>>& levels() const { return levels_; }
@@ -42,12 +50,14 @@ class MipImage {
     bool operator==(const MipImage&) const = default;
 
   private:
+    MipImage(Image<RgbF> finest, ImageWrap wrap);
     Vec3d texel(std::size_t level, double x, double y) const;
     ImageSample ellipse(std::size_t level, double s, double t, const Vec2d& first,
                         const Vec2d& second) const;
 
     ImageWrap wrap_;
     std::vector<Image<RgbF>> levels_;
+    std::vector<MipImage> alpha_;  ///< one map of an image that is transparent, else none
 };
 
 }  // namespace burl

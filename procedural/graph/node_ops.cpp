@@ -65,4 +65,11 @@ std::vector<Register> NodeOps::opaque(GraphWork colors, std::vector<Register> in
     return result;
 }
 
+std::vector<Register> NodeOps::with_alpha(GraphWork colors, GraphWork alpha,
+                                          const std::vector<Register>& inputs) {
+    std::vector<Register> result = add(std::move(colors), inputs, 3);
+    result.push_back(add(std::move(alpha), inputs, 3).front());
+    return result;
+}
+
 }  // namespace burl

@@ -69,6 +69,9 @@ class NodeOps : public NodeParameters {
     std::vector<Register> blend(Register weight);
     /// Adds a step that gives red, green and blue, and returns these and an alpha of 1.
     std::vector<Register> opaque(GraphWork colors, std::vector<Register> inputs);
+    /// Adds a step that gives red, green and blue, and one whose first result is alpha.
+    std::vector<Register> with_alpha(GraphWork colors, GraphWork alpha,
+                                     const std::vector<Register>& inputs);
 
   private:
     const TextureGraph& graph_;

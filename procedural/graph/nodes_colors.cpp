@@ -7,7 +7,9 @@ namespace burl::nodes {
 namespace {
 
 Outputs color_map(NodeOps& node) {
-    return node.opaque(MapColors{&node.texture().colors}, {node.input(0)});
+    const ColorMap& map = node.texture().colors;
+    if (is_opaque(map)) return node.opaque(MapColors{&map}, {node.input(0)});
+    return node.with_alpha(MapColors{&map}, MapColors{&map, true}, {node.input(0)});
 }
 
 Outputs layer_over(NodeOps& node) {
@@ -23,7 +25,11 @@ Outputs layer_over(NodeOps& node) {
 Outputs image(NodeOps& node) {
     const ImageColors colors{node.image().pixels, node.parameter("lookup") == 1.0,
                              node.parameter("anisotropy")};
-    return node.opaque(colors, {node.axis(0), node.axis(1)});
+    const std::vector<Register> at{node.axis(0), node.axis(1)};
+    if (!colors.pixels->alpha()) return node.opaque(colors, at);
+    ImageColors alpha = colors;
+    alpha.pixels = {colors.pixels, colors.pixels->alpha()};
+    return node.with_alpha(colors, alpha, at);
 }
 
 constexpr std::array color_rows{

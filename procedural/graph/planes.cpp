@@ -29,6 +29,8 @@ bool is_opaque(const TextureGraph& graph, std::uint32_t node) {
     if (type.name == "constant") return self.parameters[3] >= 255.0;
     // A layer over an opaque base is opaque together with it.
     if (type.name == "layer_over") return is_opaque(graph, self.inputs[1]);
+    if (type.name == "image") return !graph.images[self.image].pixels->alpha();
+    if (type.name == "color_map") return is_opaque(graph.textures[self.texture].colors);
     return std::ranges::all_of(self.inputs,
                                [&](std::uint32_t input) { return is_opaque(graph, input); });
 }

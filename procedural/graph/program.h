@@ -97,9 +97,14 @@ struct FieldAt {
     const Texture* texture = nullptr;
 };
 
-/// The mean over the footprint of a colour map at a number: red, green and blue, linear light.
+/// The mean over the footprint of a colour map at a number: red, green and blue, linear light times
+/// alpha; or its alpha, three times.
 struct MapColors {
     const ColorMap* colors = nullptr;
+    bool alpha = false;
+
+    /// The map whose colours these are.
+    ColorMap map() const { return alpha ? alpha_map(*colors) : *colors; }
 };
 
 /// The colour of pbrt's marble at a number in [0, 1], red, green and blue, linear light: a spline
@@ -130,7 +135,7 @@ struct CellFeature {
 };
 
 /// The mean over the footprint of an image at a point's first two coordinates: red, green and blue,
-/// linear light.
+/// linear light times alpha. Of an image's alpha it is that of the map MipImage::alpha.
 struct ImageColors {
     std::shared_ptr<const MipImage> pixels;
     bool ewa = false;         ///< elliptically weighted average instead of trilinear lookup

@@ -36,7 +36,7 @@ ColorPieces pieces_of(const MarbleColors& marble) {
 }
 
 ColorPieces pieces_of(const MapColors& colors) {
-    const PreparedColorMap map(*colors.colors);
+    const PreparedColorMap map(colors.map());
     ColorPieces pieces;
     if (map.wrap() == Wrap::repeat) pieces.argument = ColorPieces::Argument::repeat;
     for (std::size_t i = 0; i < map.segments(); ++i) {

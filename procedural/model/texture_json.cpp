@@ -20,6 +20,24 @@ MemberParameter node_row(std::string_view path, std::string_view name, std::stri
     return {{path, ParameterType::choice, 0, 0, 0, 1, "", quoted, name, tip}};
 }
 
+/// The colour of a stop, which is two members: colour and alpha.
+MemberParameter stop_color_row() {
+    MemberParameter row = member_row("texture.stops.*.1", &ColorStop::color, {},
+                                     "sRGB colour of a stop", {.required = true});
+    row.alpha = true;
+    row.read = [](const Json& json, void* owner) {
+        auto& stop = *static_cast<ColorStop*>(owner);
+        const auto text = json.get<std::string>();
+        stop.color = color_from_hex(text);
+        stop.alpha = alpha_from_hex(text);
+    };
+    row.write = [](const void* owner) {
+        const auto& stop = *static_cast<const ColorStop*>(owner);
+        return Json(color_to_hex(stop.color, stop.alpha));
+    };
+    return row;
+}
+
 std::vector<MemberParameter> make_table() {
     return {
         node_row("texture.node", "color_map", "kind of the tree's root"),
@@ -27,8 +45,7 @@ std::vector<MemberParameter> make_table() {
                    "the map's index modulo one, or clamped to [0,1]"),
         member_row("texture.stops.*.0", &ColorStop::position, {0, 1, 0.01},
                    "index of a stop, not below the stop before it", {.required = true}),
-        member_row("texture.stops.*.1", &ColorStop::color, {}, "sRGB colour of a stop",
-                   {.required = true}),
+        stop_color_row(),
         node_row("texture.input.node", "field", "kind of the node that gives the index"),
         coefficient("texture.input.quadric.A", &Quadric::a, "coefficient of s^2", "s\u00b2"),
         coefficient("texture.input.quadric.B", &Quadric::b, "half the coefficient of s t", "2 s t"),
@@ -130,8 +147,13 @@ Rgb8 color_from_hex(const std::string& text) {
     return {channel(1), channel(3), channel(5)};
 }
 
-std::string color_to_hex(const Rgb8& color) {
-    return fmt::format("#{:02x}{:02x}{:02x}", color.r, color.g, color.b);
+std::uint8_t alpha_from_hex(const std::string& text) {
+    return text.size() == 9 ? std::uint8_t(std::stoul(text.substr(7), nullptr, 16)) : 255;
+}
+
+std::string color_to_hex(const Rgb8& color, std::uint8_t alpha) {
+    const std::string text = fmt::format("#{:02x}{:02x}{:02x}", color.r, color.g, color.b);
+    return alpha == 255 ? text : fmt::format("{}{:02x}", text, alpha);
 }
 
 Texture texture_from_json(const Json& json) {

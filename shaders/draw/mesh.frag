@@ -14,13 +14,17 @@ flat in vec4 texture_block;  // low u, low v, high u, high v
 // Macros, because software OpenGL executes every branch even of a uniform condition. ENCODED: the
 // colour is encoded to sRGB. LIT: the headlight shades it. BUMPED: a normal map bumps the normal.
 // LEVELS: lookups choose a MIP level. IN_BLOCKS: lookups stay in the block. PLACES: the fragment is
-// u, v, level and light instead of a colour.
+// u, v, level and light instead of a colour. MASKS: what has little alpha is not there. BLENDS: the
+// colour is multiplied by alpha, and shown only between two depths.
 uniform sampler2D base_color;
 uniform sampler2D normal_map;
 uniform float normal_scale;
 uniform mat3 normal_from_local;
 uniform vec4 base_color_factor;
 uniform float ambient;
+uniform float alpha_cutoff;
+uniform sampler2D nearer;   // depth of the layer that was drawn before
+uniform sampler2D farther;  // depth of what is opaque
 
 out vec4 fragment;
 
@@ -74,6 +78,13 @@ float headlight() {
     return ambient + (1.0 - ambient) * clamp(cosine, 0.0, 1.0);
 }
 
+// Whether the fragment lies behind the layer that was drawn before, and before what is opaque.
+bool is_in_layer() {
+    ivec2 at = ivec2(gl_FragCoord.xy);
+    return gl_FragCoord.z > texelFetch(nearer, at, 0).r &&
+           gl_FragCoord.z < texelFetch(farther, at, 0).r;
+}
+
 void main() {
     if (PLACES) {
         fragment = vec4(texture_uv, level_of(base_color), LIT ? headlight() : 1.0);
@@ -81,5 +92,9 @@ void main() {
     }
     vec4 color = lookup(base_color) * base_color_factor * vertex_color;
     vec3 light = LIT ? color.rgb * headlight() : color.rgb;
-    fragment = vec4(ENCODED ? srgb_encoded(light) : light, 1.0);
+    // Last, because lookups need the neighbours of fragments that are discarded.
+    if (MASKS && color.a < alpha_cutoff) discard;
+    if (BLENDS && (color.a <= 0.0 || !is_in_layer())) discard;
+    float alpha = BLENDS ? min(color.a, 1.0) : 1.0;
+    fragment = vec4(ENCODED ? srgb_encoded(light) : BLENDS ? alpha * light : light, alpha);
 }

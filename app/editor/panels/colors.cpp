@@ -19,6 +19,7 @@ namespace {
 constexpr float bar_height = 28.0f, handle_size = 7.0f;
 constexpr float least_width = 10.0f;  // least width of a bar, in a narrow window
 constexpr std::size_t bar_colors = 256;
+constexpr Rgb8 dark_behind{60, 60, 60}, light_behind{200, 200, 200};  // behind what is transparent
 
 const Json& at_path(const Json& recipe, const std::string& path) {
     const Json* place = &recipe;
@@ -71,17 +72,25 @@ class MapEditor {
         ImGui::SetCursorScreenPos(low_);
         const bool clicked = ImGui::InvisibleButton("bar", {width_, bar_height});
         context_.items.note(path_ + ".bar");
-        const std::vector<Rgb8> colors = map_colors(map_, bar_colors);
-        const float step = width_ / float(bar_colors);
-        for (std::size_t i = 0; i < bar_colors; ++i)
-            ImGui::GetWindowDrawList()->AddRectFilled(
-                {low_.x + step * float(i), low_.y},
-                {low_.x + step * float(i + 1) + 0.5f, low_.y + bar_height}, color_code(colors[i]));
+        draw_half(0.0f, dark_behind);
+        draw_half(0.5f, light_behind);
         if (!clicked) return;
         std::size_t at = 0;
         const double position = double((ImGui::GetIO().MousePos.x - low_.x) / width_);
         set_stops(with_stop_added(map_, position, at));
         selection_ = {path_, at};
+    }
+
+    /// Draws the map over the colour `behind` in the half of the bar that begins at `share` of its
+    /// height.
+    void draw_half(float share, const Rgb8& behind) const {
+        const std::vector<Rgb8> colors = map_colors(map_, bar_colors, behind);
+        const float step = width_ / float(bar_colors), top = low_.y + share * bar_height;
+        for (std::size_t i = 0; i < bar_colors; ++i)
+            ImGui::GetWindowDrawList()->AddRectFilled(
+                {low_.x + step * float(i), top},
+                {low_.x + step * float(i + 1) + 0.5f, top + 0.5f * bar_height},
+                color_code(colors[i]));
     }
 
     void stop(std::size_t index) {
@@ -134,7 +143,7 @@ class MapEditor {
         context_.items.note(path_ + ".wrap");
     }
 
-    /// Draws position and colour of the selected stop as numbers.
+    /// Draws position, colour and alpha of the selected stop as numbers.
     void selected() {
         const ColorStop& stop = map_.stops[selection_.stop];
         double position = stop.position;
@@ -145,19 +154,19 @@ class MapEditor {
         follow_gesture(history());
         if (moved) set_stops(with_stop_moved(map_.stops, selection_.stop, position));
         ImGui::SameLine();
-        Rgb8 color = stop.color;
+        ColorStop edited = stop;
         ImGui::SetNextItemWidth(0.45f * width_);
-        const bool colored = edit_color("colour", color);
+        const bool colored = edit_color("colour", edited.color, edited.alpha);
         context_.items.note(path_ + ".colour");
         follow_gesture(history());
-        if (colored) recolor(color);
+        if (colored) replace(edited);
         if (ImGui::SmallButton("delete stop")) remove(selection_.stop);
         context_.items.note(path_ + ".delete");
     }
 
-    void recolor(const Rgb8& color) {
+    void replace(const ColorStop& edited) {
         std::vector<ColorStop> stops = map_.stops;
-        stops[selection_.stop].color = color;
+        stops[selection_.stop] = edited;
         set_stops(stops);
     }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
 #include <fmt/format.h>
@@ -12,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/editor/panels/widgets.h"
+#include "procedural/model/texture_json.h"
 
 namespace burl {
 
@@ -165,12 +165,12 @@ ValueEdit edit_choice(const RecipeLeaf& leaf, EditItems& items, const char* id) 
 
 ValueEdit edit_hex(const RecipeLeaf& leaf, const char* id) {
     const std::string hex = leaf.value.get<std::string>();
-    unsigned code = 0;
-    if (hex.size() == 7) std::sscanf(hex.c_str() + 1, "%6x", &code);
-    Rgb8 color{std::uint8_t(code >> 16), std::uint8_t(code >> 8), std::uint8_t(code)};
-    const bool changed = edit_color(id, color);
+    Rgb8 color = color_from_hex(hex);
+    std::uint8_t alpha = alpha_from_hex(hex);
+    const bool changed =
+        leaf.parameter->alpha ? edit_color(id, color, alpha) : edit_color(id, color);
     ValueEdit edit = gesture();
-    if (changed) edit.value = fmt::format("#{:02x}{:02x}{:02x}", color.r, color.g, color.b);
+    if (changed) edit.value = color_to_hex(color, alpha);
     return edit;
 }
 

@@ -70,13 +70,27 @@ void menu_toggle(EditItems& items, const char* label, const char* key, bool& val
     items.note(fmt::format("menu:{}", label));
 }
 
+namespace {
+
+std::uint8_t code_of(float share) {
+    return std::uint8_t(std::clamp(std::lround(share * 255.0f), 0L, 255L));
+}
+
+}  // namespace
+
 bool edit_color(const char* label, Rgb8& color) {
     float rgb[3] = {float(color.r) / 255.0f, float(color.g) / 255.0f, float(color.b) / 255.0f};
     if (!ImGui::ColorEdit3(label, rgb)) return false;
-    const auto code = [](float v) {
-        return std::uint8_t(std::clamp(std::lround(v * 255.0f), 0L, 255L));
-    };
-    color = {code(rgb[0]), code(rgb[1]), code(rgb[2])};
+    color = {code_of(rgb[0]), code_of(rgb[1]), code_of(rgb[2])};
+    return true;
+}
+
+bool edit_color(const char* label, Rgb8& color, std::uint8_t& alpha) {
+    float rgba[4] = {float(color.r) / 255.0f, float(color.g) / 255.0f, float(color.b) / 255.0f,
+                     float(alpha) / 255.0f};
+    if (!ImGui::ColorEdit4(label, rgba, ImGuiColorEditFlags_AlphaPreviewHalf)) return false;
+    color = {code_of(rgba[0]), code_of(rgba[1]), code_of(rgba[2])};
+    alpha = code_of(rgba[3]);
     return true;
 }
 

@@ -42,6 +42,8 @@ void menu_toggle(EditItems& items, const char* label, const char* key, bool& val
 
 /// Draws a field that edits a colour; returns whether it was edited in this frame.
 bool edit_color(const char* label, Rgb8& color);
+/// Draws a field that edits a colour and its alpha; returns whether it was edited in this frame.
+bool edit_color(const char* label, Rgb8& color, std::uint8_t& alpha);
 
 /// Begins and ends a gesture of `history` with one of ImGui's last item.
 void follow_gesture(EditHistory& history);

@@ -3,9 +3,25 @@
 #include <algorithm>
 #include <cmath>
 
+#include "procedural/color/srgb.h"
 #include "procedural/color/table.h"
 
 namespace burl {
+
+namespace {
+
+/// The colour and alpha of a map at f as a stop has them; black where all is transparent.
+ColorStop stop_of(const ColorMap& map, double position, double f) {
+    if (is_opaque(map)) return {position, ColorTable8(map)(f)};
+    const double alpha = evaluate_color(alpha_map(map), f).x;
+    const Vec3d light = evaluate_color(map, f) / std::max(alpha, 1e-9);
+    const SrgbEncoder<std::uint8_t> encode;
+    return {position,
+            {encode(light.x), encode(light.y), encode(light.z)},
+            std::uint8_t(std::lround(255.0 * alpha))};
+}
+
+}  // namespace
 
 std::vector<ColorStop> with_stop_moved(std::vector<ColorStop> stops, std::size_t index,
                                        double position) {
@@ -17,9 +33,8 @@ std::vector<ColorStop> with_stop_moved(std::vector<ColorStop> stops, std::size_t
 
 std::vector<ColorStop> with_stop_added(const ColorMap& map, double position, std::size_t& at) {
     const double place = std::clamp(position, 0.0, 1.0);
-    const ColorStop added{
-        place, ColorTable8(map)(map.wrap == Wrap::repeat && place == 1.0 ? std::nextafter(1.0, 0.0)
-                                                                         : place)};
+    const bool wraps = map.wrap == Wrap::repeat && place == 1.0;
+    const ColorStop added = stop_of(map, place, wraps ? std::nextafter(1.0, 0.0) : place);
     std::vector<ColorStop> stops = map.stops;
     const auto next = std::ranges::upper_bound(stops, place, {}, &ColorStop::position);
     at = std::size_t(next - stops.begin());
@@ -32,12 +47,16 @@ std::vector<ColorStop> with_stop_removed(std::vector<ColorStop> stops, std::size
     return stops;
 }
 
-std::vector<Rgb8> map_colors(const ColorMap& map, std::size_t count) {
-    const ColorTable8 table(map);
+std::vector<Rgb8> map_colors(const ColorMap& map, std::size_t count, const Rgb8& behind) {
+    const PreparedColorMap light(map), alpha(alpha_map(map));
+    const SrgbEncoder<std::uint8_t> encode;
     std::vector<Rgb8> colors(count);
     const double last = std::nextafter(1.0, 0.0);
-    for (std::size_t i = 0; i < count; ++i)
-        colors[i] = table(std::min(double(i) / double(std::max<std::size_t>(count - 1, 1)), last));
+    for (std::size_t i = 0; i < count; ++i) {
+        const double f = std::min(double(i) / double(std::max<std::size_t>(count - 1, 1)), last);
+        const Vec3d shown = light(f) + (1.0 - alpha(f).x) * linear_light(behind);
+        colors[i] = {encode(shown.x), encode(shown.y), encode(shown.z)};
+    }
     return colors;
 }
 

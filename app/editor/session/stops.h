@@ -19,7 +19,8 @@ std::vector<ColorStop> with_stop_added(const ColorMap& map, double position, std
 /// Removes a stop unless it is the only one.
 std::vector<ColorStop> with_stop_removed(std::vector<ColorStop> stops, std::size_t index);
 
-/// The map's colours at `count` equally spaced indices from 0 to 1, in sRGB codes.
-std::vector<Rgb8> map_colors(const ColorMap& map, std::size_t count);
+/// The map's colours at `count` equally spaced indices from 0 to 1, in sRGB codes, over the colour
+/// `behind` where they are transparent.
+std::vector<Rgb8> map_colors(const ColorMap& map, std::size_t count, const Rgb8& behind = {});
 
 }  // namespace burl

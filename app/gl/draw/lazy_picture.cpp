@@ -5,7 +5,9 @@
 
 #include "app/base/stopwatch.h"
 #include "app/gl/draw/view_scene.h"
+#include "app/pipeline/material.h"
 #include "app/surface/tangents.h"
+#include "atlas/base/error.h"
 #include "atlas/build/block_levels.h"
 #include "atlas/solid/level.h"
 #include "atlas/solid/texel_set.h"
@@ -139,6 +141,11 @@ SceneTexture view_texture(const ViewSource& source, const std::vector<TexelSet>&
 
 LazyPicture render_lazily(GlContext& context, Pipeline& pipeline, const View& view,
                           const LazyOptions& options) {
+    if (is_transparent(pipeline.recipe()))
+        throw Error(
+            ExitCode::unsupported,
+            "--lazy does not draw what is transparent; use --direct, or bake the recipe and "
+            "draw the file, or add --set material.alpha=opaque");
     context.make_current();
     LazyPicture result;
     const ViewSource source{pipeline.mesh_atlas(), pipeline.solid(), pipeline.recipe(),

@@ -31,6 +31,44 @@ Image<Pixel> read_tile(const GladGLContext& gl, const SampleTile& tile, GLenum f
     return drawn;
 }
 
+constexpr int most_layers = 256;  // beyond which nothing is seen but specks
+
+/// Adds a layer below the layers in `sum`, whose alpha is the share that they hide; returns whether
+/// the layer has anything.
+bool add_layer(const Image<RgbaF>& layer, Image<RgbaF>& sum) {
+    bool any = false;
+    for (std::size_t y = 0; y < sum.height(); ++y)
+        for (std::size_t x = 0; x < sum.width(); ++x) {
+            const RgbaF& c = layer(x, y);
+            if (!(c.a > 0.0f)) continue;
+            any = true;
+            RgbaF& s = sum(x, y);
+            const float shows = 1.0f - s.a;
+            s = {s.r + shows * c.r, s.g + shows * c.g, s.b + shows * c.b, s.a + shows * c.a};
+        }
+    return any;
+}
+
+/// Puts the layers over a tile of what is opaque, which has been drawn into the bound framebuffer.
+void blend_layers(const GladGLContext& gl, const GlScene& scene, const Camera& camera,
+                  const PictureSize& samples, const SampleTile& tile, bool lit,
+                  Image<RgbF>& drawn) {
+    GlLayerDepths depths(gl, tile.width, tile.height);
+    Image<RgbaF> sum(drawn.width(), drawn.height());
+    for (int layer = 0; layer < most_layers; ++layer) {
+        scene.draw_layer(camera, samples, tile, lit, depths);
+        if (!add_layer(read_tile<RgbaF>(gl, tile, GL_RGBA), sum)) break;
+        depths.take_layer();
+    }
+    for (std::size_t y = 0; y < sum.height(); ++y)
+        for (std::size_t x = 0; x < sum.width(); ++x) {
+            const RgbaF& s = sum(x, y);
+            RgbF& below = drawn(x, y);
+            const float shows = 1.0f - s.a;
+            below = {s.r + shows * below.r, s.g + shows * below.g, s.b + shows * below.b};
+        }
+}
+
 PictureSize samples_of(const PictureOptions& options) {
     return {options.size.width * options.supersample, options.size.height * options.supersample};
 }
@@ -53,8 +91,10 @@ Image<Rgb8> render_scene(GlContext& context, const GlScene& scene, const Camera&
     Image<Rgb8> picture(std::size_t(options.size.width), std::size_t(options.size.height));
     for_each_tile(gl, samples, n, [&](const SampleTile& tile) {
         scene.draw(camera, samples, tile, options.lit);
-        resolve_samples(read_tile<RgbF>(gl, tile, GL_RGB), n, encode, picture,
-                        std::size_t(tile.x / n), std::size_t(tile.y / n));
+        auto drawn = read_tile<RgbF>(gl, tile, GL_RGB);
+        if (scene.has_layers()) blend_layers(gl, scene, camera, samples, tile, options.lit, drawn);
+        resolve_samples(drawn, n, encode, picture, std::size_t(tile.x / n),
+                        std::size_t(tile.y / n));
     });
     return picture;
 }

@@ -39,12 +39,33 @@ void upload_level(const GladGLContext& gl, GLint level, const Image<Rgb8>& image
                   GLsizei(image.height()), 0, GL_RGB, GL_UNSIGNED_BYTE, image.pixels().data());
 }
 
+/// Uploads a level with its alpha; an image without pixels stands for opaque.
+void upload_level(const GladGLContext& gl, GLint level, const Image<Rgb8>& image,
+                  const Image<Grey8>& alpha, bool is_color) {
+    Image<Rgba8> both(image.width(), image.height());
+    for (std::size_t y = 0; y < image.height(); ++y)
+        for (std::size_t x = 0; x < image.width(); ++x) {
+            const Rgb8& c = image(x, y);
+            both(x, y) = {c.r, c.g, c.b, alpha.width() > 0 ? alpha(x, y) : std::uint8_t(255)};
+        }
+    gl.TexImage2D(GL_TEXTURE_2D, level, is_color ? GL_SRGB8_ALPHA8 : GL_RGBA8,
+                  GLsizei(image.width()), GLsizei(image.height()), 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                  both.pixels().data());
+}
+
+/// Uploads level `number` of a texture: 0 is the image.
+void upload_level(const GladGLContext& gl, const SceneTexture& texture, std::size_t number) {
+    const Image<Rgb8>& image = number == 0 ? texture.image : texture.levels[number - 1];
+    if (texture.alpha.width() == 0) return upload_level(gl, GLint(number), image, texture.is_color);
+    upload_level(gl, GLint(number), image,
+                 number == 0 ? texture.alpha : texture.alpha_levels[number - 1], texture.is_color);
+}
+
 /// Generates MIP levels by box means, and replaces them by the file's own levels as far as there
 /// are any.
 void upload_levels(const GladGLContext& gl, const SceneTexture& texture) {
     gl.GenerateMipmap(GL_TEXTURE_2D);
-    for (std::size_t l = 1; l <= texture.levels.size(); ++l)
-        upload_level(gl, GLint(l), texture.levels[l - 1], texture.is_color);
+    for (std::size_t l = 1; l <= texture.levels.size(); ++l) upload_level(gl, texture, l);
 }
 
 void set_filter(const GladGLContext& gl, TextureFilter filter, const SceneTexture& texture) {
@@ -71,7 +92,7 @@ GlTexture upload(const GladGLContext& gl, const SceneTexture& texture, TextureFi
     GlTexture result(gl);
     gl.BindTexture(GL_TEXTURE_2D, result.get());
     gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    upload_level(gl, 0, image, texture.is_color);
+    upload_level(gl, texture, 0);
     gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, wrap_mode(texture.wrap_u));
     gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, wrap_mode(texture.wrap_v));
     set_filter(gl, filter, texture);
@@ -88,6 +109,7 @@ const GlProgram& GlScenePrograms::use(const Look& look) {
         source.define("ENCODED", word(look.encoded)).define("LIT", word(look.lit));
         source.define("BUMPED", word(look.bumped)).define("LEVELS", word(look.levels));
         source.define("IN_BLOCKS", word(look.in_blocks)).define("PLACES", word(look.places));
+        source.define("MASKS", word(look.masks)).define("BLENDS", word(look.blends));
         source.add("maps/footprint.glsl")
             .add("maps/level_size.glsl")
             .add("color/srgb_encode.glsl")
@@ -99,6 +121,8 @@ const GlProgram& GlScenePrograms::use(const Look& look) {
     program.set("ambient", float(ambient));
     program.set("base_color", 0);
     program.set("normal_map", 1);
+    program.set("nearer", GlLayerDepths::nearer_unit);
+    program.set("farther", GlLayerDepths::farther_unit);
     return program;
 }
 
@@ -170,13 +194,25 @@ void GlScene::bind(GLenum unit, int number) const {
 void GlScene::draw(const Camera& camera, const PictureSize& samples, const SampleTile& tile,
                    bool lit) const {
     clear(tile, Vec4f(Vec3f(background_linear()), 1.0f));
-    draw_surfaces(TileView(camera, samples, tile), {.lit = lit});
+    draw_surfaces(TileView(camera, samples, tile), {.lit = lit}, Drawn::solid);
+}
+
+bool GlScene::has_layers() const {
+    return std::ranges::any_of(surfaces_,
+                               [&](const GlSurface& one) { return draws(one, Drawn::layers); });
+}
+
+void GlScene::draw_layer(const Camera& camera, const PictureSize& samples, const SampleTile& tile,
+                         bool lit, const GlLayerDepths& depths) const {
+    clear(tile, Vec4f(0.0f));
+    depths.bind();
+    draw_surfaces(TileView(camera, samples, tile), {.lit = lit, .blends = true}, Drawn::layers);
 }
 
 void GlScene::draw_encoded(const Camera& camera, const PictureSize& samples, const SampleTile& tile,
                            bool lit) const {
     clear(tile, background_codes());
-    draw_surfaces(TileView(camera, samples, tile), {.encoded = true, .lit = lit});
+    draw_surfaces(TileView(camera, samples, tile), {.encoded = true, .lit = lit}, Drawn::all);
 }
 
 Vec4f GlScene::background_codes() {
@@ -196,7 +232,7 @@ bool GlScene::has_places() const {
 void GlScene::draw_places(const Camera& camera, const PictureSize& samples, const SampleTile& tile,
                           bool lit) const {
     clear(tile, Vec4f(0.0f));
-    draw_surfaces(TileView(camera, samples, tile), {.lit = lit, .places = true});
+    draw_surfaces(TileView(camera, samples, tile), {.lit = lit, .places = true}, Drawn::all);
 }
 
 bool GlScene::has_levels(const GlSurface& surface) const {
@@ -206,11 +242,19 @@ bool GlScene::has_levels(const GlSurface& surface) const {
     return has(surface.material().texture) || has(surface.material().normals);
 }
 
-/// Draws all surfaces; `look` holds the properties that do not depend on the surface.
-void GlScene::draw_surfaces(const TileView& view, const GlScenePrograms::Look& look) const {
+bool GlScene::draws(const GlSurface& surface, Drawn drawn) const {
+    const bool blends = surface.material().alpha == SceneAlpha::blend;
+    return drawn == Drawn::all || blends == (drawn == Drawn::layers);
+}
+
+/// Draws these surfaces; `look` holds the properties that do not depend on the surface.
+void GlScene::draw_surfaces(const TileView& view, const GlScenePrograms::Look& look,
+                            Drawn drawn) const {
     for (const GlSurface& surface : surfaces_) {
+        if (!draws(surface, drawn)) continue;
         const SceneMaterial& material = surface.material();
         GlScenePrograms::Look own = look;
+        own.masks = material.alpha == SceneAlpha::mask;
         own.bumped = surface.bumped();
         own.levels = has_levels(surface);
         own.in_blocks = own.levels && surface.in_blocks();
@@ -219,6 +263,7 @@ void GlScene::draw_surfaces(const TileView& view, const GlScenePrograms::Look& l
         bind(GL_TEXTURE1, material.normals);
         program.set("normal_scale", material.normal_scale);
         program.set("base_color_factor", material.factor);
+        program.set("alpha_cutoff", material.alpha_cutoff);
         surface.draw(gl_, program, view);
     }
     check_gl(gl_, "drawing");

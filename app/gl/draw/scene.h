@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "app/gl/draw/layers.h"
 #include "app/gl/draw/surface.h"
 #include "app/scene/scene.h"
 
@@ -21,7 +22,7 @@ class GlScenePrograms {
     /// The properties that a program is compiled for.
     struct Look {
         bool encoded = false, lit = false, bumped = false, levels = false, in_blocks = false,
-             places = false;
+             places = false, masks = false, blends = false;
         auto operator<=>(const Look&) const = default;
     };
     /// Makes the program of these properties current; compiles it at its first use.
@@ -61,9 +62,16 @@ class GlScene {
     const GlTexture& texture(int number) const { return textures_[std::size_t(number)]; }
 
     /// Draws a tile of the picture in linear light into the bound framebuffer, under the headlight
-    /// of app/scene/shading.h where `lit` is set.
+    /// of app/scene/shading.h where `lit` is set. Surfaces that blend are left to draw_layer().
     void draw(const Camera& camera, const PictureSize& samples, const SampleTile& tile,
               bool lit) const;
+
+    /// Whether a surface blends with what lies behind it.
+    bool has_layers() const;
+    /// Draws the frontmost surfaces that blend, of those between the depths that `depths` binds:
+    /// their colours multiplied by alpha, and alpha, which is 0 where there are none.
+    void draw_layer(const Camera& camera, const PictureSize& samples, const SampleTile& tile,
+                    bool lit, const GlLayerDepths& depths) const;
 
     /// Draws a tile of the picture in sRGB codes, for a framebuffer whose samples are pixels of the
     /// screen.
@@ -89,7 +97,9 @@ class GlScene {
     bool has_levels(const GlSurface& surface) const;
     void bind(GLenum unit, int number) const;
     void make_textures(const Scene& scene, std::optional<TextureFilter> filter);
-    void draw_surfaces(const TileView& view, const GlScenePrograms::Look& look) const;
+    enum class Drawn { all, solid, layers };
+    bool draws(const GlSurface& surface, Drawn drawn) const;
+    void draw_surfaces(const TileView& view, const GlScenePrograms::Look& look, Drawn drawn) const;
 
     const GladGLContext& gl_;
     std::shared_ptr<GlScenePrograms> programs_;

@@ -62,10 +62,12 @@ std::string GlGraphPass::problem(const TextureGraph& graph, const Filter& filter
     if (!why.empty()) return why;
     GLint units = 0;
     gl_->GetIntegerv(GL_MAX_TEXTURE_IMAGE_UNITS, &units);
-    const auto has_table = [](const Texture& texture) {
-        return texture.colors.stops.size() + 2 > most_compared_pieces;
-    };
-    const auto reads = std::ssize(graph.images) + std::ranges::count_if(graph.textures, has_table);
+    // Alpha is read from an image, or a table, of its own.
+    std::ptrdiff_t reads = 0;
+    for (const GraphImage& image : graph.images) reads += image.pixels->alpha() ? 2 : 1;
+    for (const Texture& texture : graph.textures)
+        if (texture.colors.stops.size() + 2 > most_compared_pieces)
+            reads += is_opaque(texture.colors) ? 1 : 2;
     if (first_image + reads <= units) return "";
     return fmt::format(
         "it reads {} images and large colour maps, and shaders of this OpenGL only {}", reads,

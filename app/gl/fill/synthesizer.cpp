@@ -113,8 +113,10 @@ class GlMultipassSynthesizer final : public TextureSynthesizer {
         if (recipe.filter.kind != FilterKind::none || recipe.filter.band_limit)
             return "the papers' passes have no filters";
         const Texture* texture = plain_texture(recipe.texture);
-        return texture ? textures_.problem(*texture)
-                       : "the papers' passes make no other textures than a color_map over a field";
+        return texture
+                   ? textures_.problem(*texture)
+                   : "the papers' passes make no other textures than an opaque color_map over a "
+                     "field";
     }
 
     void synthesize(const SolidAtlas& solid, const Recipe& recipe, int threads,

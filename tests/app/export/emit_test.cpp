@@ -100,6 +100,20 @@ TEST(GlEmit, SaysWhatItIsAndHoldsNothingElse) {
         EXPECT_THAT(text, Not(HasSubstr(part)));
 }
 
+TEST(GlEmit, SaysWhichImageIsAnAlpha) {
+    Recipe recipe;
+    recipe.texture = graph_from_json(
+        nlohmann::ordered_json::parse(R"({"node": "layer_over", "base": "#ffffff",
+            "top": {"node": "image", "file": "leaf.png"}})"),
+        [](const std::string&, ImageWrap wrap) {
+            return std::make_shared<const MipImage>(Image<Rgba8>(4, 4, {9, 9, 9, 99}), wrap);
+        });
+    const std::string text = emit_glsl(recipe, {});
+    EXPECT_THAT(text, HasSubstr("image leaf.png, decoded to linear light (an sRGB texture) and "
+                                "multiplied by its alpha"));
+    EXPECT_THAT(text, HasSubstr("is the alpha of the image leaf.png"));
+}
+
 /// OpenGL drivers forgive what the language does not have, so the reference compiler reads them.
 TEST(GlEmit, PresetsAndNodesAreValidGlsl) {
     if (std::system("command -v glslangValidator >/dev/null") != 0)

@@ -209,6 +209,29 @@ TEST(Png, DeclaredSizesBeyondTheDataAllocateNothing) {
     }
 }
 
+TEST(Png, AlphaIsKeptWhereItIsAskedFor) {
+    const auto alphas = [](const std::vector<std::uint8_t>& bytes) {
+        std::vector<int> all;
+        const PngColors colors = decode_png_with_alpha(bytes, "a.png");
+        if (const auto* image = std::get_if<Image<Rgba8>>(&colors))
+            for (const Rgba8& p : image->pixels()) all.push_back(p.a);
+        return all;
+    };
+    Image<Rgba8> image(2, 1);
+    image(0, 0) = {1, 2, 3, 77};
+    image(1, 0) = {250, 240, 230, 255};
+    EXPECT_EQ(std::get<Image<Rgba8>>(decode_png_with_alpha(encode_png(image), "a")), image);
+    EXPECT_EQ(std::get<Image<Rgb8>>(decode_png_with_alpha(encode_png(pattern8(5, 4)), "a")),
+              pattern8(5, 4));
+    const std::array<std::uint8_t, 8> grey{10, 0, 20, 100, 30, 200, 40, 255};
+    EXPECT_EQ(alphas(foreign_png(PNG_FORMAT_GA, 2, grey.data())),
+              (std::vector<int>{0, 100, 200, 255}));
+    const std::array<std::uint8_t, 4> indices{0, 1, 1, 0};
+    const std::array<std::uint8_t, 8> map{255, 0, 0, 255, 0, 255, 0, 51};
+    EXPECT_EQ(alphas(foreign_png(PNG_FORMAT_RGBA_COLORMAP, 2, indices.data(), map.data(), 2)),
+              (std::vector<int>{255, 51, 51, 255}));
+}
+
 TEST(Png, MissingFilesAndFoldersAreIoErrors) {
     const ScratchFolder folder;
     for (const std::string& path : {folder / "missing.png", folder.path()}) {

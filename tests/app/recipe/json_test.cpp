@@ -217,10 +217,29 @@ TEST(Recipe, ColourStopsAreChecked) {
     EXPECT_THAT(stops("{}"), HasSubstr("texture.stops is an object, must be an array"));
     EXPECT_THAT(stops(R"([[0, "#000000", 1]])"), HasSubstr("texture.stops.0 is"));
     EXPECT_THAT(stops(R"([[0, "red"]])"), HasSubstr("texture.stops.0.1 is \"red\""));
-    EXPECT_THAT(stops(R"([[0, "#00000g"]])"), HasSubstr("#rrggbb"));
+    EXPECT_THAT(stops(R"([[0, "#00000g"]])"),
+                HasSubstr("texture.stops.0.1 is \"#00000g\", must be an sRGB colour \"#rrggbb\" or "
+                          "\"#rrggbbaa\""));
+    EXPECT_THAT(stops(R"([[0, "#0000000"]])"), HasSubstr("texture.stops.0.1 is"));
     EXPECT_THAT(stops(R"([[1.5, "#000000"]])"), HasSubstr("texture.stops.0.0 is 1.5"));
     EXPECT_THAT(stops(R"([[0.5, "#000000"], [0.4, "#000000"]])"),
                 HasSubstr("texture.stops.1.0 is 0.4, must not be below"));
+}
+
+TEST(Recipe, StopsMayBeTransparent) {
+    const char* json = R"({"texture": {"stops": [[0, "#10203000"], [1, "#ffffff"]]}})";
+    const Recipe recipe = parse_recipe(json, "test");
+    EXPECT_EQ(plain_texture(recipe.texture), nullptr);
+    EXPECT_EQ(recipe.texture.textures.at(0).colors.stops,
+              (std::vector<ColorStop>{{0.0, {16, 32, 48}, 0}, {1.0, {255, 255, 255}, 255}}));
+    EXPECT_EQ(parse_recipe(to_json(recipe), "again"), recipe);
+    const Recipe set = with({"texture.stops.1.1=#ffffff80"}, json);
+    EXPECT_EQ(set.texture.textures.at(0).colors.stops[1].alpha, 128);
+    EXPECT_THAT(invalid(R"({"material": {"emissive": "#ffffff80"}})"),
+                HasSubstr("must be an sRGB colour \"#rrggbb\""));
+    EXPECT_THAT(invalid(R"({"precision": {"kind": "fixed"}, "texture": {"stops":
+                        [[0, "#10203000"], [1, "#ffffff"]]}})"),
+                HasSubstr("a stop of texture.stops is transparent"));
 }
 
 TEST(Settings, EditNumbersWordsAndWholeParts) {

@@ -168,6 +168,8 @@ TEST(MaterialRecipe, KnowsWhatIsTransparent) {
     EXPECT_FALSE(transparent(R"({"base_color": "#ffffff"})"));
     EXPECT_TRUE(transparent(R"({"base_color": "#ffffff80"})"));
     EXPECT_FALSE(transparent(R"({"base_color": "#ffffff80", "alpha": "opaque"})"));
+    EXPECT_TRUE(transparent(R"({"base_color": {"stops": [[0, "#ffffff00"], [1, "#ffffff"]]}})"));
+    EXPECT_FALSE(transparent(R"({"base_color": {"stops": [[0, "#ffffff"], [1, "#000000"]]}})"));
     EXPECT_TRUE(transparent(R"({"opacity": 0.5})"));
     EXPECT_TRUE(transparent(R"({"opacity": {"node": "fbm"}})"));
     EXPECT_FALSE(transparent(R"({"base_color": {"node": "layer_over", "top": "#ffffff80",

@@ -68,7 +68,7 @@ std::string line_of(const Parameter& p) {
     if (p.low < p.high) range = fmt::format("{} to {}", p.low, p.high);
     if (!p.choices.empty())
         range = fmt::format("`{}`", fmt::join(split_choices(p.choices), "`, `"));
-    if (p.type == ParameterType::color) range = "`#rrggbb`";
+    if (p.type == ParameterType::color) range = p.alpha ? "`#rrggbb`, `#rrggbbaa`" : "`#rrggbb`";
     return fmt::format("| `{}` | {} | {} | {} | {}{} |", p.path, to_string(p.type),
                        p.default_value.empty() ? "-" : fmt::format("`{}`", p.default_value), range,
                        p.tip, p.unit.empty() ? "" : fmt::format(" ({})", p.unit));

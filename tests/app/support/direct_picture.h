@@ -10,9 +10,9 @@ inline Image<Rgb8> render_direct(const Mesh& mesh, const Recipe& recipe, const C
                                  const PictureOptions& options) {
     const std::vector<Vec3f> normals = corner_normals(mesh, 40.0);
     const Affine3 map = texture_from_mesh(recipe, mesh);
-    const FilteredColor color_at = filtered_color(recipe, FilterKind::none);
+    const FilteredColor color_at = shown_color(recipe, FilterKind::none);
     const SampleColor color = [&](const SurfacePoint& point, const Footprint& steps) {
-        return Vec3d(color_at(map(position(mesh, point)), steps));
+        return color_at(map(position(mesh, point)), steps);
     };
     return render_samples({mesh, normals, color, bumped_normals(recipe, mesh), {}}, camera,
                           options);

@@ -89,7 +89,7 @@ TEST(Pictures, ChannelsAreThoseOfTheGraphAtTheTexelsPoint) {
             const auto color = color_at(p).channels;
             const double share = opacity_at(p).channels[0].value;
             const RgbaF& found = floats[0](span.x, y);
-            EXPECT_FLOAT_EQ(found.g, float(color[1].value));
+            EXPECT_FLOAT_EQ(found.g, float(color[1].value * share));
             EXPECT_FLOAT_EQ(found.a, float(color[3].value * share));
             const double straight = srgb_encode(color[1].value / color[3].value);
             EXPECT_NEAR(codes[0](span.x, y).g, 255.0 * straight, 0.51);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 
 #include "procedural/color/srgb.h"
@@ -39,6 +40,30 @@ TEST(EditStops, AnAddedStopChangesNoColour) {
             }
         }
     }
+}
+
+TEST(EditStops, AnAddedStopKeepsColourAndAlpha) {
+    const ColorMap before{Wrap::clamp,
+                          {{0.0, {255, 0, 0}, 0}, {0.6, {0, 80, 255}, 200}, {1.0, {9, 9, 9}, 255}}};
+    for (const double place : {0.0, 0.05, 0.3, 0.7, 1.0}) {
+        std::size_t at = 99;
+        const ColorMap after{Wrap::clamp, with_stop_added(before, place, at)};
+        for (double f = 0.0; f <= 1.0; f += 0.0625) {
+            const Vec3d away = glm::abs(evaluate_color(after, f) - evaluate_color(before, f));
+            EXPECT_LT(std::max({away.x, away.y, away.z}), 0.01) << place << ' ' << f;
+            EXPECT_NEAR(evaluate_color(alpha_map(after), f).x,
+                        evaluate_color(alpha_map(before), f).x, 0.5001 / 255.0)
+                << place << ' ' << f;
+        }
+    }
+    EXPECT_EQ(with_stop_moved(before.stops, 1, 0.5)[1].alpha, 200);
+}
+
+TEST(EditStops, MapColorsShowWhatLiesBehind) {
+    const ColorMap map{Wrap::clamp, {{0.0, {255, 0, 0}, 0}, {1.0, {255, 255, 255}, 255}}};
+    const auto colors = map_colors(map, 2, {10, 200, 30});
+    EXPECT_EQ(colors[0], (Rgb8{10, 200, 30}));
+    EXPECT_EQ(colors[1], (Rgb8{255, 255, 255}));
 }
 
 TEST(EditStops, TheLastStopStays) {

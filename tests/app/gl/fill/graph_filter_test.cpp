@@ -130,6 +130,24 @@ TEST_F(GlGraphFilterTest, ImagesHaveTheHostsMeans) {
                          trapezoid, 0.0);
 }
 
+/// A hole in an image shows what lies below, by the image's alpha.
+TEST_F(GlGraphFilterTest, ImagesMayBeTransparent) {
+    const auto image = [](const std::string& file, ImageWrap wrap) {
+        Image<Rgba8> pixels(12, 16);
+        const Image<Rgb8> opaque = case_image(file);
+        for (std::size_t y = 0; y < 16; ++y)
+            for (std::size_t x = 0; x < 12; ++x) {
+                const Rgb8& c = opaque(x, y);
+                pixels(x, y) = {c.r, c.g, c.b, std::uint8_t(20 * x)};
+            }
+        return std::make_shared<const MipImage>(pixels, wrap);
+    };
+    const auto json = nlohmann::ordered_json::parse(R"({"node": "layer_over", "base": "#ffffff",
+        "top": {"node": "image", "file": "image.png", "lookup": "ewa"}})");
+    expect_hosts(graph_from_json(json, image), trapezoid, 0.0);
+    expect_hosts(graph_from_json(json, image), Filter{}, 0.0);
+}
+
 TEST_F(GlGraphFilterTest, ImagesMayBeLong) {
     const auto image = [](const std::string&, ImageWrap wrap) {
         return std::make_shared<const MipImage>(random_image(40, 5), wrap);
