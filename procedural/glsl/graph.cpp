@@ -10,6 +10,7 @@
 #include "procedural/glsl/noise_sum.h"
 #include "procedural/glsl/simplex.h"
 #include "procedural/glsl/tiles.h"
+#include "procedural/graph/masks.h"
 #include "procedural/graph/table.h"
 #include "procedural/graph/value_program.h"
 #include "procedural/graph/values.h"
@@ -70,6 +71,7 @@ class GlslSteps {
     GlslStep step(const ScatteredShapes& shapes, const Inputs& inputs);
     GlslStep step(const ImageLookup& lookup, const Inputs& inputs);
     GlslStep step(const GraphSlope& slope, const Inputs& inputs);
+    GlslStep step(const MaskRead& read, const Inputs& inputs);
 
     std::string number(double value) const { return functions_.number(value); }
     std::string expression(const ValueOperation& operation, const Inputs& in) const;
@@ -230,6 +232,11 @@ GlslStep GlslSteps::step(const GraphSlope& slope, const Inputs&) {
                              number(d.z), known->second));
 }
 
+/// No shader is written of what reads a mask (no_graph_shader).
+GlslStep GlslSteps::step(const MaskRead&, const Inputs&) {
+    return {"", {number(0.0)}};
+}
+
 /// Writes a value program: a variable per step, with a comment that names the step's node.
 class GraphWriter {
   public:
@@ -294,10 +301,14 @@ void check(const std::string& why) {
 }  // namespace
 
 std::string no_graph_shader(const TextureGraph& graph) {
+    const std::string mask = first_mask_node(graph, GraphOutput::color);
+    if (!mask.empty()) return no_texels_for(mask);
     return has_node(graph, "slope") ? too_many_stops(graph) : "";
 }
 
 std::string no_filtered_shader(const TextureGraph& graph, const Filter& filter) {
+    const std::string mask = first_mask_node(graph, GraphOutput::color);
+    if (!mask.empty()) return no_texels_for(mask);
     const bool tables = filter.kind == FilterKind::table_mip ||
                         filter.kind == FilterKind::table_sat ||
                         filter.kind == FilterKind::table_sat3;
