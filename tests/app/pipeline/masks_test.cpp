@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "app/pipeline/mask_picture.h"
 #include "app/pipeline/pipeline.h"
 #include "atlas/shape/crease_edges.h"
 #include "atlas/shape/curvature.h"
@@ -174,6 +175,33 @@ TEST(MeshMasks, PiecesHaveNumbersOfTheirOwn) {
     pipeline.set_recipe(mask_recipe(R"({"node": "part", "seed": 4, "piece": "part"})"));
     for_points(pipeline, [&](float value, const ShapePoint&) { seen.insert(value); });
     EXPECT_EQ(seen.size(), 1u);
+}
+
+TEST(MaskPictures, HoldTheNodesNumbersAsCodes) {
+    struct Case {
+        std::string name;
+        double factor, offset;
+    };
+    const double diagonal = 2.0 * std::sqrt(3.0);  // of the cube, at scale 2 and side 1
+    for (const auto& [name, factor, offset] :
+         {Case{"occlusion", 1.0, 0.0}, Case{"curvature", 0.5, 0.5}, Case{"facing", 0.5, 0.5},
+          Case{"height_in_box", 1.0, 0.0}, Case{"thickness", 1.0 / diagonal, 0.0},
+          Case{"edge_distance", 1.0 / diagonal, 0.0}, Case{"part", 1.0, 0.0}}) {
+        Pipeline pipeline(cube_mesh());
+        pipeline.set_recipe(
+            mask_recipe(fmt::format(R"({{"node": "{}"}})", name), {"solid.scale=2"}));
+        const Image<RgbF> values = pipeline.synthesize<RgbF>();
+        const Image<Grey8> codes = mask_picture<Grey8>(pipeline, name);
+        const Image<Grey16> fine = mask_picture<Grey16>(pipeline, name);
+        for (std::size_t y = 0; y < codes.height(); ++y)
+            for (std::size_t x = 0; x < codes.width(); ++x) {
+                const double value = factor * double(values(x, y).r) + offset;
+                ASSERT_NEAR(codes(x, y), 255.0 * value, 0.51) << name;
+                ASSERT_NEAR(fine(x, y), 65535.0 * value, 0.6) << name;
+            }
+        EXPECT_EQ(pipeline.records()[Stage::masks].runs, 1u) << name;
+    }
+    EXPECT_EQ(mask_picture_names().size(), 7u);
 }
 
 }  // namespace

@@ -46,5 +46,35 @@ TEST(Masks, AreRefusedWhereThereAreNoTexels) {
     EXPECT_FALSE(fs::exists(out));
 }
 
+TEST(Masks, AreWrittenBesideAnOutput) {
+    const Scratch scratch;
+    const std::string bake = fmt::format(
+        "bake sample:cube -o '{}' --size 64 --channels occlusion,curvature", scratch / "a.png");
+    const Outcome outcome = run_burl(scratch, bake);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(scratch.files(), 4u);  // with the record
+    const Image<Rgb8> open = read_png(scratch / "a_occlusion.png");
+    EXPECT_EQ(open.width(), 64u);
+    int white = 0;
+    for (const Rgb8& pixel : open.pixels()) white += pixel.g == 255;
+    EXPECT_GT(white, 64 * 64 / 2);  // a box hides nothing of its sky
+    EXPECT_TRUE(fs::exists(scratch / "a_curvature.png"));
+    EXPECT_THAT(run_burl(scratch, bake).out, HasSubstr("up to date"));
+    fs::remove(scratch / "a_curvature.png");
+    EXPECT_EQ(run_burl(scratch, bake).exit_code, 0);
+    EXPECT_TRUE(fs::exists(scratch / "a_curvature.png"));
+}
+
+TEST(Masks, RefusesChannelsThatThereAreNot) {
+    const Scratch scratch;
+    const std::string bake = fmt::format("bake sample:cube -o '{}' --channels ", scratch / "a.png");
+    EXPECT_EQ(run_burl(scratch, bake + "colour").exit_code, 1);
+    const Outcome twice = run_burl(scratch, bake + "part,part");
+    EXPECT_EQ(twice.exit_code, 2);
+    EXPECT_THAT(twice.err, HasSubstr("a_part.png"));
+    EXPECT_EQ(run_burl(scratch, bake + "part --atlas quad --compress 0.1").exit_code, 1);
+    EXPECT_EQ(scratch.files(), 0u);
+}
+
 }  // namespace
 }  // namespace burl::test
