@@ -10,8 +10,10 @@
 #include "app/bake/texture.h"
 #include "app/base/stopwatch.h"
 #include "app/export/emit.h"
+#include "app/export/formats.h"
 #include "app/image/image_io.h"
 #include "app/pipeline/displaced_mesh.h"
+#include "app/pipeline/mask_picture.h"
 #include "app/recipe/lattice_check.h"
 #include "atlas/base/memory.h"
 #include "atlas/build/capacity.h"
@@ -130,10 +132,22 @@ std::vector<AtomicFile> files_of_frame(Pipeline& pipeline, const BakePlan& plan,
     return files;
 }
 
-/// Adds the shader and the solid map where the plan has them.
+/// Adds a grey picture of each mask that the plan has.
+void add_channels(std::vector<AtomicFile>& files, Pipeline& pipeline, const BakePlan& plan) {
+    for (const std::string& name : plan.channels) {
+        AtomicFile& file = files.emplace_back(picture_path(plan.paths.front(), name));
+        if (plan.depth == 16)
+            encode_png(mask_picture<Grey16>(pipeline, name), sink_of(file));
+        else
+            encode_png(mask_picture<Grey8>(pipeline, name), sink_of(file));
+    }
+}
+
+/// Adds the shader, the masks and the solid map where the plan has them.
 void add_beside(std::vector<AtomicFile>& files, Pipeline& pipeline, const BakePlan& plan,
                 const std::string& shader, BakeResult& result) {
     if (!plan.shader.empty()) files.emplace_back(plan.shader).write(shader);
+    add_channels(files, pipeline, plan);
     if (plan.solid_map.empty()) return;
     auto [base, file] = write_solid_map(plan.solid_map, pipeline, plan.threads);
     files.push_back(std::move(file));
@@ -168,8 +182,8 @@ BakeResult bake(Pipeline& pipeline, const BakePlan& plan, const MeshPose* pose, 
     if (plan.measures) result.metrics = measure(atlas.mesh(mesh), atlas.atlas(), points);
     if (mesh.triangles.size() > many_triangles) return_freed_memory();
 
-    const bool needed_later =
-        later == LaterBake::atlas || !plan.solid_map.empty() || plan.normals != NormalSpace::none;
+    const bool needed_later = later == LaterBake::atlas || !plan.solid_map.empty() ||
+                              !plan.channels.empty() || plan.normals != NormalSpace::none;
     for (std::size_t i = 0; i < plan.paths.size(); ++i) {
         const bool last = i + 1 == plan.paths.size();
         if (i > 0) set_frame(pipeline, plan, i);

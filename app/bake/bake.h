@@ -28,14 +28,15 @@ struct BakePlan {
     double crease_degrees = 40.0;      ///< crease angle of computed normals (app/surface/normals.h)
     LevelsAsked levels{};
     NormalSpace normals = NormalSpace::none;
-    bool normals_down = false;         ///< whether a normal map's green points down
-    Packing packing = Packing::gltf;   ///< which of a material's channels share a picture
-    bool displaces = false;            ///< whether the exported mesh is moved by the height
-    std::optional<double> compress{};  ///< the largest error of --compress (app/bake/texture.h)
-    std::string solid_map{};           ///< path of the solid map; empty: none
-    std::string shader{};              ///< path of the texture as GLSL; empty: none
-    bool measures = true;              ///< whether the atlas is measured for a report
-    int threads = 0;                   ///< number of threads for the solid map; 0: all
+    bool normals_down = false;            ///< whether a normal map's green points down
+    Packing packing = Packing::gltf;      ///< which of a material's channels share a picture
+    bool displaces = false;               ///< whether the exported mesh is moved by the height
+    std::optional<double> compress{};     ///< the largest error of --compress (app/bake/texture.h)
+    std::string solid_map{};              ///< path of the solid map; empty: none
+    std::string shader{};                 ///< path of the texture as GLSL; empty: none
+    std::vector<std::string> channels{};  ///< masks written beside (app/pipeline/mask_picture.h)
+    bool measures = true;                 ///< whether the atlas is measured for a report
+    int threads = 0;                      ///< number of threads for the solid map; 0: all
 
     /// What is asked of the material; strip atlases may have fewer levels.
     MaterialAsked material() const {

@@ -16,6 +16,7 @@
 #include "app/base/stopwatch.h"
 #include "app/base/version.h"
 #include "app/export/command_files.h"
+#include "app/export/formats.h"
 #include "app/gl/fill/synthesizer.h"
 #include "app/options/idle_options.h"
 #include "app/pipeline/fill_texture.h"
@@ -81,6 +82,7 @@ BakePlan plan_of(const BakeCommand& command,
     plan.normals_down = command.normal_y == "-";
     plan.packing = packing_asked(command.packing, command.out);
     plan.compress = command.compress;
+    plan.channels = command.channels;
     plan.solid_map = command.solid_map;
     plan.shader = command.emitted_glsl;
     plan.threads = command.threads;
@@ -124,6 +126,8 @@ std::vector<std::string> BakeJob::outputs(std::uint32_t levels) const {
             output_paths(path, levels, has_normals(), picture_names(recipe(), plan_.material()),
                          plan_.material().rough_levels()),
             std::back_inserter(outputs));
+    for (const std::string& name : command_.channels)
+        outputs.push_back(picture_path(command_.out, name));
     for (const std::string& path : {command_.solid_map, command_.emitted_glsl})
         if (!path.empty()) outputs.push_back(path);
     return outputs;
@@ -188,7 +192,8 @@ void BakeJob::check_idle() const {
                                                  command_.out, option, why));
     };
     const bool mesh = holds_mesh(command_.out), normals = has_normals();
-    if (command_.depth && plan_.kind == ImageKind::rgb_float && !normals)
+    const bool pictures = normals || !command_.channels.empty();
+    if (command_.depth && plan_.kind == ImageKind::rgb_float && !pictures)
         refuse("--depth", "an .exr always has floats");
     if (command_.normal_y == "-" && !normals) refuse("--normal-y", "there is no normal map");
     if (command_.normal_y == "-" && holds_mesh(command_.out) && is_gltf(command_.out))

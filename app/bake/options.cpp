@@ -9,6 +9,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "app/pipeline/mask_picture.h"
 #include "app/pipeline/material.h"
 #include "app/recipe/parameters.h"
 #include "atlas/base/error.h"
@@ -104,7 +105,14 @@ void add_bake_options(CLI::App& verb, BakeCommand& command) {
                     "Write every texel's solid point and triangle to this .exr file, for shaders "
                     "elsewhere")
         ->excludes("--compress");
-    for (const char* option : {"--levels", "--compress", "--solid-map"})
+    const auto masks = mask_picture_names();
+    verb.add_option("--channels", command.channels,
+                    "Masks of the mesh's shape to write as NAME_MASK.png, separated by commas: "
+                    "occlusion, curvature, thickness, facing, height_in_box, edge_distance, part")
+        ->delimiter(',')
+        ->check(one_of(std::vector<std::string>(masks.begin(), masks.end())))
+        ->excludes("--compress");
+    for (const char* option : {"--levels", "--compress", "--solid-map", "--channels"})
         verb.get_option("--frames")->excludes(verb.get_option(option));
     verb.add_option(
         "--emit-glsl", command.emitted_glsl,

@@ -2,6 +2,7 @@
 // The command of `burl bake` and its options, which are also those of an entry of `burl batch`.
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/base/json_text.h"
 #include "app/gl/device/context.h"
@@ -27,8 +28,9 @@ struct BakeCommand {
     std::optional<int> depth;      ///< bits per channel; none: 8
     std::optional<double> crease;  ///< crease angle in degrees; none: 40
     std::string levels, level_rule, normals, solid_map, emitted_glsl;
-    std::string packing;          ///< a word of Packing; empty: by the output's extension
-    std::string normal_y = "+";   ///< the side of a normal map's green: + up, - down
+    std::vector<std::string> channels;  ///< names of mask_picture_names
+    std::string packing;                ///< a word of Packing; empty: by the output's extension
+    std::string normal_y = "+";         ///< the side of a normal map's green: + up, - down
     std::string kernel = "auto";  ///< a name of kernel_names, forward_kernel or reference_kernel
     std::string synth = "host", platform{};   ///< platform is that of OpenGL; empty: the first
     std::string gl_precision, gl_randomizer;  ///< words of multipass_synth; empty: its defaults

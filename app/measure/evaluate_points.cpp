@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "app/base/file_bytes.h"
+#include "app/pipeline/texture_color.h"
 #include "app/recipe/lattice_check.h"
 #include "atlas/base/error.h"
 #include "procedural/color/table.h"
@@ -207,6 +208,7 @@ Evaluation evaluate_graph(const GraphEvaluator& evaluate, GraphEvaluator::Scratc
 }
 
 std::vector<PointResult> evaluate_graph(const Recipe& recipe, const PointFile& file) {
+    check_points(recipe.texture, "texture");
     const Filter filter{FilterKind::trapezoid};
     const GraphEvaluator exact(recipe.texture, filter),
         quick(recipe.texture, filter, PrecisionKind::float32);

@@ -14,6 +14,7 @@
 #include "atlas/solid/level.h"
 #include "procedural/batch/row_tasks.h"
 #include "procedural/color/srgb.h"
+#include "procedural/graph/masks.h"
 
 namespace burl {
 
@@ -72,6 +73,8 @@ Image<Rgb8> colored(const Image<float>& codes, double scale) {
 }  // namespace
 
 std::string no_reference(const Recipe& recipe, const Box3& box) {
+    const std::string mask = first_mask_node(recipe.texture, GraphOutput::color);
+    if (!mask.empty()) return "texture: " + no_texels_for(mask);
     try {
         check_lattice(recipe, mapped(texture_from_solid(recipe), box));
     } catch (const Error& error) {

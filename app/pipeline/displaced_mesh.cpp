@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "app/pipeline/texture_color.h"
 #include "app/surface/normals.h"
 #include "atlas/base/each_index.h"
 #include "procedural/graph/evaluator.h"
@@ -43,6 +44,7 @@ std::vector<double> heights_at(const TextureGraph& input, const std::vector<Vec3
 }  // namespace
 
 Mesh displaced_mesh(const Mesh& mesh, const Recipe& recipe, const Mesh& rest) {
+    check_points(recipe.bump.input, "bump.input");
     const Affine3 map = texture_from_mesh(recipe, rest);
     const double height = recipe.bump.height / solid_units(rest, recipe.solid.space);
     std::vector<Vec3d> points;

@@ -46,12 +46,13 @@ bool has_fast_way(const Recipe& recipe, const HostWay& way) {
 
 template <class Pixel>
 Image<Pixel> fill_unpainted(const SolidAtlas& solid, const Recipe& recipe, const HostWay& way,
-                            const Economy& economy, const RowWindow& rows) {
+                            const Economy& economy, const RowWindow& rows,
+                            const MaskImages& masks) {
     const Affine3 map = texture_from_solid(recipe);
     const Texture* texture = plain_texture(recipe.texture);
     if (!texture)  // one function for both precisions
         return synthesize_graph<Pixel>(solid, recipe.texture, map, recipe.filter, way.threads,
-                                       bake_precision(recipe), economy, rows);
+                                       bake_precision(recipe), economy, rows, masks);
     if (way.forward)
         return synthesize_forward<Pixel>(solid, *texture, map, forward_precision(recipe),
                                          way.threads, economy, rows);
@@ -64,14 +65,15 @@ Image<Pixel> fill_unpainted(const SolidAtlas& solid, const Recipe& recipe, const
 
 template <class Pixel>
 Image<Pixel> fill_texture(const SolidAtlas& solid, const Recipe& recipe, const HostWay& way,
-                          const Economy& economy) {
-    auto image = fill_unpainted<Pixel>(solid, recipe, way, economy);
+                          const Economy& economy, const MaskImages& masks) {
+    auto image = fill_unpainted<Pixel>(solid, recipe, way, economy, {}, masks);
     paint_over(solid, recipe.paint, way.threads, image);
     return image;
 }
 
 void fill_in_bands(const SolidAtlas& solid, const Recipe& recipe, const HostWay& way,
-                   const Economy& economy, std::size_t texels, const TakeRows& take) {
+                   const Economy& economy, const MaskImages& masks, std::size_t texels,
+                   const TakeRows& take) {
     const std::size_t least = band_rows * solid.size;
     const std::size_t at_once = band_rows * std::max<std::size_t>(1, texels / least);
     const Texture* texture = plain_texture(recipe.texture);
@@ -79,19 +81,22 @@ void fill_in_bands(const SolidAtlas& solid, const Recipe& recipe, const HostWay&
         return synthesize_model_in_bands(solid, *texture, texture_from_solid(recipe), way.threads,
                                          recipe.filter, way.kernel, economy, at_once, take);
     for (std::size_t first = 0; first < solid.size; first += at_once)
-        take(first, fill_unpainted<RgbF>(solid, recipe, way, economy, {first, first + at_once}));
+        take(first,
+             fill_unpainted<RgbF>(solid, recipe, way, economy, {first, first + at_once}, masks));
 }
 
-template Image<Rgb8> fill_texture(const SolidAtlas&, const Recipe&, const HostWay&, const Economy&);
-template Image<Rgb16> fill_texture(const SolidAtlas&, const Recipe&, const HostWay&,
-                                   const Economy&);
-template Image<RgbF> fill_texture(const SolidAtlas&, const Recipe&, const HostWay&, const Economy&);
+template Image<Rgb8> fill_texture(const SolidAtlas&, const Recipe&, const HostWay&, const Economy&,
+                                  const MaskImages&);
+template Image<Rgb16> fill_texture(const SolidAtlas&, const Recipe&, const HostWay&, const Economy&,
+                                   const MaskImages&);
+template Image<RgbF> fill_texture(const SolidAtlas&, const Recipe&, const HostWay&, const Economy&,
+                                  const MaskImages&);
 template Image<Rgb8> fill_unpainted(const SolidAtlas&, const Recipe&, const HostWay&,
-                                    const Economy&, const RowWindow&);
+                                    const Economy&, const RowWindow&, const MaskImages&);
 template Image<Rgb16> fill_unpainted(const SolidAtlas&, const Recipe&, const HostWay&,
-                                     const Economy&, const RowWindow&);
+                                     const Economy&, const RowWindow&, const MaskImages&);
 template Image<RgbF> fill_unpainted(const SolidAtlas&, const Recipe&, const HostWay&,
-                                    const Economy&, const RowWindow&);
+                                    const Economy&, const RowWindow&, const MaskImages&);
 
 void check_forward(const Recipe& recipe) {
     if (const std::string problem = forward_problem(recipe); !problem.empty())

@@ -6,6 +6,7 @@
 #include "procedural/batch/economy.h"
 #include "procedural/batch/kernel.h"
 #include "procedural/batch/row_window.h"
+#include "procedural/fill/mask_images.h"
 #include "procedural/fill/synthesize.h"
 
 namespace burl {
@@ -36,14 +37,16 @@ struct TextureKey {
 };
 
 /// The recipe's texture with its paint on the atlas `solid`, which is in the recipe's space.
-/// Defined for Rgb8, Rgb16 and RgbF (linear light).
+/// `masks` has an image for each mask that the base colour reads, else Error(unsupported) is
+/// thrown. Defined for Rgb8, Rgb16 and RgbF (linear light).
 template <class Pixel>
 Image<Pixel> fill_texture(const SolidAtlas& solid, const Recipe& recipe, const HostWay& way,
-                          const Economy& economy = {});
+                          const Economy& economy = {}, const MaskImages& masks = {});
 /// The rows `rows` of the recipe's texture without its paint. Defined for Rgb8, Rgb16 and RgbF.
 template <class Pixel>
 Image<Pixel> fill_unpainted(const SolidAtlas& solid, const Recipe& recipe, const HostWay& way,
-                            const Economy& economy = {}, const RowWindow& rows = {});
+                            const Economy& economy = {}, const RowWindow& rows = {},
+                            const MaskImages& masks = {});
 
 /// The number of rows of which a band has a multiple, except for the last band.
 inline constexpr std::size_t band_rows = 16;
@@ -51,7 +54,8 @@ inline constexpr std::size_t band_rows = 16;
 /// Gives the texture in linear light, without paint, to `take` in bands of about `texels` texels,
 /// for callers that do not need all of it at a time.
 void fill_in_bands(const SolidAtlas& solid, const Recipe& recipe, const HostWay& way,
-                   const Economy& economy, std::size_t texels, const TakeRows& take);
+                   const Economy& economy, const MaskImages& masks, std::size_t texels,
+                   const TakeRows& take);
 
 /// Whether the texture is filled in float32 without forward differences: CachedSynthesis can cache
 /// it if it is plain (procedural/cache/synthesis.h), and CachedGraph some others

@@ -16,6 +16,7 @@ void Pipeline::set_recipe(const Recipe& recipe) {
         if (forgets || stages_.connectivity.is_released()) stages_.connectivity.forget();
     }
     recipe_ = recipe;
+    stages_.masks.keep_those_of(recipe);
     context_.records.begin_recipe();
 }
 
@@ -49,6 +50,7 @@ void Pipeline::forget_solid() {
     if (context_.synthesizer) context_.synthesizer->forget_atlas();
     stages_.texture.forget();
     stages_.normals.forget();
+    stages_.masks.forget();
     stages_.solid.forget();
 }
 
@@ -66,17 +68,24 @@ const SolidAtlas& Pipeline::solid(std::uint32_t level) {
     return stages_.solid.run_level(finest, level);
 }
 
+MaskSource Pipeline::masks() {
+    return [this](const SolidAtlas& solid, const TextureGraph& graph, GraphOutput output) {
+        return stages_.masks.run(context_, mesh_, mesh_atlas(), solid, recipe_, graph, output);
+    };
+}
+
 std::vector<Image<RgbF>> Pipeline::levels(const Image<RgbF>& texture, std::uint32_t count,
                                           const LevelRule& rule) {
     const SolidAtlas& points = solid();
-    return stages_.levels.run(context_, mesh_atlas(), points, recipe_, texture, count, rule);
+    return stages_.levels.run(context_, mesh_atlas(), points, recipe_, masks(), texture, count,
+                              rule);
 }
 
 std::vector<Image<RgbF>> Pipeline::levels_in_bands(std::uint32_t count, const LevelRule& rule,
                                                    const TakeRows& take) {
     const SolidAtlas& points = solid();
-    return stages_.levels.run_in_bands(context_, mesh_atlas(), points, recipe_, stages_.texture,
-                                       count, rule, take);
+    return stages_.levels.run_in_bands(context_, mesh_atlas(), points, recipe_, masks(),
+                                       stages_.texture, count, rule, take);
 }
 
 Image<RgbF> Pipeline::level(std::uint32_t number, const LevelRule& rule) {
@@ -86,7 +95,7 @@ Image<RgbF> Pipeline::level(std::uint32_t number, const LevelRule& rule) {
         return means.empty() ? texture : std::move(means.back());
     }
     const SolidAtlas& points = solid();
-    return stages_.levels.run_one(context_, mesh_atlas(), points, recipe_, number, rule);
+    return stages_.levels.run_one(context_, mesh_atlas(), points, recipe_, masks(), number, rule);
 }
 
 }  // namespace burl

@@ -53,18 +53,21 @@ class Pipeline {
     /// The solid points of the texels of the texture's level `level`, in the recipe's space
     /// (atlas/solid/level.h).
     const SolidAtlas& solid(std::uint32_t level = 0);
+    /// The source of masks of this pipeline's mesh over levels of its atlas; it refers to the
+    /// pipeline, and images stay until the mask or the atlas changes.
+    MaskSource masks();
     /// The texture, or level `level` of it, which the host synthesises without any finer level:
     /// point samples or filtered over the level's own texels, as the recipe says. Defined for Rgb8,
     /// Rgb16 and RgbF (linear light).
     template <class Pixel>
     Image<Pixel> synthesize(std::uint32_t level = 0) {
-        return stages_.texture.run<Pixel>(context_, solid(level), recipe_, level);
+        return stages_.texture.run<Pixel>(context_, solid(level), recipe_, masks(), level);
     }
     /// The pictures of the recipe's material (app/pipeline/material.h) by the host, without paint.
     /// Defined for Rgba8, Rgba16 and RgbaF.
     template <class Pixel>
     std::vector<Image<Pixel>> pictures(const std::vector<PicturePlan>& plans) {
-        return stages_.texture.run_pictures<Pixel>(context_, solid(), recipe_, plans);
+        return stages_.texture.run_pictures<Pixel>(context_, solid(), recipe_, masks(), plans);
     }
     /// Whether the texture can be synthesised in bands of rows: by the host without a cache.
     bool has_bands() const { return context_.cache == 0 && !context_.synthesizer; }
@@ -72,14 +75,14 @@ class Pipeline {
     /// (procedural/fill/synthesize.h), but for the last band. A band has about `texels` texels; the
     /// default makes 48 MB of float pixels. The time that `take` needs is not counted as synthesis.
     void synthesize_in_bands(const TakeRows& take, std::size_t texels = std::size_t(1) << 22) {
-        stages_.texture.run_in_bands(context_, solid(), recipe_, take, texels);
+        stages_.texture.run_in_bands(context_, solid(), recipe_, masks(), take, texels);
     }
     /// The texture's level `level` for programs that show it while it changes; the image is valid
     /// until the next call for that level. Null if `stop` was requested first; cached octaves stay
     /// valid. Defined for Rgb8, Rgb16 and RgbF.
     template <class Pixel>
     const Image<Pixel>* picture(std::uint32_t level = 0, const std::stop_token& stop = {}) {
-        return stages_.texture.show<Pixel>(context_, solid(level), recipe_, level, stop);
+        return stages_.texture.show<Pixel>(context_, solid(level), recipe_, masks(), level, stop);
     }
     /// The levels 1 to `count` of `texture`, which is in linear light: averaged
     /// (atlas/build/block_levels.h), or direct and synthesised by the host
@@ -100,12 +103,12 @@ class Pipeline {
     template <class Pixel>
     Image<Pixel> normal_map(double crease_degrees, bool tangent_space) {
         const SolidAtlas& points = solid();
-        return stages_.normals.run<Pixel>(context_, mesh_, mesh_atlas(), points, recipe_,
+        return stages_.normals.run<Pixel>(context_, mesh_, mesh_atlas(), points, recipe_, masks(),
                                           crease_degrees, tangent_space);
     }
 
-    /// Frees the solid points, some 170 bytes per triangle, and the cached textures and normal
-    /// maps; they are computed again when they are needed.
+    /// Frees the solid points, some 170 bytes per triangle, masks, and the cached textures and
+    /// normal maps; they are computed again when they are needed.
     void release_texels() { forget_solid(); }
     /// Frees the triangles' neighbours, 12 bytes per triangle, which layouts alone need;
     /// connectivity() has only its counts until another layout is made.

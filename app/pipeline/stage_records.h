@@ -17,10 +17,19 @@
 namespace burl {
 
 /// Stages in the order of their dependencies.
-enum class Stage : unsigned { connectivity, layout, spans, synthesis, paint, levels, normals };
+enum class Stage : unsigned {
+    connectivity,
+    layout,
+    spans,
+    masks,
+    synthesis,
+    paint,
+    levels,
+    normals
+};
 
-inline constexpr std::array<std::string_view, 7> stage_names = {
-    "connectivity", "layout", "spans", "synthesis", "paint", "levels", "normals"};
+inline constexpr std::array<std::string_view, 8> stage_names = {
+    "connectivity", "layout", "spans", "masks", "synthesis", "paint", "levels", "normals"};
 
 /// Cost of one run of a stage.
 struct StageCost {

@@ -1,6 +1,7 @@
 #include "app/pipeline/stages.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "atlas/base/mip_chain.h"
@@ -21,12 +22,15 @@ void add_levels(const std::vector<Image<RgbF>>& levels, const LevelRule& rule, S
 }
 
 /// The synthesis of direct levels: never by forward differences, which have no filter.
-LevelSynthesis level_synthesis(const StageContext& context, StageCost& cost) {
+LevelSynthesis level_synthesis(const StageContext& context, const MaskSource& masks,
+                               StageCost& cost) {
     HostWay way = context.way;
     way.forward = false;
-    return [skips = context.skips, way, &cost](const SolidAtlas& solid, const Recipe& recipe) {
-        return fill_texture<RgbF>(solid, recipe, way, {skips, &cost.work});
-    };
+    return
+        [skips = context.skips, way, &masks, &cost](const SolidAtlas& solid, const Recipe& recipe) {
+            return fill_texture<RgbF>(solid, recipe, way, {skips, &cost.work},
+                                      masks(solid, recipe.texture, GraphOutput::color));
+        };
 }
 
 }  // namespace
@@ -96,14 +100,65 @@ void SolidStage::forget() {
     solid_.reset();
 }
 
+MaskImages MaskStage::run(StageContext& context, const Mesh& mesh, const MeshAtlas& atlas,
+                          const SolidAtlas& solid, const Recipe& recipe, const TextureGraph& graph,
+                          GraphOutput output) {
+    const std::vector<GraphMask> masks = graph_masks(graph);
+    const std::vector<bool> read = masks_read(graph, output);
+    MaskImages images(masks.size());
+    for (std::size_t m = 0; m < masks.size(); ++m) {
+        const TexelMaskKey key = mask_key(masks[m], recipe.solid.scale, solid.size);
+        if (read[m]) images[m] = image(context, mesh, atlas, solid, recipe.solid.space, key);
+    }
+    return images;
+}
+
+std::shared_ptr<const Image<float>> MaskStage::image(StageContext& context, const Mesh& mesh,
+                                                     const MeshAtlas& atlas,
+                                                     const SolidAtlas& solid, SolidSpace space,
+                                                     const TexelMaskKey& key) {
+    const auto known = std::ranges::find(images_, key, &Known::first);
+    if (known != images_.end()) {
+        context.records.keep(Stage::masks);
+        return known->second;
+    }
+    auto made = context.records.time(Stage::masks, [&](StageCost& cost) {
+        if (!shape_)
+            shape_ =
+                std::make_unique<const MeshShape>(atlas.mesh(mesh), solid_from_mesh(mesh, space));
+        auto image = std::make_shared<const Image<float>>(shape_->image(solid, key));
+        cost.work.texels = texels_of(solid);
+        cost.bytes = bytes_of(*image);
+        return image;
+    });
+    images_.emplace_back(key, made);
+    return made;
+}
+
+void MaskStage::keep_those_of(const Recipe& recipe) {
+    std::vector<GraphMask> masks = graph_masks(recipe.texture);
+    if (!recipe.bump.empty())
+        std::ranges::copy(graph_masks(recipe.bump.input), std::back_inserter(masks));
+    std::erase_if(images_, [&](const Known& known) {
+        return std::ranges::none_of(masks, [&](const GraphMask& mask) {
+            return mask_key(mask, recipe.solid.scale, known.first.size) == known.first;
+        });
+    });
+}
+
+void MaskStage::forget() {
+    images_.clear();
+    shape_.reset();
+}
+
 std::vector<Image<RgbF>> LevelStage::run(StageContext& context, const MeshAtlas& atlas,
                                          const SolidAtlas& solid, const Recipe& recipe,
-                                         const Image<RgbF>& texture, std::uint32_t count,
-                                         const LevelRule& rule) const {
+                                         const MaskSource& masks, const Image<RgbF>& texture,
+                                         std::uint32_t count, const LevelRule& rule) const {
     return context.records.time(Stage::levels, [&](StageCost& cost) {
         std::vector<Image<RgbF>> levels =
             rule.direct           ? direct_levels(atlas, solid, recipe, texture, count, rule,
-                                                  level_synthesis(context, cost))
+                                                  level_synthesis(context, masks, cost))
             : context.synthesizer ? context.synthesizer->levels(atlas, texture, count)
                                   : block_levels(atlas, texture, count);
         add_levels(levels, rule, cost);
@@ -113,6 +168,7 @@ std::vector<Image<RgbF>> LevelStage::run(StageContext& context, const MeshAtlas&
 
 std::vector<Image<RgbF>> LevelStage::run_in_bands(StageContext& context, const MeshAtlas& atlas,
                                                   const SolidAtlas& solid, const Recipe& recipe,
+                                                  const MaskSource& masks,
                                                   const TextureStage& texture, std::uint32_t count,
                                                   const LevelRule& rule,
                                                   const TakeRows& take) const {
@@ -123,28 +179,29 @@ std::vector<Image<RgbF>> LevelStage::run_in_bands(StageContext& context, const M
         std::ranges::copy(halved.pixels(), &first_level(0, first / 2));
         take(first, std::move(rows));
     };
-    texture.run_in_bands(context, solid, recipe, halve_rows);
+    texture.run_in_bands(context, solid, recipe, masks, halve_rows);
     const TextureMeans means = [&](std::uint32_t last) {
         std::vector<Image<RgbF>> levels = block_levels(atlas, first_level, last, 1);
         levels.insert(levels.begin(), std::move(first_level));
         return levels;
     };
     return context.records.time(Stage::levels, [&](StageCost& cost) {
-        std::vector<Image<RgbF>> levels = rule.direct
-                                              ? direct_levels(atlas, solid, recipe, means, count,
-                                                              rule, level_synthesis(context, cost))
-                                              : means(count);
+        std::vector<Image<RgbF>> levels =
+            rule.direct ? direct_levels(atlas, solid, recipe, means, count, rule,
+                                        level_synthesis(context, masks, cost))
+                        : means(count);
         add_levels(levels, rule, cost);
         return levels;
     });
 }
 
 Image<RgbF> LevelStage::run_one(StageContext& context, const MeshAtlas& atlas,
-                                const SolidAtlas& solid, const Recipe& recipe, std::uint32_t number,
+                                const SolidAtlas& solid, const Recipe& recipe,
+                                const MaskSource& masks, std::uint32_t number,
                                 const LevelRule& rule) const {
     return context.records.time(Stage::levels, [&](StageCost& cost) {
         Image<RgbF> level =
-            direct_level(atlas, solid, recipe, number, rule, level_synthesis(context, cost));
+            direct_level(atlas, solid, recipe, number, rule, level_synthesis(context, masks, cost));
         cost.bytes = bytes_of(level);
         return level;
     });
@@ -157,14 +214,15 @@ bool NormalStage::Map::is_of(const Recipe& recipe, const NormalFramesKey& key) c
 
 template <class Pixel>
 Image<Pixel> NormalStage::run(StageContext& context, const Mesh& mesh, const MeshAtlas& atlas,
-                              const SolidAtlas& solid, const Recipe& recipe, double crease_degrees,
-                              bool tangent_space) {
+                              const SolidAtlas& solid, const Recipe& recipe,
+                              const MaskSource& masks, double crease_degrees, bool tangent_space) {
     const NormalFramesKey key{recipe.solid.space, crease_degrees, tangent_space};
     if (map_ && map_->is_of(recipe, key))
         if (const auto* image = std::get_if<Image<Pixel>>(&map_->image)) {
             context.records.keep(Stage::normals);
             return *image;
         }
+    const MaskImages read = masks(solid, recipe.bump.input, GraphOutput::color);
     Image<Pixel> map = context.records.time(Stage::normals, [&](StageCost& cost) {
         if (!frames_ || frames_->key != key) frames_ = make_normal_frames(mesh, atlas, key);
         Image<Pixel> image =
@@ -172,7 +230,7 @@ Image<Pixel> NormalStage::run(StageContext& context, const Mesh& mesh, const Mes
                                       {atlas.mesh(mesh), atlas.atlas(), frames_->positions,
                                        frames_->normals, frames_->tangents},
                                       recipe.bump, texture_from_solid(recipe), recipe.filter,
-                                      context.way.threads, graph_precision(recipe));
+                                      context.way.threads, graph_precision(recipe), read);
         cost.work.texels = texels_of(solid);
         cost.bytes = bytes_of(image);
         return image;
@@ -185,10 +243,13 @@ Image<Pixel> NormalStage::run(StageContext& context, const Mesh& mesh, const Mes
 }
 
 template Image<RgbF> NormalStage::run(StageContext&, const Mesh&, const MeshAtlas&,
-                                      const SolidAtlas&, const Recipe&, double, bool);
+                                      const SolidAtlas&, const Recipe&, const MaskSource&, double,
+                                      bool);
 template Image<Rgb8> NormalStage::run(StageContext&, const Mesh&, const MeshAtlas&,
-                                      const SolidAtlas&, const Recipe&, double, bool);
+                                      const SolidAtlas&, const Recipe&, const MaskSource&, double,
+                                      bool);
 template Image<Rgb16> NormalStage::run(StageContext&, const Mesh&, const MeshAtlas&,
-                                       const SolidAtlas&, const Recipe&, double, bool);
+                                       const SolidAtlas&, const Recipe&, const MaskSource&, double,
+                                       bool);
 
 }  // namespace burl

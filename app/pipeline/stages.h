@@ -1,8 +1,8 @@
 #pragma once
-// The stages between a mesh and its files: connectivity -> layout -> solid points -> texture ->
-// levels, and normals. A stage is a value whose run() takes a context and its input and gives its
-// result. A result that is asked for again is the cached one, for which an owner must forget() a
-// stage before its input changes (Pipeline::set_recipe).
+// The stages between a mesh and its files: connectivity -> layout -> solid points -> masks ->
+// texture -> levels, and normals. A stage is a value whose run() takes a context and its input and
+// gives its result. A result that is asked for again is the cached one, for which an owner must
+// forget() a stage before its input changes (Pipeline::set_recipe).
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -13,6 +13,7 @@
 
 #include "app/pipeline/direct_levels.h"
 #include "app/pipeline/fill_texture.h"
+#include "app/pipeline/mesh_shape.h"
 #include "app/pipeline/stage_records.h"
 #include "app/pipeline/texture_cache.h"
 #include "app/pipeline/texture_synthesizer.h"
@@ -74,6 +75,28 @@ class SolidStage {
     std::map<std::uint32_t, std::unique_ptr<const SolidAtlas>> levels_;
 };
 
+/// The masks that textures and bumps read, as images over the atlas's texels.
+class MaskStage {
+  public:
+    /// An image for each mask that the output of the recipe's `graph` reads at the texels of
+    /// `solid`, a level of the recipe's atlas in its space.
+    MaskImages run(StageContext& context, const Mesh& mesh, const MeshAtlas& atlas,
+                   const SolidAtlas& solid, const Recipe& recipe, const TextureGraph& graph,
+                   GraphOutput output);
+    /// Frees the images that neither the texture nor the bumps of the recipe read.
+    void keep_those_of(const Recipe& recipe);
+    void forget();
+
+  private:
+    using Known = std::pair<TexelMaskKey, std::shared_ptr<const Image<float>>>;
+    std::shared_ptr<const Image<float>> image(StageContext& context, const Mesh& mesh,
+                                              const MeshAtlas& atlas, const SolidAtlas& solid,
+                                              SolidSpace space, const TexelMaskKey& key);
+
+    std::unique_ptr<const MeshShape> shape_;
+    std::vector<Known> images_;
+};
+
 /// The texture: field, colours and paint at solid points.
 class TextureStage {
   public:
@@ -81,23 +104,25 @@ class TextureStage {
     /// and RgbF (linear light).
     template <class Pixel>
     Image<Pixel> run(StageContext& context, const SolidAtlas& solid, const Recipe& recipe,
-                     std::uint32_t level = 0);
+                     const MaskSource& masks, std::uint32_t level = 0);
     /// Gives the texture in linear light to `take` in bands whose rows are a multiple of band_rows
     /// (procedural/fill/synthesize.h), but for the last band. A band has about `texels` texels; the
     /// default makes 48 MB of float pixels. The time that `take` needs is not counted as synthesis.
     void run_in_bands(StageContext& context, const SolidAtlas& solid, const Recipe& recipe,
-                      const TakeRows& take, std::size_t texels = std::size_t(1) << 22) const;
+                      const MaskSource& masks, const TakeRows& take,
+                      std::size_t texels = std::size_t(1) << 22) const;
     /// The pictures of the recipe's material by the host, without paint. Defined for Rgba8, Rgba16
     /// and RgbaF.
     template <class Pixel>
     std::vector<Image<Pixel>> run_pictures(StageContext& context, const SolidAtlas& solid,
-                                           const Recipe& recipe,
+                                           const Recipe& recipe, const MaskSource& masks,
                                            const std::vector<PicturePlan>& plans) const;
     /// The texture of a program that shows it while it changes; valid until the next call for that
     /// level. Null if `stop` was requested first. Defined for Rgb8, Rgb16 and RgbF.
     template <class Pixel>
     const Image<Pixel>* show(StageContext& context, const SolidAtlas& solid, const Recipe& recipe,
-                             std::uint32_t level, const std::stop_token& stop);
+                             const MaskSource& masks, std::uint32_t level,
+                             const std::stop_token& stop);
     /// Invalidates the pictures; cached fields and octaves stay.
     void forget_pictures();
     void forget() { levels_.clear(); }
@@ -121,16 +146,18 @@ class LevelStage {
     /// The levels 1 to `count` of `texture`, which is in linear light.
     std::vector<Image<RgbF>> run(StageContext& context, const MeshAtlas& atlas,
                                  const SolidAtlas& solid, const Recipe& recipe,
-                                 const Image<RgbF>& texture, std::uint32_t count,
-                                 const LevelRule& rule) const;
+                                 const MaskSource& masks, const Image<RgbF>& texture,
+                                 std::uint32_t count, const LevelRule& rule) const;
     /// The levels 1 to `count` of the texture whose bands run_in_bands gives to `take`.
     std::vector<Image<RgbF>> run_in_bands(StageContext& context, const MeshAtlas& atlas,
                                           const SolidAtlas& solid, const Recipe& recipe,
-                                          const TextureStage& texture, std::uint32_t count,
-                                          const LevelRule& rule, const TakeRows& take) const;
+                                          const MaskSource& masks, const TextureStage& texture,
+                                          std::uint32_t count, const LevelRule& rule,
+                                          const TakeRows& take) const;
     /// The level `number` alone, by a direct rule.
     Image<RgbF> run_one(StageContext& context, const MeshAtlas& atlas, const SolidAtlas& solid,
-                        const Recipe& recipe, std::uint32_t number, const LevelRule& rule) const;
+                        const Recipe& recipe, const MaskSource& masks, std::uint32_t number,
+                        const LevelRule& rule) const;
 };
 
 /// The normal map of the recipe's bumps.
@@ -140,8 +167,8 @@ class NormalStage {
     /// (components from -1 to 1).
     template <class Pixel>
     Image<Pixel> run(StageContext& context, const Mesh& mesh, const MeshAtlas& atlas,
-                     const SolidAtlas& solid, const Recipe& recipe, double crease_degrees,
-                     bool tangent_space);
+                     const SolidAtlas& solid, const Recipe& recipe, const MaskSource& masks,
+                     double crease_degrees, bool tangent_space);
     void forget() { map_.reset(); }
     void forget_frames() { frames_.reset(); }
 
@@ -166,6 +193,7 @@ struct Stages {
     ConnectivityStage connectivity{};
     LayoutStage layout{};
     SolidStage solid{};
+    MaskStage masks{};
     TextureStage texture{};
     LevelStage levels{};
     NormalStage normals{};

@@ -42,21 +42,24 @@ CachedGraph& TextureCache::number() {
 
 template <class Pixel>
 void TextureCache::fill(const Recipe& recipe, const HostWay& way, const Economy& economy,
-                        Image<Pixel>& image) {
+                        Image<Pixel>& image, const MaskImages& masks) {
     const bool keeps =
         budget_ > 0 && economy.skips.allows(Skip::kept_terms) && has_fast_way(recipe, way);
     const Texture* texture = plain_texture(recipe.texture);
     if (keeps && texture)
         terms(recipe, way.kernel).synthesize(*texture, way.threads, image, recipe.filter, economy);
     else if (keeps && CachedGraph::splits(recipe.texture, recipe.filter))
-        number().synthesize(recipe.texture, texture_from_solid(recipe), way.threads, image,
-                            economy);
+        number().synthesize(recipe.texture, texture_from_solid(recipe), way.threads, image, economy,
+                            masks);
     else
-        image = fill_unpainted<Pixel>(*solid_, recipe, way, economy);
+        image = fill_unpainted<Pixel>(*solid_, recipe, way, economy, {}, masks);
 }
 
-template void TextureCache::fill(const Recipe&, const HostWay&, const Economy&, Image<Rgb8>&);
-template void TextureCache::fill(const Recipe&, const HostWay&, const Economy&, Image<Rgb16>&);
-template void TextureCache::fill(const Recipe&, const HostWay&, const Economy&, Image<RgbF>&);
+template void TextureCache::fill(const Recipe&, const HostWay&, const Economy&, Image<Rgb8>&,
+                                 const MaskImages&);
+template void TextureCache::fill(const Recipe&, const HostWay&, const Economy&, Image<Rgb16>&,
+                                 const MaskImages&);
+template void TextureCache::fill(const Recipe&, const HostWay&, const Economy&, Image<RgbF>&,
+                                 const MaskImages&);
 
 }  // namespace burl

@@ -76,8 +76,8 @@ class TextureCache {
     /// Sets `image` to what fill_unpainted gives, using and filling the caches where the recipe and
     /// `budget` allow.
     template <class Pixel>
-    void fill(const Recipe& recipe, const HostWay& way, const Economy& economy,
-              Image<Pixel>& image);
+    void fill(const Recipe& recipe, const HostWay& way, const Economy& economy, Image<Pixel>& image,
+              const MaskImages& masks = {});
 
     /// The size of cached fields and octaves in bytes, without the picture.
     std::size_t bytes() const {

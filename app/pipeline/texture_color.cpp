@@ -13,6 +13,7 @@
 #include "procedural/color/srgb.h"
 #include "procedural/fixed/field.h"
 #include "procedural/graph/evaluator.h"
+#include "procedural/graph/masks.h"
 #include "procedural/graph/values.h"
 #include "procedural/model/octaves.h"
 
@@ -74,6 +75,7 @@ FilteredNumber opacity_at(const Recipe& recipe, FilterKind kind) {
         return [factor](const Vec3d&, const Footprint&) { return factor; };
     graph.result = channel->node;
     graph.channels.clear();
+    check_points(graph, "material.opacity");
     const Filter filter{kind, recipe.filter.samples, recipe.filter.band_limit};
     const auto number = std::make_shared<GraphSampler>(graph, filter);
     const bool filtered = kind != FilterKind::none;
@@ -91,7 +93,15 @@ Vec4d masked(const Vec4d& color, double cutoff) {
 
 }  // namespace
 
+void check_points(const TextureGraph& graph, const std::string& path) {
+    const std::string node = first_mask_node(graph, GraphOutput::color);
+    if (!node.empty())
+        throw Error(ExitCode::unsupported,
+                    fmt::format("{}: {}; bake it", path, no_texels_for(node)));
+}
+
 FilteredColor filtered_color(const Recipe& recipe, FilterKind kind) {
+    check_points(recipe.texture, "texture");
     if (kind == FilterKind::none && plain_texture(recipe.texture)) {
         return [color = texture_color(recipe, recipe.precision)](const Vec3d& s, const Footprint&) {
             return Vec4d(color(s), 1.0);
@@ -142,6 +152,7 @@ FilteredColor filter_width_grey(const Recipe& recipe) {
 }
 
 TextureColor texture_color(const Recipe& recipe, const Precision& precision) {
+    check_points(recipe.texture, "texture");
     const Texture* texture = plain_texture(recipe.texture);
     if (!texture && precision.kind == PrecisionKind::float32)
         return [graph = std::make_shared<GraphColorSampler>(recipe.texture)](const Vec3d& s) {
@@ -168,6 +179,7 @@ TextureColor texture_color(const Recipe& recipe, const Precision& precision) {
 
 SurfaceNormal bumped_normals(const Recipe& recipe, const Mesh& mesh) {
     if (recipe.bump.empty()) return {};
+    check_points(recipe.bump.input, "bump.input");
     const Affine3 map = texture_from_mesh(recipe, mesh);
     const double height = recipe.bump.height / solid_units(mesh, recipe.solid.space);
     return [graph = std::make_shared<GraphSampler>(recipe.bump.input), map, height](

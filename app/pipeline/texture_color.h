@@ -3,11 +3,16 @@
 // pictures and measures; or filtered over the footprint of a picture's sample, by a bake's filters
 // (docs/reference/filtering.md).
 #include <functional>
+#include <string>
 
 #include "app/recipe/recipe.h"
 #include "procedural/batch/texel_batch.h"
 
 namespace burl {
+
+/// Throws Error(unsupported) where the graph at `path` of a recipe reads a mask of the mesh's shape
+/// (procedural/graph/masks.h), for it has no values at points. The functions below do so, too.
+void check_points(const TextureGraph& graph, const std::string& path);
 
 /// Function that gives linear light multiplied by alpha, and alpha, at texture coordinates s. The
 /// footprint is the change of s to the neighbouring samples. May be called from several threads at

@@ -26,22 +26,30 @@ void paint(StageContext& context, const SolidAtlas& solid, const Recipe& recipe,
     });
 }
 
+/// The masks that the recipe's base colour reads.
+MaskImages color_masks(const MaskSource& masks, const SolidAtlas& solid, const Recipe& recipe) {
+    return masks(solid, recipe.texture, GraphOutput::color);
+}
+
 /// The cached unpainted picture, made anew where the recipe or the kind of pixel has changed; null
 /// if `stop` was requested first.
 template <class Pixel>
 const Image<Pixel>* unpainted(StageContext& context, TextureCache& cache, const Recipe& recipe,
-                              std::uint32_t level, const std::stop_token& stop) {
+                              const MaskSource& masks, std::uint32_t level,
+                              const std::stop_token& stop) {
     if (context.skips.allows(Skip::stages))
         if (const Image<Pixel>* image = cache.find<Pixel>(recipe)) {
             context.records.keep(Stage::synthesis);
             return image;
         }
+    const bool elsewhere = context.synthesizer && level == 0;
+    const MaskImages read = elsewhere ? MaskImages() : color_masks(masks, cache.solid(), recipe);
     Image<Pixel>& image = cache.open<Pixel>();
     const bool done = context.records.attempt(Stage::synthesis, [&](StageCost& cost) {
-        if (context.synthesizer && level == 0)
+        if (elsewhere)
             synthesize_elsewhere(context, cache.solid(), recipe, &image, cost);
         else
-            cache.fill(recipe, context.way, {context.skips, &cost.work, stop}, image);
+            cache.fill(recipe, context.way, {context.skips, &cost.work, stop}, image, read);
         cost.bytes = bytes_of(image);
         return !stop.stop_requested();
     });
@@ -63,15 +71,18 @@ TextureStage::Level& TextureStage::level(const StageContext& context, const Soli
 
 template <class Pixel>
 Image<Pixel> TextureStage::run(StageContext& context, const SolidAtlas& solid, const Recipe& recipe,
-                               std::uint32_t level) {
-    if (context.cache > 0) return *show<Pixel>(context, solid, recipe, level, {});
+                               const MaskSource& masks, std::uint32_t level) {
+    if (context.cache > 0) return *show<Pixel>(context, solid, recipe, masks, level, {});
+    const bool elsewhere = context.synthesizer && level == 0;
+    const MaskImages read = elsewhere ? MaskImages() : color_masks(masks, solid, recipe);
     const auto start = std::chrono::steady_clock::now();
     StageCost cost;
     Image<Pixel> image;
-    if (context.synthesizer && level == 0)
+    if (elsewhere)
         synthesize_elsewhere(context, solid, recipe, &image, cost);
     else
-        image = fill_unpainted<Pixel>(solid, recipe, context.way, {context.skips, &cost.work});
+        image = fill_unpainted<Pixel>(solid, recipe, context.way, {context.skips, &cost.work}, {},
+                                      read);
     cost.bytes = bytes_of(image);
     context.records.add(Stage::synthesis, seconds_since(start), cost);
     paint(context, solid, recipe, image);
@@ -79,9 +90,10 @@ Image<Pixel> TextureStage::run(StageContext& context, const SolidAtlas& solid, c
 }
 
 void TextureStage::run_in_bands(StageContext& context, const SolidAtlas& solid,
-                                const Recipe& recipe, const TakeRows& take,
+                                const Recipe& recipe, const MaskSource& masks, const TakeRows& take,
                                 std::size_t texels) const {
     using Clock = std::chrono::steady_clock;
+    const MaskImages read = color_masks(masks, solid, recipe);
     StageCost cost, paint_cost;
     std::chrono::duration<double> taking{}, painting{};
     const auto start = Clock::now();
@@ -94,7 +106,7 @@ void TextureStage::run_in_bands(StageContext& context, const SolidAtlas& solid,
         painting += painted - filled;
         taking += Clock::now() - painted;
     };
-    fill_in_bands(solid, recipe, context.way, {context.skips, &cost.work}, texels, take_rows);
+    fill_in_bands(solid, recipe, context.way, {context.skips, &cost.work}, read, texels, take_rows);
     const std::chrono::duration<double> all = Clock::now() - start;
     context.records.add(Stage::synthesis, (all - painting - taking).count(), cost);
     if (recipe.paint.empty()) return;
@@ -104,13 +116,14 @@ void TextureStage::run_in_bands(StageContext& context, const SolidAtlas& solid,
 
 template <class Pixel>
 std::vector<Image<Pixel>> TextureStage::run_pictures(StageContext& context, const SolidAtlas& solid,
-                                                     const Recipe& recipe,
+                                                     const Recipe& recipe, const MaskSource& masks,
                                                      const std::vector<PicturePlan>& plans) const {
+    const MaskImages read = masks(solid, recipe.texture, GraphOutput::planes);
     return context.records.time(Stage::synthesis, [&](StageCost& cost) {
         std::vector<Image<Pixel>> pictures = synthesize_pictures<Pixel>(
             solid, recipe.texture, plans, texture_from_solid(recipe), recipe.filter,
             context.way.threads, recipe.precision.kind.value_or(PrecisionKind::float32),
-            {context.skips, &cost.work});
+            {context.skips, &cost.work}, read);
         for (const Image<Pixel>& picture : pictures) cost.bytes += bytes_of(picture);
         return pictures;
     });
@@ -118,10 +131,10 @@ std::vector<Image<Pixel>> TextureStage::run_pictures(StageContext& context, cons
 
 template <class Pixel>
 const Image<Pixel>* TextureStage::show(StageContext& context, const SolidAtlas& solid,
-                                       const Recipe& recipe, std::uint32_t number,
-                                       const std::stop_token& stop) {
+                                       const Recipe& recipe, const MaskSource& masks,
+                                       std::uint32_t number, const std::stop_token& stop) {
     auto& [texture, layer] = level(context, solid, number);
-    const Image<Pixel>* base = unpainted<Pixel>(context, *texture, recipe, number, stop);
+    const Image<Pixel>* base = unpainted<Pixel>(context, *texture, recipe, masks, number, stop);
     if (!context.skips.allows(Skip::stages) || recipe.paint.empty()) layer.reset();
     if (!base || recipe.paint.empty()) return base;
     return context.records.time(Stage::paint, [&](StageCost& cost) {
@@ -145,22 +158,28 @@ std::size_t TextureStage::cached_bytes() const {
 }
 
 template Image<Rgb8> TextureStage::run(StageContext&, const SolidAtlas&, const Recipe&,
-                                       std::uint32_t);
+                                       const MaskSource&, std::uint32_t);
 template Image<Rgb16> TextureStage::run(StageContext&, const SolidAtlas&, const Recipe&,
-                                        std::uint32_t);
+                                        const MaskSource&, std::uint32_t);
 template Image<RgbF> TextureStage::run(StageContext&, const SolidAtlas&, const Recipe&,
-                                       std::uint32_t);
+                                       const MaskSource&, std::uint32_t);
 template std::vector<Image<Rgba8>> TextureStage::run_pictures(
-    StageContext&, const SolidAtlas&, const Recipe&, const std::vector<PicturePlan>&) const;
+    StageContext&, const SolidAtlas&, const Recipe&, const MaskSource&,
+    const std::vector<PicturePlan>&) const;
 template std::vector<Image<Rgba16>> TextureStage::run_pictures(
-    StageContext&, const SolidAtlas&, const Recipe&, const std::vector<PicturePlan>&) const;
+    StageContext&, const SolidAtlas&, const Recipe&, const MaskSource&,
+    const std::vector<PicturePlan>&) const;
 template std::vector<Image<RgbaF>> TextureStage::run_pictures(
-    StageContext&, const SolidAtlas&, const Recipe&, const std::vector<PicturePlan>&) const;
+    StageContext&, const SolidAtlas&, const Recipe&, const MaskSource&,
+    const std::vector<PicturePlan>&) const;
 template const Image<Rgb8>* TextureStage::show(StageContext&, const SolidAtlas&, const Recipe&,
-                                               std::uint32_t, const std::stop_token&);
+                                               const MaskSource&, std::uint32_t,
+                                               const std::stop_token&);
 template const Image<Rgb16>* TextureStage::show(StageContext&, const SolidAtlas&, const Recipe&,
-                                                std::uint32_t, const std::stop_token&);
+                                                const MaskSource&, std::uint32_t,
+                                                const std::stop_token&);
 template const Image<RgbF>* TextureStage::show(StageContext&, const SolidAtlas&, const Recipe&,
-                                               std::uint32_t, const std::stop_token&);
+                                               const MaskSource&, std::uint32_t,
+                                               const std::stop_token&);
 
 }  // namespace burl

@@ -289,7 +289,19 @@ class GraphChecker {
                 return RecipeProblem{parameter_path, parameter_path + " is missing"};
             }
         }
+        if (Found found = check_direction(type, node, path)) return found;
         return check_time(node, path);
+    }
+
+    /// Whether the direction of `facing` is one; the keys' values have been checked.
+    static Found check_direction(const NodeType& type, const Json& node, const std::string& path) {
+        if (type.name != "facing" || !node.contains("direction")) return {};
+        const Json& direction = node["direction"];
+        if (std::ranges::any_of(direction, [](const Json& x) { return x.get<double>() != 0.0; }))
+            return {};
+        const std::string at = join_path(path, "direction");
+        return RecipeProblem{
+            at, fmt::format("{} is {}, must have a number that is not 0", at, shown(direction))};
     }
 
     /// Whether the node's kind of noise can have a time; the keys' values have been checked.

@@ -10,6 +10,7 @@
 #include "atlas/base/error.h"
 #include "atlas/solid/solid_atlas.h"
 #include "procedural/graph/graph.h"
+#include "procedural/graph/masks.h"
 #include "procedural/graph/table.h"
 #include "procedural/model/octaves.h"
 #include "procedural/noise/fractal_sum.h"
@@ -123,6 +124,7 @@ Vec3d moved_sizes(const NodeParameters& node, const Vec3d& p) {
         return {glm::dot(glm::abs(node.vector("vs")), p) + std::abs(node.parameter("offset", 0)),
                 glm::dot(glm::abs(node.vector("vt")), p) + std::abs(node.parameter("offset", 1)),
                 0.0};
+    if (type == "mesh_uv") return {farthest_uv, farthest_uv, 0.0};
     return p;
 }
 

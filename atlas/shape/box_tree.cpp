@@ -18,7 +18,7 @@ class BoxTreeBuilder {
         std::iota(tree_.items.begin(), tree_.items.end(), 0u);
     }
 
-    BoxTree build() {
+    ShapeBoxTree build() {
         if (!boxes_.empty()) add(0, std::uint32_t(boxes_.size()));
         return std::move(tree_);
     }
@@ -58,12 +58,12 @@ class BoxTreeBuilder {
 
     std::span<const Box3> boxes_;
     std::size_t leaf_;
-    BoxTree tree_;
+    ShapeBoxTree tree_;
 };
 
 }  // namespace
 
-BoxTree build_box_tree(std::span<const Box3> boxes, std::size_t leaf) {
+ShapeBoxTree build_box_tree(std::span<const Box3> boxes, std::size_t leaf) {
     return BoxTreeBuilder(boxes, leaf).build();
 }
 

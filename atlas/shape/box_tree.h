@@ -13,18 +13,18 @@ namespace burl {
 /// A node, which stands before all nodes below it: its first child comes right after it.
 struct BoxNode {
     Box3 box;                          ///< bounds all items below
-    std::uint32_t begin = 0, end = 0;  ///< the range of BoxTree::items below
+    std::uint32_t begin = 0, end = 0;  ///< the range of ShapeBoxTree::items below
     std::uint32_t second = 0;          ///< number of the second child, 0 for a leaf
 };
 
 /// The hierarchy; node 0 is the root. Without boxes there are no nodes.
-struct BoxTree {
+struct ShapeBoxTree {
     std::vector<BoxNode> nodes;
     std::vector<std::uint32_t> items;  ///< numbers of the boxes, leaf by leaf
 };
 
 /// Builds the hierarchy over boxes, at most `leaf` (>= 1) to a leaf; ties go by number.
-BoxTree build_box_tree(std::span<const Box3> boxes, std::size_t leaf = 4);
+ShapeBoxTree build_box_tree(std::span<const Box3> boxes, std::size_t leaf = 4);
 
 /// The smallest box of a triangle or segment's corners.
 Box3 box_of(std::span<const Vec3d> corners);

@@ -23,12 +23,12 @@ class CreaseEdges {
     CreaseEdges(const ShapeScene& shape, double angle);
 
     std::size_t count() const { return segments_.size(); }
-    const BoxTree& tree() const { return tree_; }
+    const ShapeBoxTree& tree() const { return tree_; }
     std::span<const Segment> segments() const { return segments_; }
 
   private:
     std::vector<Segment> segments_;
-    BoxTree tree_;
+    ShapeBoxTree tree_;
 };
 
 /// The Euclidean distance from each point to the nearest of the edges, in mesh units: at most

@@ -29,12 +29,12 @@ class CurvatureTree {
     explicit CurvatureTree(const ShapeScene& shape);
 
     const ShapeScene& shape() const { return *shape_; }
-    const BoxTree& tree() const { return tree_; }
+    const ShapeBoxTree& tree() const { return tree_; }
     const SurfaceMoments& moments(std::size_t node) const { return moments_[node]; }
 
   private:
     const ShapeScene* shape_;
-    BoxTree tree_;
+    ShapeBoxTree tree_;
     std::vector<SurfaceMoments> moments_;
 };
 

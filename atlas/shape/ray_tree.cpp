@@ -95,7 +95,7 @@ std::uint32_t RayTree::nearest(const ShapeRay& ray, float reach) const {
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
     rtcIntersect1(scene_->scene, &context, &asked);
-    return asked.hit.geomID == RTC_INVALID_GEOMETRY_ID ? no_triangle : asked.hit.primID;
+    return asked.hit.geomID == RTC_INVALID_GEOMETRY_ID ? nothing_met : asked.hit.primID;
 }
 
 }  // namespace burl

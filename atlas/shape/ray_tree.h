@@ -11,7 +11,7 @@
 namespace burl {
 
 /// The result of RayTree::nearest() for a ray that meets nothing.
-inline constexpr std::uint32_t no_triangle = 0xffffffff;
+inline constexpr std::uint32_t nothing_met = 0xffffffff;
 
 /// A ray; both vectors are relative to the tree's points, and the direction has length 1.
 struct ShapeRay {
@@ -30,7 +30,7 @@ class RayTree {
 
     /// Whether the ray meets a triangle within `reach`, which may be infinite.
     bool blocked(const ShapeRay& ray, float reach) const;
-    /// The first triangle that the ray meets within `reach`, or no_triangle.
+    /// The first triangle that the ray meets within `reach`, or nothing_met.
     std::uint32_t nearest(const ShapeRay& ray, float reach) const;
 
   private:

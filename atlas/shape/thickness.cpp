@@ -32,7 +32,7 @@ double depth(const ShapeScene& shape, const Hemisphere& hemisphere, const ShapeP
         if (!(glm::dot(direction, normal) < 0.0f)) continue;
         ++below;
         const std::uint32_t met = shape.rays().nearest({origin, direction}, float(cap));
-        sum += met == no_triangle ? cap : length_to(shape, met, place, Vec3d(direction), cap);
+        sum += met == nothing_met ? cap : length_to(shape, met, place, Vec3d(direction), cap);
     }
     return below > 0 ? sum / below : 0.0;
 }

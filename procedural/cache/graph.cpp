@@ -78,11 +78,13 @@ bool CachedGraph::splits(const TextureGraph& graph, const Filter& filter) {
 
 template <class Pixel>
 void CachedGraph::synthesize(const TextureGraph& graph, const Affine3& texture_from_atlas,
-                             int threads, Image<Pixel>& image, const Economy& economy) {
+                             int threads, Image<Pixel>& image, const Economy& economy,
+                             const MaskImages& masks) {
+    check_masks(graph, GraphOutput::color, masks, solid_->size);
     const std::size_t size = solid_->size;
     if (budget_ / sizeof(double) < size * size) {
         image = synthesize_graph<Pixel>(*solid_, graph, texture_from_atlas, {}, threads,
-                                        PrecisionKind::float32, economy);
+                                        PrecisionKind::float32, economy, {}, masks);
         return;
     }
     const Key key{number_below(graph), texture_from_atlas};
@@ -97,7 +99,7 @@ void CachedGraph::synthesize(const TextureGraph& graph, const Affine3& texture_f
         const GraphValues number(key.graph);
         octaves_ = number.program().octaves();
         fill_points(*solid_, texture_from_atlas, number, {}, threads,
-                    {economy.skips, &work, economy.stop}, RowBand(values_));
+                    {economy.skips, &work, economy.stop}, RowBand(values_), masks);
         if (economy.stop.stop_requested()) return;
         known_ = key;
     }
@@ -113,10 +115,10 @@ void CachedGraph::synthesize(const TextureGraph& graph, const Affine3& texture_f
 }
 
 template void CachedGraph::synthesize(const TextureGraph&, const Affine3&, int, Image<Rgb8>&,
-                                      const Economy&);
+                                      const Economy&, const MaskImages&);
 template void CachedGraph::synthesize(const TextureGraph&, const Affine3&, int, Image<Rgb16>&,
-                                      const Economy&);
+                                      const Economy&, const MaskImages&);
 template void CachedGraph::synthesize(const TextureGraph&, const Affine3&, int, Image<RgbF>&,
-                                      const Economy&);
+                                      const Economy&, const MaskImages&);
 
 }  // namespace burl

@@ -10,6 +10,7 @@
 #include "procedural/batch/economy.h"
 #include "procedural/batch/filter.h"
 #include "procedural/cache/texel_layout.h"
+#include "procedural/fill/mask_images.h"
 #include "procedural/graph/graph.h"
 
 namespace burl {
@@ -29,10 +30,11 @@ class CachedGraph {
 
     /// Sets `image` to the bytes of synthesize_graph, for Pixel Rgb8, Rgb16 or RgbF, in float32
     /// without a filter. splits() must hold for the graph. `threads` 0 means all. If economy.stop
-    /// is requested, the image is unspecified.
+    /// is requested, the image is unspecified. `masks` must be those of the same mesh every time:
+    /// the graph alone tells one from another.
     template <class Pixel>
     void synthesize(const TextureGraph& graph, const Affine3& texture_from_atlas, int threads,
-                    Image<Pixel>& image, const Economy& economy = {});
+                    Image<Pixel>& image, const Economy& economy = {}, const MaskImages& masks = {});
 
     /// The size of the cache in bytes.
     std::size_t bytes() const { return values_.width() * values_.height() * sizeof(double); }

@@ -16,6 +16,7 @@
 #include "procedural/batch/texel_batch.h"
 #include "procedural/color/pixel_encoder.h"
 #include "procedural/color/srgb.h"
+#include "procedural/fill/mask_images.h"
 #include "procedural/graph/values.h"
 #include "procedural/kernels/quadric_kernel.h"
 
@@ -76,8 +77,9 @@ class ImageStore {
 template <class Store>
 class PointQueue {
   public:
-    PointQueue(const GraphValues& graph, const Filter& filter, Store store)
+    PointQueue(const GraphValues& graph, const Filter& filter, const MaskImages& masks, Store store)
         : graph_(graph),
+          masks_(masks),
           supersampled_(filter.kind == FilterKind::supersample),
           pattern_(supersampled_ ? filter.samples : 1),
           store_(std::move(store)),
@@ -103,6 +105,7 @@ class PointQueue {
     void flush() {
         if (count_ == 0) return;
         scratch_.work.texels += count_;
+        read_masks(masks_, pieces_, scratch_.masks);
         if (supersampled_)
             find_means();
         else
@@ -165,6 +168,7 @@ class PointQueue {
     }
 
     const GraphValues& graph_;
+    const MaskImages& masks_;
     bool supersampled_;
     SamplePattern pattern_;
     Store store_;
@@ -199,17 +203,17 @@ inline SynthesisWork work_of(const SolidAtlas& solid, const RowWindow& rows,
     return work;
 }
 
-/// Gives the rows' texels that lie in spans, as point samples of a value program, to a copy of
-/// `store` per thread; rows are filled in parallel.
+/// Gives the rows' texels that lie in spans, as point samples of a value program and masks, to a
+/// copy of `store` per thread; rows are filled in parallel.
 template <class Store>
 void fill_points(const SolidAtlas& solid, const Affine3& map, const GraphValues& graph,
                  const Filter& filter, int threads, const Economy& economy, const RowWindow& rows,
-                 const Store& store) {
+                 const MaskImages& masks, const Store& store) {
     WorkSum work(economy.work);
     RowGroups groups(solid.size, 16 * value_batch);
     groups.size = rows.count();
     const auto fill_rows = [&](const RowRange& range) {
-        const auto queue = std::make_unique<PointQueue<Store>>(graph, filter, store);
+        const auto queue = std::make_unique<PointQueue<Store>>(graph, filter, masks, store);
         for (std::size_t row = groups.begin(range.begin()); row != groups.begin(range.end());
              ++row) {
             const std::size_t y = rows.first + row;
@@ -237,9 +241,9 @@ void fill_points(const SolidAtlas& solid, const Affine3& map, const GraphValues&
 template <class Pixel>
 void fill_points(const SolidAtlas& solid, const Affine3& map, const GraphValues& graph,
                  const Filter& filter, int threads, const Economy& economy,
-                 const RowBand<Pixel>& image) {
+                 const RowBand<Pixel>& image, const MaskImages& masks = {}) {
     const BatchEncoder<Pixel> encode;
-    fill_points(solid, map, graph, filter, threads, economy, image.rows(),
+    fill_points(solid, map, graph, filter, threads, economy, image.rows(), masks,
                 ImageStore<Pixel>(encode, image));
 }
 

@@ -11,6 +11,7 @@
 #include "procedural/batch/row_window.h"
 #include "procedural/batch/sample_pattern.h"
 #include "procedural/batch/texel_batch.h"
+#include "procedural/fill/mask_images.h"
 #include "procedural/graph/evaluator.h"
 
 namespace burl {
@@ -22,17 +23,19 @@ template <class Pixel, class Shade, class Encode>
 class TexelQueue {
   public:
     TexelQueue(const GraphEvaluator& evaluate, const Filter& filter, const Shade& shade,
-               const Encode& encode, const RowBand<Pixel>& image)
+               const Encode& encode, const RowBand<Pixel>& image, const MaskImages& masks)
         : evaluate_(evaluate),
           kind_(filter.kind),
           pattern_(kind_ == FilterKind::supersample ? filter.samples : 1),
           shade_(shade),
           encode_(encode),
           image_(image),
+          masks_(masks),
           scratch_(evaluate.make_scratch()) {}
 
     void add(const TexelPlace& texel) {
         texels_.push_back(texel);
+        append_masks(masks_, texel.x, texel.y, std::size_t(pattern_.samples()), scratch_.masks);
         for (int i = 0; i < pattern_.samples(); ++i) {
             const auto [u, v] = offset(i, texel);
             points_.push_back(texel.point + double(u) * texel.steps.u + double(v) * texel.steps.v);
@@ -62,6 +65,7 @@ class TexelQueue {
         texels_.clear();
         points_.clear();
         footprints_.clear();
+        clear_masks(scratch_.masks);
     }
 
   private:
@@ -79,6 +83,7 @@ class TexelQueue {
     const Shade& shade_;
     const Encode& encode_;
     const RowBand<Pixel>& image_;
+    const MaskImages& masks_;
     GraphEvaluator::Scratch scratch_;
     std::vector<TexelPlace> texels_;
     std::vector<Vec3d> points_;
@@ -91,9 +96,10 @@ class TexelQueue {
 template <class Pixel, class Shade, class Encode>
 void fill_texels(const SolidAtlas& solid, const Affine3& map, const GraphEvaluator& evaluate,
                  const Filter& filter, const Shade& shade, const Encode& encode, int threads,
-                 const RowBand<Pixel>& image, const std::stop_token& stop = {}) {
+                 const RowBand<Pixel>& image, const std::stop_token& stop = {},
+                 const MaskImages& masks = {}) {
     const auto fill_rows = [&](const RowRange& rows) {
-        TexelQueue<Pixel, Shade, Encode> queue(evaluate, filter, shade, encode, image);
+        TexelQueue<Pixel, Shade, Encode> queue(evaluate, filter, shade, encode, image, masks);
         for (std::size_t y = image.first + rows.begin(); y != image.first + rows.end(); ++y)
             for (const Span& span : solid.row(y)) {
                 const TexelMap& texel = solid.maps[span.map];

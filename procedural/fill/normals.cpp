@@ -137,21 +137,26 @@ struct NormalEncoder<RgbF> {
 template <class Pixel>
 Image<Pixel> synthesize_normals(const SolidAtlas& solid, const ShadingFrames& frames,
                                 const Bump& bump, const Affine3& texture_from_atlas,
-                                const Filter& filter, int threads, PrecisionKind precision) {
+                                const Filter& filter, int threads, PrecisionKind precision,
+                                const MaskImages& masks) {
+    check_masks(bump.input, GraphOutput::color, masks, solid.size);
     const NormalEncoder<Pixel> encode{};
     const GraphEvaluator evaluate(bump.input, filter, precision);
     const BumpShade shade(solid, frames, bump, texture_from_atlas);
     Image<Pixel> image(solid.size, solid.size, encode({0.0, 0.0, 1.0}));
-    fill_texels(solid, texture_from_atlas, evaluate, filter, shade, encode, threads,
-                RowBand(image));
+    fill_texels(solid, texture_from_atlas, evaluate, filter, shade, encode, threads, RowBand(image),
+                {}, masks);
     return image;
 }
 
 template Image<Rgb8> synthesize_normals(const SolidAtlas&, const ShadingFrames&, const Bump&,
-                                        const Affine3&, const Filter&, int, PrecisionKind);
+                                        const Affine3&, const Filter&, int, PrecisionKind,
+                                        const MaskImages&);
 template Image<Rgb16> synthesize_normals(const SolidAtlas&, const ShadingFrames&, const Bump&,
-                                         const Affine3&, const Filter&, int, PrecisionKind);
+                                         const Affine3&, const Filter&, int, PrecisionKind,
+                                         const MaskImages&);
 template Image<RgbF> synthesize_normals(const SolidAtlas&, const ShadingFrames&, const Bump&,
-                                        const Affine3&, const Filter&, int, PrecisionKind);
+                                        const Affine3&, const Filter&, int, PrecisionKind,
+                                        const MaskImages&);
 
 }  // namespace burl

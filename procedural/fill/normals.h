@@ -8,6 +8,7 @@
 #include "atlas/solid/atlas.h"
 #include "atlas/solid/solid_atlas.h"
 #include "procedural/batch/filter.h"
+#include "procedural/fill/mask_images.h"
 #include "procedural/graph/bump.h"
 
 namespace burl {
@@ -27,12 +28,14 @@ struct ShadingFrames {
 /// its centre, with `supersample` the mean of normals, otherwise the normal of the height as its
 /// nodes filter it over the texel. `texture_from_atlas` maps the SolidAtlas's space to the
 /// texture's. Texels outside every span, and of triangles without a frame, are (0, 0, 1). `threads`
-/// 0 means all; `precision`, float32 or float64, is that of sums of noise. Rgb8 and Rgb16 hold
-/// linear codes, RgbF components from -1 to 1.
+/// 0 means all; `precision`, float32 or float64, is that of sums of noise. `masks` has an image for
+/// each mask that the height reads, else Error(unsupported) is thrown. Rgb8 and Rgb16 hold linear
+/// codes, RgbF components from -1 to 1.
 template <class Pixel>
 Image<Pixel> synthesize_normals(const SolidAtlas& solid, const ShadingFrames& frames,
                                 const Bump& bump, const Affine3& texture_from_atlas,
                                 const Filter& filter, int threads,
-                                PrecisionKind precision = PrecisionKind::float32);
+                                PrecisionKind precision = PrecisionKind::float32,
+                                const MaskImages& masks = {});
 
 }  // namespace burl

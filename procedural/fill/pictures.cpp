@@ -125,8 +125,9 @@ template <class Store>
 class FootprintQueue {
   public:
     FootprintQueue(const GraphEvaluator& evaluate, std::size_t planes, const Filter& filter,
-                   Store store)
+                   const MaskImages& masks, Store store)
         : evaluate_(evaluate),
+          masks_(masks),
           kind_(filter.kind),
           pattern_(kind_ == FilterKind::supersample ? filter.samples : 1),
           store_(std::move(store)),
@@ -139,6 +140,7 @@ class FootprintQueue {
 
     void add(const Piece& texel, const Footprint& steps) {
         pieces_.push_back(texel);
+        append_masks(masks_, texel.x, texel.y, 1, scratch_.masks);
         steps_.push_back(steps);
         if (pieces_.size() == batch) flush();
     }
@@ -155,6 +157,7 @@ class FootprintQueue {
         store_(from_, count, pieces_);
         pieces_.clear();
         steps_.clear();
+        clear_masks(scratch_.masks);
     }
 
   private:
@@ -185,6 +188,7 @@ class FootprintQueue {
     }
 
     const GraphEvaluator& evaluate_;
+    const MaskImages& masks_;
     FilterKind kind_;
     SamplePattern pattern_;
     Store store_;
@@ -201,9 +205,10 @@ class FootprintQueue {
 template <class Store>
 void fill_footprints(const SolidAtlas& solid, const Affine3& map, const GraphEvaluator& evaluate,
                      std::size_t planes, const Filter& filter, int threads, const Economy& economy,
-                     const Store& store) {
+                     const MaskImages& masks, const Store& store) {
     const auto fill_rows = [&](const RowRange& range) {
-        const auto queue = std::make_unique<FootprintQueue<Store>>(evaluate, planes, filter, store);
+        const auto queue =
+            std::make_unique<FootprintQueue<Store>>(evaluate, planes, filter, masks, store);
         for (std::size_t y = range.begin(); y != range.end(); ++y)
             for (const Span& span : solid.row(y)) {
                 const TexelMap& texel = solid.maps[span.map];
@@ -226,7 +231,9 @@ template <class Pixel>
 std::vector<Image<Pixel>> synthesize_pictures(const SolidAtlas& solid, const TextureGraph& graph,
                                               const std::vector<PicturePlan>& plans,
                                               const Affine3& map, const Filter& filter, int threads,
-                                              PrecisionKind precision, const Economy& economy) {
+                                              PrecisionKind precision, const Economy& economy,
+                                              const MaskImages& masks) {
+    check_masks(graph, GraphOutput::planes, masks, solid.size);
     using Code = decltype(Pixel::r);
     const ComponentEncoder<Code> encode{};
     std::vector<Image<Pixel>> pictures;
@@ -241,12 +248,13 @@ std::vector<Image<Pixel>> synthesize_pictures(const SolidAtlas& solid, const Tex
                               *PictureStore<Code>(store).encode(plan, origin, 1));
     const bool points = filter.kind == FilterKind::none || filter.kind == FilterKind::supersample;
     if (points && precision == PrecisionKind::float32) {
-        fill_points(solid, map, values, filter, threads, economy, RowWindow().of(solid.size),
+        fill_points(solid, map, values, filter, threads, economy, RowWindow().of(solid.size), masks,
                     store);
         return pictures;
     }
     const GraphEvaluator evaluate(graph, filter, precision, GraphOutput::planes);
-    fill_footprints(solid, map, evaluate, values.results().size(), filter, threads, economy, store);
+    fill_footprints(solid, map, evaluate, values.results().size(), filter, threads, economy, masks,
+                    store);
     if (economy.work)
         *economy.work += work_of(solid, RowWindow().of(solid.size), values.program(), filter);
     return pictures;
@@ -255,14 +263,17 @@ std::vector<Image<Pixel>> synthesize_pictures(const SolidAtlas& solid, const Tex
 template std::vector<Image<Rgba8>> synthesize_pictures(const SolidAtlas&, const TextureGraph&,
                                                        const std::vector<PicturePlan>&,
                                                        const Affine3&, const Filter&, int,
-                                                       PrecisionKind, const Economy&);
+                                                       PrecisionKind, const Economy&,
+                                                       const MaskImages&);
 template std::vector<Image<Rgba16>> synthesize_pictures(const SolidAtlas&, const TextureGraph&,
                                                         const std::vector<PicturePlan>&,
                                                         const Affine3&, const Filter&, int,
-                                                        PrecisionKind, const Economy&);
+                                                        PrecisionKind, const Economy&,
+                                                        const MaskImages&);
 template std::vector<Image<RgbaF>> synthesize_pictures(const SolidAtlas&, const TextureGraph&,
                                                        const std::vector<PicturePlan>&,
                                                        const Affine3&, const Filter&, int,
-                                                       PrecisionKind, const Economy&);
+                                                       PrecisionKind, const Economy&,
+                                                       const MaskImages&);
 
 }  // namespace burl

@@ -11,6 +11,7 @@
 #include "procedural/batch/economy.h"
 #include "procedural/batch/filter.h"
 #include "procedural/batch/precision.h"
+#include "procedural/fill/mask_images.h"
 #include "procedural/graph/planes.h"
 
 namespace burl {
@@ -38,13 +39,15 @@ struct PicturePlan {
 /// picture's alpha, that is their own times `factor` and `times` of its component. Numbers are
 /// clamped to [0,1] in codes. Texels outside every span show the planes at the origin.
 /// `texture_from_atlas` maps the SolidAtlas's space to the texture's; `threads` 0 means all, and no
-/// byte depends on it. `precision` is float32 or float64.
+/// byte depends on it. `precision` is float32 or float64. `masks` has an image for each mask that
+/// the material reads, else Error(unsupported) is thrown.
 template <class Pixel>
 std::vector<Image<Pixel>> synthesize_pictures(const SolidAtlas& solid, const TextureGraph& graph,
                                               const std::vector<PicturePlan>& plans,
                                               const Affine3& texture_from_atlas,
                                               const Filter& filter, int threads,
                                               PrecisionKind precision = PrecisionKind::float32,
-                                              const Economy& economy = {});
+                                              const Economy& economy = {},
+                                              const MaskImages& masks = {});
 
 }  // namespace burl

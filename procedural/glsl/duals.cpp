@@ -140,6 +140,11 @@ GlslDuals::Names GlslDuals::step(const PositiveTurn&) {
     return {dual(fmt::format("{0}.x < {1} ? {0} + {2} : {0}", in(0), number(0.0), constant(1.0)))};
 }
 
+/// No shader is written of what reads a mask (no_graph_shader, no_filtered_shader).
+GlslDuals::Names GlslDuals::step(const MaskRead&) {
+    return {constant(0.0)};
+}
+
 GlslDuals::Names GlslDuals::step(const SlopeAlong& slope) {
     return {dual(fmt::format("dual(dot_of({}, {}.yzw))", real3(slope.direction), in(0)))};
 }

@@ -7,6 +7,7 @@
 #include "atlas/base/error.h"
 #include "procedural/glsl/duals.h"
 #include "procedural/glsl/value_steps.h"
+#include "procedural/graph/masks.h"
 #include "procedural/graph/table.h"
 #include "procedural/graph/values.h"
 
@@ -134,6 +135,12 @@ std::string too_many_stops(const TextureGraph& graph) {
     return "";
 }
 
+/// The reason why a graph that reads a mask has no shader; empty where it reads none.
+std::string masks_problem(const TextureGraph& graph, GraphOutput output) {
+    const std::string mask = first_mask_node(graph, output);
+    return mask.empty() ? "" : no_texels_for(mask);
+}
+
 void check(const std::string& why, const char* what = "texture") {
     if (!why.empty())
         throw Error(ExitCode::unsupported,
@@ -143,10 +150,12 @@ void check(const std::string& why, const char* what = "texture") {
 }  // namespace
 
 std::string no_graph_shader(const TextureGraph& graph) {
+    if (std::string why = masks_problem(graph, GraphOutput::color); !why.empty()) return why;
     return has_node(graph, "slope") ? too_many_stops(graph) : "";
 }
 
 std::string no_filtered_shader(const TextureGraph& graph, const Filter& filter) {
+    if (std::string why = masks_problem(graph, GraphOutput::color); !why.empty()) return why;
     const bool tables = filter.kind == FilterKind::table_mip ||
                         filter.kind == FilterKind::table_sat ||
                         filter.kind == FilterKind::table_sat3;
@@ -169,7 +178,9 @@ bool has_glsl_planes(const TextureGraph& graph) {
 
 GlslTexture glsl_material(const TextureGraph& graph, const TextureGraph& height, GlslReal real) {
     check(no_graph_shader(graph));
+    check(masks_problem(graph, GraphOutput::planes), "material");
     check(too_many_stops(height), "height of the bumps");
+    if (!height.empty()) check(masks_problem(height, GraphOutput::color), "height of the bumps");
     GlslFunctions functions(real);
     GlslMapTables maps(real);
     if (!height.empty())

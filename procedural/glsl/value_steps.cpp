@@ -154,4 +154,9 @@ GlslStep GlslSteps::step(const GraphSlope& slope, const Inputs&) {
                              number(d.z), known->second));
 }
 
+/// No shader is written of what reads a mask (no_graph_shader).
+GlslStep GlslSteps::step(const MaskRead&, const Inputs&) {
+    return {"", {number(0.0)}};
+}
+
 }  // namespace burl

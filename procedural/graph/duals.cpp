@@ -146,6 +146,11 @@ DualFunction dual_function(const PositiveTurn&, const DualSettings&) {
     return of_one([](const Dual& turn) { return turn.value < 0.0 ? turn + 1.0 : turn; });
 }
 
+DualFunction dual_function(const MaskRead& work, const DualSettings&) {
+    return for_each_point(
+        [=](const DualCall& call, std::size_t i) { return Dual(call.mask(work.mask, i)); });
+}
+
 DualFunction dual_function(const SlopeAlong& work, const DualSettings&) {
     return of_one([d = work.direction](const Dual& x) { return glm::dot(d, x.slope); });
 }

@@ -9,6 +9,7 @@
 
 #include "procedural/batch/filter.h"
 #include "procedural/batch/texel_batch.h"
+#include "procedural/graph/masks.h"
 #include "procedural/graph/program.h"
 #include "procedural/numbers/dual.h"
 
@@ -42,9 +43,16 @@ struct DualCall {
     std::array<const DualArray*, most_step_inputs> inputs{};
     std::array<DualArray*, 3> outputs{};
     std::span<const Footprint> footprints;  ///< footprint of each point
+    const MaskValues* masks = nullptr;      ///< values of the graph's masks
+    std::size_t first = 0;                  ///< number of the batch's first point in `masks`
 
     std::size_t count() const { return footprints.size(); }
     Dual in(std::size_t k, std::size_t i) const { return inputs[k]->get(i); }
+    /// The value of a mask at point i.
+    double mask(std::size_t number, std::size_t i) const {
+        if (!masks || number >= masks->size() || (*masks)[number].empty()) return 0.0;
+        return (*masks)[number][first + i];
+    }
     /// The point whose coordinates are the first three inputs.
     DualPoint point(std::size_t i) const { return {in(0, i), in(1, i), in(2, i)}; }
 
@@ -100,5 +108,6 @@ DualFunction dual_function(const CellNumber& work, const DualSettings& settings)
 DualFunction dual_function(const CellFeature& work, const DualSettings& settings);
 DualFunction dual_function(const ScatteredShapes& work, const DualSettings& settings);
 DualFunction dual_function(const ImageColors& work, const DualSettings& settings);
+DualFunction dual_function(const MaskRead& work, const DualSettings& settings);
 
 }  // namespace burl

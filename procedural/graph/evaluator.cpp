@@ -31,24 +31,26 @@ GraphEvaluator::GraphEvaluator(const TextureGraph& graph, const Filter& filter,
              std::move(step.inputs), std::move(step.outputs)});
 }
 
-void GraphEvaluator::run(const Step& step, std::span<const Footprint> footprints,
+void GraphEvaluator::run(const Step& step, std::span<const Footprint> footprints, std::size_t first,
                          Scratch& scratch) {
     DualCall call;
     for (std::size_t k = 0; k < step.inputs.size(); ++k) call.inputs[k] = &scratch[step.inputs[k]];
     for (std::size_t k = 0; k < step.outputs.size(); ++k)
         call.outputs[k] = &scratch[step.outputs[k]];
     call.footprints = footprints;
+    call.masks = &scratch.masks;
+    call.first = first;
     step.run(call);
 }
 
 GraphEvaluator::Scratch GraphEvaluator::make_scratch() const {
-    Scratch scratch(channels_);
-    for (std::size_t i = 0; i < fixed_; ++i) run(steps_[i], no_footprints, scratch);
+    Scratch scratch{std::vector<DualArray>(channels_), {}};
+    for (std::size_t i = 0; i < fixed_; ++i) run(steps_[i], no_footprints, 0, scratch);
     return scratch;
 }
 
 void GraphEvaluator::run_batch(std::span<const Vec3d> points, std::span<const Footprint> footprints,
-                               Scratch& scratch) const {
+                               std::size_t first, Scratch& scratch) const {
     for (std::size_t i = 0; i < points.size(); ++i)
         for (int axis = 0; axis < 3; ++axis) {
             Vec3d slope(0.0);
@@ -58,7 +60,7 @@ void GraphEvaluator::run_batch(std::span<const Vec3d> points, std::span<const Fo
     const auto covered = footprints.empty()
                              ? std::span<const Footprint>(no_footprints).first(points.size())
                              : footprints;
-    for (std::size_t i = fixed_; i < steps_.size(); ++i) run(steps_[i], covered, scratch);
+    for (std::size_t i = fixed_; i < steps_.size(); ++i) run(steps_[i], covered, first, scratch);
 }
 
 void GraphEvaluator::operator()(std::span<const Vec3d> points,
@@ -67,7 +69,8 @@ void GraphEvaluator::operator()(std::span<const Vec3d> points,
     for (std::size_t begin = 0; begin < points.size(); begin += graph_batch_size) {
         const std::size_t count = std::min(graph_batch_size, points.size() - begin);
         run_batch(points.subspan(begin, count),
-                  footprints.empty() ? footprints : footprints.subspan(begin, count), scratch);
+                  footprints.empty() ? footprints : footprints.subspan(begin, count), begin,
+                  scratch);
         for (std::size_t i = 0; i < count; ++i) {
             samples[begin + i].wire = graph_.nodes[graph_.result].wire;
             for (std::size_t c = 0; c < results_.size(); ++c)
@@ -78,7 +81,7 @@ void GraphEvaluator::operator()(std::span<const Vec3d> points,
 
 void GraphEvaluator::planes(std::span<const Vec3d> points, std::span<const Footprint> footprints,
                             Scratch& scratch, std::span<double* const> planes) const {
-    run_batch(points, footprints, scratch);
+    run_batch(points, footprints, 0, scratch);
     for (std::size_t p = 0; p < planes.size(); ++p)
         for (std::size_t i = 0; i < points.size(); ++i)
             planes[p][i] = scratch[results_[p]].get(i).value;

@@ -29,7 +29,11 @@ struct GraphSample {
 class GraphEvaluator {
   public:
     /// The arrays of one thread, reusable for any number of batches.
-    using Scratch = std::vector<DualArray>;
+    struct Scratch {
+        std::vector<DualArray> arrays;
+        MaskValues masks;  ///< values of the graph's masks at the points of the next call
+        DualArray& operator[](std::size_t r) { return arrays[r]; }
+    };
 
     /// The graph must be valid (graph_from_json makes only valid ones) and not empty. `filter`
     /// decides how color_map and field average over footprints (docs/reference/nodes.md).
@@ -60,10 +64,12 @@ class GraphEvaluator {
         DualFunction run;
         std::vector<Register> inputs, outputs;
     };
-    static void run(const Step& step, std::span<const Footprint> footprints, Scratch& scratch);
-    /// Runs all steps for at most graph_batch_size points.
+    static void run(const Step& step, std::span<const Footprint> footprints, std::size_t first,
+                    Scratch& scratch);
+    /// Runs all steps for at most graph_batch_size points, of which the first is number `first` of
+    /// scratch.masks.
     void run_batch(std::span<const Vec3d> points, std::span<const Footprint> footprints,
-                   Scratch& scratch) const;
+                   std::size_t first, Scratch& scratch) const;
 
     TextureGraph graph_;
     std::vector<Step> steps_;

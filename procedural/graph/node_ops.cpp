@@ -1,5 +1,9 @@
 #include "procedural/graph/node_ops.h"
 
+#include <algorithm>
+
+#include "procedural/graph/masks.h"
+
 namespace burl {
 
 NodeOps::NodeOps(const TextureGraph& graph, std::size_t number,
@@ -14,6 +18,15 @@ Register NodeOps::input(std::size_t k, std::size_t c) {
     const std::vector<Register>& given = channels_[self().inputs[k]];
     if (c < given.size()) return given[c];
     return c < 3 ? given[0] : constant(1.0);
+}
+
+/// The mask is read like a function of the point, for it differs from texel to texel.
+Register NodeOps::mask(std::size_t c) {
+    const NodeMask& own = type_of(self()).mask;
+    const auto begin = self().parameters.begin();
+    const GraphMask wanted{own.kind, {begin, begin + std::ptrdiff_t(own.numbers)}, c};
+    const std::vector<GraphMask> all = graph_masks(graph_);
+    return apply(MaskRead{std::size_t(std::ranges::find(all, wanted) - all.begin())}, {0});
 }
 
 Register NodeOps::along(const Vec3d& d, double offset) {

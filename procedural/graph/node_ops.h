@@ -26,6 +26,8 @@ class NodeOps : public NodeParameters {
     /// The coordinates of the point that the node is evaluated at.
     const std::vector<Register>& point() const { return channels_[self().place]; }
     Register axis(std::size_t i) const { return point()[i]; }
+    /// Component c of the mask that the node reads, at the texel.
+    Register mask(std::size_t c = 0);
     /// The affine combination d . point + offset.
     Register along(const Vec3d& d, double offset = 0.0);
     /// The coordinates of map(point).
@@ -145,6 +147,7 @@ std::span<const NodeType> channels();
 std::span<const NodeType> patterns();
 std::span<const NodeType> tiles();
 std::span<const NodeType> noises();
+std::span<const NodeType> masks();
 std::span<const NodeType> points();
 
 }  // namespace burl::nodes

@@ -142,11 +142,18 @@ struct ImageColors {
     double anisotropy = 8.0;  ///< largest ratio of an ellipse's axes
 };
 
+/// The value of a mask of the graph (masks.h) at the texel that is being filled; its gradient
+/// counts as 0.
+struct MaskRead {
+    std::size_t mask = 0;
+    bool operator==(const MaskRead&) const = default;
+};
+
 /// The work of a step.
 using GraphWork =
     std::variant<ValueOperation, BoxMean, BoxPulse, BoxStep, PositiveTurn, SlopeAlong, Checkerboard,
                  OctaveSum, SimplexOctaves, CurlOctaves, FieldAt, MapColors, MarbleColors,
-                 DotsWeight, CellNumber, CellFeature, ScatteredShapes, ImageColors>;
+                 DotsWeight, CellNumber, CellFeature, ScatteredShapes, ImageColors, MaskRead>;
 
 /// The largest number of registers that a step reads.
 inline constexpr std::size_t most_step_inputs = most_simplex_dimensions;

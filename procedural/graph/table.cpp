@@ -27,7 +27,7 @@ std::span<const NodeType> graph_table() {
         std::vector<NodeType> all;
         for (const auto& family :
              {nodes::numbers(), nodes::colors(), nodes::channels(), nodes::patterns(),
-              nodes::tiles(), nodes::noises(), nodes::points()})
+              nodes::tiles(), nodes::noises(), nodes::masks(), nodes::points()})
             all.insert(all.end(), family.begin(), family.end());
         return all;
     }();

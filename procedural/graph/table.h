@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "atlas/base/enum_names.h"
 #include "procedural/batch/parameter.h"
 #include "procedural/graph/graph.h"
 #include "procedural/graph/step_registers.h"
@@ -28,6 +29,30 @@ struct NodeInput {
 /// (`inputs`), or the result of its input evaluated at the point that the node makes (`inner`).
 enum class NodeResult { number, color, inputs, inner };
 
+/// What the mesh's shape says at a texel (docs/reference/masks.md).
+enum class MaskKind : std::uint8_t {
+    occlusion,      ///< numbers: rays, distance
+    curvature,      ///< numbers: radius
+    thickness,      ///< numbers: rays, distance
+    facing,         ///< numbers: a direction
+    height_in_box,  ///< numbers: axis, 0 to 2
+    edge_distance,  ///< numbers: angle in degrees, farthest
+    part,           ///< numbers: kind of piece (0: connected, 1: part of the file), seed
+    vertex_color,   ///< components: red, green, blue, alpha
+    mesh_uv         ///< components: u, v
+};
+template <>
+inline constexpr auto enum_names<MaskKind> = enum_words("occlusion", "curvature", "thickness",
+                                                        "facing", "height_in_box", "edge_distance",
+                                                        "part", "vertex_color", "mesh_uv");
+
+/// The mask that a type of node reads: its kind, how many components it has (none where the node is
+/// no mask), and how many of the node's leading numbers decide about its values.
+struct NodeMask {
+    MaskKind kind = MaskKind::occlusion;
+    std::size_t components = 0, numbers = 0;
+};
+
 /// A type of node: an entry of the table.
 struct NodeType {
     std::string_view name;
@@ -38,6 +63,7 @@ struct NodeType {
     std::string_view text, source;
     std::array<NodeInput, 4> input_list{};
     std::array<Parameter, 10> parameter_list{};
+    NodeMask mask{};
 
     std::span<const NodeInput> inputs() const;
     /// The parameters; `path` is the key alone. A parameter whose default is null may be left out

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "procedural/noise/lattice_site.h"
 #include "procedural/noise/simplex_curl.h"
@@ -16,6 +17,7 @@ struct StepArrays {
     std::array<const double*, most_step_inputs> inputs{};
     std::array<double*, 3> outputs{};
     std::size_t count = 0;
+    std::span<const ValueProgram::Scratch::Array> masks{};
 };
 
 void run_work(const ValueOperation& work, const StepArrays& arrays, GraphEvaluator::Scratch&) {
@@ -118,7 +120,14 @@ void run_work(const ImageLookup& work, const StepArrays& arrays, GraphEvaluator:
     }
 }
 
+void run_work(const MaskRead& work, const StepArrays& arrays, GraphEvaluator::Scratch&) {
+    std::copy_n(arrays.masks[work.mask].values, arrays.count, arrays.outputs[0]);
+}
+
 void run_work(const GraphSlope& work, const StepArrays& arrays, GraphEvaluator::Scratch& scratch) {
+    scratch.masks.resize(arrays.masks.size());
+    for (std::size_t m = 0; m < arrays.masks.size(); ++m)
+        scratch.masks[m].assign(arrays.masks[m].values, arrays.masks[m].values + arrays.count);
     std::array<Vec3d, value_batch> points;
     std::array<GraphSample, value_batch> samples;
     for (std::size_t j = 0; j < arrays.count; ++j)
@@ -140,6 +149,7 @@ void run_step(const ValueStep& step, std::size_t count, ValueProgram::Scratch& s
               GraphEvaluator::Scratch& graph) {
     StepArrays arrays;
     arrays.count = count;
+    arrays.masks = scratch.masks;
     for (std::size_t k = 0; k < step.inputs.size(); ++k) arrays.inputs[k] = scratch[step.inputs[k]];
     for (std::size_t k = 0; k < step.outputs.size(); ++k)
         arrays.outputs[k] = scratch[step.outputs[k]];
@@ -207,6 +217,17 @@ std::vector<Register> ValueProgram::finish(std::vector<Register> results) {
     return results;
 }
 
+std::size_t ValueProgram::masks() const {
+    std::size_t count = 0;
+    for (const ValueStep& step : steps_) {
+        if (const auto* read = std::get_if<MaskRead>(&step.work))
+            count = std::max(count, read->mask + 1);
+        if (const auto* slope = std::get_if<GraphSlope>(&step.work))
+            count = std::max(count, graph_masks(slope->graph->graph()).size());
+    }
+    return count;
+}
+
 std::size_t ValueProgram::octaves() const {
     std::size_t count = 0;
     for (std::size_t i = fixed_steps_; i < steps_.size(); ++i) count += octaves_of(steps_[i]);
@@ -225,6 +246,7 @@ std::size_t ValueProgram::octaves_of_shared() const {
 ValueProgram::Scratch ValueProgram::make_scratch() const {
     Scratch scratch;
     scratch.arrays.resize(registers_);
+    scratch.masks.resize(masks());
     scratch.graphs.resize(steps_.size());
     for (std::size_t i = 0; i < steps_.size(); ++i)
         if (const auto* slope = std::get_if<GraphSlope>(&steps_[i].work))

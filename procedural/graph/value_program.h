@@ -34,7 +34,7 @@ struct GraphSlope {
 /// The work of a step.
 using ValueWork =
     std::variant<ValueOperation, NoiseSum, SimplexOctaves, CurlOctaves, ColorPieces, DotsWeight,
-                 CellNumber, CellFeature, ScatteredShapes, ImageLookup, GraphSlope>;
+                 CellNumber, CellFeature, ScatteredShapes, ImageLookup, GraphSlope, MaskRead>;
 
 /// A step of a program: work with the arrays that it reads and writes.
 struct ValueStep {
@@ -58,6 +58,8 @@ class ValueProgram {
             double values[value_batch + batch_padding] = {};
         };
         std::vector<Array> arrays;
+        /// Values of the graph's masks (masks.h) at the batch's points, by number; 0 at first.
+        std::vector<Array> masks;
         std::vector<GraphEvaluator::Scratch> graphs;
         SynthesisWork work;  ///< octaves of all runs with these arrays
         double* operator[](Register r) { return arrays[r].values; }
@@ -83,6 +85,8 @@ class ValueProgram {
     /// Computes the results from scratch[0], [1] and [2]; at most value_batch points.
     void run(std::size_t count, Scratch& scratch) const;
 
+    /// The number of the last mask that a step reads, plus 1.
+    std::size_t masks() const;
     const std::vector<ValueStep>& steps() const { return steps_; }
     /// The octaves of noise that a point takes.
     std::size_t octaves() const;

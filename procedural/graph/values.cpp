@@ -264,6 +264,8 @@ class Lowering {
         give(ImageLookup{image.pixels, image.pixels->wrap()}, 3);
     }
 
+    void lower(const MaskRead& read) { give(read); }
+
     const TextureGraph& graph_;
     ValueProgram& program_;
     std::vector<LoweredValue> values_;  ///< values of the graph, by register

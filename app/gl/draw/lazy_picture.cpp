@@ -52,7 +52,8 @@ std::vector<Image<RgbF>> levels_of(const ViewSource& source, const std::vector<T
     if (!source.rule.direct) return block_levels(source.layout, texture, count);
     const auto fill = [&](const SolidAtlas& level, const Recipe& recipe) {
         const auto texels = std::ranges::find(part, level.size, &TexelSet::size);
-        return fill_texture<RgbF>(cut_to(level, *texels), recipe, way, economy);
+        return fill_texture<RgbF>(cut_to(level, *texels), recipe, way, economy,
+                                  source.color_masks(level));
     };
     return direct_levels(source.layout, source.solid, source.recipe, texture, count, source.rule,
                          fill);
@@ -86,7 +87,9 @@ Image<Rgb8> view_normals(const ViewSource& source, const Mesh& mesh, const Texel
     return synthesize_normals<Rgb8>(
         cut_to(source.solid, texels),
         {mesh, source.layout.atlas(), frames.positions, frames.normals, frames.tangents},
-        recipe.bump, texture_from_solid(recipe), recipe.filter, threads, graph_precision(recipe));
+        recipe.bump, texture_from_solid(recipe), recipe.filter, threads, graph_precision(recipe),
+        source.masks ? source.masks(source.solid, recipe.bump.input, GraphOutput::color)
+                     : MaskImages());
 }
 
 }  // namespace
@@ -94,6 +97,10 @@ Image<Rgb8> view_normals(const ViewSource& source, const Mesh& mesh, const Texel
 std::uint32_t ViewSource::source(std::uint32_t level) const {
     if (!rule.direct || level > last_level(layout)) return 0;
     return source_level(layout, rule, level);
+}
+
+MaskImages ViewSource::color_masks(const SolidAtlas& level) const {
+    return masks ? masks(level, recipe.texture, GraphOutput::color) : MaskImages();
 }
 
 SolidAtlas ViewSource::level(std::uint32_t number) const {
@@ -125,12 +132,13 @@ SceneTexture view_texture(const ViewSource& source, const std::vector<TexelSet>&
                           const ViewTexels& view, TextureFilter filter, const HostWay& way,
                           const Economy& economy) {
     const SolidAtlas finest = cut_to(source.solid, part[0]);
+    const MaskImages masks = source.color_masks(source.solid);
     SceneTexture texture;
     if (filter != TextureFilter::mip) {
-        texture.image = fill_texture<Rgb8>(finest, source.recipe, way, economy);
+        texture.image = fill_texture<Rgb8>(finest, source.recipe, way, economy, masks);
         return texture;
     }
-    const auto linear = fill_texture<RgbF>(finest, source.recipe, way, economy);
+    const auto linear = fill_texture<RgbF>(finest, source.recipe, way, economy, masks);
     texture.image = encoded(linear, part[0], way.threads);
     const std::uint32_t count = levels_read(source.layout, view);
     for (const Image<RgbF>& level : levels_of(source, part, linear, count, way, economy))
@@ -149,7 +157,7 @@ LazyPicture render_lazily(GlContext& context, Pipeline& pipeline, const View& vi
     context.make_current();
     LazyPicture result;
     const ViewSource source{pipeline.mesh_atlas(), pipeline.solid(), pipeline.recipe(),
-                            options.rule};
+                            options.rule, pipeline.masks()};
     const Scene scene = baked_scene(pipeline, options.crease_degrees, options.pose);
     const SceneMaterial& material = baked_material(scene);
     const Camera camera = orbit_camera(view, bounding_sphere(scene), options.picture.size);

@@ -37,7 +37,10 @@ struct ViewSource {
     const SolidAtlas& solid;
     const Recipe& recipe;
     LevelRule rule{};
+    MaskSource masks{};  ///< of whole levels of the atlas; none: the recipe reads no masks
 
+    /// The masks that the base colour reads over a whole level.
+    MaskImages color_masks(const SolidAtlas& level) const;
     /// The level whose samples the texels of `level` are means of. Levels that a bake does not
     /// write are averaged by OpenGL, from level 0.
     std::uint32_t source(std::uint32_t level) const;

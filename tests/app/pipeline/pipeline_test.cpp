@@ -29,12 +29,16 @@ Image<Pixel> baked_anew(const Recipe& recipe) {
     return pipeline.synthesize<Pixel>();
 }
 
-/// Runs of connectivity, layout, spans and synthesis.
+constexpr std::array counted_stages{Stage::connectivity, Stage::layout, Stage::spans,
+                                    Stage::synthesis};
+
+/// Runs of the counted stages.
 using Runs = std::array<std::uint64_t, 4>;
 
 Runs runs_of(const Pipeline& pipeline) {
     Runs runs{};
-    for (std::size_t k = 0; k < runs.size(); ++k) runs[k] = pipeline.records()[Stage(k)].runs;
+    for (std::size_t k = 0; k < runs.size(); ++k)
+        runs[k] = pipeline.records()[counted_stages[k]].runs;
     return runs;
 }
 
@@ -63,7 +67,8 @@ TEST(Pipeline, RepeatsFromWhereARecipeChanges) {
         EXPECT_EQ(pipeline.synthesize<Rgb8>(), baked_anew(changed));
         EXPECT_EQ(runs_of(pipeline), runs);
         for (std::size_t k = 0; k < runs.size(); ++k)
-            EXPECT_EQ(pipeline.records()[Stage(k)].kept, 2 - runs[k]) << stage_names[k];
+            EXPECT_EQ(pipeline.records()[counted_stages[k]].kept, 2 - runs[k])
+                << stage_names[unsigned(counted_stages[k])];
     }
 }
 

@@ -31,7 +31,7 @@ TEST(GraphProgram, ChannelsAreUsedAgain) {
     std::string chain = R"({"node": "fbm"})";
     for (int i = 0; i < 40; ++i)
         chain = R"({"node": "abs", "input": {"node": "sin", "input": )" + chain + "}}";
-    EXPECT_LE(GraphEvaluator(graph_of(chain)).make_scratch().size(), 6u);
+    EXPECT_LE(GraphEvaluator(graph_of(chain)).make_scratch().arrays.size(), 6u);
 }
 
 }  // namespace

@@ -92,6 +92,26 @@ TEST_F(GlLazyPictureTest, UnderEveryLookupFilter) {
     }
 }
 
+TEST_F(GlLazyPictureTest, ReadsTheMasksOfABake) {
+    for (const AtlasKind kind : {AtlasKind::quad, AtlasKind::patch}) {
+        Pipeline pipeline = pipeline_of(kind, 128);
+        Recipe recipe = parse_recipe(R"({"texture": {"node": "mix", "a": "#200000", "b": "#f0e0c0",
+            "amount": {"node": "occlusion"}}, "bump": {"input": {"node": "multiply", "a": 0.1,
+            "b": {"node": "multiply", "a": {"node": "height_in_box"}, "b": {"node": "fbm"}}}}})",
+                                     "r");
+        recipe.atlas = pipeline.recipe().atlas;
+        pipeline.set_recipe(recipe);
+        for (const TextureFilter filter : {TextureFilter::linear, TextureFilter::mip})
+            EXPECT_GT(expect_same_picture(*context, pipeline, views[3], small_picture(filter)), 0u);
+        const ViewSource source{
+            pipeline.mesh_atlas(), pipeline.solid(), pipeline.recipe(), {}, pipeline.masks()};
+        const ViewTexels all(source.solid.size);
+        const SceneTexture made =
+            view_texture(source, whole_part(source), all, TextureFilter::linear, {});
+        EXPECT_EQ(made.image, pipeline.synthesize<Rgb8>());
+    }
+}
+
 /// A lazy picture equals the one drawn from a baked file.
 TEST_F(GlLazyPictureTest, EqualsThePictureOfABakedFile) {
     const ScratchFolder scratch;

@@ -1,0 +1,51 @@
+#pragma once
+// A mesh's masks as images over the texels of its atlas: what graphs read
+// (procedural/graph/masks.h) from the shape (atlas/shape).
+#include <cstdint>
+#include <functional>
+#include <memory>
+
+#include "atlas/solid/solid_atlas.h"
+#include "procedural/fill/mask_images.h"
+
+namespace burl {
+
+class ShapeScene;  // atlas/shape/shape_scene.h
+
+/// All that a mask's image depends on besides the atlas. Lengths among the mask's numbers are in
+/// the SolidAtlas's space.
+struct TexelMaskKey {
+    GraphMask mask;
+    double factor = 1.0;     ///< of the values, which are lengths where it is not 1
+    std::uint32_t size = 0;  ///< side of the image in texels
+    bool operator==(const TexelMaskKey&) const = default;
+};
+
+/// The key of a graph's mask, whose lengths are in units of the graph's solid point: those of the
+/// SolidAtlas's space times `scale`, the recipe's.
+TexelMaskKey mask_key(const GraphMask& mask, double scale, std::uint32_t size);
+
+/// A mesh prepared for masks. It keeps a copy of the mesh.
+class MeshShape {
+  public:
+    /// `solid_from_mesh` maps the mesh's coordinates to the SolidAtlas's space: a scale and a
+    /// shift.
+    MeshShape(Mesh mesh, const Affine3& solid_from_mesh);
+    ~MeshShape();
+
+    /// The mask at all texels of an atlas of the mesh, 0 for texels that show nothing. Occlusion,
+    /// thickness and curvature are interpolated between points at most about four texels apart
+    /// where they are smooth; all others are the mask at the texel's point.
+    Image<float> image(const SolidAtlas& solid, const TexelMaskKey& key) const;
+
+  private:
+    Mesh mesh_;  ///< in the SolidAtlas's space
+    std::unique_ptr<const ShapeScene> scene_;
+};
+
+/// Gives images for the masks that a graph's output reads, at the texels of an atlas of the
+/// pipeline's mesh.
+using MaskSource =
+    std::function<MaskImages(const SolidAtlas&, const TextureGraph&, GraphOutput output)>;
+
+}  // namespace burl

@@ -1,0 +1,208 @@
+// Masks of the shape in whole bakes: a texel of the picture is the mask of atlas/shape at the
+// texel's point, in the graph's units.
+#include <numbers>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "app/pipeline/mask_picture.h"
+#include "app/pipeline/pipeline.h"
+#include "atlas/shape/crease_edges.h"
+#include "atlas/shape/curvature.h"
+#include "atlas/shape/occlusion.h"
+#include "atlas/shape/point_masks.h"
+#include "atlas/shape/texel_mask.h"
+#include "atlas/shape/thickness.h"
+#include "tests/app/pipeline/mask_cases.h"
+
+namespace burl {
+namespace {
+
+using Points = std::span<const ShapePoint>;
+using Values = std::span<float>;
+
+/// Calls visit(value, point) for every seventh texel that shows something: its number in the
+/// picture, and its point of the mesh in the file's units.
+template <class Visit>
+void for_points(Pipeline& pipeline, const Visit& visit) {
+    const Image<RgbF> picture = pipeline.synthesize<RgbF>();
+    const SolidAtlas& solid = pipeline.solid();
+    const Affine3 map = solid_from_mesh(pipeline.mesh(), pipeline.recipe().solid.space);
+    const ShapeScene scene(pipeline.atlas_mesh());
+    std::size_t texel = 0;
+    for (std::uint32_t y = 0; y < solid.size; ++y)
+        for (const Span& span : solid.row(y))
+            for (std::uint32_t x = span.x; x < span.x + span.count; ++x) {
+                if (++texel % 7 != 0) continue;
+                const std::uint32_t t = solid.triangle_of(span.map);
+                const Vec3d p = (solid.maps[span.map](x, y) - map.offset) / map.linear[0][0];
+                visit(picture(x, y).g, scene.surface_point(t, scene.weights_at(t, p)));
+            }
+    EXPECT_GT(texel, solid.size * solid.size / 3);
+}
+
+/// The root mean square of the texels' errors against a mask times `factor`.
+double error_of(Pipeline& pipeline, const PointMask& mask, double factor = 1.0) {
+    std::vector<ShapePoint> points;
+    std::vector<float> found;
+    for_points(pipeline, [&](float value, const ShapePoint& point) {
+        found.push_back(value);
+        points.push_back(point);
+    });
+    std::vector<float> truth(points.size());
+    mask(points, truth);
+    double sum = 0.0;
+    for (std::size_t i = 0; i < truth.size(); ++i)
+        sum += std::pow(double(found[i]) - factor * double(truth[i]), 2);
+    return std::sqrt(sum / double(truth.size()));
+}
+
+TEST(MeshMasks, ATexelHasTheMaskAtItsPointInTheGraphsUnits) {
+    for (const char* kind : {"quad", "patch"})
+        for (const char* space : {"unit", "object"}) {
+            SCOPED_TRACE(fmt::format("{} {}", kind, space));
+            Pipeline pipeline(ring_and_plate());
+            const double side = bounding_box(pipeline.mesh()).longest_side();
+            const double unit = 4.0 * (space == std::string("unit") ? 1.0 / side : 1.0);
+            const auto with = [&](const std::string& texture) {
+                pipeline.set_recipe(mask_recipe(
+                    texture, {fmt::format("atlas.kind={}", kind), "solid.scale=4",
+                              fmt::format("solid.space={}", space), "solid.rotate=[30,0,70]"}));
+            };
+            with(R"({"node": "facing", "direction": [0, 3, 4]})");
+            EXPECT_LT(error_of(pipeline,
+                               [](Points p, Values v) {
+                                   facing(p, {0, 0.6, 0.8}, v);
+                               }),
+                      1e-6);
+            with(R"({"node": "height_in_box", "axis": "x"})");
+            const Box3 box = bounding_box(pipeline.mesh());
+            EXPECT_LT(error_of(pipeline, [&](Points p, Values v) { height_in_box(p, box, 0, v); }),
+                      1e-5);
+            const ShapeScene scene(pipeline.atlas_mesh());
+            with(R"({"node": "edge_distance", "angle": 60, "farthest": 0.75})");
+            const CreaseEdges edges(scene, std::numbers::pi / 3.0);
+            ASSERT_GT(edges.count(), 0u);
+            EXPECT_LT(
+                error_of(
+                    pipeline,
+                    [&](Points p, Values v) { edge_distance(scene, edges, p, 0.75 / unit, v); },
+                    unit),
+                1e-5);
+            with(R"({"node": "curvature", "radius": 0.5})");
+            const CurvatureTree tree(scene);
+            EXPECT_LT(
+                error_of(pipeline, [&](Points p, Values v) { curvature(tree, p, 0.5 / unit, v); }),
+                0.015);
+            with(R"({"node": "occlusion", "distance": 0.75})");
+            EXPECT_LT(error_of(pipeline,
+                               [&](Points p, Values v) {
+                                   occlusion(scene, p, {1024, 0.75 / unit}, v);
+                               }),
+                      0.02);
+            with(R"({"node": "thickness", "distance": 2})");
+            EXPECT_LT(error_of(
+                          pipeline,
+                          [&](Points p, Values v) {
+                              thickness(scene, p, {1024, 2.0 / unit}, v);
+                          },
+                          unit),
+                      0.06);
+        }
+}
+
+TEST(MeshMasks, OnASphereAreKnown) {
+    Pipeline pipeline(sphere_mesh(96, 192));  // of radius 1, so 1.5 in the graph
+    const auto expect_all = [&](const std::string& texture, double value, double tolerance) {
+        pipeline.set_recipe(mask_recipe(texture, {"solid.scale=3"}));
+        for_points(pipeline, [&](float found, const ShapePoint&) {
+            ASSERT_NEAR(found, value, tolerance) << texture;
+        });
+    };
+    expect_all(R"({"node": "curvature", "radius": 0.3})", 0.2, 0.01);
+    expect_all(R"({"node": "curvature", "radius": 0.3, "gives": "convex"})", 0.2, 0.01);
+    expect_all(R"({"node": "curvature", "radius": 0.3, "gives": "concave"})", 0.0, 0.0);
+    expect_all(R"({"node": "occlusion"})", 1.0, 0.01);
+    expect_all(R"({"node": "thickness", "rays": 512})", 2.0, 0.04);
+}
+
+TEST(MeshMasks, AttributesOfTheFileAreInterpolated) {
+    Pipeline pipeline(drawn_sheet());
+    pipeline.set_recipe(mask_recipe(R"({"node": "vertex_color"})"));
+    for_points(pipeline, [](float green, const ShapePoint& at) {
+        ASSERT_NEAR(green, 0.25 * at.position.y, 1e-5);
+    });
+    pipeline.set_recipe(mask_recipe(R"({"node": "vertex_color", "alpha": "file"})"));
+    for_points(pipeline, [](float green, const ShapePoint& at) {
+        ASSERT_NEAR(green, 0.125 * at.position.y, 1e-5);
+    });
+    // A turn and a move of the solid do not matter.
+    pipeline.set_recipe(mask_recipe(R"({"node": "transform", "translate": [5, 6, 7], "input":
+        {"node": "mesh_uv", "input": {"node": "coordinate", "direction": [1, 10, 100]}}})",
+                                    {"solid.scale=9", "solid.rotate=[10,20,30]"}));
+    for_points(pipeline, [](float value, const ShapePoint& at) {
+        ASSERT_NEAR(value, 3.0 * at.position.x + 1.0 + 20.0 * at.position.y, 1e-4);
+    });
+}
+
+TEST(MeshMasks, WithoutAttributesAreWhiteAndNought) {
+    Pipeline pipeline(cube_mesh());
+    pipeline.set_recipe(mask_recipe(R"({"node": "vertex_color"})"));
+    for_points(pipeline, [](float green, const ShapePoint&) { ASSERT_EQ(green, 1.0f); });
+    pipeline.set_recipe(
+        mask_recipe(R"({"node": "mesh_uv", "input": {"node": "coordinate", "offset": 0.25}})"));
+    for_points(pipeline, [](float value, const ShapePoint&) { ASSERT_EQ(value, 0.25f); });
+}
+
+TEST(MeshMasks, TextureCoordinatesThatAreNoNumbersAreNought) {
+    Mesh mesh = drawn_sheet();
+    for (Vec2d& uv : mesh.corners.uvs) uv = {std::nan(""), 1e300};
+    Pipeline pipeline(std::move(mesh));
+    pipeline.set_recipe(mask_recipe(
+        R"({"node": "mesh_uv", "input": {"node": "coordinate", "direction": [1, 1, 0]}})"));
+    for_points(pipeline, [](float value, const ShapePoint&) { ASSERT_EQ(value, 65536.0f); });
+}
+
+TEST(MeshMasks, PiecesHaveNumbersOfTheirOwn) {
+    Pipeline pipeline(ring_and_plate());
+    std::set<float> seen;
+    pipeline.set_recipe(mask_recipe(R"({"node": "part", "seed": 4})"));
+    for_points(pipeline, [&](float value, const ShapePoint&) { seen.insert(value); });
+    EXPECT_EQ(seen.size(), 2u);
+    const float first = *seen.begin();
+    EXPECT_TRUE(first >= 0.0f && *seen.rbegin() < 1.0f);
+    seen.clear();
+    pipeline.set_recipe(mask_recipe(R"({"node": "part", "seed": 4, "piece": "part"})"));
+    for_points(pipeline, [&](float value, const ShapePoint&) { seen.insert(value); });
+    EXPECT_EQ(seen.size(), 1u);
+}
+
+TEST(MaskPictures, HoldTheNodesNumbersAsCodes) {
+    struct Case {
+        std::string name;
+        double factor, offset;
+    };
+    const double diagonal = 2.0 * std::sqrt(3.0);  // of the cube, at scale 2 and side 1
+    for (const auto& [name, factor, offset] :
+         {Case{"occlusion", 1.0, 0.0}, Case{"curvature", 0.5, 0.5}, Case{"facing", 0.5, 0.5},
+          Case{"height_in_box", 1.0, 0.0}, Case{"thickness", 1.0 / diagonal, 0.0},
+          Case{"edge_distance", 1.0 / diagonal, 0.0}, Case{"part", 1.0, 0.0}}) {
+        Pipeline pipeline(cube_mesh());
+        pipeline.set_recipe(
+            mask_recipe(fmt::format(R"({{"node": "{}"}})", name), {"solid.scale=2"}));
+        const Image<RgbF> values = pipeline.synthesize<RgbF>();
+        const Image<Grey8> codes = mask_picture<Grey8>(pipeline, name);
+        const Image<Grey16> fine = mask_picture<Grey16>(pipeline, name);
+        for (std::size_t y = 0; y < codes.height(); ++y)
+            for (std::size_t x = 0; x < codes.width(); ++x) {
+                const double value = factor * double(values(x, y).r) + offset;
+                ASSERT_NEAR(codes(x, y), 255.0 * value, 0.51) << name;
+                ASSERT_NEAR(fine(x, y), 65535.0 * value, 0.6) << name;
+            }
+        EXPECT_EQ(pipeline.records()[Stage::masks].runs, 1u) << name;
+    }
+    EXPECT_EQ(mask_picture_names().size(), 7u);
+}
+
+}  // namespace
+}  // namespace burl
