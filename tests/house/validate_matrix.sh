@@ -1,5 +1,6 @@
 #!/bin/sh
-# Validates every sample of the exporter, and with the program every mesh x atlas x overscan:
+# Validates every sample of the exporter, and with the program every mesh x atlas x overscan and every
+# material on three meshes:
 #   validate_matrix.sh MODULES SCRATCH GLTF_SAMPLES SAMPLE_MESHES [BURL]
 # Exit 77 (skipped) where Node or the validator is not installed.
 set -e
@@ -30,6 +31,13 @@ if [ -n "$burl" ]; then
     for atlas in uniform quad patch; do
         "$burl" bake "$meshes/king.obj" -o "$scratch/bumps.$atlas.glb" --atlas $atlas --size 512 --recipe hammered \
             >/dev/null 2>&1 || { echo "burl bake failed on bumps, $atlas"; exit 1; }
+    done
+    for recipe in "$here"/../../assets/materials/*.json; do
+        material=$(basename "$recipe" .json)
+        for mesh in torus teapot cad_part; do
+            "$burl" bake "$meshes/$mesh.obj" -o "$scratch/$material.$mesh.glb" --recipe $material --size 128 \
+                >/dev/null 2>&1 || { echo "burl bake failed on $material, $mesh"; exit 1; }
+        done
     done
 fi
 exec node "$here/validate_glb.mjs" "$modules" "$scratch"/*.glb "$scratch"/*.gltf
