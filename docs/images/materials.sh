@@ -14,7 +14,7 @@ fi
 for name in "$@"; do
     "$burl" bake sample:bust -o "$scratch/$name.glb" --recipe "$name" --size 1024 --quiet
 done
-blender --background --python-exit-code 1 --python "$here/materials.py" -- "$scratch" 96 "$scratch"/*.glb >"$scratch/log" ||
+blender --background --python-exit-code 1 --python "$here/materials.py" -- "$scratch" 40 "$scratch"/*.glb >"$scratch/log" ||
     { tail -20 "$scratch/log"; exit 1; }
 mkdir -p "$here/materials"
 for picture in "$scratch"/*.png; do
