@@ -10,7 +10,7 @@
 
 #include "app/base/sha256.h"
 #include "app/recipe/recipe.h"
-#include "procedural/graph/mip_image.h"
+#include "procedural/color/mip_image.h"
 
 namespace burl {
 

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "procedural/color/mip_image.h"
 #include "procedural/glsl/noise.h"
-#include "procedural/graph/mip_image.h"
 
 namespace burl {
 

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "procedural/color/mip_image.h"
 #include "procedural/graph/channel.h"
-#include "procedural/graph/mip_image.h"
 #include "procedural/model/texture.h"
 
 namespace burl {

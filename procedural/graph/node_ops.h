@@ -140,7 +140,7 @@ constexpr NodeType a_node(std::string_view name, NodeResult result, Outputs (*de
     return {name, result, define, text, source, inputs, parameters};
 }
 
-// The families of nodes in the table's order, each defined in its file nodes_....cpp.
+// The families of nodes in the table's order, each defined in its file of procedural/nodes.
 std::span<const NodeType> numbers();
 std::span<const NodeType> colors();
 std::span<const NodeType> channels();

@@ -1,7 +1,7 @@
 #pragma once
 // The table of the nodes that a texture graph can have: names, inputs, parameters with their
 // ranges, meaning, source and definition. Parsing, checking, `burl list nodes`, --set and
-// docs/reference/nodes.md follow it. Its rows stand with the nodes' definitions (nodes_....cpp).
+// docs/reference/nodes.md follow it. Its rows stand with the nodes' definitions (procedural/nodes).
 #include <array>
 #include <span>
 #include <string_view>

@@ -1,5 +1,5 @@
 // An image over a footprint, between its levels or by an elliptically weighted average, with its
-// derivatives by s and t, as in procedural/graph/mip_image.cpp. This part must follow
+// derivatives by s and t, as in procedural/color/mip_image.cpp. This part must follow
 // graph/dual_map.glsl.
 
 struct ImageSample {

@@ -1,4 +1,4 @@
-#include "procedural/graph/mip_image.h"
+#include "procedural/color/mip_image.h"
 
 #include <cmath>
 #include <random>
