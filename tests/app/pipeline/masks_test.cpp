@@ -177,6 +177,76 @@ TEST(MeshMasks, PiecesHaveNumbersOfTheirOwn) {
     EXPECT_EQ(seen.size(), 1u);
 }
 
+/// A node of light in which one of its colours is white and the others are black.
+std::string light_of(const std::string& white, const std::string& more) {
+    std::string text = R"({"node": "lighting")";
+    for (const char* color : {"sky", "ground", "sun"})
+        text += fmt::format(R"(, "{}": "{}")", color, color == white ? "#ffffff" : "#000000");
+    return text + more + "}";
+}
+
+TEST(MeshMasks, LightOnASphereIsKnownInTheMeshsAxes) {
+    Pipeline pipeline(sphere_mesh(48, 96));
+    const Vec3d axis(0.6, 0.0, 0.8);
+    const auto expect_all = [&](const std::string& texture, double tolerance, const auto& truth) {
+        pipeline.set_recipe(mask_recipe(texture, {"solid.scale=3", "solid.rotate=[40,50,60]"}));
+        for_points(pipeline, [&](float found, const ShapePoint& point) {
+            ASSERT_NEAR(found, truth(glm::dot(point.normal, axis)), tolerance) << texture;
+        });
+    };
+    const char* const up = R"(, "up": [3, 0, 4], "rays": 512)";
+    expect_all(light_of("sky", up), 0.04, [](double c) { return (1.0 + c) / 2.0; });
+    expect_all(light_of("ground", up), 0.04, [](double c) { return (1.0 - c) / 2.0; });
+    expect_all(light_of("sun", R"(, "direction": [3, 0, 4], "angle": 0, "sun_strength": 2)"), 1e-5,
+               [](double c) { return 2.0 * std::max(c, 0.0); });
+}
+
+TEST(MeshMasks, SkyAndSunAreKeptApart) {
+    Pipeline pipeline(ring_and_plate());
+    const auto runs_with = [&](const std::string& more) {
+        pipeline.set_recipe(mask_recipe(light_of("sun", more)));
+        static_cast<void>(pipeline.synthesize<Rgb8>());
+        return pipeline.records()[Stage::masks].runs;
+    };
+    EXPECT_EQ(runs_with(R"(, "rays": 16)"), 3u);
+    EXPECT_EQ(runs_with(R"(, "rays": 16, "sun_strength": 2, "sky_strength": 0.5)"), 3u);
+    EXPECT_EQ(runs_with(R"(, "rays": 16, "angle": 5)"), 4u);
+    EXPECT_EQ(runs_with(R"(, "rays": 16, "angle": 5, "direction": [1, 0, 0])"), 5u);
+    EXPECT_EQ(runs_with(R"(, "rays": 17, "angle": 5, "direction": [1, 0, 0])"), 7u);
+    EXPECT_EQ(runs_with(R"(, "rays": 17, "angle": 5, "direction": [1, 0, 0], "up": [0, 0, 1])"),
+              9u);
+}
+
+TEST(MeshMasks, LightMultipliesColours) {
+    Pipeline pipeline(ring_and_plate());
+    const auto picture = [&](const std::string& texture) {
+        pipeline.set_recipe(mask_recipe(texture));
+        return pipeline.synthesize<RgbF>();
+    };
+    const auto light = picture(R"({"node": "lighting", "rays": 16})");
+    const auto both = picture(R"({"node": "scale", "a": {"node": "lighting", "rays": 16},
+        "b": {"node": "checkerboard", "a": "#ffffff", "b": "#000000"}})");
+    std::size_t kept = 0, dark = 0;
+    for (std::size_t i = 0; i < light.pixels().size(); ++i) {
+        if (light.pixels()[i].g == 0.0f) continue;
+        kept += both.pixels()[i] == light.pixels()[i];
+        dark += both.pixels()[i] == RgbF{};
+    }
+    EXPECT_GT(std::min(kept, dark), 1000u);
+}
+
+TEST(MaskPictures, OfLightAreTheNodesColours) {
+    Pipeline pipeline(ring_and_plate());
+    pipeline.set_recipe(mask_recipe(R"({"node": "lighting"})"));
+    const Image<Rgb8> codes = pipeline.synthesize<Rgb8>();
+    EXPECT_EQ(light_picture<Rgb16>(pipeline), pipeline.synthesize<Rgb16>());
+    pipeline.set_recipe(mask_recipe(R"({"node": "fbm"})"));
+    EXPECT_EQ(light_picture<Rgb8>(pipeline), codes);
+    std::set<std::uint8_t> reds;
+    for (const Rgb8& pixel : codes.pixels()) reds.insert(pixel.r);
+    EXPECT_GT(reds.size(), 100u);  // shaded, not flat
+}
+
 TEST(MaskPictures, HoldTheNodesNumbersAsCodes) {
     struct Case {
         std::string name;
@@ -201,7 +271,7 @@ TEST(MaskPictures, HoldTheNodesNumbersAsCodes) {
             }
         EXPECT_EQ(pipeline.records()[Stage::masks].runs, 1u) << name;
     }
-    EXPECT_EQ(mask_picture_names().size(), 7u);
+    EXPECT_EQ(mask_picture_names().size(), 8u);
 }
 
 }  // namespace
