@@ -9,6 +9,7 @@
 #include "app/pipeline/pipeline.h"
 #include "atlas/shape/crease_edges.h"
 #include "atlas/shape/curvature.h"
+#include "atlas/shape/light.h"
 #include "atlas/shape/occlusion.h"
 #include "atlas/shape/point_masks.h"
 #include "atlas/shape/texel_mask.h"
@@ -57,6 +58,14 @@ double error_of(Pipeline& pipeline, const PointMask& mask, double factor = 1.0) 
     return std::sqrt(sum / double(truth.size()));
 }
 
+/// A node of light in which one of its colours is white and the others are black.
+std::string light_of(const std::string& white, const std::string& more) {
+    std::string text = R"({"node": "lighting")";
+    for (const char* color : {"sky", "ground", "sun"})
+        text += fmt::format(R"(, "{}": "{}")", color, color == white ? "#ffffff" : "#000000");
+    return text + more + "}";
+}
+
 TEST(MeshMasks, ATexelHasTheMaskAtItsPointInTheGraphsUnits) {
     for (const char* kind : {"quad", "patch"})
         for (const char* space : {"unit", "object"}) {
@@ -100,6 +109,18 @@ TEST(MeshMasks, ATexelHasTheMaskAtItsPointInTheGraphsUnits) {
                                    occlusion(scene, p, {1024, 0.75 / unit}, v);
                                }),
                       0.02);
+            with(light_of("ground", R"(, "distance": 0.75)"));
+            EXPECT_LT(
+                error_of(pipeline,
+                         [&](Points p, Values v) {
+                             sky_light(scene, p, {0, 1, 0}, SkyHalf::lower, {1024, 0.75 / unit}, v);
+                         }),
+                0.02);
+            with(light_of("sun", R"(, "angle": 3)"));
+            const SunOptions sun{glm::normalize(Vec3d(0.4, 0.8, 0.6)), std::numbers::pi / 60.0};
+            EXPECT_LT(error_of(
+                          pipeline, [&](Points p, Values v) { sun_light(scene, p, sun, v); }, 0.8),
+                      1e-3);
             with(R"({"node": "thickness", "distance": 2})");
             EXPECT_LT(error_of(
                           pipeline,
@@ -175,14 +196,6 @@ TEST(MeshMasks, PiecesHaveNumbersOfTheirOwn) {
     pipeline.set_recipe(mask_recipe(R"({"node": "part", "seed": 4, "piece": "part"})"));
     for_points(pipeline, [&](float value, const ShapePoint&) { seen.insert(value); });
     EXPECT_EQ(seen.size(), 1u);
-}
-
-/// A node of light in which one of its colours is white and the others are black.
-std::string light_of(const std::string& white, const std::string& more) {
-    std::string text = R"({"node": "lighting")";
-    for (const char* color : {"sky", "ground", "sun"})
-        text += fmt::format(R"(, "{}": "{}")", color, color == white ? "#ffffff" : "#000000");
-    return text + more + "}";
 }
 
 TEST(MeshMasks, LightOnASphereIsKnownInTheMeshsAxes) {
