@@ -48,8 +48,8 @@ template <class Pixel>
 Image<Pixel> light_picture(Pipeline& pipeline) {
     const TextureGraph graph = graph_from_json({{"node", light_picture_name}});
     const MaskImages masks = pipeline.masks()(pipeline.solid(), graph, GraphOutput::color);
-    return synthesize_graph<Pixel>(pipeline.solid(), graph, {}, {}, 0, PrecisionKind::float32, {},
-                                   {}, masks);
+    return synthesize_graph<Pixel>(pipeline.solid(), graph, {}, {}, pipeline.context().way.threads,
+                                   PrecisionKind::float32, {}, {}, masks);
 }
 
 template Image<Rgb8> light_picture(Pipeline&);
