@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "app/surface/normals.h"
 #include "atlas/shape/crease_edges.h"
 #include "atlas/shape/curvature.h"
 #include "atlas/shape/light.h"
@@ -193,8 +194,8 @@ TexelMaskKey mask_key(const GraphMask& mask, double scale, std::uint32_t size) {
     const bool is_length = mask.kind == MaskKind::thickness || mask.kind == MaskKind::edge_distance;
     if (is_length || mask.kind == MaskKind::occlusion || is_sky(mask)) numbers[1] /= scale;
     // Sky and sun have nothing in common: what decides about the other is left out.
-    if (is_sky(mask)) std::fill(numbers.begin() + 5, numbers.end(), 0.0);
-    if (is_sun(mask)) std::fill(numbers.begin(), numbers.begin() + 5, 0.0);
+    if (is_sky(mask)) std::fill_n(numbers.begin() + 5, 4, 0.0);
+    if (is_sun(mask)) std::fill_n(numbers.begin(), 5, 0.0);
     if (is_length) key.factor = scale;
     return key;
 }
@@ -205,7 +206,13 @@ MeshShape::MeshShape(Mesh mesh, const Affine3& solid_from_mesh)
 
 MeshShape::~MeshShape() = default;
 
+Image<float> MeshShape::light(const SolidAtlas& solid, const GraphMask& mask) const {
+    const ShapeScene scene = scene_->with_normals(corner_normals(mesh_, mask.numbers[9]));
+    return texel_mask(solid, scene, light_mask(scene, mask), texel_options(solid, scene, mask));
+}
+
 Image<float> MeshShape::image(const SolidAtlas& solid, const TexelMaskKey& key) const {
+    if (key.mask.kind == MaskKind::lighting) return light(solid, key.mask);
     Image<float> image = texel_mask(solid, *scene_, point_mask(mesh_, *scene_, key.mask),
                                     texel_options(solid, *scene_, key.mask));
     if (key.factor != 1.0)

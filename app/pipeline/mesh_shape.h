@@ -39,6 +39,9 @@ class MeshShape {
     Image<float> image(const SolidAtlas& solid, const TexelMaskKey& key) const;
 
   private:
+    /// Light sees the normals that the mesh is drawn with: computed ones where it has none.
+    Image<float> light(const SolidAtlas& solid, const GraphMask& mask) const;
+
     Mesh mesh_;  ///< in the SolidAtlas's space
     std::unique_ptr<const ShapeScene> scene_;
 };

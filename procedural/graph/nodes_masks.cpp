@@ -117,7 +117,7 @@ constexpr std::array mask_rows{
                    {one_of("alpha", "\"opaque\"", "opaque|file", "alpha is 1, or the file's")})),
     weighing(
         a_mask(
-            "lighting", {MaskKind::lighting, 3, 9}, mask_lighting,
+            "lighting", {MaskKind::lighting, 3, 10}, mask_lighting,
             "diffuse light at the texel, in the shadow of the mesh: of a sky with two halves and "
             "of a sun",
             "Carr and Hart 2001",
@@ -128,6 +128,8 @@ constexpr std::array mask_rows{
              several("direction", 3, "[0.4,0.8,0.6]",
                      "towards the sun, in the mesh's axes; any length above 0"),
              real("angle", 0, 90, "2", "radius of the sun in degrees; 0: sharp shadows"),
+             real("crease", 0, 180, "40",
+                  "degrees above which computed normals split, of a mesh that has none"),
              real("sky_strength", 0, 1e6, "1", "factor of sky and ground"),
              real("sun_strength", 0, 1e6, "0.8", "light on what faces the sun, as a factor")}),
         {a_color("sky", "the sky's upper half", "\"#7f8fa6\""),

@@ -40,8 +40,8 @@ enum class MaskKind : std::uint8_t {
     part,           ///< numbers: kind of piece (0: connected, 1: part of the file), seed
     vertex_color,   ///< components: red, green, blue, alpha
     mesh_uv,        ///< components: u, v
-    /// numbers: rays, distance, up, the sun's direction, its angle in degrees; components: light of
-    /// the sky's upper half, of its lower half, of the sun
+    /// numbers: rays, distance, up, the sun's direction, its angle and the normals' crease in
+    /// degrees; components: light of the sky's upper half, of its lower half, of the sun
     lighting
 };
 template <>

@@ -109,14 +109,14 @@ TEST(MeshMasks, ATexelHasTheMaskAtItsPointInTheGraphsUnits) {
                                    occlusion(scene, p, {1024, 0.75 / unit}, v);
                                }),
                       0.02);
-            with(light_of("ground", R"(, "distance": 0.75)"));
+            with(light_of("ground", R"(, "distance": 0.75, "crease": 0)"));
             EXPECT_LT(
                 error_of(pipeline,
                          [&](Points p, Values v) {
                              sky_light(scene, p, {0, 1, 0}, SkyHalf::lower, {1024, 0.75 / unit}, v);
                          }),
                 0.02);
-            with(light_of("sun", R"(, "angle": 3)"));
+            with(light_of("sun", R"(, "angle": 3, "crease": 0)"));
             const SunOptions sun{glm::normalize(Vec3d(0.4, 0.8, 0.6)), std::numbers::pi / 60.0};
             EXPECT_LT(error_of(
                           pipeline, [&](Points p, Values v) { sun_light(scene, p, sun, v); }, 0.8),
@@ -207,11 +207,31 @@ TEST(MeshMasks, LightOnASphereIsKnownInTheMeshsAxes) {
             ASSERT_NEAR(found, truth(glm::dot(point.normal, axis)), tolerance) << texture;
         });
     };
-    const char* const up = R"(, "up": [3, 0, 4], "rays": 512)";
+    const char* const up = R"(, "up": [3, 0, 4], "rays": 512, "crease": 0)";
     expect_all(light_of("sky", up), 0.04, [](double c) { return (1.0 + c) / 2.0; });
     expect_all(light_of("ground", up), 0.04, [](double c) { return (1.0 - c) / 2.0; });
-    expect_all(light_of("sun", R"(, "direction": [3, 0, 4], "angle": 0, "sun_strength": 2)"), 1e-5,
-               [](double c) { return 2.0 * std::max(c, 0.0); });
+    expect_all(
+        light_of("sun", R"(, "direction": [3, 0, 4], "angle": 0, "crease": 0, "sun_strength": 2)"),
+        1e-5, [](double c) { return 2.0 * std::max(c, 0.0); });
+}
+
+TEST(MeshMasks, LightIsSmoothOverEdgesThatAreNoCreases) {
+    Pipeline pipeline(sphere_mesh(32, 64));
+    const Vec3d axis(0.6, 0.0, 0.8);
+    const auto largest_error = [&](const std::string& crease) {
+        pipeline.set_recipe(mask_recipe(light_of(
+            "sun",
+            R"(, "direction": [3, 0, 4], "angle": 0, "sun_strength": 1, "crease": )" + crease)));
+        double largest = 0.0;
+        for_points(pipeline, [&](float found, const ShapePoint& point) {
+            const double cosine = glm::dot(glm::normalize(point.position), axis);
+            if (std::abs(cosine) < 0.2) return;  // where triangles begin to face away
+            largest = std::max(largest, std::abs(double(found) - std::max(cosine, 0.0)));
+        });
+        return largest;
+    };
+    EXPECT_LT(largest_error("40"), 0.005);
+    EXPECT_GT(largest_error("0"), 0.03);
 }
 
 TEST(MeshMasks, SkyAndSunAreKeptApart) {

@@ -132,7 +132,7 @@ TEST(GraphMasks, LightIsThatOfBothHalvesOfTheSkyAndOfTheSun) {
     const std::vector<GraphMask> masks = graph_masks(graph);
     ASSERT_EQ(masks.size(), 3u);
     const std::vector<double> numbers{
-        128, std::numeric_limits<double>::infinity(), 0, 1, 0, 0.4, 0.8, 0.6, 2};
+        128, std::numeric_limits<double>::infinity(), 0, 1, 0, 0.4, 0.8, 0.6, 2, 40};
     for (std::size_t c = 0; c < 3; ++c)
         EXPECT_EQ(masks[c], (GraphMask{MaskKind::lighting, numbers, c}));
     EXPECT_TRUE(is_opaque(graph, graph.result));
