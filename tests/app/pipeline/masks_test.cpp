@@ -120,7 +120,7 @@ TEST(MeshMasks, ATexelHasTheMaskAtItsPointInTheGraphsUnits) {
             const SunOptions sun{glm::normalize(Vec3d(0.4, 0.8, 0.6)), std::numbers::pi / 60.0};
             EXPECT_LT(error_of(
                           pipeline, [&](Points p, Values v) { sun_light(scene, p, sun, v); }, 0.8),
-                      1e-3);
+                      0.02);
             with(R"({"node": "thickness", "distance": 2})");
             EXPECT_LT(error_of(
                           pipeline,
@@ -230,8 +230,8 @@ TEST(MeshMasks, LightIsSmoothOverEdgesThatAreNoCreases) {
         });
         return largest;
     };
-    EXPECT_LT(largest_error("40"), 0.005);
-    EXPECT_GT(largest_error("0"), 0.03);
+    EXPECT_LT(largest_error("40"), 0.02);
+    EXPECT_GT(largest_error("0"), 0.04);
 }
 
 TEST(MeshMasks, SkyAndSunAreKeptApart) {
@@ -258,7 +258,8 @@ TEST(MeshMasks, LightMultipliesColours) {
     };
     const auto light = picture(R"({"node": "lighting", "rays": 16})");
     const auto both = picture(R"({"node": "scale", "a": {"node": "lighting", "rays": 16},
-        "b": {"node": "checkerboard", "a": "#ffffff", "b": "#000000"}})");
+        "b": {"node": "transform", "scale": [6, 6, 6],
+              "input": {"node": "checkerboard", "a": "#ffffff", "b": "#000000"}}})");
     std::size_t kept = 0, dark = 0;
     for (std::size_t i = 0; i < light.pixels().size(); ++i) {
         if (light.pixels()[i].g == 0.0f) continue;
