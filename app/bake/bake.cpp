@@ -132,14 +132,22 @@ std::vector<AtomicFile> files_of_frame(Pipeline& pipeline, const BakePlan& plan,
     return files;
 }
 
-/// Adds a grey picture of each mask that the plan has.
+template <class Code>
+void write_mask(AtomicFile& file, Pipeline& pipeline, const std::string& name) {
+    if (name == light_picture_name)
+        encode_png(light_picture<Rgb<Code>>(pipeline), sink_of(file));
+    else
+        encode_png(mask_picture<Code>(pipeline, name), sink_of(file));
+}
+
+/// Adds a picture of each mask that the plan has.
 void add_channels(std::vector<AtomicFile>& files, Pipeline& pipeline, const BakePlan& plan) {
     for (const std::string& name : plan.channels) {
         AtomicFile& file = files.emplace_back(picture_path(plan.paths.front(), name));
         if (plan.depth == 16)
-            encode_png(mask_picture<Grey16>(pipeline, name), sink_of(file));
+            write_mask<Grey16>(file, pipeline, name);
         else
-            encode_png(mask_picture<Grey8>(pipeline, name), sink_of(file));
+            write_mask<Grey8>(file, pipeline, name);
     }
 }
 

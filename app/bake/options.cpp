@@ -108,7 +108,8 @@ void add_bake_options(CLI::App& verb, BakeCommand& command) {
     const auto masks = mask_picture_names();
     verb.add_option("--channels", command.channels,
                     "Masks of the mesh's shape to write as NAME_MASK.png, separated by commas: "
-                    "occlusion, curvature, thickness, facing, height_in_box, edge_distance, part")
+                    "occlusion, curvature, thickness, facing, height_in_box, edge_distance, part, "
+                    "lighting")
         ->delimiter(',')
         ->check(one_of(std::vector<std::string>(masks.begin(), masks.end())))
         ->excludes("--compress");

@@ -3,14 +3,16 @@
 #include <nlohmann/json.hpp>
 
 #include "procedural/color/pixel_encoder.h"
+#include "procedural/fill/graph.h"
 #include "procedural/graph/json.h"
 
 namespace burl {
 
 namespace {
 
-constexpr std::array<std::string_view, 7> pictured{
-    "occlusion", "curvature", "thickness", "facing", "height_in_box", "edge_distance", "part"};
+constexpr std::array<std::string_view, 8> pictured{"occlusion", "curvature",       "thickness",
+                                                   "facing",    "height_in_box",   "edge_distance",
+                                                   "part",      light_picture_name};
 
 /// The number that a value of a mask has in a picture.
 struct MaskRange {
@@ -42,6 +44,16 @@ Image<Code> mask_picture(Pipeline& pipeline, const std::string& name) {
     });
 }
 
+template <class Pixel>
+Image<Pixel> light_picture(Pipeline& pipeline) {
+    const TextureGraph graph = graph_from_json({{"node", light_picture_name}});
+    const MaskImages masks = pipeline.masks()(pipeline.solid(), graph, GraphOutput::color);
+    return synthesize_graph<Pixel>(pipeline.solid(), graph, {}, {}, pipeline.context().way.threads,
+                                   PrecisionKind::float32, {}, {}, masks);
+}
+
+template Image<Rgb8> light_picture(Pipeline&);
+template Image<Rgb16> light_picture(Pipeline&);
 template Image<Grey8> mask_picture(Pipeline&, const std::string&);
 template Image<Grey16> mask_picture(Pipeline&, const std::string&);
 

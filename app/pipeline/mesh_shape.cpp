@@ -6,8 +6,10 @@
 #include <numbers>
 #include <utility>
 
+#include "app/surface/normals.h"
 #include "atlas/shape/crease_edges.h"
 #include "atlas/shape/curvature.h"
+#include "atlas/shape/light.h"
 #include "atlas/shape/occlusion.h"
 #include "atlas/shape/point_masks.h"
 #include "atlas/shape/texel_mask.h"
@@ -22,6 +24,14 @@ using ShapePoints = std::span<const ShapePoint>;
 Mesh moved_mesh(Mesh mesh, const Affine3& map) {
     mesh.positions = map_positions(mesh, map);
     return mesh;
+}
+
+bool is_sun(const GraphMask& mask) {
+    return mask.kind == MaskKind::lighting && mask.component == 2;
+}
+
+bool is_sky(const GraphMask& mask) {
+    return mask.kind == MaskKind::lighting && mask.component < 2;
 }
 
 float finite_or_0(double value, double largest) {
@@ -58,11 +68,18 @@ PointMask edge_mask(const ShapeScene& scene, const GraphMask& mask) {
         };
 }
 
-PointMask facing_mask(const GraphMask& mask) {
-    const Vec3d direction(mask.numbers[0], mask.numbers[1], mask.numbers[2]);
+/// The vector of three of a mask's numbers, of length 1 unless it is 0.
+Vec3d unit_of(const GraphMask& mask, std::size_t first) {
+    const std::vector<double>& n = mask.numbers;
+    const Vec3d direction(n[first], n[first + 1], n[first + 2]);
     const double length = glm::length(direction);
-    return [unit = length > 0.0 ? direction / length : direction](
-               ShapePoints points, std::span<float> values) { facing(points, unit, values); };
+    return length > 0.0 ? direction / length : direction;
+}
+
+PointMask facing_mask(const GraphMask& mask) {
+    return [unit = unit_of(mask, 0)](ShapePoints points, std::span<float> values) {
+        facing(points, unit, values);
+    };
 }
 
 PointMask height_mask(const Mesh& mesh, const GraphMask& mask) {
@@ -100,6 +117,23 @@ PointMask uv_mask(const Mesh& mesh, const ShapeScene& scene, std::size_t compone
     };
 }
 
+PointMask sun_mask(const ShapeScene& scene, const GraphMask& mask) {
+    const SunOptions options{unit_of(mask, 5), mask.numbers[8] * std::numbers::pi / 180.0};
+    return [&scene, options](ShapePoints points, std::span<float> values) {
+        sun_light(scene, points, options, values);
+    };
+}
+
+PointMask light_mask(const ShapeScene& scene, const GraphMask& mask) {
+    if (is_sun(mask)) return sun_mask(scene, mask);
+    const OcclusionOptions options{int(mask.numbers[0]), mask.numbers[1]};
+    const SkyHalf half = mask.component == 0 ? SkyHalf::upper : SkyHalf::lower;
+    return [&scene, options, half, up = unit_of(mask, 2)](ShapePoints points,
+                                                          std::span<float> values) {
+        sky_light(scene, points, up, half, options, values);
+    };
+}
+
 PointMask point_mask(const Mesh& mesh, const ShapeScene& scene, const GraphMask& mask) {
     switch (mask.kind) {
         case MaskKind::occlusion:
@@ -120,6 +154,8 @@ PointMask point_mask(const Mesh& mesh, const ShapeScene& scene, const GraphMask&
             return color_mask(mesh, scene, mask.component);
         case MaskKind::mesh_uv:
             return uv_mask(mesh, scene, mask.component);
+        case MaskKind::lighting:
+            return light_mask(scene, mask);
     }
     return {};
 }
@@ -142,7 +178,7 @@ double spacing_of(const SolidAtlas& solid, const ShapeScene& scene, double lengt
 /// How densely a mask is worked out: those that take rays or integrals are interpolated.
 TexelMaskOptions texel_options(const SolidAtlas& solid, const ShapeScene& scene,
                                const GraphMask& mask) {
-    if (mask.kind == MaskKind::occlusion)
+    if (mask.kind == MaskKind::occlusion || is_sky(mask))
         return {.spacing = spacing_of(solid, scene, mask.numbers[1])};
     if (mask.kind == MaskKind::curvature) return {spacing_of(solid, scene, mask.numbers[0]), 0.05f};
     if (mask.kind != MaskKind::thickness) return {.spacing = 0.0};
@@ -156,7 +192,10 @@ TexelMaskKey mask_key(const GraphMask& mask, double scale, std::uint32_t size) {
     std::vector<double>& numbers = key.mask.numbers;
     if (mask.kind == MaskKind::curvature) numbers[0] /= scale;
     const bool is_length = mask.kind == MaskKind::thickness || mask.kind == MaskKind::edge_distance;
-    if (is_length || mask.kind == MaskKind::occlusion) numbers[1] /= scale;
+    if (is_length || mask.kind == MaskKind::occlusion || is_sky(mask)) numbers[1] /= scale;
+    // Sky and sun have nothing in common: what decides about the other is left out.
+    if (is_sky(mask)) std::fill_n(numbers.begin() + 5, 4, 0.0);
+    if (is_sun(mask)) std::fill_n(numbers.begin(), 5, 0.0);
     if (is_length) key.factor = scale;
     return key;
 }
@@ -167,7 +206,13 @@ MeshShape::MeshShape(Mesh mesh, const Affine3& solid_from_mesh)
 
 MeshShape::~MeshShape() = default;
 
+Image<float> MeshShape::light(const SolidAtlas& solid, const GraphMask& mask) const {
+    const ShapeScene scene = scene_->with_normals(corner_normals(mesh_, mask.numbers[9]));
+    return texel_mask(solid, scene, light_mask(scene, mask), texel_options(solid, scene, mask));
+}
+
 Image<float> MeshShape::image(const SolidAtlas& solid, const TexelMaskKey& key) const {
+    if (key.mask.kind == MaskKind::lighting) return light(solid, key.mask);
     Image<float> image = texel_mask(solid, *scene_, point_mask(mesh_, *scene_, key.mask),
                                     texel_options(solid, *scene_, key.mask));
     if (key.factor != 1.0)

@@ -34,11 +34,14 @@ class MeshShape {
     ~MeshShape();
 
     /// The mask at all texels of an atlas of the mesh, 0 for texels that show nothing. Occlusion,
-    /// thickness and curvature are interpolated between points at most about four texels apart
-    /// where they are smooth; all others are the mask at the texel's point.
+    /// the sky's light, thickness and curvature are interpolated between points at most about four
+    /// texels apart where they are smooth; all others are the mask at the texel's point.
     Image<float> image(const SolidAtlas& solid, const TexelMaskKey& key) const;
 
   private:
+    /// Light sees the normals that the mesh is drawn with: computed ones where it has none.
+    Image<float> light(const SolidAtlas& solid, const GraphMask& mask) const;
+
     Mesh mesh_;  ///< in the SolidAtlas's space
     std::unique_ptr<const ShapeScene> scene_;
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace burl {
 
@@ -47,6 +48,12 @@ ShapeScene::ShapeScene(const Mesh& mesh)
         normals_.push_back(length > no_area ? normal / length : Vec3d(0.0));
         areas_.push_back(length > no_area ? 0.5 * length : 0.0);
     }
+}
+
+ShapeScene ShapeScene::with_normals(std::vector<Vec3f> corner_normals) const {
+    ShapeScene shape(*this);
+    shape.corner_normals_ = std::move(corner_normals);
+    return shape;
 }
 
 Vec3d ShapeScene::weights_at(std::uint32_t triangle, const Vec3d& position) const {

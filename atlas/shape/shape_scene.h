@@ -34,6 +34,10 @@ class ShapeScene {
   public:
     explicit ShapeScene(const Mesh& mesh);
 
+    /// The same shape with other shading normals: one for each corner (3t+k) of its triangles, or
+    /// none.
+    ShapeScene with_normals(std::vector<Vec3f> corner_normals) const;
+
     /// The surface's point at these weights of the triangle's corners (sum 1). Points outside the
     /// triangle, as gutters show them, are moved onto it: negative weights become 0. No point comes
     /// nearer to an edge than 4 ray offsets, so that one on a concave edge stays outside the solid;

@@ -117,8 +117,9 @@ constexpr NodeInput a_number(std::string_view key, std::string_view tip,
     return {key, Wire::number, false, otherwise, tip};
 }
 /// The input of a colour, of which a number is an opaque grey.
-constexpr NodeInput a_color(std::string_view key, std::string_view tip) {
-    return {key, Wire::color, false, {}, tip};
+constexpr NodeInput a_color(std::string_view key, std::string_view tip,
+                            std::string_view otherwise = {}) {
+    return {key, Wire::color, false, otherwise, tip};
 }
 /// The input of a number or colour that sets what the node gives.
 constexpr NodeInput any(std::string_view key, std::string_view tip,

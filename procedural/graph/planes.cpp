@@ -28,6 +28,7 @@ bool is_opaque(const TextureGraph& graph, std::uint32_t node) {
     const NodeType& type = type_of(self);
     if (type.name == "constant") return self.parameters[3] >= 255.0;
     if (type.name == "vertex_color") return NodeParameters(self).parameter("alpha") == 0.0;
+    if (type.name == "lighting") return true;
     // A layer over an opaque base is opaque together with it.
     if (type.name == "layer_over") return is_opaque(graph, self.inputs[1]);
     if (type.name == "image") return !graph.images[self.image].pixels->alpha();

@@ -39,12 +39,16 @@ enum class MaskKind : std::uint8_t {
     edge_distance,  ///< numbers: angle in degrees, farthest
     part,           ///< numbers: kind of piece (0: connected, 1: part of the file), seed
     vertex_color,   ///< components: red, green, blue, alpha
-    mesh_uv         ///< components: u, v
+    mesh_uv,        ///< components: u, v
+    /// numbers: rays, distance, up, the sun's direction, its angle and the normals' crease in
+    /// degrees; components: light of the sky's upper half, of its lower half, of the sun
+    lighting
 };
 template <>
 inline constexpr auto enum_names<MaskKind> = enum_words("occlusion", "curvature", "thickness",
                                                         "facing", "height_in_box", "edge_distance",
-                                                        "part", "vertex_color", "mesh_uv");
+                                                        "part", "vertex_color", "mesh_uv",
+                                                        "lighting");
 
 /// The mask that a type of node reads: its kind, how many components it has (none where the node is
 /// no mask), and how many of the node's leading numbers decide about its values.

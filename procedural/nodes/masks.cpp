@@ -35,6 +35,20 @@ Outputs mask_mesh_uv(NodeOps& node) {
     return {node.mask(0), node.mask(1), node.constant(0.0)};
 }
 
+/// The light of both halves of the sky and of the sun. Colours that are transparent shine less.
+Outputs mask_lighting(NodeOps& node) {
+    const double sky = node.parameter("sky_strength"), sun = node.parameter("sun_strength");
+    Outputs color;
+    for (std::size_t c = 0; c < 3; ++c) {
+        const Register of_sky = node.apply(
+            ValueOp::products, {node.mask(0), node.input(0, c), node.mask(1), node.input(1, c)});
+        color.push_back(
+            node.combine(sky, of_sky, sun, node.multiply(node.mask(2), node.input(2, c))));
+    }
+    color.push_back(node.constant(1.0));
+    return color;
+}
+
 constexpr NodeType a_mask(std::string_view name, NodeMask mask, Outputs (*define)(NodeOps&),
                           std::string_view text, std::string_view source,
                           const Parameters& parameters = {}) {
@@ -46,6 +60,12 @@ constexpr NodeType a_mask(std::string_view name, NodeMask mask, Outputs (*define
 constexpr NodeType colored(NodeType type) {
     type.result = NodeResult::color;
     return type;
+}
+
+/// A mask whose inputs its components multiply.
+constexpr NodeType weighing(NodeType type, const Inputs& inputs) {
+    type.input_list = inputs;
+    return colored(type);
 }
 
 constexpr NodeType mapping(NodeType type) {
@@ -95,6 +115,26 @@ constexpr std::array mask_rows{
     colored(a_mask("vertex_color", {MaskKind::vertex_color, 4, 0}, mask_vertex_color,
                    "the file's colour at the point; white where it has none", own,
                    {one_of("alpha", "\"opaque\"", "opaque|file", "alpha is 1, or the file's")})),
+    weighing(
+        a_mask(
+            "lighting", {MaskKind::lighting, 3, 10}, mask_lighting,
+            "diffuse light at the texel, in the shadow of the mesh: of a sky with two halves and "
+            "of a sun",
+            "Carr and Hart 2001",
+            {whole("rays", 1, 4096, "128", "per point, to the sky; more are less noisy"),
+             length("distance", 1e-6, "null",
+                    "what lies farther off does not hide the sky; null: no end"),
+             several("up", 3, "[0,1,0]", "towards the sky's upper half, in the mesh's axes"),
+             several("direction", 3, "[0.4,0.8,0.6]",
+                     "towards the sun, in the mesh's axes; any length above 0"),
+             real("angle", 0, 90, "2", "radius of the sun in degrees; 0: sharp shadows"),
+             real("crease", 0, 180, "40",
+                  "degrees above which computed normals split, of a mesh that has none"),
+             real("sky_strength", 0, 1e6, "1", "factor of sky and ground"),
+             real("sun_strength", 0, 1e6, "0.8", "light on what faces the sun, as a factor")}),
+        {a_color("sky", "the sky's upper half", "\"#7f8fa6\""),
+         a_color("ground", "the sky's lower half", "\"#4a423a\""),
+         a_color("sun", "the sun", "\"#fff0d8\"")}),
     mapping(a_mask("mesh_uv", {MaskKind::mesh_uv, 2, 0}, mask_mesh_uv,
                    "(u, v, 0) of the mesh's own texture coordinates, row 0 at v = 0; 0 where it "
                    "has none",

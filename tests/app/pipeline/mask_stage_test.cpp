@@ -40,7 +40,8 @@ TEST(MaskStage, LengthsBeyondReasonGiveNumbers) {
         for (const char* length : {"1e-6", "1e6"})
             for (const auto& [node, key] :
                  {std::pair("curvature", "radius"), std::pair("occlusion", "distance"),
-                  std::pair("thickness", "distance"), std::pair("edge_distance", "farthest")}) {
+                  std::pair("thickness", "distance"), std::pair("edge_distance", "farthest"),
+                  std::pair("lighting", "distance")}) {
                 Pipeline pipeline(made::nasty());
                 pipeline.set_recipe(
                     mask_recipe(fmt::format(R"({{"node": "{}", "{}": {}}})", node, key, length),

@@ -9,6 +9,7 @@
 #include "app/pipeline/pipeline.h"
 #include "atlas/shape/crease_edges.h"
 #include "atlas/shape/curvature.h"
+#include "atlas/shape/light.h"
 #include "atlas/shape/occlusion.h"
 #include "atlas/shape/point_masks.h"
 #include "atlas/shape/texel_mask.h"
@@ -57,6 +58,14 @@ double error_of(Pipeline& pipeline, const PointMask& mask, double factor = 1.0) 
     return std::sqrt(sum / double(truth.size()));
 }
 
+/// A node of light in which one of its colours is white and the others are black.
+std::string light_of(const std::string& white, const std::string& more) {
+    std::string text = R"({"node": "lighting")";
+    for (const char* color : {"sky", "ground", "sun"})
+        text += fmt::format(R"(, "{}": "{}")", color, color == white ? "#ffffff" : "#000000");
+    return text + more + "}";
+}
+
 TEST(MeshMasks, ATexelHasTheMaskAtItsPointInTheGraphsUnits) {
     for (const char* kind : {"quad", "patch"})
         for (const char* space : {"unit", "object"}) {
@@ -99,6 +108,18 @@ TEST(MeshMasks, ATexelHasTheMaskAtItsPointInTheGraphsUnits) {
                                [&](Points p, Values v) {
                                    occlusion(scene, p, {1024, 0.75 / unit}, v);
                                }),
+                      0.02);
+            with(light_of("ground", R"(, "distance": 0.75, "crease": 0)"));
+            EXPECT_LT(
+                error_of(pipeline,
+                         [&](Points p, Values v) {
+                             sky_light(scene, p, {0, 1, 0}, SkyHalf::lower, {1024, 0.75 / unit}, v);
+                         }),
+                0.02);
+            with(light_of("sun", R"(, "angle": 3, "crease": 0)"));
+            const SunOptions sun{glm::normalize(Vec3d(0.4, 0.8, 0.6)), std::numbers::pi / 60.0};
+            EXPECT_LT(error_of(
+                          pipeline, [&](Points p, Values v) { sun_light(scene, p, sun, v); }, 0.8),
                       0.02);
             with(R"({"node": "thickness", "distance": 2})");
             EXPECT_LT(error_of(
@@ -177,6 +198,89 @@ TEST(MeshMasks, PiecesHaveNumbersOfTheirOwn) {
     EXPECT_EQ(seen.size(), 1u);
 }
 
+TEST(MeshMasks, LightOnASphereIsKnownInTheMeshsAxes) {
+    Pipeline pipeline(sphere_mesh(48, 96));
+    const Vec3d axis(0.6, 0.0, 0.8);
+    const auto expect_all = [&](const std::string& texture, double tolerance, const auto& truth) {
+        pipeline.set_recipe(mask_recipe(texture, {"solid.scale=3", "solid.rotate=[40,50,60]"}));
+        for_points(pipeline, [&](float found, const ShapePoint& point) {
+            ASSERT_NEAR(found, truth(glm::dot(point.normal, axis)), tolerance) << texture;
+        });
+    };
+    const char* const up = R"(, "up": [3, 0, 4], "rays": 512, "crease": 0)";
+    expect_all(light_of("sky", up), 0.04, [](double c) { return (1.0 + c) / 2.0; });
+    expect_all(light_of("ground", up), 0.04, [](double c) { return (1.0 - c) / 2.0; });
+    expect_all(
+        light_of("sun", R"(, "direction": [3, 0, 4], "angle": 0, "crease": 0, "sun_strength": 2)"),
+        1e-5, [](double c) { return 2.0 * std::max(c, 0.0); });
+}
+
+TEST(MeshMasks, LightIsSmoothOverEdgesThatAreNoCreases) {
+    Pipeline pipeline(sphere_mesh(32, 64));
+    const Vec3d axis(0.6, 0.0, 0.8);
+    const auto largest_error = [&](const std::string& crease) {
+        pipeline.set_recipe(mask_recipe(light_of(
+            "sun",
+            R"(, "direction": [3, 0, 4], "angle": 0, "sun_strength": 1, "crease": )" + crease)));
+        double largest = 0.0;
+        for_points(pipeline, [&](float found, const ShapePoint& point) {
+            const double cosine = glm::dot(glm::normalize(point.position), axis);
+            if (std::abs(cosine) < 0.2) return;  // where triangles begin to face away
+            largest = std::max(largest, std::abs(double(found) - std::max(cosine, 0.0)));
+        });
+        return largest;
+    };
+    EXPECT_LT(largest_error("40"), 0.02);
+    EXPECT_GT(largest_error("0"), 0.04);
+}
+
+TEST(MeshMasks, SkyAndSunAreKeptApart) {
+    Pipeline pipeline(ring_and_plate());
+    const auto runs_with = [&](const std::string& more) {
+        pipeline.set_recipe(mask_recipe(light_of("sun", more)));
+        static_cast<void>(pipeline.synthesize<Rgb8>());
+        return pipeline.records()[Stage::masks].runs;
+    };
+    EXPECT_EQ(runs_with(R"(, "rays": 16)"), 3u);
+    EXPECT_EQ(runs_with(R"(, "rays": 16, "sun_strength": 2, "sky_strength": 0.5)"), 3u);
+    EXPECT_EQ(runs_with(R"(, "rays": 16, "angle": 5)"), 4u);
+    EXPECT_EQ(runs_with(R"(, "rays": 16, "angle": 5, "direction": [1, 0, 0])"), 5u);
+    EXPECT_EQ(runs_with(R"(, "rays": 17, "angle": 5, "direction": [1, 0, 0])"), 7u);
+    EXPECT_EQ(runs_with(R"(, "rays": 17, "angle": 5, "direction": [1, 0, 0], "up": [0, 0, 1])"),
+              9u);
+}
+
+TEST(MeshMasks, LightMultipliesColours) {
+    Pipeline pipeline(ring_and_plate());
+    const auto picture = [&](const std::string& texture) {
+        pipeline.set_recipe(mask_recipe(texture));
+        return pipeline.synthesize<RgbF>();
+    };
+    const auto light = picture(R"({"node": "lighting", "rays": 16})");
+    const auto both = picture(R"({"node": "scale", "a": {"node": "lighting", "rays": 16},
+        "b": {"node": "transform", "scale": [6, 6, 6],
+              "input": {"node": "checkerboard", "a": "#ffffff", "b": "#000000"}}})");
+    std::size_t kept = 0, dark = 0;
+    for (std::size_t i = 0; i < light.pixels().size(); ++i) {
+        if (light.pixels()[i].g == 0.0f) continue;
+        kept += both.pixels()[i] == light.pixels()[i];
+        dark += both.pixels()[i] == RgbF{};
+    }
+    EXPECT_GT(std::min(kept, dark), 1000u);
+}
+
+TEST(MaskPictures, OfLightAreTheNodesColours) {
+    Pipeline pipeline(ring_and_plate());
+    pipeline.set_recipe(mask_recipe(R"({"node": "lighting"})"));
+    const Image<Rgb8> codes = pipeline.synthesize<Rgb8>();
+    EXPECT_EQ(light_picture<Rgb16>(pipeline), pipeline.synthesize<Rgb16>());
+    pipeline.set_recipe(mask_recipe(R"({"node": "fbm"})"));
+    EXPECT_EQ(light_picture<Rgb8>(pipeline), codes);
+    std::set<std::uint8_t> reds;
+    for (const Rgb8& pixel : codes.pixels()) reds.insert(pixel.r);
+    EXPECT_GT(reds.size(), 100u);  // shaded, not flat
+}
+
 TEST(MaskPictures, HoldTheNodesNumbersAsCodes) {
     struct Case {
         std::string name;
@@ -201,7 +305,7 @@ TEST(MaskPictures, HoldTheNodesNumbersAsCodes) {
             }
         EXPECT_EQ(pipeline.records()[Stage::masks].runs, 1u) << name;
     }
-    EXPECT_EQ(mask_picture_names().size(), 7u);
+    EXPECT_EQ(mask_picture_names().size(), 8u);
 }
 
 }  // namespace

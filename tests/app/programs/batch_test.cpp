@@ -63,6 +63,23 @@ TEST_F(Batch, WritesWhatSingleBakesWrite) {
     }
 }
 
+TEST_F(Batch, WritesMasksBesideItsOutputs) {
+    const Outcome outcome = run(R"({"defaults": {"size": 64}, "bakes": [
+        {"mesh": "roof.obj", "output": "e.png", "channels": ["occlusion", "lighting"]},
+        {"mesh": "roof.obj", "output": "f.png", "recipe": "wood", "channels": "occlusion"}]})");
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const std::string single = scratch / "single.png";
+    ASSERT_EQ(run_burl(scratch, fmt::format("bake '{}' --size 64 --channels occlusion,lighting "
+                                            "-o '{}'",
+                                            scratch / "roof.obj", single))
+                  .exit_code,
+              0);
+    for (const char* made : {"e_occlusion.png", "f_occlusion.png"})
+        EXPECT_EQ(slurp(scratch / made), slurp(scratch / "single_occlusion.png")) << made;
+    EXPECT_EQ(slurp(scratch / "e_lighting.png"), slurp(scratch / "single_lighting.png"));
+    EXPECT_FALSE(fs::exists(scratch / "f_lighting.png"));
+}
+
 TEST_F(Batch, SharesMeshAtlasAndPoints) {
     const Outcome outcome = run(four, "--json");
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;

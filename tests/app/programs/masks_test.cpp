@@ -65,6 +65,21 @@ TEST(Masks, AreWrittenBesideAnOutput) {
     EXPECT_TRUE(fs::exists(scratch / "a_curvature.png"));
 }
 
+TEST(Masks, LightIsWrittenInColour) {
+    const Scratch scratch;
+    const std::string bake =
+        fmt::format("bake sample:cube -o '{}' --size 64 --channels lighting", scratch / "a.png");
+    ASSERT_EQ(run_burl(scratch, bake + " --depth 16").exit_code, 0);
+    EXPECT_EQ(scratch.files(), 3u);  // with the record
+    int warm = 0, cold = 0;          // in the sun, and in the sky's light alone
+    for (const Rgb8& pixel : read_png(scratch / "a_lighting.png").pixels()) {
+        warm += pixel.r > pixel.b;
+        cold += pixel.b > pixel.r;
+    }
+    EXPECT_GT(warm, 64 * 64 / 6);
+    EXPECT_GT(cold, 64 * 64 / 6);
+}
+
 TEST(Masks, RefusesChannelsThatThereAreNot) {
     const Scratch scratch;
     const std::string bake = fmt::format("bake sample:cube -o '{}' --channels ", scratch / "a.png");

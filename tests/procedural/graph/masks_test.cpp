@@ -125,6 +125,28 @@ TEST(GraphMasks, ColoursOfTheFileAreMultipliedByTheirAlphaWhereItIsWanted) {
     EXPECT_FALSE(is_opaque(graph, graph.result));
 }
 
+TEST(GraphMasks, LightIsThatOfBothHalvesOfTheSkyAndOfTheSun) {
+    const TextureGraph graph = graph_of(R"({"node": "lighting", "sky": "#ff0000",
+        "ground": {"node": "coordinate"}, "sun": "#00ff0080", "sky_strength": 3,
+        "sun_strength": 0.5})");
+    const std::vector<GraphMask> masks = graph_masks(graph);
+    ASSERT_EQ(masks.size(), 3u);
+    const std::vector<double> numbers{
+        128, std::numeric_limits<double>::infinity(), 0, 1, 0, 0.4, 0.8, 0.6, 2, 40};
+    for (std::size_t c = 0; c < 3; ++c)
+        EXPECT_EQ(masks[c], (GraphMask{MaskKind::lighting, numbers, c}));
+    EXPECT_TRUE(is_opaque(graph, graph.result));
+    const std::vector<Vec3d> points = random_points(50, 3.0, 9);
+    const MaskValues m = random_masks(3, points.size());
+    const std::vector<Vec3d> colors = colors_of(graph, points, m);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const double ground = 3.0 * m[1][i] * points[i].x, sun = 0.5 * m[2][i] * 128.0 / 255.0;
+        EXPECT_NEAR(colors[i].x, 3.0 * m[0][i] + ground, 1e-6);
+        EXPECT_NEAR(colors[i].y, ground + sun, 1e-6);
+        EXPECT_NEAR(colors[i].z, ground, 1e-6);
+    }
+}
+
 TEST(GraphMasks, TextureCoordinatesAreAPoint) {
     const TextureGraph graph = graph_of(R"({"node": "transform", "translate": [9, 9, 9],
         "input": {"node": "mesh_uv", "input": {"node": "map_uv", "scale": [2, 4],
