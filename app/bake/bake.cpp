@@ -84,10 +84,13 @@ std::vector<AtomicFile> files_of_material(Pipeline& pipeline, const BakePlan& pl
                                           const std::string& path, const MaterialAsked& asked,
                                           BakeResult& result) {
     std::vector<AtomicFile> files;
+    MaterialAsked pictures = asked;
+    pictures.normals =
+        false;  // normals beside an .exr have no levels that roughness could make up for
     result.normals = bake_normals(pipeline, plan, {});
     if (result.normals)
         encode_normals(*result.normals, sink_of(files.emplace_back(normal_map_path(path))));
-    files.push_back(write_material_exr(pipeline, path, asked));
+    files.push_back(write_material_exr(pipeline, path, pictures));
     result.levels.count = asked.levels;
     return files;
 }

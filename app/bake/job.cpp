@@ -162,12 +162,18 @@ void BakeJob::check() const {
                     "--compress: blocks alike in colour may differ in their normals; add --normals "
                     "none to leave the bumps out");
     check_displacement();
-    check_material(recipe(), plan_.material(),
-                   plan_.levels.rule.direct   ? "--level-rule direct"
-                   : command_.compress        ? "--compress"
-                   : command_.synth != "host" ? "--synth " + command_.synth
-                                              : "");
+    for (const Recipe& recipe : *recipes_) check_material(recipe, plan_.material(), not_of(recipe));
     check_idle();
+}
+
+/// What is asked for of a texture alone, and not done for the pictures of a material.
+std::string BakeJob::not_of(const Recipe& recipe) const {
+    if (plan_.levels.rule.direct) return "--level-rule direct";
+    if (command_.compress) return "--compress";
+    if (command_.synth != "host") return "--synth " + command_.synth;
+    if (recipe.precision.kind == PrecisionKind::fixed) return "--precision fixed";
+    const bool any = command_.kernel == "auto" || command_.kernel == reference_kernel;
+    return any ? "" : "--kernel " + command_.kernel;
 }
 
 /// Throws Error(usage) where --displace cannot be had with what else is asked for.
@@ -196,6 +202,8 @@ void BakeJob::check_idle() const {
     if (command_.depth && plan_.kind == ImageKind::rgb_float && !pictures)
         refuse("--depth", "an .exr always has floats");
     if (command_.normal_y == "-" && !normals) refuse("--normal-y", "there is no normal map");
+    if (command_.normal_y == "-" && plan_.normals == NormalSpace::object)
+        refuse("--normal-y -", "normals in object space have the mesh's own axes");
     if (command_.normal_y == "-" && holds_mesh(command_.out) && is_gltf(command_.out))
         refuse("--normal-y -", "the green of a glTF's normals points up");
     if (!command_.packing.empty() && plan_.kind == ImageKind::rgb_float)
@@ -261,6 +269,10 @@ Json BakeJob::run(Pipeline& pipeline, std::shared_ptr<TextureSynthesizer> synthe
                   double reading, LaterBake later) const {
     const auto start = Clock::now();
     for (const Recipe& recipe : *recipes_) check_lattice(recipe, pipeline.mesh());
+    const std::string lost = numbers_in_no_picture(recipe(), plan_.packing);
+    if (!holds_mesh(command_.out) && !lost.empty())
+        warn(fmt::format("{}: no picture holds what is the same everywhere: {}", command_.out,
+                         lost));
     std::optional<MeshPose> pose;
     if (!command_.pose.empty())
         pose = load_pose(command_.mesh, command_.pose, command_.meshes.read);

@@ -59,6 +59,7 @@ class BakeJob {
     std::vector<std::string> outputs(std::uint32_t levels) const;
     void check() const;
     void check_files() const;
+    std::string not_of(const Recipe& recipe) const;
     void check_displacement() const;
     void check_idle() const;
     Json what_it_is_made_from(const Json& settings) const;

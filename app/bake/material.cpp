@@ -1,6 +1,7 @@
 #include "app/bake/material.h"
 
 #include <algorithm>
+#include <cmath>
 #include <deque>
 #include <iterator>
 #include <utility>
@@ -94,7 +95,7 @@ void set_roughness(FloatLevels& levels, const std::vector<NormalLevel>& normals,
 std::vector<NormalLevel> levels_with_normals(Pipeline& pipeline, const MaterialAsked& asked,
                                              const MaterialPicture& picture, FloatLevels& levels) {
     const std::size_t c = *picture.roughness;
-    const float sign = picture.plan.components[c].factor < 0.0 ? -1.0f : 1.0f;
+    const float sign = std::signbit(picture.plan.components[c].factor) ? -1.0f : 1.0f;
     const auto offset = float(picture.plan.components[c].offset);
     const auto roughness = converted<float>(
         levels[0], [&](const RgbaF& pixel) { return sign * (component(pixel, c) - offset); });
@@ -194,6 +195,7 @@ std::vector<std::string> picture_names(const Recipe& recipe, const MaterialAsked
 }
 
 BakedMaterial bake_material(Pipeline& pipeline, const MaterialAsked& asked) {
+    check_material(pipeline.recipe(), asked, "");
     const std::vector<MaterialPicture> wanted =
         material_pictures(pipeline.recipe(), asked.packing, asked.rough_levels());
     if (asked.levels > 0)
@@ -206,6 +208,7 @@ BakedMaterial bake_material(Pipeline& pipeline, const MaterialAsked& asked) {
 AtomicFile write_material_exr(Pipeline& pipeline, const std::string& path,
                               const MaterialAsked& asked) {
     const Recipe& recipe = pipeline.recipe();
+    check_material(recipe, asked, "");
     const std::vector<MaterialPicture> wanted =
         material_pictures(recipe, Packing::separate, asked.rough_levels());
     const FloatMaterial floats = float_material(pipeline, asked, wanted);
@@ -233,14 +236,32 @@ AtomicFile write_material_exr(Pipeline& pipeline, const std::string& path,
     return write_exr_layers(path, layers);
 }
 
+std::string numbers_in_no_picture(const Recipe& recipe, Packing packing) {
+    const PlaneLayout planes(recipe.texture);
+    const bool packs = packing != Packing::separate;
+    std::string all;
+    for (std::size_t i = 0; i < enum_names<Channel>.size(); ++i) {
+        const auto channel = Channel(i);
+        const bool shared = channel == Channel::occlusion || channel == Channel::roughness ||
+                            channel == Channel::metallic;
+        if (planes.of(channel) || is_color(channel) || channel == Channel::opacity) continue;
+        const double number = channel_number(recipe.material, channel);
+        if ((packs && shared) || number == channel_number({}, channel)) continue;
+        all += fmt::format("{}{} {}", all.empty() ? "" : ", ", to_string(channel), number);
+    }
+    return all;
+}
+
 void check_material(const Recipe& recipe, const MaterialAsked& asked, const std::string& what) {
     if (is_transparent(recipe) && !recipe.paint.empty())
         throw Error(ExitCode::usage,
                     "the recipe paints over a transparent texture, which is not done yet; add "
                     "--set material.alpha=opaque, or take the paint out");
-    if (what.empty() || !has_pictures(recipe, asked.packing)) return;
+    if (what.empty() || !has_pictures(recipe, asked.packing, asked.rough_levels())) return;
     const std::string channel =
-        is_transparent(recipe) ? "opacity" : material_pictures(recipe, asked.packing).front().name;
+        is_transparent(recipe)
+            ? "opacity"
+            : material_pictures(recipe, asked.packing, asked.rough_levels()).front().name;
     throw Error(ExitCode::usage,
                 fmt::format("{}: the recipe's material varies in more than colour ({}), for which "
                             "this is not done yet; leave it out",

@@ -49,6 +49,11 @@ BakedMaterial bake_material(Pipeline& pipeline, const MaterialAsked& asked);
 AtomicFile write_material_exr(Pipeline& pipeline, const std::string& path,
                               const MaterialAsked& asked);
 
+/// The channels that are the same everywhere but not as by default, each with its number: pictures
+/// of this packing do not hold them, so they are lost where there is no file of a mesh. Empty where
+/// there are none.
+std::string numbers_in_no_picture(const Recipe& recipe, Packing packing);
+
 /// Throws Error(usage) in one sentence where a bake cannot give the recipe's material: what the
 /// command asks for besides, `what`, is not done for it.
 void check_material(const Recipe& recipe, const MaterialAsked& asked, const std::string& what);

@@ -94,7 +94,7 @@ class MaterialWriter {
     std::string cover() const {
         const double constant = channel_number(recipe_.material, Channel::opacity);
         const std::string opacity =
-            layout_.of(Channel::opacity) ? "planes.opacity" : number_text(constant);
+            layout_.of(Channel::opacity) ? share(Channel::opacity) : number_text(constant);
         if (!clear_) return opacity;
         return opacity == number_text(1.0) ? "cover" : "cover * " + opacity;
     }

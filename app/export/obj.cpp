@@ -185,7 +185,13 @@ std::string mtl_material(const SceneContent& content) {
     const Material& m = content.options.material;
     const auto& pictures = content.options.pictures;
     std::string text;
-    if (m != Material{} || !pictures.empty())
+    const auto packed = std::ranges::find_if(pictures, [](const ExportPicture& picture) {
+        return picture.name == "orm" || picture.name == "mask";
+    });
+    if (packed != pictures.end())
+        text += fmt::format("# roughness and metallic: {}\n",
+                            file_name(picture_path(content.path, packed->name)));
+    else if (m != Material{} || !pictures.empty())
         text += fmt::format("Pr {}\nPm {}\n", m.roughness, m.metallic);
     if (m.clearcoat != 0.0)
         text += fmt::format("Pc {}\nPcr {}\n", m.clearcoat, m.clearcoat_roughness);

@@ -2,11 +2,15 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
-#include "app/pipeline/texture_color.h"
+#include <fmt/format.h>
+
 #include "app/surface/normals.h"
 #include "atlas/base/each_index.h"
+#include "atlas/base/error.h"
 #include "procedural/graph/evaluator.h"
+#include "procedural/graph/masks.h"
 
 namespace burl {
 
@@ -44,12 +48,21 @@ std::vector<double> heights_at(const TextureGraph& input, const std::vector<Vec3
 }  // namespace
 
 Mesh displaced_mesh(const Mesh& mesh, const Recipe& recipe, const Mesh& rest) {
-    check_points(recipe.bump.input, "bump.input");
+    if (const std::string mask = first_mask_node(recipe.bump.input, GraphOutput::color);
+        !mask.empty())
+        throw Error(ExitCode::unsupported,
+                    fmt::format("bump.input: {} is of the texels of an atlas, and displacement "
+                                "moves points; leave --displace out, or the node",
+                                mask));
     const Affine3 map = texture_from_mesh(recipe, rest);
     const double height = recipe.bump.height / solid_units(rest, recipe.solid.space);
     std::vector<Vec3d> points;
     for (const Vec3d& p : mesh.positions) points.push_back(map(p));
     const std::vector<double> heights = heights_at(recipe.bump.input, points);
+    if (!std::ranges::all_of(heights, [](double h) { return std::isfinite(h); }))
+        throw Error(ExitCode::unsupported,
+                    "bump.input has no finite value at some of the mesh's points, which "
+                    "displacement would move there; clamp it");
     const std::vector<Vec3d> normals = point_normals(mesh);
     Mesh displaced = mesh;
     for (std::size_t i = 0; i < points.size(); ++i)

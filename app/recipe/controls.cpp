@@ -45,12 +45,6 @@ auto is_named_in(const std::string& setting) {
     };
 }
 
-/// The control that a setting sets, which must be one of them.
-const RecipeControl& control_named(const std::string& setting,
-                                   const std::vector<RecipeControl>& controls) {
-    return *std::ranges::find_if(controls, is_named_in(setting));
-}
-
 std::vector<RecipeControl> controls_of(const Json& recipe) {
     std::vector<RecipeControl> controls;
     if (recipe.contains("controls")) read_list(parameters(), recipe["controls"], controls);
@@ -67,6 +61,15 @@ std::string number_text(const RecipePlace& place, double value) {
 
 Error wrong_setting(const std::string& setting, const std::string& sentence) {
     return Error(ExitCode::usage, fmt::format("--set {}: {}", setting, sentence));
+}
+
+/// The control that a setting sets. Throws Error(usage) where it is none of them.
+const RecipeControl& control_named(const std::string& setting,
+                                   const std::vector<RecipeControl>& controls) {
+    const auto found = std::ranges::find_if(controls, is_named_in(setting));
+    if (found != controls.end()) return *found;
+    throw wrong_setting(
+        setting, "another --set takes this control out of the recipe; leave one of them out");
 }
 
 /// The number that a setting gives a control: rounded for a whole one, and within its range.
@@ -127,6 +130,11 @@ bool disagree(const ControlEdit& a, const ControlEdit& b) {
     return a.said != b.said && a.path == b.path && a.own == b.own && (a.own || a.value != b.value);
 }
 
+/// Whether `plain` sets a part of the recipe in which the place of a control's value lies.
+bool sets_part_around(const ControlEdit& plain, const ControlEdit& edit) {
+    return edit.own && edit.path.starts_with(plain.path + ".");
+}
+
 /// Whether another setting sets the place by itself.
 bool yields(const ControlEdit& edit, const std::vector<ControlEdit>& all) {
     return !edit.own && std::ranges::any_of(all, [&](const ControlEdit& other) {
@@ -134,10 +142,12 @@ bool yields(const ControlEdit& edit, const std::vector<ControlEdit>& all) {
     });
 }
 
-void check_set_once(const std::vector<ControlEdit>& edits) {
+/// The first `plain` edits are settings of paths, the others those of controls.
+void check_set_once(const std::vector<ControlEdit>& edits, std::size_t plain) {
     for (std::size_t i = 0; i < edits.size(); ++i)
         for (std::size_t k = 0; k < i; ++k)
-            if (disagree(edits[k], edits[i]))
+            if (disagree(edits[k], edits[i]) ||
+                (k < plain && i >= plain && sets_part_around(edits[k], edits[i])))
                 throw Error(ExitCode::usage,
                             fmt::format("--set {} and --set {} both set {}; give one of them",
                                         edits[k].said, edits[i].said, edits[i].path));
@@ -188,7 +198,7 @@ std::vector<ControlEdit> control_edits(const Json& recipe, const std::vector<std
     for (const std::string& setting : settings)
         std::ranges::move(edits_of(setting, control_named(setting, controls), places),
                           std::back_inserter(edits));
-    check_set_once(edits);
+    check_set_once(edits, plain.size());
     for (std::size_t i = plain.size(); i < edits.size(); ++i) {
         check_no_keys(recipe, edits[i]);
         if (!yields(edits[i], edits)) left.push_back(edits[i]);

@@ -155,6 +155,7 @@ std::string apply_setting(Json& recipe, const std::string& setting) {
         place = in_array ? &array_item(*place, parts[i], path) : &(*place)[std::string(parts[i])];
     }
     *place = parse_value(setting.substr(equals + 1), *node);
+    if (path == "texture" && path != setting.substr(0, equals)) *place = as_base_color(*place);
     recipe = std::move(edited);
     return path;
 }

@@ -63,6 +63,10 @@ Json respelled(Json recipe) {
     return recipe;
 }
 
+Json as_base_color(Json value) {
+    return as_node(spellings()[0], std::move(value));
+}
+
 std::optional<RecipeProblem> find_spelling_problem(const Json& recipe) {
     for (const Spelling& one : spellings())
         if (is_written(recipe, one) && is_there(recipe, one))

@@ -11,6 +11,9 @@ namespace burl {
 /// The recipe in the one spelling. It must have no spelling problem.
 Json respelled(Json recipe);
 
+/// The value of "material.base_color" as "texture" takes it: a number or colour becomes a node.
+Json as_base_color(Json value);
+
 /// A part of the recipe that is there in both spellings.
 std::optional<RecipeProblem> find_spelling_problem(const Json& recipe);
 

@@ -20,6 +20,15 @@ void multiply_by(const double* plane, std::size_t count, double* values) {
     for (std::size_t j = 0; j < count; ++j) values[j] *= plane[j];
 }
 
+/// Multiplies by the plane's numbers within 0 to 1.
+void multiply_by_share(const double* plane, std::size_t count, double* values) {
+    for (std::size_t j = 0; j < count; ++j) values[j] *= std::min(std::max(plane[j], 0.0), 1.0);
+}
+
+void clamp_to_shares(std::size_t count, double* values) {
+    for (std::size_t j = 0; j < count; ++j) values[j] = std::min(std::max(values[j], 0.0), 1.0);
+}
+
 /// Divides by alpha where there is any.
 void divide_by(const double* alpha, std::size_t count, double* values) {
     for (std::size_t j = 0; j < count; ++j)
@@ -86,6 +95,7 @@ class PictureStore {
                 multiply_by_opacity(plan.components[3], planes, count);
             else if (color && plan.alpha)
                 divide_by(planes[*plan.alpha], count, numbers_.values);
+            if (!color) clamp_to_shares(count, numbers_.values);
             if (color)
                 encode_.colors(numbers_.values, count, codes_[c]);
             else
@@ -100,7 +110,7 @@ class PictureStore {
     void find(const PictureComponent& component, PlaneArrays planes, std::size_t count) {
         std::fill_n(numbers_.values, count, component.factor);
         if (component.plane) multiply_by(planes[*component.plane], count, numbers_.values);
-        if (component.times) multiply_by(planes[*component.times], count, numbers_.values);
+        if (component.times) multiply_by_share(planes[*component.times], count, numbers_.values);
         if (component.offset != 0.0)
             for (std::size_t j = 0; j < count; ++j) numbers_.values[j] += component.offset;
     }
@@ -109,7 +119,7 @@ class PictureStore {
     void multiply_by_opacity(const PictureComponent& alpha, PlaneArrays planes, std::size_t count) {
         if (alpha.factor != 1.0)
             for (std::size_t j = 0; j < count; ++j) numbers_.values[j] *= alpha.factor;
-        if (alpha.times) multiply_by(planes[*alpha.times], count, numbers_.values);
+        if (alpha.times) multiply_by_share(planes[*alpha.times], count, numbers_.values);
     }
 
     const std::vector<PicturePlan>& plans_;

@@ -16,8 +16,8 @@
 
 namespace burl {
 
-/// A component of a picture: `factor` times the planes (graph/planes.h) that it names, plus
-/// `offset`.
+/// A component of a picture: `factor` times the planes (graph/planes.h) that it names, of which
+/// `times`, an opacity, counts within 0 to 1, plus `offset`.
 struct PictureComponent {
     double factor = 1.0;
     std::optional<std::size_t> plane{}, times{};
@@ -36,8 +36,8 @@ struct PicturePlan {
 
 /// The pictures of the graph's material, one per plan. Pixel is Rgba8 or Rgba16, which hold codes
 /// with colours not multiplied by alpha, or RgbaF, which holds linear numbers and colours times the
-/// picture's alpha, that is their own times `factor` and `times` of its component. Numbers are
-/// clamped to [0,1] in codes. Texels outside every span show the planes at the origin.
+/// picture's alpha, that is their own times `factor` and `times` of its component. Numbers
+/// are clamped to [0,1]. Texels outside every span show the planes at the origin.
 /// `texture_from_atlas` maps the SolidAtlas's space to the texture's; `threads` 0 means all, and no
 /// byte depends on it. `precision` is float32 or float64. `masks` has an image for each mask that
 /// the material reads, else Error(unsupported) is thrown.

@@ -13,6 +13,7 @@
 #include "app/recipe/channel_texture.h"
 #include "app/recipe/images.h"
 #include "app/surface/sample_meshes.h"
+#include "atlas/base/error.h"
 #include "procedural/graph/evaluator.h"
 #include "tests/app/support/glb_pictures.h"
 #include "tests/app/support/scratch_folder.h"
@@ -212,6 +213,41 @@ TEST_F(MaterialBake, LevelsAreMeansOfEveryPicture) {
             means += std::abs(coarse.codes[32 * y + x] - mean / 4) <= 1.0;
         }
     EXPECT_GT(means, 32u * 32u / 2);
+}
+
+TEST_F(MaterialBake, LevelsOfSmoothnessAreLessWhereNormalsAverage) {
+    const std::string rough = R"({"atlas": {"size": 64}, "solid": {"scale": 20},
+        "material": {"roughness": 0, "height": {"node": "fbm"}}, "bump": {"height": 0.2}})";
+    bake_to("a.png", rough, [](BakePlan& plan) {
+        plan.packing = Packing::unity;
+        plan.normals = NormalSpace::tangent;
+        plan.levels.count = 2;
+    });
+    const RawPng fine = png("a_mask.png"), coarse = png("a_mask.1.png");
+    double lowest = 255;
+    for (std::size_t i = 3; i < fine.codes.size(); i += 4) ASSERT_EQ(fine.codes[i], 255);
+    for (std::size_t i = 3; i < coarse.codes.size(); i += 4)
+        lowest = std::min(lowest, double(coarse.codes[i]));
+    EXPECT_LT(lowest, 200);
+}
+
+TEST_F(MaterialBake, AnObjNamesThePackedPictureInsteadOfANumber) {
+    bake_to("a.obj", opaque_json, [](BakePlan& plan) { plan.packing = Packing::unreal; });
+    const std::vector<std::uint8_t> bytes = read_file_bytes(folder_ / "a.mtl");
+    const std::string mtl(bytes.begin(), bytes.end());
+    EXPECT_NE(mtl.find("# roughness and metallic: a_orm.png"), std::string::npos) << mtl;
+    EXPECT_EQ(mtl.find("\nPr "), std::string::npos);
+    bake_to("b.obj", opaque_json);
+    const std::vector<std::uint8_t> own = read_file_bytes(folder_ / "b.mtl");
+    EXPECT_NE(std::string(own.begin(), own.end()).find("map_Pr b_roughness.png"),
+              std::string::npos);
+}
+
+TEST_F(MaterialBake, PaintOverATransparentTextureIsRefused) {
+    const std::string painted =
+        clear_json.substr(0, clear_json.size() - 1) + R"(, "paint": [{"points": [[0, 0, 0]]}]})";
+    EXPECT_THROW(bake_to("a.glb", painted), Error);
+    EXPECT_THROW(bake_to("a.exr", painted), Error);
 }
 
 TEST_F(MaterialBake, AnExrHasALayerPerChannel) {

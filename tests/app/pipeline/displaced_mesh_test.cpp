@@ -9,6 +9,7 @@
 #include "app/pipeline/texture_color.h"
 #include "app/recipe/images.h"
 #include "app/surface/sample_meshes.h"
+#include "atlas/base/error.h"
 #include "atlas/mesh/subdivide.h"
 
 namespace burl {
@@ -41,6 +42,18 @@ TEST(DisplacedMesh, TheHeightIsThatOfTheSolidPoint) {
     for (std::size_t i = 0; i < moved.positions.size(); ++i)
         EXPECT_NEAR(glm::length(moved.positions[i] - cube.positions[i]),
                     std::abs(0.25 * 2 * cube.positions[i].x), 1e-9);
+}
+
+TEST(DisplacedMesh, HeightsThatAreNoNumbersOrOfTexelsAreRefused) {
+    const Mesh cube = sample_mesh("sample:cube");
+    for (const char* height :
+         {R"({"node": "power", "input": 1e9, "exponent": 40})", R"({"node": "curvature"})"})
+        EXPECT_THROW(
+            displaced_mesh(cube,
+                           bumpy_recipe(fmt::format(R"({{"material": {{"height": {}}}}})", height)),
+                           cube),
+            Error)
+            << height;
 }
 
 /// The greatest angle, in radians, between the faces of a displaced sphere and the normals that

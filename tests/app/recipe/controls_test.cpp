@@ -128,6 +128,12 @@ TEST(Controls, RefuseValuesThatTheyCannotHave) {
     EXPECT_EQ(planks({"controls.1.range.1=4", "width=3"}).controls[1].range->at(1), 4.0);
 }
 
+TEST(Controls, AreNotLostBesideWhatTakesThemOrTheirPlace) {
+    EXPECT_THAT(refused({"controls=[]", "size=2"}), HasSubstr("takes this control out"));
+    EXPECT_THAT(refused({"size=2", "controls.0.name=foo"}), HasSubstr("takes this control out"));
+    EXPECT_THAT(refused({R"(solid={"scale":3})", "size=2"}), HasSubstr("both set solid.scale"));
+}
+
 TEST(Controls, MoveOverTime) {
     RecipeOptions options;
     options.recipe = "oak";

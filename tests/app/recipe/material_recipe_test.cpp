@@ -95,6 +95,11 @@ TEST(MaterialRecipe, SettingsTakeBothSpellings) {
     EXPECT_EQ(recipe_of(oak, {"material.roughness=rings"}).texture.channels.size(), 3u);
 }
 
+TEST(MaterialRecipe, ABareColourIsABaseColourInAFileAndInASetting) {
+    const Recipe file = recipe_of(R"({"material": {"base_color": "#ff8000"}})");
+    EXPECT_EQ(recipe_of("{}", {"material.base_color=#ff8000"}).texture, file.texture);
+}
+
 TEST(MaterialRecipe, WrongNamesAreToldWithTheirPath) {
     EXPECT_THAT(problem_of(R"({"define": {"a": {"node": "add", "a": "b", "b": 1}, "b": {"node":
         "add", "a": 2, "b": {"node": "abs", "input": "a"}}}, "texture": {"input": "a"}})"),

@@ -101,6 +101,24 @@ TEST(Pictures, ChannelsAreThoseOfTheGraphAtTheTexelsPoint) {
     EXPECT_GT(texels, 20);
 }
 
+TEST(Pictures, NumbersBeyondOneAreOneInFloatsToo) {
+    const SolidAtlas solid = SyntheticAtlas{}.make(3);
+    const Json material = Json::parse(R"({"opacity": {"node": "add", "a": 2, "b": 3},
+        "roughness": {"node": "add", "a": -2, "b": 1}, "emissive": {"node": "add", "a": 0, "b": 4}})");
+    const TextureGraph graph = material_from_json(
+        Json::parse(R"({"node": "scale", "a": "#ffffff80", "b": 1})"), material, {});
+    const double alpha = 128.0 / 255;
+    const auto floats = synthesize_pictures<RgbaF>(solid, graph, plans_of(graph), {}, {}, 1);
+    for (const Span& span : solid.row(solid.size / 2)) {
+        const RgbaF &color = floats[0](span.x, solid.size / 2),
+                    &data = floats[1](span.x, solid.size / 2);
+        EXPECT_FLOAT_EQ(color.r, float(alpha));
+        EXPECT_FLOAT_EQ(color.a, float(alpha));
+        EXPECT_EQ(data.r, 1.0f);
+        EXPECT_EQ(data.a, 1.0f);  // one less the roughness of 0
+    }
+}
+
 TEST(Pictures, BytesDoNotDependOnThreads) {
     const SolidAtlas solid = SyntheticAtlas{}.make(3);
     const TextureGraph graph = oak();
