@@ -34,8 +34,8 @@ class ShapeScene {
   public:
     explicit ShapeScene(const Mesh& mesh);
 
-    /// The same shape with other shading normals: one for each corner (3t+k) of its triangles, or
-    /// none.
+    /// A copy of the shape with other shading normals: one for each corner (3t+k) of its triangles,
+    /// or none.
     ShapeScene with_normals(std::vector<Vec3f> corner_normals) const;
 
     /// The surface's point at these weights of the triangle's corners (sum 1). Points outside the
