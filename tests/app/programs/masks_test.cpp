@@ -24,7 +24,8 @@ TEST(Masks, AreBakedIntoATexture) {
     const auto stages = nlohmann::json::parse(outcome.out)["stages"];
     EXPECT_EQ(stages["masks"]["runs"], 1);
     std::set<int> greys;
-    for (const Rgb8& pixel : read_png(scratch / "a.png").pixels()) greys.insert(pixel.r);
+    const Image<Rgb8> image = read_png(scratch / "a.png");
+    for (const Rgb8& pixel : image.pixels()) greys.insert(pixel.r);
     EXPECT_TRUE(greys.contains(0) && greys.contains(255));
 }
 
@@ -72,7 +73,8 @@ TEST(Masks, LightIsWrittenInColour) {
     ASSERT_EQ(run_burl(scratch, bake + " --depth 16").exit_code, 0);
     EXPECT_EQ(scratch.files(), 3u);  // with the record
     int warm = 0, cold = 0;          // in the sun, and in the sky's light alone
-    for (const Rgb8& pixel : read_png(scratch / "a_lighting.png").pixels()) {
+    const Image<Rgb8> light = read_png(scratch / "a_lighting.png");
+    for (const Rgb8& pixel : light.pixels()) {
         warm += pixel.r > pixel.b;
         cold += pixel.b > pixel.r;
     }
