@@ -200,6 +200,21 @@ TEST(DocumentedRecipes, BeginWithAnAtlasForAnyViewer) {
     EXPECT_EQ(recipe.atlas, AtlasOptions{});
 }
 
+TEST(DocumentedRecipes, TheMaterialAndItsControlsAreOneRecipe) {
+    const std::string all = documentation();
+    const auto example = [&](const char* front) {
+        const std::size_t begin = all.find(front);
+        return all.substr(begin, all.find("```", begin) - begin);
+    };
+    const std::string material = example("\"define\": {"), controls = example("\"controls\": [");
+    const Recipe recipe = parse_recipe("{" + material + "," + controls + "}", "recipes.md",
+                                       {"ring spacing=0.2", "light wood=#ffeecc", "size=2"});
+    EXPECT_EQ(recipe.controls.size(), 3u);
+    EXPECT_EQ(recipe.solid.scale, 2.0);
+    EXPECT_EQ(recipe.bump.height, 0.0003);
+    EXPECT_EQ(recipe.texture.channels.size(), 1u);
+}
+
 TEST(Presets, AreAllDocumented) {
     const std::string all = documentation();
     const std::string text = all.substr(all.find("## Presets"));
