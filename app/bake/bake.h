@@ -38,7 +38,7 @@ struct BakePlan {
     bool measures = true;                 ///< whether the atlas is measured for a report
     int threads = 0;                      ///< number of threads for the solid map; 0: all
 
-    /// What is asked of the material; strip atlases may have fewer levels.
+    /// The options that the material depends on; strip atlases may have fewer levels.
     MaterialAsked material() const {
         return {packing, depth, levels.count, normals == NormalSpace::tangent, crease_degrees};
     }

@@ -166,7 +166,7 @@ void BakeJob::check() const {
     check_idle();
 }
 
-/// What is asked for of a texture alone, and not done for the pictures of a material.
+/// The option that works for a texture alone, not for the pictures of a material; empty: none.
 std::string BakeJob::not_of(const Recipe& recipe) const {
     if (plan_.levels.rule.direct) return "--level-rule direct";
     if (command_.compress) return "--compress";

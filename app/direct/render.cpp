@@ -77,7 +77,7 @@ struct LayerHit {
     PlaneHit at;
 };
 
-/// What a sample shows of all that is nearer than `depth`, and the share of what lies behind.
+/// A sample's light from all that is nearer than `depth`, and the share of what lies behind.
 struct SampleSum {
     Vec3d light{0.0};
     double shows = 1.0, depth = 0.0;

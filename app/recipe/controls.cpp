@@ -93,7 +93,7 @@ std::string color_of(const std::string& setting, const RecipeControl& control) {
     throw wrong_setting(setting, fmt::format("\"{}\" must be a colour \"#rrggbb\"", control.name));
 }
 
-/// What one setting of a control changes: a control's places and their values.
+/// The edits that one setting of a control makes: its places and their values.
 std::vector<ControlEdit> edits_of(const std::string& setting, const RecipeControl& control,
                                   const std::vector<RecipePlace>& places) {
     std::vector<ControlEdit> edits;

@@ -29,7 +29,7 @@ struct NodeInput {
 /// (`inputs`), or the result of its input evaluated at the point that the node makes (`inner`).
 enum class NodeResult { number, color, inputs, inner };
 
-/// What the mesh's shape says at a texel (docs/reference/masks.md).
+/// The kinds of masks, which the mesh's shape gives at a texel (docs/reference/masks.md).
 enum class MaskKind : std::uint8_t {
     occlusion,      ///< numbers: rays, distance
     curvature,      ///< numbers: radius

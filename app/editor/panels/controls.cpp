@@ -19,7 +19,7 @@ namespace {
 
 constexpr double slider_steps = 40;  // as many to both sides of zero reach the whole range
 
-/// What a control changes, for the tip of its name.
+/// The changes that a control makes, for the tip of its name.
 std::string control_tip(const RecipeControl& control) {
     return fmt::format("{}{}sets {}", control.about, control.about.empty() ? "" : "; ",
                        fmt::join(control.sets, ", "));

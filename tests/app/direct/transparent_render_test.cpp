@@ -47,7 +47,7 @@ Image<Rgb8> draw_panes(const std::vector<Pane>& panes, std::span<const PlaneLaye
     return render_samples({mesh, corner_normals(mesh, 40.0), color, {}, planes}, camera, options);
 }
 
-/// What the middle shows, from the back to the front.
+/// The colours that the middle shows, from the back to the front.
 Rgb8 expected_of(std::vector<Pane> panes) {
     std::ranges::sort(panes, {}, &Pane::z);
     Vec3d light = background_linear();

@@ -46,7 +46,7 @@ Image<Rgb8> draw_scene(GlContext& context, const Scene& scene) {
     return render_scene(context, scene, camera, options);
 }
 
-/// What the middle shows, from the back to the front.
+/// The colours that the middle shows, from the back to the front.
 Vec3d blended(std::vector<GlassPane> panes) {
     std::ranges::sort(panes, {}, &GlassPane::z);
     Vec3d light = background_linear();
