@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "atlas/base/each_index.h"
-#include "atlas/shape/hemisphere.h"
+#include "atlas/shape/open_share.h"
 
 namespace burl {
 
@@ -22,17 +22,9 @@ struct HalfSky {
 float share_of_sky(const ShapeScene& shape, const Hemisphere& hemisphere, const ShapePoint& point,
                    const HalfSky& sky, float reach) {
     if (point.normal == Vec3d(0.0)) return 0.5f;
-    const Vec3d place = shape.to_unit(point.position);
-    const Directions directions = hemisphere.at(place, point.shading);
-    const Vec3f normal(point.normal), origin(place + ray_offset * point.normal);
-    int above = 0, open = 0;
-    for (const Vec3f& local : directions.local) {
-        const Vec3f direction = directions.frame(local);
-        if (!(glm::dot(direction, normal) > 0.0f)) continue;
-        ++above;
-        open += sky.holds(direction) && !shape.rays().blocked({origin, direction}, reach);
-    }
-    return above > 0 ? float(open) / float(above) : float(sky.holds(normal));
+    const auto counts = [&sky](const Vec3f& direction) { return sky.holds(direction); };
+    return open_share(shape, hemisphere, point, reach, counts)
+        .value_or(float(sky.holds(Vec3f(point.normal))));
 }
 
 /// Directions about the sun's, even on its disc: the cosine-weighted hemisphere's, whose squared

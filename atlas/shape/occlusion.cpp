@@ -1,7 +1,7 @@
 #include "atlas/shape/occlusion.h"
 
 #include "atlas/base/each_index.h"
-#include "atlas/shape/hemisphere.h"
+#include "atlas/shape/open_share.h"
 
 namespace burl {
 
@@ -10,17 +10,8 @@ namespace {
 float openness(const ShapeScene& shape, const Hemisphere& hemisphere, const ShapePoint& point,
                float reach) {
     if (point.normal == Vec3d(0.0)) return 1.0f;
-    const Vec3d place = shape.to_unit(point.position);
-    const Directions directions = hemisphere.at(place, point.shading);
-    const Vec3f normal(point.normal), origin(place + ray_offset * point.normal);
-    int above = 0, open = 0;
-    for (const Vec3f& local : directions.local) {
-        const Vec3f direction = directions.frame(local);
-        if (!(glm::dot(direction, normal) > 0.0f)) continue;
-        ++above;
-        open += !shape.rays().blocked({origin, direction}, reach);
-    }
-    return above > 0 ? float(open) / float(above) : 1.0f;
+    const auto all = [](const Vec3f&) { return true; };
+    return open_share(shape, hemisphere, point, reach, all).value_or(1.0f);
 }
 
 }  // namespace
