@@ -90,11 +90,14 @@ Json& number_item(Json& numbers, const Parameter& parameter, std::string_view pa
     return array_item(numbers, part, path);
 }
 
+/// The value that the text spells for a place of the recipe: words need no quotes, and a colour may
+/// be a node.
 Json parse_value(const std::string& text, const SchemaNode& node) {
     Json value = parse_json_value(text);
-    const bool word = node.parameter && (node.parameter->type == ParameterType::text ||
-                                         node.parameter->type == ParameterType::choice ||
-                                         node.parameter->type == ParameterType::color);
+    const bool color = node.parameter && node.parameter->type == ParameterType::color;
+    const bool word = color || (node.parameter && (node.parameter->type == ParameterType::text ||
+                                                   node.parameter->type == ParameterType::choice));
+    if (color && value.is_object()) return value;
     if (value.is_discarded() || (word && !value.is_string())) return text;
     return value;
 }

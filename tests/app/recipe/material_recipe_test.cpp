@@ -100,6 +100,16 @@ TEST(MaterialRecipe, ABareColourIsABaseColourInAFileAndInASetting) {
     EXPECT_EQ(recipe_of("{}", {"material.base_color=#ff8000"}).texture, file.texture);
 }
 
+TEST(MaterialRecipe, ChannelsBecomeNodesByASetting) {
+    for (const char* channel : {"emissive", "sheen", "roughness"}) {
+        const std::string node = R"({"node": "fbm"})";
+        const Recipe file =
+            recipe_of(fmt::format(R"({{"material": {{"{}": {}}}}})", channel, node));
+        EXPECT_EQ(recipe_of("{}", {fmt::format("material.{}={}", channel, node)}), file) << channel;
+        EXPECT_EQ(file.texture.channels.size(), 1u);
+    }
+}
+
 TEST(MaterialRecipe, WrongNamesAreToldWithTheirPath) {
     EXPECT_THAT(problem_of(R"({"define": {"a": {"node": "add", "a": "b", "b": 1}, "b": {"node":
         "add", "a": 2, "b": {"node": "abs", "input": "a"}}}, "texture": {"input": "a"}})"),
