@@ -1,0 +1,16 @@
+#pragma once
+// The tone curve: Khronos PBR Neutral (Khronos Group, "PBR Neutral Tone Mapper" specification,
+// 2024), which leaves colours up to 0.8 as they are and compresses what is brighter.
+#include "app/light/light.h"
+#include "atlas/base/vec.h"
+
+namespace burl {
+
+/// Linear light of 0 and more to linear light in 0..1.
+Vec3d tone_mapped(const Vec3d& light);
+
+/// What a picture shows of linear light, before it is encoded: exposure, then the tone curve. The
+/// headlight's light stays as it is but for its exposure.
+Vec3d developed(const Vec3d& light, const LightOptions& options);
+
+}  // namespace burl
