@@ -21,14 +21,16 @@ using std::numbers::pi;
 struct BuiltIn {
     EnvironmentNote note;
     Vec3d (*light)(const Vec3d& direction);
+    int fineness = 1;  ///< a pixel is the mean of fineness x fineness points, where edges are sharp
 };
 
 constexpr std::array built_ins{
-    BuiltIn{{"studio", "soft boxes round a dark room: for metal, varnish and stone"}, studio_light},
+    BuiltIn{
+        {"studio", "soft boxes round a dark room: for metal, varnish and stone"}, studio_light, 2},
     BuiltIn{{"overcast", "a grey sky over dull ground: soft, without shadows"}, overcast_light},
     BuiltIn{{"sun", "a clear sky with a low sun: hard shadows, blue fill"}, sun_light},
     BuiltIn{{"dusk", "the sky after sunset: warm from one side, blue from the other"}, dusk_light},
-    BuiltIn{{"warehouse", "a hall with skylights, windows and an open gate"}, warehouse_light},
+    BuiltIn{{"warehouse", "a hall with skylights, windows and an open gate"}, warehouse_light, 2},
     BuiltIn{{"neutral", "even white light from all sides: for judging colours"}, neutral_light}};
 
 /// What a white ball's upper half sends back on average: 0.8, as white paper does.
@@ -51,14 +53,15 @@ Vec3d bilinear(const Image<RgbF>& map, double x, double y) {
            fy * ((1.0 - fx) * at(0, 1) + fx * at(1, 1));
 }
 
-/// The mean over 2 x 2 points of a pixel, so that edges are smooth.
+/// The mean over a pixel.
 Vec3d pixel_light(const BuiltIn& made, std::size_t x, std::size_t y, std::size_t height) {
+    const int n = made.fineness;
     Vec3d sum(0.0);
-    for (const double dy : {0.25, 0.75})
-        for (const double dx : {0.25, 0.75})
-            sum += made.light(direction_at(
-                {(double(x) + dx) / (2.0 * double(height)), (double(y) + dy) / double(height)}));
-    return 0.25 * sum;
+    for (int j = 0; j < n; ++j)
+        for (int i = 0; i < n; ++i)
+            sum += made.light(direction_at({(double(x) + (i + 0.5) / n) / (2.0 * double(height)),
+                                            (double(y) + (j + 0.5) / n) / double(height)}));
+    return sum / double(n * n);
 }
 
 /// The brightness of white paper, averaged over the upper half of a ball of it: the mean over all

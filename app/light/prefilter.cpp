@@ -8,6 +8,7 @@
 #include "app/light/formulas.h"
 #include "app/light/harmonics.h"
 #include "app/light/microfacets.h"
+#include "app/light/padded_cube.h"
 #include "atlas/base/each_index.h"
 
 namespace burl {
@@ -82,8 +83,8 @@ CubeFaces sharp_faces(const Environment& environment, std::size_t side) {
 
 /// A direction of a lobe about +z, its share, and the level that it is looked up in.
 struct LobeSample {
-    Vec3d direction;
-    double share, level;
+    Vec3f direction;
+    float share, level;
 };
 
 /// The samples of a GGX lobe seen along the normal. Each is looked up in a level whose texels are
@@ -96,57 +97,67 @@ std::vector<LobeSample> lobe_samples(double roughness, std::uint32_t count, std:
     double sum = 0.0;
     for (std::uint32_t i = 0; i < count; ++i) {
         const Vec2d at = hammersley(i, count) + Vec2d(0.0, 0.5 / count);
-        const double c2 = (1.0 - at.y) / (1.0 + (a2 - 1.0) * at.y), c = std::sqrt(c2);
+        const double c2 = (1.0 - at.y) / (1.0 + (a2 - 1.0) * at.y);
         const double down = 2.0 * c2 - 1.0, turn = 2.0 * pi * at.x;
         if (down <= 0.0) continue;
         const double out = std::sqrt(1.0 - down * down);
-        const double solid = 4.0 / (count * ggx(c, alpha));
-        samples.push_back({{out * std::cos(turn), out * std::sin(turn), down},
-                           down,
-                           std::max(0.0, 0.5 * std::log2(solid / texel) + 0.5)});
+        const double solid = 4.0 / (count * ggx(std::sqrt(c2), alpha));
+        samples.push_back({Vec3f(Vec3d(out * std::cos(turn), out * std::sin(turn), down)),
+                           float(down),
+                           float(std::max(0.0, 0.5 * std::log2(solid / texel) + 0.5))});
         sum += down;
     }
-    for (LobeSample& sample : samples) sample.share /= sum;
+    for (LobeSample& sample : samples) sample.share /= float(sum);
     return samples;
 }
 
-Vec3d trilinear(const std::vector<CubeFaces>& levels, const Vec3d& direction, double level) {
-    const double at = std::clamp(level, 0.0, double(levels.size()) - 1.0);
+/// The value between two levels of the pyramid.
+Vec3f look_up(const std::vector<PaddedCube>& pyramid, const Vec3f& direction, float level) {
+    const float at = std::min(level, float(pyramid.size() - 1));
     const auto lower = std::size_t(at);
-    const double share = at - double(lower);
-    const Vec3d first = cube_lookup(levels[lower], direction);
-    return share > 0.0 ? first + share * (cube_lookup(levels[lower + 1], direction) - first)
-                       : first;
+    const float share = at - float(lower);
+    const Vec3f first = pyramid[lower](direction);
+    return share > 0.0f ? first + share * (pyramid[lower + 1](direction) - first) : first;
 }
 
 /// Two vectors perpendicular to the unit vector `z` and one another (Duff et al., "Building an
 /// Orthonormal Basis, Revisited", 2017), and `z`.
-Mat3d frame_about(const Vec3d& z) {
+glm::mat3 frame_about(const Vec3d& z) {
     const double sign = std::copysign(1.0, z.z), a = -1.0 / (sign + z.z), b = z.x * z.y * a;
-    return {Vec3d(1.0 + sign * z.x * z.x * a, sign * b, -sign * z.x),
-            Vec3d(b, sign + z.y * z.y * a, -z.y), z};
+    return {Vec3f(Vec3d(1.0 + sign * z.x * z.x * a, sign * b, -sign * z.x)),
+            Vec3f(Vec3d(b, sign + z.y * z.y * a, -z.y)), Vec3f(z)};
 }
 
-CubeFaces blurred_faces(const std::vector<CubeFaces>& pyramid, std::size_t side,
+CubeFaces blurred_faces(const std::vector<PaddedCube>& pyramid, std::size_t side,
                         const std::vector<LobeSample>& samples) {
     return make_faces(side, [&](std::size_t face, double x, double y) {
-        const Mat3d frame = frame_about(
+        const glm::mat3 frame = frame_about(
             glm::normalize(cube_direction({face, Vec2d(x + 0.5, y + 0.5) / double(side)})));
-        Vec3d sum(0.0);
+        Vec3f sum(0.0f);
         for (const LobeSample& sample : samples)
-            sum += sample.share * trilinear(pyramid, frame * sample.direction, sample.level);
-        return sum;
+            sum += sample.share * look_up(pyramid, frame * sample.direction, sample.level);
+        return Vec3d(sum);
     });
+}
+
+/// The levels of half the side each, down to one texel.
+std::vector<PaddedCube> pyramid_of(const CubeFaces& faces) {
+    std::vector<PaddedCube> pyramid{PaddedCube(faces)};
+    for (CubeFaces level = faces; level[0].width() > 1;) {
+        level = halved(level);
+        pyramid.emplace_back(level);
+    }
+    return pyramid;
 }
 
 }  // namespace
 
 PrefilteredLight prefilter(const Environment& environment, std::size_t side) {
-    std::vector<CubeFaces> pyramid{sharp_faces(reduced(environment, side), side)};
-    while (pyramid.back()[0].width() > 1) pyramid.push_back(halved(pyramid.back()));
+    PrefilteredLight result{diffuse_harmonics(environment),
+                            {sharp_faces(reduced(environment, side), side)}};
+    const std::vector<PaddedCube> pyramid = pyramid_of(result.glossy[0]);
     std::size_t levels = 1;
     while ((side >> levels) >= least_side) ++levels;
-    PrefilteredLight result{diffuse_harmonics(environment), {pyramid[0]}};
     for (std::size_t k = 1; k < levels; ++k) {
         const double roughness = double(k) / double(levels - 1);
         result.glossy.push_back(
@@ -156,8 +167,12 @@ PrefilteredLight prefilter(const Environment& environment, std::size_t side) {
 }
 
 Vec3d glossy_light(const PrefilteredLight& light, const Vec3d& direction, double roughness) {
-    return trilinear(light.glossy, direction,
-                     std::clamp(roughness, 0.0, 1.0) * (double(light.glossy.size()) - 1.0));
+    const double last = double(light.glossy.size()) - 1.0;
+    const double at = std::clamp(roughness, 0.0, 1.0) * last;
+    const auto lower = std::size_t(std::min(at, last - 1.0));
+    const Vec3d first = cube_lookup(light.glossy[lower], direction);
+    if (light.glossy.size() == 1) return first;
+    return first + (at - double(lower)) * (cube_lookup(light.glossy[lower + 1], direction) - first);
 }
 
 }  // namespace burl

@@ -10,8 +10,8 @@ namespace burl {
 namespace {
 
 constexpr std::size_t table_side = 64;
-constexpr std::uint32_t table_points = 512;  ///< of the sum over visible microfacets
-constexpr int circles = 20, spokes = 16;     ///< of the sum over sheen's directions
+constexpr std::uint32_t table_points = 256;  ///< of the sum over visible microfacets
+constexpr int circles = 16, spokes = 12;     ///< of the sum over sheen's directions
 
 /// Scale and bias of F0: the mean over visible microfacets of what later ones let through.
 Vec2d glossy_sums(double cosine, double roughness) {
