@@ -29,12 +29,10 @@ constexpr std::array built_ins{
         {"studio", "soft boxes round a dark room: for metal, varnish and stone"}, studio_light, 2},
     BuiltIn{{"overcast", "a grey sky over dull ground: soft, without shadows"}, overcast_light},
     BuiltIn{{"sun", "a clear sky with a low sun: hard shadows, blue fill"}, sun_light},
-    BuiltIn{{"dusk", "the sky after sunset: warm from one side, blue from the other"}, dusk_light},
+    BuiltIn{{"dusk", "the sky after sunset: warm from one side, blue from the other", 0.55},
+            dusk_light},
     BuiltIn{{"warehouse", "a hall with skylights, windows and an open gate"}, warehouse_light, 2},
     BuiltIn{{"neutral", "even white light from all sides: for judging colours"}, neutral_light}};
-
-/// What a white ball's upper half sends back on average: 0.8, as white paper does.
-constexpr double paper = 0.8;
 
 std::size_t wrapped(std::ptrdiff_t x, std::size_t width) {
     const auto w = std::ptrdiff_t(width);
@@ -72,7 +70,7 @@ double paper_light(const Image<RgbF>& map) {
         const double angle = pi * (double(y) + 0.5) / double(map.height());
         const double weight = std::sin(angle);
         double row = 0.0;
-        for (const RgbF& p : map.row(y)) row += glm::dot(vec_of(p), Vec3d(0.2126, 0.7152, 0.0722));
+        for (const RgbF& p : map.row(y)) row += luminance(vec_of(p));
         sum += weight * (1.0 + std::cos(angle)) * row;
         weights += weight * double(map.width());
     }
@@ -125,7 +123,7 @@ Environment make_environment(std::string_view name, std::size_t height) {
                 map(x, y) = rgb_of(pixel_light(*made, x, y, height));
         },
         4);
-    const auto scale = float(paper / paper_light(map));
+    const auto scale = float(made->note.paper / paper_light(map));
     map = converted<RgbF>(map, [scale](const RgbF& p) {
         return RgbF{scale * p.r, scale * p.g, scale * p.b};
     });

@@ -20,6 +20,7 @@ struct Environment {
 /// A built-in environment, with a sentence for people.
 struct EnvironmentNote {
     std::string_view name, sentence;
+    double paper = 0.8;  ///< luminance of a white ball's upper half in it, on average
 };
 
 /// The built-in environments in the order of `burl list environments`: studio, overcast, sun,

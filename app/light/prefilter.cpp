@@ -6,6 +6,7 @@
 
 #include "app/light/cube_map.h"
 #include "app/light/formulas.h"
+#include "app/light/glints.h"
 #include "app/light/harmonics.h"
 #include "app/light/microfacets.h"
 #include "app/light/padded_cube.h"
@@ -20,7 +21,7 @@ constexpr std::size_t least_side = 8;  ///< of the level of roughness 1
 
 /// Samples per texel of a level: few where lobes are narrow and texels many.
 std::uint32_t samples_of(std::size_t level) {
-    return std::uint32_t(32) << std::min<std::size_t>(level - 1, 4);
+    return std::uint32_t(64) << std::min<std::size_t>(2 * (level - 1), 5);
 }
 
 /// The map at half its sides: means by solid angle.
@@ -84,40 +85,38 @@ CubeFaces sharp_faces(const Environment& environment, std::size_t side) {
 /// A direction of a lobe about +z, its share, and the level that it is looked up in.
 struct LobeSample {
     Vec3f direction;
-    float share, level;
+    float share;
+    std::size_t level;
 };
 
-/// The samples of a GGX lobe seen along the normal. Each is looked up in a level whose texels are
-/// as large as the solid angle it stands for (Krivanek and Colbert, "Real-time Shading with
-/// Filtered Importance Sampling", 2008).
+/// The level whose texels are about `size` times as large as those of level 0: bilinear lookups
+/// make them larger by themselves.
+std::size_t level_of(double size) {
+    return std::size_t(std::max(0.0, std::round(0.5 * std::log2(size) - 0.5)));
+}
+
+/// The samples of a GGX lobe seen along the normal, more than their share of them in its long tail.
+/// Each is looked up in a level whose texels are as large as the solid angle it stands for
+/// (Krivanek and Colbert, "Real-time Shading with Filtered Importance Sampling", 2008).
 std::vector<LobeSample> lobe_samples(double roughness, std::uint32_t count, std::size_t side) {
     const double alpha = alpha_of(roughness), a2 = alpha * alpha;
     const double texel = 4.0 * pi / (6.0 * double(side * side));
     std::vector<LobeSample> samples;
     double sum = 0.0;
     for (std::uint32_t i = 0; i < count; ++i) {
-        const Vec2d at = hammersley(i, count) + Vec2d(0.0, 0.5 / count);
-        const double c2 = (1.0 - at.y) / (1.0 + (a2 - 1.0) * at.y);
+        const Vec2d at = hammersley(i, count);
+        const double rest = (1.0 - at.y) * (1.0 - at.y), spread = 2.0 * (1.0 - at.y);
+        const double c2 = rest / (1.0 + (a2 - 1.0) * (1.0 - rest));
         const double down = 2.0 * c2 - 1.0, turn = 2.0 * pi * at.x;
         if (down <= 0.0) continue;
         const double out = std::sqrt(1.0 - down * down);
-        const double solid = 4.0 / (count * ggx(std::sqrt(c2), alpha));
+        const double solid = 4.0 * spread / (count * ggx(std::sqrt(c2), alpha));
         samples.push_back({Vec3f(Vec3d(out * std::cos(turn), out * std::sin(turn), down)),
-                           float(down),
-                           float(std::max(0.0, 0.5 * std::log2(solid / texel) + 0.5))});
-        sum += down;
+                           float(spread * down), level_of(solid / texel)});
+        sum += spread * down;
     }
     for (LobeSample& sample : samples) sample.share /= float(sum);
     return samples;
-}
-
-/// The value between two levels of the pyramid.
-Vec3f look_up(const std::vector<PaddedCube>& pyramid, const Vec3f& direction, float level) {
-    const float at = std::min(level, float(pyramid.size() - 1));
-    const auto lower = std::size_t(at);
-    const float share = at - float(lower);
-    const Vec3f first = pyramid[lower](direction);
-    return share > 0.0f ? first + share * (pyramid[lower + 1](direction) - first) : first;
 }
 
 /// Two vectors perpendicular to the unit vector `z` and one another (Duff et al., "Building an
@@ -129,13 +128,14 @@ glm::mat3 frame_about(const Vec3d& z) {
 }
 
 CubeFaces blurred_faces(const std::vector<PaddedCube>& pyramid, std::size_t side,
-                        const std::vector<LobeSample>& samples) {
+                        const std::vector<LobeSample>& samples, const GlintLobe& glints) {
     return make_faces(side, [&](std::size_t face, double x, double y) {
         const glm::mat3 frame = frame_about(
             glm::normalize(cube_direction({face, Vec2d(x + 0.5, y + 0.5) / double(side)})));
-        Vec3f sum(0.0f);
+        Vec3f sum = glints(frame[2]);
         for (const LobeSample& sample : samples)
-            sum += sample.share * look_up(pyramid, frame * sample.direction, sample.level);
+            sum += sample.share *
+                   pyramid[std::min(sample.level, pyramid.size() - 1)](frame * sample.direction);
         return Vec3d(sum);
     });
 }
@@ -155,13 +155,15 @@ std::vector<PaddedCube> pyramid_of(const CubeFaces& faces) {
 PrefilteredLight prefilter(const Environment& environment, std::size_t side) {
     PrefilteredLight result{diffuse_harmonics(environment),
                             {sharp_faces(reduced(environment, side), side)}};
-    const std::vector<PaddedCube> pyramid = pyramid_of(result.glossy[0]);
+    const Glinting parts = without_glints(result.glossy[0]);
+    const std::vector<PaddedCube> pyramid = pyramid_of(parts.rest);
     std::size_t levels = 1;
     while ((side >> levels) >= least_side) ++levels;
     for (std::size_t k = 1; k < levels; ++k) {
         const double roughness = double(k) / double(levels - 1);
-        result.glossy.push_back(
-            blurred_faces(pyramid, side >> k, lobe_samples(roughness, samples_of(k), side)));
+        result.glossy.push_back(blurred_faces(pyramid, side >> k,
+                                              lobe_samples(roughness, samples_of(k), side),
+                                              GlintLobe(parts.glints, alpha_of(roughness))));
     }
     return result;
 }

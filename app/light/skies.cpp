@@ -64,14 +64,14 @@ Vec3d dusk_light(const Vec3d& direction) {
     static const Vec3d west = towards(-70.0, -3.0);
     const double up = std::max(direction.y, 0.0), cosine = glm::dot(direction, west);
     const double near = 0.5 + 0.5 * cosine;
-    const Vec3d high = mixed(Vec3d(0.11, 0.14, 0.24), Vec3d(0.20, 0.25, 0.38), near);
-    const Vec3d low = mixed(Vec3d(0.26, 0.24, 0.30), Vec3d(1.7, 0.95, 0.50), near * near * near);
-    Vec3d sky = mixed(low, high, std::pow(smooth_step(0.0, 0.5, up), 0.6));
-    sky += Vec3d(9.0, 4.6, 1.8) * std::exp(30.0 * (cosine - 1.0)) * std::exp(-5.0 * up);
+    const Vec3d high = mixed(Vec3d(0.055, 0.085, 0.155), Vec3d(0.12, 0.16, 0.245), near);
+    const Vec3d low = mixed(Vec3d(0.15, 0.145, 0.19), Vec3d(1.5, 0.78, 0.38), std::pow(near, 4.0));
+    Vec3d sky = mixed(low, high, std::pow(smooth_step(0.0, 0.42, up), 0.6));
+    sky += Vec3d(15.0, 7.2, 2.6) * std::exp(40.0 * (cosine - 1.0)) * std::exp(-5.0 * up);
     const double wisp = smooth_step(0.05, 0.7, clouds(cloud_point(direction, 0.7, 1.3)));
-    const Vec3d lit = mixed(Vec3d(0.24, 0.20, 0.25), Vec3d(2.2, 1.15, 0.75), std::pow(near, 4.0));
+    const Vec3d lit = mixed(Vec3d(0.14, 0.12, 0.15), Vec3d(2.2, 1.1, 0.68), std::pow(near, 5.0));
     sky = mixed(sky, lit, 0.55 * wisp * smooth_step(0.01, 0.12, up) * (1.0 - 0.5 * up));
-    const Vec3d ground = mixed(Vec3d(0.05, 0.05, 0.052), Vec3d(0.15, 0.12, 0.10), near);
+    const Vec3d ground = mixed(Vec3d(0.03, 0.03, 0.032), Vec3d(0.085, 0.07, 0.06), near);
     return mixed(ground, sky, above(direction.y));
 }
 
