@@ -98,7 +98,7 @@ TEST(Prefilter, LevelsHalveAndTheFirstIsTheMap) {
 }
 
 TEST(Prefilter, GlintsAndTheRestAreTheWhole) {
-    const PrefilteredLight light = prefilter(make_environment("sun", 64), 64);
+    const PrefilteredLight light = prefilter(make_environment("sun"), 64);
     const Glinting parts = without_glints(light.glossy[0]);
     EXPECT_GT(parts.glints.size(), 0u);
     EXPECT_LE(parts.glints.size(), 64u);
@@ -119,14 +119,14 @@ TEST(Prefilter, GlintsAndTheRestAreTheWhole) {
 }
 
 void expect_lobes(const char* name, double tolerance) {
-    const Environment e = make_environment(name);
+    const Environment e = make_environment(name, 128);
     const PrefilteredLight light = prefilter(e);
     const double last = double(light.glossy.size()) - 1.0;
     for (std::size_t k = 1; k < light.glossy.size(); ++k)
         for (const Vec3d& v : seen) {
             const Vec3d truth = lobe_mean(e, glm::normalize(v), double(k) / last);
             const Vec3d made = glossy_light(light, v, double(k) / last);
-            EXPECT_LT(glm::length(made - truth), tolerance * glm::length(truth) + 0.002)
+            EXPECT_LT(glm::length(made - truth), tolerance * glm::length(truth) + 0.004)
                 << name << " level " << k << " " << made.y << " " << truth.y;
         }
 }
@@ -134,7 +134,7 @@ void expect_lobes(const char* name, double tolerance) {
 TEST(Prefilter, LobesEqualSumsOverAllPixels) {
     expect_lobes("neutral", 0.01);
     expect_lobes("studio", 0.03);
-    expect_lobes("sun", 0.04);
+    expect_lobes("sun", 0.08);
 }
 
 TEST(Prefilter, IsTheSameForAnyThreads) {
