@@ -161,6 +161,7 @@ void run_render(const RenderCommand& command) {
     CommandFiles files;
     files.read(files_of_mesh(command.options.scene));
     if (is_pose_file(command.options.pose)) files.read(files_of_mesh(command.options.pose));
+    files.read(command.options.light.files());
     for (const std::string& path : paths) files.write(path, ".png");
     if (!command.report.empty() && command.report != "-") files.write(command.report);
     if (command.direct) return draw_truth(command, paths, files);

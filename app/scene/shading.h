@@ -3,6 +3,8 @@
 // pixels. shaders/draw/mesh.frag repeats headlight().
 #include <cstdint>
 
+#include "app/light/background.h"
+#include "app/light/light.h"
 #include "app/scene/camera.h"
 #include "atlas/base/image.h"
 #include "atlas/base/vec.h"
@@ -15,13 +17,14 @@ struct PictureOptions {
     PictureSize size;
     bool lit = true;      ///< false: the unlit surface colour
     int supersample = 2;  ///< n in 1..16: a pixel is the linear-light mean of n x n samples
+    LightOptions light{};
+    Background background{};
+    bool ground = false;  ///< whether the object throws a shadow on the ground below it
     bool operator==(const PictureOptions&) const = default;
 };
 
 inline constexpr int max_supersample = 16;
 
-/// The colour behind the scene, in sRGB codes.
-inline constexpr Rgb8 background_srgb{176, 176, 176};
 /// The background colour in linear light.
 Vec3d background_linear();
 
