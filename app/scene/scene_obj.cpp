@@ -76,14 +76,13 @@ Vec3f parse_color(const FileBuffer& file, std::string_view keyword, std::string_
     TextScanner scanner(line);
     Vec3f color(1.0f);
     const std::string what = fmt::format("a colour of {}", keyword);
-    for (int k = 0; k < 3; ++k) color[k] = float(scanner.number(what));
+    for (int k = 0; k < 3; ++k) color[k] = float(scanner.number(what.c_str()));
     return glm::max(color, Vec3f(0.0f));
 }
 
-float parse_share(const FileBuffer& file, std::string_view keyword, std::string_view rest) {
+double parse_number(const FileBuffer& file, std::string_view keyword, std::string_view rest) {
     const FileBuffer line = buffer_from(rest, file.path);
-    return float(
-        std::clamp(TextScanner(line).number(fmt::format("the number of {}", keyword)), 0.0, 1.0));
+    return TextScanner(line).number(fmt::format("the number of {}", keyword).c_str());
 }
 
 /// The numbers of the extension of MTL for physically based rendering.
@@ -100,16 +99,14 @@ constexpr std::array<std::string_view, 7> map_keywords{"map_Kd", "norm",   "map_
 void parse_line(const FileBuffer& file, std::string_view keyword, std::string_view rest,
                 ObjMaterial& material) {
     for (const auto& [name, member] : share_keywords)
-        if (keyword == name) material.look.*member = parse_share(file, keyword, rest);
+        if (keyword == name)
+            material.look.*member = float(std::clamp(parse_number(file, keyword, rest), 0.0, 1.0));
     if (std::ranges::find(map_keywords, keyword) != map_keywords.end())
         material.maps.insert_or_assign(std::string(keyword), std::string(rest));
     if (keyword == "Kd") material.look.factor = Vec4f(parse_color(file, keyword, rest), 1.0f);
     if (keyword == "Ke") material.look.emissive = parse_color(file, keyword, rest);
-    if (keyword == "Ni") {
-        const FileBuffer line = buffer_from(rest, file.path);
-        material.look.ior =
-            float(std::clamp(TextScanner(line).number("the number of Ni"), 1.0, 100.0));
-    }
+    if (keyword == "Ni")
+        material.look.ior = float(std::clamp(parse_number(file, keyword, rest), 1.0, 100.0));
     if (keyword == "#" && rest.starts_with(packed_comment))
         material.packed = rest.substr(packed_comment.size());
 }
@@ -200,10 +197,11 @@ Image<Rgb8> roughness_and_metallic(const Image<Rgb8>& roughness, const Image<Rgb
         if (one->width() > 0 && (one->width() != any.width() || one->height() != any.height()))
             return {};
     Image<Rgb8> both(any.width(), any.height(), {255, 255, 255});
-    for (std::size_t i = 0; i < both.pixels().size(); ++i) {
-        if (roughness.width() > 0) both.pixels()[i].g = roughness.pixels()[i].r;
-        if (metallic.width() > 0) both.pixels()[i].b = metallic.pixels()[i].r;
-    }
+    for (std::size_t y = 0; y < both.height(); ++y)
+        for (std::size_t x = 0; x < both.width(); ++x) {
+            if (roughness.width() > 0) both(x, y).g = roughness(x, y).r;
+            if (metallic.width() > 0) both(x, y).b = metallic(x, y).r;
+        }
     return both;
 }
 
@@ -211,10 +209,11 @@ Image<Rgb8> roughness_and_metallic(const Image<Rgb8>& roughness, const Image<Rgb
 /// occlusion, none, smoothness.
 Image<Rgb8> from_mask_map(const Image<Rgb8>& mask, const Image<Grey8>& smoothness) {
     Image<Rgb8> orm(mask.width(), mask.height());
-    for (std::size_t i = 0; i < orm.pixels().size(); ++i) {
-        const std::uint8_t smooth = smoothness.width() > 0 ? smoothness.pixels()[i] : 255;
-        orm.pixels()[i] = {mask.pixels()[i].g, std::uint8_t(255 - smooth), mask.pixels()[i].r};
-    }
+    for (std::size_t y = 0; y < orm.height(); ++y)
+        for (std::size_t x = 0; x < orm.width(); ++x) {
+            const std::uint8_t smooth = smoothness.width() > 0 ? smoothness(x, y) : 255;
+            orm(x, y) = {mask(x, y).g, std::uint8_t(255 - smooth), mask(x, y).r};
+        }
     return orm;
 }
 

@@ -40,6 +40,14 @@ double headlight(const Vec3d& normal, const Vec3d& to_eye);
 /// ambient light remains.
 double headlight(const Vec3d& normal, const Vec3d& bumped, const Vec3d& to_eye);
 
+/// Averages blocks of options.supersample^2 samples, linear light premultiplied by the alpha that
+/// hides the background, develops the mean (app/light/tone.h), puts it over the background and
+/// stores the codes in `picture` with their corner at pixel (x, y). Alpha is 255 unless the
+/// background is transparent; the sample image's sides are multiples of options.supersample.
+void resolve_samples(const Image<RgbaF>& samples, const PictureOptions& options,
+                     const SrgbEncoder<std::uint8_t>& encode, Image<Rgba8>& picture, std::size_t x,
+                     std::size_t y);
+
 /// Averages supersample x supersample blocks of linear-light samples, encodes them and stores them
 /// in `picture` with their corner at pixel (x, y). The sample image's sides are multiples of
 /// `supersample` >= 1.

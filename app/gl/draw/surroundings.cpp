@@ -1,6 +1,6 @@
 #include "app/gl/draw/surroundings.h"
 
-#include <algorithm>
+#include "app/light/chosen_environment.h"
 
 namespace burl {
 
