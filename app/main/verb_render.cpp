@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "app/base/atomic_file.h"
 #include "app/base/messages.h"
 #include "app/direct/picture.h"
 #include "app/export/command_files.h"
@@ -48,7 +50,16 @@ TextureFilter parse_lookup(const std::string& text) {
                             text));
 }
 
-Image<Rgb8> draw_scene(const RenderCommand& command, CommandFiles& files) {
+/// Writes a picture, with its alpha where the background is transparent.
+void write_drawn(const std::string& path, Image<Rgba8> picture, const PictureOptions& options) {
+    if (options.background.kind != Background::Kind::transparent)
+        return write_png(path, colors_and_alpha(std::move(picture)).first);
+    AtomicFile file(path);
+    encode_png(picture, sink_of(file));
+    file.commit();
+}
+
+Image<Rgba8> draw_scene(const RenderCommand& command, CommandFiles& files) {
     const DirectOptions& options = command.options;
     if (options.scene.empty())
         throw Error(ExitCode::usage, "a scene is missing; --plane alone is for --direct");
@@ -66,7 +77,9 @@ Image<Rgb8> draw_scene(const RenderCommand& command, CommandFiles& files) {
     files.read(scene.files);
     const Camera camera = orbit_camera(view, bounding_sphere(scene), picture.size);
     const std::unique_ptr<GlContext> context = create_gl_context(command.platform);
-    return render_scene(*context, scene, camera, picture, filter);
+    context->make_current();
+    const GlSurroundings around(context->gl(), scene, picture);
+    return render_picture(*context, GlScene(context->gl(), scene, filter), around, camera, picture);
 }
 
 Json work_json(const LazyPicture& drawn) {
@@ -108,7 +121,7 @@ void write_lazily(const RenderCommand& command, CommandFiles& files) {
     }
     const std::unique_ptr<GlContext> context = create_gl_context(command.platform);
     const LazyPicture drawn = render_lazily(*context, pipeline, view, lazy);
-    write_png(command.out, drawn.picture);
+    write_drawn(command.out, drawn.picture, lazy.picture);
     if (!command.report.empty()) write_json(command.report, work_json(drawn));
 }
 
@@ -161,11 +174,12 @@ void run_render(const RenderCommand& command) {
     CommandFiles files;
     files.read(files_of_mesh(command.options.scene));
     if (is_pose_file(command.options.pose)) files.read(files_of_mesh(command.options.pose));
+    files.read(command.options.light.files());
     for (const std::string& path : paths) files.write(path, ".png");
     if (!command.report.empty() && command.report != "-") files.write(command.report);
     if (command.direct) return draw_truth(command, paths, files);
     if (command.lazy) return write_lazily(command, files);
-    write_png(command.out, draw_scene(command, files));
+    write_drawn(command.out, draw_scene(command, files), command.options.picture_options());
 }
 
 }  // namespace
