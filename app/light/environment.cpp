@@ -92,8 +92,11 @@ Vec3d direction_at(const Vec2d& uv) {
 }
 
 Vec3d light_from(const Environment& environment, const Vec3d& direction) {
+    return light_at(environment, equirectangular(direction));
+}
+
+Vec3d light_at(const Environment& environment, const Vec2d& uv) {
     const Image<RgbF>& map = environment.radiance;
-    const Vec2d uv = equirectangular(direction);
     return bilinear(map, uv.x * double(map.width()) - 0.5, uv.y * double(map.height()) - 0.5);
 }
 

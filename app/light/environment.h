@@ -40,6 +40,9 @@ Environment turned(const Environment& environment, double azimuth);
 /// The light from a direction of any length but 0: bilinear between the pixels' centres.
 Vec3d light_from(const Environment& environment, const Vec3d& direction);
 
+/// The light at a point of the map, u and v in 0 to 1: bilinear between the pixels' centres.
+Vec3d light_at(const Environment& environment, const Vec2d& uv);
+
 /// The point of the equirectangular map that a direction of any length sees: u, v in 0..1, v = 0
 /// up.
 Vec2d equirectangular(const Vec3d& direction);

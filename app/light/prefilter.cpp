@@ -119,19 +119,11 @@ std::vector<LobeSample> lobe_samples(double roughness, std::uint32_t count, std:
     return samples;
 }
 
-/// Two vectors perpendicular to the unit vector `z` and one another (Duff et al., "Building an
-/// Orthonormal Basis, Revisited", 2017), and `z`.
-glm::mat3 frame_about(const Vec3d& z) {
-    const double sign = std::copysign(1.0, z.z), a = -1.0 / (sign + z.z), b = z.x * z.y * a;
-    return {Vec3f(Vec3d(1.0 + sign * z.x * z.x * a, sign * b, -sign * z.x)),
-            Vec3f(Vec3d(b, sign + z.y * z.y * a, -z.y)), Vec3f(z)};
-}
-
 CubeFaces blurred_faces(const std::vector<PaddedCube>& pyramid, std::size_t side,
                         const std::vector<LobeSample>& samples, const GlintLobe& glints) {
     return make_faces(side, [&](std::size_t face, double x, double y) {
-        const glm::mat3 frame = frame_about(
-            glm::normalize(cube_direction({face, Vec2d(x + 0.5, y + 0.5) / double(side)})));
+        const auto frame = glm::mat3(frame_about(
+            glm::normalize(cube_direction({face, Vec2d(x + 0.5, y + 0.5) / double(side)}))));
         Vec3f sum = glints(frame[2]);
         for (const LobeSample& sample : samples)
             sum += sample.share *
