@@ -40,7 +40,7 @@ struct DirectOptions {
     MeshOptions meshes;
     std::string pose;  ///< --pose (app/surface/sample_meshes.h); empty: none
     /// Directions that each sample's light is summed over with --direct; 0: none, and no shadows.
-    int rays = 48;
+    int rays = 96;
     double crease = 40.0;
 
     void add(CLI::App& verb);

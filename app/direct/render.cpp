@@ -43,9 +43,11 @@ struct Drawing {
     const PictureOptions& options;
 };
 
-/// A number that differs for every sample of a picture, and every layer of a sample.
-std::uint64_t seed_of(int x, int y, std::size_t layer) {
-    return mix_bits(mix_bits((std::uint64_t(std::uint32_t(y)) << 32) | std::uint32_t(x)) + layer);
+/// The directions of a layer of sample (x, y).
+LightDraw draw_of(const Drawing& drawing, int x, int y, std::size_t layer) {
+    const int n = drawing.options.supersample;
+    const auto pixel = (std::uint64_t(std::uint32_t(y / n)) << 32) | std::uint32_t(x / n);
+    return {mix_bits(mix_bits(pixel) + 4 * layer), y % n * n + x % n};
 }
 
 /// The mesh's colour at a sample under the headlight, premultiplied by alpha.
@@ -63,19 +65,19 @@ Vec4d headlit(const Drawing& drawing, const ScreenTriangle& t, const MeshSample&
 
 /// The mesh's light at a sample in an environment, premultiplied by alpha.
 Vec4d traced(const Drawing& drawing, const ScreenTriangle& t, const MeshSample& sample,
-             std::uint64_t seed) {
+             const LightDraw& draw) {
     const DirectScene& scene = drawing.scene;
     MaterialSample material = scene.material({t.triangle, sample.weights}, sample.covered);
     if (material.alpha <= 0.0) return Vec4d(0.0);
     const LitPoint at = lit_point(scene, t, sample, drawing.camera.eye);
     material.point.coat_normal = at.smooth;
-    return {material.alpha * (*scene.around.light)(material.point, at, seed), material.alpha};
+    return {material.alpha * (*scene.around.light)(material.point, at, draw), material.alpha};
 }
 
 /// The mesh's colour at sample (x, y), which `t` covers, premultiplied by alpha.
 Vec4d shade(const Drawing& drawing, const ScreenTriangle& t, int x, int y, std::size_t layer) {
     const MeshSample sample = mesh_sample(drawing.scene, t, x, y);
-    return drawing.scene.around.light ? traced(drawing, t, sample, seed_of(x, y, layer))
+    return drawing.scene.around.light ? traced(drawing, t, sample, draw_of(drawing, x, y, layer))
                                       : headlit(drawing, t, sample);
 }
 
@@ -112,22 +114,22 @@ void find_planes(const Drawing& drawing, int x, int y, double from, double depth
 }
 
 /// A plane's light at an intersection in an environment, premultiplied by alpha.
-Vec4d traced(const Drawing& drawing, const LayerHit& hit, std::uint64_t seed) {
+Vec4d traced(const Drawing& drawing, const LayerHit& hit, const LightDraw& draw) {
     const MaterialSample material = hit.layer->material(hit.at.point, hit.at.steps);
     if (material.alpha <= 0.0) return Vec4d(0.0);
     const DirectSurroundings& around = drawing.scene.around;
     const LitPoint at =
         lit_point(hit.layer->plane.normal, hit.at.point, drawing.camera.eye, around);
-    return {material.alpha * (*around.light)(material.point, at, seed), material.alpha};
+    return {material.alpha * (*around.light)(material.point, at, draw), material.alpha};
 }
 
 /// Adds the planes as far as they are seen.
-void add_planes(const Drawing& drawing, std::span<const LayerHit> hits, std::uint64_t seed,
+void add_planes(const Drawing& drawing, std::span<const LayerHit> hits, int x, int y,
                 SampleSum& sum) {
     for (const LayerHit& hit : hits) {
         if (!sum.is_open()) return;
         if (drawing.scene.around.light) {
-            sum.add(traced(drawing, hit, mix_bits(seed + sum.layers)));
+            sum.add(traced(drawing, hit, draw_of(drawing, x, y, sum.layers)));
             continue;
         }
         const Vec4d color = hit.layer->color(hit.at.point, hit.at.steps);
@@ -147,7 +149,7 @@ Vec4d ground_shadow(const Drawing& drawing, int x, int y) {
     if (!hit) return Vec4d(0.0);
     // A little below the plane, so that what stands on it blocks.
     const Vec3d place = hit->point - Vec3d(0.0, around.blockers->offset(), 0.0);
-    return {0.0, 0.0, 0.0, around.on_ground->shadow(place, seed_of(x, y, 0))};
+    return {0.0, 0.0, 0.0, around.on_ground->shadow(place, draw_of(drawing, x, y, 0))};
 }
 
 /// Adds the ground and what lies behind all else, but for a colour that is put there last.
@@ -165,7 +167,7 @@ bool add_layer(const Drawing& drawing, const ScreenTriangle* t, int x, int y,
     const double depth =
         t ? depth_of(*t, drawing.camera, x, y) : std::numeric_limits<double>::infinity();
     find_planes(drawing, x, y, sum.depth, depth, hits);
-    add_planes(drawing, hits, seed_of(x, y, 0), sum);
+    add_planes(drawing, hits, x, y, sum);
     sum.depth = depth;
     if (!sum.is_open()) return false;
     if (!t) {

@@ -1,7 +1,5 @@
 #include "app/direct/traced_light.h"
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "app/light/reflection.h"
@@ -13,27 +11,26 @@ namespace {
 
 constexpr int shadow_rays = 64;  ///< of the ground's shadow where surfaces take none
 
-double fraction(double x) {
-    return x - std::floor(x);
-}
-
-/// Numbers that cover a cube evenly from whichever of them on, shifted by a random amount
-/// (Roberts, "The Unreasonable Effectiveness of Quasirandom Sequences", 2018; Cranley and
-/// Patterson, "Randomization of Number Theoretic Methods for Multiple Integration", 1976).
-class EvenNumbers {
+/// Points that cover a cube evenly, from whichever of them on and in whichever two of its sides,
+/// shifted by a random amount (Roberts, "The Unreasonable Effectiveness of Quasirandom Sequences",
+/// 2018; Cranley and Patterson, "Randomization of Number Theoretic Methods for Multiple
+/// Integration", 1976).
+class EvenPoints {
   public:
-    EvenNumbers(std::uint64_t seed, int count) : count_(count) {
+    /// `count` points of the part of a sequence that belongs to the draw.
+    EvenPoints(const LightDraw& draw, std::uint64_t use, int count)
+        : first_(double(draw.part) * count) {
+        const std::uint64_t seed = mix_bits(draw.seed + use);
         for (std::uint64_t k = 0; k < 3; ++k) shift_[int(k)] = random_unit(seed, k);
     }
-    /// One in each of `count` equal parts of [0,1).
-    double along(int i) const { return (i + shift_.z) / count_; }
-    Vec2d on_square(int i) const {
-        return {fraction(shift_.x + 0.7548776662466927 * i),
-                fraction(shift_.y + 0.5698402909980532 * i)};
+    Vec3d operator()(int i) const {
+        const Vec3d at = shift_ + (first_ + i) * Vec3d(0.8191725133961644, 0.6710436067037893,
+                                                       0.5497004779019703);
+        return glm::fract(at);
     }
 
   private:
-    int count_;
+    double first_;
     Vec3d shift_{0.0};
 };
 
@@ -45,9 +42,9 @@ TracedLight::TracedLight(Environment environment, int rays, const Blockers* bloc
 }
 
 Vec3d TracedLight::operator()(const ShadedPoint& material, const LitPoint& at,
-                              std::uint64_t seed) const {
+                              const LightDraw& draw) const {
     if (prefiltered_) return ambient_shading(material, at.normal, at.view, *prefiltered_);
-    return emitted(material, at.normal, at.view) + summed(material, at, seed);
+    return emitted(material, at.normal, at.view) + summed(material, at, draw);
 }
 
 /// Light from below is what comes through the surface, which stands in its own way.
@@ -58,7 +55,7 @@ bool TracedLight::reaches(const LitPoint& at, const Vec3d& light) const {
 }
 
 Vec3d TracedLight::summed(const ShadedPoint& material, const LitPoint& at,
-                          std::uint64_t seed) const {
+                          const LightDraw& draw) const {
     const Reflection reflection(material, at.normal, at.view);
     const int own = (rays_ + 1) / 2, theirs = rays_ - own;
     Vec3d sum(0.0);
@@ -70,19 +67,22 @@ Vec3d TracedLight::summed(const ShadedPoint& material, const LitPoint& at,
         if (density > 0.0 && seen.light != Vec3d(0.0) && reaches(at, light))
             sum += share * seen.light / density;
     };
-    const EvenNumbers lobes(seed, own), sky(seed + 1, theirs);
-    for (int i = 0; i < own; ++i) add(reflection.sample(lobes.along(i), lobes.on_square(i)));
-    for (int i = 0; i < theirs; ++i) add(light_.sample(sky.on_square(i)));
+    const EvenPoints lobes(draw, 0, own), sky(draw, 1, theirs);
+    for (int i = 0; i < own; ++i) {
+        const Vec3d point = lobes(i);
+        add(reflection.sample(point.z, Vec2d(point)));
+    }
+    for (int i = 0; i < theirs; ++i) add(light_.sample(Vec2d(sky(i))));
     return sum;
 }
 
-double TracedLight::shadow(const Vec3d& place, std::uint64_t seed) const {
+double TracedLight::shadow(const Vec3d& place, const LightDraw& draw) const {
     if (!blockers_) return 0.0;
     const int count = rays_ > 0 ? rays_ : shadow_rays;
-    const EvenNumbers sky(seed, count);
+    const EvenPoints sky(draw, 2, count);
     double whole = 0.0, blocked = 0.0;
     for (int i = 0; i < count; ++i) {
-        const Vec3d direction = light_.sample(sky.on_square(i));
+        const Vec3d direction = light_.sample(Vec2d(sky(i)));
         const LightSampler::Seen seen = light_(direction);
         if (direction.y <= 0.0 || !(seen.density > 0.0)) continue;
         const double light =

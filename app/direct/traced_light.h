@@ -12,6 +12,13 @@
 
 namespace burl {
 
+/// Which directions a point takes: the points of one pixel share a seed and take different parts of
+/// one sequence.
+struct LightDraw {
+    std::uint64_t seed = 0;
+    int part = 0;
+};
+
 /// A point that light falls on, in scene coordinates.
 struct LitPoint {
     Vec3d place{0.0};             ///< where rays begin, off the surface on the side that is seen
@@ -27,15 +34,15 @@ class TracedLight {
     /// OpenGL does. Nothing blocks light where `blockers` is null, which must outlive this object.
     TracedLight(Environment environment, int rays, const Blockers* blockers);
 
-    /// Light from the point to the eye; `seed` decides which directions are taken.
-    Vec3d operator()(const ShadedPoint& material, const LitPoint& at, std::uint64_t seed) const;
+    /// Light from the point to the eye.
+    Vec3d operator()(const ShadedPoint& material, const LitPoint& at, const LightDraw& draw) const;
 
     /// The share of an upward plane's light that does not reach it at a point.
-    double shadow(const Vec3d& place, std::uint64_t seed) const;
+    double shadow(const Vec3d& place, const LightDraw& draw) const;
 
   private:
     bool reaches(const LitPoint& at, const Vec3d& light) const;
-    Vec3d summed(const ShadedPoint& material, const LitPoint& at, std::uint64_t seed) const;
+    Vec3d summed(const ShadedPoint& material, const LitPoint& at, const LightDraw& draw) const;
 
     LightSampler light_;
     int rays_;
