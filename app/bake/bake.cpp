@@ -15,6 +15,7 @@
 #include "app/pipeline/displaced_mesh.h"
 #include "app/pipeline/mask_picture.h"
 #include "app/recipe/lattice_check.h"
+#include "app/recipe/recipe_json.h"
 #include "atlas/base/memory.h"
 #include "atlas/build/capacity.h"
 #include "atlas/build/mesh_atlas.h"

@@ -11,6 +11,7 @@
 #include "app/options/command_options.h"
 #include "app/pipeline/pipeline.h"
 #include "app/recipe/lattice_check.h"
+#include "app/recipe/recipe_json.h"
 #include "procedural/color/srgb.h"
 #include "procedural/color/table.h"
 #include "procedural/graph/evaluator.h"

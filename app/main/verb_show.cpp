@@ -15,7 +15,9 @@
 #include "app/main/verbs.h"
 #include "app/recipe/controls.h"
 #include "app/recipe/leaves.h"
+#include "app/recipe/presets.h"
 #include "app/recipe/recipe.h"
+#include "app/recipe/recipe_json.h"
 
 namespace burl {
 

@@ -12,6 +12,7 @@
 #include "app/base/messages.h"
 #include "app/recipe/keyed_recipe.h"
 #include "app/recipe/parameters.h"
+#include "app/recipe/recipe_json.h"
 #include "app/surface/sample_meshes.h"
 #include "atlas/base/error.h"
 #include "atlas/file/file_extension.h"

@@ -5,6 +5,7 @@
 
 #include "app/base/real_path.h"
 #include "app/image/image_io.h"
+#include "app/recipe/recipe_json.h"
 
 namespace burl {
 

@@ -10,6 +10,7 @@
 
 #include "app/base/sha256.h"
 #include "app/recipe/recipe.h"
+#include "app/recipe/recipe_json.h"
 #include "procedural/color/mip_image.h"
 
 namespace burl {

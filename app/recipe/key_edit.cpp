@@ -9,6 +9,7 @@
 #include "app/recipe/key_check.h"
 #include "app/recipe/keyed_recipe.h"
 #include "app/recipe/leaves.h"
+#include "app/recipe/recipe_json.h"
 
 namespace burl {
 

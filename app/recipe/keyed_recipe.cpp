@@ -8,6 +8,7 @@
 
 #include "app/recipe/key_check.h"
 #include "app/recipe/leaves.h"
+#include "app/recipe/recipe_json.h"
 #include "atlas/base/error.h"
 
 namespace burl {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "app/recipe/recipe_json.h"
 #include "app/recipe/schema_check.h"
 #include "procedural/graph/json.h"
 #include "procedural/graph/table.h"

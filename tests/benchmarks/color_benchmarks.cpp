@@ -2,6 +2,7 @@
 #include <random>
 
 #include "app/recipe/recipe.h"
+#include "app/recipe/recipe_json.h"
 #include "procedural/color/map_filter_kernels.h"
 #include "procedural/color/srgb.h"
 #include "procedural/color/table.h"

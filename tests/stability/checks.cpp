@@ -10,6 +10,7 @@
 
 #include "app/recipe/lattice_check.h"
 #include "app/recipe/parameters.h"
+#include "app/recipe/recipe_json.h"
 #include "atlas/base/error.h"
 #include "procedural/fill/synthesize.h"
 

@@ -18,6 +18,7 @@
 #include "app/base/file_bytes.h"
 #include "app/base/json_text.h"
 #include "app/recipe/images.h"
+#include "app/recipe/recipe_json.h"
 #include "atlas/base/error.h"
 
 namespace burl {

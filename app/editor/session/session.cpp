@@ -15,6 +15,7 @@
 #include "app/recipe/key_edit.h"
 #include "app/recipe/keyed_recipe.h"
 #include "app/recipe/leaves.h"
+#include "app/recipe/recipe_json.h"
 #include "atlas/base/error.h"
 
 namespace burl {

@@ -7,6 +7,7 @@
 #include "app/image/image_io.h"
 #include "app/paint/texture.h"
 #include "app/recipe/parameters.h"
+#include "app/recipe/recipe_json.h"
 #include "app/surface/sample_meshes.h"
 #include "atlas/build/block_levels.h"
 #include "tests/app/support/export_scene.h"

@@ -12,6 +12,7 @@
 #include "app/base/file_bytes.h"
 #include "app/recipe/channel_texture.h"
 #include "app/recipe/images.h"
+#include "app/recipe/recipe_json.h"
 #include "app/surface/sample_meshes.h"
 #include "atlas/base/error.h"
 #include "procedural/graph/evaluator.h"

@@ -1,6 +1,7 @@
 // No command writes over what it reads: every output of every verb against every input, by whatever
 // name; and what is no file is not waited for.
 #include "app/export/command_files.h"
+#include "app/recipe/recipe_json.h"
 
 #include <map>
 

@@ -1,5 +1,6 @@
 // Displacement against closed forms, and against the normals of bumps of the same height.
 #include "app/pipeline/displaced_mesh.h"
+#include "app/recipe/recipe_json.h"
 
 #include <cmath>
 

@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/recipe/recipe.h"
+#include "app/recipe/recipe_json.h"
 #include "procedural/fixed/noise.h"
 #include "procedural/model/octaves.h"
 #include "procedural/noise/noise.h"

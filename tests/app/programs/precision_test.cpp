@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "app/recipe/recipe.h"
+#include "app/recipe/recipe_json.h"
 #include "atlas/base/error.h"
 #include "tests/app/programs/run_program.h"
 

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "app/recipe/recipe.h"
+#include "app/recipe/recipe_json.h"
 #include "app/surface/normals.h"
 #include "atlas/base/error.h"
 #include "procedural/color/srgb.h"

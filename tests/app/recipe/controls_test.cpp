@@ -1,6 +1,7 @@
 // Controls: a value set by name is what its paths are set to by hand, whatever is written down in
 // between; and every way of getting one wrong.
 #include "app/recipe/controls.h"
+#include "app/recipe/recipe_json.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>

@@ -5,6 +5,7 @@
 
 #include "app/base/embedded.h"
 #include "app/recipe/recipe.h"
+#include "app/recipe/recipe_json.h"
 #include "atlas/base/error.h"
 #include "tests/paths.h"
 

@@ -1,6 +1,7 @@
 // Edits of keys, and edits of what is seen at a time: what comes of them at that time and at
 // others.
 #include "app/recipe/key_edit.h"
+#include "app/recipe/recipe_json.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,6 @@
 // Recipes at a time against closed forms, their JSON, and what is refused about keys.
 #include "app/recipe/keyed_recipe.h"
+#include "app/recipe/recipe_json.h"
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>

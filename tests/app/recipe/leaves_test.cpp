@@ -1,6 +1,7 @@
 // Every preset's sliders: each leaf stands for a value that the recipe has, and setting it to what
 // it is changes nothing.
 #include "app/recipe/leaves.h"
+#include "app/recipe/recipe_json.h"
 
 #include <gtest/gtest.h>
 

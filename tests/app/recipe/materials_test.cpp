@@ -11,7 +11,9 @@
 #include "app/recipe/formula.h"
 #include "app/recipe/leaves.h"
 #include "app/recipe/material_notes.h"
+#include "app/recipe/presets.h"
 #include "app/recipe/recipe.h"
+#include "app/recipe/recipe_json.h"
 #include "app/recipe/spelling.h"
 #include "atlas/base/error.h"
 

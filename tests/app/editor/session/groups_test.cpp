@@ -1,6 +1,7 @@
 // The order and names of parameters: nothing is lost, what matters comes first, and everything has
 // a name in words.
 #include "app/editor/session/groups.h"
+#include "app/recipe/recipe_json.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

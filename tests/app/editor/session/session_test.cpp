@@ -1,6 +1,7 @@
 // What the editor does to recipes: good values become steps, bad ones a sentence and nothing else,
 // and the command line that it offers makes the same recipe.
 #include "app/editor/session/session.h"
+#include "app/recipe/recipe_json.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

@@ -7,6 +7,7 @@
 #include "app/base/atomic_file.h"
 #include "app/recipe/controls.h"
 #include "app/recipe/leaves.h"
+#include "app/recipe/recipe_json.h"
 #include "tests/app/editor/window/fixture.h"
 #include "tests/app/recipe/control_samples.h"
 #include "tests/app/support/scratch_folder.h"

@@ -6,6 +6,7 @@
 #include "app/editor/jobs/export.h"
 #include "app/recipe/key_edit.h"
 #include "app/recipe/keyed_recipe.h"
+#include "app/recipe/recipe_json.h"
 #include "atlas/base/error.h"
 #include "tests/app/editor/window/fixture.h"
 #include "tests/app/support/scratch_folder.h"
