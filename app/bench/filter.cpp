@@ -11,8 +11,8 @@
 
 #include "app/bench/bench.h"
 #include "app/bench/command.h"
+#include "app/recipe/edit/recipe_json.h"
 #include "app/recipe/recipe.h"
-#include "app/recipe/recipe_json.h"
 #include "procedural/fill/graph.h"
 #include "procedural/fill/synthesize.h"
 #include "procedural/model/octaves.h"

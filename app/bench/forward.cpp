@@ -10,8 +10,8 @@
 
 #include "app/bench/bench.h"
 #include "app/bench/command.h"
+#include "app/recipe/edit/recipe_json.h"
 #include "app/recipe/recipe.h"
-#include "app/recipe/recipe_json.h"
 #include "procedural/bresenham/field.h"
 #include "procedural/color/table.h"
 #include "procedural/field/sampler.h"

@@ -56,7 +56,7 @@ struct KeyTrack {
     bool operator==(const KeyTrack&) const = default;
 };
 
-/// Numbers of a recipe keyed over time; app/recipe/keyed_recipe.h evaluates them.
+/// Numbers of a recipe keyed over time; app/recipe/edit/keyed_recipe.h evaluates them.
 struct KeyedAnimation {
     double seconds = 2.0;  ///< the animation's length
     int rate = 24;         ///< frames per second

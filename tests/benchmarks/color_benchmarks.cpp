@@ -1,8 +1,8 @@
 #include <memory>
 #include <random>
 
+#include "app/recipe/edit/recipe_json.h"
 #include "app/recipe/recipe.h"
-#include "app/recipe/recipe_json.h"
 #include "procedural/color/map_filter_kernels.h"
 #include "procedural/color/srgb.h"
 #include "procedural/color/table.h"

@@ -8,9 +8,9 @@
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 
+#include "app/recipe/edit/recipe_json.h"
 #include "app/recipe/lattice_check.h"
 #include "app/recipe/parameters.h"
-#include "app/recipe/recipe_json.h"
 #include "atlas/base/error.h"
 #include "procedural/fill/synthesize.h"
 

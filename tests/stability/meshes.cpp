@@ -8,7 +8,7 @@
 
 #include "app/bench/meshes.h"
 #include "app/pipeline/pipeline.h"
-#include "app/recipe/recipe_json.h"
+#include "app/recipe/edit/recipe_json.h"
 #include "tests/stability/checks.h"
 
 namespace burl {

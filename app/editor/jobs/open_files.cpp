@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "app/export/command_files.h"
-#include "app/recipe/recipe_json.h"
+#include "app/recipe/edit/recipe_json.h"
 #include "app/surface/sample_meshes.h"
 #include "atlas/read/read_mesh.h"
 

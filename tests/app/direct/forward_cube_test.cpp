@@ -1,6 +1,6 @@
 // The cubes of "Bresenham Noise".
 #include "app/direct/forward_cube.h"
-#include "app/recipe/recipe_json.h"
+#include "app/recipe/edit/recipe_json.h"
 
 #include <gtest/gtest.h>
 

@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "app/recipe/edit/recipe_json.h"
 #include "app/recipe/recipe.h"
-#include "app/recipe/recipe_json.h"
 #include "tests/app/support/sample_scene.h"
 #include "tests/atlas/support/made_shapes.h"
 

@@ -1,5 +1,5 @@
 #include "app/recipe/parameters.h"
-#include "app/recipe/recipe_json.h"
+#include "app/recipe/edit/recipe_json.h"
 
 #include <algorithm>
 #include <filesystem>

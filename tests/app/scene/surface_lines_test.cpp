@@ -1,6 +1,6 @@
 // Edges and borders against every pair of triangles of the mesh and its atlas in turn.
 #include "app/scene/surface_lines.h"
-#include "app/recipe/recipe_json.h"
+#include "app/recipe/edit/recipe_json.h"
 
 #include <gtest/gtest.h>
 

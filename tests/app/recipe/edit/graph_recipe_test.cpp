@@ -9,9 +9,9 @@
 
 #include "app/base/embedded.h"
 #include "app/image/image_io.h"
+#include "app/recipe/edit/recipe_json.h"
 #include "app/recipe/parameters.h"
 #include "app/recipe/recipe.h"
-#include "app/recipe/recipe_json.h"
 #include "atlas/base/error.h"
 #include "procedural/graph/json.h"
 #include "procedural/graph/table.h"

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "app/base/sha256.h"
+#include "app/recipe/edit/recipe_json.h"
 #include "app/recipe/recipe.h"
-#include "app/recipe/recipe_json.h"
 #include "procedural/color/mip_image.h"
 
 namespace burl {

@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "app/pipeline/material.h"
+#include "app/recipe/edit/recipe_json.h"
 #include "app/recipe/recipe.h"
-#include "app/recipe/recipe_json.h"
 #include "atlas/base/error.h"
 
 namespace burl {

@@ -1,4 +1,4 @@
-#include "app/recipe/recipe_json.h"
+#include "app/recipe/edit/recipe_json.h"
 
 #include <algorithm>
 #include <bit>
@@ -11,9 +11,9 @@
 
 #include "app/base/real_path.h"
 #include "app/image/image_io.h"
-#include "app/recipe/apply.h"
-#include "app/recipe/check.h"
-#include "app/recipe/images.h"
+#include "app/recipe/edit/apply.h"
+#include "app/recipe/edit/check.h"
+#include "app/recipe/edit/images.h"
 #include "app/recipe/presets.h"
 #include "app/recipe/spelling.h"
 #include "atlas/base/error.h"

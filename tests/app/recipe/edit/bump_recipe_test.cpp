@@ -4,8 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "app/recipe/edit/recipe_json.h"
 #include "app/recipe/recipe.h"
-#include "app/recipe/recipe_json.h"
 #include "app/surface/normals.h"
 #include "atlas/base/error.h"
 #include "procedural/color/srgb.h"

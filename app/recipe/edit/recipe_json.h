@@ -9,9 +9,9 @@ namespace burl {
 
 /// Parses recipe JSON; `origin` names it in messages. `settings` are "path=value" edits applied to
 /// the JSON first, such as "texture.input.noise.0.amplitude=0.7", or set a control by its name,
-/// such as "ring spacing=0.01" (app/recipe/controls.h). Unknown keys, wrong types and values out of
-/// range throw Error(invalid_file), or Error(usage) for `settings`, naming the key and the nearest
-/// known one. Paths of a texture's images are relative to origin's folder.
+/// such as "ring spacing=0.01" (app/recipe/edit/controls.h). Unknown keys, wrong types and values
+/// out of range throw Error(invalid_file), or Error(usage) for `settings`, naming the key and the
+/// nearest known one. Paths of a texture's images are relative to origin's folder.
 Recipe parse_recipe(const std::string& json, const std::string& origin,
                     const std::vector<std::string>& settings = {});
 
