@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # Holds pictures of materials by `burl render` to those that other programs draw of the same .glb under the same light:
 #   compare.sh three.js|cycles MODULES SCRATCH BURL
-# three.js must agree to 32 dB on the object's pixels, Cycles to 30 dB (diffuse materials and rough metals, whose light it sums
-# over many paths and without MIP levels; Blender's importer leaves the occlusion map out, so those files have none). Exit 77 (skipped) where the other program is not installed.
+# three.js must agree to 32 dB on the object's pixels under two soft boxes, Cycles to 30 dB under a sun and a constant sky (diffuse
+# materials and rough metals, whose light it sums over many paths and without MIP levels; Blender's importer leaves the occlusion
+# map out, so those files have none). Exit 77 (skipped) where the other program is not installed.
 set -euo pipefail
 peer=$1 modules=$2 scratch=$3 burl=$4
 here=$(cd "$(dirname "$0")" && pwd)
@@ -13,7 +14,6 @@ rm -rf "$scratch"
 mkdir -p "$scratch"
 cd "$scratch"
 command -v node >/dev/null || skip "node is not installed"
-node "$here/environment.mjs" environment.hdr
 
 draw_by_three_js() {
     local chromium
@@ -28,12 +28,14 @@ draw_by_cycles() {
         { tail -20 cycles.log; exit 1; }
 }
 
+light=boxes
 case $peer in
     three.js) suffix=three bound=32 mesh=bust set=() draw=(--tone neutral)
         materials="oak cherry carrara granite-grey malachite gold brushed-steel hammered-copper rust leather crackle-glaze lava" ;;
     cycles) suffix=cycles bound=30 mesh=icosphere set=(--set material.occlusion=1) draw=(--tone none --filter linear --supersample 8)
-        side=128 materials="sandstone concrete brick-wall cast-iron rust hammered-copper" ;;
+        side=128 light=sun materials="sandstone concrete brick-wall cast-iron rust hammered-copper" ;;
 esac
+node "$here/environment.mjs" environment.hdr $light
 files=()
 for material in $materials; do
     "$burl" bake sample:$mesh -o $material.glb --recipe $material --size 512 --quiet "${set[@]}"
