@@ -52,11 +52,13 @@ void GlGround::draw(const Camera& camera, const PictureSize& samples,
                  glm::mat4(view.clip_from_eye * view.eye_from_scene * scene_from_ground));
     bind_texture(gl_, program_, "shadow", 0, shadow_);
     gl_.Disable(GL_DEPTH_TEST);
+    gl_.Enable(GL_DEPTH_CLAMP);  // the ground goes on beyond the scene's far plane
     gl_.Enable(GL_BLEND);
     gl_.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     gl_.BindVertexArray(vertices_.get());
     gl_.DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
     gl_.Disable(GL_BLEND);
+    gl_.Disable(GL_DEPTH_CLAMP);
     check_gl(gl_, "drawing the ground");
 }
 
