@@ -1,5 +1,7 @@
 #include "app/gl/draw/surroundings.h"
 
+#include <utility>
+
 #include "app/light/chosen_environment.h"
 
 namespace burl {
@@ -63,14 +65,16 @@ void GlGround::draw(const Camera& camera, const PictureSize& samples,
 }
 
 GlSurroundings::GlSurroundings(const GladGLContext& gl, const Scene& scene,
-                               const PictureOptions& options)
-    : gl_(gl), lit_(options.lit), clear_(clear_value(options)) {
+                               const PictureOptions& options, std::shared_ptr<const GlLight> light)
+    : gl_(gl), lit_(options.lit), clear_(clear_value(options)), light_(std::move(light)) {
     const bool headlit = !options.lit || options.light.is_headlight();
-    const Environment environment = headlit ? white_environment() : environment_of(options.light);
-    if (!headlit) light_.emplace(gl, prefilter(environment));
+    Environment environment;
+    if (!headlit && (!light_ || options.ground)) environment = environment_of(options.light);
+    if (!headlit && !light_) light_ = std::make_shared<const GlLight>(gl, prefilter(environment));
     if (!headlit && options.background.kind == Background::Kind::light)
         backdrop_.emplace(gl, environment_of(options.light, backdrop_rows));
-    if (options.ground) ground_.emplace(gl, ground_under(scene, environment));
+    if (options.ground)
+        ground_.emplace(gl, ground_under(scene, headlit ? white_environment() : environment));
 }
 
 void GlSurroundings::draw(const Camera& camera, const PictureSize& samples,
