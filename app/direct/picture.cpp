@@ -13,7 +13,7 @@
 
 #include "app/light/chosen_environment.h"
 #include "app/options/idle_options.h"
-#include "app/recipe/images.h"
+#include "app/recipe/edit/images.h"
 #include "app/recipe/lattice_check.h"
 #include "app/scene/ground.h"
 #include "app/surface/normals.h"

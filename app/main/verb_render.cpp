@@ -23,6 +23,7 @@
 #include "app/options/animation.h"
 #include "app/options/command_options.h"
 #include "app/options/idle_options.h"
+#include "app/pipeline/material.h"
 #include "app/recipe/lattice_check.h"
 #include "app/scene/scene.h"
 #include "app/surface/sample_meshes.h"
@@ -36,7 +37,8 @@ struct RenderCommand {
     DirectOptions options;
     AnimationOptions animation;
     EconomyOptions economy;
-    std::string out, report, level_rule = "direct", platform = gl_platforms()[0];
+    std::string out, report, platform = gl_platforms()[0];
+    std::optional<std::string> level_rule;
     bool direct = false, lazy = false;
 };
 
@@ -95,6 +97,14 @@ Json work_json(const LazyPicture& drawn) {
               {"drawing", drawn.seconds_drawing}}}};
 }
 
+/// Throws Error(usage) for --level-rule of a material whose pictures have no levels of their own.
+void check_rule(const RenderCommand& command, const Recipe& recipe) {
+    if (command.level_rule && has_pictures(recipe, Packing::gltf))
+        throw Error(ExitCode::usage,
+                    "--level-rule does nothing: the recipe's material varies in more than colour, "
+                    "and its pictures have no MIP levels but OpenGL's averages; leave it out");
+}
+
 /// Draws a recipe on a mesh by --lazy. The report is written after the picture, so that it never
 /// exists without one.
 void write_lazily(const RenderCommand& command, CommandFiles& files) {
@@ -105,11 +115,12 @@ void write_lazily(const RenderCommand& command, CommandFiles& files) {
     if (options.filter) lazy.filter = parse_lookup(*options.filter);
     lazy.crease_degrees = options.crease;
     lazy.skips = command.economy.skips();
-    lazy.rule = level_rule_named(command.level_rule);
+    lazy.rule = level_rule_named(command.level_rule.value_or("direct"));
     const View view = options.parsed_view();
     const Recipe recipe = options.recipe.load();
     files.read(files_of_recipe(options.recipe.recipe, recipe));
     check_edits(options.recipe, recipe);
+    check_rule(command, recipe);
     if (options.pose.empty()) refuse_edits(options.recipe, {&idle_pose, 1});
     Pipeline pipeline(options.meshes.load(options.scene));
     check_lattice(recipe, pipeline.mesh());
@@ -210,8 +221,8 @@ void add_render(CLI::App& program) {
                      "Write what --lazy worked out as JSON to this file (- for stdout)")
         ->needs(lazy);
     verb->add_option("--level-rule", command->level_rule,
-                     "How --lazy makes MIP levels, as burl bake does: average, direct or direct:N")
-        ->capture_default_str()
+                     "How --lazy makes MIP levels, as burl bake does: average, direct or direct:N "
+                     "(default direct)")
         ->needs(lazy);
     command->economy.add_skips(*verb);
     verb->get_option("--no-skip")->needs(lazy);

@@ -15,8 +15,8 @@ namespace burl {
 
 /// --light, --turn-light, --exposure, --tone, --background and --ground.
 struct LightArguments {
-    std::optional<std::string> light, tone, background;
-    std::optional<double> turn, exposure;
+    std::optional<std::string> light{}, tone{}, background{};
+    std::optional<double> turn{}, exposure{};
     bool ground = false;  ///< whether the object throws a shadow on the ground
 
     void add(CLI::App& verb);

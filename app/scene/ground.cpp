@@ -1,22 +1,24 @@
-// Every point of the ground casts the same rays: directions from which equal parts of the light on
-// the plane come. So no noise remains, and what they cannot tell apart is less than a code.
+// Rays go to directions from which equal parts of the light on the plane come. The directions are
+// dealt out to the texels of a block, and the blocks' texels averaged (Keller and Heidrich,
+// "Interleaved Sampling", 2001), so that neither noise nor copies of the outline are seen.
 #include "app/scene/ground.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <numeric>
 
-#include <tbb/parallel_for.h>
-
+#include "atlas/base/each_index.h"
 #include "atlas/shape/ray_tree.h"
 
 namespace burl {
 
 namespace {
 
-constexpr std::size_t texels = 224;  // a side
-constexpr std::size_t rays = 192;    // per texel
+constexpr std::size_t texels = 320;  // a side
+constexpr std::size_t block = 3;     // texels of a block's side
+constexpr std::size_t rays = 48;     // per texel
 constexpr double reach = 2.6;        // half the side, in radii of the scene
 constexpr double fades_from = 0.55;  // share of the way to the rim
 
@@ -67,14 +69,17 @@ class Sky {
     std::vector<double> sums_;
 };
 
-/// Directions from which equal parts of the light come.
-std::vector<Vec3f> light_directions(const Environment& environment) {
+using Directions = std::vector<Vec3f>;
+
+/// Directions from which equal parts of the light come, dealt out to the texels of a block.
+std::vector<Directions> light_directions(const Environment& environment) {
+    constexpr std::size_t sets = block * block, all = sets * rays;
     const Sky sky(environment);
-    std::vector<Vec3f> directions;
-    for (std::size_t i = 0; i < rays && !sky.is_dark(); ++i) {
+    std::vector<Directions> directions(sets);
+    for (std::size_t i = 0; i < all && !sky.is_dark(); ++i) {
         const double golden = double(i) * std::numbers::phi;
-        directions.emplace_back(
-            sky.direction((double(i) + 0.5) / double(rays), golden - std::floor(golden)));
+        directions[i % sets].emplace_back(
+            sky.direction((double(i) + 0.5) / double(all), golden - std::floor(golden)));
     }
     return directions;
 }
@@ -106,15 +111,26 @@ double rim(double x, double z) {
     return t * t * (3.0 - 2.0 * t);
 }
 
-float shadow_at(const RayTree& tree, const std::vector<Vec3f>& directions, double x, double z) {
-    const double shown = rim(x, z);
-    if (shown <= 0.0 || directions.empty()) return 0.0f;
+/// The share of the directions in which something lies.
+float blocked_share(const RayTree& tree, const Directions& directions, double x, double z) {
+    if (directions.empty()) return 0.0f;
     // A little below the plane, so that what stands on it blocks.
     const Vec3f origin(float(x), -1e-5f, float(z));
     int blocked = 0;
     for (const Vec3f& direction : directions)
         blocked += tree.blocked({origin, direction}, std::numeric_limits<float>::infinity());
-    return float(shown * blocked / double(directions.size()));
+    return float(blocked) / float(directions.size());
+}
+
+/// The mean over the block of texels round (x, y); those beyond the image count as 0.
+float block_mean(const Image<float>& image, std::size_t x, std::size_t y) {
+    constexpr std::size_t half = block / 2;
+    float sum = 0.0f;
+    for (std::size_t j = y < half ? 0 : y - half; j <= std::min(y + half, image.height() - 1); ++j)
+        for (std::size_t i = x < half ? 0 : x - half; i <= std::min(x + half, image.width() - 1);
+             ++i)
+            sum += image(i, j);
+    return sum / float(block * block);
 }
 
 /// The lowest y of all drawn points.
@@ -136,12 +152,21 @@ Ground ground_under(const Scene& scene, const Environment& environment) {
     Ground ground{Vec3d(sphere.centre.x - half, lowest(scene), sphere.centre.z - half), 2.0 * half,
                   Image<float>(texels, texels)};
     const RayTree tree = blockers(scene, ground);
-    const std::vector<Vec3f> directions = light_directions(environment);
-    tbb::parallel_for(std::size_t(0), texels, [&](std::size_t row) {
-        const auto place = [](std::size_t i) { return (double(i) + 0.5) / double(texels) - 0.5; };
+    const std::vector<Directions> sets = light_directions(environment);
+    const auto place = [](std::size_t i) { return (double(i) + 0.5) / double(texels) - 0.5; };
+    Image<float> blocked(texels, texels);
+    const auto fill_row = [&](std::size_t row) {
+        for (std::size_t column = 0; column < texels; ++column) {
+            const Directions& own = sets[row % block * block + column % block];
+            if (rim(place(column), place(row)) > 0.0)
+                blocked(column, row) = blocked_share(tree, own, place(column), place(row));
+        }
+    };
+    for_each_index(texels, fill_row, 8);
+    for (std::size_t row = 0; row < texels; ++row)
         for (std::size_t column = 0; column < texels; ++column)
-            ground.shadow(column, row) = shadow_at(tree, directions, place(column), place(row));
-    });
+            ground.shadow(column, row) =
+                float(rim(place(column), place(row))) * block_mean(blocked, column, row);
     return ground;
 }
 

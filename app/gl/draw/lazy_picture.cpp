@@ -133,7 +133,7 @@ LazyPicture render_lazily(GlContext& context, Pipeline& pipeline, const View& vi
     timed(result.seconds_synthesis, [&] { pictures.make(texels, lookup.filter, result.work); });
     result.picture = timed(result.seconds_drawing, [&] {
         pictures.upload(drawn);
-        const GlSurroundings around(context.gl(), scene, options.picture);
+        const GlSurroundings around(context.gl(), scene, options.picture, options.light);
         return render_picture(context, drawn, around, camera, options.picture);
     });
     result.work.tiles = texels.count_tiles();

@@ -3,6 +3,7 @@
 // texturing. A feedback pass finds the texels that the picture looks up, the host synthesises them,
 // and a second pass draws. Both passes are of the same picture, so no texel is missing.
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -73,6 +74,8 @@ struct LazyOptions {
     double crease_degrees = 40.0;
     const MeshPose* pose = nullptr;  ///< a pose of the pipeline's mesh; null: none
     std::uint32_t cell = view_cell;
+    /// The light of `picture`, where it has been made for another picture; null: it is made.
+    std::shared_ptr<const GlLight> light{};
     Skips skips{};  ///< Skip::unseen_tiles forbidden: the whole atlas is synthesised
 };
 

@@ -1,5 +1,7 @@
 #include "app/gl/draw/surroundings.h"
 
+#include <utility>
+
 #include "app/light/chosen_environment.h"
 
 namespace burl {
@@ -52,23 +54,27 @@ void GlGround::draw(const Camera& camera, const PictureSize& samples,
                  glm::mat4(view.clip_from_eye * view.eye_from_scene * scene_from_ground));
     bind_texture(gl_, program_, "shadow", 0, shadow_);
     gl_.Disable(GL_DEPTH_TEST);
+    gl_.Enable(GL_DEPTH_CLAMP);  // the ground goes on beyond the scene's far plane
     gl_.Enable(GL_BLEND);
     gl_.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     gl_.BindVertexArray(vertices_.get());
     gl_.DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
     gl_.Disable(GL_BLEND);
+    gl_.Disable(GL_DEPTH_CLAMP);
     check_gl(gl_, "drawing the ground");
 }
 
 GlSurroundings::GlSurroundings(const GladGLContext& gl, const Scene& scene,
-                               const PictureOptions& options)
-    : gl_(gl), lit_(options.lit), clear_(clear_value(options)) {
+                               const PictureOptions& options, std::shared_ptr<const GlLight> light)
+    : gl_(gl), lit_(options.lit), clear_(clear_value(options)), light_(std::move(light)) {
     const bool headlit = !options.lit || options.light.is_headlight();
-    const Environment environment = headlit ? white_environment() : environment_of(options.light);
-    if (!headlit) light_.emplace(gl, prefilter(environment));
+    Environment environment;
+    if (!headlit && (!light_ || options.ground)) environment = environment_of(options.light);
+    if (!headlit && !light_) light_ = std::make_shared<const GlLight>(gl, prefilter(environment));
     if (!headlit && options.background.kind == Background::Kind::light)
         backdrop_.emplace(gl, environment_of(options.light, backdrop_rows));
-    if (options.ground) ground_.emplace(gl, ground_under(scene, environment));
+    if (options.ground)
+        ground_.emplace(gl, ground_under(scene, headlit ? white_environment() : environment));
 }
 
 void GlSurroundings::draw(const Camera& camera, const PictureSize& samples,

@@ -1,6 +1,7 @@
 #pragma once
 // What lies around the object of pictures: the light, what is behind, and the shadow on the ground.
 // One is made for all pictures of a scene.
+#include <memory>
 #include <optional>
 
 #include "app/gl/draw/light.h"
@@ -34,20 +35,24 @@ class GlGround {
 /// object is created, used or destroyed.
 class GlSurroundings {
   public:
-    /// Makes what `options` ask for. Throws Error: as load_environment does, unsupported for an
-    /// environment beyond this OpenGL, runtime when OpenGL fails.
-    GlSurroundings(const GladGLContext& gl, const Scene& scene, const PictureOptions& options);
+    /// Makes what `options` ask for; `light`, where there is one, is taken for their light. Throws
+    /// Error: as load_environment does, unsupported for an environment beyond this OpenGL, runtime
+    /// when OpenGL fails.
+    GlSurroundings(const GladGLContext& gl, const Scene& scene, const PictureOptions& options,
+                   std::shared_ptr<const GlLight> light = nullptr);
 
     /// Clears the bound framebuffer and draws all that lies behind the scene. Alpha is the share
     /// that it hides of a background that is not light.
     void draw(const Camera& camera, const PictureSize& samples, const SampleTile& tile) const;
-    GlShading shading() const { return {lit_, light_ ? &*light_ : nullptr}; }
+    GlShading shading() const { return {lit_, light_.get()}; }
+    /// The light, for other surroundings of the same; null: the headlight.
+    const std::shared_ptr<const GlLight>& light() const { return light_; }
 
   private:
     const GladGLContext& gl_;
     bool lit_;
     Vec4f clear_;
-    std::optional<GlLight> light_;
+    std::shared_ptr<const GlLight> light_;
     std::optional<GlBackdrop> backdrop_;
     std::optional<GlGround> ground_;
 };
