@@ -196,16 +196,17 @@ TEST_F(GlLazyPictureTest, EqualsThePictureOfABakedMaterial) {
         recipes[i].atlas = pipeline.recipe().atlas;
         pipeline.set_recipe(recipes[i]);
         const Scene scene = baked_material_scene(pipeline, scratch / "a.glb");
-        const Camera camera = orbit_camera(views[1], bounding_sphere(scene), lazy.picture.size);
+        const View& view = views[i < 2 ? 3 : 1];
+        const Camera camera = orbit_camera(view, bounding_sphere(scene), lazy.picture.size);
         const GlSurroundings around(context->gl(), scene, lazy.picture, lazy.light);
         const GlScene uploaded(context->gl(), scene);
-        const LazyPicture drawn = render_lazily(*context, pipeline, views[1], lazy);
+        const LazyPicture drawn = render_lazily(*context, pipeline, view, lazy);
         EXPECT_EQ(differing(render_picture(*context, uploaded, around, camera, lazy.picture),
                             drawn.picture),
                   0u)
             << i;
-        const bool all_needed = i >= 2;
-        EXPECT_EQ(drawn.work.texels_made == drawn.work.texels_whole, all_needed) << i;
+        const bool is_opaque = i < 2;
+        EXPECT_EQ(drawn.work.texels_made < drawn.work.texels_whole, is_opaque) << i;
     }
 }
 

@@ -233,6 +233,7 @@ TEST_F(GlLightTest, TheEnvironmentIsSeenWhereItIs) {
     const Environment environment = make_environment("dusk", 64);
     const GlBackdrop backdrop(context->gl(), environment);
     const GlFramebuffer target(context->gl(), size.width, size.height);
+    context->gl().Viewport(0, 0, size.width, size.height);
     for (const View& view : {View{0, 0, 2}, View{90, 30, 2}, View{200, -60, 2}, View{270, 0, 2}}) {
         const Camera camera = orbit_camera(view, {Vec3d(1, 2, 3), 5.0}, size);
         backdrop.draw(camera, size, {0, 0, size.width, size.height});
