@@ -12,13 +12,13 @@
 namespace burl {
 namespace {
 
-constexpr const char* noise = R"({"node": "fbm", "octaves": 3, "seed": 7})";
-constexpr const char* hues = R"({"node": "color_map", "input": {"node": "fbm", "seed": 2},
-    "stops": [[-1, "#102030"], [1, "#ffe0a0"]]})";
+constexpr const char* grain_node = R"({"node": "fbm", "octaves": 3, "seed": 7})";
+constexpr const char* hue_node = R"({"node": "color_map", "input": {"node": "fbm", "seed": 2},
+    "stops": [[0, "#102030"], [1, "#ffe0a0"]]})";
 
-const Vec3d places[] = {{0.1, 0.2, 0.3}, {3.4, -1.2, 0.7}, {-8.25, 2.5, 4.125}};
+const Vec3d shaded_places[] = {{0.1, 0.2, 0.3}, {3.4, -1.2, 0.7}, {-8.25, 2.5, 4.125}};
 
-PointMaterial material_of(const std::string& json) {
+PointMaterial point_material_of(const std::string& json) {
     const Recipe recipe = parse_recipe(json, "test");
     return point_material(recipe, FilterKind::none, shown_color(recipe, FilterKind::none), false);
 }
@@ -32,10 +32,10 @@ TEST(PointMaterial, NumbersAndColoursFollowTheirNodes) {
     for (const char* name : {"metallic", "roughness", "occlusion", "specular", "clearcoat",
                              "clearcoat_roughness", "sheen_roughness", "transmission"}) {
         const PointMaterial at =
-            material_of(R"({"material": {"base_color": )" + std::string(hues) + R"(, ")" + name +
-                        R"(": )" + noise + R"(, "emissive": )" + hues +
-                        R"(, "emissive_strength": 3, "sheen": )" + hues + "}}");
-        for (const Vec3d& s : places) {
+            point_material_of(R"({"material": {"base_color": )" + std::string(hue_node) + R"(, ")" +
+                              name + R"(": )" + grain_node + R"(, "emissive": )" + hue_node +
+                              R"(, "emissive_strength": 3, "sheen": )" + hue_node + "}}");
+        for (const Vec3d& s : shaded_places) {
             const MaterialSample sample = at(s, {});
             const std::vector<std::pair<std::string, double>> numbers{
                 {"metallic", sample.point.metallic},
@@ -48,8 +48,8 @@ TEST(PointMaterial, NumbersAndColoursFollowTheirNodes) {
                 {"transmission", sample.point.transmission}};
             for (const auto& [channel, number] : numbers)
                 if (channel == name)
-                    EXPECT_NEAR(number, std::clamp(colour_at(noise, s).x, 0.0, 1.0), 1e-12);
-            const Vec3d hue = colour_at(hues, s);
+                    EXPECT_NEAR(number, std::clamp(colour_at(grain_node, s).x, 0.0, 1.0), 1e-12);
+            const Vec3d hue = colour_at(hue_node, s);
             EXPECT_LT(glm::length(sample.point.base - hue), 1e-12);
             EXPECT_LT(glm::length(sample.point.sheen - hue), 1e-12);
             EXPECT_LT(glm::length(sample.point.emissive - 3.0 * hue), 1e-12);
@@ -59,7 +59,7 @@ TEST(PointMaterial, NumbersAndColoursFollowTheirNodes) {
 }
 
 TEST(PointMaterial, NumbersThatDoNotVaryAreTheMaterials) {
-    const PointMaterial at = material_of(
+    const PointMaterial at = point_material_of(
         R"({"material": {"base_color": "#ff8000", "roughness": 0.25, "metallic": 1, "ior": 1.7,
             "clearcoat": 0.5, "emissive": "#ff0000", "emissive_strength": 2, "sheen": "#00ff00"}})");
     const MaterialSample sample = at({1.0, 2.0, 3.0}, {});
@@ -73,11 +73,12 @@ TEST(PointMaterial, NumbersThatDoNotVaryAreTheMaterials) {
 }
 
 TEST(PointMaterial, ColoursAreNotMultipliedByTheirAlpha) {
-    const PointMaterial at = material_of(R"({"material": {"base_color": "#ff000080", "opacity": )" +
-                                         std::string(noise) + R"(, "roughness": 0.5}})");
-    for (const Vec3d& s : places) {
+    const PointMaterial at =
+        point_material_of(R"({"material": {"base_color": "#ff000080", "opacity": )" +
+                          std::string(grain_node) + R"(, "roughness": 0.5}})");
+    for (const Vec3d& s : shaded_places) {
         const MaterialSample sample = at(s, {});
-        const double opacity = std::clamp(colour_at(noise, s).x, 0.0, 1.0);
+        const double opacity = std::clamp(colour_at(grain_node, s).x, 0.0, 1.0);
         EXPECT_NEAR(sample.alpha, opacity * 128.0 / 255.0, 1e-12);
         if (sample.alpha > 0.0) EXPECT_LT(glm::length(sample.point.base - Vec3d(1, 0, 0)), 1e-12);
     }
@@ -85,7 +86,7 @@ TEST(PointMaterial, ColoursAreNotMultipliedByTheirAlpha) {
 
 TEST(PointMaterial, RefusesMasks) {
     try {
-        material_of(
+        point_material_of(
             R"({"texture": {"node": "fbm"}, "material": {"roughness": {"node": "facing"}}})");
         FAIL();
     } catch (const Error& e) {
