@@ -35,7 +35,7 @@ Vec3d ambient_shading(const ShadedPoint& point, const Vec3d& normal, const Vec3d
 
 /// The fraction of light from unit direction `light` that goes to `view`, times |normal . light|:
 /// the function itself, for renderers that sum over directions. Directions below the surface count
-/// where it transmits. Emission and occlusion are left out.
+/// where it transmits. Emission is left out.
 Vec3d reflected(const ShadedPoint& point, const Vec3d& normal, const Vec3d& view,
                 const Vec3d& light);
 

@@ -25,19 +25,6 @@ const std::array<FaceAxes, 6>& face_axes() {
     return axes;
 }
 
-/// The texel at a column and row that may lie one beyond the face, on a neighbour then.
-Vec3d texel(const CubeFaces& faces, std::size_t face, double x, double y) {
-    const double side = double(faces[0].width());
-    if (x >= 0.0 && y >= 0.0 && x < side && y < side)
-        return vec_of(faces[face](std::size_t(x), std::size_t(y)));
-    const CubePoint other =
-        cube_point(cube_direction({face, {(x + 0.5) / side, (y + 0.5) / side}}));
-    const auto index = [&](double at) {
-        return std::size_t(std::clamp(at * side, 0.0, side - 1.0));
-    };
-    return vec_of(faces[other.face](index(other.at.x), index(other.at.y)));
-}
-
 }  // namespace
 
 CubePoint cube_point(const Vec3d& direction) {
@@ -57,13 +44,25 @@ Vec3d cube_direction(const CubePoint& point) {
            (2.0 * point.at.y - 1.0) * axes.below;
 }
 
+Vec3d cube_texel(const CubeFaces& faces, std::size_t face, double x, double y) {
+    const double side = double(faces[0].width());
+    if (x >= 0.0 && y >= 0.0 && x < side && y < side)
+        return vec_of(faces[face](std::size_t(x), std::size_t(y)));
+    const CubePoint other =
+        cube_point(cube_direction({face, {(x + 0.5) / side, (y + 0.5) / side}}));
+    const auto index = [&](double at) {
+        return std::size_t(std::clamp(at * side, 0.0, side - 1.0));
+    };
+    return vec_of(faces[other.face](index(other.at.x), index(other.at.y)));
+}
+
 Vec3d cube_lookup(const CubeFaces& faces, const Vec3d& direction) {
     const CubePoint point = cube_point(direction);
     const double side = double(faces[0].width());
     const double x = point.at.x * side - 0.5, y = point.at.y * side - 0.5;
     const double column = std::floor(x), row = std::floor(y), fx = x - column, fy = y - row;
     const auto at = [&](double right, double below) {
-        return texel(faces, point.face, column + right, row + below);
+        return cube_texel(faces, point.face, column + right, row + below);
     };
     return (1.0 - fy) * ((1.0 - fx) * at(0, 0) + fx * at(1, 0)) +
            fy * ((1.0 - fx) * at(0, 1) + fx * at(1, 1));

@@ -18,6 +18,9 @@ CubePoint cube_point(const Vec3d& direction);
 /// The direction, not of length 1, that the point sees; `at` may lie beyond the face.
 Vec3d cube_direction(const CubePoint& point);
 
+/// The texel of a face at a column and row that may lie one beyond it, on a neighbour then.
+Vec3d cube_texel(const CubeFaces& faces, std::size_t face, double x, double y);
+
 /// The value a direction sees: bilinear, across the edges of faces, too.
 Vec3d cube_lookup(const CubeFaces& faces, const Vec3d& direction);
 

@@ -21,18 +21,18 @@ using std::numbers::pi;
 struct BuiltIn {
     EnvironmentNote note;
     Vec3d (*light)(const Vec3d& direction);
+    int fineness = 1;  ///< a pixel is the mean of fineness x fineness points, where edges are sharp
 };
 
 constexpr std::array built_ins{
-    BuiltIn{{"studio", "soft boxes round a dark room: for metal, varnish and stone"}, studio_light},
+    BuiltIn{
+        {"studio", "soft boxes round a dark room: for metal, varnish and stone"}, studio_light, 2},
     BuiltIn{{"overcast", "a grey sky over dull ground: soft, without shadows"}, overcast_light},
     BuiltIn{{"sun", "a clear sky with a low sun: hard shadows, blue fill"}, sun_light},
-    BuiltIn{{"dusk", "the sky after sunset: warm from one side, blue from the other"}, dusk_light},
-    BuiltIn{{"warehouse", "a hall with skylights, windows and an open gate"}, warehouse_light},
+    BuiltIn{{"dusk", "the sky after sunset: warm from one side, blue from the other", 0.55},
+            dusk_light},
+    BuiltIn{{"warehouse", "a hall with skylights, windows and an open gate"}, warehouse_light, 2},
     BuiltIn{{"neutral", "even white light from all sides: for judging colours"}, neutral_light}};
-
-/// What a white ball's upper half sends back on average: 0.8, as white paper does.
-constexpr double paper = 0.8;
 
 std::size_t wrapped(std::ptrdiff_t x, std::size_t width) {
     const auto w = std::ptrdiff_t(width);
@@ -51,14 +51,15 @@ Vec3d bilinear(const Image<RgbF>& map, double x, double y) {
            fy * ((1.0 - fx) * at(0, 1) + fx * at(1, 1));
 }
 
-/// The mean over 2 x 2 points of a pixel, so that edges are smooth.
+/// The mean over a pixel.
 Vec3d pixel_light(const BuiltIn& made, std::size_t x, std::size_t y, std::size_t height) {
+    const int n = made.fineness;
     Vec3d sum(0.0);
-    for (const double dy : {0.25, 0.75})
-        for (const double dx : {0.25, 0.75})
-            sum += made.light(direction_at(
-                {(double(x) + dx) / (2.0 * double(height)), (double(y) + dy) / double(height)}));
-    return 0.25 * sum;
+    for (int j = 0; j < n; ++j)
+        for (int i = 0; i < n; ++i)
+            sum += made.light(direction_at({(double(x) + (i + 0.5) / n) / (2.0 * double(height)),
+                                            (double(y) + (j + 0.5) / n) / double(height)}));
+    return sum / double(n * n);
 }
 
 /// The brightness of white paper, averaged over the upper half of a ball of it: the mean over all
@@ -69,7 +70,7 @@ double paper_light(const Image<RgbF>& map) {
         const double angle = pi * (double(y) + 0.5) / double(map.height());
         const double weight = std::sin(angle);
         double row = 0.0;
-        for (const RgbF& p : map.row(y)) row += glm::dot(vec_of(p), Vec3d(0.2126, 0.7152, 0.0722));
+        for (const RgbF& p : map.row(y)) row += luminance(vec_of(p));
         sum += weight * (1.0 + std::cos(angle)) * row;
         weights += weight * double(map.width());
     }
@@ -91,8 +92,11 @@ Vec3d direction_at(const Vec2d& uv) {
 }
 
 Vec3d light_from(const Environment& environment, const Vec3d& direction) {
+    return light_at(environment, equirectangular(direction));
+}
+
+Vec3d light_at(const Environment& environment, const Vec2d& uv) {
     const Image<RgbF>& map = environment.radiance;
-    const Vec2d uv = equirectangular(direction);
     return bilinear(map, uv.x * double(map.width()) - 0.5, uv.y * double(map.height()) - 0.5);
 }
 
@@ -122,7 +126,7 @@ Environment make_environment(std::string_view name, std::size_t height) {
                 map(x, y) = rgb_of(pixel_light(*made, x, y, height));
         },
         4);
-    const auto scale = float(paper / paper_light(map));
+    const auto scale = float(made->note.paper / paper_light(map));
     map = converted<RgbF>(map, [scale](const RgbF& p) {
         return RgbF{scale * p.r, scale * p.g, scale * p.b};
     });

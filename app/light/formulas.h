@@ -17,6 +17,11 @@ inline RgbF rgb_of(const Vec3d& c) {
     return {float(c.x), float(c.y), float(c.z)};
 }
 
+/// Luminance of linear light with Rec. 709 primaries.
+inline double luminance(const Vec3d& c) {
+    return 0.2126 * c.x + 0.7152 * c.y + 0.0722 * c.z;
+}
+
 /// A cubic step from 0 at `low` to 1 at `high`, which may be the smaller of the two.
 inline double smooth_step(double low, double high, double x) {
     const double t = std::clamp((x - low) / (high - low), 0.0, 1.0);

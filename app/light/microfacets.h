@@ -89,7 +89,16 @@ inline double charlie_visibility(double normal_light, double normal_view, double
            ((1.0 + lambda(normal_light) + lambda(normal_view)) * 4.0 * normal_light * normal_view);
 }
 
-/// Point i of n of Hammersley's set in [0,1)^2: i / n, and i with its bits reversed.
+/// Two vectors perpendicular to the unit vector `z` and one another (Duff et al., "Building an
+/// Orthonormal Basis, Revisited", 2017), and `z`.
+inline Mat3d frame_about(const Vec3d& z) {
+    const double sign = std::copysign(1.0, z.z), a = -1.0 / (sign + z.z), b = z.x * z.y * a;
+    return {Vec3d(1.0 + sign * z.x * z.x * a, sign * b, -sign * z.x),
+            Vec3d(b, sign + z.y * z.y * a, -z.y), z};
+}
+
+/// Point i of n, a power of two, of Hammersley's set in (0,1)^2: i and i with its bits reversed,
+/// each in the middle of one of n intervals.
 inline Vec2d hammersley(std::uint32_t i, std::uint32_t n) {
     std::uint32_t bits = i;
     bits = (bits << 16) | (bits >> 16);
@@ -97,7 +106,7 @@ inline Vec2d hammersley(std::uint32_t i, std::uint32_t n) {
     bits = ((bits & 0x0f0f0f0fu) << 4) | ((bits & 0xf0f0f0f0u) >> 4);
     bits = ((bits & 0x33333333u) << 2) | ((bits & 0xccccccccu) >> 2);
     bits = ((bits & 0x55555555u) << 1) | ((bits & 0xaaaaaaaau) >> 1);
-    return {double(i) / double(n), double(bits) * 0x1p-32};
+    return {(double(i) + 0.5) / double(n), double(bits) * 0x1p-32 + 0.5 / double(n)};
 }
 
 }  // namespace burl

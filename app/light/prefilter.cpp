@@ -6,8 +6,10 @@
 
 #include "app/light/cube_map.h"
 #include "app/light/formulas.h"
+#include "app/light/glints.h"
 #include "app/light/harmonics.h"
 #include "app/light/microfacets.h"
+#include "app/light/padded_cube.h"
 #include "atlas/base/each_index.h"
 
 namespace burl {
@@ -19,7 +21,7 @@ constexpr std::size_t least_side = 8;  ///< of the level of roughness 1
 
 /// Samples per texel of a level: few where lobes are narrow and texels many.
 std::uint32_t samples_of(std::size_t level) {
-    return std::uint32_t(32) << std::min<std::size_t>(level - 1, 4);
+    return std::uint32_t(64) << std::min<std::size_t>(2 * (level - 1), 5);
 }
 
 /// The map at half its sides: means by solid angle.
@@ -82,82 +84,89 @@ CubeFaces sharp_faces(const Environment& environment, std::size_t side) {
 
 /// A direction of a lobe about +z, its share, and the level that it is looked up in.
 struct LobeSample {
-    Vec3d direction;
-    double share, level;
+    Vec3f direction;
+    float share;
+    std::size_t level;
 };
 
-/// The samples of a GGX lobe seen along the normal. Each is looked up in a level whose texels are
-/// as large as the solid angle it stands for (Krivanek and Colbert, "Real-time Shading with
-/// Filtered Importance Sampling", 2008).
+/// The level whose texels are about `size` times as large as those of level 0: bilinear lookups
+/// make them larger by themselves.
+std::size_t level_of(double size) {
+    return std::size_t(std::max(0.0, std::round(0.5 * std::log2(size) - 0.5)));
+}
+
+/// The samples of a GGX lobe seen along the normal, more than their share of them in its long tail.
+/// Each is looked up in a level whose texels are as large as the solid angle it stands for
+/// (Krivanek and Colbert, "Real-time Shading with Filtered Importance Sampling", 2008).
 std::vector<LobeSample> lobe_samples(double roughness, std::uint32_t count, std::size_t side) {
     const double alpha = alpha_of(roughness), a2 = alpha * alpha;
     const double texel = 4.0 * pi / (6.0 * double(side * side));
     std::vector<LobeSample> samples;
     double sum = 0.0;
     for (std::uint32_t i = 0; i < count; ++i) {
-        const Vec2d at = hammersley(i, count) + Vec2d(0.0, 0.5 / count);
-        const double c2 = (1.0 - at.y) / (1.0 + (a2 - 1.0) * at.y), c = std::sqrt(c2);
+        const Vec2d at = hammersley(i, count);
+        const double rest = (1.0 - at.y) * (1.0 - at.y), spread = 2.0 * (1.0 - at.y);
+        const double c2 = rest / (1.0 + (a2 - 1.0) * (1.0 - rest));
         const double down = 2.0 * c2 - 1.0, turn = 2.0 * pi * at.x;
         if (down <= 0.0) continue;
         const double out = std::sqrt(1.0 - down * down);
-        const double solid = 4.0 / (count * ggx(c, alpha));
-        samples.push_back({{out * std::cos(turn), out * std::sin(turn), down},
-                           down,
-                           std::max(0.0, 0.5 * std::log2(solid / texel) + 0.5)});
-        sum += down;
+        const double solid = 4.0 * spread / (count * ggx(std::sqrt(c2), alpha));
+        samples.push_back({Vec3f(Vec3d(out * std::cos(turn), out * std::sin(turn), down)),
+                           float(spread * down), level_of(solid / texel)});
+        sum += spread * down;
     }
-    for (LobeSample& sample : samples) sample.share /= sum;
+    for (LobeSample& sample : samples) sample.share /= float(sum);
     return samples;
 }
 
-Vec3d trilinear(const std::vector<CubeFaces>& levels, const Vec3d& direction, double level) {
-    const double at = std::clamp(level, 0.0, double(levels.size()) - 1.0);
-    const auto lower = std::size_t(at);
-    const double share = at - double(lower);
-    const Vec3d first = cube_lookup(levels[lower], direction);
-    return share > 0.0 ? first + share * (cube_lookup(levels[lower + 1], direction) - first)
-                       : first;
-}
-
-/// Two vectors perpendicular to the unit vector `z` and one another (Duff et al., "Building an
-/// Orthonormal Basis, Revisited", 2017), and `z`.
-Mat3d frame_about(const Vec3d& z) {
-    const double sign = std::copysign(1.0, z.z), a = -1.0 / (sign + z.z), b = z.x * z.y * a;
-    return {Vec3d(1.0 + sign * z.x * z.x * a, sign * b, -sign * z.x),
-            Vec3d(b, sign + z.y * z.y * a, -z.y), z};
-}
-
-CubeFaces blurred_faces(const std::vector<CubeFaces>& pyramid, std::size_t side,
-                        const std::vector<LobeSample>& samples) {
+CubeFaces blurred_faces(const std::vector<PaddedCube>& pyramid, std::size_t side,
+                        const std::vector<LobeSample>& samples, const GlintLobe& glints) {
     return make_faces(side, [&](std::size_t face, double x, double y) {
-        const Mat3d frame = frame_about(
-            glm::normalize(cube_direction({face, Vec2d(x + 0.5, y + 0.5) / double(side)})));
-        Vec3d sum(0.0);
+        const auto frame = glm::mat3(frame_about(
+            glm::normalize(cube_direction({face, Vec2d(x + 0.5, y + 0.5) / double(side)}))));
+        Vec3f sum = glints(frame[2]);
         for (const LobeSample& sample : samples)
-            sum += sample.share * trilinear(pyramid, frame * sample.direction, sample.level);
-        return sum;
+            sum += sample.share *
+                   pyramid[std::min(sample.level, pyramid.size() - 1)](frame * sample.direction);
+        return Vec3d(sum);
     });
+}
+
+/// The levels of half the side each, down to one texel.
+std::vector<PaddedCube> pyramid_of(const CubeFaces& faces) {
+    std::vector<PaddedCube> pyramid{PaddedCube(faces)};
+    for (CubeFaces level = faces; level[0].width() > 1;) {
+        level = halved(level);
+        pyramid.emplace_back(level);
+    }
+    return pyramid;
 }
 
 }  // namespace
 
 PrefilteredLight prefilter(const Environment& environment, std::size_t side) {
-    std::vector<CubeFaces> pyramid{sharp_faces(reduced(environment, side), side)};
-    while (pyramid.back()[0].width() > 1) pyramid.push_back(halved(pyramid.back()));
+    PrefilteredLight result{diffuse_harmonics(environment),
+                            {sharp_faces(reduced(environment, side), side)}};
+    const Glinting parts = without_glints(result.glossy[0]);
+    const std::vector<PaddedCube> pyramid = pyramid_of(parts.rest);
     std::size_t levels = 1;
     while ((side >> levels) >= least_side) ++levels;
-    PrefilteredLight result{diffuse_harmonics(environment), {pyramid[0]}};
     for (std::size_t k = 1; k < levels; ++k) {
         const double roughness = double(k) / double(levels - 1);
-        result.glossy.push_back(
-            blurred_faces(pyramid, side >> k, lobe_samples(roughness, samples_of(k), side)));
+        result.glossy.push_back(blurred_faces(pyramid, side >> k,
+                                              lobe_samples(roughness, samples_of(k), side),
+                                              GlintLobe(parts.glints, alpha_of(roughness))));
     }
     return result;
 }
 
 Vec3d glossy_light(const PrefilteredLight& light, const Vec3d& direction, double roughness) {
-    return trilinear(light.glossy, direction,
-                     std::clamp(roughness, 0.0, 1.0) * (double(light.glossy.size()) - 1.0));
+    const double last = double(light.glossy.size()) - 1.0;
+    const double at = std::clamp(roughness, 0.0, 1.0) * last;
+    const auto lower = std::size_t(std::min(at, last - 1.0));
+    const Vec3d first = cube_lookup(light.glossy[lower], direction);
+    if (light.glossy.size() == 1) return first;
+    return first + (at - double(lower)) * (cube_lookup(light.glossy[lower + 1], direction) - first);
 }
 
 }  // namespace burl

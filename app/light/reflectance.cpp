@@ -10,8 +10,9 @@ namespace burl {
 namespace {
 
 constexpr std::size_t table_side = 64;
-constexpr std::uint32_t table_points = 512;  ///< of the sum over visible microfacets
-constexpr int circles = 20, spokes = 16;     ///< of the sum over sheen's directions
+constexpr double last_texel = table_side - 1;
+constexpr std::uint32_t table_points = 256;  ///< of the sum over visible microfacets
+constexpr int circles = 16, spokes = 12;     ///< of the sum over sheen's directions
 
 /// Scale and bias of F0: the mean over visible microfacets of what later ones let through.
 Vec2d glossy_sums(double cosine, double roughness) {
@@ -56,8 +57,8 @@ Image<Vec3f> make_table() {
     Image<Vec3f> table(table_side, table_side);
     for (std::size_t y = 0; y < table_side; ++y)
         for (std::size_t x = 0; x < table_side; ++x) {
-            const double cosine = (double(x) + 0.5) / table_side,
-                         roughness = (double(y) + 0.5) / table_side;
+            const double cosine = std::max(double(x) / last_texel, 1e-3);
+            const double roughness = double(y) / last_texel;
             const Vec2d glossy = glossy_sums(cosine, roughness);
             table(x, y) = Vec3f(Vec3d(glossy, sheen_sum(cosine, roughness)));
         }
@@ -73,9 +74,8 @@ const Image<Vec3f>& reflectance_table() {
 
 Vec3d reflectance(double cosine, double roughness) {
     const Image<Vec3f>& table = reflectance_table();
-    const double last = table_side - 1;
-    const double x = std::clamp(cosine * table_side - 0.5, 0.0, last),
-                 y = std::clamp(roughness * table_side - 0.5, 0.0, last);
+    const double x = std::clamp(cosine, 0.0, 1.0) * last_texel,
+                 y = std::clamp(roughness, 0.0, 1.0) * last_texel;
     const auto column = std::min(std::size_t(x), table_side - 2),
                row = std::min(std::size_t(y), table_side - 2);
     const double fx = x - double(column), fy = y - double(row);

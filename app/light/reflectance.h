@@ -6,11 +6,12 @@
 
 namespace burl {
 
-/// The table, 64 x 64. Column: n.v, row: perceptual roughness, both from texel centres. x and y are
-/// scale and bias of F0 in what a GGX surface with Smith's correlated masking reflects; their sum
-/// is the directional albedo E of a surface with F0 = 1. z is the directional albedo of Charlie
-/// sheen of colour 1 and that roughness, at most 1. It is computed at the first call, in about 0.2
-/// seconds.
+/// The table, 64 x 64: column x is for n.v = x / 63, row y for perceptual roughness y / 63, so that
+/// a texture unit looks it up at (1/2 + 63 (n.v, roughness)) / 64. A texel's x and y are scale and
+/// bias of F0 in what a GGX surface with Smith's correlated masking reflects; their sum is the
+/// directional albedo E of a surface with F0 = 1. Its z is the directional albedo of Charlie sheen
+/// of colour 1 and that roughness, at most 1. It is computed at the first call, in about a tenth of
+/// a second.
 const Image<Vec3f>& reflectance_table();
 
 /// The values of the table at n.v and roughness, bilinear, clamped.

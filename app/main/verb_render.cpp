@@ -146,7 +146,9 @@ void draw_truth(const RenderCommand& command, const std::vector<std::string>& pa
         if (const std::optional<Recipe>& recipe = frames[0].planes[k])
             files.read(files_of_recipe(parse_plane(options.planes[k]).recipe, *recipe));
     const DirectPicture draw(options);
-    for (std::size_t i = 0; i < paths.size(); ++i) write_png(paths[i], draw(frames[i]));
+    const PictureOptions picture = options.picture_options();
+    for (std::size_t i = 0; i < paths.size(); ++i)
+        write_drawn(paths[i], draw.with_alpha(frames[i]), picture);
 }
 
 /// Throws Error(usage) for options in `given`, those on the command line, that have no effect
@@ -164,6 +166,9 @@ void check_given(const RenderCommand& command, const std::vector<std::string>& g
         refuse({"--crease", "--weld", "--unshare-instances"},
                "goes with --direct or --lazy: a scene is drawn as it is");
     }
+    const bool headlight = options.light.light == "headlight";
+    if (options.unlit || (headlight && !options.light.ground))
+        refuse({"--rays"}, "is about an environment's light, which is not asked for; leave it out");
     if (options.unlit)
         refuse({"--crease"}, "is about light, and --unlit draws without; leave one of them out");
     if (options.widths)
@@ -222,7 +227,7 @@ void add_render(CLI::App& program) {
     command->economy.add_skips(*verb);
     verb->get_option("--no-skip")->needs(lazy);
     command->animation.add(*verb);
-    for (const char* option : {"--frames", "--plane", "--widths"})
+    for (const char* option : {"--frames", "--plane", "--widths", "--rays"})
         verb->get_option(option)->needs(direct);
     verb->callback([command, verb] {
         std::vector<std::string> given;

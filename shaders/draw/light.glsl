@@ -58,7 +58,7 @@ vec3 glossy_light(vec3 direction, float roughness) {
 }
 
 vec3 reflectance(float cosine, float roughness) {
-    return textureLod(reflectances, vec2(cosine, roughness), 0.0).xyz;
+    return textureLod(reflectances, (0.5 + 63.0 * vec2(cosine, roughness)) / 64.0, 0.0).xyz;
 }
 
 // The direction in which a rough surface's lobe is looked up: it leans towards the normal.
