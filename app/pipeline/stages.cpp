@@ -29,8 +29,18 @@ LevelSynthesis level_synthesis(const StageContext& context, const MaskSource& ma
     return
         [skips = context.skips, way, &masks, &cost](const SolidAtlas& solid, const Recipe& recipe) {
             return fill_texture<RgbF>(solid, recipe, way, {skips, &cost.work},
-                                      masks(solid, recipe.texture, GraphOutput::color));
+                                      masks(solid, recipe.texture, GraphOutput::color, {}));
         };
+}
+
+/// Whether a texture or bumps of the recipe take the gradient of a mask: its filter, a node `slope`
+/// or the bumps themselves.
+bool takes_slopes(const Recipe& recipe, const GraphMask& mask) {
+    if (mask.kind == MaskKind::part) return false;  // it has none
+    if (recipe.filter.kind != FilterKind::none) return true;
+    if (has_slopes(recipe.texture, GraphOutput::planes)) return true;
+    const std::vector<GraphMask> bumps = graph_masks(recipe.bump.input);
+    return std::ranges::find(bumps, mask) != bumps.end();
 }
 
 }  // namespace
@@ -102,37 +112,50 @@ void SolidStage::forget() {
 
 MaskImages MaskStage::run(StageContext& context, const Mesh& mesh, const MeshAtlas& atlas,
                           const SolidAtlas& solid, const Recipe& recipe, const TextureGraph& graph,
-                          GraphOutput output) {
+                          GraphOutput output, const std::stop_token& stop) {
     const std::vector<GraphMask> masks = graph_masks(graph);
     const std::vector<bool> read = masks_read(graph, output);
     MaskImages images(masks.size());
-    for (std::size_t m = 0; m < masks.size(); ++m) {
-        const TexelMaskKey key = mask_key(masks[m], recipe.solid.scale, solid.size);
-        if (read[m]) images[m] = image(context, mesh, atlas, solid, recipe.solid.space, key);
+    for (std::size_t m = 0; m < masks.size() && !stop.stop_requested(); ++m) {
+        const Wish wish{mask_key(masks[m], recipe.solid.scale, solid.size),
+                        takes_slopes(recipe, masks[m]), stop};
+        if (read[m]) images[m] = image(context, mesh, atlas, solid, recipe.solid.space, wish);
     }
     return images;
 }
 
-std::shared_ptr<const Image<float>> MaskStage::image(StageContext& context, const Mesh& mesh,
-                                                     const MeshAtlas& atlas,
-                                                     const SolidAtlas& solid, SolidSpace space,
-                                                     const TexelMaskKey& key) {
-    const auto known = std::ranges::find(images_, key, &Known::first);
+std::shared_ptr<const TexelField> MaskStage::image(StageContext& context, const Mesh& mesh,
+                                                   const MeshAtlas& atlas, const SolidAtlas& solid,
+                                                   SolidSpace space, const Wish& wish) {
+    const auto known = std::ranges::find(images_, wish.key, &Known::first);
     if (known != images_.end()) {
-        context.records.keep(Stage::masks);
-        return known->second;
+        if (!wish.slopes || known->second->slopes.width() > 0) {
+            context.records.keep(Stage::masks);
+            return known->second;
+        }
+        images_.erase(known);
     }
-    auto made = context.records.time(Stage::masks, [&](StageCost& cost) {
+    auto field = made(context, mesh, atlas, solid, space, wish);
+    if (field) images_.emplace_back(wish.key, field);
+    return field;
+}
+
+/// A new image; null where `wish.stop` was requested.
+std::shared_ptr<const TexelField> MaskStage::made(StageContext& context, const Mesh& mesh,
+                                                  const MeshAtlas& atlas, const SolidAtlas& solid,
+                                                  SolidSpace space, const Wish& wish) {
+    std::shared_ptr<const TexelField> field;
+    const bool done = context.records.attempt(Stage::masks, [&](StageCost& cost) {
         if (!shape_)
             shape_ =
                 std::make_unique<const MeshShape>(atlas.mesh(mesh), solid_from_mesh(mesh, space));
-        auto image = std::make_shared<const Image<float>>(shape_->image(solid, key));
+        field = std::make_shared<const TexelField>(shape_->image(
+            solid, TexelOwners(solid, atlas.atlas()), wish.key, wish.slopes, wish.stop));
         cost.work.texels = texels_of(solid);
-        cost.bytes = bytes_of(*image);
-        return image;
+        cost.bytes = bytes_of(field->values) + bytes_of(field->slopes);
+        return !wish.stop.stop_requested();
     });
-    images_.emplace_back(key, made);
-    return made;
+    return done ? field : nullptr;
 }
 
 void MaskStage::keep_those_of(const Recipe& recipe) {
@@ -222,7 +245,7 @@ Image<Pixel> NormalStage::run(StageContext& context, const Mesh& mesh, const Mes
             context.records.keep(Stage::normals);
             return *image;
         }
-    const MaskImages read = masks(solid, recipe.bump.input, GraphOutput::color);
+    const MaskImages read = masks(solid, recipe.bump.input, GraphOutput::color, {});
     Image<Pixel> map = context.records.time(Stage::normals, [&](StageCost& cost) {
         if (!frames_ || frames_->key != key) frames_ = make_normal_frames(mesh, atlas, key);
         Image<Pixel> image =

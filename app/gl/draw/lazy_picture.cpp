@@ -88,7 +88,7 @@ Image<Rgb8> view_normals(const ViewSource& source, const Mesh& mesh, const Texel
         cut_to(source.solid, texels),
         {mesh, source.layout.atlas(), frames.positions, frames.normals, frames.tangents},
         recipe.bump, texture_from_solid(recipe), recipe.filter, threads, graph_precision(recipe),
-        source.masks ? source.masks(source.solid, recipe.bump.input, GraphOutput::color)
+        source.masks ? source.masks(source.solid, recipe.bump.input, GraphOutput::color, {})
                      : MaskImages());
 }
 
@@ -100,7 +100,7 @@ std::uint32_t ViewSource::source(std::uint32_t level) const {
 }
 
 MaskImages ViewSource::color_masks(const SolidAtlas& level) const {
-    return masks ? masks(level, recipe.texture, GraphOutput::color) : MaskImages();
+    return masks ? masks(level, recipe.texture, GraphOutput::color, {}) : MaskImages();
 }
 
 SolidAtlas ViewSource::level(std::uint32_t number) const {
