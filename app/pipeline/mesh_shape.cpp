@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <numbers>
 #include <utility>
@@ -10,6 +11,7 @@
 #include "atlas/shape/crease_edges.h"
 #include "atlas/shape/curvature.h"
 #include "atlas/shape/light.h"
+#include "atlas/shape/nearest_surface.h"
 #include "atlas/shape/occlusion.h"
 #include "atlas/shape/point_masks.h"
 #include "atlas/shape/texel_mask.h"
@@ -182,6 +184,29 @@ ShapeMask shape_mask(const Mesh& mesh, const ShapeScene& scene, const GraphMask&
     return {};
 }
 
+/// The length of a mask's features, where it has one of its own.
+double feature_length(const GraphMask& mask) {
+    if (mask.kind == MaskKind::occlusion || is_sky(mask)) return mask.numbers[1];
+    if (mask.kind == MaskKind::curvature) return mask.numbers[0];
+    return std::numeric_limits<double>::infinity();
+}
+
+/// The values and gradients of a mask times `factor` at the points nearest to positions.
+std::vector<Dual> at_nearest(const ShapeScene& scene, const ShapeMask& mask, double factor,
+                             double step, std::span<const Vec3d> positions) {
+    const NearestSurface nearest(scene);
+    std::vector<ShapePoint> points;
+    for (const Vec3d& position : positions) points.push_back(nearest(position));
+    std::vector<float> values(points.size());
+    std::vector<Vec3d> slopes(points.size());
+    mask.values(points, values);
+    mask_slopes(scene, mask, points, step, slopes);
+    std::vector<Dual> found;
+    for (std::size_t i = 0; i < points.size(); ++i)
+        found.emplace_back(factor * double(values[i]), factor * slopes[i]);
+    return found;
+}
+
 /// The mean side of a texel, in the SolidAtlas's space.
 double texel_side(const SolidAtlas& solid, const ShapeScene& scene) {
     double area = 0.0, texels = 1.0;
@@ -200,9 +225,9 @@ double spacing_of(const SolidAtlas& solid, const ShapeScene& scene, double lengt
 /// How densely a mask is worked out: those that take rays or integrals are interpolated.
 TexelMaskOptions texel_options(const SolidAtlas& solid, const ShapeScene& scene,
                                const GraphMask& mask) {
-    if (mask.kind == MaskKind::occlusion || is_sky(mask))
-        return {.spacing = spacing_of(solid, scene, mask.numbers[1])};
-    if (mask.kind == MaskKind::curvature) return {spacing_of(solid, scene, mask.numbers[0]), 0.05f};
+    const double spacing = spacing_of(solid, scene, feature_length(mask));
+    if (mask.kind == MaskKind::occlusion || is_sky(mask)) return {.spacing = spacing};
+    if (mask.kind == MaskKind::curvature) return {spacing, 0.05f};
     if (mask.kind != MaskKind::thickness) return {.spacing = 0.0};
     return {.tolerance = float(std::min(0.1 * mask.numbers[1], 0.03 * scene.diagonal()))};
 }
@@ -253,6 +278,26 @@ TexelField MeshShape::image(const SolidAtlas& solid, const TexelOwners& owners,
         texel_mask(solid, owners, *scene_, shape_mask(mesh_, *scene_, key.mask), options);
     if (key.factor != 1.0) multiply(key.factor, field);
     return field;
+}
+
+std::vector<Dual> MeshShape::at(std::span<const Vec3d> positions, const TexelMaskKey& key) const {
+    const GraphMask& mask = key.mask;
+    const double step = std::min(scene_->diagonal() / 256.0, 0.5 * feature_length(mask));
+    if (mask.kind != MaskKind::lighting)
+        return at_nearest(*scene_, shape_mask(mesh_, *scene_, mask), key.factor, step, positions);
+    const ShapeScene lit = scene_->with_normals(corner_normals(mesh_, mask.numbers[9]));
+    return at_nearest(lit, light_mask(lit, mask), key.factor, step, positions);
+}
+
+MaskValues masks_at(const MeshShape& shape, const Recipe& recipe, const TextureGraph& graph,
+                    std::span<const Vec3d> positions) {
+    const Mat3d to_texture = gradients_after(texture_from_solid(recipe));
+    MaskValues values;
+    for (const GraphMask& mask : graph_masks(graph)) {
+        values.push_back(shape.at(positions, mask_key(mask, recipe.solid.scale, 0)));
+        for (Dual& one : values.back()) one.slope = to_texture * one.slope;
+    }
+    return values;
 }
 
 }  // namespace burl

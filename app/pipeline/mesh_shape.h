@@ -4,8 +4,11 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <span>
 #include <stop_token>
+#include <vector>
 
+#include "app/recipe/recipe.h"
 #include "atlas/solid/texel_field.h"
 #include "atlas/solid/texel_owners.h"
 #include "procedural/fill/mask_images.h"
@@ -42,6 +45,11 @@ class MeshShape {
     TexelField image(const SolidAtlas& solid, const TexelOwners& owners, const TexelMaskKey& key,
                      bool slopes, const std::stop_token& stop = {}) const;
 
+    /// The mask, with its gradients, at the points of the mesh that are nearest to `positions`,
+    /// both in the SolidAtlas's space. Gradients without a closed form are differences over a 256th
+    /// of the box's diagonal, about what four texels of a texture of 1024 x 1024 are.
+    std::vector<Dual> at(std::span<const Vec3d> positions, const TexelMaskKey& key) const;
+
   private:
     /// Light sees the normals that the mesh is drawn with: computed ones where it has none.
     TexelField light(const SolidAtlas& solid, const TexelOwners& owners, const GraphMask& mask,
@@ -50,6 +58,11 @@ class MeshShape {
     Mesh mesh_;  ///< in the SolidAtlas's space
     std::unique_ptr<const ShapeScene> scene_;
 };
+
+/// The masks of a graph of the recipe, at the points of the shape's mesh that are nearest to
+/// `positions` in the SolidAtlas's space; their gradients are with respect to the texture's point.
+MaskValues masks_at(const MeshShape& shape, const Recipe& recipe, const TextureGraph& graph,
+                    std::span<const Vec3d> positions);
 
 /// Gives images for the masks that a graph's output reads, at the texels of an atlas of the
 /// pipeline's mesh. Once `stop` is requested they must not be used.

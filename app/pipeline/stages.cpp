@@ -149,8 +149,9 @@ std::shared_ptr<const TexelField> MaskStage::made(StageContext& context, const M
         if (!shape_)
             shape_ =
                 std::make_unique<const MeshShape>(atlas.mesh(mesh), solid_from_mesh(mesh, space));
-        field = std::make_shared<const TexelField>(shape_->image(
-            solid, TexelOwners(solid, atlas.atlas()), wish.key, wish.slopes, wish.stop));
+        field = std::make_shared<const TexelField>(
+            shape_->image(solid, TexelOwners(solid, atlas.atlas(), OwnerReach::gutters), wish.key,
+                          wish.slopes, wish.stop));
         cost.work.texels = texels_of(solid);
         cost.bytes = bytes_of(field->values) + bytes_of(field->slopes);
         return !wish.stop.stop_requested();

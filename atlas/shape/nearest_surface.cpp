@@ -118,10 +118,11 @@ void mask_slopes(const ShapeScene& shape, const ShapeMask& mask, std::span<const
     for (std::size_t i = 0; i < points.size(); ++i) {
         const auto [a, b, c] = points_of(shape, points[i].triangle);
         const double at_a = double(values[3 * i]);
-        slopes[i] = gradient_along({shares[i] * (b - a), shares[i] * (c - a)},
-                                   {double(values[3 * i + 1]) - at_a, double(values[3 * i + 2]) - at_a},
-                                   0.025 * unit_step) /
-                    shape.diagonal();
+        slopes[i] =
+            gradient_along({shares[i] * (b - a), shares[i] * (c - a)},
+                           {double(values[3 * i + 1]) - at_a, double(values[3 * i + 2]) - at_a},
+                           0.025 * unit_step) /
+            shape.diagonal();
     }
 }
 

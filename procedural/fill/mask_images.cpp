@@ -18,11 +18,13 @@ void check_masks(const TextureGraph& graph, GraphOutput output, const MaskImages
     }
 }
 
-MaskReader::MaskReader(const MaskImages& masks, const Affine3& texture_from_atlas)
-    : masks_(masks), to_texture_(0.0) {
-    if (glm::determinant(texture_from_atlas.linear) != 0.0)
-        to_texture_ = glm::transpose(glm::inverse(texture_from_atlas.linear));
+Mat3d gradients_after(const Affine3& map) {
+    if (glm::determinant(map.linear) == 0.0) return Mat3d(0.0);
+    return glm::transpose(glm::inverse(map.linear));
 }
+
+MaskReader::MaskReader(const MaskImages& masks, const Affine3& texture_from_atlas)
+    : masks_(masks), to_texture_(gradients_after(texture_from_atlas)) {}
 
 void MaskReader::append(std::size_t x, std::size_t y, const Vec3d& off, MaskValues& values) const {
     values.resize(size());

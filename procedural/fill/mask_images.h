@@ -22,6 +22,10 @@ using MaskImages = std::vector<std::shared_ptr<const TexelField>>;
 void check_masks(const TextureGraph& graph, GraphOutput output, const MaskImages& masks,
                  std::size_t size);
 
+/// The matrix that takes gradients with respect to points to those with respect to map(points); 0
+/// for a map that is flat.
+Mat3d gradients_after(const Affine3& map);
+
 /// The masks of texels, with gradients with respect to the texture's point.
 class MaskReader {
   public:

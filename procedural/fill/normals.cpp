@@ -28,7 +28,7 @@ class BumpShade {
     BumpShade(const SolidAtlas& solid, const ShadingFrames& frames, const Bump& bump,
               const Affine3& texture_from_atlas)
         : solid_(solid),
-          owners_(solid, frames.atlas),
+          owners_(solid, frames.atlas, OwnerReach::lookups),
           frames_(frames),
           bump_(bump),
           map_(texture_from_atlas) {}

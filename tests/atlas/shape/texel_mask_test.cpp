@@ -21,7 +21,7 @@ struct Shown {
     SolidAtlas solid;
     ShapeScene shape;
 
-    TexelOwners owners() const { return {solid, atlas}; }
+    TexelOwners owners() const { return {solid, atlas, OwnerReach::gutters}; }
 };
 
 Image<float> values_of(const Shown& all, const PointMask& mask,
