@@ -200,7 +200,7 @@ std::vector<Dual> at_nearest(const ShapeScene& scene, const ShapeMask& mask, dou
     std::vector<float> values(points.size());
     std::vector<Vec3d> slopes(points.size());
     mask.values(points, values);
-    mask_slopes(scene, mask, points, step, slopes);
+    mask_slopes(nearest, mask, points, step, slopes);
     std::vector<Dual> found;
     for (std::size_t i = 0; i < points.size(); ++i)
         found.emplace_back(factor * double(values[i]), factor * slopes[i]);
@@ -225,9 +225,9 @@ double spacing_of(const SolidAtlas& solid, const ShapeScene& scene, double lengt
 /// How densely a mask is worked out: those that take rays or integrals are interpolated.
 TexelMaskOptions texel_options(const SolidAtlas& solid, const ShapeScene& scene,
                                const GraphMask& mask) {
-    const double spacing = spacing_of(solid, scene, feature_length(mask));
-    if (mask.kind == MaskKind::occlusion || is_sky(mask)) return {.spacing = spacing};
-    if (mask.kind == MaskKind::curvature) return {spacing, 0.05f};
+    const double apart = spacing_of(solid, scene, feature_length(mask));
+    if (mask.kind == MaskKind::occlusion || is_sky(mask)) return {.spacing = apart};
+    if (mask.kind == MaskKind::curvature) return {apart, 0.05f};
     if (mask.kind != MaskKind::thickness) return {.spacing = 0.0};
     return {.tolerance = float(std::min(0.1 * mask.numbers[1], 0.03 * scene.diagonal()))};
 }
@@ -282,7 +282,7 @@ TexelField MeshShape::image(const SolidAtlas& solid, const TexelOwners& owners,
 
 std::vector<Dual> MeshShape::at(std::span<const Vec3d> positions, const TexelMaskKey& key) const {
     const GraphMask& mask = key.mask;
-    const double step = std::min(scene_->diagonal() / 256.0, 0.5 * feature_length(mask));
+    const double step = std::min(scene_->diagonal() / 512.0, 0.25 * feature_length(mask));
     if (mask.kind != MaskKind::lighting)
         return at_nearest(*scene_, shape_mask(mesh_, *scene_, mask), key.factor, step, positions);
     const ShapeScene lit = scene_->with_normals(corner_normals(mesh_, mask.numbers[9]));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
 #include <utility>
 
 #include "atlas/base/mip_chain.h"
@@ -116,47 +117,40 @@ MaskImages MaskStage::run(StageContext& context, const Mesh& mesh, const MeshAtl
     const std::vector<GraphMask> masks = graph_masks(graph);
     const std::vector<bool> read = masks_read(graph, output);
     MaskImages images(masks.size());
+    std::optional<TexelOwners> owners;
     for (std::size_t m = 0; m < masks.size() && !stop.stop_requested(); ++m) {
-        const Wish wish{mask_key(masks[m], recipe.solid.scale, solid.size),
-                        takes_slopes(recipe, masks[m]), stop};
-        if (read[m]) images[m] = image(context, mesh, atlas, solid, recipe.solid.space, wish);
+        const TexelMaskKey key = mask_key(masks[m], recipe.solid.scale, solid.size);
+        const bool slopes = takes_slopes(recipe, masks[m]);
+        if (read[m]) images[m] = known(context, key, slopes);
+        if (!read[m] || images[m]) continue;
+        const bool done = context.records.attempt(Stage::masks, [&](StageCost& cost) {
+            if (!shape_)
+                shape_ = std::make_unique<const MeshShape>(
+                    atlas.mesh(mesh), solid_from_mesh(mesh, recipe.solid.space));
+            if (!owners) owners.emplace(solid, atlas.atlas(), OwnerReach::gutters);
+            images[m] = std::make_shared<const TexelField>(
+                shape_->image(solid, *owners, key, slopes, stop));
+            cost.work.texels = texels_of(solid);
+            cost.bytes = bytes_of(images[m]->values) + bytes_of(images[m]->slopes);
+            return !stop.stop_requested();
+        });
+        if (done) images_.emplace_back(key, images[m]);
     }
     return images;
 }
 
-std::shared_ptr<const TexelField> MaskStage::image(StageContext& context, const Mesh& mesh,
-                                                   const MeshAtlas& atlas, const SolidAtlas& solid,
-                                                   SolidSpace space, const Wish& wish) {
-    const auto known = std::ranges::find(images_, wish.key, &Known::first);
-    if (known != images_.end()) {
-        if (!wish.slopes || known->second->slopes.width() > 0) {
-            context.records.keep(Stage::masks);
-            return known->second;
-        }
-        images_.erase(known);
+/// The kept image of a mask; null where there is none, or none with gradients where they are
+/// wanted, which is then forgotten.
+std::shared_ptr<const TexelField> MaskStage::known(StageContext& context, const TexelMaskKey& key,
+                                                   bool slopes) {
+    const auto found = std::ranges::find(images_, key, &Known::first);
+    if (found == images_.end()) return nullptr;
+    if (slopes && found->second->slopes.width() == 0) {
+        images_.erase(found);
+        return nullptr;
     }
-    auto field = made(context, mesh, atlas, solid, space, wish);
-    if (field) images_.emplace_back(wish.key, field);
-    return field;
-}
-
-/// A new image; null where `wish.stop` was requested.
-std::shared_ptr<const TexelField> MaskStage::made(StageContext& context, const Mesh& mesh,
-                                                  const MeshAtlas& atlas, const SolidAtlas& solid,
-                                                  SolidSpace space, const Wish& wish) {
-    std::shared_ptr<const TexelField> field;
-    const bool done = context.records.attempt(Stage::masks, [&](StageCost& cost) {
-        if (!shape_)
-            shape_ =
-                std::make_unique<const MeshShape>(atlas.mesh(mesh), solid_from_mesh(mesh, space));
-        field = std::make_shared<const TexelField>(
-            shape_->image(solid, TexelOwners(solid, atlas.atlas(), OwnerReach::gutters), wish.key,
-                          wish.slopes, wish.stop));
-        cost.work.texels = texels_of(solid);
-        cost.bytes = bytes_of(field->values) + bytes_of(field->slopes);
-        return !wish.stop.stop_requested();
-    });
-    return done ? field : nullptr;
+    context.records.keep(Stage::masks);
+    return found->second;
 }
 
 void MaskStage::keep_those_of(const Recipe& recipe) {

@@ -91,18 +91,8 @@ class MaskStage {
 
   private:
     using Known = std::pair<TexelMaskKey, std::shared_ptr<const TexelField>>;
-    /// What an image is made for.
-    struct Wish {
-        TexelMaskKey key;
-        bool slopes = false;
-        std::stop_token stop{};
-    };
-    std::shared_ptr<const TexelField> image(StageContext& context, const Mesh& mesh,
-                                            const MeshAtlas& atlas, const SolidAtlas& solid,
-                                            SolidSpace space, const Wish& wish);
-    std::shared_ptr<const TexelField> made(StageContext& context, const Mesh& mesh,
-                                           const MeshAtlas& atlas, const SolidAtlas& solid,
-                                           SolidSpace space, const Wish& wish);
+    std::shared_ptr<const TexelField> known(StageContext& context, const TexelMaskKey& key,
+                                            bool slopes);
 
     std::unique_ptr<const MeshShape> shape_;
     std::vector<Known> images_;

@@ -56,6 +56,17 @@ SurfacePlace place_on(const ShapeScene& shape, std::uint32_t triangle, const Vec
     return best;
 }
 
+/// Two directions perpendicular to a normal and to each other.
+std::array<Vec3d, 2> ways_along(const Vec3d& normal) {
+    const Vec3d size = glm::abs(normal);
+    const Vec3d other = size.x <= size.y && size.x <= size.z ? Vec3d(1, 0, 0)
+                        : size.y <= size.z                   ? Vec3d(0, 1, 0)
+                                                             : Vec3d(0, 0, 1);
+    const Vec3d u = glm::cross(normal, other);
+    const Vec3d first = u / std::max(glm::length(u), 0.5);
+    return {first, glm::cross(normal, first)};
+}
+
 }  // namespace
 
 NearestSurface::NearestSurface(const ShapeScene& shape) : shape_(&shape) {
@@ -91,38 +102,28 @@ ShapePoint NearestSurface::operator()(const Vec3d& position) const {
     return shape_->surface_point(best.triangle, best.weights);
 }
 
-void mask_slopes(const ShapeScene& shape, const ShapeMask& mask, std::span<const ShapePoint> points,
-                 double step, std::span<Vec3d> slopes) {
+void mask_slopes(const NearestSurface& nearest, const ShapeMask& mask,
+                 std::span<const ShapePoint> points, double step, std::span<Vec3d> slopes) {
     if (mask.slopes) return mask.slopes(points, slopes);
-    const double unit_step = step / shape.diagonal();
     std::vector<ShapePoint> places;
-    std::vector<double> shares;
-    for (const ShapePoint& point : points) {
-        const std::array<Vec3d, 3> corners = points_of(shape, point.triangle);
-        double longest = 0.0;
-        for (std::size_t k = 0; k < 3; ++k)
-            longest = std::max(longest, glm::distance(corners[k], corners[(k + 1) % 3]));
-        // The triangle, made smaller about the point, lies within itself.
-        const double share = longest > unit_step ? unit_step / longest : 1.0;
-        const Vec3d weights = shape.weights_at(point.triangle, point.position);
-        for (int k = 0; k < 3; ++k) {
-            Vec3d corner(0.0);
-            corner[k] = 1.0;
-            places.push_back(
-                shape.surface_point(point.triangle, weights + share * (corner - weights)));
-        }
-        shares.push_back(share);
-    }
+    for (const ShapePoint& point : points)
+        for (const Vec3d& way : ways_along(point.normal))
+            for (const double side : {-step, step}) {
+                const ShapePoint there = nearest(point.position + side * way);
+                const bool turns = glm::dot(there.normal, point.normal) < 0.5;
+                places.push_back(turns ? point : there);
+            }
     std::vector<float> values(places.size());
     mask.values(places, values);
     for (std::size_t i = 0; i < points.size(); ++i) {
-        const auto [a, b, c] = points_of(shape, points[i].triangle);
-        const double at_a = double(values[3 * i]);
-        slopes[i] =
-            gradient_along({shares[i] * (b - a), shares[i] * (c - a)},
-                           {double(values[3 * i + 1]) - at_a, double(values[3 * i + 2]) - at_a},
-                           0.025 * unit_step) /
-            shape.diagonal();
+        std::array<Vec3d, 2> edges;
+        Vec2d changes;
+        for (std::size_t k = 0; k < 2; ++k) {
+            const std::size_t low = 4 * i + 2 * k;
+            edges[k] = places[low + 1].position - places[low].position;
+            changes[int(k)] = double(values[low + 1]) - double(values[low]);
+        }
+        slopes[i] = gradient_along(edges, changes, 0.05 * step);
     }
 }
 

@@ -24,9 +24,10 @@ class NearestSurface {
 };
 
 /// The gradients of a mask at points of the surface, in mesh units: its own where they have a
-/// closed form, else differences between three places of the point's triangle, about `step` (mesh
-/// units, > 0) apart or as far as the triangle goes.
-void mask_slopes(const ShapeScene& shape, const ShapeMask& mask, std::span<const ShapePoint> points,
-                 double step, std::span<Vec3d> slopes);
+/// closed form, else central differences between the points of the surface nearest to those that
+/// lie `step` (mesh units, > 0) off along two directions of the triangle's plane; one-sided where
+/// one of these faces more than 60 degrees away.
+void mask_slopes(const NearestSurface& nearest, const ShapeMask& mask,
+                 std::span<const ShapePoint> points, double step, std::span<Vec3d> slopes);
 
 }  // namespace burl

@@ -42,6 +42,27 @@ std::vector<ShapePoint> lattice_points(const ShapeScene& shape, std::uint32_t tr
 /// Points that are worked out between two looks for a request to stop.
 constexpr std::size_t points_at_once = 1024;
 
+/// The corners of triangles (3t+k) at each point, in their order.
+class PointCorners {
+  public:
+    PointCorners(std::span<const Triangle> triangles, std::size_t points)
+        : begin_(points + 1, 0), corners_(3 * triangles.size()) {
+        for (const Triangle& triangle : triangles)
+            for (const std::uint32_t point : triangle) ++begin_[point + 1];
+        for (std::size_t p = 0; p < points; ++p) begin_[p + 1] += begin_[p];
+        std::vector<std::size_t> next(begin_.begin(), begin_.end() - 1);
+        for (std::size_t i = 0; i < corners_.size(); ++i)
+            corners_[next[triangles[i / 3][i % 3]]++] = std::uint32_t(i);
+    }
+    std::span<const std::uint32_t> at(std::uint32_t point) const {
+        return std::span(corners_).subspan(begin_[point], begin_[point + 1] - begin_[point]);
+    }
+
+  private:
+    std::vector<std::size_t> begin_;
+    std::vector<std::uint32_t> corners_;
+};
+
 /// The mean side of a texel, in mesh units.
 double mean_texel(const SolidAtlas& solid, const ShapeScene& shape) {
     double area = 0.0, texels = 1.0;
@@ -60,6 +81,7 @@ SurfaceLattice::SurfaceLattice(const SolidAtlas& solid, const TexelOwners& owner
     for (const std::uint32_t side : sides_) begin_.push_back(begin_.back() + point_count(side));
     least_ = 0.1 * mean_texel(solid, shape);
     take_values(shape, mask, options.stop);
+    if (options.for_slopes && !options.stop.stop_requested()) mend_corners(shape);
 }
 
 void SurfaceLattice::choose_sides(const SolidAtlas& solid, const TexelOwners& owners,
@@ -133,19 +155,58 @@ double SurfaceLattice::change(std::uint32_t triangle, const LatticePlace& at,
            double(high[axis] - low[axis]);
 }
 
-Vec3d SurfaceLattice::slope(const ShapeScene& shape, std::uint32_t triangle,
-                            const LatticeCell& cell) const {
-    if (shape.areas()[triangle] == 0.0) return Vec3d(0.0);
+/// The gradient at a cell by the triangle's own values.
+Vec3d SurfaceLattice::own_slope(std::uint32_t triangle, const LatticeCell& cell) const {
     Vec2d changes(0.0);
     for (int k = 0; k < 3; ++k)
         for (std::size_t axis = 0; axis < 2; ++axis)
             changes[int(axis)] +=
                 cell.weights[k] * change(triangle, cell.places[std::size_t(k)], axis);
-    const auto& [a, b, c] = shape.triangles()[triangle];
-    const double cells = shape.diagonal() / double(sides_[triangle]);
-    return gradient_along({cells * (shape.points()[b] - shape.points()[a]),
-                           cells * (shape.points()[c] - shape.points()[a])},
-                          changes, least_);
+    const auto& [b, c] = edges_[triangle];
+    const double cells = double(sides_[triangle]);
+    return gradient_along({b / cells, c / cells}, changes, least_);
+}
+
+Vec3d SurfaceLattice::slope(std::uint32_t triangle, const Vec3d& weights) const {
+    const Vec3d on = onto_triangle(weights);
+    Vec3d slope = own_slope(triangle, at(triangle, on));
+    for (int k = 0; k < 3; ++k) slope += on[k] * Vec3d(mends_[3 * triangle + std::size_t(k)]);
+    return slope;
+}
+
+/// Sets what the slopes of triangles lack, at their corners, of the means of all that meet there:
+/// each counts by its area and by how much it faces the same way, from 60 degrees on not at all.
+void SurfaceLattice::mend_corners(const ShapeScene& shape) {
+    const std::span<const Triangle> triangles = shape.triangles();
+    edges_.resize(triangles.size());
+    std::vector<Vec3d> own(3 * triangles.size(), Vec3d(0.0));
+    for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+        const auto& [a, b, c] = triangles[t];
+        edges_[t] = {shape.diagonal() * (shape.points()[b] - shape.points()[a]),
+                     shape.diagonal() * (shape.points()[c] - shape.points()[a])};
+        if (sides_[t] == 0) continue;
+        for (std::size_t k = 0; k < 3; ++k) {
+            Vec3d corner(0.0);
+            corner[int(k)] = 1.0;
+            own[3 * t + k] = own_slope(t, at(t, corner));
+        }
+    }
+    const PointCorners corners(triangles, shape.points().size());
+    mends_.assign(own.size(), Vec3f(0.0f));
+    const auto mend = [&](std::size_t i) {
+        const std::size_t t = i / 3;
+        if (sides_[t] == 0) return;
+        Vec3d sum(0.0);
+        double weights = 0.0;
+        for (const std::uint32_t j : corners.at(triangles[t][i % 3])) {
+            const double facing = glm::dot(shape.normals()[t], shape.normals()[j / 3]) - 0.5;
+            if (sides_[j / 3] == 0 || !(facing > 0.0)) continue;
+            sum += facing * shape.areas()[j / 3] * own[j];
+            weights += facing * shape.areas()[j / 3];
+        }
+        if (weights > 0.0) mends_[i] = Vec3f(sum / weights - own[i]);
+    };
+    for_each_index(mends_.size(), mend);
 }
 
 }  // namespace burl

@@ -54,23 +54,29 @@ class SurfaceLattice {
     /// The cell at these weights of the corners of a triangle that shows texels, in any lattice for
     /// slopes, or of a covered one. Negative weights become 0.
     LatticeCell at(std::uint32_t triangle, const Vec3d& weights) const;
-    /// The gradient along the triangle at the place of a cell, in mesh units: central differences
-    /// at its points, one-sided ones on the triangle's sides, and their mean. Along directions in
-    /// which a cell is much shorter than a tenth of a mean texel it fades to 0.
-    Vec3d slope(const ShapeScene& shape, std::uint32_t triangle, const LatticeCell& cell) const;
+    /// The gradient at these weights of a triangle that shows texels, in any lattice for slopes, in
+    /// mesh units: central differences at lattice points, one-sided ones on the triangle's sides,
+    /// and between them their mean, moved so that at the triangle's corners it is the mean over all
+    /// triangles that meet there and face about the same way. Along directions in which a cell is
+    /// much shorter than a tenth of a mean texel it fades to 0.
+    Vec3d slope(std::uint32_t triangle, const Vec3d& weights) const;
 
   private:
     void choose_sides(const SolidAtlas& solid, const TexelOwners& owners, const ShapeScene& shape,
                       const LatticeOptions& options);
     void take_values(const ShapeScene& shape, const PointMask& mask, const std::stop_token& stop);
+    void mend_corners(const ShapeScene& shape);
     float value(std::uint32_t triangle, const LatticePlace& at) const;
     double change(std::uint32_t triangle, const LatticePlace& at, std::size_t axis) const;
+    Vec3d own_slope(std::uint32_t triangle, const LatticeCell& cell) const;
 
     std::vector<std::uint32_t> sides_;  ///< cells along each triangle's edge; 0: no lattice
     std::vector<bool> covered_;
     std::vector<std::size_t> begin_;  ///< of each triangle's values, and the end of all
     std::vector<float> values_;
-    double least_ = 0.0;  ///< a tenth of a mean texel's side, in mesh units
+    double least_ = 0.0;                       ///< a tenth of a mean texel's side, in mesh units
+    std::vector<std::array<Vec3d, 2>> edges_;  ///< of each triangle, for slopes, in mesh units
+    std::vector<Vec3f> mends_;                 ///< of slopes at corners (3t+k), for slopes
 };
 
 }  // namespace burl

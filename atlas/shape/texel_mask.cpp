@@ -72,8 +72,7 @@ class RowMask {
         if (mask_.slopes)
             sloped.add(x, shape_.surface_point(triangle, weights));
         else
-            field.slopes(x, y) =
-                stored(lattice_->slope(shape_, triangle, lattice_->at(triangle, weights)));
+            field.slopes(x, y) = stored(lattice_->slope(triangle, weights));
     }
 
     std::optional<float> interpolated(std::uint32_t triangle, const Vec3d& weights) const {

@@ -113,7 +113,9 @@ TEST(MaskStage, AStopLeavesNothingThatIsNotWhole) {
     std::stop_source during;
     std::jthread stopper([&] { during.request_stop(); });
     const Image<Rgb8>* shown = pipeline.picture<Rgb8>(0, during.get_token());
-    if (shown) EXPECT_EQ(*shown, whole);
+    if (shown) {
+        EXPECT_EQ(*shown, whole);
+    }
     const Image<Rgb8>* after = pipeline.picture<Rgb8>();
     ASSERT_NE(after, nullptr);
     EXPECT_EQ(*after, whole);

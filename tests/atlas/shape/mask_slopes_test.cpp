@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include "atlas/build/mesh_atlas.h"
 #include "atlas/shape/crease_edges.h"
 #include "atlas/shape/curvature.h"
 #include "atlas/shape/nearest_surface.h"
@@ -12,12 +11,13 @@
 #include "atlas/shape/point_masks.h"
 #include "atlas/shape/texel_mask.h"
 #include "tests/atlas/support/made_shapes.h"
+#include "tests/atlas/support/shown_mesh.h"
 
 namespace burl {
 namespace {
 
-using Points = std::span<const ShapePoint>;
-using Values = std::span<float>;
+using AskedPoints = std::span<const ShapePoint>;
+using AskedValues = std::span<float>;
 
 /// Compares gradients of a mask with its differences, in double over a step of 1e-3, along two
 /// directions of each triangle.
@@ -72,16 +72,18 @@ TEST(MaskSlopes, OfAttributesAndNormalsAreThoseOfTheirInterpolation) {
     };
     for (int c = 0; c < 4; ++c)
         expect_gradients(
-            shape, [&](Points p, std::span<Vec3d> s) { vertex_color_slopes(mesh, shape, c, p, s); },
+            shape,
+            [&](AskedPoints p, std::span<Vec3d> s) { vertex_color_slopes(mesh, shape, c, p, s); },
             [&](std::uint32_t t, const Vec3d& p) { return sum(t, p, mesh.corners.colors)[c]; },
             1e-12);
     for (int c = 0; c < 2; ++c)
         expect_gradients(
-            shape, [&](Points p, std::span<Vec3d> s) { vertex_uv_slopes(mesh, shape, c, p, s); },
+            shape,
+            [&](AskedPoints p, std::span<Vec3d> s) { vertex_uv_slopes(mesh, shape, c, p, s); },
             [&](std::uint32_t t, const Vec3d& p) { return sum(t, p, mesh.corners.uvs)[c]; }, 1e-12);
     const Vec3d direction(0.48, -0.6, 0.64);
     expect_gradients(
-        shape, [&](Points p, std::span<Vec3d> s) { facing_slopes(shape, p, direction, s); },
+        shape, [&](AskedPoints p, std::span<Vec3d> s) { facing_slopes(shape, p, direction, s); },
         [&](std::uint32_t t, const Vec3d& p) {
             return glm::dot(direction, glm::normalize(Vec3d(sum(t, p, mesh.corners.normals))));
         },
@@ -118,40 +120,20 @@ TEST(MaskSlopes, OfDistanceToEdgesLeadAwayFromTheNearest) {
     EXPECT_EQ(slopes[3], Vec3d(0.0));
 }
 
-struct Shown {
-    Mesh mesh;
-    Atlas atlas;
-    SolidAtlas solid;
-    ShapeScene shape;
-};
-
-Shown shown(const Mesh& input, AtlasKind kind, std::uint32_t size) {
-    AtlasOptions options;
-    options.kind = kind, options.size = size;
-    const MeshAtlas atlas = build_atlas(input, build_connectivity(input), options);
-    const Mesh& mesh = atlas.mesh(input);
-    return {mesh, atlas.atlas(), rasterize(input, atlas, mesh.positions), ShapeScene(mesh)};
-}
-
 /// Calls visit(gradient, point of the surface) for all texels of a mask with its gradients.
 template <class Visit>
 void for_slopes(const Shown& all, const ShapeMask& mask, TexelMaskOptions options,
                 const Visit& visit) {
     options.slopes = true;
-    const TexelOwners owners(all.solid, all.atlas, OwnerReach::gutters);
-    const TexelField field = texel_mask(all.solid, owners, all.shape, mask, options);
-    for (std::uint32_t y = 0; y < all.solid.size; ++y)
-        for (const Span& span : all.solid.row(y))
-            for (std::uint32_t x = span.x; x < span.x + span.count; ++x) {
-                const std::uint32_t t = owners(x, y, span.map);
-                const Vec3d p = all.solid.maps[span.map](x, y);
-                visit(field.slope(x, y), all.shape.surface_point(t, all.shape.weights_at(t, p)));
-            }
+    const TexelField field = texel_mask(all.solid, all.owners(), all.shape, mask, options);
+    for_texels(all, [&](auto x, auto y, auto t, const Vec3d& weights) {
+        visit(field.slope(x, y), all.shape.surface_point(t, weights));
+    });
 }
 
 TEST(MaskSlopes, ThatAreDifferencesAreRightForALinearMask) {
     const Vec3d along(0.3, -0.2, 1.0);
-    const PointMask height = [&](Points points, Values values) {
+    const PointMask height = [&](AskedPoints points, AskedValues values) {
         for (std::size_t i = 0; i < points.size(); ++i)
             values[i] = float(2.0 + glm::dot(along, points[i].position));
     };
@@ -170,8 +152,8 @@ TEST(MaskSlopes, ThatAreDifferencesAreRightForALinearMask) {
 
 TEST(MaskSlopes, AClosedFormIsTakenWhereThereIsOne) {
     const Shown all = shown(made::torus(1.0, 0.4, 16, 12), AtlasKind::quad, 64);
-    const ShapeMask mask{[](Points, Values values) { std::ranges::fill(values, 1.0f); },
-                         [](Points points, std::span<Vec3d> slopes) {
+    const ShapeMask mask{[](AskedPoints, AskedValues values) { std::ranges::fill(values, 1.0f); },
+                         [](AskedPoints points, std::span<Vec3d> slopes) {
                              for (std::size_t i = 0; i < points.size(); ++i)
                                  slopes[i] = points[i].position;
                          }};
@@ -185,7 +167,7 @@ TEST(MaskSlopes, ASliverMakesNoCliffOfNoise) {
     const Mesh mesh = made::mesh_of({{0, 0, 0}, {1, 0, 0}, {0.5, 1e-6, 0}, {0.5, 1, 0}},
                                     {{0, 1, 2}, {0, 2, 3}, {1, 3, 2}});
     const Shown all = shown(mesh, AtlasKind::quad, 64);
-    const PointMask noise = [](Points points, Values values) {
+    const PointMask noise = [](AskedPoints points, AskedValues values) {
         for (std::size_t i = 0; i < points.size(); ++i)
             values[i] = float(std::fmod(1e6 * std::abs(points[i].position.y), 1.0) * 0.01);
     };
@@ -204,13 +186,13 @@ TEST(MaskSlopes, OfOcclusionBesideAWallAreKnown) {
     const ShapeScene shape(mesh);
     const auto truth = [](double x) { return 0.5 / std::pow(x * x + 1.0, 1.5); };
     const ShapeMask open{
-        [&](Points points, Values values) { occlusion(shape, points, {2048}, values); }};
+        [&](AskedPoints points, AskedValues values) { occlusion(shape, points, {2048}, values); }};
     std::vector<ShapePoint> points;
     for (double x = 0.2; x < 1.5; x += 0.1)
         points.push_back(made::point_at(shape, 0, {x, -far / 2.0, 0}));
     std::vector<Vec3d> slopes(points.size());
     // A long step: rays leave noise of a thousandth.
-    mask_slopes(shape, open, points, 0.4, slopes);
+    mask_slopes(NearestSurface(shape), open, points, 0.1, slopes);
     double sum = 0.0;
     for (std::size_t i = 0; i < points.size(); ++i)
         sum += std::abs(slopes[i].x - truth(points[i].position.x));
@@ -220,7 +202,7 @@ TEST(MaskSlopes, OfOcclusionBesideAWallAreKnown) {
 TEST(MaskSlopes, OfCurvatureAreDifferencesOfTheMask) {
     const Shown all = shown(made::cuboid({0, 0, 0}, {1, 1, 1}), AtlasKind::quad, 256);
     const CurvatureTree tree(all.shape);
-    const PointMask curved = [&](Points points, Values values) {
+    const PointMask curved = [&](AskedPoints points, AskedValues values) {
         curvature(tree, points, 0.2, values);
     };
     double square = 0.0, error = 0.0;

@@ -11,14 +11,14 @@ namespace burl {
 namespace {
 
 /// A flat sheet of 6 x 6 squares, a planar patch of many triangles.
-Mesh flat_grid() {
+Mesh level_sheet() {
     Mesh mesh = made::grid(6, 6);
     for (Vec3d& p : mesh.positions) p.z = 0.0;
     return mesh;
 }
 
 /// Weights of a triangle's corners at a point of the plane z = 0.
-Vec3d weights_of(const Mesh& mesh, std::uint32_t triangle, const Vec3d& p) {
+Vec3d corner_weights(const Mesh& mesh, std::uint32_t triangle, const Vec3d& p) {
     const auto& [i, j, k] = mesh.triangles[triangle];
     const Vec3d a = mesh.positions[i], u = mesh.positions[j] - a, v = mesh.positions[k] - a;
     const double area = u.x * v.y - u.y * v.x;
@@ -32,7 +32,7 @@ double least(const Vec3d& v) {
 }
 
 TEST(TexelOwners, OnAFlatPatchAreTheTrianglesThatTheTexelsPointsLieIn) {
-    const Mesh input = flat_grid();
+    const Mesh input = level_sheet();
     for (const AtlasKind kind : {AtlasKind::patch, AtlasKind::quad, AtlasKind::length})
         for (const std::uint32_t level : {0u, 1u}) {
             AtlasOptions options;
@@ -46,7 +46,8 @@ TEST(TexelOwners, OnAFlatPatchAreTheTrianglesThatTheTexelsPointsLieIn) {
                 for (const Span& span : solid.row(y))
                     for (std::uint32_t x = span.x; x < span.x + span.count; ++x) {
                         const Vec3d p = solid.maps[span.map](x, y);
-                        const double within = least(weights_of(mesh, owners(x, y, span.map), p));
+                        const double within =
+                            least(corner_weights(mesh, owners(x, y, span.map), p));
                         ++texels;
                         if (glm::min(p.x, p.y) < 0.01 || glm::max(p.x, p.y) > 0.99) continue;
                         // Beyond it by a gutter's width, where the neighbour is in another chart.
@@ -58,7 +59,7 @@ TEST(TexelOwners, OnAFlatPatchAreTheTrianglesThatTheTexelsPointsLieIn) {
 }
 
 TEST(TexelOwners, GuttersBelongToTheNearestTriangleOfTheirOwnChart) {
-    const Mesh input = flat_grid();
+    const Mesh input = level_sheet();
     AtlasOptions options;
     options.size = 512;  // gutters of four texels
     const MeshAtlas atlas = build_atlas(input, build_connectivity(input), options);
