@@ -69,7 +69,7 @@ std::uint32_t ViewSource::source(std::uint32_t level) const {
 }
 
 MaskImages ViewSource::color_masks(const SolidAtlas& level) const {
-    return masks ? masks(level, recipe.texture, GraphOutput::color) : MaskImages();
+    return masks ? masks(level, recipe.texture, GraphOutput::color, {}) : MaskImages();
 }
 
 SolidAtlas ViewSource::level(std::uint32_t number) const {

@@ -99,7 +99,7 @@ void ViewPictures::make_material(const TexelSet& texels, ViewWork& work) {
         part, recipe.texture, plans, texture_from_solid(recipe), recipe.filter,
         options_.way.threads, recipe.precision.kind.value_or(PrecisionKind::float32),
         {options_.skips, &work.synthesis},
-        source_.masks(source_.solid, recipe.texture, GraphOutput::planes));
+        source_.masks(source_.solid, recipe.texture, GraphOutput::planes, {}));
     SceneTexture& color = made_[material_.texture];
     color = texture_of(std::move(images[0]), is_transparent(recipe) ? 4 : 3);
     paint_over(part, recipe.paint, options_.way.threads, color.image);
@@ -120,7 +120,7 @@ void ViewPictures::make_normals(const TexelSet& texels) {
         {mesh, source_.layout.atlas(), frames.positions, frames.normals, frames.tangents},
         recipe.bump, texture_from_solid(recipe), recipe.filter, options_.way.threads,
         graph_precision(recipe),
-        source_.masks(source_.solid, recipe.bump.input, GraphOutput::color));
+        source_.masks(source_.solid, recipe.bump.input, GraphOutput::color, {}));
 }
 
 }  // namespace burl
