@@ -6,6 +6,7 @@
 #include "app/base/stopwatch.h"
 #include "app/gl/draw/view_scene.h"
 #include "app/pipeline/material.h"
+#include "app/scene/up_axis.h"
 #include "app/surface/tangents.h"
 #include "atlas/base/error.h"
 #include "atlas/build/block_levels.h"
@@ -158,7 +159,8 @@ LazyPicture render_lazily(GlContext& context, Pipeline& pipeline, const View& vi
     LazyPicture result;
     const ViewSource source{pipeline.mesh_atlas(), pipeline.solid(), pipeline.recipe(),
                             options.rule, pipeline.masks()};
-    const Scene scene = baked_scene(pipeline, options.crease_degrees, options.pose);
+    Scene scene = baked_scene(pipeline, options.crease_degrees, options.pose);
+    turn(scene, options.upright);
     const SceneMaterial& material = baked_material(scene);
     const Camera camera = orbit_camera(view, bounding_sphere(scene), options.picture.size);
     GlScene drawn(context.gl(), scene, options.filter);

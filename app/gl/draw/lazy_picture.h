@@ -72,6 +72,7 @@ struct LazyOptions {
     HostWay way{};
     double crease_degrees = 40.0;
     const MeshPose* pose = nullptr;  ///< a pose of the pipeline's mesh; null: none
+    Mat4d upright{1.0};              ///< the turn of the scene (app/scene/up_axis.h)
     std::uint32_t cell = view_cell;
     Skips skips{};  ///< Skip::unseen_tiles forbidden: the whole atlas is synthesised
 };
