@@ -12,6 +12,8 @@ namespace burl {
 
 namespace {
 
+constexpr double most_gif_rate = 50.0;
+
 class PngFrames : public FrameWriter {
   public:
     explicit PngFrames(std::vector<std::string> paths) : paths_(std::move(paths)) {}
@@ -61,6 +63,14 @@ PictureFormat picture_format(const std::string& path) {
     throw Error(
         ExitCode::usage,
         fmt::format("{}: the name of a picture must end in .png, .webp, .gif or .apng", path));
+}
+
+void check_rate(const std::string& path, const FrameFile& file) {
+    if (picture_format(path) == PictureFormat::gif && file.frames > 1 && file.rate > most_gif_rate)
+        throw Error(ExitCode::usage,
+                    fmt::format("{}: viewers slow down a .gif of more than {} frames a second; "
+                                "make --fps less, or write a .webp",
+                                path, most_gif_rate));
 }
 
 std::unique_ptr<FrameWriter> png_writer(std::vector<std::string> paths) {

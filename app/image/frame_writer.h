@@ -46,9 +46,12 @@ class FrameWriter {
     virtual void commit() = 0;
 };
 
+/// Throws Error(usage) for a rate that the format cannot have: viewers slow a .gif down that has
+/// more than 50 frames a second.
+void check_rate(const std::string& path, const FrameFile& file);
+
 /// Writers of a single animated file, which plays over and over. A single picture is a still in
-/// .webp and .gif. Throws Error: io as AtomicFile does, usage for a rate that the format cannot
-/// have (.gif: at most 50).
+/// .webp and .gif. Throws Error: io as AtomicFile does, and as check_rate does.
 std::unique_ptr<FrameWriter> webp_writer(const std::string& path, const FrameFile& file);
 std::unique_ptr<FrameWriter> gif_writer(const std::string& path, const FrameFile& file);
 std::unique_ptr<FrameWriter> apng_writer(const std::string& path, const FrameFile& file);

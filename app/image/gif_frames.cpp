@@ -16,7 +16,6 @@ namespace burl {
 namespace {
 
 constexpr int hundredths = 100;           // ticks of a GIF's second
-constexpr double most_gif_rate = 50.0;    // viewers slow down what is shorter than two ticks
 constexpr std::uint8_t half_alpha = 128;  // below it a pixel is transparent
 constexpr std::size_t most_gif_side = 65535;
 
@@ -164,11 +163,7 @@ class GifFrames : public FrameWriter {
 }  // namespace
 
 std::unique_ptr<FrameWriter> gif_writer(const std::string& path, const FrameFile& file) {
-    if (file.frames > 1 && file.rate > most_gif_rate)
-        throw Error(ExitCode::usage,
-                    fmt::format("{}: a .gif shows at most {} frames a second; leave --fps below, "
-                                "or write a .webp",
-                                path, most_gif_rate));
+    check_rate(path, file);
     return std::make_unique<GifFrames>(path, file);
 }
 

@@ -72,7 +72,7 @@ SheetGrid sheet_grid(std::size_t count, std::size_t columns, const PngSize& pict
     const auto square = std::size_t(std::ceil(std::sqrt(double(count))));
     grid.columns = std::min(count, columns > 0 ? columns : square);
     grid.rows = (count + grid.columns - 1) / grid.columns;
-    grid.text_scale = std::max<std::size_t>(1, picture.width / 320);
+    grid.text_scale = std::max<std::size_t>(1, picture.width / 300);
     grid.cell_width = picture.width;
     grid.cell_height = picture.height + text_height(grid.text_scale);
     return grid;

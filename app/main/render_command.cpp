@@ -167,6 +167,7 @@ void RenderCommand::complete() {
                     "--frames: a scene that is drawn stands still; say how the camera moves, as "
                     "--animate camera.azimuth=0:360, or use --turntable");
     file.frames = std::max(1, animation.frames);
+    check_rate(out, file);
     if (!is_sheet()) return;
     recipes = recipes_named(recipes);
     if (!options.size) options.size = sheet_cell_size;

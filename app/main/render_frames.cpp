@@ -1,6 +1,7 @@
 #include "app/main/render_frames.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -172,7 +173,6 @@ RenderedFrames lazy_frames(const RenderCommand& command, CommandFiles& files) {
             const DirectOptions cell = command.cell(i);
             std::vector<Recipe> recipes = lazy_recipes(command, cell, lazy->pipeline.mesh());
             files.read(files_of_recipe(cell.recipe.recipe, recipes.front()));
-            result.names.push_back(recipes.front().name);
             lazy->cells.push_back(std::move(recipes));
         });
     if (!options.pose.empty()) {
@@ -216,7 +216,6 @@ RenderedFrames direct_frames(const RenderCommand& command, CommandFiles& files) 
             const DirectOptions cell = command.cell(i);
             cells.push_back(picture_recipes(cell, command.animation));
             read_recipes(cell, cells.back().front(), files);
-            result.names.push_back(cells.back().front().main.name);
         });
     const auto direct = std::make_shared<DirectFrames>(
         DirectFrames{DirectPicture(command.options), command.frame_views(), std::move(cells)});
@@ -226,6 +225,15 @@ RenderedFrames direct_frames(const RenderCommand& command, CommandFiles& files) 
     return result;
 }
 
+/// The names below the cells: as they are typed, of files without folder and extension.
+std::vector<std::string> sheet_names(const RenderCommand& command) {
+    std::vector<std::string> names;
+    for (const std::string& recipe : command.recipes)
+        names.push_back(names_preset(recipe) ? recipe
+                                             : std::filesystem::path(recipe).stem().string());
+    return names;
+}
+
 /// Draws a frame: its picture, or its sheet.
 Picture draw_frame(const RenderCommand& command, const RenderedFrames& frames, std::size_t frame,
                    const SheetGrid& grid) {
@@ -233,7 +241,7 @@ Picture draw_frame(const RenderCommand& command, const RenderedFrames& frames, s
     std::vector<Picture> pictures;
     for (std::size_t i = 0; i < command.cells(); ++i)
         pictures.push_back(in_cell(command, i, [&] { return frames.draw(frame, i); }));
-    return sheet_of(pictures, frames.names, grid);
+    return sheet_of(pictures, sheet_names(command), grid);
 }
 
 /// The grid of a command's sheet. Throws Error(usage) where it is larger than a picture can be.

@@ -2,8 +2,6 @@
 // The pictures of `burl render` by whatever draws them: a scene through OpenGL, a recipe on a mesh
 // as if baked (--lazy), or the texture itself (--direct).
 #include <functional>
-#include <string>
-#include <vector>
 
 #include "app/export/command_files.h"
 #include "app/main/render_command.h"
@@ -13,8 +11,6 @@ namespace burl {
 /// A command's pictures: frames, each of cells.
 struct RenderedFrames {
     std::function<Picture(std::size_t frame, std::size_t cell)> draw;
-    /// Per cell the name of its recipe; empty for a scene.
-    std::vector<std::string> names{};
     /// Writes the report of --report on all pictures so far; null where none is asked for.
     std::function<void()> write_report{};
 };
