@@ -2,7 +2,7 @@
 # Makes all pictures of README.md and docs/guide/ anew, by Burl itself; those of materials are Blender's (materials.sh).
 #   docs/images/make.sh build/release/bin            all of them
 #   docs/images/make.sh build/release/bin PART...    some: teapot atlases bumps turntable sheet editor tour figures materials
-# Debian's packages netpbm (bumps), webp (tour, materials) and blender (materials) are needed.
+# Debian's packages netpbm (atlases, bumps), webp (tour, materials) and blender (materials) are needed.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 bin=$(cd "${1:?the folder of the programs is missing, such as build/release/bin}" && pwd)
@@ -22,23 +22,20 @@ teapot() { # README, docs/guide/first-bake.md
 atlases() { # docs/guide/atlases.md, docs/reference/atlases.md
     "$burl" metrics sample:teapot --atlas all --levels --size 512 --image "$scratch/teapot" >"$scratch/metrics"
     local kind
-    for kind in area quad patch; do
-        cp "$scratch/teapot-$kind-charts.png" "$here/$kind-charts.png"
-        cp "$scratch/teapot-$kind-levels.png" "$here/$kind-levels.png"
+    for kind in {area,quad,patch}-{charts,levels} {area,patch}-scale; do
+        pngtopnm "$scratch/teapot-$kind.png" | pamscale 0.5 | pnmquant -quiet 256 | pnmtopng -compression 9 >"$here/$kind.png"
     done
-    cp "$scratch/teapot-area-scale.png" "$here/area-scale.png"
-    cp "$scratch/teapot-patch-scale.png" "$here/patch-scale.png"
 }
 
 bumps() { # docs/guide/bumps.md, docs/reference/bump.md
-    local mesh recipe size
-    while read -r mesh recipe size; do
-        "$burl" render "sample:$mesh" --lazy --recipe "$recipe" --view 30,25,3 --size "$size" --supersample 3 -o "$scratch/$mesh.png"
-    done <<<'teapot hammered 240x180
-torus orange-peel 210x180
-king carved-wood 90x180'
-    "$burl" bake sample:teapot -o "$scratch/hammered.png" --recipe hammered --size 1024 --quiet
-    pngtopnm "$scratch/hammered_normal.png" | pamcut -left 320 -top 320 -width 90 -height 180 >"$scratch/normals.ppm"
+    local mesh recipe size view
+    while read -r mesh recipe size view; do
+        "$burl" render "sample:$mesh" --lazy --recipe "$recipe" --view "$view" --size "$size" --supersample 3 -o "$scratch/$mesh.png"
+    done <<<'teapot hammered 240x180 30,20,2.6
+torus orange-peel 210x180 30,40,3.2
+king carved-wood 90x180 30,15,3.5'
+    "$burl" bake sample:teapot -o "$scratch/hammered.png" --recipe hammered --size 512 --quiet
+    pngtopnm "$scratch/hammered_normal.png" | pamcut -left 160 -top 160 -width 90 -height 180 >"$scratch/normals.ppm"
     local picture
     for picture in teapot torus king; do pngtopnm "$scratch/$picture.png" >"$scratch/$picture.ppm"; done
     pnmcat -lr "$scratch"/{teapot,torus,king,normals}.ppm | pnmtopng -compression 9 >"$here/bumps.png"
@@ -50,7 +47,7 @@ turntable() { # docs/guide/pictures.md
 }
 
 sheet() { # docs/guide/pictures.md
-    "$burl" render sample:bust --lazy --recipes 'oak,walnut,*marble,granite-*,malachite' --columns 4 --size 200x250 \
+    "$burl" render sample:bust --lazy --recipes 'oak,walnut,carrara,nero-marquina,granite-*,malachite,lapis' --columns 4 --size 200x250 \
         --view 30,12,3.4 --supersample 3 -o "$here/sheet.webp"
 }
 
