@@ -12,7 +12,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/options/idle_options.h"
-#include "app/recipe/images.h"
+#include "app/recipe/edit/images.h"
 #include "app/recipe/lattice_check.h"
 #include "app/scene/up_axis.h"
 #include "app/surface/normals.h"
@@ -234,6 +234,7 @@ void DirectOptions::add(CLI::App& verb) {
                     "--direct: none, table-mip, table-sat, table-sat3, exact or trapezoid "
                     "(default: none for the mesh, trapezoid for planes)");
     verb.add_flag("--unlit", unlit, "Show the texture's colours without light");
+    light.add(verb);
     verb.add_option("--supersample", picture.supersample, "n: n x n samples per pixel")
         ->check(CLI::Range(1, max_supersample))
         ->capture_default_str();
@@ -261,6 +262,14 @@ PictureOptions DirectOptions::picture_options() const {
     PictureOptions options = picture;
     if (size) options.size = parse_picture_size(*size);
     options.lit = !unlit;
+    options.background = light.background_asked();
+    options.ground = light.ground;
+    if (const std::string given = light.given(); unlit && !given.empty())
+        throw Error(ExitCode::usage,
+                    fmt::format("{} is about light, and --unlit draws without; leave one of them "
+                                "out",
+                                given));
+    if (!unlit) options.light = light.light_options();
     return options;
 }
 

@@ -9,6 +9,7 @@
 #include "app/direct/render.h"
 #include "app/options/animation.h"
 #include "app/options/command_options.h"
+#include "app/options/light.h"
 #include "atlas/read/pose.h"
 
 namespace burl {
@@ -23,13 +24,15 @@ struct PlaneArgument {
 /// length 1. Throws Error(usage).
 PlaneArgument parse_plane(const std::string& text);
 
-/// Options of `burl render`. The scene, --view, --up, --size, --filter, --unlit and --supersample
-/// apply to every picture; the others to --direct and, except --plane and --widths, to --lazy.
+/// Options of `burl render`. The scene, --view, --up, --size, --filter, --unlit, --supersample and
+/// the options of light apply to every picture; the others to --direct and, except --plane and
+/// --widths, to --lazy.
 struct DirectOptions {
     std::string scene;  ///< a mesh (file or "sample:NAME"); may be empty where there are planes
     std::optional<std::string> view, size, filter;
     std::string up = "y";  ///< the axis that is up in the picture (app/scene/up_axis.h)
     PictureOptions picture;
+    LightArguments light;
     bool unlit = false;
 
     std::vector<std::string> planes;
@@ -42,7 +45,7 @@ struct DirectOptions {
     void add(CLI::App& verb);
     /// The value of --view, or the default view. Throws Error(usage).
     View parsed_view() const;
-    /// The options `picture` with --size and --unlit applied. Throws Error(usage).
+    /// The options `picture` with --size, --unlit and those of light applied. Throws Error(usage).
     PictureOptions picture_options() const;
 };
 

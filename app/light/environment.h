@@ -36,6 +36,9 @@ Environment load_environment(const std::string& path);
 /// The environment turned by `azimuth` degrees about +y: a light along +z comes from +x after 90.
 Environment turned(const Environment& environment, double azimuth);
 
+/// The light from a direction of any length but 0: bilinear between the pixels' centres.
+Vec3d light_from(const Environment& environment, const Vec3d& direction);
+
 /// The point of the equirectangular map that a direction of any length sees: u, v in 0..1, v = 0
 /// up.
 Vec2d equirectangular(const Vec3d& direction);

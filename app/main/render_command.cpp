@@ -32,8 +32,8 @@ void add_modes(CLI::App& verb, RenderCommand& command) {
                     "Write what --lazy worked out as JSON to this file (- for stdout)")
         ->needs(lazy);
     verb.add_option("--level-rule", command.level_rule,
-                    "How --lazy makes MIP levels, as burl bake does: average, direct or direct:N")
-        ->capture_default_str()
+                    "How --lazy makes MIP levels, as burl bake does: average, direct or direct:N "
+                    "(default direct)")
         ->needs(lazy);
     command.economy.add_skips(verb);
     verb.get_option("--no-skip")->needs(lazy);

@@ -1,5 +1,6 @@
 #pragma once
 // The command line of `burl render`: what is drawn, from where, how often, and into which file.
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,7 +20,8 @@ struct RenderCommand {
     int turntable = 0;                 ///< frames of one turn of the camera; 0: none
     std::vector<std::string> recipes;  ///< the texts of --recipes; none: one picture of --recipe
     std::size_t columns = 0;           ///< of a sheet; 0: as many as rows, about
-    std::string out, report, level_rule = "direct", platform;
+    std::string out, report, platform;
+    std::optional<std::string> level_rule;
     bool direct = false, lazy = false;
     /// The moves of the camera, which complete() takes out of `animation`.
     CameraMoves camera;

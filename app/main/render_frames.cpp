@@ -16,7 +16,9 @@
 #include "app/image/sheet.h"
 #include "app/measure/report.h"
 #include "app/options/idle_options.h"
+#include "app/pipeline/material.h"
 #include "app/recipe/lattice_check.h"
+#include "app/recipe/presets.h"
 #include "app/scene/scene.h"
 #include "app/scene/up_axis.h"
 #include "app/surface/sample_meshes.h"
@@ -52,6 +54,12 @@ auto in_cell(const RenderCommand& command, std::size_t cell, const Make& make) {
     }
 }
 
+/// The picture with its alpha where the background is transparent, else without.
+Picture shown(Image<Rgba8> picture, const PictureOptions& options) {
+    if (options.background.kind == Background::Kind::transparent) return picture;
+    return colors_and_alpha(std::move(picture)).first;
+}
+
 /// A scene that is uploaded once for all frames.
 struct DrawnScene {
     Scene scene;
@@ -59,11 +67,12 @@ struct DrawnScene {
     PictureOptions picture;
     Sphere sphere;
     std::unique_ptr<GlContext> context;
+    std::optional<GlSurroundings> around{};
     std::optional<GlScene> uploaded{};
 
     Picture draw(std::size_t frame) const {
         const Camera camera = orbit_camera(views[frame], sphere, picture.size);
-        return render_scene(*context, *uploaded, camera, picture);
+        return shown(render_picture(*context, *uploaded, *around, camera, picture), picture);
     }
 };
 
@@ -87,6 +96,7 @@ RenderedFrames scene_frames(const RenderCommand& command, CommandFiles& files) {
     drawn->sphere = bounding_sphere(drawn->scene);
     drawn->context = create_gl_context(command.platform);
     drawn->context->make_current();
+    drawn->around.emplace(drawn->context->gl(), drawn->scene, drawn->picture);
     drawn->uploaded.emplace(drawn->context->gl(), drawn->scene, filter);
     return {[drawn](std::size_t frame, std::size_t) { return drawn->draw(frame); }};
 }
@@ -105,7 +115,7 @@ struct LazyFrames {
         pipeline.set_recipe(cells[cell][frame]);
         LazyPicture drawn = render_lazily(*context, pipeline, views[frame], options);
         add(drawn);
-        return std::move(drawn.picture);
+        return shown(std::move(drawn.picture), options.picture);
     }
     void add(const LazyPicture& drawn);
 };
@@ -142,9 +152,17 @@ LazyOptions lazy_options(const RenderCommand& command) {
     lazy.filter = lookup_of_options(options);
     lazy.crease_degrees = options.crease;
     lazy.skips = command.economy.skips();
-    lazy.rule = level_rule_named(command.level_rule);
+    lazy.rule = level_rule_named(command.level_rule.value_or("direct"));
     lazy.upright = upright(options.up);
     return lazy;
+}
+
+/// Throws Error(usage) for --level-rule of a material whose pictures have no levels of their own.
+void check_rule(const RenderCommand& command, const Recipe& recipe) {
+    if (command.level_rule && has_pictures(recipe, Packing::gltf))
+        throw Error(ExitCode::usage,
+                    "--level-rule does nothing: the recipe's material varies in more than colour, "
+                    "and its pictures have no MIP levels but OpenGL's averages; leave it out");
 }
 
 /// The recipes of a cell's frames, checked for the mesh.
@@ -153,9 +171,17 @@ std::vector<Recipe> lazy_recipes(const RenderCommand& command, const DirectOptio
     const std::vector<std::string>& moves = command.animation.keys;
     std::vector<Recipe> frames = frame_recipes(options.recipe, command.animation);
     check_edits(options.recipe, frames.front(), moves);
+    check_rule(command, frames.front());
     if (options.pose.empty()) refuse_edits(options.recipe, {&idle_pose, 1}, moves);
     for (const Recipe& recipe : frames) check_lattice(recipe, mesh);
     return frames;
+}
+
+/// The light of all pictures.
+std::shared_ptr<const GlLight> shared_light(GlContext& context, PictureOptions options) {
+    options.ground = false, options.background = {};
+    context.make_current();
+    return GlSurroundings(context.gl(), Scene{}, options).light();
 }
 
 RenderedFrames lazy_frames(const RenderCommand& command, CommandFiles& files) {
@@ -180,6 +206,7 @@ RenderedFrames lazy_frames(const RenderCommand& command, CommandFiles& files) {
         lazy->options.pose = &*lazy->pose;
     }
     lazy->context = create_gl_context(command.platform);
+    lazy->options.light = shared_light(*lazy->context, lazy->options.picture);
     if (!command.report.empty())
         result.write_report = [lazy, path = command.report] {
             write_json(path, work_json(lazy->sum, lazy->cells.size() * lazy->views.size()));

@@ -20,6 +20,7 @@ void run_render(const RenderCommand& command) {
     CommandFiles files;
     files.read(files_of_mesh(command.options.scene));
     if (is_pose_file(command.options.pose)) files.read(files_of_mesh(command.options.pose));
+    files.read(command.options.light.files());
     for (const std::string& path : command.paths()) files.write(path);
     if (!command.report.empty() && command.report != "-") files.write(command.report);
     write_frames(command, rendered_frames(command, files));

@@ -6,7 +6,7 @@
 
 #include <fnmatch.h>
 
-#include "app/recipe/recipe.h"
+#include "app/recipe/presets.h"
 #include "atlas/base/error.h"
 
 namespace burl {

@@ -214,8 +214,8 @@ TEST_F(RenderRecipes, RefuseInOneSentenceAndWriteNothing) {
         {"--direct sample:cube -o a.png --recipes * --size 4000x4000", "with --size"},
         {"--direct sample:cube -o a.png -r forming-marble --frames 3 --time 1", "--time is one"},
         {"--direct sample:cube -o a.png -r wood --turntable 3 --time 1", "has keys"},
-        {"--lazy sample:cube -o a.webp --recipes moonlit-clouds,wood",
-         "moonlit-clouds: --lazy does not draw"},
+        {"--lazy sample:cube -o a.webp --recipes wood,oak --level-rule direct",
+         "oak: --level-rule does nothing"},
     };
     for (const auto& [arguments, hint] : cases) {
         const std::size_t before = scratch.files();

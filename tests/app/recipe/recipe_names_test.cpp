@@ -3,7 +3,7 @@
 
 #include <gmock/gmock.h>
 
-#include "app/recipe/recipe.h"
+#include "app/recipe/presets.h"
 #include "atlas/base/error.h"
 
 namespace burl {

@@ -1,0 +1,19 @@
+#pragma once
+// What a surface reflects of white light from all sides, by the angle of the view: the second of
+// the two sums of Karis, "Real Shading in Unreal Engine 4", 2013, and the same of sheen.
+#include "atlas/base/image.h"
+#include "atlas/base/vec.h"
+
+namespace burl {
+
+/// The table, 64 x 64. Column: n.v, row: perceptual roughness, both from texel centres. x and y are
+/// scale and bias of F0 in what a GGX surface with Smith's correlated masking reflects; their sum
+/// is the directional albedo E of a surface with F0 = 1. z is the directional albedo of Charlie
+/// sheen of colour 1 and that roughness, at most 1. It is computed at the first call, in about 0.2
+/// seconds.
+const Image<Vec3f>& reflectance_table();
+
+/// The values of the table at n.v and roughness, bilinear, clamped.
+Vec3d reflectance(double cosine, double roughness);
+
+}  // namespace burl
