@@ -36,8 +36,11 @@ void for_points(Pipeline& pipeline, const Visit& visit) {
         for (const Span& span : solid.row(y))
             for (std::uint32_t x = span.x; x < span.x + span.count; ++x) {
                 if (++texel % 7 != 0) continue;
-                const std::uint32_t t = owners(x, y, span.map);
                 const Vec3d p = (solid.maps[span.map](x, y) - map.offset) / map.linear[0][0];
+                const std::uint32_t shows = solid.triangle_of(span.map);
+                const Vec3d there = scene.weights_at(shows, p);
+                const bool inside = std::min({there.x, there.y, there.z}) >= 0.0;
+                const std::uint32_t t = inside ? shows : owners(x, y, span.map);
                 visit(picture(x, y).g, scene.surface_point(t, scene.weights_at(t, p)));
             }
     EXPECT_GT(texel, solid.size * solid.size / 3);
