@@ -94,6 +94,8 @@ INSTANTIATE_TEST_SUITE_P(
         IdleLine{"render --direct sample:cube -o a.png --unlit --crease 9", "--unlit"},
         IdleLine{"render --lazy sample:cube -o a.png --unlit --light sun",
                  "--light is about light"},
+        IdleLine{"render --direct sample:cube -o a.png --unlit --rays 9", "--rays is about"},
+        IdleLine{"render --direct sample:cube -o a.png --light headlight --rays 9", "--rays is"},
         IdleLine{"render --lazy sample:cube -o a.png --unlit --ground", "--ground is about light"},
         IdleLine{"render --lazy sample:cube -o a.png --light headlight --turn-light 20",
                  "--turn-light does nothing"},
