@@ -32,10 +32,15 @@ void collect(const Json& value, const std::string& place, std::vector<Found>& fo
         found.push_back({fmt::format("{}.noise.{}", place, i), "noise"});
 }
 
-/// Names the nodes of one part; those of a kind that is there more than once get numbers.
+/// Names the nodes of one part; those of a kind that is there more than once get numbers. The node
+/// that a name of "define" means is called by it.
 void name_part(const Json& value, const std::string& place, NodeWords& words) {
     std::vector<Found> found;
     collect(value, place, found);
+    if (place.starts_with("define.") && !found.empty()) {
+        words[place] = fmt::format("{} ({})", part_words(place), found.front().kind);
+        found.erase(found.begin());
+    }
     std::map<std::string, int> all, so_far;
     for (const Found& one : found) ++all[one.kind];
     const std::string part = part_words(place);
@@ -72,8 +77,7 @@ std::string place_words(const Json& recipe, const std::string& place) {
     const NodeWords words = node_words(recipe);
     const auto owner = words.find(place.substr(0, dot == std::string::npos ? 0 : dot));
     if (owner == words.end()) return part_words(place);
-    const std::string kind = owner->second.substr(0, owner->second.rfind(" in "));
-    return fmt::format("{} of {}", spoken(place.substr(dot + 1)), kind);
+    return fmt::format("{} of {}", spoken(place.substr(dot + 1)), owner->second);
 }
 
 }  // namespace burl

@@ -1,6 +1,6 @@
 #pragma once
-// Names for nodes, as people call them: by what they are and where they are used, such as "fbm in
-// rings", "mix 2 in base colour".
+// Names for nodes, as people call them: by what they are and where they are used, such as "rings
+// (fract)", "fbm in rings", "mix 2 in base colour".
 #include <map>
 #include <string>
 #include <string_view>

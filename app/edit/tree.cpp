@@ -130,9 +130,8 @@ RecipeTree::RecipeTree(const Recipe& recipe) : recipe_(recipe) {
 const Json* RecipeTree::find(const std::string& place) const {
     if (!is_root(place)) {
         const auto [front, key] = front_and_key(place);
-        const Json* owner = find(front);
-        if (front.empty() || !owner || !is_node(*owner) || !type_of(*owner).input(key))
-            return nullptr;
+        const Json* owner = front.empty() ? nullptr : find(front);
+        if (!owner || !is_node(*owner) || !type_of(*owner).input(key)) return nullptr;
     }
     return look_up(tree_, place);
 }

@@ -27,6 +27,13 @@ std::vector<std::string> names_of(const NodeGraph& graph) {
     return names;
 }
 
+/// What an input is called: "base colour", "amount of mix in rings".
+std::string input_words(const NodeGraph& graph, std::size_t owner, const std::string& place) {
+    const GraphNodeView& node = graph.nodes[owner];
+    const auto input = std::ranges::find(node.inputs, place, &GraphInput::place);
+    return owner == 0 ? input->words : fmt::format("{} of {}", input->words, node.words);
+}
+
 }  // namespace
 
 void EditGraph::build(EditSession& session, const std::function<GraphEdit(const Recipe&)>& edit) {
@@ -43,10 +50,11 @@ void EditGraph::open_search(GraphSearch::Purpose purpose, const std::string& pla
     std::string title = "Add a node for later";
     if (purpose == GraphSearch::Purpose::replace)
         title = fmt::format("Replace {}", graph.nodes[graph.find(place).value_or(0)].words);
-    else if (is_input || !place.empty())
-        title = fmt::format("Add a node {} {}", is_input ? "at" : "around",
-                            is_input ? place.substr(place.rfind('.') + 1)
-                                     : graph.nodes[model_.node_at(place).value_or(0)].words);
+    else if (is_input)
+        title = fmt::format("Add a node at {}", input_words(graph, *model_.owner_of(place), place));
+    else if (!place.empty())
+        title = fmt::format("Add a node behind {}",
+                            graph.nodes[model_.node_at(place).value_or(0)].words);
     const bool takes_names = is_input && purpose == GraphSearch::Purpose::add;
     search_.open({purpose, place, takes_names ? names_of(graph) : std::vector<std::string>()},
                  std::move(title), search_at_);

@@ -127,6 +127,7 @@ void EditGraph::hand(const PanelContext& context, const GraphHooks& hooks, const
             std::clamp(model_.camera.zoom * std::pow(wheel_zoom, double(io.MouseWheel)),
                        least_graph_zoom, most_graph_zoom);
         model_.camera.offset = point - (at - canvas.low) / model_.camera.zoom;
+        model_.follows_layout = false;
     }
     if (ImGui::IsItemActivated() && io.MouseDown[0]) press(canvas, at);
     if (ImGui::IsItemActivated() && !io.MouseDown[0]) {
@@ -135,6 +136,7 @@ void EditGraph::hand(const PanelContext& context, const GraphHooks& hooks, const
         moved_ = false;
     }
     moved_ |= grip_ != Grip::none && glm::length(at - pressed_at_) >= least_drag;
+    if (grip_ == Grip::pan && ImGui::IsItemActive() && moved_) model_.follows_layout = false;
     if (grip_ == Grip::pan && ImGui::IsItemActive())
         model_.camera.offset -= Vec2d(io.MouseDelta.x, io.MouseDelta.y) / model_.camera.zoom;
     if (ImGui::IsItemDeactivated()) {
@@ -145,10 +147,12 @@ void EditGraph::hand(const PanelContext& context, const GraphHooks& hooks, const
         if (clicked_right) ImGui::OpenPopup("graph menu");
     }
     if (canvas.hovered && ImGui::IsMouseDoubleClicked(0)) {
-        if (const std::string node = node_under(canvas, at); node.empty()) {
+        const bool on_pin = !input_under(canvas, at).empty() || !output_under(canvas, at).empty();
+        const std::string node = node_under(canvas, at);
+        if (node.empty() && !on_pin) {
             search_at_ = {float(at.x), float(at.y)};
             open_search(GraphSearch::Purpose::add, "");
-        } else if (input_under(canvas, at).empty() && node != "material") {
+        } else if (!on_pin && node != "material") {
             model_.choose(node);
             look(hooks);
         }

@@ -48,12 +48,13 @@ bool GraphModel::follow(EditSession& session) {
     if (same) return false;
     revision_ = history.revision();
     time_ = session.time();
-    new_document_ |= std::exchange(document_, history.document_number()) != document_;
+    if (std::exchange(document_, history.document_number()) != document_) follows_layout = true;
     const std::optional<Vec2d> before = anchor();
     graph_ = node_graph(session.still());
     lay_out();
     std::erase_if(chosen_, [&](const std::string& place) { return !has(place); });
     if (const auto now = anchor(); before && now) camera.offset += *now - *before;
+    new_layout_ = true;
     return true;
 }
 
@@ -110,7 +111,7 @@ std::optional<std::size_t> GraphModel::owner_of(const std::string& place) const 
 }
 
 void GraphModel::fit(const Vec2d& size, double scale, bool all) {
-    new_document_ = false;
+    new_layout_ = false;
     constexpr double margin = 24.0;
     const Vec2d whole = layout_.size + Vec2d(2.0 * margin);
     const double zoom = std::min({size.x / whole.x, size.y / whole.y, scale});

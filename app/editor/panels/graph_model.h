@@ -68,13 +68,17 @@ class GraphModel {
     /// The node that has an input with that place.
     std::optional<std::size_t> owner_of(const std::string& place) const;
 
-    /// The part of the plane that is seen in a canvas of `size` pixels, `scale` being the
-    /// interface's: all of it, or the end at the material where all would be too small.
+    /// Moves the camera over a canvas of `size` pixels, `scale` being the interface's, to all
+    /// nodes; unless `all` is asked for, to the end at the material where all would be too small.
     void fit(const Vec2d& size, double scale, bool all);
     /// Moves the camera so that the node at a place is seen.
     void show(const std::string& place, const Vec2d& size);
 
     GraphCamera camera;
+    /// Whether the camera fits what is built, until a hand moves it.
+    bool follows_layout = true;
+    /// Whether the layout is another one since the last fit().
+    bool wants_fit() const { return new_layout_ && follows_layout; }
 
   private:
     void lay_out();
@@ -88,11 +92,7 @@ class GraphModel {
     std::optional<std::uint64_t> revision_;
     std::uint64_t document_ = 0;
     double time_ = 0.0;
-    bool new_document_ = true;
-
-  public:
-    /// Whether another recipe was opened since the last fit().
-    bool wants_fit() const { return new_document_; }
+    bool new_layout_ = true;
 };
 
 }  // namespace burl

@@ -80,6 +80,7 @@ std::optional<GraphSearch::Choice> GraphSearch::show(EditItems& items) {
     ImGui::SetNextWindowPos(
         {std::clamp(at_.x, 0.0f, display.x - size.x), std::clamp(at_.y, 0.0f, display.y - size.y)});
     ImGui::SetNextWindowSize(size);
+    ImGui::SetNextWindowBgAlpha(1.0f);
     if (begins_) ImGui::SetNextWindowFocus();
     std::optional<Choice> chosen;
     if (ImGui::Begin("##search", nullptr, fixed_window & ~ImGuiWindowFlags_NoBringToFrontOnFocus)) {

@@ -115,8 +115,21 @@ class NodePanel {
         return own;
     }
 
+    /// The number or colour of a constant node, as a parameter.
+    static RecipeLeaf constant_leaf(const std::string& path, const Json& value) {
+        static constexpr Parameter number{
+            "value", ParameterType::number, -1e6, 1e6, 0.05, 1, "", "0", "", "a number"};
+        static constexpr Parameter color{"value", ParameterType::color, 0,  0,     0,   1, "", "",
+                                         "",      "a colour",           {}, false, true};
+        // The two are static, so the pointer owns nothing.
+        const Parameter* parameter = value.is_string() ? &color : &number;
+        return {path, "constant", "value", {std::shared_ptr<void>(), parameter}, value};
+    }
+
     void parameters(const GraphNodeView& view) {
         ImGui::Separator();
+        if (view.type == "constant")
+            parameter_rows(context_, {constant_leaf(view.place, view.json)});
         std::vector<RecipeLeaf> leaves = leaves_of(view.place);
         if (leaves.empty()) return;
         for (const ParameterGroup& group : parameter_groups(leaves, {})) {
@@ -212,7 +225,10 @@ class NodePanel {
         std::vector<RecipeLeaf> own;
         for (RecipeLeaf& leaf : recipe_leaves(slider_json(context_.session.still())))
             if (leaf.path == place) own.push_back(std::move(leaf));
-        if (place == "texture") own = leaves_of("texture");
+        if (own.empty() && !found->constant.is_null()) {
+            const bool is_node = place == "texture" || place.starts_with("material.");
+            own.push_back(constant_leaf(is_node ? place + ".value" : place, found->constant));
+        }
         parameter_rows(context_, own);
         layers(place, found->wire);
     }

@@ -84,8 +84,8 @@ TEST(BuildSteps, EveryNodeCanBeAddedAnywhere) {
 
 TEST(BuildSteps, WhatIsMisspeltIsToldWithTheNearestWord) {
     const Recipe recipe = empty_recipe();
-    EXPECT_EQ(refusal([&] { return add_node(recipe, "texture", "fmb"); }),
-              "there is no node \"fmb\"; did you mean \"fbm\"?");
+    EXPECT_EQ(refusal([&] { return add_node(recipe, "texture", "wrinkles"); }),
+              "there is no node \"wrinkles\"; did you mean \"wrinkled\"?");
     EXPECT_NE(refusal([&] { return add_node(recipe, "texture", "fbm octavs=3"); }).find("octaves"),
               std::string::npos);
     EXPECT_NE(refusal([&] { return add_node(recipe, "texture.b", "fbm"); }).find("no input"),
@@ -137,9 +137,9 @@ TEST(BuildSteps, AReplacedNodeLeavesWhatFits) {
               recipe_with(R"("texture": {"node": "mix", "a": {"node": "marble"}, "b": "#ff0000",
                   "amount": {"node": "windy", "octaves": 3, "seed": 7}})"));
     EXPECT_EQ(replace_node(recipe, "texture", "blend mode=screen").recipe,
-              recipe_with(R"("texture": {"node": "blend", "mode": "screen", "top": "#808080",
-                      "base": {"node": "marble"}, "opacity":
-                      {"node": "fbm", "octaves": 3, "seed": 7}}, "define": {})"));
+              recipe_with(R"("texture": {"node": "blend", "mode": "screen", "top": 0.5,
+                      "base": {"node": "marble"},
+                      "opacity": {"node": "fbm", "octaves": 3, "seed": 7}})"));
     EXPECT_EQ(replace_node(recipe, "texture", "constant value=\"#123456\"").recipe,
               recipe_with(R"("texture": {"node": "constant", "value": "#123456"},
                   "define": {"marble": {"node": "marble"},
@@ -187,7 +187,7 @@ TEST(BuildSteps, CirclesAreRefusedByTheirNames) {
     EXPECT_EQ(refusal([&] { return connect(recipe, "define.veins", "define.grain.input"); }),
               "that makes a circle: veins uses add uses grain uses veins; take another input");
     EXPECT_EQ(refusal([&] { return connect(recipe, "texture", "texture.input"); }),
-              "that makes a circle: color map uses color map; take another input");
+              "that makes a circle: colour map uses colour map; take another input");
     EXPECT_NE(refusal([&] {
                   return move_node(recipe, "define.veins.input", "define.grain.input");
               }).find("add uses grain uses add"),

@@ -156,7 +156,7 @@ TEST(ParameterGroups, TellNodesApartByWhatTheyAreAndWhereTheyAreUsed) {
         }
         if (recipe == std::string("oak")) {
             EXPECT_TRUE(titles.contains("Fbm 2 in radius"));
-            EXPECT_TRUE(titles.contains("Colour map in wood"));
+            EXPECT_TRUE(titles.contains("Wood (colour map)"));
             EXPECT_TRUE(titles.contains("Add 4 in roughness"));
         }
     }
