@@ -1,215 +1,124 @@
 #include "app/edit/graph_layout.h"
 
 #include <algorithm>
-#include <cstddef>
 #include <numeric>
+#include <string>
+
+#include "app/edit/graph_flow.h"
 
 namespace burl {
 
 namespace {
 
-constexpr int sweeps = 8;
+constexpr double page_aspect = 2.7;  // a page's width by its height, as far as its parts let it
+constexpr double frame = 12.0;       // around a part
+constexpr int widths_tried = 40;
 
-/// A wire from the output of one node to an input of another.
-struct Link {
-    std::size_t from, to, input;
-};
+/// The number of the part that a node belongs to: that of its name's node, or 0, the material's.
+std::vector<std::size_t> parts_of(const NodeGraph& graph) {
+    std::vector<std::size_t> part(graph.nodes.size(), 0);
+    // The nodes of a name come right after its own, and names after all else.
+    std::size_t now = 0;
+    for (std::size_t i = 0; i < graph.nodes.size(); ++i) {
+        if (!graph.nodes[i].name.empty()) now = i;
+        part[i] = now;
+    }
+    return part;
+}
 
-class Layout {
+/// Parts in an order in which each comes after those that it uses; those that nothing uses come
+/// last.
+class PartOrder {
   public:
-    Layout(const NodeGraph& graph, const std::vector<NodeBox>& boxes, const Vec2d& gap)
-        : graph_(graph), boxes_(boxes), gap_(gap), y_(graph.nodes.size(), 0.0) {
-        for (std::size_t to = 0; to < graph.nodes.size(); ++to)
-            for (std::size_t k = 0; k < graph.nodes[to].inputs.size(); ++k)
-                if (const auto from = graph.nodes[to].inputs[k].from)
-                    links_.push_back({*from, to, k});
+    explicit PartOrder(const NodeGraph& graph) : graph_(graph), part_(parts_of(graph)) {
+        visit(0);
+        for (std::size_t i = 0; i < part_.size(); ++i) visit(part_[i]);
     }
 
-    GraphLayout run() {
-        find_columns();
-        order_columns();
-        stack();
-        for (int i = 0; i < sweeps; ++i) settle(i % 2 == 0);
-        settle(true);
-        return places();
-    }
+    std::vector<GraphPart> parts;
 
   private:
-    /// The column of every node: the longest way to one that nothing uses; the material is alone in
-    /// the last one.
-    void find_columns() {
-        column_.assign(graph_.nodes.size(), 1);
-        column_[0] = 0;
-        // A way has no more wires than there are nodes.
-        bool changed = true;
-        while (changed) {
-            changed = false;
-            for (const Link& link : links_) {
-                if (column_[link.from] > column_[link.to]) continue;
-                column_[link.from] = column_[link.to] + 1;
-                changed = true;
-            }
+    void visit(std::size_t part) {
+        if (std::ranges::count(seen_, part) > 0) return;
+        seen_.push_back(part);
+        GraphPart own;
+        for (std::size_t i = 0; i < part_.size(); ++i) {
+            if (part_[i] != part) continue;
+            own.nodes.push_back(i);
+            for (const GraphInput& input : graph_.nodes[i].inputs)
+                if (input.from && part_[*input.from] != part) visit(part_[*input.from]);
         }
-        columns_.resize(*std::ranges::max_element(column_) + 1);
-        for (std::size_t i = 0; i < column_.size(); ++i) columns_[column_[i]].push_back(i);
-    }
-
-    /// Sorts nodes by the means of the ranks of those that they are connected to, column by column
-    /// in both directions, and keeps the order with the fewest crossings.
-    void order_columns() {
-        rank_.resize(graph_.nodes.size());
-        set_ranks();
-        auto best = columns_;
-        std::size_t fewest = crossings();
-        for (int i = 0; i < sweeps && fewest > 0; ++i) {
-            for (std::size_t c = 0; c < columns_.size(); ++c)
-                sort_column(columns_[i % 2 == 0 ? c : columns_.size() - 1 - c], i % 2 == 0);
-            if (const std::size_t now = crossings(); now < fewest) {
-                fewest = now;
-                best = columns_;
-            }
-        }
-        columns_ = best;
-    }
-
-    void set_ranks() {
-        for (const std::vector<std::size_t>& column : columns_) set_ranks(column);
-    }
-    void set_ranks(const std::vector<std::size_t>& column) {
-        for (std::size_t r = 0; r < column.size(); ++r)
-            rank_[column[r]] = (double(r) + 0.5) / double(column.size());
-    }
-
-    /// Sorts a column by its nodes' users (`by_users`) or by what they are made of.
-    void sort_column(std::vector<std::size_t>& column, bool by_users) {
-        std::vector<double> wish = rank_;
-        for (const std::size_t node : column) {
-            double sum = 0.0;
-            int count = 0;
-            for (const Link& link : links_) {
-                if ((by_users ? link.from : link.to) != node) continue;
-                const double inputs = double(graph_.nodes[link.to].inputs.size());
-                // Among the users of one rank the input counts.
-                sum += by_users ? rank_[link.to] + 1e-3 * double(link.input) / inputs
-                                : rank_[link.from];
-                ++count;
-            }
-            if (count > 0) wish[node] = sum / count;
-        }
-        std::ranges::stable_sort(column, {}, [&](std::size_t node) { return wish[node]; });
-        set_ranks(column);
-    }
-
-    /// Pairs of wires that cross, as far as their ends' ranks tell.
-    std::size_t crossings() const {
-        std::size_t count = 0;
-        for (std::size_t i = 0; i < links_.size(); ++i)
-            for (std::size_t k = 0; k < i; ++k) {
-                const Link &a = links_[i], &b = links_[k];
-                if (column_[a.from] != column_[b.from] || column_[a.to] != column_[b.to]) continue;
-                const double from = rank_[a.from] - rank_[b.from];
-                const double to =
-                    a.to == b.to ? double(a.input) - double(b.input) : rank_[a.to] - rank_[b.to];
-                if (from * to < 0.0) ++count;
-            }
-        return count;
-    }
-
-    void stack() {
-        for (const std::vector<std::size_t>& column : columns_) {
-            double y = 0.0;
-            for (const std::size_t node : column) {
-                y_[node] = y;
-                y += boxes_[node].height + gap_.y;
-            }
-            for (const std::size_t node : column) y_[node] -= 0.5 * y;
-        }
-    }
-
-    /// Moves the nodes of all columns next to their users (`by_users`) or to what they are made of.
-    void settle(bool by_users) {
-        for (std::size_t c = 0; c < columns_.size(); ++c)
-            settle_column(columns_[by_users ? c : columns_.size() - 1 - c], by_users);
-    }
-
-    /// The places of a column's nodes that are nearest to those that they wish, in the mean square,
-    /// while they keep their order and distance: an isotonic regression, by pooling neighbours.
-    void settle_column(const std::vector<std::size_t>& column, bool by_users) {
-        struct Pool {
-            double sum;
-            std::size_t count;
-            double mean() const { return sum / double(count); }
-        };
-        std::vector<double> offset;
-        std::vector<Pool> pools;
-        double below = 0.0;
-        for (const std::size_t node : column) {
-            offset.push_back(below);
-            pools.push_back({wished(node, by_users) - below, 1});
-            below += boxes_[node].height + gap_.y;
-            while (pools.size() > 1 && pools[pools.size() - 2].mean() > pools.back().mean()) {
-                const Pool last = pools.back();
-                pools.pop_back();
-                pools.back().sum += last.sum;
-                pools.back().count += last.count;
-            }
-        }
-        std::size_t at = 0;
-        for (const Pool& pool : pools)
-            for (std::size_t i = 0; i < pool.count; ++i, ++at)
-                y_[column[at]] = pool.mean() + offset[at];
-    }
-
-    double input_y(const Link& link) const {
-        const NodeBox& box = boxes_[link.to];
-        return box.first_input + box.input_step * double(link.input);
-    }
-
-    /// Where a node would make its wires level; where it is, if it has none.
-    double wished(std::size_t node, bool by_users) const {
-        double sum = 0.0;
-        int count = 0;
-        for (const Link& link : links_) {
-            if ((by_users ? link.from : link.to) != node) continue;
-            sum += by_users ? y_[link.to] + input_y(link) - boxes_[node].output
-                            : y_[link.from] + boxes_[link.from].output - input_y(link);
-            ++count;
-        }
-        return count > 0 ? sum / count : y_[node];
-    }
-
-    GraphLayout places() const {
-        GraphLayout layout{std::vector<Vec2d>(y_.size()), Vec2d(0.0)};
-        double x = 0.0, top = *std::ranges::min_element(y_);
-        for (std::size_t c = columns_.size(); c-- > 0;) {
-            double widest = 0.0;
-            for (const std::size_t node : columns_[c])
-                widest = std::max(widest, boxes_[node].width);
-            for (const std::size_t node : columns_[c]) {
-                layout.places[node] = {x, y_[node] - top};
-                layout.size.y = std::max(layout.size.y, y_[node] - top + boxes_[node].height);
-            }
-            layout.size.x = x + widest;
-            x += widest + gap_.x;
-        }
-        return layout;
+        parts.push_back(std::move(own));
     }
 
     const NodeGraph& graph_;
-    const std::vector<NodeBox>& boxes_;
-    Vec2d gap_;
-    std::vector<Link> links_;
-    std::vector<std::size_t> column_;
-    std::vector<std::vector<std::size_t>> columns_;
-    std::vector<double> rank_, y_;
+    std::vector<std::size_t> part_, seen_;
 };
+
+/// Sets parts line by line, in lines of this width at most; returns the page's size.
+Vec2d set_lines(std::vector<GraphPart>& parts, double width, const Vec2d& gap) {
+    Vec2d at(0.0), size(0.0);
+    double height = 0.0;
+    for (GraphPart& part : parts) {
+        const Vec2d own = part.high - part.low;
+        if (at.x > 0.0 && at.x + own.x > width) {
+            at = {0.0, at.y + height + gap.y};
+            height = 0.0;
+        }
+        part.low = at;
+        part.high = at + own;
+        size = glm::max(size, part.high);
+        at.x += own.x + gap.x;
+        height = std::max(height, own.y);
+    }
+    return size;
+}
+
+/// Sets parts on a page that is as near to page_aspect as it can be.
+Vec2d set_page(std::vector<GraphPart>& parts, const Vec2d& gap) {
+    double widest = 0.0, all = 0.0, best = 0.0, best_width = 0.0;
+    for (const GraphPart& part : parts) {
+        widest = std::max(widest, part.high.x - part.low.x);
+        all += part.high.x - part.low.x + gap.x;
+    }
+    for (int i = 0; i <= widths_tried; ++i) {
+        const double width = widest + (all - widest) * double(i) / widths_tried;
+        const Vec2d size = set_lines(parts, width, gap);
+        const double zoom = std::min(page_aspect / size.x, 1.0 / size.y);
+        if (zoom <= best) continue;
+        best = zoom;
+        best_width = width;
+    }
+    return set_lines(parts, best_width, gap);
+}
+
+GraphLayout page_layout(const NodeGraph& graph, const std::vector<NodeBox>& boxes,
+                        const Vec2d& gap) {
+    GraphLayout page{std::vector<Vec2d>(graph.nodes.size(), Vec2d(0.0)), Vec2d(0.0), {}};
+    page.parts = PartOrder(graph).parts;
+    std::vector<GraphLayout> flows;
+    for (GraphPart& part : page.parts) {
+        flows.push_back(flow_layout(graph, boxes, part.nodes, gap));
+        part.high = flows.back().size + Vec2d(2.0 * frame);
+    }
+    page.size = set_page(page.parts, Vec2d(gap.y + 8.0));
+    for (std::size_t i = 0; i < flows.size(); ++i)
+        for (const std::size_t node : page.parts[i].nodes)
+            page.places[node] = page.parts[i].low + Vec2d(frame) + flows[i].places[node];
+    return page;
+}
 
 }  // namespace
 
 GraphLayout layout_graph(const NodeGraph& graph, const std::vector<NodeBox>& boxes,
-                         const Vec2d& gap) {
+                         const LayoutGaps& gaps) {
     if (graph.nodes.empty()) return {};
-    return Layout(graph, boxes, gap).run();
+    std::vector<std::size_t> all(graph.nodes.size());
+    std::iota(all.begin(), all.end(), std::size_t(0));
+    GraphLayout flow = flow_layout(graph, boxes, all, gaps.nodes);
+    const auto is_named = [](const GraphNodeView& node) { return !node.name.empty(); };
+    if (flow.size.x <= gaps.widest_flow || std::ranges::none_of(graph.nodes, is_named)) return flow;
+    return page_layout(graph, boxes, gaps.nodes);
 }
 
 }  // namespace burl

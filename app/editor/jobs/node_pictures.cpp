@@ -42,13 +42,15 @@ void NodePictures::make(const Recipe& recipe, const std::string& place, int side
     std::string key;
     Picture picture;
     try {
-        Recipe look = look_at(recipe, place);
+        Recipe look = look_at(recipe, place).recipe;
         look.name.clear();
         look.about.clear();
         look.atlas = {};
         key = fmt::format("{} {}", side, to_json(look));
         picture = known(key);
-        if (!picture) picture = std::make_shared<const Image<Rgb8>>(ball_picture(look, side));
+        // Averages would be grey where a node is finer than the ball's pixels.
+        if (!picture)
+            picture = std::make_shared<const Image<Rgb8>>(ball_picture(look, side, "none"));
     } catch (const Error&) {  // a node that cannot be drawn by itself has no picture
     }
     {

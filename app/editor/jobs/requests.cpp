@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "app/edit/look.h"
 #include "app/recipe/keyed_recipe.h"
 #include "atlas/base/error.h"
 
@@ -48,13 +47,17 @@ std::string TextureRequests::shown_words() const {
     return *compared_with_ == 0 ? "kept as A" : "kept as B";
 }
 
+std::optional<std::array<double, 2>> TextureRequests::look_range() const {
+    return look_ ? look_->second.range : std::nullopt;
+}
+
 /// What the node that is looked at gives; the recipe where there is no such node any more.
 const Recipe& TextureRequests::looked() {
     const Recipe& still = session_.still();
-    if (look_ && look_->first == still) return look_->second;
+    if (look_ && look_->first == still) return look_->second.recipe;
     try {
         look_.emplace(still, look_at(still, looked_at_));
-        return look_->second;
+        return look_->second.recipe;
     } catch (const Error&) {
         looked_at_.clear();
         look_.reset();

@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "app/edit/look.h"
 #include "app/editor/jobs/baker.h"
 #include "app/editor/session/session.h"
 
@@ -27,6 +28,8 @@ class TextureRequests {
     /// has none; an empty place ends that.
     void look(std::string place);
     const std::string& looking_at() const { return looked_at_; }
+    /// The numbers that are black and white in that; empty where they are 0 and 1, or colours.
+    std::optional<std::array<double, 2>> look_range() const;
     /// What is on screen instead of the recipe, such as "as it was opened"; empty: the recipe.
     std::string shown_words() const;
     /// The recipe on screen, without animation.
@@ -51,7 +54,7 @@ class TextureRequests {
     std::optional<std::size_t> compared_with_;
     Recipe compared_;        ///< the session's recipe when comparing began; another one ends it
     std::string looked_at_;  ///< place of a node; empty: none
-    std::optional<std::pair<Recipe, Recipe>> look_;  ///< a recipe, and its look at the place
+    std::optional<std::pair<Recipe, NodeLook>> look_;  ///< a recipe, and its look at the place
     std::optional<WorkerRequest> requested_;
     std::uint64_t last_ = 0;
 };

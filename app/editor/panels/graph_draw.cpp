@@ -25,7 +25,11 @@ constexpr ImU32 chosen_edge = IM_COL32(255, 204, 110, 255), node_edge = IM_COL32
 constexpr ImU32 number_wire = IM_COL32(148, 160, 178, 255),
                 color_wire = IM_COL32(222, 172, 92, 255);
 constexpr ImU32 look_edge = IM_COL32(110, 200, 255, 255), disc_color = IM_COL32(62, 66, 74, 255);
-constexpr double words_zoom = 0.5, title_zoom = 0.3;  // least zooms at which they can be read
+constexpr ImU32 part_color = IM_COL32(34, 37, 42, 255), name_color = IM_COL32(150, 196, 150, 255);
+constexpr double words_zoom = 0.6, title_zoom = 0.3;  // least zooms at which they can be read
+constexpr double sharp_zoom = 0.72;
+constexpr float least_title = 10.0f;   // least height of a title, in pixels
+constexpr std::size_t few_names = 12;  // wires of names that are all drawn
 
 /// Title bars by families: numbers, colours, channels, patterns, tiles, noise, masks, points.
 constexpr std::array family_colors{IM_COL32(70, 80, 96, 255),  IM_COL32(128, 92, 48, 255),
@@ -72,6 +76,27 @@ class CanvasPicture {
                                     IM_COL32(52, 56, 62, 255));
     }
 
+    /// Frames around the parts of a page.
+    void parts() {
+        for (const GraphPart& part : model_.parts())
+            list_.AddRectFilled(to_screen(screen(part.low)), to_screen(screen(part.high)),
+                                part_color, zoomed(8.0));
+    }
+
+    /// The names of the parts, where those of the nodes are too small.
+    void captions() {
+        if (!is_small()) return;
+        for (const GraphPart& part : model_.parts()) {
+            const GraphNodeView& node = model_.graph().nodes[part.nodes.front()];
+            const std::string words = node.name.empty() ? node.words : spoken(node.name);
+            const Vec2d low = screen(part.low), high = screen(part.high);
+            const ImVec4 clip{float(low.x), float(low.y), float(std::max(high.x, low.x + 60.0)),
+                              float(high_.y)};
+            list_.AddText(ImGui::GetFont(), ImGui::GetFontSize(), to_screen(low + Vec2d(3.0, -2.0)),
+                          name_color, words.data(), words.data() + words.size(), 0.0f, &clip);
+        }
+    }
+
     void curve(const Vec2d& from, const Vec2d& to, ImU32 color, float width) {
         const Vec2d a = screen(from), b = screen(to);
         const double bend = std::clamp(0.5 * std::abs(b.x - a.x), 18.0 * model_.camera.zoom,
@@ -80,7 +105,8 @@ class CanvasPicture {
                              to_screen({b.x - bend, b.y}), to_screen(b), color, width);
     }
 
-    /// Wires of names are faint, unless one of their ends is chosen: they cross much.
+    /// Wires of names are faint or, where there are many, not drawn, unless one of their ends is
+    /// chosen: they cross much, and the input says the name.
     void wire(std::size_t node, std::size_t input) {
         const GraphInput& end = model_.graph().nodes[node].inputs[input];
         if (!end.from) return;
@@ -88,6 +114,7 @@ class CanvasPicture {
         const bool near = model_.is_chosen(source.place) ||
                           model_.is_chosen(model_.graph().nodes[node].place) ||
                           model_.is_chosen(end.place);
+        if (end.by_name && !near && !draws_names_) return;
         const ImU32 full = near                          ? chosen_edge
                            : source.gives == Wire::color ? color_wire
                                                          : number_wire;
@@ -97,8 +124,23 @@ class CanvasPicture {
               std::max(1.0f, zoomed(near ? 2.4 : 1.8)));
     }
 
-    void text(const Vec2d& point, ImU32 color, const std::string& words, double room) {
-        const float size = zoomed(ImGui::GetFontSize() / interface_scale_);
+    /// The height of words in pixels, at least `least`. Between some zooms they are as sharp as
+    /// elsewhere, and have room enough.
+    float text_size(float least = 0.0f) const {
+        const double zoom = model_.camera.zoom / interface_scale_;
+        if (zoom > sharp_zoom && zoom < 1.1) return ImGui::GetFontSize();
+        return std::max(least, zoomed(double(ImGui::GetFontSize()) / interface_scale_));
+    }
+    /// The width of words on the plane.
+    double width_of(const std::string& words) const {
+        const float size = text_size();
+        return double(ImGui::CalcTextSize(words.c_str()).x * size / ImGui::GetFontSize()) /
+               model_.camera.zoom;
+    }
+
+    void text(const Vec2d& point, ImU32 color, const std::string& words, double room,
+              float least = 0.0f) {
+        const float size = text_size(least);
         const Vec2d at = screen(point);
         const ImVec4 clip{float(at.x), float(at.y), float(at.x) + zoomed(room), float(high_.y)};
         list_.AddText(ImGui::GetFont(), size, to_screen(at), color, words.data(),
@@ -118,20 +160,31 @@ class CanvasPicture {
         const ImVec2 a = to_screen(screen(low)), b = to_screen(screen(high));
         const float round = zoomed(5.0);
         list_.AddRectFilled(a, b, body_color, round);
-        list_.AddRectFilled(a, {b.x, a.y + zoomed(node_title)}, title_color(node), round,
-                            ImDrawFlags_RoundCornersTop);
+        list_.AddRectFilled(a, is_small() ? b : ImVec2(b.x, a.y + zoomed(node_title)),
+                            title_color(node), round,
+                            is_small() ? ImDrawFlags_RoundCornersAll : ImDrawFlags_RoundCornersTop);
         const bool chosen = model_.is_chosen(node.place);
         list_.AddRect(a, b, chosen ? chosen_edge : node_edge, round, 0,
                       chosen ? std::max(1.5f, zoomed(2.0)) : 1.0f);
         if (index > 0) ball(index, picture, looked_at);
         if (model_.camera.zoom >= title_zoom * interface_scale_) title(index);
-        if (model_.camera.zoom >= words_zoom * interface_scale_) rows(index);
+        if (!is_small()) rows(index);
         pins(index);
     }
 
     void set_interface(double scale) { interface_scale_ = scale; }
 
+    void count_names() {
+        std::size_t names = 0;
+        for (const GraphNodeView& node : model_.graph().nodes)
+            for (const GraphInput& input : node.inputs) names += input.by_name ? 1 : 0;
+        draws_names_ = names <= few_names;
+    }
+
   private:
+    /// Whether nodes are too small for more than their titles.
+    bool is_small() const { return model_.camera.zoom < words_zoom * interface_scale_; }
+
     static ImU32 title_color(const GraphNodeView& node) {
         const NodeType* type = find_node(node.type);
         return type ? family_colors[std::size_t(family_of(*type))] : IM_COL32(88, 88, 88, 255);
@@ -139,12 +192,13 @@ class CanvasPicture {
 
     void title(std::size_t index) {
         const GraphNodeView& node = model_.graph().nodes[index];
-        const Vec2d at = model_.place(index) + Vec2d(9.0, 4.0);
+        const Vec2d at =
+            model_.place(index) + Vec2d(is_small() ? 4.0 : 9.0, is_small() ? 2.0 : 4.0);
         const std::string type = spoken(node.type);
         const std::string words = node.name.empty() ? type : spoken(node.name);
-        text(at, words_color, words, node_width - 22.0);
-        if (node.name.empty() || node.type == node.name) return;
-        const double used = ImGui::CalcTextSize(words.c_str()).x / interface_scale_ + 8.0;
+        text(at, words_color, words, node_width - 14.0, least_title * float(interface_scale_));
+        if (node.name.empty() || node.type == node.name || is_small()) return;
+        const double used = width_of(words) + 8.0;
         text(at + Vec2d(used, 0.0), IM_COL32(226, 228, 232, 140), type, node_width - 22.0 - used);
     }
 
@@ -175,11 +229,12 @@ class CanvasPicture {
             const std::string value = is_color ? "" : value_words(lines[k].value);
             const std::string& words = lines[k].words;
             text(at, k < inputs ? words_color : dim_color, words, room - 9.0);
-            const double used = ImGui::CalcTextSize(words.c_str()).x / interface_scale_ + 6.0;
+            const double used = width_of(words) + 6.0;
             if (is_color)
                 swatch(at + Vec2d(used, 2.0), lines[k].value);
             else
-                text(at + Vec2d(used, 0.0), dim_color, value, room - 9.0 - used);
+                text(at + Vec2d(used, 0.0), lines[k].name ? name_color : dim_color, value,
+                     room - 9.0 - used);
         }
     }
 
@@ -206,6 +261,7 @@ class CanvasPicture {
     Vec2d low_, high_;
     ImDrawList& list_;
     double interface_scale_ = 1.0;
+    bool draws_names_ = true;
 };
 
 /// Notes a rectangle of the canvas as an item, as far as it is seen.
@@ -223,7 +279,9 @@ void EditGraph::draw(const Canvas& canvas, const GraphHooks& hooks, EditItems& i
     picture.set_interface(canvas.scale);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.PushClipRect(to_screen(canvas.low), to_screen(high), true);
+    picture.count_names();
     picture.background();
+    picture.parts();
     const auto& nodes = model_.graph().nodes;
     for (std::size_t i = 0; i < nodes.size(); ++i)
         for (std::size_t k = 0; k < nodes[i].inputs.size(); ++k) picture.wire(i, k);
@@ -247,6 +305,7 @@ void EditGraph::draw(const Canvas& canvas, const GraphHooks& hooks, EditItems& i
             item("out:", nodes[i].place, output_point(model_, i) - pin,
                  output_point(model_, i) + pin);
     }
+    picture.captions();
     draw_drag(canvas);
     list.PopClipRect();
     tell_about(canvas);

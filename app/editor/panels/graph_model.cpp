@@ -14,7 +14,6 @@ namespace {
 
 constexpr std::size_t most_notes = 3;  // parameters that a node shows
 constexpr double least_zoom = 0.55;    // below it all nodes are too small to be read
-constexpr Vec2d node_gap{56.0, 16.0};
 
 /// The parameters that are not what they are by default, as far as there is room for them.
 void add_notes(const GraphNodeView& node, const NodeType& type, std::vector<NodeLine>& lines) {
@@ -31,9 +30,14 @@ void add_notes(const GraphNodeView& node, const NodeType& type, std::vector<Node
 
 }  // namespace
 
-std::vector<NodeLine> lines_of(const GraphNodeView& node) {
+std::vector<NodeLine> lines_of(const NodeGraph& graph, const GraphNodeView& node) {
     std::vector<NodeLine> lines;
-    for (const GraphInput& input : node.inputs) lines.push_back({input.words, input.constant});
+    for (const GraphInput& input : node.inputs) {
+        const bool named = input.by_name && input.from;
+        lines.push_back({input.words,
+                         named ? Json(spoken(graph.nodes[*input.from].name)) : input.constant,
+                         named});
+    }
     if (node.place == "material") lines.push_back({"add a channel ..."});
     if (node.terms > 0) lines.push_back({fmt::format("{} noise", node.terms)});
     if (node.type == "constant") lines.push_back({"value", node.json});
@@ -62,13 +66,13 @@ void GraphModel::lay_out() {
     boxes_.clear();
     lines_.clear();
     for (const GraphNodeView& node : graph_.nodes) {
-        lines_.push_back(lines_of(node));
+        lines_.push_back(lines_of(graph_, node));
         const double rows = node_row * double(lines_.back().size());
         const double ball = node.place == "material" ? 0.0 : node_ball + 6.0;
         boxes_.push_back({node_width, node_title + std::max(rows, ball) + 6.0,
                           node_title + 0.5 * node_row + 2.0, node_row, 0.5 * node_title});
     }
-    layout_ = layout_graph(graph_, boxes_, node_gap);
+    layout_ = layout_graph(graph_, boxes_);
 }
 
 /// The place of the node chosen last, or of the material, on the plane.

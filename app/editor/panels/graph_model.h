@@ -15,7 +15,7 @@
 namespace burl {
 
 // Sizes of a node at zoom 1 and interface scale 1.
-inline constexpr double node_width = 168.0, node_title = 22.0, node_row = 17.0, node_ball = 46.0;
+inline constexpr double node_width = 150.0, node_title = 22.0, node_row = 17.0, node_ball = 46.0;
 
 /// The part of the plane of nodes that a canvas shows.
 struct GraphCamera {
@@ -33,10 +33,11 @@ struct GraphCamera {
 /// A line of a node: an input, or a parameter that is not what it is by default.
 struct NodeLine {
     std::string words;
-    Json value{};  ///< null where a wire ends
+    Json value{};       ///< null where a wire ends
+    bool name = false;  ///< whether the value is the name of the node that the wire comes from
 };
 /// The lines of a node, its inputs first; of the material one more, to add a channel.
-std::vector<NodeLine> lines_of(const GraphNodeView& node);
+std::vector<NodeLine> lines_of(const NodeGraph& graph, const GraphNodeView& node);
 
 /// The nodes, and what is chosen of them. All functions are called by the user interface's thread.
 class GraphModel {
@@ -48,6 +49,7 @@ class GraphModel {
 
     const NodeGraph& graph() const { return graph_; }
     const Vec2d& place(std::size_t node) const { return layout_.places[node]; }
+    const std::vector<GraphPart>& parts() const { return layout_.parts; }
     const NodeBox& box(std::size_t node) const { return boxes_[node]; }
     const std::vector<NodeLine>& lines(std::size_t node) const { return lines_[node]; }
 

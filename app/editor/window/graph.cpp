@@ -62,7 +62,9 @@ void EditorProgram::look_badge(const ImVec2& low, const ImVec2& size) {
     const std::string place = requests_.looking_at();
     if (place.empty()) return;
     const auto node = graph_.model().graph().find(place);
-    const std::string words = node ? graph_.model().graph().nodes[*node].words : place;
+    std::string words = node ? graph_.model().graph().nodes[*node].words : place;
+    if (const auto range = requests_.look_range())
+        words += fmt::format(": black is {:.3g}, white {:.3g}", (*range)[0], (*range)[1]);
     ImGui::SetNextWindowPos({low.x + 0.5f * size.x, low.y + 8.0f}, ImGuiCond_Always, {0.5f, 0.0f});
     ImGui::SetNextWindowBgAlpha(0.85f);
     ImGui::Begin("Look", nullptr,

@@ -150,9 +150,9 @@ void EditorProgram::layout() {
     const float top = ImGui::GetFrameHeight();
     const float side = side_width(display.x);
     const float strip = timeline ? timeline_height(session_) : 0.0f;
-    const float graph = graph_height(display.y - top - strip);
+    const float bottom = display.y - graph_height(display.y - top);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0f);
-    ImVec2 object{display.x - side, display.y - top - strip - graph}, atlas{0.0f, top};
+    ImVec2 object{display.x - side, std::max(1.0f, bottom - top - strip)}, atlas{0.0f, top};
     if (atlas_.state.shown) split(object, atlas);
     ImGui::SetNextWindowPos({0.0f, top});
     ImGui::SetNextWindowSize(object);
@@ -162,23 +162,23 @@ void EditorProgram::layout() {
         ImGui::SetNextWindowSize(object);
         atlas_window();
     }
-    graph_window({0.0f, display.y - strip - graph}, {display.x - side, graph});
+    graph_window({0.0f, bottom}, {display.x, display.y - bottom});
     if (timeline) {
-        ImGui::SetNextWindowPos({0.0f, display.y - strip});
+        ImGui::SetNextWindowPos({0.0f, bottom - strip});
         ImGui::SetNextWindowSize({display.x - side, strip});
         timeline_panel(context);
     }
     paint_panel(context, viewport_.paint.tool, {0.0f, top});
     move_panel(context, viewport_.move, {0.0f, top});
     ImGui::SetNextWindowPos({display.x - side, top});
-    ImGui::SetNextWindowSize({side, display.y - top});
+    ImGui::SetNextWindowSize({side, bottom - top});
     side_.window(context, baker_, loader_.posed(), graph_, graph_hooks());
     ImGui::PopStyleVar();
     look_badge({0.0f, top}, object);
     if (keys_open_) keys_open_ = cheat_sheet(context);
     recovery_window(context, autosave_);
     commands_.closing_window(items_);
-    notices(display.y - strip - graph);
+    notices(bottom - strip);
     commands_.show_dialog(items_);
 }
 
