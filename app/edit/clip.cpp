@@ -9,7 +9,7 @@
 
 #include "app/edit/node_kinds.h"
 #include "app/edit/tree.h"
-#include "app/recipe/check.h"
+#include "app/recipe/edit/check.h"
 #include "app/recipe/schema_check.h"
 #include "procedural/graph/json.h"
 

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "app/recipe/controls.h"
+#include "app/recipe/edit/controls.h"
 #include "app/recipe/schema_check.h"
 #include "app/recipe/spelling.h"
 

@@ -8,6 +8,7 @@
 
 #include "app/edit/node_kinds.h"
 #include "app/edit/tree.h"
+#include "app/recipe/edit/recipe_json.h"
 #include "app/recipe/schema_check.h"
 #include "procedural/graph/json.h"
 

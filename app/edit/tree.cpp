@@ -5,8 +5,9 @@
 #include <fmt/format.h>
 
 #include "app/edit/node_kinds.h"
-#include "app/recipe/check.h"
-#include "app/recipe/images.h"
+#include "app/recipe/edit/check.h"
+#include "app/recipe/edit/images.h"
+#include "app/recipe/edit/recipe_json.h"
 #include "app/recipe/schema_check.h"
 #include "atlas/base/error.h"
 #include "procedural/graph/json.h"

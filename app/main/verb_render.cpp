@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "app/base/atomic_file.h"
 #include "app/base/messages.h"
 #include "app/direct/picture.h"
 #include "app/export/command_files.h"
@@ -21,6 +23,7 @@
 #include "app/options/animation.h"
 #include "app/options/command_options.h"
 #include "app/options/idle_options.h"
+#include "app/pipeline/material.h"
 #include "app/recipe/lattice_check.h"
 #include "app/scene/scene.h"
 #include "app/surface/sample_meshes.h"
@@ -34,7 +37,8 @@ struct RenderCommand {
     DirectOptions options;
     AnimationOptions animation;
     EconomyOptions economy;
-    std::string out, report, level_rule = "direct", platform = gl_platforms()[0];
+    std::string out, report, platform = gl_platforms()[0];
+    std::optional<std::string> level_rule;
     bool direct = false, lazy = false;
 };
 
@@ -48,7 +52,16 @@ TextureFilter parse_lookup(const std::string& text) {
                             text));
 }
 
-Image<Rgb8> draw_scene(const RenderCommand& command, CommandFiles& files) {
+/// Writes a picture, with its alpha where the background is transparent.
+void write_drawn(const std::string& path, Image<Rgba8> picture, const PictureOptions& options) {
+    if (options.background.kind != Background::Kind::transparent)
+        return write_png(path, colors_and_alpha(std::move(picture)).first);
+    AtomicFile file(path);
+    encode_png(picture, sink_of(file));
+    file.commit();
+}
+
+Image<Rgba8> draw_scene(const RenderCommand& command, CommandFiles& files) {
     const DirectOptions& options = command.options;
     if (options.scene.empty())
         throw Error(ExitCode::usage, "a scene is missing; --plane alone is for --direct");
@@ -66,7 +79,9 @@ Image<Rgb8> draw_scene(const RenderCommand& command, CommandFiles& files) {
     files.read(scene.files);
     const Camera camera = orbit_camera(view, bounding_sphere(scene), picture.size);
     const std::unique_ptr<GlContext> context = create_gl_context(command.platform);
-    return render_scene(*context, scene, camera, picture, filter);
+    context->make_current();
+    const GlSurroundings around(context->gl(), scene, picture);
+    return render_picture(*context, GlScene(context->gl(), scene, filter), around, camera, picture);
 }
 
 Json work_json(const LazyPicture& drawn) {
@@ -82,6 +97,14 @@ Json work_json(const LazyPicture& drawn) {
               {"drawing", drawn.seconds_drawing}}}};
 }
 
+/// Throws Error(usage) for --level-rule of a material whose pictures have no levels of their own.
+void check_rule(const RenderCommand& command, const Recipe& recipe) {
+    if (command.level_rule && has_pictures(recipe, Packing::gltf))
+        throw Error(ExitCode::usage,
+                    "--level-rule does nothing: the recipe's material varies in more than colour, "
+                    "and its pictures have no MIP levels but OpenGL's averages; leave it out");
+}
+
 /// Draws a recipe on a mesh by --lazy. The report is written after the picture, so that it never
 /// exists without one.
 void write_lazily(const RenderCommand& command, CommandFiles& files) {
@@ -92,11 +115,12 @@ void write_lazily(const RenderCommand& command, CommandFiles& files) {
     if (options.filter) lazy.filter = parse_lookup(*options.filter);
     lazy.crease_degrees = options.crease;
     lazy.skips = command.economy.skips();
-    lazy.rule = level_rule_named(command.level_rule);
+    lazy.rule = level_rule_named(command.level_rule.value_or("direct"));
     const View view = options.parsed_view();
     const Recipe recipe = options.recipe.load();
     files.read(files_of_recipe(options.recipe.recipe, recipe));
     check_edits(options.recipe, recipe);
+    check_rule(command, recipe);
     if (options.pose.empty()) refuse_edits(options.recipe, {&idle_pose, 1});
     Pipeline pipeline(options.meshes.load(options.scene));
     check_lattice(recipe, pipeline.mesh());
@@ -108,7 +132,7 @@ void write_lazily(const RenderCommand& command, CommandFiles& files) {
     }
     const std::unique_ptr<GlContext> context = create_gl_context(command.platform);
     const LazyPicture drawn = render_lazily(*context, pipeline, view, lazy);
-    write_png(command.out, drawn.picture);
+    write_drawn(command.out, drawn.picture, lazy.picture);
     if (!command.report.empty()) write_json(command.report, work_json(drawn));
 }
 
@@ -122,7 +146,9 @@ void draw_truth(const RenderCommand& command, const std::vector<std::string>& pa
         if (const std::optional<Recipe>& recipe = frames[0].planes[k])
             files.read(files_of_recipe(parse_plane(options.planes[k]).recipe, *recipe));
     const DirectPicture draw(options);
-    for (std::size_t i = 0; i < paths.size(); ++i) write_png(paths[i], draw(frames[i]));
+    const PictureOptions picture = options.picture_options();
+    for (std::size_t i = 0; i < paths.size(); ++i)
+        write_drawn(paths[i], draw.with_alpha(frames[i]), picture);
 }
 
 /// Throws Error(usage) for options in `given`, those on the command line, that have no effect
@@ -140,6 +166,9 @@ void check_given(const RenderCommand& command, const std::vector<std::string>& g
         refuse({"--crease", "--weld", "--unshare-instances"},
                "goes with --direct or --lazy: a scene is drawn as it is");
     }
+    const bool headlight = options.light.light == "headlight";
+    if (options.unlit || (headlight && !options.light.ground))
+        refuse({"--rays"}, "is about an environment's light, which is not asked for; leave it out");
     if (options.unlit)
         refuse({"--crease"}, "is about light, and --unlit draws without; leave one of them out");
     if (options.widths)
@@ -161,11 +190,12 @@ void run_render(const RenderCommand& command) {
     CommandFiles files;
     files.read(files_of_mesh(command.options.scene));
     if (is_pose_file(command.options.pose)) files.read(files_of_mesh(command.options.pose));
+    files.read(command.options.light.files());
     for (const std::string& path : paths) files.write(path, ".png");
     if (!command.report.empty() && command.report != "-") files.write(command.report);
     if (command.direct) return draw_truth(command, paths, files);
     if (command.lazy) return write_lazily(command, files);
-    write_png(command.out, draw_scene(command, files));
+    write_drawn(command.out, draw_scene(command, files), command.options.picture_options());
 }
 
 }  // namespace
@@ -191,13 +221,13 @@ void add_render(CLI::App& program) {
                      "Write what --lazy worked out as JSON to this file (- for stdout)")
         ->needs(lazy);
     verb->add_option("--level-rule", command->level_rule,
-                     "How --lazy makes MIP levels, as burl bake does: average, direct or direct:N")
-        ->capture_default_str()
+                     "How --lazy makes MIP levels, as burl bake does: average, direct or direct:N "
+                     "(default direct)")
         ->needs(lazy);
     command->economy.add_skips(*verb);
     verb->get_option("--no-skip")->needs(lazy);
     command->animation.add(*verb);
-    for (const char* option : {"--frames", "--plane", "--widths"})
+    for (const char* option : {"--frames", "--plane", "--widths", "--rays"})
         verb->get_option(option)->needs(direct);
     verb->callback([command, verb] {
         std::vector<std::string> given;

@@ -6,6 +6,7 @@
 
 #include "app/edit/look.h"
 #include "app/editor/jobs/thumbnails.h"
+#include "app/recipe/edit/recipe_json.h"
 #include "atlas/base/error.h"
 
 namespace burl {

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "app/recipe/keyed_recipe.h"
+#include "app/recipe/edit/keyed_recipe.h"
 #include "atlas/base/error.h"
 
 namespace burl {

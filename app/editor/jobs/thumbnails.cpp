@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "app/direct/picture.h"
+#include "app/recipe/edit/recipe_json.h"
 #include "atlas/base/error.h"
 
 namespace burl {
@@ -51,6 +52,7 @@ Image<Rgb8> ball_picture(const Recipe& recipe, int side, const std::string& filt
     options.scene = "sample:icosphere";
     options.view = fmt::format("50,25,{}", filling_distance());
     options.size = fmt::format("{}x{}", side, side);
+    options.rays = 0;
     if (recipe.precision.kind != PrecisionKind::fixed) options.filter = filter;
     return DirectPicture(options)({recipe, {}});
 }

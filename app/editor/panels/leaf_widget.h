@@ -6,7 +6,7 @@
 #include <string>
 
 #include "app/editor/panels/items.h"
-#include "app/recipe/leaves.h"
+#include "app/recipe/edit/leaves.h"
 
 namespace burl {
 

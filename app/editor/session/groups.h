@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/edit/node_words.h"
-#include "app/recipe/leaves.h"
+#include "app/recipe/edit/leaves.h"
 
 namespace burl {
 

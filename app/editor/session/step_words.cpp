@@ -9,8 +9,8 @@
 
 #include "app/edit/node_words.h"
 #include "app/editor/session/groups.h"
-#include "app/recipe/controls.h"
-#include "app/recipe/leaves.h"
+#include "app/recipe/edit/controls.h"
+#include "app/recipe/edit/leaves.h"
 #include "app/recipe/schema_check.h"
 
 namespace burl {

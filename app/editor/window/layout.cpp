@@ -10,6 +10,7 @@
 #include "app/editor/panels/paint.h"
 #include "app/editor/panels/widgets.h"
 #include "app/editor/window/program.h"
+#include "app/recipe/edit/recipe_json.h"
 #include "procedural/numbers/simd_target.h"
 
 namespace burl {

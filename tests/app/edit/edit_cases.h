@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "app/edit/graph_edit.h"
+#include "app/recipe/edit/recipe_json.h"
+#include "app/recipe/presets.h"
 #include "app/recipe/recipe.h"
 #include "atlas/base/error.h"
 

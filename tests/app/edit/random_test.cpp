@@ -13,6 +13,7 @@
 #include "app/edit/node_kinds.h"
 #include "app/edit/steps.h"
 #include "app/editor/session/history.h"
+#include "app/recipe/edit/recipe_json.h"
 #include "tests/app/edit/edit_cases.h"
 
 namespace burl {

@@ -30,12 +30,13 @@ void for_points(Pipeline& pipeline, const Visit& visit) {
     const SolidAtlas& solid = pipeline.solid();
     const Affine3 map = solid_from_mesh(pipeline.mesh(), pipeline.recipe().solid.space);
     const ShapeScene scene(pipeline.atlas_mesh());
+    const TexelOwners owners(solid, pipeline.atlas(), OwnerReach::gutters);
     std::size_t texel = 0;
     for (std::uint32_t y = 0; y < solid.size; ++y)
         for (const Span& span : solid.row(y))
             for (std::uint32_t x = span.x; x < span.x + span.count; ++x) {
                 if (++texel % 7 != 0) continue;
-                const std::uint32_t t = solid.triangle_of(span.map);
+                const std::uint32_t t = owners(x, y, span.map);
                 const Vec3d p = (solid.maps[span.map](x, y) - map.offset) / map.linear[0][0];
                 visit(picture(x, y).g, scene.surface_point(t, scene.weights_at(t, p)));
             }
@@ -164,6 +165,41 @@ TEST(MeshMasks, AttributesOfTheFileAreInterpolated) {
     for_points(pipeline, [](float value, const ShapePoint& at) {
         ASSERT_NEAR(value, 3.0 * at.position.x + 1.0 + 20.0 * at.position.y, 1e-4);
     });
+}
+
+TEST(MeshMasks, OnAFlatPatchOfManyTrianglesAreThoseOfEachTriangle) {
+    // 6 x 6 squares with colours that are linear in the points, so any other triangle would show.
+    Mesh mesh;
+    for (std::uint32_t y = 0; y <= 6; ++y)
+        for (std::uint32_t x = 0; x <= 6; ++x) mesh.positions.push_back({x, y, 0});
+    for (std::uint32_t y = 0; y < 6; ++y)
+        for (std::uint32_t x = 0; x < 6; ++x) {
+            const std::uint32_t a = 7 * y + x;
+            mesh.triangles.push_back({a, a + 1, a + 8});
+            mesh.triangles.push_back({a, a + 8, a + 7});
+        }
+    add_whole_part(mesh);
+    for (const Triangle& triangle : mesh.triangles)
+        for (const std::uint32_t corner : triangle)
+            mesh.corners.colors.push_back(
+                {0.0, (mesh.positions[corner].x + 3.0 * mesh.positions[corner].y) / 24.0, 0.0, 1});
+    for (const char* kind : {"patch", "quad"}) {
+        Pipeline pipeline(mesh);
+        pipeline.set_recipe(
+            mask_recipe(R"({"node": "vertex_color"})",
+                        {fmt::format("atlas.kind={}", kind), "solid.space=object"}));
+        const Image<RgbF> picture = pipeline.synthesize<RgbF>();
+        const SolidAtlas& solid = pipeline.solid();
+        for (std::uint32_t y = 0; y < solid.size; ++y)
+            for (const Span& span : solid.row(y))
+                for (std::uint32_t x = span.x; x < span.x + span.count; ++x) {
+                    // Gutters show the sides.
+                    const Vec3d p = glm::clamp(solid.maps[span.map](x, y), Vec3d(0.0), Vec3d(6.0));
+                    ASSERT_NEAR(picture(x, y).g, (p.x + 3.0 * p.y) / 24.0,
+                                kind[0] == 'p' ? 1e-5 : 0.05)
+                        << kind << " " << x << " " << y;
+                }
+    }
 }
 
 TEST(MeshMasks, WithoutAttributesAreWhiteAndNought) {
