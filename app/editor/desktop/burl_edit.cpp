@@ -25,6 +25,7 @@ void run(Command command) {
     if (command.script.empty()) {
         command.editor.autosave = state_file("autosave.json");
         command.editor.recent = state_file("recent");
+        command.editor.preferences = state_file("preferences.json");
     }
     InputScript script;
     if (!command.script.empty()) {

@@ -127,7 +127,7 @@ class MapEditor {
                                color_code(map_.stops[index].color));
         list.AddTriangle({x, y - 1.0f}, {x - handle_size, y + 2.0f * handle_size},
                          {x + handle_size, y + 2.0f * handle_size},
-                         chosen ? IM_COL32(255, 200, 60, 255) : IM_COL32(230, 230, 230, 255),
+                         chosen ? palette().star : ImGui::GetColorU32(ImGuiCol_Text),
                          chosen ? 2.0f : 1.0f);
     }
 

@@ -14,6 +14,7 @@
 #include <unistd.h>
 
 #include "app/editor/panels/keys.h"
+#include "app/editor/panels/theme.h"
 #include "atlas/base/error.h"
 #include "atlas/file/file_extension.h"
 
@@ -22,8 +23,6 @@ namespace burl {
 namespace fs = std::filesystem;
 
 namespace {
-
-const ImVec4 remark_color{1.0f, 0.75f, 0.4f, 1.0f};
 
 bool fits(const std::string& name, const std::vector<std::string>& extensions) {
     const std::string extension = lower_extension(name);
@@ -172,7 +171,7 @@ void FileDialog::question(EditItems& items) {
     const bool back = ImGui::Button("Back") || pressed("Escape");
     items.note("file back");
     ImGui::SameLine();
-    ImGui::PushStyleColor(ImGuiCol_Text, remark_color);
+    ImGui::PushStyleColor(ImGuiCol_Text, palette().hint);
     ImGui::TextWrapped("Replace %s?", names_together(replaced_).c_str());
     ImGui::PopStyleColor();
     if (back || path() != asked_) asked_.clear();
@@ -186,7 +185,7 @@ void FileDialog::answers(EditItems& items) {
     if (ImGui::Button("Cancel") || pressed("Escape")) open_ = false;
     items.note("file cancel");
     ImGui::SameLine();
-    ImGui::TextColored(remark_color, "%s", remark().c_str());
+    ImGui::TextColored(style_color(palette().hint), "%s", remark().c_str());
 }
 
 std::optional<std::string> FileDialog::show(EditItems& items) {

@@ -53,6 +53,8 @@ class FileDialog {
     void cancel() { open_ = false; }
     /// The folder shown.
     const std::string& folder() const { return folder_; }
+    /// The names of the entries shown last; none while it is closed.
+    const std::vector<std::string>& names() const { return names_; }
     /// Whether the check box is ticked.
     bool chose() const { return chose_; }
     /// Draws the dialog. Returns the path in the frame it is chosen, after a confirmation where
@@ -71,6 +73,7 @@ class FileDialog {
 
     Wish wish_;
     std::string folder_ = ".", name_;
+    std::vector<std::string> names_;
     std::string asked_;                  ///< path for which a confirmation is shown; empty: none
     std::vector<std::string> replaced_;  ///< names of the files to be replaced
     bool open_ = false, accepted_ = false, chose_ = false, agreed_ = false;

@@ -74,7 +74,7 @@ bool left_row(const PanelContext& context, EditAutosave& autosave, std::size_t l
 
 void log_panel(const PanelContext& context) {
     for (const LogLine& line : context.session.log()) {
-        if (line.problem) ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(1.0f, 0.55f, 0.4f, 1.0f));
+        if (line.problem) ImGui::PushStyleColor(ImGuiCol_Text, palette().problem);
         ImGui::TextWrapped("%s", line.text.c_str());
         if (line.problem) ImGui::PopStyleColor();
     }

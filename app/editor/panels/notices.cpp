@@ -4,11 +4,12 @@
 
 #include <utility>
 
+#include "app/editor/panels/theme.h"
+
 namespace burl {
 
 namespace {
 
-const ImVec4 problem_color{1.0f, 0.55f, 0.4f, 1.0f};  // as in the log
 constexpr double news_seconds = 12.0;
 constexpr float most_width = 40.0f;  // maximum width of a line, in font sizes
 
@@ -16,7 +17,7 @@ constexpr float most_width = 40.0f;  // maximum width of a line, in font sizes
 std::string notice_lines(EditItems& items, const std::vector<Notice>& notices) {
     std::string answer;
     for (const Notice& notice : notices) {
-        if (notice.problem) ImGui::PushStyleColor(ImGuiCol_Text, problem_color);
+        if (notice.problem) ImGui::PushStyleColor(ImGuiCol_Text, palette().problem);
         ImGui::PushTextWrapPos(most_width * ImGui::GetFontSize());
         ImGui::TextUnformatted(notice.text.c_str());
         ImGui::PopTextWrapPos();

@@ -1,7 +1,6 @@
 #pragma once
 // The editor's panels: each shows a part of the session and passes edits to it. The only state of
 // their own is what is shown and selected.
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -22,6 +21,9 @@ struct PanelContext {
     EditSession& session;
     EditItems& items;
 };
+
+/// Draws the recipe's name and what it says about itself.
+void recipe_heading(const Recipe& recipe);
 
 /// Draws a slider or colour field for every control of the recipe (app/recipe/controls.h), each an
 /// item of its name; nothing for a recipe without controls. A change is that of --set.
@@ -66,12 +68,5 @@ float timeline_height(const EditSession& session);
 void timeline_panel(const PanelContext& context);
 /// Handles the keys of the timeline: K, and while it is open Space, I and Delete.
 void timeline_shortcuts(EditSession& session);
-
-/// Returns a preset's thumbnail, side x side pixels; null: not ready.
-using PresetPicture = std::function<ImTextureID(const std::string& preset, int side)>;
-
-/// Draws the gallery of presets, a thumbnail and a name each; a click opens one. `search` is the
-/// text that filters it. Items are "preset:NAME" for every visible preset, and "preset search".
-void presets_panel(const PanelContext& context, std::string& search, const PresetPicture& picture);
 
 }  // namespace burl

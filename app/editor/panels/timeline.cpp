@@ -21,9 +21,6 @@ namespace {
 constexpr std::size_t rows_seen = 4;
 // Sizes at interface scale 1.
 constexpr float label_width = 220.0f, diamond_size = 6.0f, tick_gap = 60.0f;
-constexpr ImU32 lane_color = IM_COL32(40, 44, 52, 255), tick_color = IM_COL32(120, 126, 138, 255);
-constexpr ImU32 head_color = IM_COL32(240, 90, 70, 255), key_color = IM_COL32(214, 176, 72, 255);
-constexpr ImU32 chosen_color = IM_COL32(255, 232, 150, 255), edge_color = IM_COL32(20, 20, 20, 255);
 
 bool has_key_now(const EditSession& session, const std::string& path) {
     const KeyedAnimation& animation = session.recipe().animation;
@@ -165,12 +162,13 @@ class TimelinePanel {
             session_.set_time(nearest_frame(animation_, seconds_at(ImGui::GetIO().MousePos.x)));
         }
         ImDrawList& list = *ImGui::GetWindowDrawList();
-        list.AddRectFilled({lane_low_, at.y}, {lane_low_ + lane_width_, at.y + height}, lane_color);
+        list.AddRectFilled({lane_low_, at.y}, {lane_low_ + lane_width_, at.y + height},
+                           palette().lane);
         ticks(list, at.y, height);
         const float x = x_of(session_.time());
         list.AddTriangleFilled({x - diamond_, at.y}, {x + diamond_, at.y},
-                               {x, at.y + 1.6f * diamond_}, head_color);
-        list.AddLine({x, at.y}, {x, at.y + height}, head_color, 2.0f);
+                               {x, at.y + 1.6f * diamond_}, palette().head);
+        list.AddLine({x, at.y}, {x, at.y + height}, palette().head, 2.0f);
     }
 
     void ticks(ImDrawList& list, float y, float height) const {
@@ -181,10 +179,10 @@ class TimelinePanel {
         const int count = int(animation_.seconds / step + 1e-9);
         for (int i = 0; i <= count; ++i) {
             const float x = x_of(i * step);
-            list.AddLine({x, y + 0.6f * height}, {x, y + height}, tick_color);
+            list.AddLine({x, y + 0.6f * height}, {x, y + height}, palette().tick);
             const std::string text = fmt::format("{:.4g}", i * step);
             if (x + scaled(tick_gap) * 0.5f < lane_low_ + lane_width_)
-                list.AddText({x + 3.0f, y + 0.5f * (height - ImGui::GetFontSize())}, tick_color,
+                list.AddText({x + 3.0f, y + 0.5f * (height - ImGui::GetFontSize())}, palette().tick,
                              text.c_str());
         }
     }
@@ -216,14 +214,14 @@ class TimelinePanel {
         ImDrawList& list = *ImGui::GetWindowDrawList();
         const float middle = at.y + 0.5f * height;
         list.AddRectFilled({lane_low_, at.y + 2.0f},
-                           {lane_low_ + lane_width_, at.y + height - 2.0f}, lane_color);
+                           {lane_low_ + lane_width_, at.y + height - 2.0f}, palette().lane);
         const float x = x_of(session_.time());
-        list.AddLine({x, at.y}, {x, at.y + height}, head_color, 1.0f);
+        list.AddLine({x, at.y}, {x, at.y + height}, palette().head, 1.0f);
         if (track.keys.size() > 1)
             list.AddLine(
                 {x_of(track.keys.front().seconds), middle},
                 {std::min(x_of(track.keys.back().seconds), lane_low_ + lane_width_), middle},
-                tick_color, 2.0f);
+                palette().tick, 2.0f);
         for (std::size_t i = 0; i < track.keys.size(); ++i)
             if (track.keys[i].seconds <= animation_.seconds) key(track, i, middle);
         ImGui::SetCursorScreenPos({at.x, at.y + height + 2.0f});
@@ -251,9 +249,9 @@ class TimelinePanel {
         ImGui::InvisibleButton("key", {2.0f * diamond_, 2.0f * diamond_});
         items_.note(fmt::format("timeline.key:{}.{}", track.path, index));
         const bool chosen = timeline_.chosen == KeyChoice{track.path, index};
-        ImGui::GetWindowDrawList()->AddNgonFilled({x, y}, diamond_ + 1.0f, edge_color, 4);
+        ImGui::GetWindowDrawList()->AddNgonFilled({x, y}, diamond_ + 1.0f, palette().edge, 4);
         ImGui::GetWindowDrawList()->AddNgonFilled({x, y}, diamond_ - 0.5f,
-                                                  chosen ? chosen_color : key_color, 4);
+                                                  chosen ? palette().chosen : palette().key, 4);
         key_input(track, index);
         ImGui::PopID();
     }

@@ -9,26 +9,16 @@
 #include "app/editor/panels/keys.h"
 #include "app/editor/panels/paint.h"
 #include "app/editor/panels/widgets.h"
+#include "app/editor/window/panes.h"
 #include "app/editor/window/program.h"
-#include "procedural/numbers/simd_target.h"
 
 namespace burl {
 
 namespace {
 
-constexpr float side_share = 0.34f, side_text = 24.0f;
-
-/// Halves a view; the second half begins at `second`, beside the first one or below.
-void split(ImVec2& size, ImVec2& second) {
-    const bool beside = size.x >= 0.8f * size.y;
-    (beside ? size.x : size.y) *= 0.5f;
-    (beside ? second.x : second.y) += beside ? size.x : size.y;
-}
-
-/// Returns the width of the panels: a share of the window that has room for sliders with their
-/// labels, but at most half of it.
-float side_width(float window) {
-    return std::min(0.5f * window, std::max(side_share * window, side_text * ImGui::GetFontSize()));
+void place_next_window(const ScreenRect& rect) {
+    ImGui::SetNextWindowPos(rect.low);
+    ImGui::SetNextWindowSize({rect.high.x - rect.low.x, rect.high.y - rect.low.y});
 }
 
 }  // namespace
@@ -46,14 +36,24 @@ void EditorProgram::shortcuts() {
     if (pressed("F5")) loader_.files().reload();
     if (pressed("Ctrl+Z")) session_.history().undo();
     if (pressed("Ctrl+Y") || pressed("Ctrl+Shift+Z")) session_.history().redo();
-    if (pressed("Ctrl+C")) window_->set_clipboard(to_json(session_.recipe()));
+    if (pressed("Ctrl+C")) copy_recipe();
     if (pressed("Ctrl+V")) session_.paste_recipe(window_->clipboard());
-    if (pressed("Ctrl+Shift+C")) window_->set_clipboard(commands_.command_line());
+    if (pressed("Ctrl+Shift+C")) copy_command();
     view_shortcuts();
     if (pressed("G")) viewport_.take_tool(viewport_.move.on);
     if (pressed("P")) viewport_.take_tool(viewport_.paint.tool.on);
     paint_shortcuts(viewport_.paint.tool);
     timeline_shortcuts(session_);
+}
+
+void EditorProgram::copy_recipe() {
+    window_->set_clipboard(to_json(session_.recipe()));
+    session_.tell("copied the recipe as JSON");
+}
+
+void EditorProgram::copy_command() {
+    window_->set_clipboard(commands_.command_line());
+    session_.tell("copied the burl command");
 }
 
 void EditorProgram::view_shortcuts() {
@@ -88,6 +88,14 @@ void EditorProgram::edit_menu() {
     EditHistory& history = session_.history();
     if (menu_item(items_, "Undo", "Ctrl+Z", history.can_undo())) history.undo();
     if (menu_item(items_, "Redo", "Ctrl+Y", history.can_redo())) history.redo();
+    ImGui::Separator();
+    if (menu_item(items_, "Copy the recipe", "Ctrl+C")) copy_recipe();
+    if (menu_item(items_, "Paste a recipe", "Ctrl+V")) session_.paste_recipe(window_->clipboard());
+    if (menu_item(items_, "Copy the burl command", "Ctrl+Shift+C")) copy_command();
+    if (menu_item(items_, requests_.comparing() ? "Back to the recipe" : "Compare with as opened",
+                  "A"))
+        requests_.compare();
+    ImGui::Separator();
     if (menu_item(items_, "Move the texture", "G")) viewport_.take_tool(viewport_.move.on);
     if (menu_item(items_, "Paint", "P")) viewport_.take_tool(viewport_.paint.tool.on);
     if (menu_item(items_, "Clear paint", "", !session_.recipe().paint.empty()))
@@ -109,6 +117,10 @@ void EditorProgram::view_menu() {
     ImGui::Separator();
     if (menu_item(items_, "Larger text", "Ctrl++")) scale_ = larger_scale(scale_);
     if (menu_item(items_, "Smaller text", "Ctrl+-")) scale_ = smaller_scale(scale_);
+    bool light = preferences_.theme == Theme::light;
+    menu_toggle(items_, "Light theme", "", light);
+    preferences_.theme = light ? Theme::light : Theme::dark;
+    if (menu_item(items_, "Panels where they were at first", "")) preferences_.panes = {};
 }
 
 void EditorProgram::menu() {
@@ -133,38 +145,31 @@ void EditorProgram::menu() {
 
 void EditorProgram::layout() {
     menu();
-    const ImVec2 display = ImGui::GetIO().DisplaySize;
     const PanelContext context{session_, items_};
     const bool timeline = session_.timeline.open;
-    const float top = ImGui::GetFrameHeight();
-    const float side = side_width(display.x);
-    const float strip = timeline ? timeline_height(session_) : 0.0f;
+    const PaneWishes wishes{ImGui::GetIO().DisplaySize, ImGui::GetFrameHeight(),
+                            ImGui::GetFrameHeight(), atlas_.state.shown,
+                            timeline ? timeline_height(session_) : 0.0f};
+    const Panes panes = panes_of(wishes, preferences_.panes);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0f);
-    ImVec2 object{display.x - side, display.y - top - strip}, atlas{0.0f, top};
-    if (atlas_.state.shown) split(object, atlas);
-    ImGui::SetNextWindowPos({0.0f, top});
-    ImGui::SetNextWindowSize(object);
+    place_next_window(panes.tools);
+    toolbar();
+    place_next_window(panes.object);
     if (viewport_.window(items_, opening_, times_)) frames_to_draw_ = std::max(frames_to_draw_, 1);
-    if (atlas_.state.shown) {
-        ImGui::SetNextWindowPos(atlas);
-        ImGui::SetNextWindowSize(object);
-        atlas_window();
-    }
-    if (timeline) {
-        ImGui::SetNextWindowPos({0.0f, display.y - strip});
-        ImGui::SetNextWindowSize({display.x - side, strip});
-        timeline_panel(context);
-    }
-    paint_panel(context, viewport_.paint.tool, {0.0f, top});
-    move_panel(context, viewport_.move, {0.0f, top});
-    ImGui::SetNextWindowPos({display.x - side, top});
-    ImGui::SetNextWindowSize({side, display.y - top});
-    side_.window(context, baker_, loader_.posed());
+    place_next_window(panes.atlas);
+    if (atlas_.state.shown) atlas_window();
+    place_next_window(panes.timeline);
+    if (timeline) timeline_panel(context);
+    place_next_window(panes.side);
+    side_.window(context, baker_, loader_.posed(), preferences_.favourites);
     ImGui::PopStyleVar();
+    splitters(items_, wishes, panes, preferences_.panes);
+    paint_panel(context, viewport_.paint.tool, panes.object.low);
+    move_panel(context, viewport_.move, panes.object.low);
     if (keys_open_) keys_open_ = cheat_sheet(context);
     recovery_window(context, autosave_);
     commands_.closing_window(items_);
-    notices(display.y - (session_.timeline.open ? timeline_height(session_) : 0.0f));
+    notices(panes.object.high.y);
     commands_.show_dialog(items_);
 }
 

@@ -33,8 +33,11 @@ EditorProgram::ImGuiOwner::~ImGuiOwner() {
 
 EditorProgram::EditorProgram(std::unique_ptr<GlWindow> window, const EditorOptions& options)
     : window_(std::move(window)),
+      fonts_(options.fonts),
       renderer_(window_->context().gl()),
       session_(load_recipe(options.recipe, options.settings), options.recipe),
+      preference_file_(options.preferences),
+      preferences_(preference_file_.stored()),
       notices_([this] { return window_->seconds(); }),
       autosave_(options.autosave),
       baker_(wake()),
@@ -49,6 +52,7 @@ EditorProgram::EditorProgram(std::unique_ptr<GlWindow> window, const EditorOptio
 
 void EditorProgram::take(const InputEvent& event) {
     feed(ImGui::GetIO(), event);
+    if (event.kind == InputKind::text) fonts_.meet(event.text);
     if (event.kind == InputKind::drop)
         for (const std::string& file : event.files) loader_.files().open(file);
     if (event.kind == InputKind::close) commands_.quit();
@@ -111,6 +115,34 @@ void EditorProgram::begin_frame() {
     last_seconds_ = now;
 }
 
+/// Notes the characters of all texts that come from people and files.
+void EditorProgram::meet_texts() {
+    const std::deque<LogLine>& log = session_.log();
+    if (!log.empty() && std::exchange(met_line_, log.back().text) != log.back().text)
+        for (const LogLine& line : log) fonts_.meet(line.text);
+    if (const auto revision = session_.history().revision();
+        std::exchange(met_revision_, revision) != revision) {
+        fonts_.meet(session_.recipe().name);
+        fonts_.meet(session_.recipe().about);
+        for (const RecipeControl& control : session_.recipe().controls)
+            fonts_.meet(control.name + control.about);
+    }
+    for (const std::string& name : commands_.dialog().names()) fonts_.meet(name);
+}
+
+/// Follows scale, theme and characters wanted, between two frames.
+void EditorProgram::follow_look() {
+    meet_texts();
+    const bool scaled = std::exchange(shown_scale_, scale_) != scale_;
+    const bool themed = std::exchange(shown_theme_, preferences_.theme) != preferences_.theme;
+    if (scaled || themed || fonts_.has_news()) {
+        set_interface(scale_, preferences_.theme, fonts_);
+        renderer_.upload_fonts();
+        if (!fonts_.problem().empty()) session_.tell(fonts_.problem());
+    }
+    if (!ImGui::IsAnyMouseDown()) preference_file_.store(preferences_);
+}
+
 /// Runs a frame except for drawing the screen.
 void EditorProgram::panels(const std::vector<InputEvent>& events) {
     begin_frame();
@@ -122,10 +154,7 @@ void EditorProgram::panels(const std::vector<InputEvent>& events) {
     take_news();
     advance(session_, double(ImGui::GetIO().DeltaTime));
     items_.clear();
-    if (std::exchange(shown_scale_, scale_) != scale_) {
-        set_interface_scale(scale_);
-        renderer_.upload_fonts();
-    }
+    follow_look();
     const std::string new_title = title();
     if (std::exchange(shown_title_, new_title) != new_title) window_->set_title(new_title);
     viewport_.follow();
@@ -159,7 +188,9 @@ std::string EditorProgram::title() const {
 
 void EditorProgram::draw_screen() {
     window_->bind_screen();
-    renderer_.update(*ImGui::GetDrawData(), Vec3f(0.1f), viewport_.image());
+    const ImVec4 screen = style_color(palette().screen);
+    const Vec3f background(screen.x, screen.y, screen.z);
+    renderer_.update(*ImGui::GetDrawData(), background, viewport_.image());
 }
 
 Image<Rgb8> EditorProgram::screenshot() {

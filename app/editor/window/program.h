@@ -11,10 +11,12 @@
 #include "app/editor/jobs/loader.h"
 #include "app/editor/jobs/requests.h"
 #include "app/editor/panels/file_commands.h"
+#include "app/editor/panels/fonts.h"
 #include "app/editor/panels/items.h"
 #include "app/editor/panels/notices.h"
 #include "app/editor/session/autosave.h"
 #include "app/editor/session/pace.h"
+#include "app/editor/session/preferences.h"
 #include "app/editor/session/session.h"
 #include "app/editor/window/atlas.h"
 #include "app/editor/window/imgui.h"
@@ -34,6 +36,9 @@ struct EditorOptions {
     bool gallery = true;  ///< whether presets have thumbnails
     /// Path of the list of recent files (app/editor/session/recent.h); empty: none.
     std::string recent{};
+    /// Path of the preferences (app/editor/session/preferences.h); empty: none.
+    std::string preferences{};
+    FontFiles fonts = find_fonts();
 };
 
 /// The editor. All functions are called by the main thread.
@@ -71,6 +76,7 @@ class EditorProgram {
     const EditItems& items() const { return items_; }
     const EditBaker& baker() const { return baker_; }
     EditCamera& camera() { return viewport_.camera; }
+    EditPreferences& preferences() { return preferences_; }
     const GlEditAtlas& atlas() const { return atlas_; }
     const EditOpenFiles& files() const { return loader_.files(); }
     FileDialog& dialog() { return commands_.dialog(); }
@@ -96,6 +102,8 @@ class EditorProgram {
     }
     void panels(const std::vector<InputEvent>& events);
     void begin_frame();
+    void follow_look();
+    void meet_texts();
     void take(const InputEvent& event);
     void take_news();
     void take_screenshot();
@@ -105,20 +113,29 @@ class EditorProgram {
     void settle();
     // layout.cpp: the windows of a frame, menus and shortcuts
     void shortcuts();
+    void copy_recipe();
+    void copy_command();
     void view_shortcuts();
     void file_menu();
     void edit_menu();
     void view_menu();
     void menu();
     void layout();
+    // toolbar.cpp
+    void toolbar();
+    void tools_of_edits();
+    void tools_of_view();
     void atlas_window();
     void notices(float bottom);
 
     std::unique_ptr<GlWindow> window_;
+    InterfaceFonts fonts_;  ///< outlives ImGui's context, which refers to it
     ImGuiOwner imgui_;
     GlImGui renderer_;
     EditSession session_;
     EditItems items_;
+    PreferenceFile preference_file_;
+    EditPreferences preferences_;
     EditNotices notices_;
     EditAutosave autosave_;
     EditBaker baker_;
@@ -129,9 +146,13 @@ class EditorProgram {
     ObjectViewport viewport_;
     SidePanels side_;
 
-    /// Scale of the user interface from the next frame on, the one at the start, and the last
-    /// frame's.
-    double scale_ = 1.0, normal_scale_ = 1.0, shown_scale_ = 0.0;
+    /// Scale of the user interface from the next frame on, and the one at the start.
+    double scale_ = 1.0, normal_scale_ = 1.0;
+    /// The look of the last frame.
+    double shown_scale_ = 0.0;
+    Theme shown_theme_ = Theme::dark;
+    std::string met_line_;            ///< last line of the log whose characters are known
+    std::uint64_t met_revision_ = 0;  ///< revision of the history whose texts are known
     bool keys_open_ = false, screenshot_due_ = false;
     std::optional<InputScript> recording_;
     std::string shown_title_;

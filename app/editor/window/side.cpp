@@ -46,8 +46,9 @@ void SidePanels::window(const PanelContext& context, const EditBaker& baker, boo
         return gallery_ && baker.front().picture() ? gallery_->picture(preset, side) : nullptr;
     };
     if (ImGui::Begin("Side", nullptr, fixed_window) && ImGui::BeginTabBar("tabs")) {
-        tab("Presets", [&] { presets_panel(context, preset_search_, picture); });
+        tab("Library", [&] { library_panel(context, library_, favourites, picture); });
         tab("Parameters", [&] {
+            recipe_heading(context.session.recipe());
             controls_panel(context);
             parameters_panel(context, posed);
         });

@@ -1,16 +1,18 @@
 #pragma once
-// The panels at the window's side, in tabs: presets, parameters, colour maps, metrics and the log.
+// The panels at the window's side, in tabs: library, parameters, colour maps, metrics and the log.
 #include <imgui.h>
 
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 
 #include "app/editor/jobs/baker.h"
 #include "app/editor/jobs/figures.h"
 #include "app/editor/jobs/thumbnails.h"
+#include "app/editor/panels/library.h"
 #include "app/editor/panels/panels.h"
 #include "app/gl/device/context.h"
 #include "app/gl/device/objects.h"
@@ -47,8 +49,9 @@ class SidePanels {
     SidePanels(GlContext& context, bool gallery, const std::function<void()>& wake);
 
     /// Draws the window at the place set for ImGui's next window. `posed`: whether the mesh has a
-    /// pose.
-    void window(const PanelContext& context, const EditBaker& baker, bool posed);
+    /// pose. `favourites` are the library's.
+    void window(const PanelContext& context, const EditBaker& baker, bool posed,
+                std::set<std::string>& favourites);
     /// Drops the selection of a colour stop, for another document.
     void deselect() { stop_ = {}; }
 
@@ -62,7 +65,7 @@ class SidePanels {
 
     GlContext& context_;
     StopSelection stop_;
-    std::string preset_search_;
+    LibraryView library_;
     std::optional<GlEditGallery> gallery_;
     EditFigures figures_;
 };
