@@ -14,6 +14,7 @@
 #include "app/image/image_io.h"
 #include "app/pipeline/displaced_mesh.h"
 #include "app/pipeline/mask_picture.h"
+#include "app/recipe/edit/recipe_json.h"
 #include "app/recipe/lattice_check.h"
 #include "atlas/base/memory.h"
 #include "atlas/build/capacity.h"

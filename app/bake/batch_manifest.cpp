@@ -9,6 +9,7 @@
 
 #include "app/base/file_bytes.h"
 #include "app/base/messages.h"
+#include "app/recipe/presets.h"
 #include "app/recipe/recipe.h"
 #include "app/surface/sample_meshes.h"
 #include "atlas/base/error.h"

@@ -20,6 +20,7 @@
 #include "app/gl/fill/synthesizer.h"
 #include "app/options/idle_options.h"
 #include "app/pipeline/fill_texture.h"
+#include "app/recipe/edit/recipe_json.h"
 #include "app/recipe/lattice_check.h"
 #include "app/surface/sample_meshes.h"
 #include "atlas/base/error.h"

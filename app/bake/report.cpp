@@ -5,6 +5,7 @@
 
 #include "app/base/messages.h"
 #include "app/measure/normal_error.h"
+#include "app/recipe/edit/recipe_json.h"
 
 namespace burl {
 

@@ -11,6 +11,7 @@
 
 #include "app/bench/bench.h"
 #include "app/bench/command.h"
+#include "app/recipe/edit/recipe_json.h"
 #include "app/recipe/recipe.h"
 #include "procedural/fill/graph.h"
 #include "procedural/fill/synthesize.h"

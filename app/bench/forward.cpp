@@ -10,6 +10,7 @@
 
 #include "app/bench/bench.h"
 #include "app/bench/command.h"
+#include "app/recipe/edit/recipe_json.h"
 #include "app/recipe/recipe.h"
 #include "procedural/bresenham/field.h"
 #include "procedural/color/table.h"

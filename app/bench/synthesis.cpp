@@ -10,6 +10,7 @@
 #include "app/bench/meshes.h"
 #include "app/options/command_options.h"
 #include "app/pipeline/pipeline.h"
+#include "app/recipe/edit/recipe_json.h"
 #include "app/recipe/lattice_check.h"
 #include "procedural/color/srgb.h"
 #include "procedural/color/table.h"

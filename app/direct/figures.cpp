@@ -11,6 +11,7 @@
 #include "app/base/messages.h"
 #include "app/direct/forward_cube.h"
 #include "app/direct/picture.h"
+#include "app/recipe/edit/recipe_json.h"
 #include "atlas/base/error.h"
 
 namespace burl {

@@ -12,7 +12,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/options/idle_options.h"
-#include "app/recipe/images.h"
+#include "app/recipe/edit/images.h"
 #include "app/recipe/lattice_check.h"
 #include "app/surface/normals.h"
 #include "app/surface/posed_corners.h"

@@ -13,6 +13,7 @@
 
 #include "app/base/json_text.h"
 #include "app/base/real_path.h"
+#include "app/recipe/presets.h"
 #include "app/surface/sample_meshes.h"
 #include "atlas/base/error.h"
 #include "atlas/file/file_buffer.h"

@@ -11,6 +11,7 @@
 #include "app/export/command_files.h"
 #include "app/main/verbs.h"
 #include "app/options/command_options.h"
+#include "app/recipe/edit/recipe_json.h"
 
 namespace burl {
 

@@ -15,6 +15,7 @@
 #include "app/recipe/material_notes.h"
 #include "app/recipe/parameters.h"
 #include "app/recipe/preset_notes.h"
+#include "app/recipe/presets.h"
 #include "app/recipe/recipe.h"
 #include "app/surface/sample_meshes.h"
 #include "atlas/base/error.h"

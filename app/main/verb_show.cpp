@@ -13,8 +13,10 @@
 #include "app/base/json_text.h"
 #include "app/base/messages.h"
 #include "app/main/verbs.h"
-#include "app/recipe/controls.h"
-#include "app/recipe/leaves.h"
+#include "app/recipe/edit/controls.h"
+#include "app/recipe/edit/leaves.h"
+#include "app/recipe/edit/recipe_json.h"
+#include "app/recipe/presets.h"
 #include "app/recipe/recipe.h"
 
 namespace burl {

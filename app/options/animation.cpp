@@ -8,7 +8,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "app/recipe/keyed_recipe.h"
+#include "app/recipe/edit/keyed_recipe.h"
 #include "app/recipe/parameters.h"
 #include "atlas/base/error.h"
 

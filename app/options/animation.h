@@ -1,7 +1,7 @@
 #pragma once
 // Frames of an animation: the recipe and the file name of every frame. --frames N samples the keys
-// of a recipe (app/recipe/keyed_recipe.h), the numbers that --animate PATH=FROM:TO moves, or both.
-// All frames share the mesh, its atlas and its solid points.
+// of a recipe (app/recipe/edit/keyed_recipe.h), the numbers that --animate PATH=FROM:TO moves, or
+// both. All frames share the mesh, its atlas and its solid points.
 #include <span>
 #include <string>
 #include <vector>

@@ -10,7 +10,8 @@
 #include <CLI/CLI.hpp>
 
 #include "app/base/messages.h"
-#include "app/recipe/keyed_recipe.h"
+#include "app/recipe/edit/keyed_recipe.h"
+#include "app/recipe/edit/recipe_json.h"
 #include "app/recipe/parameters.h"
 #include "app/surface/sample_meshes.h"
 #include "atlas/base/error.h"

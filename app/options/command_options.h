@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/recipe/images.h"
+#include "app/recipe/edit/images.h"
 #include "app/recipe/recipe.h"
 #include "atlas/read/read_mesh.h"
 #include "procedural/batch/economy.h"

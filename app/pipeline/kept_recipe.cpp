@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/recipe/images.h"
+#include "app/recipe/edit/images.h"
 
 namespace burl {
 

@@ -21,7 +21,7 @@ class KeptRecipe {
 
     /// The whole recipe, with copies of the strokes.
     Recipe recipe() const;
-    /// Renames the recipe's images as with_images_for does (app/recipe/images.h).
+    /// Renames the recipe's images as with_images_for does (app/recipe/edit/images.h).
     void name_images(const std::string& from, const std::string& to);
     /// The number of strokes that share their memory with another step.
     std::size_t shared_strokes() const;

@@ -1,7 +1,7 @@
 #pragma once
 // Controls, the few numbers and colours of a recipe that a person is meant to change, as data of
 // the recipe. Each has a name and sets any number of the recipe's parameters
-// (app/recipe/controls.h).
+// (app/recipe/edit/controls.h).
 #include <array>
 #include <optional>
 #include <string>

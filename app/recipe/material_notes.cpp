@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/base/json_text.h"
+#include "app/recipe/presets.h"
 #include "app/recipe/recipe.h"
 
 namespace burl {

@@ -1,9 +1,8 @@
 #pragma once
 // Everything a user decides about the result, as one comparable value: the command line sets it,
-// presets hold it, tests and benchmarks name it, and undo steps through it. Its JSON is documented
-// key by key in docs/reference/recipes.md.
+// presets hold it, tests and benchmarks name it, and undo steps through it. Its JSON
+// (recipe_json.h) is documented key by key in docs/reference/recipes.md.
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "app/recipe/control.h"
@@ -57,7 +56,7 @@ struct KeyTrack {
     bool operator==(const KeyTrack&) const = default;
 };
 
-/// Numbers of a recipe keyed over time; app/recipe/keyed_recipe.h evaluates them.
+/// Numbers of a recipe keyed over time; app/recipe/edit/keyed_recipe.h evaluates them.
 struct KeyedAnimation {
     double seconds = 2.0;  ///< the animation's length
     int rate = 24;         ///< frames per second
@@ -95,40 +94,5 @@ Affine3 texture_from_mesh(const Recipe& recipe, const Mesh& mesh);
 
 /// The length of a unit of the mesh in solid units, before the recipe's scale.
 double solid_units(const Mesh& mesh, SolidSpace space);
-
-/// Parses recipe JSON; `origin` names it in messages. `settings` are "path=value" edits applied to
-/// the JSON first, such as "texture.input.noise.0.amplitude=0.7", or set a control by its name,
-/// such as "ring spacing=0.01" (app/recipe/controls.h). Unknown keys, wrong types and values out of
-/// range throw Error(invalid_file), or Error(usage) for `settings`, naming the key and the nearest
-/// known one. Paths of a texture's images are relative to origin's folder.
-Recipe parse_recipe(const std::string& json, const std::string& origin,
-                    const std::vector<std::string>& settings = {});
-
-/// The names of the presets in assets/recipes/papers, in alphabetical order.
-std::vector<std::string_view> preset_names();
-
-/// The names of the materials in assets/materials, in alphabetical order; none is a preset's.
-std::vector<std::string_view> material_names();
-
-/// Whether the argument has the form of a preset's or material's name, known or not; anything with
-/// a dot or a slash is a file's path.
-bool names_preset(std::string_view path_or_preset);
-
-/// The JSON of the recipe in a file, or of the preset or material of that name, as it was written.
-/// Throws Error(io) where the file cannot be read, and usage for an unknown name.
-std::string recipe_text(const std::string& path_or_preset);
-
-/// The recipe in a file, or the preset or material of that name ("marble"; see names_preset). A
-/// recipe without a name gets its file's, without folder and extension. Throws Error as
-/// parse_recipe does, io where the file cannot be read, and usage for an unknown preset.
-Recipe load_recipe(const std::string& path_or_preset,
-                   const std::vector<std::string>& settings = {});
-
-/// The recipe with "path=value" settings of numbers applied; its images, paint and keys stay.
-/// Throws Error(usage).
-Recipe with_numbers(const Recipe& recipe, const std::vector<std::string>& settings);
-
-/// The recipe as JSON that parse_recipe reads back to an equal Recipe.
-std::string to_json(const Recipe& recipe);
 
 }  // namespace burl

@@ -1,6 +1,7 @@
 #include <memory>
 #include <random>
 
+#include "app/recipe/edit/recipe_json.h"
 #include "app/recipe/recipe.h"
 #include "procedural/color/map_filter_kernels.h"
 #include "procedural/color/srgb.h"

@@ -8,6 +8,7 @@
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 
+#include "app/recipe/edit/recipe_json.h"
 #include "app/recipe/lattice_check.h"
 #include "app/recipe/parameters.h"
 #include "atlas/base/error.h"

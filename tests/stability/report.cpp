@@ -4,6 +4,7 @@
 
 #include "app/bench/command.h"
 #include "app/measure/report.h"
+#include "app/recipe/edit/recipe_json.h"
 #include "app/recipe/recipe.h"
 #include "tests/stability/stability.h"
 

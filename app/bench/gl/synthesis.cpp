@@ -15,6 +15,7 @@
 #include "app/gl/fill/multipass.h"
 #include "app/gl/fill/synthesize.h"
 #include "app/pipeline/pipeline.h"
+#include "app/recipe/edit/recipe_json.h"
 
 namespace burl {
 

@@ -10,6 +10,7 @@
 #include "app/bench/meshes.h"
 #include "app/gl/draw/lazy_picture.h"
 #include "app/gl/draw/view_scene.h"
+#include "app/recipe/edit/recipe_json.h"
 #include "app/surface/sample_meshes.h"
 #include "atlas/solid/texel_set.h"
 

@@ -12,7 +12,7 @@
 #include "app/export/command_files.h"
 #include "app/export/emit.h"
 #include "app/options/animation.h"
-#include "app/recipe/keyed_recipe.h"
+#include "app/recipe/edit/keyed_recipe.h"
 #include "app/recipe/lattice_check.h"
 #include "app/surface/sample_meshes.h"
 #include "atlas/base/error.h"

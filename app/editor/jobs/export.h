@@ -39,9 +39,9 @@ std::vector<std::string> export_files(const ExportRequest& request);
 void bake_file(const ExportRequest& request);
 
 /// Bakes and writes the textures of all frames of a recipe with animation tracks
-/// (app/recipe/keyed_recipe.h) at the recipe's own frame rate: the files of `burl bake --frames`.
-/// Throws Error, and does so before baking where `out` is no texture or an input would be
-/// overwritten.
+/// (app/recipe/edit/keyed_recipe.h) at the recipe's own frame rate: the files of `burl bake
+/// --frames`. Throws Error, and does so before baking where `out` is no texture or an input would
+/// be overwritten.
 void bake_frames(const ExportRequest& request);
 
 /// Runs one export at a time on a thread of its own. All functions may be called by one thread.

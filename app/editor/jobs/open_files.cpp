@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "app/export/command_files.h"
+#include "app/recipe/edit/recipe_json.h"
 #include "app/surface/sample_meshes.h"
 #include "atlas/read/read_mesh.h"
 

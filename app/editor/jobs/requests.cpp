@@ -1,6 +1,6 @@
 #include "app/editor/jobs/requests.h"
 
-#include "app/recipe/keyed_recipe.h"
+#include "app/recipe/edit/keyed_recipe.h"
 #include "atlas/base/error.h"
 
 namespace burl {

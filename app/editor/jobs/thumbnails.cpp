@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "app/direct/picture.h"
+#include "app/recipe/edit/recipe_json.h"
 #include "atlas/base/error.h"
 
 namespace burl {

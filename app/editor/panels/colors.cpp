@@ -9,7 +9,7 @@
 #include "app/editor/panels/widgets.h"
 #include "app/editor/session/groups.h"
 #include "app/editor/session/stops.h"
-#include "app/recipe/leaves.h"
+#include "app/recipe/edit/leaves.h"
 #include "procedural/model/texture_json.h"
 
 namespace burl {

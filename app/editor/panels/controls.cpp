@@ -11,8 +11,8 @@
 #include "app/editor/panels/leaf_widget.h"
 #include "app/editor/panels/panels.h"
 #include "app/editor/panels/widgets.h"
-#include "app/recipe/controls.h"
-#include "app/recipe/leaves.h"
+#include "app/recipe/edit/controls.h"
+#include "app/recipe/edit/leaves.h"
 
 namespace burl {
 

@@ -7,7 +7,7 @@
 
 #include "app/editor/panels/items.h"
 #include "app/editor/panels/slider.h"
-#include "app/recipe/leaves.h"
+#include "app/recipe/edit/leaves.h"
 
 namespace burl {
 

@@ -25,11 +25,11 @@ struct PanelContext {
 /// Draws the recipe's name and what it says about itself.
 void recipe_heading(const Recipe& recipe);
 
-/// Draws a slider or colour field for every control of the recipe (app/recipe/controls.h), each an
-/// item of its name; nothing for a recipe without controls. A change is that of --set.
+/// Draws a slider or colour field for every control of the recipe (app/recipe/edit/controls.h),
+/// each an item of its name; nothing for a recipe without controls. A change is that of --set.
 void controls_panel(const PanelContext& context);
 
-/// Draws a slider for every parameter in the tables (app/recipe/leaves.h), grouped as in the
+/// Draws a slider for every parameter in the tables (app/recipe/edit/leaves.h), grouped as in the
 /// recipe; the pose's weight only where the mesh has a pose (`posed`).
 void parameters_panel(const PanelContext& context, bool posed);
 

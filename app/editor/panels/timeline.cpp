@@ -9,10 +9,10 @@
 #include "app/editor/panels/panels.h"
 #include "app/editor/panels/widgets.h"
 #include "app/editor/session/groups.h"
-#include "app/recipe/key_check.h"
-#include "app/recipe/key_edit.h"
-#include "app/recipe/keyed_recipe.h"
-#include "app/recipe/leaves.h"
+#include "app/recipe/edit/key_check.h"
+#include "app/recipe/edit/key_edit.h"
+#include "app/recipe/edit/keyed_recipe.h"
+#include "app/recipe/edit/leaves.h"
 
 namespace burl {
 

@@ -17,7 +17,8 @@
 #include "app/base/atomic_file.h"
 #include "app/base/file_bytes.h"
 #include "app/base/json_text.h"
-#include "app/recipe/images.h"
+#include "app/recipe/edit/images.h"
+#include "app/recipe/edit/recipe_json.h"
 #include "atlas/base/error.h"
 
 namespace burl {

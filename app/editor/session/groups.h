@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/recipe/leaves.h"
+#include "app/recipe/edit/leaves.h"
 
 namespace burl {
 

@@ -70,7 +70,7 @@ class EditHistory {
     /// Goes to the step of unsaved().
     void return_to_unsaved();
     /// Records that the recipe was written to the file `path`, with its images named relative to it
-    /// (with_images_for, app/recipe/images.h), and makes that the recipe's file. Older unsaved
+    /// (with_images_for, app/recipe/edit/images.h), and makes that the recipe's file. Older unsaved
     /// changes of the same file are no longer unsaved() but can be undone to.
     void mark_saved(const std::string& path);
     /// Records that the file changed on disk: no recipe counts as saved in it.

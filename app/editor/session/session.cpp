@@ -10,11 +10,12 @@
 
 #include "app/base/atomic_file.h"
 #include "app/options/idle_options.h"
-#include "app/recipe/images.h"
-#include "app/recipe/key_check.h"
-#include "app/recipe/key_edit.h"
-#include "app/recipe/keyed_recipe.h"
-#include "app/recipe/leaves.h"
+#include "app/recipe/edit/images.h"
+#include "app/recipe/edit/key_check.h"
+#include "app/recipe/edit/key_edit.h"
+#include "app/recipe/edit/keyed_recipe.h"
+#include "app/recipe/edit/leaves.h"
+#include "app/recipe/edit/recipe_json.h"
 #include "atlas/base/error.h"
 
 namespace burl {

@@ -11,6 +11,7 @@
 #include "app/editor/panels/widgets.h"
 #include "app/editor/window/panes.h"
 #include "app/editor/window/program.h"
+#include "app/recipe/edit/recipe_json.h"
 
 namespace burl {
 

@@ -13,6 +13,7 @@
 #include "app/editor/panels/widgets.h"
 #include "app/editor/session/input.h"
 #include "app/image/image_io.h"
+#include "app/recipe/edit/recipe_json.h"
 #include "atlas/base/error.h"
 
 namespace burl {

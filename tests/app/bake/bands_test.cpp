@@ -6,6 +6,7 @@
 #include "app/image/convert_image.h"
 #include "app/image/image_io.h"
 #include "app/paint/texture.h"
+#include "app/recipe/edit/recipe_json.h"
 #include "app/recipe/parameters.h"
 #include "app/surface/sample_meshes.h"
 #include "atlas/build/block_levels.h"

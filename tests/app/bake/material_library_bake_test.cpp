@@ -7,6 +7,8 @@
 
 #include "app/bake/bake.h"
 #include "app/recipe/channel_texture.h"
+#include "app/recipe/edit/recipe_json.h"
+#include "app/recipe/presets.h"
 #include "app/surface/sample_meshes.h"
 #include "procedural/graph/evaluator.h"
 #include "tests/app/support/glb_pictures.h"

@@ -9,6 +9,7 @@
 #include "app/export/vertices.h"
 #include "app/measure/normal_error.h"
 #include "app/pipeline/texture_color.h"
+#include "app/recipe/edit/recipe_json.h"
 #include "app/surface/tangents.h"
 #include "atlas/base/error.h"
 #include "procedural/fill/normals.h"

@@ -1,5 +1,6 @@
 // The cubes of "Bresenham Noise".
 #include "app/direct/forward_cube.h"
+#include "app/recipe/edit/recipe_json.h"
 
 #include <gtest/gtest.h>
 

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
+#include "app/recipe/edit/recipe_json.h"
 #include "app/scene/visibility.h"
 #include "app/surface/normals.h"
 #include "tests/app/support/direct_picture.h"

@@ -1,11 +1,12 @@
 // No command writes over what it reads: every output of every verb against every input, by whatever
 // name; and what is no file is not waited for.
 #include "app/export/command_files.h"
+#include "app/recipe/edit/recipe_json.h"
 
 #include <map>
 
 #include "app/image/image_io.h"
-#include "app/recipe/images.h"
+#include "app/recipe/edit/images.h"
 #include "atlas/base/error.h"
 #include "tests/app/programs/run_program.h"
 

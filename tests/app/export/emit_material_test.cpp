@@ -15,6 +15,7 @@
 #include "app/pipeline/pipeline.h"
 #include "app/pipeline/texture_color.h"
 #include "app/recipe/channel_texture.h"
+#include "app/recipe/edit/recipe_json.h"
 #include "procedural/maps/point_map.h"
 #include "tests/app/export/emitted_shader.h"
 #include "tests/app/programs/run_program.h"

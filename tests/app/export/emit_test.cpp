@@ -1,6 +1,7 @@
 // Shaders written for use elsewhere: every preset's compiles by itself and gives the host's
 // colours.
 #include "app/export/emit.h"
+#include "app/recipe/edit/recipe_json.h"
 
 #include <algorithm>
 #include <cmath>

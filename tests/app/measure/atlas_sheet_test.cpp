@@ -1,6 +1,7 @@
 // Pictures of an atlas against what single texels show, found triangle by triangle, and the way
 // from a texel to the object and back.
 #include "app/measure/atlas_sheet.h"
+#include "app/recipe/edit/recipe_json.h"
 
 #include <gtest/gtest.h>
 

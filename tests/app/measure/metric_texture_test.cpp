@@ -1,5 +1,6 @@
 // The textures atlases are judged with, against the recipe's own evaluation and sRGB's formula.
 #include "app/measure/metric_texture.h"
+#include "app/recipe/edit/recipe_json.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,6 @@
 // Errors of textures against differences worked out texel by texel from the texture's definition.
 #include "app/measure/texture_error.h"
+#include "app/recipe/edit/recipe_json.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,7 @@
 // Frames of an animation against bakes and pictures of single recipes, and what is refused before
 // anything is written.
 #include "app/options/animation.h"
+#include "app/recipe/edit/recipe_json.h"
 
 #include <algorithm>
 

@@ -1,6 +1,7 @@
 // Paint against a search over every texel and every segment, with distances by another formula; and
 // paint that is kept against paint made anew.
 #include "app/paint/texture.h"
+#include "app/recipe/edit/recipe_json.h"
 
 #include <gtest/gtest.h>
 

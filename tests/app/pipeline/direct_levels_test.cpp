@@ -1,5 +1,6 @@
 // Direct levels against means over grids of samples made texel by texel, and against the surface.
 #include "app/pipeline/direct_levels.h"
+#include "app/recipe/edit/recipe_json.h"
 
 #include <cmath>
 #include <numeric>

@@ -1,5 +1,6 @@
 // Displacement against closed forms, and against the normals of bumps of the same height.
 #include "app/pipeline/displaced_mesh.h"
+#include "app/recipe/edit/recipe_json.h"
 
 #include <cmath>
 
@@ -7,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "app/pipeline/texture_color.h"
-#include "app/recipe/images.h"
+#include "app/recipe/edit/images.h"
 #include "app/surface/sample_meshes.h"
 #include "atlas/base/error.h"
 #include "atlas/mesh/subdivide.h"

@@ -1,6 +1,8 @@
 // Whatever is left out, nobody sees it: textures with every skip, without one of them and without
 // any have the same bytes, for all presets and a thousand recipes at random.
 #include "procedural/batch/economy.h"
+#include "app/recipe/edit/recipe_json.h"
+#include "app/recipe/presets.h"
 
 #include <filesystem>
 

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "app/recipe/edit/recipe_json.h"
 #include "app/recipe/recipe.h"
 #include "tests/app/support/sample_scene.h"
 #include "tests/atlas/support/made_shapes.h"

@@ -11,6 +11,7 @@
 #include "app/measure/texture_error.h"
 #include "app/pipeline/pipeline.h"
 #include "app/pipeline/texture_color.h"
+#include "app/recipe/edit/recipe_json.h"
 #include "atlas/base/error.h"
 #include "tests/app/pipeline/mask_cases.h"
 

@@ -1,5 +1,6 @@
 // The measurement that `--synth auto` goes by: who takes long is found to, and nothing of it stays.
 #include "app/pipeline/measure_synthesis.h"
+#include "app/recipe/edit/recipe_json.h"
 
 #include <chrono>
 #include <thread>

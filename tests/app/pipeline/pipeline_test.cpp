@@ -1,6 +1,7 @@
 // A pipeline repeats what a recipe changes and nothing else, and has the bytes of one that starts
 // anew.
 #include "app/pipeline/pipeline.h"
+#include "app/recipe/edit/recipe_json.h"
 
 #include <thread>
 

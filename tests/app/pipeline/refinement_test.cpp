@@ -1,5 +1,6 @@
 // A dragged slider is answered by a level that fits the time there is, and refined at rest.
 #include "app/pipeline/refinement.h"
+#include "app/recipe/edit/recipe_json.h"
 
 #include <gtest/gtest.h>
 

@@ -7,6 +7,7 @@
 
 #include "app/gl/fill/synthesizer.h"
 #include "app/pipeline/pipeline.h"
+#include "app/recipe/edit/recipe_json.h"
 #include "app/recipe/lattice_check.h"
 #include "tests/app/gl/device/fixture.h"
 #include "tests/app/support/sample_scene.h"

@@ -5,9 +5,10 @@
 #include <gmock/gmock.h>
 
 #include "app/recipe/material_notes.h"
+#include "app/recipe/presets.h"
 #include "app/recipe/recipe.h"
 #include "tests/app/programs/run_program.h"
-#include "tests/app/recipe/control_samples.h"
+#include "tests/app/recipe/edit/control_samples.h"
 
 namespace burl::test {
 namespace {

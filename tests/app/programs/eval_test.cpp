@@ -1,6 +1,7 @@
 // `burl eval` from outside: what it prints against the library, closed forms and published values.
 #include <nlohmann/json.hpp>
 
+#include "app/recipe/edit/recipe_json.h"
 #include "app/recipe/recipe.h"
 #include "procedural/fixed/noise.h"
 #include "procedural/model/octaves.h"

@@ -8,6 +8,7 @@
 #include "app/gl/draw/view_scene.h"
 #include "app/image/image_io.h"
 #include "app/pipeline/pipeline.h"
+#include "app/recipe/edit/recipe_json.h"
 #include "app/scene/scene.h"
 #include "app/scene/surface_pick.h"
 #include "app/surface/normals.h"

@@ -1,6 +1,7 @@
 // `--precision` and the recipe's key: what it changes, and what it refuses.
 #include <gtest/gtest.h>
 
+#include "app/recipe/edit/recipe_json.h"
 #include "app/recipe/recipe.h"
 #include "atlas/base/error.h"
 #include "tests/app/programs/run_program.h"

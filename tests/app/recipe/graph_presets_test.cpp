@@ -8,6 +8,7 @@
 #include "app/base/embedded.h"
 #include "app/bench/meshes.h"
 #include "app/pipeline/pipeline.h"
+#include "app/recipe/edit/recipe_json.h"
 
 namespace burl {
 namespace {

@@ -7,10 +7,12 @@
 #include <set>
 
 #include "app/base/embedded.h"
-#include "app/recipe/controls.h"
-#include "app/recipe/formula.h"
-#include "app/recipe/leaves.h"
+#include "app/recipe/edit/controls.h"
+#include "app/recipe/edit/formula.h"
+#include "app/recipe/edit/leaves.h"
+#include "app/recipe/edit/recipe_json.h"
 #include "app/recipe/material_notes.h"
+#include "app/recipe/presets.h"
 #include "app/recipe/recipe.h"
 #include "app/recipe/spelling.h"
 #include "atlas/base/error.h"

@@ -1,4 +1,5 @@
 #include "app/recipe/parameters.h"
+#include "app/recipe/edit/recipe_json.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -1,5 +1,6 @@
 // Edges and borders against every pair of triangles of the mesh and its atlas in turn.
 #include "app/scene/surface_lines.h"
+#include "app/recipe/edit/recipe_json.h"
 
 #include <gtest/gtest.h>
 

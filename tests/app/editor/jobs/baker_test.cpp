@@ -1,6 +1,7 @@
 // The editor's baker with large meshes: pairs at once, then the recipe's own atlas, and neither
 // closing nor another mesh waits for that.
 #include "app/editor/jobs/baker.h"
+#include "app/recipe/edit/recipe_json.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,7 @@
 // The files that an editor has open: read beside everything else, again when they change, and
 // remembered.
 #include "app/editor/jobs/open_files.h"
+#include "app/recipe/edit/recipe_json.h"
 
 #include <gtest/gtest.h>
 

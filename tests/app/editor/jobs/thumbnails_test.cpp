@@ -1,5 +1,6 @@
 // The gallery's balls: round, lit, of the recipe's colours, and made once beside the program.
 #include "app/editor/jobs/thumbnails.h"
+#include "app/recipe/edit/recipe_json.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,6 @@
 // What the editor's views wish for is made, once, and given back when nobody looks.
 #include "app/editor/jobs/view_maker.h"
+#include "app/recipe/edit/recipe_json.h"
 
 #include <gtest/gtest.h>
 

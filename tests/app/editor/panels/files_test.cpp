@@ -1,6 +1,7 @@
 // The editor's files: what its browser lists, what survives a crash, and that an export is the
 // bytes of a bake.
 #include "app/editor/panels/files.h"
+#include "app/recipe/edit/recipe_json.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,7 @@
 // The order and names of parameters: nothing is lost, what matters comes first, and everything has
 // a name in words.
 #include "app/editor/session/groups.h"
+#include "app/recipe/edit/recipe_json.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -10,7 +11,7 @@
 
 #include "app/base/embedded.h"
 #include "app/editor/panels/parameters.h"
-#include "app/recipe/key_check.h"
+#include "app/recipe/edit/key_check.h"
 
 namespace burl {
 namespace {

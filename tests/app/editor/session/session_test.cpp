@@ -1,6 +1,7 @@
 // What the editor does to recipes: good values become steps, bad ones a sentence and nothing else,
 // and the command line that it offers makes the same recipe.
 #include "app/editor/session/session.h"
+#include "app/recipe/edit/recipe_json.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -12,7 +13,7 @@
 #include "app/base/real_path.h"
 #include "app/editor/session/autosave.h"
 #include "app/image/image_io.h"
-#include "app/recipe/images.h"
+#include "app/recipe/edit/images.h"
 #include "atlas/base/error.h"
 #include "tests/app/support/scratch_folder.h"
 

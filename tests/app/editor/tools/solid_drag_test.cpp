@@ -1,6 +1,7 @@
 // A texture dragged on its object: against its own map, by which what was at one point must be at
 // another, and rotations against GLM's.
 #include "app/editor/tools/solid_drag.h"
+#include "app/recipe/edit/recipe_json.h"
 
 #include <gtest/gtest.h>
 

@@ -5,10 +5,11 @@
 #include <cmath>
 
 #include "app/base/atomic_file.h"
-#include "app/recipe/controls.h"
-#include "app/recipe/leaves.h"
+#include "app/recipe/edit/controls.h"
+#include "app/recipe/edit/leaves.h"
+#include "app/recipe/edit/recipe_json.h"
 #include "tests/app/editor/window/fixture.h"
-#include "tests/app/recipe/control_samples.h"
+#include "tests/app/recipe/edit/control_samples.h"
 #include "tests/app/support/scratch_folder.h"
 
 namespace burl {

@@ -11,6 +11,7 @@
 #include "app/base/atomic_file.h"
 #include "app/base/file_bytes.h"
 #include "app/image/image_io.h"
+#include "app/recipe/edit/recipe_json.h"
 #include "tests/app/editor/window/files_fixture.h"
 #include "tests/app/programs/run_program.h"
 

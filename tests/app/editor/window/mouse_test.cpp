@@ -11,6 +11,7 @@
 
 #include "app/editor/panels/parameters.h"
 #include "app/editor/window/program.h"
+#include "app/recipe/edit/recipe_json.h"
 #include "app/surface/sample_meshes.h"
 #include "tests/app/programs/run_program.h"
 #include "tests/app/support/x_display.h"

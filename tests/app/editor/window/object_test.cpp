@@ -1,6 +1,7 @@
 // The editor's view of the object: whatever was drawn before, a frame is what a view of its own
 // shows.
 #include "app/editor/window/object.h"
+#include "app/recipe/edit/recipe_json.h"
 
 #include <gtest/gtest.h>
 

@@ -4,6 +4,7 @@
 
 #include "app/base/atomic_file.h"
 #include "app/base/file_bytes.h"
+#include "app/recipe/edit/recipe_json.h"
 #include "tests/app/editor/window/fixture.h"
 #include "tests/app/programs/run_program.h"
 #include "tests/app/support/scratch_folder.h"

@@ -8,6 +8,7 @@
 
 #include "app/base/file_bytes.h"
 #include "app/editor/jobs/export.h"
+#include "app/recipe/edit/recipe_json.h"
 #include "app/scene/shading.h"
 #include "atlas/base/error.h"
 #include "tests/app/editor/window/fixture.h"

@@ -14,6 +14,7 @@
 #include "app/base/atomic_file.h"
 #include "app/base/embedded.h"
 #include "app/base/stopwatch.h"
+#include "app/recipe/edit/recipe_json.h"
 #include "tests/app/editor/window/fixture.h"
 #include "tests/app/support/scratch_folder.h"
 

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "app/recipe/edit/recipe_json.h"
 #include "tests/app/editor/window/files_fixture.h"
 
 namespace burl {

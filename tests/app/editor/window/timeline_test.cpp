@@ -4,8 +4,9 @@
 
 #include "app/base/file_bytes.h"
 #include "app/editor/jobs/export.h"
-#include "app/recipe/key_edit.h"
-#include "app/recipe/keyed_recipe.h"
+#include "app/recipe/edit/key_edit.h"
+#include "app/recipe/edit/keyed_recipe.h"
+#include "app/recipe/edit/recipe_json.h"
 #include "atlas/base/error.h"
 #include "tests/app/editor/window/fixture.h"
 #include "tests/app/support/scratch_folder.h"

@@ -1,6 +1,7 @@
 // Pictures of textures that hold nothing but what the pictures look up, against pictures of baked
 // files and of whole textures.
 #include "app/gl/draw/lazy_picture.h"
+#include "app/recipe/edit/recipe_json.h"
 
 #include <gtest/gtest.h>
 

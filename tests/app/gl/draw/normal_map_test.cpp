@@ -7,6 +7,7 @@
 #include "app/direct/render.h"
 #include "app/gl/draw/render.h"
 #include "app/image/image_diff.h"
+#include "app/recipe/edit/recipe_json.h"
 #include "app/scene/scene.h"
 #include "tests/app/gl/device/fixture.h"
 #include "tests/app/support/direct_picture.h"

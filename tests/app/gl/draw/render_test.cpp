@@ -1,4 +1,5 @@
 #include "app/gl/draw/render.h"
+#include "app/recipe/edit/recipe_json.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

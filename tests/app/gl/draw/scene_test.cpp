@@ -1,6 +1,7 @@
 // A scene that is uploaded piece by piece against one that was uploaded at once, whose pictures
 // gl_render_test checks against pictures without OpenGL.
 #include "app/gl/draw/scene.h"
+#include "app/recipe/edit/recipe_json.h"
 
 #include <gtest/gtest.h>
 

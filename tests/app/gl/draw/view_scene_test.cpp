@@ -1,5 +1,6 @@
 // The scene of a view against what the reader of glTF finds in the file that an export writes.
 #include "app/gl/draw/view_scene.h"
+#include "app/recipe/edit/recipe_json.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

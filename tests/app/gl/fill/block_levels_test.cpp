@@ -1,5 +1,6 @@
 // Levels drawn against the host's, bit for bit; those have tests of their own.
 #include "app/gl/fill/block_levels.h"
+#include "app/recipe/edit/recipe_json.h"
 
 #include <cmath>
 #include <random>

@@ -12,6 +12,7 @@
 #include "app/bench/meshes.h"
 #include "app/gl/fill/synthesize.h"
 #include "app/pipeline/pipeline.h"
+#include "app/recipe/edit/recipe_json.h"
 #include "procedural/fill/graph.h"
 #include "tests/app/gl/device/fixture.h"
 #include "tests/paths.h"

@@ -1,6 +1,7 @@
 // Texture graphs through OpenGL against the host's synthesis: the same bytes in float64, nearly the
 // same colours in float32.
 #include "app/gl/fill/synthesize.h"
+#include "app/recipe/edit/recipe_json.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,6 @@
 // Textures by the papers' passes against the host's.
 #include "app/gl/fill/multipass.h"
+#include "app/recipe/edit/recipe_json.h"
 
 #include <cmath>
 

@@ -13,6 +13,7 @@
 #include "app/bench/meshes.h"
 #include "app/gl/fill/synthesizer.h"
 #include "app/pipeline/pipeline.h"
+#include "app/recipe/edit/recipe_json.h"
 #include "tests/app/gl/device/fixture.h"
 
 namespace burl {

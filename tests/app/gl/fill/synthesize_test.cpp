@@ -1,5 +1,6 @@
 // Textures of the 1999 model through OpenGL against the host's, byte by byte.
 #include "app/gl/fill/synthesize.h"
+#include "app/recipe/edit/recipe_json.h"
 
 #include <array>
 #include <cmath>

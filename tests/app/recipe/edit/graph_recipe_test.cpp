@@ -9,6 +9,7 @@
 
 #include "app/base/embedded.h"
 #include "app/image/image_io.h"
+#include "app/recipe/edit/recipe_json.h"
 #include "app/recipe/parameters.h"
 #include "app/recipe/recipe.h"
 #include "atlas/base/error.h"

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/base/sha256.h"
+#include "app/recipe/edit/recipe_json.h"
 #include "app/recipe/recipe.h"
 #include "procedural/color/mip_image.h"
 

@@ -9,7 +9,7 @@
 
 #include "app/base/json_text.h"
 #include "app/recipe/control.h"
-#include "app/recipe/places.h"
+#include "app/recipe/edit/places.h"
 #include "app/recipe/schema_check.h"
 
 namespace burl {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "app/pipeline/material.h"
+#include "app/recipe/edit/recipe_json.h"
 #include "app/recipe/recipe.h"
 #include "atlas/base/error.h"
 

@@ -1,13 +1,13 @@
-#include "app/recipe/check.h"
+#include "app/recipe/edit/check.h"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "app/recipe/controls.h"
+#include "app/recipe/edit/controls.h"
+#include "app/recipe/edit/key_check.h"
 #include "app/recipe/graph_check.h"
-#include "app/recipe/key_check.h"
 #include "app/recipe/schema_check.h"
 #include "app/recipe/spelling.h"
 #include "procedural/graph/json.h"

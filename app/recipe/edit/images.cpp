@@ -1,10 +1,11 @@
-#include "app/recipe/images.h"
+#include "app/recipe/edit/images.h"
 
 #include <filesystem>
 #include <utility>
 
 #include "app/base/real_path.h"
 #include "app/image/image_io.h"
+#include "app/recipe/edit/recipe_json.h"
 
 namespace burl {
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "app/base/embedded.h"
+#include "app/recipe/edit/recipe_json.h"
 #include "app/recipe/recipe.h"
 #include "atlas/base/error.h"
 #include "tests/paths.h"

@@ -1,4 +1,4 @@
-#include "app/recipe/places.h"
+#include "app/recipe/edit/places.h"
 
 #include <algorithm>
 #include <set>
@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "app/recipe/leaves.h"
+#include "app/recipe/edit/leaves.h"
 #include "app/recipe/schema_check.h"
 #include "app/recipe/spelling.h"
 

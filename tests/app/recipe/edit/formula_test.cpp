@@ -1,5 +1,5 @@
 // Formulas against the same arithmetic in C++, and what is no formula.
-#include "app/recipe/formula.h"
+#include "app/recipe/edit/formula.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

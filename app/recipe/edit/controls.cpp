@@ -1,4 +1,4 @@
-#include "app/recipe/controls.h"
+#include "app/recipe/edit/controls.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "app/base/messages.h"
-#include "app/recipe/formula.h"
+#include "app/recipe/edit/formula.h"
 #include "atlas/base/error.h"
 #include "procedural/model/members.h"
 

@@ -1,8 +1,9 @@
-#include "app/recipe/leaves.h"
+#include "app/recipe/edit/leaves.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "app/recipe/edit/recipe_json.h"
 #include "app/recipe/schema_check.h"
 #include "procedural/graph/json.h"
 #include "procedural/graph/table.h"

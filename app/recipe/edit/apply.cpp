@@ -1,4 +1,4 @@
-#include "app/recipe/apply.h"
+#include "app/recipe/edit/apply.h"
 
 #include <algorithm>
 #include <utility>
@@ -6,10 +6,10 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "app/recipe/check.h"
-#include "app/recipe/controls.h"
-#include "app/recipe/leaves.h"
-#include "app/recipe/settings.h"
+#include "app/recipe/edit/check.h"
+#include "app/recipe/edit/controls.h"
+#include "app/recipe/edit/leaves.h"
+#include "app/recipe/edit/settings.h"
 #include "atlas/base/error.h"
 
 namespace burl {

@@ -1,16 +1,17 @@
 // Controls: a value set by name is what its paths are set to by hand, whatever is written down in
 // between; and every way of getting one wrong.
-#include "app/recipe/controls.h"
+#include "app/recipe/edit/controls.h"
+#include "app/recipe/edit/recipe_json.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "app/options/animation.h"
-#include "app/recipe/leaves.h"
+#include "app/recipe/edit/leaves.h"
 #include "app/recipe/recipe.h"
 #include "atlas/base/error.h"
-#include "tests/app/recipe/control_samples.h"
+#include "tests/app/recipe/edit/control_samples.h"
 
 namespace burl {
 namespace {

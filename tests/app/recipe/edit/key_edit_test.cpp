@@ -1,6 +1,7 @@
 // Edits of keys, and edits of what is seen at a time: what comes of them at that time and at
 // others.
-#include "app/recipe/key_edit.h"
+#include "app/recipe/edit/key_edit.h"
+#include "app/recipe/edit/recipe_json.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -8,9 +9,9 @@
 #include <random>
 
 #include "app/editor/session/session.h"
-#include "app/recipe/key_check.h"
-#include "app/recipe/keyed_recipe.h"
-#include "app/recipe/leaves.h"
+#include "app/recipe/edit/key_check.h"
+#include "app/recipe/edit/keyed_recipe.h"
+#include "app/recipe/edit/leaves.h"
 
 namespace burl {
 namespace {

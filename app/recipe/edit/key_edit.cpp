@@ -1,4 +1,4 @@
-#include "app/recipe/key_edit.h"
+#include "app/recipe/edit/key_edit.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -6,9 +6,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/recipe/key_check.h"
-#include "app/recipe/keyed_recipe.h"
-#include "app/recipe/leaves.h"
+#include "app/recipe/edit/key_check.h"
+#include "app/recipe/edit/keyed_recipe.h"
+#include "app/recipe/edit/leaves.h"
+#include "app/recipe/edit/recipe_json.h"
 
 namespace burl {
 

@@ -1,3 +1,5 @@
+#include "app/recipe/edit/recipe_json.h"
+
 #include <algorithm>
 #include <bit>
 #include <filesystem>
@@ -9,9 +11,10 @@
 
 #include "app/base/real_path.h"
 #include "app/image/image_io.h"
-#include "app/recipe/apply.h"
-#include "app/recipe/check.h"
-#include "app/recipe/images.h"
+#include "app/recipe/edit/apply.h"
+#include "app/recipe/edit/check.h"
+#include "app/recipe/edit/images.h"
+#include "app/recipe/presets.h"
 #include "app/recipe/spelling.h"
 #include "atlas/base/error.h"
 #include "procedural/graph/json.h"
@@ -152,6 +155,14 @@ Recipe parse_recipe(const std::string& json, const std::string& origin,
     for (TextureGraph* graph : {&recipe.texture, &recipe.bump.input})
         for (GraphImage& image : graph->images)
             image.pixels = images.pyramid(path_of(image.file), image.pixels->wrap());
+    return recipe;
+}
+
+Recipe load_recipe(const std::string& path_or_preset, const std::vector<std::string>& settings,
+                   RecipeImages& images) {
+    Recipe recipe = parse_recipe(recipe_text(path_or_preset), path_or_preset, settings, images);
+    if (recipe.name.empty() && !names_preset(path_or_preset))
+        recipe.name = std::filesystem::path(path_or_preset).stem().string();
     return recipe;
 }
 

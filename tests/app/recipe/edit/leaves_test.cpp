@@ -1,6 +1,7 @@
 // Every preset's sliders: each leaf stands for a value that the recipe has, and setting it to what
 // it is changes nothing.
-#include "app/recipe/leaves.h"
+#include "app/recipe/edit/leaves.h"
+#include "app/recipe/edit/recipe_json.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +12,7 @@
 #include <set>
 
 #include "app/base/embedded.h"
-#include "app/recipe/settings.h"
+#include "app/recipe/edit/settings.h"
 
 namespace burl {
 namespace {

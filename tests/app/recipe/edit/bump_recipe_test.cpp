@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "app/recipe/edit/recipe_json.h"
 #include "app/recipe/recipe.h"
 #include "app/surface/normals.h"
 #include "atlas/base/error.h"

@@ -1,4 +1,4 @@
-#include "app/recipe/formula.h"
+#include "app/recipe/edit/formula.h"
 
 #include <algorithm>
 #include <cmath>

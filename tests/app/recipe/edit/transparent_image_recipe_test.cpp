@@ -6,6 +6,7 @@
 #include "app/image/image_io.h"
 #include "app/pipeline/material.h"
 #include "app/pipeline/pipeline.h"
+#include "app/recipe/edit/recipe_json.h"
 #include "tests/app/programs/run_program.h"
 
 namespace burl {

@@ -1,4 +1,4 @@
-#include "app/recipe/keyed_recipe.h"
+#include "app/recipe/edit/keyed_recipe.h"
 
 #include <fmt/format.h>
 
@@ -6,8 +6,9 @@
 #include <cmath>
 #include <string_view>
 
-#include "app/recipe/key_check.h"
-#include "app/recipe/leaves.h"
+#include "app/recipe/edit/key_check.h"
+#include "app/recipe/edit/leaves.h"
+#include "app/recipe/edit/recipe_json.h"
 #include "atlas/base/error.h"
 
 namespace burl {

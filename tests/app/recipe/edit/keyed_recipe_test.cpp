@@ -1,13 +1,14 @@
 // Recipes at a time against closed forms, their JSON, and what is refused about keys.
-#include "app/recipe/keyed_recipe.h"
+#include "app/recipe/edit/keyed_recipe.h"
+#include "app/recipe/edit/recipe_json.h"
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
 #include <cmath>
 
-#include "app/recipe/key_check.h"
-#include "app/recipe/leaves.h"
+#include "app/recipe/edit/key_check.h"
+#include "app/recipe/edit/leaves.h"
 #include "atlas/base/error.h"
 #include "tests/app/programs/run_program.h"
 

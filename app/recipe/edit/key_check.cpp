@@ -1,4 +1,4 @@
-#include "app/recipe/key_check.h"
+#include "app/recipe/edit/key_check.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "app/base/messages.h"
-#include "app/recipe/leaves.h"
+#include "app/recipe/edit/leaves.h"
 
 namespace burl {
 

@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "app/base/messages.h"
-#include "app/recipe/controls.h"
-#include "app/recipe/formula.h"
+#include "app/recipe/edit/controls.h"
+#include "app/recipe/edit/formula.h"
 
 namespace burl {
 

@@ -1,0 +1,141 @@
+// Draws .glb files with three.js in a headless Chromium, as another program shows what we export:
+//   node three_js.mjs MODULES CHROMIUM ENVIRONMENT.hdr AZIMUTH,ELEVATION,DISTANCE SIDE FILE.glb...
+// writes FILE.three.png beside each: averaged in linear light, through the tone curve of Khronos PBR Neutral, encoded to sRGB,
+// over the grey of `burl render`. MODULES is the folder whose node_modules holds three.
+import {spawn} from 'node:child_process';
+import {createServer} from 'node:http';
+import {mkdtempSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
+import {tmpdir} from 'node:os';
+import {basename, dirname, join, normalize} from 'node:path';
+import {fileURLToPath} from 'node:url';
+import {deflateSync} from 'node:zlib';
+
+const [modules, chromium, environment, view, side, ...files] = process.argv.slice(2);
+const here = dirname(fileURLToPath(import.meta.url));
+const [azimuth, elevation, distance] = view.split(',').map(Number);
+const size = Number(side), supersample = 2, grey = 176;
+
+// Khronos PBR Neutral, from its specification.
+function toneMapped(c) {
+    const start = 0.8 - 0.04, desaturation = 0.15;
+    const low = Math.min(...c), offset = low < 0.08 ? low - 6.25 * low * low : 0.04;
+    c = c.map((v) => v - offset);
+    const peak = Math.max(...c);
+    if (peak < start) return c;
+    const d = 1 - start, newPeak = 1 - d * d / (peak + d - start);
+    const g = 1 - 1 / (desaturation * (peak - newPeak) + 1);
+    return c.map((v) => v * newPeak / peak * (1 - g) + newPeak * g);
+}
+
+const encoded = (v) => Math.round(255 * (v <= 0.0031308 ? 12.92 * v : 1.055 * Math.min(v, 1) ** (1 / 2.4) - 0.055));
+
+// The 8-bit picture of linear samples with alpha multiplied in, rows from below.
+function developed(samples) {
+    const picture = Buffer.alloc(3 * size * size), n = supersample;
+    for (let y = 0; y < size; ++y) {
+        for (let x = 0; x < size; ++x) {
+            const sum = [0, 0, 0, 0];
+            for (let j = 0; j < n; ++j) {
+                for (let i = 0; i < n; ++i) {
+                    const at = 4 * ((n * size - 1 - n * y - j) * n * size + n * x + i);
+                    for (let c = 0; c < 4; ++c) sum[c] += samples[at + c] / (n * n);
+                }
+            }
+            const codes = sum[3] > 0 ? toneMapped(sum.slice(0, 3).map((v) => v / sum[3])).map(encoded) : [grey, grey, grey];
+            picture.set(sum[3] < 1 ? [grey, grey, grey] : codes, 3 * (y * size + x));
+        }
+    }
+    return picture;
+}
+
+function crc32(bytes) {
+    let crc = ~0;
+    for (const byte of bytes) {
+        crc ^= byte;
+        for (let k = 0; k < 8; ++k) crc = (crc >>> 1) ^ (crc & 1 ? 0xedb88320 : 0);
+    }
+    return ~crc >>> 0;
+}
+
+function chunk(type, data) {
+    const body = Buffer.concat([Buffer.from(type, 'latin1'), data]), out = Buffer.alloc(body.length + 8);
+    out.writeUInt32BE(data.length);
+    body.copy(out, 4);
+    out.writeUInt32BE(crc32(body), body.length + 4);
+    return out;
+}
+
+function png(picture) {
+    const head = Buffer.alloc(13), rows = Buffer.alloc(size * (3 * size + 1));
+    head.writeUInt32BE(size);
+    head.writeUInt32BE(size, 4);
+    head.set([8, 2], 8);
+    for (let y = 0; y < size; ++y) picture.copy(rows, y * (3 * size + 1) + 1, 3 * y * size, 3 * (y + 1) * size);
+    return Buffer.concat([Buffer.from('\x89PNG\r\n\x1a\n', 'latin1'), chunk('IHDR', head), chunk('IDAT', deflateSync(rows)),
+        chunk('IEND', Buffer.alloc(0))]);
+}
+
+const jobs = files.map((_, i) => ({url: `/file/${i}.glb`, azimuth, elevation, distance, width: size, height: size, supersample}));
+const types = {'.mjs': 'text/javascript', '.js': 'text/javascript', '.html': 'text/html'};
+
+function find(url) {
+    if (url === '/jobs') return Buffer.from(JSON.stringify({environment: '/environment.hdr', jobs}));
+    if (url === '/environment.hdr') return readFileSync(environment);
+    const file = url.match(/^\/file\/(\d+)\.glb$/);
+    if (file) return readFileSync(files[Number(file[1])]);
+    if (url.startsWith('/modules/')) return readFileSync(join(modules, 'node_modules', normalize(url.slice(9))));
+    return readFileSync(join(here, basename(url)));
+}
+
+function receive(url, body) {
+    const number = url.match(/^\/picture\/(\d+)$/);
+    if (number) {
+        const samples = new Float32Array(body.buffer.slice(body.byteOffset, body.byteOffset + body.length));
+        writeFileSync(files[Number(number[1])].replace(/\.glb$/, '.three.png'), png(developed(samples)));
+    } else if (url === '/failed') {
+        console.log(body.toString());
+        finish(1);
+    } else if (url === '/done') {
+        finish(0);
+    }
+}
+
+const profile = mkdtempSync(join(tmpdir(), 'three-'));
+let browser;
+function finish(code) {
+    browser?.kill('SIGKILL');
+    server.close();
+    setTimeout(() => {
+        rmSync(profile, {recursive: true, force: true, maxRetries: 5});
+        process.exit(code);
+    }, 300);
+}
+
+const server = createServer((request, response) => {
+    const parts = [];
+    request.on('data', (part) => parts.push(part));
+    request.on('end', () => {
+        if (request.method === 'POST') {
+            response.end();
+            receive(request.url, Buffer.concat(parts));
+            return;
+        }
+        try {
+            const body = find(request.url);
+            response.setHeader('Content-Type', types[request.url.slice(request.url.lastIndexOf('.'))] ?? 'application/octet-stream');
+            response.end(body);
+        } catch {
+            response.statusCode = 404;
+            response.end();
+        }
+    });
+});
+server.listen(0, '127.0.0.1', () => {
+    browser = spawn(chromium, ['--headless', '--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--disable-quic', '--no-first-run',
+        '--disable-background-networking', '--disable-component-update', '--disable-sync', '--disable-dev-shm-usage',
+        `--user-data-dir=${profile}`, `http://127.0.0.1:${server.address().port}/page.html`], {stdio: process.env.PEER_LOG ? 'inherit' : 'ignore'});
+    setTimeout(() => {
+        console.log('Chromium did not answer in five minutes.');
+        finish(1);
+    }, 300000).unref();
+});
