@@ -20,7 +20,6 @@ namespace {
 constexpr double narrow = 64.0;  // width of the widest range shown as a whole
 // Reach of a wider range's slider to both sides of the default, in the parameter's steps.
 constexpr double steps_about = 40;
-constexpr float label_share = 0.36f;  // the share of a row that its name has
 
 void merge(ValueEdit& into, const ValueEdit& more) {
     if (more.began || more.value) into.item = more.item;
@@ -226,12 +225,8 @@ SliderRange slider_range(const Parameter& parameter, double value) {
 }
 
 ValueEdit edit_leaf(const RecipeLeaf& leaf, const LeafRow& row, EditItems& items) {
-    const float wide = ImGui::GetContentRegionAvail().x, left = ImGui::GetCursorPosX();
-    row_name(row.label, leaf.path,
-             std::max(1.0f, label_share * wide - ImGui::GetStyle().ItemSpacing.x));
+    begin_row(row.label, leaf.path, row.room);
     leaf_tip(leaf);
-    ImGui::SameLine(left + label_share * wide);
-    ImGui::SetNextItemWidth(std::max(1.0f, (1.0f - label_share) * wide - row.room));
     const ValueEdit edit = edit_value(leaf, row, items);
     leaf_tip(leaf);
     return edit;

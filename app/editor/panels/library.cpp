@@ -32,7 +32,9 @@ int picture_side(float width) {
     return int(std::ceil(pixels / float(picture_step))) * picture_step;
 }
 
+/// Returns "charred-wood" as people write it, "Charred wood".
 std::string capital(std::string word) {
+    std::ranges::replace(word, '-', ' ');
     if (!word.empty() && word[0] >= 'a' && word[0] <= 'z') word[0] = char(word[0] - 'a' + 'A');
     return word;
 }
@@ -88,7 +90,7 @@ class Gallery {
                   near || focused);
             ball(entry.name, plus(low, scaled(margin), scaled(margin)),
                  side_ - 2.0f * scaled(margin));
-            const std::string shown = shortened(entry.name, side_ - scaled(6.0f));
+            const std::string shown = shortened(capital(entry.name), side_ - scaled(6.0f));
             const float space = 0.5f * (side_ - ImGui::CalcTextSize(shown.c_str()).x);
             ImGui::GetWindowDrawList()->AddText(plus(low, space, side_ - scaled(3.0f)),
                                                 ImGui::GetColorU32(ImGuiCol_Text), shown.c_str());
@@ -133,7 +135,7 @@ class Gallery {
         }
         ImGui::PushTextWrapPos(width + ImGui::GetStyle().WindowPadding.x);
         ImGui::PushFont(heading_font());
-        ImGui::TextUnformatted(entry.name.c_str());
+        ImGui::TextUnformatted(capital(entry.name).c_str());
         ImGui::PopFont();
         ImGui::TextUnformatted(entry.about.c_str());
         ImGui::PopTextWrapPos();
@@ -190,8 +192,8 @@ void search_row(const PanelContext& context, LibraryView& view) {
 void category_rows(const PanelContext& context, LibraryView& view) {
     const ImGuiStyle& style = ImGui::GetStyle();
     const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.5f * style.ItemSpacing.x,
-                                                          0.5f * style.ItemSpacing.y));
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing,
+                        ImVec2(0.5f * style.ItemSpacing.x, 0.5f * style.ItemSpacing.y));
     bool first = true;
     const auto choice = [&](const std::string& category) {
         const std::string label = category.empty() ? "All" : capital(category);
@@ -244,8 +246,8 @@ std::vector<LibraryEntry> library_entries(const LibraryView& view,
     return all;
 }
 
-void library_panel(const PanelContext& context, LibraryView& view, std::set<std::string>& favourites,
-                   const PresetPicture& picture) {
+void library_panel(const PanelContext& context, LibraryView& view,
+                   std::set<std::string>& favourites, const PresetPicture& picture) {
     search_row(context, view);
     category_rows(context, view);
     if (ImGui::BeginChild("tiles")) {

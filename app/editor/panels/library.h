@@ -38,7 +38,7 @@ std::vector<std::string> library_categories();
 /// Draws the library; a click on a picture opens its recipe, one on its star makes it a favourite
 /// or takes that back. Items are "preset:NAME" and "favourite:NAME" for all that is visible,
 /// "category:NAME" and "category:all", "library favourites" and "preset search".
-void library_panel(const PanelContext& context, LibraryView& view, std::set<std::string>& favourites,
-                   const PresetPicture& picture);
+void library_panel(const PanelContext& context, LibraryView& view,
+                   std::set<std::string>& favourites, const PresetPicture& picture);
 
 }  // namespace burl

@@ -58,11 +58,11 @@ void log_panel(const PanelContext& context);
 bool cheat_sheet(const PanelContext& context);
 
 /// Draws the window of recipes left behind by crashed editors, each to be taken or thrown away;
-/// nothing where there are none.
-void recovery_window(const PanelContext& context, EditAutosave& autosave);
+/// nothing where there are none. Returns the view (LeftRecipe::view) of one that was taken.
+std::optional<std::string> recovery_window(const PanelContext& context, EditAutosave& autosave);
 
-/// The timeline's height in screen coordinates.
-float timeline_height(const EditSession& session);
+/// The height that the timeline's rows need in a panel of that width, in screen coordinates.
+float timeline_height(EditSession& session, float width);
 /// Draws the timeline below the object: clock, scrub bar, and the keys of animated numbers as
 /// diamonds.
 void timeline_panel(const PanelContext& context);

@@ -15,7 +15,7 @@ namespace burl {
 namespace {
 
 constexpr float fine_speed = 0.1f;    // of the pointer, with Shift
-constexpr float mark_height = 0.12f;  // of half the value's mark, in font sizes
+constexpr float mark_height = 0.12f;  // of the line below the number, in font sizes
 constexpr float frame_edge = 2.0f;    // ImGui keeps a slider's grab this far from its frame
 
 /// A slider's frame, and where the middle of ImGui's grab may be.
@@ -57,8 +57,9 @@ void draw(const Frame& frame, ImGuiID id, double value, const SliderRange& range
     // The value's mark is below the number, which it must not cover.
     const ImU32 mark = active || hovered ? palette().handle : palette().accent;
     const float thick = mark_height * ImGui::GetFontSize();
-    list.AddRectFilled({x - thick, frame.high.y - 2.0f * thick}, {x + thick, frame.high.y}, mark,
-                       1.0f);
+    list.AddRectFilled({left, frame.high.y - thick}, {right, frame.high.y}, mark);
+    list.AddRectFilled({x - 2.0f * thick, frame.high.y - 2.0f * thick},
+                       {x + 2.0f * thick, frame.high.y}, mark, thick);
 }
 
 /// Makes ImGui draw a slider's number alone.

@@ -14,6 +14,7 @@ namespace {
 constexpr std::array steps{0.5, 0.75, 1.0, 1.25, 1.5, 1.75, 2.0, 2.5, 3.0, 4.0};
 constexpr float line_pixels = 17.0f;
 constexpr double hair = 1e-6;
+constexpr float label_share = 0.36f;                     // the share of a row that its name has
 constexpr float tip_seconds = 0.35f, tip_width = 22.0f;  // of tips: delay, and width in font sizes
 
 }  // namespace
@@ -85,8 +86,9 @@ bool begin_section(EditItems& items, const std::string& label, const std::string
     const bool hovered = ImGui::IsItemHovered();
     const ImU32 text = ImGui::GetColorU32(ImGuiCol_Text);
     const float font = ImGui::GetFontSize(), padding = 0.5f * (high - font);
-    ImGui::RenderArrow(&list, {low.x, low.y + padding}, hovered ? text : palette().quiet,
-                       open ? ImGuiDir_Down : ImGuiDir_Right, 0.8f);
+    ImGui::RenderArrow(&list, {low.x - 0.15f * font, low.y + padding + 0.1f * font},
+                       hovered ? text : palette().quiet, open ? ImGuiDir_Down : ImGuiDir_Right,
+                       0.8f);
     const std::string shown = label.substr(0, label.find("##"));
     ImGui::PushFont(heading_font());
     list.AddText({low.x + font, low.y + padding}, text, shortened(shown, wide - font).c_str());
@@ -114,6 +116,53 @@ void row_name(const std::string& text, const std::string& id, float width) {
                                         shortened(text, width).c_str());
 }
 
+void begin_row(const std::string& name, const std::string& id, float room) {
+    const float wide = ImGui::GetContentRegionAvail().x, left = ImGui::GetCursorPosX();
+    const float gap = ImGui::GetStyle().ItemSpacing.x;
+    row_name(name, id + name, std::max(1.0f, label_share * wide - gap));
+    ImGui::SameLine(left + label_share * wide);
+    ImGui::SetNextItemWidth(std::max(1.0f, (1.0f - label_share) * wide - room));
+}
+
+namespace {
+
+/// Draws a widget whose box would be as high as a slider with less padding, centred on the line.
+bool small(const auto& widget) {
+    const ImVec2 padding = ImGui::GetStyle().FramePadding;
+    const float less = std::floor(0.75f * padding.y);
+    ImGui::SetCursorPosY(ImGui::GetCursorPosY() + less);
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(padding.x, padding.y - less));
+    const bool clicked = widget();
+    ImGui::PopStyleVar();
+    // The line is as high as any other, and begins where it did.
+    ImGuiWindowTempData& place = ImGui::GetCurrentWindow()->DC;
+    place.CursorPosPrevLine.y -= less;
+    place.PrevLineSize.y += 2.0f * less;
+    place.CursorPos.y += less;
+    return clicked;
+}
+
+}  // namespace
+
+bool main_button(const char* label) {
+    ImGui::PushStyleColor(ImGuiCol_Button, palette().fill);
+    const bool clicked = ImGui::Button(label);
+    ImGui::PopStyleColor();
+    return clicked;
+}
+
+bool check_box(EditItems& items, const char* label, const std::string& item, bool& value) {
+    const bool clicked = small([&] { return ImGui::Checkbox(label, &value); });
+    items.note(item);
+    return clicked;
+}
+
+bool radio_button(EditItems& items, const char* label, const std::string& item, bool on) {
+    const bool clicked = small([&] { return ImGui::RadioButton(label, on); });
+    items.note(item);
+    return clicked;
+}
+
 bool begin_tip() {
     const ImGuiContext& context = *GImGui;
     const bool rests = ImGui::IsItemHovered() && !ImGui::IsItemActive() &&
@@ -122,11 +171,13 @@ bool begin_tip() {
     const ImGuiWindow& panel = *context.CurrentWindow->RootWindow;
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     if (panel.Pos.x > 0.4f * display.x) {
-        const float gap = ImGui::GetStyle().ItemSpacing.x;
+        const float gap = 0.4f * ImGui::GetFontSize();
         ImGui::SetNextWindowPos({panel.Pos.x - gap, ImGui::GetItemRectMin().y}, ImGuiCond_Always,
                                 {1.0f, 0.0f});
     }
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ImGui::GetStyle().PopupRounding);
     ImGui::BeginTooltip();
+    ImGui::PopStyleVar();
     ImGui::PushTextWrapPos(tip_width * ImGui::GetFontSize());
     return true;
 }

@@ -55,6 +55,19 @@ std::string shortened(std::string text, float width);
 /// Draws the name of a row, `width` wide and as high as a slider. `id` is the row's for ImGui.
 void row_name(const std::string& text, const std::string& id, float width);
 
+/// Draws the name of a row and places the widget that follows beside it, in the same columns for
+/// all rows of a panel; `room` is left free at the row's end.
+void begin_row(const std::string& name, const std::string& id, float room = 0.0f);
+
+/// Draws the button that does what a window is for; returns whether it was clicked.
+bool main_button(const char* label);
+
+/// Draws a check box that is no higher than its text, `item` among the items; returns whether it
+/// was clicked.
+bool check_box(EditItems& items, const char* label, const std::string& item, bool& value);
+/// Draws a button that is one of several choices in a line; returns whether it was clicked.
+bool radio_button(EditItems& items, const char* label, const std::string& item, bool on);
+
 /// Begins a tip where the pointer has rested on ImGui's last item; returns whether it is shown:
 /// then text and end_tip() must follow. Tips of a panel at the right end of the screen stand
 /// beside it, so that they cover none of its items.

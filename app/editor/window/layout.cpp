@@ -6,9 +6,11 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/editor/panels/files.h"
 #include "app/editor/panels/keys.h"
 #include "app/editor/panels/paint.h"
 #include "app/editor/panels/widgets.h"
+#include "app/editor/window/kept_view.h"
 #include "app/editor/window/panes.h"
 #include "app/editor/window/program.h"
 #include "app/recipe/edit/recipe_json.h"
@@ -109,6 +111,7 @@ void EditorProgram::view_menu() {
     if (menu_item(items_, "Front", "1")) camera = from_front(camera);
     if (menu_item(items_, "Side", "3")) camera = from_side(camera);
     if (menu_item(items_, "Top", "7")) camera = from_top(camera);
+    up_menu();
     menu_toggle(items_, "Light", "L", viewport_.lit);
     menu_toggle(items_, "Turntable", "T", viewport_.turntable);
     menu_toggle(items_, "Atlas", "V", atlas_.state.shown);
@@ -122,6 +125,28 @@ void EditorProgram::view_menu() {
     menu_toggle(items_, "Light theme", "", light);
     preferences_.theme = light ? Theme::light : Theme::dark;
     if (menu_item(items_, "Panels where they were at first", "")) preferences_.panes = {};
+}
+
+/// Draws the choice of the axis that is up: scans and CAD have z.
+void EditorProgram::up_menu() {
+    const bool open = ImGui::BeginMenu("Up");
+    items_.note("menu:Up");
+    if (!open) return;
+    for (const UpAxis axis : {UpAxis::y, UpAxis::z, UpAxis::minus_z}) {
+        const std::string name = to_text(axis);
+        if (ImGui::MenuItem(name.c_str(), nullptr, viewport_.camera.up == axis))
+            viewport_.camera.up = axis;
+        items_.note("up:" + name);
+    }
+    ImGui::EndMenu();
+}
+
+/// Shows what to try until that is closed.
+void EditorProgram::first_steps(const ImVec2& corner) {
+    follow(steps_, session_.history(), viewport_.camera);
+    const bool tool = viewport_.move.on || viewport_.paint.tool.on;
+    if (preferences_.welcomed || tool) return;
+    preferences_.welcomed = !first_steps_window(items_, steps_, corner);
 }
 
 void EditorProgram::menu() {
@@ -138,6 +163,7 @@ void EditorProgram::menu() {
     under("View", [&] { view_menu(); });
     under("Help", [&] {
         if (menu_item(items_, "Keys", "F1")) keys_open_ = true;
+        if (menu_item(items_, "First steps", "")) preferences_.welcomed = false;
     });
     ImGui::Text("  %s%s", session_.recipe().name.c_str(), session_.history().unsaved() ? " *" : "");
     if (requests_.comparing()) ImGui::TextUnformatted("  as it was opened (A)");
@@ -148,9 +174,10 @@ void EditorProgram::layout() {
     menu();
     const PanelContext context{session_, items_};
     const bool timeline = session_.timeline.open;
-    const PaneWishes wishes{ImGui::GetIO().DisplaySize, ImGui::GetFrameHeight(),
-                            ImGui::GetFrameHeight(), atlas_.state.shown,
-                            timeline ? timeline_height(session_) : 0.0f};
+    PaneWishes wishes{ImGui::GetIO().DisplaySize, ImGui::GetFrameHeight(), ImGui::GetFrameHeight(),
+                      atlas_.state.shown, 0.0f};
+    const float left = panes_of(wishes, preferences_.panes).side.low.x;
+    if (timeline) wishes.timeline = timeline_height(session_, left);
     const Panes panes = panes_of(wishes, preferences_.panes);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0f);
     place_next_window(panes.tools);
@@ -168,7 +195,8 @@ void EditorProgram::layout() {
     paint_panel(context, viewport_.paint.tool, panes.object.low);
     move_panel(context, viewport_.move, panes.object.low);
     if (keys_open_) keys_open_ = cheat_sheet(context);
-    recovery_window(context, autosave_);
+    if (const auto view = recovery_window(context, autosave_)) take_recovered(*view);
+    first_steps({panes.object.high.x, panes.object.low.y});
     commands_.closing_window(items_);
     notices(panes.object.high.y);
     commands_.show_dialog(items_);
@@ -191,12 +219,19 @@ void EditorProgram::notices(float bottom) {
     if (baker_.laying_out())
         notices.push_back(
             {"Laying out patches; until they are done, pairs of triangles are shown"});
-    if (commands_.exporting()) notices.push_back({"Exporting ..."});
+    if (commands_.exporting()) {
+        const ExportProgress progress = commands_.progress();
+        notices.push_back({fmt::format("Exporting: {}", progress.next),
+                           {"Stop the export"},
+                           false,
+                           progress.share});
+    }
     if (files.asks())
         notices.push_back({fmt::format("{} has changed on disk; the recipe here is not saved",
                                        file_name(files.recipe())),
                            {"Take the file's", "Keep this one"}});
     const std::string answer = notices_.show(items_, std::move(notices), bottom);
+    if (answer == "Stop the export") commands_.stop_export();
     if (answer == "Take the file's") files.reload();
     if (answer == "Keep this one") {
         files.keep();

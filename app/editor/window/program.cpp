@@ -9,9 +9,11 @@
 #include <utility>
 
 #include "app/base/stopwatch.h"
+#include "app/editor/panels/files.h"
 #include "app/editor/panels/keys.h"
 #include "app/editor/panels/widgets.h"
 #include "app/editor/session/input.h"
+#include "app/editor/window/kept_view.h"
 #include "app/image/image_io.h"
 #include "app/recipe/edit/recipe_json.h"
 #include "atlas/base/error.h"
@@ -48,6 +50,7 @@ EditorProgram::EditorProgram(std::unique_ptr<GlWindow> window, const EditorOptio
       atlas_(window_->context().gl(), wake()),
       viewport_(window_->context().gl(), session_, baker_, requests_, atlas_, wake()),
       side_(window_->context(), options.gallery, wake()) {
+    if (options.preferences.empty()) preferences_.welcomed = true;  // a script knows what to do
     scale_ = normal_scale_ = options.ui_scale * window_->text_scale();
 }
 
@@ -56,7 +59,10 @@ void EditorProgram::take(const InputEvent& event) {
     if (event.kind == InputKind::text) fonts_.meet(event.text);
     if (event.kind == InputKind::drop)
         for (const std::string& file : event.files) loader_.files().open(file);
-    if (event.kind == InputKind::close) commands_.quit();
+    if (event.kind == InputKind::close) {
+        release_keys(ImGui::GetIO());  // of Alt+F4 the window manager keeps the rest
+        commands_.quit();
+    }
 }
 
 /// Takes over the results of other threads and writes the autosave when it is due.
@@ -70,7 +76,8 @@ void EditorProgram::take_news() {
     commands_.take_outcome();
     if (const auto problem = session_.take_problem(); problem && !loader_.files().asks())
         notices_.tell(*problem, true);
-    autosave_.keep(session_.history(), last_seconds_);
+    follow_mesh();
+    autosave_.keep(session_.history(), last_seconds_, view_text(loader_.files(), viewport_.camera));
 }
 
 void EditorProgram::take_screenshot() {
@@ -129,6 +136,31 @@ void EditorProgram::meet_texts() {
             fonts_.meet(control.name + control.about);
     }
     for (const std::string& name : commands_.dialog().names()) fonts_.meet(name);
+}
+
+/// Stands a mesh that was opened as it stood last, and notes how it stands now.
+void EditorProgram::follow_mesh() {
+    const std::string& mesh = loader_.files().mesh();
+    if (mesh.empty()) return;
+    std::map<std::string, std::string>& axes = preferences_.up_axes;
+    if (std::exchange(seen_mesh_, mesh) != mesh) {
+        const auto known = axes.find(kept_name(mesh));
+        viewport_.camera.up = known == axes.end() ? UpAxis::y : up_axis_from(known->second);
+    } else if (viewport_.camera.up == UpAxis::y) {
+        axes.erase(kept_name(mesh));
+    } else {
+        axes[kept_name(mesh)] = to_text(viewport_.camera.up);
+    }
+}
+
+/// Goes back to the mesh, pose and camera that a recovered recipe was seen with.
+void EditorProgram::take_recovered(const std::string& view) {
+    const std::optional<KeptView> kept = kept_view_from(view);
+    if (!kept) return;
+    loader_.open_posed(kept->mesh, kept->pose);
+    viewport_.camera = kept->camera;
+    seen_mesh_ = kept->mesh;
+    preferences_.up_axes[kept_name(kept->mesh)] = to_text(kept->camera.up);
 }
 
 /// Follows scale, theme and characters wanted, between two frames.

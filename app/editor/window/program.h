@@ -14,6 +14,7 @@
 #include "app/editor/panels/fonts.h"
 #include "app/editor/panels/items.h"
 #include "app/editor/panels/notices.h"
+#include "app/editor/panels/welcome.h"
 #include "app/editor/session/autosave.h"
 #include "app/editor/session/pace.h"
 #include "app/editor/session/preferences.h"
@@ -103,6 +104,8 @@ class EditorProgram {
     void panels(const std::vector<InputEvent>& events);
     void begin_frame();
     void follow_look();
+    void follow_mesh();
+    void take_recovered(const std::string& view);
     void meet_texts();
     void take(const InputEvent& event);
     void take_news();
@@ -119,6 +122,7 @@ class EditorProgram {
     void file_menu();
     void edit_menu();
     void view_menu();
+    void up_menu();
     void menu();
     void layout();
     // toolbar.cpp
@@ -126,6 +130,7 @@ class EditorProgram {
     void tools_of_edits();
     void tools_of_view();
     void atlas_window();
+    void first_steps(const ImVec2& corner);
     void notices(float bottom);
 
     std::unique_ptr<GlWindow> window_;
@@ -151,6 +156,8 @@ class EditorProgram {
     /// The look of the last frame.
     double shown_scale_ = 0.0;
     Theme shown_theme_ = Theme::dark;
+    std::string seen_mesh_;  ///< mesh of the last frame
+    FirstSteps steps_;
     std::string met_line_;            ///< last line of the log whose characters are known
     std::uint64_t met_revision_ = 0;  ///< revision of the history whose texts are known
     bool keys_open_ = false, screenshot_due_ = false;

@@ -32,7 +32,8 @@ void SidePanels::wait() const {
     figures_.wait();
 }
 
-void SidePanels::window(const PanelContext& context, const EditBaker& baker, bool posed) {
+void SidePanels::window(const PanelContext& context, const EditBaker& baker, bool posed,
+                        std::set<std::string>& favourites) {
     const auto tab = [&](const char* name, auto panel) {
         const bool open = ImGui::BeginTabItem(name);
         context.items.note(fmt::format("tab:{}", name));
