@@ -16,6 +16,7 @@
 #include "app/pipeline/mask_picture.h"
 #include "app/recipe/edit/recipe_json.h"
 #include "app/recipe/lattice_check.h"
+#include "atlas/base/error.h"
 #include "atlas/base/memory.h"
 #include "atlas/build/capacity.h"
 #include "atlas/build/mesh_atlas.h"
@@ -37,6 +38,14 @@ void tell_shortage(const BakePlan& plan, const Mesh& mesh, const AtlasOptions& a
     const bool strips = atlas.kind != AtlasKind::patch && atlas.kind != AtlasKind::quad;
     if (strips == (made != nullptr))
         tell(plan, mesh, shortage(capacity(mesh.triangles.size(), atlas)));
+}
+
+/// Tells what comes next, at a share of the frame `number`. Throws Error where the bake is to stop.
+void go_on(const BakePlan& plan, std::size_t number, const char* next, double share) {
+    if (plan.stop.stop_requested())
+        throw Error(ExitCode::runtime, "the export was stopped before it was done");
+    const auto frames = double(std::max<std::size_t>(plan.paths.size(), 1));
+    if (plan.reached) plan.reached(next, (double(number) + share) / frames);
 }
 
 std::string shader_text(const BakePlan& plan, const Pipeline& pipeline) {
@@ -100,11 +109,11 @@ std::vector<AtomicFile> files_of_material(Pipeline& pipeline, const BakePlan& pl
     return files;
 }
 
-/// Writes the files of a frame, which are still to be committed. If `releases`, the solid points
-/// are freed before the files are written, whose buffers are as large.
-std::vector<AtomicFile> files_of_frame(Pipeline& pipeline, const BakePlan& plan,
-                                       const std::string& path, const MeshPose* pose, bool releases,
-                                       BakeResult& result) {
+/// Writes the files of the frame `number`, which are still to be committed. If `releases`, the
+/// solid points are freed before the files are written, whose buffers are as large.
+std::vector<AtomicFile> files_of_frame(Pipeline& pipeline, const BakePlan& plan, std::size_t number,
+                                       const MeshPose* pose, bool releases, BakeResult& result) {
+    const std::string& path = plan.paths[number];
     const ImageKind kind = plan.kind;
     MaterialAsked asked = plan.material();
     const bool pictures = has_pictures(pipeline.recipe(), plan.packing, asked.rough_levels());
@@ -119,7 +128,9 @@ std::vector<AtomicFile> files_of_frame(Pipeline& pipeline, const BakePlan& plan,
         pictures ? BakedTexture{std::move(material.color), std::move(material.color_levels)}
                  : bake_texture(pipeline, kind, plan.levels);
     result.texture = compressed_bake(pipeline.atlas(), std::move(texture.image), plan.compress);
+    go_on(plan, number, "deriving normals", 0.7);
     std::optional<NormalMap> normals = bake_normals(pipeline, plan, material);
+    go_on(plan, number, "encoding pictures", 0.85);
     if (releases) pipeline.release_texels();
     const auto writing = Clock::now();
     ExportOptions options = export_options(pipeline, plan, pose);
@@ -188,9 +199,13 @@ BakeResult bake(Pipeline& pipeline, const BakePlan& plan, const MeshPose* pose, 
 
     StageContext& context = pipeline.context();
     Stages& stages = pipeline.stages();
+    context.stop = plan.stop;
     tell_shortage(plan, mesh, recipe.atlas, nullptr);
+    go_on(plan, 0, "laying out the atlas", 0.0);
     const Connectivity& edges = stages.connectivity.run(context, mesh);
-    const MeshAtlas& atlas = *stages.layout.run(context, mesh, edges, recipe.atlas);
+    const MeshAtlas* made = stages.layout.run(context, mesh, edges, recipe.atlas, plan.stop);
+    go_on(plan, 0, "finding the solid's points", 0.25);
+    const MeshAtlas& atlas = *made;
     tell(plan, mesh, atlas.atlas().notes.fallback);
     tell_shortage(plan, mesh, recipe.atlas, &atlas);
     if (later == LaterBake::none) stages.connectivity.release_neighbours();
@@ -205,9 +220,12 @@ BakeResult bake(Pipeline& pipeline, const BakePlan& plan, const MeshPose* pose, 
         if (i > 0) set_frame(pipeline, plan, i);
         result.texture = {};  // frees the last frame's texture before the next is made
         result.normals.reset();
+        go_on(plan, i, "synthesising the texture", 0.3);
         std::vector<AtomicFile> files =
-            files_of_frame(pipeline, plan, plan.paths[i], pose, last && !needed_later, result);
+            files_of_frame(pipeline, plan, i, pose, last && !needed_later, result);
+        go_on(plan, i, "writing", 0.95);
         if (last) add_beside(files, pipeline, plan, shader, result);
+        go_on(plan, i, "writing", 0.98);
         commit(files, result);
     }
     return result;

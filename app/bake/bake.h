@@ -3,6 +3,7 @@
 // colour -> levels -> files. `burl bake`, `burl batch` and the editor's export are this function.
 #include <functional>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,11 @@ struct BakePlan {
     std::vector<std::string> channels{};  ///< masks written beside (app/pipeline/mask_picture.h)
     bool measures = true;                 ///< whether the atlas is measured for a report
     int threads = 0;                      ///< number of threads for the solid map; 0: all
+    /// Is told what comes next, and which share of the bake is done, 0 to 1; empty: nobody is.
+    std::function<void(const char* next, double share)> reached{};
+    /// A request by another thread to stop: bake() then throws Error(runtime) soon. Files of frames
+    /// that are done stay; of the frame under way none is written.
+    std::stop_token stop{};
 
     /// The options that the material depends on; strip atlases may have fewer levels.
     MaterialAsked material() const {

@@ -31,6 +31,8 @@ struct StageContext {
     Skips skips{};          ///< which work may be left out
     std::size_t cache = 0;  ///< bytes for fields and octaves from one recipe to the next
     std::shared_ptr<TextureSynthesizer> synthesizer{};  ///< of level 0 of textures; null: the host
+    /// A request that syntheses return soon, with results that must not be used.
+    std::stop_token stop{};
     StageRecords records{};
 };
 

@@ -84,8 +84,8 @@ Image<Pixel> TextureStage::run(StageContext& context, const SolidAtlas& solid, c
     if (elsewhere)
         synthesize_elsewhere(context, solid, recipe, &image, cost);
     else
-        image = fill_unpainted<Pixel>(solid, recipe, context.way, {context.skips, &cost.work}, {},
-                                      read);
+        image = fill_unpainted<Pixel>(solid, recipe, context.way,
+                                      {context.skips, &cost.work, context.stop}, {}, read);
     cost.bytes = bytes_of(image);
     context.records.add(Stage::synthesis, seconds_since(start), cost);
     paint(context, solid, recipe, image);
@@ -109,7 +109,8 @@ void TextureStage::run_in_bands(StageContext& context, const SolidAtlas& solid,
         painting += painted - filled;
         taking += Clock::now() - painted;
     };
-    fill_in_bands(solid, recipe, context.way, {context.skips, &cost.work}, read, texels, take_rows);
+    fill_in_bands(solid, recipe, context.way, {context.skips, &cost.work, context.stop}, read,
+                  texels, take_rows);
     const std::chrono::duration<double> all = Clock::now() - start;
     context.records.add(Stage::synthesis, (all - painting - taking).count(), cost);
     if (recipe.paint.empty()) return;
@@ -126,7 +127,7 @@ std::vector<Image<Pixel>> TextureStage::run_pictures(StageContext& context, cons
         std::vector<Image<Pixel>> pictures = synthesize_pictures<Pixel>(
             solid, recipe.texture, plans, texture_from_solid(recipe), recipe.filter,
             context.way.threads, recipe.precision.kind.value_or(PrecisionKind::float32),
-            {context.skips, &cost.work}, read);
+            {context.skips, &cost.work, context.stop}, read);
         for (const Image<Pixel>& picture : pictures) cost.bytes += bytes_of(picture);
         return pictures;
     });

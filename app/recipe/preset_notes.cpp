@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <array>
 
-#include "app/recipe/material_notes.h"
-
 namespace burl {
 
 namespace {
@@ -46,24 +44,15 @@ char lower(char c) {
     return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
 }
 
-bool holds(std::string_view text, std::string_view part) {
-    return std::ranges::search(text, part, {}, lower, lower).begin() != text.end() || part.empty();
-}
-
 }  // namespace
 
 std::span<const PresetNote> preset_notes() {
     return notes;
 }
 
-std::vector<PresetNote> presets_with(std::string_view text) {
-    std::vector<PresetNote> found;
-    const auto add = [&](const PresetNote& note) {
-        if (holds(note.name, text) || holds(note.about, text)) found.push_back(note);
-    };
-    for (const PresetNote& note : notes) add(note);
-    for (const MaterialNote& note : material_notes()) add({note.name, note.about});
-    return found;
+bool holds_text(std::string_view text, std::string_view part) {
+    return part.empty() ||
+           std::ranges::search(text, part, {}, lower, lower).begin() != text.end();
 }
 
 }  // namespace burl

@@ -3,7 +3,6 @@
 // puts similar presets side by side.
 #include <span>
 #include <string_view>
-#include <vector>
 
 namespace burl {
 
@@ -15,8 +14,8 @@ struct PresetNote {
 /// All presets, each once: stone, wood, planets and skies, water and fire, patterns, relief, noise.
 std::span<const PresetNote> preset_notes();
 
-/// The presets, then the materials (material_notes.h), whose name or description contains the text,
-/// ignoring case; all for an empty text.
-std::vector<PresetNote> presets_with(std::string_view text);
+/// Whether a name or description contains a part that somebody searches for, ignoring case; every
+/// text contains an empty part.
+bool holds_text(std::string_view text, std::string_view part);
 
 }  // namespace burl

@@ -25,6 +25,7 @@ void run(Command command) {
     if (command.script.empty()) {
         command.editor.autosave = state_file("autosave.json");
         command.editor.recent = state_file("recent");
+        command.editor.preferences = state_file("preferences.json");
     }
     InputScript script;
     if (!command.script.empty()) {
@@ -63,7 +64,14 @@ int main(int argc, char** argv) {
     program.add_option("--record", command.record, "Write the input as a script to this file");
     program.add_flag("--exit", command.exit, "Leave at the script's end")->needs(script);
     program.add_flag("--unseen", command.unseen, "No window: draw with OSMesa")->needs(script);
-    CLI11_PARSE(program, argc, argv);
+    try {
+        program.parse(argc, argv);
+    } catch (const CLI::Success& asked) {
+        return program.exit(asked);
+    } catch (const CLI::ParseError& wrong) {
+        burl::warn(fmt::format("burl-edit: {}; burl-edit --help lists the options", wrong.what()));
+        return int(burl::ExitCode::usage);
+    }
     if (command.editor.mesh.ends_with(".json") && program.count("--recipe") == 0)
         command.editor.recipe = std::exchange(command.editor.mesh, burl::EditorOptions{}.mesh);
     try {

@@ -221,14 +221,35 @@ class DesktopWindow final : public GlWindow {
     }
     InputEvent& add(InputKind kind) { return events_.emplace_back(InputEvent{kind}); }
 
+    /// The modifiers with GLFW's bits for them.
+    static constexpr std::array<std::pair<int, const char*>, 3> modifiers{
+        {{GLFW_MOD_CONTROL, "Ctrl"}, {GLFW_MOD_SHIFT, "Shift"}, {GLFW_MOD_ALT, "Alt"}}};
+
+    void follow_modifier(const std::string& key, bool down) {
+        for (const auto& [bit, name] : modifiers)
+            if (key == name) held_ = down ? held_ | bit : held_ & ~bit;
+    }
+    /// Releases modifiers that the display no longer holds: a window manager that took Alt+F4 kept
+    /// the release of Alt.
+    void release_unheld(int held) {
+        for (const auto& [bit, name] : modifiers) {
+            // The other of two keys, such as the Windows key for Ctrl, has no such bit.
+            const bool also_super = bit == GLFW_MOD_CONTROL && (held & GLFW_MOD_SUPER) != 0;
+            if ((held_ & bit) == 0 || (held & bit) != 0 || also_super) continue;
+            add(InputKind::key).text = name;
+            held_ &= ~bit;
+        }
+    }
+
     void listen() {
         GLFWwindow* const window = window_.get();
         glfwSetWindowUserPointer(window, this);
         glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) {
             self(w).add(InputKind::move).at = {x, y};
         });
-        glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int) {
+        glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int held) {
             if (button > GLFW_MOUSE_BUTTON_MIDDLE) return;
+            self(w).release_unheld(held);
             InputEvent& event = self(w).add(InputKind::button);
             event.button = button;
             event.down = action == GLFW_PRESS;
@@ -242,6 +263,7 @@ class DesktopWindow final : public GlWindow {
             InputEvent& event = self(w).add(InputKind::key);
             event.text = std::move(name);
             event.down = action == GLFW_PRESS;
+            self(w).follow_modifier(event.text, event.down);
         });
         glfwSetCharCallback(window, [](GLFWwindow* w, unsigned code) {
             self(w).add(InputKind::text).text = utf8(code);
@@ -263,6 +285,7 @@ class DesktopWindow final : public GlWindow {
     DesktopContext context_;
     std::optional<GlTarget> screen_;
     std::vector<InputEvent> events_;
+    int held_ = 0;  ///< GLFW's bits of the modifiers whose press was the last that was heard of
 };
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "app/editor/jobs/export.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <exception>
 #include <filesystem>
@@ -11,6 +12,7 @@
 #include "app/editor/jobs/open_files.h"
 #include "app/export/command_files.h"
 #include "app/export/emit.h"
+#include "app/export/formats.h"
 #include "app/options/animation.h"
 #include "app/recipe/edit/keyed_recipe.h"
 #include "app/recipe/lattice_check.h"
@@ -60,7 +62,10 @@ std::vector<std::string> files_of_frames(const ExportRequest& request) {
 std::vector<std::string> written_files(const ExportRequest& request) {
     if (is_shader_file(request.out)) return {request.out};
     if (!request.recipe.animation.tracks.empty()) return files_of_frames(request);
-    return files_of_texture(request, request.out, export_levels(request).count);
+    std::vector<std::string> files =
+        files_of_texture(request, request.out, export_levels(request).count);
+    for (const std::string& mask : request.masks) files.push_back(picture_path(request.out, mask));
+    return files;
 }
 
 /// Throws Error where an output file is also an input.
@@ -82,17 +87,28 @@ BakePlan plan_of(const ExportRequest& request) {
     plan.packing = packing_asked("", request.out);
     plan.recipe = [&request](std::size_t) { return request.recipe; };
     plan.paths = {request.out};
+    plan.channels = request.masks;
     plan.measures = false;
     return plan;
 }
 
-void bake_plan(const ExportRequest& request, const BakePlan& plan, std::size_t cache) {
+/// A plan's files, made and written unless a stop is requested.
+struct PlannedExport {
+    BakePlan plan{};
+    std::size_t cache = 0;  ///< bytes of the pipeline's cache
+};
+
+void bake_plan(const ExportRequest& request, PlannedExport planned, const std::stop_token& stop,
+               const TellProgress& tell) {
+    BakePlan& plan = planned.plan;
+    plan.stop = stop;
+    if (tell) plan.reached = [&](const char* next, double share) { tell({next, share}); };
     Pipeline pipeline(load_mesh(request.mesh));
     check_lattice(plan.recipe(0), pipeline.mesh());
     std::optional<MeshPose> pose;
     if (!request.pose.empty() && holds_mesh(request.out))
         pose = load_pose(request.mesh, request.pose);
-    pipeline.set_cache(cache);
+    pipeline.set_cache(planned.cache);
     bake(pipeline, plan, pose ? &*pose : nullptr);
 }
 
@@ -113,6 +129,9 @@ std::vector<std::string> bake_options(const ExportRequest& request) {
     if (!animation.tracks.empty())
         options.insert(options.end(), {"--frames", fmt::format("{}", frame_count(animation))});
     if (request.levels) options.insert(options.end(), {"--levels", "all"});
+    if (!request.masks.empty())
+        options.insert(options.end(),
+                       {"--channels", fmt::format("{}", fmt::join(request.masks, ","))});
     return options;
 }
 
@@ -124,13 +143,15 @@ std::vector<std::string> export_files(const ExportRequest& request) {
     }
 }
 
-void bake_file(const ExportRequest& request) {
+void bake_file(const ExportRequest& request, const std::stop_token& stop,
+               const TellProgress& tell) {
     check_outputs(request);
     if (is_shader_file(request.out)) return write_shader(request);
-    bake_plan(request, plan_of(request), 0);
+    bake_plan(request, {plan_of(request)}, stop, tell);
 }
 
-void bake_frames(const ExportRequest& request) {
+void bake_frames(const ExportRequest& request, const std::stop_token& stop,
+                 const TellProgress& tell) {
     if (holds_mesh(request.out) || is_shader_file(request.out))
         throw Error(ExitCode::usage,
                     fmt::format("{}: frames are textures alone, .png or .exr", request.out));
@@ -146,7 +167,7 @@ void bake_frames(const ExportRequest& request) {
     plan.paths.clear();
     for (int i = 0; i < frames; ++i)
         plan.paths.push_back(frame_path(request.out, std::size_t(i) + 1));
-    bake_plan(request, plan, cache);
+    bake_plan(request, {std::move(plan), cache}, stop, tell);
 }
 
 void EditExport::start(ExportRequest request) {
@@ -154,15 +175,24 @@ void EditExport::start(ExportRequest request) {
     {
         const std::scoped_lock lock(mutex_);
         busy_ = true;
+        progress_ = {"reading the mesh", 0.0};
     }
-    thread_ = std::jthread([this, what = std::move(request)] { run(what); });
+    thread_ = std::jthread(
+        [this, what = std::move(request)](const std::stop_token& stop) { run(what, stop); });
 }
 
-void EditExport::run(const ExportRequest& request) {
+void EditExport::run(const ExportRequest& request, const std::stop_token& stop) {
+    const TellProgress tell = [this](const ExportProgress& progress) {
+        {
+            const std::scoped_lock lock(mutex_);
+            progress_ = progress;
+        }
+        wake_();
+    };
     Outcome outcome{false, fmt::format("exported {}", request.out)};
     try {
         const bool moves = !request.recipe.animation.tracks.empty();
-        (moves ? bake_frames : bake_file)(request);
+        (moves ? bake_frames : bake_file)(request, stop, tell);
     } catch (const std::exception& problem) {
         outcome = {true, problem.what()};
     }
@@ -177,6 +207,11 @@ void EditExport::run(const ExportRequest& request) {
 bool EditExport::busy() const {
     const std::scoped_lock lock(mutex_);
     return busy_;
+}
+
+ExportProgress EditExport::progress() const {
+    const std::scoped_lock lock(mutex_);
+    return progress_;
 }
 
 void EditExport::wait() {

@@ -4,6 +4,7 @@
 #include <functional>
 #include <mutex>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <thread>
 #include <vector>
@@ -22,7 +23,15 @@ struct ExportRequest {
     std::string pose{};   ///< pose of the mesh (app/surface/sample_meshes.h); empty: none
     /// The recipe's file or preset; image names are relative to its folder. Empty: none.
     std::string recipe_path{};
+    std::vector<std::string> masks{};  ///< masks written besides (app/pipeline/mask_picture.h)
 };
+
+/// How far an export has come.
+struct ExportProgress {
+    std::string next{};  ///< what it is doing
+    double share = 0.0;  ///< of the whole, 0 to 1
+};
+using TellProgress = std::function<void(const ExportProgress&)>;
 
 /// Whether `path` names a fragment shader: the extension is .frag or .glsl.
 bool is_shader_file(const std::string& path);
@@ -36,24 +45,32 @@ std::vector<std::string> export_files(const ExportRequest& request);
 
 /// Reads the mesh, bakes the texture and writes all files or none, as `burl bake` does with
 /// bake_options(). Throws Error, and does so before baking where an input would be overwritten.
-void bake_file(const ExportRequest& request);
+/// Throws Error(runtime) where `stop` is requested; then nothing was written.
+void bake_file(const ExportRequest& request, const std::stop_token& stop = {},
+               const TellProgress& tell = {});
 
 /// Bakes and writes the textures of all frames of a recipe with animation tracks
 /// (app/recipe/edit/keyed_recipe.h) at the recipe's own frame rate: the files of `burl bake
 /// --frames`. Throws Error, and does so before baking where `out` is no texture or an input would
 /// be overwritten.
-void bake_frames(const ExportRequest& request);
+/// Throws Error(runtime) where `stop` is requested; frames that were done stay.
+void bake_frames(const ExportRequest& request, const std::stop_token& stop = {},
+                 const TellProgress& tell = {});
 
 /// Runs one export at a time on a thread of its own. All functions may be called by one thread.
 class EditExport {
   public:
-    /// `wake` is called by the export's thread when an export has ended.
+    /// `wake` is called by the export's thread when an export has come further or has ended.
     explicit EditExport(std::function<void()> wake) : wake_(std::move(wake)) {}
 
     /// Waits for the running export, then starts this one.
     void start(ExportRequest request);
     /// Whether an export is running.
     bool busy() const;
+    /// How far the running export has come.
+    ExportProgress progress() const;
+    /// Requests that the running export stops; its outcome says so.
+    void stop() { thread_.request_stop(); }
     /// Blocks until no export is running.
     void wait();
     /// The result of an export: one sentence, and whether it reports a failure.
@@ -65,12 +82,13 @@ class EditExport {
     std::optional<Outcome> take_outcome();
 
   private:
-    void run(const ExportRequest& request);
+    void run(const ExportRequest& request, const std::stop_token& stop);
 
     std::function<void()> wake_;
-    // `mutex_` guards busy_ and outcome_.
+    // `mutex_` guards busy_, progress_ and outcome_.
     mutable std::mutex mutex_;
     bool busy_ = false;
+    ExportProgress progress_;
     std::optional<Outcome> outcome_;
     std::jthread thread_;
 };

@@ -62,6 +62,8 @@ void DocumentLoader::take_mesh(FileRead read) {
     baker_.set_mesh(std::move(*read.mesh));
     posed_ = false;
     requests_.forget();
+    if (read.path == std::exchange(next_mesh_, "") && !next_pose_.empty())
+        files_.open_pose(std::exchange(next_pose_, ""));
 }
 
 void DocumentLoader::take_pose(const FileRead& read) {
@@ -70,6 +72,16 @@ void DocumentLoader::take_pose(const FileRead& read) {
     baker_.set_pose(read.pose);
     posed_ = true;
     requests_.forget();
+}
+
+void DocumentLoader::open_posed(const std::string& mesh, const std::string& pose) {
+    if (mesh == files_.mesh()) {
+        if (!pose.empty() && pose != files_.pose()) files_.open_pose(pose);
+        return;
+    }
+    next_mesh_ = mesh;
+    next_pose_ = pose;
+    files_.open(mesh);
 }
 
 void DocumentLoader::close_pose() {

@@ -23,6 +23,8 @@ class DocumentLoader {
     /// Whether the mesh has a pose.
     bool posed() const { return posed_; }
     void close_pose();
+    /// Begins to read a mesh, unless it is open, and then a pose of it (empty: none).
+    void open_posed(const std::string& mesh, const std::string& pose);
 
     /// Hands meshes and poses that were read to the baker and recipes to the session, which also
     /// logs problems. Returns whether the session shows another document than at the last call,
@@ -43,6 +45,7 @@ class DocumentLoader {
     std::string first_mesh_;      ///< mesh that the editor was started with
     std::uint64_t document_ = 0;  ///< EditHistory::document_number() at the last take()
     bool posed_ = false;
+    std::string next_mesh_, next_pose_;  ///< mesh under way for open_posed(), and its pose
     EditOpenFiles files_;
 };
 

@@ -4,8 +4,11 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "app/editor/panels/slider.h"
+#include "app/editor/panels/widgets.h"
 #include "app/image/image_diff.h"
 #include "app/measure/metrics_pictures.h"
 #include "procedural/color/srgb.h"
@@ -41,6 +44,16 @@ void ramp(const Color& color) {
     ImGui::SameLine();
 }
 
+/// What each mode of the atlas shows, in the order of SheetMode.
+constexpr std::array mode_sentences{
+    "The texture that the object is drawn with.",
+    "The texels' solid coordinates: x, y, z as red, green, blue.",
+    "A colour for each chart, a piece of the surface that lies together.",
+    "Each triangle's share of texels against the mean, blue fewer, red more.",
+    "The difference from the recipe in float64, in 8-bit codes.",
+};
+static_assert(mode_sentences.size() == sheet_mode_names.size());
+
 void scale_legend() {
     ImGui::TextUnformatted("1/2");
     ImGui::SameLine();
@@ -71,15 +84,18 @@ void atlas_controls(const PanelContext& context, AtlasViewState& state, int coar
                             2.0f * ImGui::GetStyle().ItemInnerSpacing.x;
         if (k > 0) ImGui::SameLine();
         if (k > 0 && ImGui::GetCursorPosX() + width > right) ImGui::NewLine();
-        if (ImGui::RadioButton(name.c_str(), state.mode == SheetMode(k))) state.mode = SheetMode(k);
-        context.items.note("atlas mode " + name);
+        if (radio_button(context.items, name.c_str(), "atlas mode " + name,
+                         state.mode == SheetMode(k)))
+            state.mode = SheetMode(k);
+        tip(mode_sentences[k]);
     }
     state.level = std::clamp(state.level, 0, coarsest);
-    ImGui::PushItemWidth(-ImGui::CalcTextSize("MIP level").x -
-                         2.0f * ImGui::GetStyle().ItemInnerSpacing.x);
-    ImGui::SliderInt("MIP level", &state.level, 0, coarsest, "%d", ImGuiSliderFlags_AlwaysClamp);
+    begin_row("MIP level", "atlas");
+    double level = state.level;
+    slide("##MIP level", level, {0.0, double(std::max(coarsest, 1))}, SliderScale::linear, "%.0f");
+    state.level = std::clamp(int(std::lround(level)), 0, coarsest);
     context.items.note("atlas level");
-    ImGui::PopItemWidth();
+    tip("The finest MIP level that is shown; 0 is the texture itself.");
 }
 
 void atlas_legend(SheetMode mode, const SheetPicture* picture, bool late) {

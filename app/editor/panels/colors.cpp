@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/editor/panels/panels.h"
+#include "app/editor/panels/slider.h"
 #include "app/editor/panels/widgets.h"
 #include "app/editor/session/groups.h"
 #include "app/editor/session/stops.h"
@@ -16,8 +17,8 @@ namespace burl {
 
 namespace {
 
-constexpr float bar_height = 28.0f, handle_size = 7.0f;
-constexpr float least_width = 10.0f;  // least width of a bar, in a narrow window
+constexpr float bar_height = 28.0f, handle_size = 7.0f;  // at interface scale 1
+constexpr float least_width = 10.0f;                     // least width of a bar, in a narrow window
 constexpr std::size_t bar_colors = 256;
 constexpr Rgb8 dark_behind{60, 60, 60}, light_behind{200, 200, 200};  // behind what is transparent
 
@@ -110,13 +111,29 @@ class MapEditor {
             selection_ = {path_, index};
             context_.session.touch(path_ + ".stops." + std::to_string(index) + ".0");
         }
-        if (ImGui::IsItemActive() && ImGui::GetIO().MouseDelta.x != 0.0f) {
+        // The stop that is dragged has another index once it has passed others.
+        const std::size_t dragged = selection_.stop;
+        if (ImGui::IsItemActive() && ImGui::GetIO().MouseDelta.x != 0.0f &&
+            dragged < map_.stops.size()) {
             const float share = ImGui::GetIO().KeyShift ? 0.1f : 1.0f;
             const double by = double(share * ImGui::GetIO().MouseDelta.x / width_);
-            set_stops(with_stop_moved(map_.stops, index, map_.stops[index].position + by));
+            move_selected(map_.stops[dragged].position + by);
         }
         if (ImGui::IsItemDeactivated()) history().end_gesture();
         if (ImGui::IsItemHovered() && ImGui::IsMouseClicked(1)) remove(index);
+    }
+
+    /// Moves the selected stop; where stops of the map have keys, those must keep their indices.
+    void move_selected(double position) {
+        const auto& tracks = context_.session.recipe().animation.tracks;
+        const bool keyed = std::ranges::any_of(tracks, [&](const KeyTrack& track) {
+            return track.path.starts_with(path_ + ".stops.");
+        });
+        std::size_t at = selection_.stop;
+        set_stops(keyed ? with_stop_moved_between(map_.stops, at, position)
+                        : with_stop_moved(map_.stops, at, position));
+        selection_.stop = at;
+        context_.session.touch(path_ + ".stops." + std::to_string(at) + ".0");
     }
 
     void draw(std::size_t index, float x, float y) const {
@@ -127,7 +144,7 @@ class MapEditor {
                                color_code(map_.stops[index].color));
         list.AddTriangle({x, y - 1.0f}, {x - handle_size, y + 2.0f * handle_size},
                          {x + handle_size, y + 2.0f * handle_size},
-                         chosen ? IM_COL32(255, 200, 60, 255) : IM_COL32(230, 230, 230, 255),
+                         chosen ? palette().star : ImGui::GetColorU32(ImGuiCol_Text),
                          chosen ? 2.0f : 1.0f);
     }
 
@@ -138,30 +155,31 @@ class MapEditor {
 
     void wrap() {
         bool repeat = map_.wrap == Wrap::repeat;
-        if (ImGui::Checkbox("repeat", &repeat))
+        if (check_box(context_.items, "repeat", path_ + ".wrap", repeat))
             context_.session.set(path_ + ".wrap", to_string(repeat ? Wrap::repeat : Wrap::clamp));
-        context_.items.note(path_ + ".wrap");
+        tip("Whether the map begins again beyond its ends, or keeps their colours.");
     }
 
     /// Draws position, colour and alpha of the selected stop as numbers.
     void selected() {
         const ColorStop& stop = map_.stops[selection_.stop];
         double position = stop.position;
-        const double zero = 0.0, one = 1.0;
-        ImGui::SetNextItemWidth(0.3f * width_);
-        const bool moved =
-            ImGui::SliderScalar("place", ImGuiDataType_Double, &position, &zero, &one, "%.3f");
+        begin_row("place", path_);
+        const bool moved = slide("##place", position, {0.0, 1.0}, SliderScale::linear, "%.3f");
+        context_.items.note(path_ + ".place");
         follow_gesture(history());
-        if (moved) set_stops(with_stop_moved(map_.stops, selection_.stop, position));
-        ImGui::SameLine();
+        tip("Where along the map the colour is, from 0 to 1.");
+        begin_row("colour", path_);
         ColorStop edited = stop;
-        ImGui::SetNextItemWidth(0.45f * width_);
-        const bool colored = edit_color("colour", edited.color, edited.alpha);
+        const bool colored = edit_color("##colour", edited.color, edited.alpha);
         context_.items.note(path_ + ".colour");
         follow_gesture(history());
-        if (colored) replace(edited);
-        if (ImGui::SmallButton("delete stop")) remove(selection_.stop);
+        tip("The stop's colour and how opaque it is; right-click for other notations.");
+        const bool unwanted = ImGui::Button("Delete the stop");
         context_.items.note(path_ + ".delete");
+        if (moved) return move_selected(position);
+        if (colored) replace(edited);
+        if (unwanted) remove(selection_.stop);
     }
 
     void replace(const ColorStop& edited) {
@@ -192,7 +210,9 @@ void color_maps_panel(const PanelContext& context, StopSelection& selection) {
     if (paths.empty()) ImGui::TextWrapped("This recipe has no colour map.");
     const NodeWords words = node_words(recipe);
     for (const std::string& path : paths) {
+        ImGui::PushFont(heading_font());
         ImGui::TextUnformatted(map_title(words, path).c_str());
+        ImGui::PopFont();
         if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", path.c_str());
         context.items.note(path + ".title");
         MapEditor(context, path, selection).show();

@@ -10,6 +10,7 @@
 
 #include "app/editor/panels/leaf_widget.h"
 #include "app/editor/panels/panels.h"
+#include "app/editor/panels/widgets.h"
 #include "app/recipe/edit/controls.h"
 #include "app/recipe/edit/leaves.h"
 
@@ -68,7 +69,7 @@ void show_control(const PanelContext& context, const ControlState& state) {
                           std::make_shared<const Parameter>(slider_of(state, tip, opened)),
                           state.value};
     const ValueEdit edit =
-        edit_leaf(leaf, state.control.name, context.items, scale_of(state.control));
+        edit_leaf(leaf, {state.control.name, scale_of(state.control)}, context.items);
     if (edit.began) history.begin_gesture();
     if ((edit.began || edit.value) && !state.value.is_string()) context.session.touch(state.path);
     if (edit.value) context.session.set(state.control.name, *edit.value);
@@ -77,12 +78,20 @@ void show_control(const PanelContext& context, const ControlState& state) {
 
 }  // namespace
 
+void recipe_heading(const Recipe& recipe) {
+    ImGui::PushFont(heading_font());
+    ImGui::TextWrapped("%s", recipe.name.c_str());
+    ImGui::PopFont();
+    if (recipe.about.empty()) return;
+    ImGui::PushStyleColor(ImGuiCol_Text, palette().quiet);
+    ImGui::TextWrapped("%s", recipe.about.c_str());
+    ImGui::PopStyleColor();
+}
+
 void controls_panel(const PanelContext& context) {
     if (context.session.recipe().controls.empty()) return;
     const std::vector<ControlState> states = control_states(slider_json(context.session.still()));
-    const bool open = ImGui::CollapsingHeader("Controls", ImGuiTreeNodeFlags_DefaultOpen);
-    context.items.note("group:controls");
-    if (!open) return;
+    if (!begin_section(context.items, "Controls", "group:controls", true)) return;
     for (const ControlState& state : states) show_control(context, state);
 }
 

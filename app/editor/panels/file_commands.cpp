@@ -1,17 +1,63 @@
 #include "app/editor/panels/file_commands.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <imgui.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <utility>
 
+#include "app/editor/panels/files.h"
 #include "app/editor/panels/keys.h"
 #include "app/editor/panels/widgets.h"
+#include "app/pipeline/mask_picture.h"
 #include "atlas/base/error.h"
 #include "atlas/file/file_extension.h"
 
 namespace burl {
+
+namespace {
+
+constexpr int export_option_rows = 4;
+
+void size_row(EditItems& items, std::uint32_t& size, std::uint32_t own) {
+    begin_row("Size", "export");
+    const auto label = [&](std::uint32_t side) {
+        return side == 0 ? fmt::format("{0} x {0}, as the recipe says", own)
+                         : fmt::format("{0} x {0}", side);
+    };
+    const bool open = ImGui::BeginCombo("##size", label(size).c_str());
+    items.note("export size");
+    tip("The texture's side in texels, for this export alone.");
+    if (!open) return;
+    for (const std::uint32_t side : {0U, 256U, 512U, 1024U, 2048U, 4096U, 8192U}) {
+        if (ImGui::Selectable(label(side).c_str(), side == size)) size = side;
+        items.note(fmt::format("export size={}", side));
+    }
+    ImGui::EndCombo();
+}
+
+void mask_row(EditItems& items, std::set<std::string>& masks) {
+    begin_row("Masks besides", "export");
+    const std::string shown = masks.empty() ? "none" : fmt::format("{}", fmt::join(masks, ", "));
+    const bool open = ImGui::BeginCombo("##masks", shown.c_str());
+    items.note("export masks");
+    tip("Pictures of the mesh's shape, such as occlusion, each in a .png of its own.");
+    if (!open) return;
+    for (const std::string_view name : mask_picture_names()) {
+        const std::string mask(name);
+        bool wanted = masks.contains(mask);
+        if (!check_box(items, mask.c_str(), "export mask:" + mask, wanted)) continue;
+        if (wanted)
+            masks.insert(mask);
+        else
+            masks.erase(mask);
+    }
+    ImGui::EndCombo();
+}
+
+}  // namespace
 
 void FileCommands::ask(FileDialog::Wish wish, std::function<void(const std::string& path)> then) {
     chosen_ = std::move(then);
@@ -25,8 +71,9 @@ void FileCommands::show_dialog(EditItems& items) {
 void FileCommands::open_dialog() {
     std::vector<std::string> extensions = mesh_extensions();
     extensions.push_back(".json");
-    ask({"Open a mesh or recipe", std::move(extensions), false, {}},
-        [this](const std::string& path) { loader_.files().open(path); });
+    FileDialog::Wish wish{.title = "Open a mesh or recipe", .extensions = std::move(extensions)};
+    wish.places = places();
+    ask(std::move(wish), [this](const std::string& path) { loader_.files().open(path); });
 }
 
 void FileCommands::recent_menu(EditItems& items) {
@@ -52,7 +99,10 @@ void FileCommands::pose_menu(EditItems& items) {
     EditOpenFiles& files = loader_.files();
     const auto open_pose = [this](const std::string& path) { loader_.files().open_pose(path); };
     if (menu_item(items, "Open pose...", "", !files.mesh().empty()))
-        ask({"Open a pose: a mesh with the same faces", mesh_extensions(), false, {}}, open_pose);
+        ask({.title = "Open a pose: a mesh with the same faces",
+             .extensions = mesh_extensions(),
+             .places = places()},
+            open_pose);
     const std::vector<std::string>& poses = files.own_poses();
     const bool open = ImGui::BeginMenu("Poses of the file", !poses.empty());
     items.note("menu:Poses of the file");
@@ -74,7 +124,11 @@ void FileCommands::save() {
 }
 
 void FileCommands::save_dialog() {
-    ask({"Save the recipe", {".json"}, true, session_.recipe().name + ".json"},
+    ask({.title = "Save the recipe",
+         .extensions = {".json"},
+         .saves = true,
+         .name = session_.recipe().name + ".json",
+         .places = places()},
         [this](const std::string& path) { save_as(path); });
 }
 
@@ -125,55 +179,92 @@ double FileCommands::seen_time() const {
     return session_.recipe().animation.tracks.empty() ? 0.0 : session_.time();
 }
 
-/// Returns the `burl bake` command of the present recipe at a time on the clock.
-std::string FileCommands::command(std::vector<std::string> output, double time) const {
+/// Returns the `burl bake` command of a recipe that was made from the present one, at a time on the
+/// clock.
+std::string FileCommands::command(const Recipe& recipe, std::vector<std::string> output,
+                                  double time) const {
     const EditHistory& history = session_.history();
     const EditOpenFiles& files = loader_.files();
     const bool saved = !history.changed();
     const std::string line =
         bake_command(files.mesh(), saved ? session_.recipe_path() : history.opened_path(),
-                     saved ? session_.recipe() : history.opened(), session_.recipe(),
-                     std::move(output), loader_.posed() ? files.pose() : "");
+                     saved ? session_.recipe() : history.opened(), recipe, std::move(output),
+                     loader_.posed() ? files.pose() : "");
     return time > 0.0 ? fmt::format("{} --time {}", line, time) : line;
 }
 
 std::string FileCommands::command_line() const {
-    return command({}, seen_time());
+    return command(session_.recipe(), {}, seen_time());
+}
+
+/// Returns the folders of files opened lately, for dialogs.
+std::vector<std::string> FileCommands::places() const {
+    constexpr std::size_t most = 5;
+    std::vector<std::string> folders;
+    for (const std::string& path : loader_.files().recent().paths()) {
+        const std::string folder = std::filesystem::path(path).parent_path().string();
+        if (folders.size() < most && std::ranges::count(folders, folder) == 0)
+            folders.push_back(folder);
+    }
+    return folders;
+}
+
+/// Returns the export that was chosen: the recipe's own atlas, even while a quad atlas is shown.
+ExportRequest FileCommands::export_request(const std::string& path) {
+    ExportRequest request{loader_.files().mesh(), session_.still(), path, choice_.levels};
+    if (choice_.size > 0) request.recipe.atlas.size = choice_.size;
+    request.masks.assign(choice_.masks.begin(), choice_.masks.end());
+    if (loader_.posed()) request.pose = loader_.files().pose();
+    request.recipe_path = session_.recipe_path();
+    return request;
 }
 
 void FileCommands::export_dialog() {
-    ask({"Export the textured mesh",
-         {".glb", ".gltf", ".obj", ".png", ".exr", ".frag", ".glsl"},
-         true,
-         session_.recipe().name + ".glb",
-         ".glb .gltf .obj: mesh and texture   .png .exr: texture   .frag .glsl: shader",
-         "Write all MIP levels, too",
-         [this](const std::string& path, bool levels) {
-             return export_files({loader_.files().mesh(), session_.still(), path, levels});
-         }},
-        [this](const std::string& path) { export_as(path); });
+    FileDialog::Wish wish{.title = "Export the textured mesh",
+                          .extensions = {".glb", ".gltf", ".obj", ".png", ".exr", ".frag", ".glsl"},
+                          .saves = true,
+                          .name = session_.recipe().name + ".glb"};
+    wish.hint = ".glb .gltf .obj: mesh and texture   .png .exr: texture   .frag .glsl: shader";
+    wish.places = places();
+    wish.options = [this](EditItems& items, const std::string& path) {
+        export_options(items, path);
+    };
+    wish.option_rows = export_option_rows;
+    wish.files = [this](const std::string& path) { return export_files(export_request(path)); };
+    wish.verb = "Export";
+    ask(std::move(wish), [this](const std::string& path) { export_as(path); });
+}
+
+void FileCommands::export_options(EditItems& items, const std::string& path) {
+    ImGui::BeginDisabled(is_shader_file(path));
+    size_row(items, choice_.size, session_.recipe().atlas.size);
+    mask_row(items, choice_.masks);
+    check_box(items, "All MIP levels, too", "file choice", choice_.levels);
+    tip("Writes each MIP level as a picture of its own, beside the texture.");
+    ImGui::EndDisabled();
+    std::vector<std::string> names;
+    for (const std::string& file : export_files(export_request(path)))
+        names.push_back(file_name(file));
+    ImGui::TextDisabled("Writes %s", names_together(names).c_str());
 }
 
 void FileCommands::export_frames_dialog() {
-    ask({"Export every frame as a texture, numbered from NAME.0001 on",
-         {".png", ".exr"},
-         true,
-         session_.recipe().name + ".png",
-         "",
-         "",
-         [this](const std::string& path, bool) {
-             return export_files({loader_.files().mesh(), session_.recipe(), path});
-         }},
-        [this](const std::string& path) { export_frames_as(path); });
+    FileDialog::Wish wish{.title = "Export every frame as a texture, numbered from NAME.0001 on",
+                          .extensions = {".png", ".exr"},
+                          .saves = true,
+                          .name = session_.recipe().name + ".png"};
+    wish.places = places();
+    wish.files = [this](const std::string& path) {
+        return export_files({loader_.files().mesh(), session_.recipe(), path});
+    };
+    wish.verb = "Export";
+    ask(std::move(wish), [this](const std::string& path) { export_frames_as(path); });
 }
 
-/// Exports the recipe with its own atlas, even while a quad atlas is shown.
 void FileCommands::export_as(const std::string& path) {
-    ExportRequest request{loader_.files().mesh(), session_.still(), path, dialog_.chose()};
-    if (loader_.posed()) request.pose = loader_.files().pose();
-    request.recipe_path = session_.recipe_path();
-    session_.tell(
-        fmt::format("exporting {}, as {}", path, command(bake_options(request), seen_time())));
+    ExportRequest request = export_request(path);
+    session_.tell(fmt::format("exporting {}, as {}", path,
+                              command(request.recipe, bake_options(request), seen_time())));
     export_.start(std::move(request));
 }
 
@@ -181,7 +272,7 @@ void FileCommands::export_frames_as(const std::string& path) {
     ExportRequest request{loader_.files().mesh(), session_.recipe(), path};
     request.recipe_path = session_.recipe_path();
     session_.tell(fmt::format("exporting the frames of {}, as {}", path,
-                              command(bake_options(request), 0.0)));
+                              command(request.recipe, bake_options(request), 0.0)));
     export_.start(std::move(request));
 }
 

@@ -1,13 +1,15 @@
 #pragma once
 // The editor's commands for files: opening, saving, exporting and quitting, with the dialogs and
 // questions they ask.
+#include <cstdint>
 #include <functional>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "app/editor/jobs/export.h"
 #include "app/editor/jobs/loader.h"
-#include "app/editor/panels/files.h"
+#include "app/editor/panels/file_dialog.h"
 #include "app/editor/panels/notices.h"
 #include "app/editor/panels/panels.h"
 
@@ -46,6 +48,8 @@ class FileCommands {
     bool closing() const { return closing_; }
 
     bool exporting() const { return export_.busy(); }
+    ExportProgress progress() const { return export_.progress(); }
+    void stop_export() { export_.stop(); }
     /// Logs the result of an export that has ended.
     void take_outcome();
     /// Blocks until no export is running.
@@ -56,7 +60,10 @@ class FileCommands {
     void save_as(const std::string& path);
     void export_as(const std::string& path);
     void export_frames_as(const std::string& path);
-    std::string command(std::vector<std::string> output, double time) const;
+    std::string command(const Recipe& recipe, std::vector<std::string> output, double time) const;
+    std::vector<std::string> places() const;
+    ExportRequest export_request(const std::string& path);
+    void export_options(EditItems& items, const std::string& path);
     double seen_time() const;
 
     EditSession& session_;
@@ -64,6 +71,13 @@ class FileCommands {
     EditNotices& notices_;
     FileDialog dialog_;
     std::function<void(const std::string& path)> chosen_;  ///< takes the path chosen in the dialog
+    /// What was chosen for exports.
+    struct ExportChoice {
+        std::uint32_t size = 0;  ///< the texture's side in texels; 0: the recipe's
+        bool levels = false;
+        std::set<std::string> masks{};
+    };
+    ExportChoice choice_;
     EditExport export_;
     bool asks_to_close_ = false, closing_ = false;
 };

@@ -1,11 +1,7 @@
 #pragma once
-// A file browser in the editor's window: the desktop's own dialogs need a desktop.
-#include <functional>
-#include <optional>
+// What the editor asks of folders and the names of files.
 #include <string>
 #include <vector>
-
-#include "app/editor/panels/items.h"
 
 namespace burl {
 
@@ -31,50 +27,7 @@ std::string names_together(const std::vector<std::string>& names);
 /// 001 on; concurrent programs get different files. Throws Error(io).
 std::string claim_numbered(const std::string& stem, const std::string& extension);
 
-/// A dialog for one path, to open or to save.
-class FileDialog {
-  public:
-    /// The purpose of the dialog.
-    struct Wish {
-        std::string title{};
-        std::vector<std::string> extensions{};
-        bool saves = false;    ///< whether the file may be new
-        std::string name{};    ///< name offered at first
-        std::string hint{};    ///< explanation of the extensions
-        std::string choice{};  ///< label of a check box; empty: none
-        /// Returns all files that would be written for a path and a check box's state; not set:
-        /// that path alone.
-        std::function<std::vector<std::string>(const std::string& path, bool chose)> files{};
-    };
-
-    /// Opens the dialog in the folder shown last, with the keyboard's focus on the file's name.
-    void open(Wish wish);
-    bool is_open() const { return open_; }
-    void cancel() { open_ = false; }
-    /// The folder shown.
-    const std::string& folder() const { return folder_; }
-    /// Whether the check box is ticked.
-    bool chose() const { return chose_; }
-    /// Draws the dialog. Returns the path in the frame it is chosen, after a confirmation where
-    /// files would be replaced.
-    std::optional<std::string> show(EditItems& items);
-
-  private:
-    std::string path() const;
-    std::optional<std::string> chosen();
-    std::optional<std::string> agreed();
-    std::vector<std::string> replaced(const std::string& path) const;
-    std::string remark() const;
-    void entries(EditItems& items);
-    void answers(EditItems& items);
-    void question(EditItems& items);
-
-    Wish wish_;
-    std::string folder_ = ".", name_;
-    std::string asked_;                  ///< path for which a confirmation is shown; empty: none
-    std::vector<std::string> replaced_;  ///< names of the files to be replaced
-    bool open_ = false, accepted_ = false, chose_ = false, agreed_ = false;
-    bool begins_ = false;  ///< whether the next frame is the dialog's first
-};
+/// Returns the path with a leading "~" replaced by the user's home folder, where there is one.
+std::string expanded_home(const std::string& path);
 
 }  // namespace burl

@@ -89,6 +89,11 @@ void feed(ImGuiIO& io, const InputEvent& event) {
     }
 }
 
+void release_keys(ImGuiIO& io) {
+    std::ranges::fill(io.KeysDown, false);
+    io.KeyCtrl = io.KeyShift = io.KeyAlt = false;
+}
+
 void forget_unseen_popups() {
     ImGuiContext& context = *ImGui::GetCurrentContext();
     if (!context.IO.KeysDown[number_of("Escape")]) return;

@@ -14,6 +14,9 @@ void map_keys(ImGuiIO& io);
 /// Passes an event of kind move, button, wheel, key or text to ImGui; other kinds are ignored.
 void feed(ImGuiIO& io, const InputEvent& event);
 
+/// Releases all keys: their own release may never arrive, where a window manager took it.
+void release_keys(ImGuiIO& io);
+
 /// Closes popups that were opened but not drawn yet, if Escape is down: Dear ImGui would look for
 /// their windows. Called before every frame.
 void forget_unseen_popups();

@@ -36,10 +36,9 @@ ValueEdit gesture() {
     return edit;
 }
 
-/// Shows the parameter's description while the pointer rests on ImGui's last item, its label: over
-/// the slider it would cover the sliders below.
-void tip(const RecipeLeaf& leaf) {
-    if (!ImGui::IsItemHovered() || ImGui::IsItemActive()) return;
+/// Tells what a parameter means while the pointer rests on ImGui's last item.
+void leaf_tip(const RecipeLeaf& leaf) {
+    if (!begin_tip()) return;
     const Parameter& parameter = *leaf.parameter;
     const auto named = [](const char* name, std::string_view value) {
         return value.empty() ? std::string() : fmt::format("{}{}", name, value);
@@ -47,26 +46,41 @@ void tip(const RecipeLeaf& leaf) {
     const bool slides = parameter.type == ParameterType::number ||
                         parameter.type == ParameterType::integer ||
                         parameter.type == ParameterType::numbers;
-    ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(28.0f * ImGui::GetFontSize());
-    ImGui::TextWrapped("%s",
-                       fmt::format("{}{}", parameter.tip, named(", in ", parameter.unit)).c_str());
+    ImGui::TextUnformatted(
+        fmt::format("{}{}", parameter.tip, named(", in ", parameter.unit)).c_str());
     ImGui::TextDisabled("%s",
                         (leaf.path + named(", by default ", parameter.default_value)).c_str());
     if (slides)
         ImGui::TextDisabled(
-            "The slider: double-click for the default, Ctrl-click to type, Shift to drag finely.");
-    ImGui::PopTextWrapPos();
-    ImGui::EndTooltip();
+            "Double-click: as it was opened, again: the default. Ctrl-click: type. Shift: drag "
+            "finely.");
+    end_tip();
 }
 
-/// Returns the default of the `item`-th number of a parameter; empty where it has none.
-std::optional<double> default_of(const Parameter& parameter, std::size_t item) {
-    const Json json = Json::parse(parameter.default_value, nullptr, false);
+std::optional<double> number_in(const Json& json, std::size_t item) {
     if (json.is_number()) return json.get<double>();
     if (json.is_array() && item < json.size() && json[item].is_number())
         return json[item].get<double>();
     return {};
+}
+
+/// Returns the default of the `item`-th number of a parameter; empty where it has none.
+std::optional<double> default_of(const Parameter& parameter, std::size_t item) {
+    return number_in(Json::parse(parameter.default_value, nullptr, false), item);
+}
+
+/// Returns what a number goes back to: what it was opened as, and from there its default.
+double resting_value(const Parameter& parameter, const Json* opened, std::size_t item,
+                     double value) {
+    const auto first = opened ? number_in(*opened, item) : std::nullopt;
+    return first && *first != value ? *first : default_of(parameter, item).value_or(value);
+}
+
+SliderRange usual_range(const Parameter& parameter) {
+    if (parameter.high - parameter.low <= narrow) return {parameter.low, parameter.high};
+    const double middle = default_of(parameter, 0).value_or(0.0);
+    const double reach = steps_about * parameter.step;
+    return {std::max(parameter.low, middle - reach), std::min(parameter.high, middle + reach)};
 }
 
 double snapped(const Parameter& parameter, double value) {
@@ -74,57 +88,47 @@ double snapped(const Parameter& parameter, double value) {
     return parameter.type == ParameterType::integer ? std::round(inside) : inside;
 }
 
-ImGuiID left_id(const char* shown) {
-    return ImGui::GetID(fmt::format("{} left", shown).c_str());
-}
-
 /// Returns the slider's range, which follows the value, except while the slider is dragged, when it
-/// would run away from the pointer, and at the value last dragged to, when the handle would jump.
-SliderRange held_range(const char* shown, const SliderRange& range, double value) {
+/// would run away from the pointer, and at a value beyond the usual range that was dragged to, when
+/// the handle would jump.
+SliderRange held_range(const char* shown, const Parameter& parameter, double value) {
+    const SliderRange range = slider_range(parameter, value), usual = usual_range(parameter);
     ImGuiStorage& kept = *ImGui::GetStateStorage();
-    const ImGuiID low = ImGui::GetID(fmt::format("{} low", shown).c_str());
-    const ImGuiID high = ImGui::GetID(fmt::format("{} high", shown).c_str());
-    const float left = kept.GetFloat(left_id(shown), std::numeric_limits<float>::quiet_NaN());
-    if (ImGui::GetActiveID() == ImGui::GetID(shown) || left == float(value))
-        return {double(kept.GetFloat(low)), double(kept.GetFloat(high))};
-    kept.SetFloat(low, float(range.low));
-    kept.SetFloat(high, float(range.high));
+    const auto id = [&](const char* what) {
+        return ImGui::GetID(fmt::format("{} {}", shown, what).c_str());
+    };
+    const bool beyond = value < usual.low || value > usual.high;
+    const float left = kept.GetFloat(id("left"), std::numeric_limits<float>::quiet_NaN());
+    if (ImGui::GetActiveID() == ImGui::GetID(shown)) {
+        kept.SetFloat(id("left"), float(value));
+        return {double(kept.GetFloat(id("low"))), double(kept.GetFloat(id("high")))};
+    }
+    if (beyond && left == float(value))
+        return {double(kept.GetFloat(id("low"))), double(kept.GetFloat(id("high")))};
+    kept.SetFloat(id("low"), float(range.low));
+    kept.SetFloat(id("high"), float(range.high));
     return range;
-}
-
-/// Returns a value moved by a share of its range.
-double moved_by(double value, double share, const SliderRange& range, SliderScale scale) {
-    if (scale == SliderScale::linear) return value + share * (range.high - range.low);
-    return value * std::pow(range.high / range.low, share);
 }
 
 /// Draws a slider for one number, named `shown` for ImGui.
 ValueEdit edit_number(const Parameter& parameter, std::size_t item, double value, const char* shown,
-                      SliderScale scale) {
-    const SliderRange range = held_range(shown, slider_range(parameter, value), value);
+                      const LeafRow& row) {
+    const SliderRange range = held_range(shown, parameter, value);
     const bool whole = parameter.type == ParameterType::integer;
     double moved = value;
-    ImGui::SliderScalar(
-        shown, ImGuiDataType_Double, &moved, &range.low, &range.high, whole ? "%.0f" : "%.4g",
-        scale == SliderScale::linear ? ImGuiSliderFlags_None : ImGuiSliderFlags_Logarithmic);
+    slide(shown, moved, range, row.scale, whole ? "%.0f" : "%.4g");
     ValueEdit edit = gesture();
-    const ImGuiIO& io = ImGui::GetIO();
-    if (ImGui::IsItemActive() && io.KeyShift && !io.KeyCtrl)
-        moved = moved_by(value, 0.1 * double(io.MouseDelta.x) / double(ImGui::CalcItemWidth()),
-                         range, scale);
     if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0)) {
-        moved = default_of(parameter, item).value_or(value);
+        moved = resting_value(parameter, row.opened, item, value);
         ImGui::ClearActiveID();  // keeps the slider from following the pointer again
         edit.began = edit.ended = true;
     }
     moved = snapped(parameter, moved);
-    if (ImGui::IsItemActive() && moved >= range.low && moved <= range.high)
-        ImGui::GetStateStorage()->SetFloat(left_id(shown), float(moved));
     if (moved != value) edit.value = whole ? Json(std::int64_t(moved)) : Json(moved);
     return edit;
 }
 
-ValueEdit edit_numbers(const RecipeLeaf& leaf, EditItems& items) {
+ValueEdit edit_numbers(const RecipeLeaf& leaf, const LeafRow& row, EditItems& items) {
     ValueEdit edit;
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     const std::size_t across = std::min<std::size_t>(leaf.value.size(), 4);
@@ -134,8 +138,8 @@ ValueEdit edit_numbers(const RecipeLeaf& leaf, EditItems& items) {
         if (i % across != 0) ImGui::SameLine(0.0f, gap);
         ImGui::SetNextItemWidth(width);
         const std::string id = fmt::format("##{}.{}", leaf.path, i);
-        const ValueEdit one = edit_number(*leaf.parameter, i, leaf.value[i].get<double>(),
-                                          id.c_str(), SliderScale::linear);
+        const ValueEdit one =
+            edit_number(*leaf.parameter, i, leaf.value[i].get<double>(), id.c_str(), row);
         items.note(fmt::format("{}.{}", leaf.path, i));
         ValueEdit all = one;
         all.item = i;
@@ -182,15 +186,37 @@ ValueEdit edit_text(const RecipeLeaf& leaf, const char* id) {
     return edit;
 }
 
+/// Draws the widget of a leaf without its name.
+ValueEdit edit_value(const RecipeLeaf& leaf, const LeafRow& row, EditItems& items) {
+    const std::string id = "##" + leaf.path;
+    ValueEdit edit;
+    switch (leaf.parameter->type) {
+        case ParameterType::number:
+        case ParameterType::integer:
+            edit = edit_number(*leaf.parameter, 0, leaf.value.get<double>(), id.c_str(), row);
+            break;
+        case ParameterType::numbers:
+            ImGui::BeginGroup();
+            edit = edit_numbers(leaf, row, items);
+            ImGui::EndGroup();
+            return edit;
+        case ParameterType::choice:
+            return edit_choice(leaf, items, id.c_str());
+        case ParameterType::color:
+            edit = edit_hex(leaf, id.c_str());
+            break;
+        case ParameterType::text:
+            edit = edit_text(leaf, id.c_str());
+            break;
+    }
+    items.note(leaf.path);
+    return edit;
+}
+
 }  // namespace
 
 SliderRange slider_range(const Parameter& parameter, double value) {
-    SliderRange range{parameter.low, parameter.high};
-    if (range.high - range.low > narrow) {
-        const double middle = default_of(parameter, 0).value_or(0.0);
-        const double reach = steps_about * parameter.step;
-        range = {std::max(parameter.low, middle - reach), std::min(parameter.high, middle + reach)};
-    }
+    SliderRange range = usual_range(parameter);
     // A value outside the range gets room on both sides, so that it can be moved either way.
     const double room = std::abs(value);
     if (value < range.low) range.low = std::max(parameter.low, value - room);
@@ -198,37 +224,11 @@ SliderRange slider_range(const Parameter& parameter, double value) {
     return range;
 }
 
-ValueEdit edit_leaf(const RecipeLeaf& leaf, const std::string& label, EditItems& items,
-                    SliderScale scale) {
-    const std::string id = "##" + leaf.path;
-    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x * 0.62f);
-    ValueEdit edit;
-    switch (leaf.parameter->type) {
-        case ParameterType::number:
-        case ParameterType::integer:
-            edit = edit_number(*leaf.parameter, 0, leaf.value.get<double>(), id.c_str(), scale);
-            items.note(leaf.path);
-            break;
-        case ParameterType::numbers:
-            ImGui::BeginGroup();
-            edit = edit_numbers(leaf, items);
-            ImGui::EndGroup();
-            break;
-        case ParameterType::choice:
-            edit = edit_choice(leaf, items, id.c_str());
-            break;
-        case ParameterType::color:
-            edit = edit_hex(leaf, id.c_str());
-            items.note(leaf.path);
-            break;
-        case ParameterType::text:
-            edit = edit_text(leaf, id.c_str());
-            items.note(leaf.path);
-            break;
-    }
-    ImGui::SameLine();
-    ImGui::TextUnformatted(label.c_str());
-    tip(leaf);
+ValueEdit edit_leaf(const RecipeLeaf& leaf, const LeafRow& row, EditItems& items) {
+    begin_row(row.label, leaf.path, row.room);
+    leaf_tip(leaf);
+    const ValueEdit edit = edit_value(leaf, row, items);
+    leaf_tip(leaf);
     return edit;
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 
 #include "app/editor/panels/panels.h"
 #include "app/editor/panels/widgets.h"
@@ -13,71 +14,109 @@ namespace burl {
 
 namespace {
 
-constexpr auto keys = std::to_array<std::pair<const char*, const char*>>({
-    {"left drag", "turn the object"},
+struct KeyLine {
+    const char* keys;
+    const char* does;  ///< null: `keys` is the heading of what follows
+};
+
+constexpr auto key_lines = std::to_array<KeyLine>({
+    {"The object", nullptr},
+    {"left drag", "turn it"},
     {"right or middle drag", "move it"},
-    {"wheel", "nearer, farther"},
+    {"wheel", "nearer, farther, where the pointer is"},
     {"F", "fit into the view"},
     {"1, 3, 7", "front, side, top"},
-    {"L", "light on or off"},
-    {"T", "turntable"},
-    {"V", "the atlas beside the object, and back"},
-    {"W, B", "wireframe, borders of charts on or off"},
-    {"over the atlas: drag, wheel; F", "move, nearer; fit"},
-    {"Ctrl+Z, Ctrl+Y", "undo, redo"},
-    {"Ctrl+O", "open a mesh or recipe"},
-    {"Ctrl+S; Ctrl+Shift+S", "save the recipe; under another name"},
-    {"Ctrl+E", "export mesh, texture or shader"},
-    {"Ctrl+Q", "quit; asks where something is not saved"},
-    {"F5", "read mesh and recipe again"},
-    {"Ctrl+Shift+C", "copy the burl command line"},
-    {"Ctrl+C, Ctrl+V", "copy, paste the recipe as JSON"},
+    {"L, T", "light, turntable"},
+    {"W, B", "wireframe, borders of charts"},
+    {"V", "the atlas beside the object"},
+    {"The texture", nullptr},
+    {"G", "move it: drag, arrow keys; Shift turns, Ctrl sizes"},
+    {"P", "paint on the surface"},
+    {"comma, period; X", "smaller, larger brush; eraser"},
+    {"Alt+left drag", "turn the object all the same"},
     {"A; Shift+A, Shift+B", "compare with what was opened, or kept; keep as A, as B"},
-    {"N", "the graph: nodes and wires"},
-    {"graph: Insert, Delete, Enter", "add a node, delete, look at it alone"},
-    {"graph: arrows; Ctrl+C, V, X, G; F", "choose; copy, paste, cut, group; fit"},
-    {"P", "paint on the surface, and back"},
-    {"comma, period; X", "painting: smaller, larger brush; eraser"},
-    {"G", "move the texture on the surface, and back"},
-    {"drag, arrow keys", "moving the texture; Shift turns, Ctrl sizes, Escape takes back"},
-    {"Alt+left drag", "painting, moving: turn the object"},
-    {"Ctrl+plus, Ctrl+minus, Ctrl+0", "larger, smaller, normal text"},
-    {"arrows, Space, Tab", "go from item to item, use it, edit it"},
-    {"K", "timeline: keys of numbers over time"},
-    {"Space; I; Delete", "timeline: play; key the number last touched; remove the chosen key"},
-    {"F12", "screenshot"},
-    {"F1", "this list"},
-    {"double-click a slider", "its default"},
-    {"Ctrl-click a slider", "type a number"},
+    {"Ctrl+Z, Ctrl+Y", "undo, redo"},
+    {"The graph", nullptr},
+    {"N", "nodes and wires"},
+    {"Insert, Delete, Enter", "add a node, delete, look at it alone"},
+    {"Ctrl+C, V, X, G; F", "copy, paste, cut, group; fit"},
+    {"Sliders", nullptr},
+    {"double-click", "as it was opened; again: the default"},
+    {"Ctrl-click", "type a number"},
     {"Shift while dragging", "a tenth of the speed"},
+    {"arrows, Space, Tab", "go through the panels, use, edit"},
+    {"Files", nullptr},
+    {"Ctrl+O, F5", "open a mesh or recipe; read them again"},
+    {"Ctrl+S, Ctrl+Shift+S", "save the recipe; under another name"},
+    {"Ctrl+E", "export mesh, texture or shader"},
+    {"Ctrl+C, Ctrl+V", "copy, paste the recipe as JSON"},
+    {"Ctrl+Shift+C", "copy the burl command line"},
+    {"F12", "screenshot"},
+    {"Ctrl+Q", "quit; asks where something is not saved"},
+    {"Time", nullptr},
+    {"K", "timeline"},
+    {"Space", "play, stop"},
+    {"I, Delete", "key the number last touched; remove the chosen key"},
+    {"The window", nullptr},
+    {"Ctrl+plus, minus, 0", "larger, smaller, normal text"},
+    {"F1", "this list"},
 });
+constexpr std::size_t second_column = 16;  // the first line of the right half, a heading
 
-/// Draws a left recipe with its buttons; returns whether one was pressed.
-bool left_row(const PanelContext& context, EditAutosave& autosave, std::size_t left) {
-    const LeftRecipe& recipe = autosave.left_behind()[left];
+/// Draws a half of the list of keys.
+void key_table(const char* id, std::span<const KeyLine> lines) {
+    if (!ImGui::BeginTable(id, 2, ImGuiTableFlags_SizingFixedFit)) return;
+    for (const KeyLine& line : lines) {
+        ImGui::TableNextColumn();
+        if (!line.does) {
+            ImGui::Spacing();
+            ImGui::PushFont(heading_font());
+            ImGui::TextUnformatted(line.keys);
+            ImGui::PopFont();
+            ImGui::TableNextRow();
+            continue;
+        }
+        ImGui::PushStyleColor(ImGuiCol_Text, palette().accent);
+        ImGui::TextUnformatted(line.keys);
+        ImGui::PopStyleColor();
+        ImGui::TableNextColumn();
+        ImGui::TextUnformatted(line.does);
+    }
+    ImGui::EndTable();
+}
+
+/// What was done about a left recipe.
+struct LeftAnswer {
+    bool given = false;
+    std::optional<std::string> view{};  ///< the view of a recipe that was taken
+};
+
+LeftAnswer left_row(const PanelContext& context, EditAutosave& autosave, std::size_t left) {
+    const LeftRecipe recipe = autosave.left_behind()[left];
     const std::string number = left == 0 ? "" : fmt::format(" {}", left + 1);
     ImGui::PushID(int(left));
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(recipe.title.c_str());
     ImGui::SameLine();
-    const bool taken = ImGui::Button("Take it");
+    const bool wanted = ImGui::Button("Take it");
     context.items.note("recover" + number);
     ImGui::SameLine();
     const bool unwanted = ImGui::Button("Throw it away");
     context.items.note("do not recover" + number);
     ImGui::PopID();
-    if (taken && context.session.recover_recipe(recipe.json, recipe.file))
+    const bool taken = wanted && context.session.recover_recipe(recipe.json, recipe.file);
+    if (taken)
         autosave.take(left, context.session.history());
     else if (unwanted)
         autosave.throw_away(left);
-    return taken || unwanted;
+    return {wanted || unwanted, taken ? std::optional(recipe.view) : std::nullopt};
 }
 
 }  // namespace
 
 void log_panel(const PanelContext& context) {
     for (const LogLine& line : context.session.log()) {
-        if (line.problem) ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(1.0f, 0.55f, 0.4f, 1.0f));
+        if (line.problem) ImGui::PushStyleColor(ImGuiCol_Text, palette().problem);
         ImGui::TextWrapped("%s", line.text.c_str());
         if (line.problem) ImGui::PopStyleColor();
     }
@@ -87,15 +126,14 @@ void log_panel(const PanelContext& context) {
 bool cheat_sheet(const PanelContext& context) {
     bool open = true;
     if (begin_centred_window("Keys", &open)) {
-        if (ImGui::BeginTable("keys", 2, ImGuiTableFlags_SizingFixedFit)) {
-            for (const auto& [key, what] : keys) {
-                ImGui::TableNextColumn();
-                ImGui::TextUnformatted(key);
-                ImGui::TableNextColumn();
-                ImGui::TextUnformatted(what);
-            }
-            ImGui::EndTable();
-        }
+        const std::span<const KeyLine> all(key_lines);
+        ImGui::BeginGroup();
+        key_table("left", all.first(second_column));
+        ImGui::EndGroup();
+        ImGui::SameLine(0.0f, 2.0f * ImGui::GetFontSize());
+        ImGui::BeginGroup();
+        key_table("right", all.subspan(second_column));
+        ImGui::EndGroup();
         if (ImGui::Button("Close")) open = false;
         context.items.note("close keys");
     }
@@ -103,15 +141,17 @@ bool cheat_sheet(const PanelContext& context) {
     return open;
 }
 
-void recovery_window(const PanelContext& context, EditAutosave& autosave) {
-    if (autosave.left_behind().empty()) return;
+std::optional<std::string> recovery_window(const PanelContext& context, EditAutosave& autosave) {
+    if (autosave.left_behind().empty()) return {};
     begin_centred_window("Unsaved work");
     ImGui::TextUnformatted("What was not saved by an editor that did not end well:");
-    for (std::size_t i = 0; i < autosave.left_behind().size(); ++i)
-        if (left_row(context, autosave, i)) break;
+    LeftAnswer answer;
+    for (std::size_t i = 0; i < autosave.left_behind().size() && !answer.given; ++i)
+        answer = left_row(context, autosave, i);
     if (ImGui::Button("Ask again at the next start")) autosave.leave_all();
     context.items.note("recover later");
     ImGui::End();
+    return answer.view;
 }
 
 }  // namespace burl

@@ -256,7 +256,7 @@ void move_panel(const PanelContext& context, EditMove& tool, const ImVec2& low) 
         ImGui::TextUnformatted(
             "drag or arrow keys: move\nwith Shift: turn\nwith Ctrl: larger, smaller\n"
             "Escape: take it back\nAlt+drag: turn the object");
-        ImGui::Checkbox("axes", &tool.shows_gizmo);
+        check_box(context.items, "axes", "move.axes", tool.shows_gizmo);
         context.items.note("move.axes");
         ImGui::SameLine();
         if (ImGui::Button("Reset")) {

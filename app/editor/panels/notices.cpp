@@ -1,26 +1,32 @@
 #include "app/editor/panels/notices.h"
 
+#include <fmt/format.h>
 #include <imgui.h>
 
+#include <algorithm>
+
 #include <utility>
+
+#include "app/editor/panels/theme.h"
 
 namespace burl {
 
 namespace {
 
-const ImVec4 problem_color{1.0f, 0.55f, 0.4f, 1.0f};  // as in the log
 constexpr double news_seconds = 12.0;
-constexpr float most_width = 40.0f;  // maximum width of a line, in font sizes
+constexpr float most_width = 30.0f, bar_width = 16.0f;  // of a line, of a bar; in font sizes
 
 /// Draws the lines of a window of notices; returns the answer clicked.
 std::string notice_lines(EditItems& items, const std::vector<Notice>& notices) {
     std::string answer;
     for (const Notice& notice : notices) {
-        if (notice.problem) ImGui::PushStyleColor(ImGuiCol_Text, problem_color);
+        if (notice.problem) ImGui::PushStyleColor(ImGuiCol_Text, palette().problem);
         ImGui::PushTextWrapPos(most_width * ImGui::GetFontSize());
         ImGui::TextUnformatted(notice.text.c_str());
         ImGui::PopTextWrapPos();
         if (notice.problem) ImGui::PopStyleColor();
+        if (notice.share >= 0.0)
+            ImGui::ProgressBar(float(notice.share), {bar_width * ImGui::GetFontSize(), 0.0f});
         for (const std::string& choice : notice.answers) {
             if (&choice != &notice.answers.front()) ImGui::SameLine();
             if (ImGui::Button(choice.c_str())) answer = choice;
@@ -31,6 +37,19 @@ std::string notice_lines(EditItems& items, const std::vector<Notice>& notices) {
 }
 
 }  // namespace
+
+void coarse_sign(EditItems& items, const ImVec2& low, const ImVec2& size, std::uint32_t level) {
+    if (level == 0) return;
+    const std::string text = fmt::format("1/{} of the texture's size", 1U << std::min(level, 16U));
+    const ImVec2 room = ImGui::CalcTextSize(text.c_str()), margin = ImGui::GetStyle().FramePadding;
+    const ImVec2 high{low.x + size.x - 2.0f * margin.x, low.y + size.y - 2.0f * margin.x};
+    const ImVec2 from{high.x - room.x - 2.0f * margin.x, high.y - room.y - 2.0f * margin.y};
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(from, high, IM_COL32(0, 0, 0, 150), ImGui::GetStyle().FrameRounding);
+    list.AddText({from.x + margin.x, from.y + margin.y}, IM_COL32(255, 255, 255, 230),
+                 text.c_str());
+    items.note("coarse level", {{from.x, from.y}, {high.x, high.y}});
+}
 
 void EditNotices::tell(std::string text, bool problem) {
     news_ = {std::move(text), {"Dismiss"}, problem};

@@ -1,6 +1,7 @@
 #pragma once
 // Notices in the lower left corner of the object's view: background work under way, questions that
 // can wait, and news.
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -14,7 +15,12 @@ struct Notice {
     std::string text{};
     std::vector<std::string> answers{};
     bool problem = false;
+    double share = -1.0;  ///< of work that is done, 0 to 1; below 0: none is told
 };
+
+/// Draws a sign in the lower right corner of the object's view while a coarser level of the texture
+/// is shown than level 0, "coarse level" among the items.
+void coarse_sign(EditItems& items, const ImVec2& low, const ImVec2& size, std::uint32_t level);
 
 /// Draws notices, and keeps the newest message for some seconds.
 class EditNotices {

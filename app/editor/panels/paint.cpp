@@ -8,6 +8,7 @@
 #include <imgui.h>
 
 #include "app/editor/panels/keys.h"
+#include "app/editor/panels/slider.h"
 #include "app/editor/panels/widgets.h"
 
 namespace burl {
@@ -16,19 +17,31 @@ namespace {
 
 constexpr float slider_width = 150.0f;
 
-void slide(const PanelContext& context, const char* label, double& value, double low, double high,
-           ImGuiSliderFlags flags = 0) {
-    ImGui::SliderScalar(label, ImGuiDataType_Double, &value, &low, &high, "%.3f",
-                        flags | ImGuiSliderFlags_AlwaysClamp);
-    context.items.note(fmt::format("paint.{}", label));
+/// A number of the brush: its name, its range and what it means.
+struct BrushNumber {
+    const char* label;
+    SliderRange range;
+    const char* sentence;
+    SliderScale scale = SliderScale::linear;
+};
+
+void brush_row(const PanelContext& context, double& value, const BrushNumber& number) {
+    slide(fmt::format("##{}", number.label).c_str(), value, number.range, number.scale, "%.3f");
+    value = std::clamp(value, number.range.low, number.range.high);
+    context.items.note(fmt::format("paint.{}", number.label));
+    tip(number.sentence);
+    ImGui::SameLine();
+    ImGui::TextUnformatted(number.label);
 }
 
 void modes(const PanelContext& context, PaintMode& mode) {
-    if (ImGui::RadioButton("paint", mode == PaintMode::paint)) mode = PaintMode::paint;
-    context.items.note("paint.paint");
+    if (radio_button(context.items, "paint", "paint.paint", mode == PaintMode::paint))
+        mode = PaintMode::paint;
+    tip("Lays the colour over the texture.");
     ImGui::SameLine();
-    if (ImGui::RadioButton("erase", mode == PaintMode::erase)) mode = PaintMode::erase;
-    context.items.note("paint.erase");
+    if (radio_button(context.items, "erase", "paint.erase", mode == PaintMode::erase))
+        mode = PaintMode::erase;
+    tip("Uncovers the texture again (X).");
 }
 
 constexpr int brush_points = 48;
@@ -65,18 +78,25 @@ void paint_panel(const PanelContext& context, PaintTool& tool, const ImVec2& low
     if (begin_tool_window("Paint (P)", tool.on, low)) {
         ImGui::PushItemWidth(slider_width * float(interface_scale()));
         modes(context, tool.brush.mode);
-        slide(context, "radius", tool.brush.radius, least_brush_radius, largest_brush_radius,
-              ImGuiSliderFlags_Logarithmic);
-        slide(context, "hardness", tool.brush.hardness, 0.0, 1.0);
-        slide(context, "opacity", tool.brush.opacity, 0.0, 1.0);
+        brush_row(context, tool.brush.radius,
+                  {"radius",
+                   {least_brush_radius, largest_brush_radius},
+                   "The ball's radius in solid units (comma, period).",
+                   SliderScale::logarithmic});
+        brush_row(context, tool.brush.hardness,
+                  {"hardness", {0.0, 1.0}, "The share of the ball that is covered evenly."});
+        brush_row(context, tool.brush.opacity,
+                  {"opacity", {0.0, 1.0}, "How much a stroke covers what is below it."});
         edit_color("colour", tool.brush.color);
         context.items.note("paint.colour");
         ImGui::PopItemWidth();
         const std::size_t strokes = context.session.recipe().paint.size();
+        ImGui::AlignTextToFramePadding();
         ImGui::Text("%zu stroke%s", strokes, strokes == 1 ? "" : "s");
         ImGui::SameLine();
         if (ImGui::Button("Clear") && strokes > 0) clear_paint(context.session);
         context.items.note("paint.clear");
+        tip("Takes all paint away, as one step.");
     }
     ImGui::End();
 }

@@ -1,7 +1,6 @@
 #pragma once
 // The editor's panels: each shows a part of the session and passes edits to it. The only state of
 // their own is what is shown and selected.
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -22,6 +21,9 @@ struct PanelContext {
     EditSession& session;
     EditItems& items;
 };
+
+/// Draws the recipe's name and what it says about itself.
+void recipe_heading(const Recipe& recipe);
 
 /// Draws a slider or colour field for every control of the recipe (app/recipe/edit/controls.h),
 /// each an item of its name; nothing for a recipe without controls. A change is that of --set.
@@ -64,22 +66,15 @@ void log_panel(const PanelContext& context);
 bool cheat_sheet(const PanelContext& context);
 
 /// Draws the window of recipes left behind by crashed editors, each to be taken or thrown away;
-/// nothing where there are none.
-void recovery_window(const PanelContext& context, EditAutosave& autosave);
+/// nothing where there are none. Returns the view (LeftRecipe::view) of one that was taken.
+std::optional<std::string> recovery_window(const PanelContext& context, EditAutosave& autosave);
 
-/// The timeline's height in screen coordinates.
-float timeline_height(const EditSession& session);
+/// The height that the timeline's rows need in a panel of that width, in screen coordinates.
+float timeline_height(EditSession& session, float width);
 /// Draws the timeline below the object: clock, scrub bar, and the keys of animated numbers as
 /// diamonds.
 void timeline_panel(const PanelContext& context);
 /// Handles the keys of the timeline: K, and while it is open Space, I and Delete.
 void timeline_shortcuts(EditSession& session);
-
-/// Returns a preset's thumbnail, side x side pixels; null: not ready.
-using PresetPicture = std::function<ImTextureID(const std::string& preset, int side)>;
-
-/// Draws the gallery of presets, a thumbnail and a name each; a click opens one. `search` is the
-/// text that filters it. Items are "preset:NAME" for every visible preset, and "preset search".
-void presets_panel(const PanelContext& context, std::string& search, const PresetPicture& picture);
 
 }  // namespace burl

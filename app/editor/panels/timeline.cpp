@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "app/editor/panels/flow.h"
 #include "app/editor/panels/keys.h"
 #include "app/editor/panels/panels.h"
 #include "app/editor/panels/widgets.h"
@@ -21,10 +22,7 @@ namespace {
 
 constexpr std::size_t rows_seen = 4;
 // Sizes at interface scale 1.
-constexpr float label_width = 220.0f, diamond_size = 6.0f, tick_gap = 60.0f;
-constexpr ImU32 lane_color = IM_COL32(40, 44, 52, 255), tick_color = IM_COL32(120, 126, 138, 255);
-constexpr ImU32 head_color = IM_COL32(240, 90, 70, 255), key_color = IM_COL32(214, 176, 72, 255);
-constexpr ImU32 chosen_color = IM_COL32(255, 232, 150, 255), edge_color = IM_COL32(20, 20, 20, 255);
+constexpr float label_width = 220.0f, diamond_size = 6.0f, tick_gap = 60.0f, number_width = 64.0f;
 
 bool has_key_now(const EditSession& session, const std::string& path) {
     const KeyedAnimation& animation = session.recipe().animation;
@@ -32,19 +30,45 @@ bool has_key_now(const EditSession& session, const std::string& path) {
     return track && key_near(animation, *track, session.time()) < track->keys.size();
 }
 
-/// Adds a key with the present value of the number edited last at the clock's time, or removes the
-/// key it has there.
-void toggle_key(EditSession& session) {
+/// Adds a key with the present value of the number edited last at the clock's time; where it has
+/// one, that holds the value already.
+void set_key(EditSession& session) {
+    const std::string path = session.touched();
+    const auto number = find_number(slider_json(session.still()), path);
+    if (number && !has_key_now(session, path))
+        session.change_keys(
+            with_key(session.recipe().animation, path, session.time(), number->value));
+}
+
+/// Removes the key of the number edited last at the clock's time.
+void remove_key(EditSession& session) {
     const std::string path = session.touched();
     const KeyedAnimation& animation = session.recipe().animation;
-    const auto number = find_number(slider_json(session.still()), path);
-    if (!number) return;
-    if (!has_key_now(session, path)) {
-        session.change_keys(with_key(animation, path, session.time(), number->value));
-        return;
-    }
     const std::size_t key = key_near(animation, *find_track(animation, path), session.time());
     session.change_with([&] { return with_key_removed(session.recipe(), path, key); });
+}
+
+constexpr const char* remove_all = "Remove all its keys";
+
+float button_width(const char* label) {
+    return ImGui::CalcTextSize(label).x + 2.0f * ImGui::GetStyle().FramePadding.x;
+}
+
+/// The widths of what the first rows of the timeline have, in screen coordinates.
+std::vector<float> clock_widths() {
+    const float scale = float(interface_scale()), gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    const auto field = [&](const char* unit) {
+        return number_width * scale + gap + ImGui::CalcTextSize(unit).x;
+    };
+    return {std::max(button_width("Play"), button_width("Pause")),
+            ImGui::CalcTextSize("00.00 s   frame 000 of 000").x, field("s"), field("frames/s"),
+            ImGui::GetTextLineHeight() + gap + ImGui::CalcTextSize("loop").x};
+}
+std::vector<float> key_widths(EditSession& session) {
+    std::vector<float> widths{260.0f * float(interface_scale()), button_width("Remove key")};
+    if (find_track(session.recipe().animation, session.touched()))
+        widths.push_back(button_width(remove_all));
+    return widths;
 }
 
 /// The timeline in one frame.
@@ -62,9 +86,10 @@ class TimelinePanel {
     void show() {
         clock();
         key_row();
-        lane_low_ = ImGui::GetCursorScreenPos().x + scaled(label_width);
-        lane_width_ = std::max(
-            10.0f, ImGui::GetContentRegionAvail().x - scaled(label_width) - 2.0f * diamond_);
+        const float room = ImGui::GetContentRegionAvail().x;
+        const float label_room = std::min(scaled(label_width), 0.45f * room);
+        lane_low_ = ImGui::GetCursorScreenPos().x + label_room;
+        lane_width_ = std::max(10.0f, room - label_room - 2.0f * diamond_);
         ruler();
         if (ImGui::BeginChild("tracks")) tracks();
         ImGui::EndChild();
@@ -82,65 +107,74 @@ class TimelinePanel {
     std::string label(const std::string& path) const { return number_label(groups_, words_, path); }
 
     void clock() {
-        if (ImGui::Button(timeline_.playing ? "Pause" : "Play", {scaled(64.0f), 0.0f}))
+        const std::vector<float> widths = clock_widths();
+        Flow flow(widths);
+        flow.next();
+        if (ImGui::Button(timeline_.playing ? "Pause" : "Play", {widths[0], 0.0f}))
             toggle_playing(session_);
         items_.note("timeline.play");
-        ImGui::SameLine();
+        tip("Plays and stops (Space).");
+        flow.next();
         const int frame = int(std::lround(session_.time() * animation_.rate)) + 1;
+        ImGui::AlignTextToFramePadding();
         ImGui::TextUnformatted(fmt::format("{:5.2f} s   frame {:3} of {}", session_.time(), frame,
                                            frame_count(animation_))
                                    .c_str());
-        ImGui::SameLine(0.0f, 24.0f);
+        flow.next();
         length();
-        ImGui::SameLine();
+        flow.next();
         rate();
-        ImGui::SameLine();
+        flow.next();
         KeyedAnimation edited = animation_;
-        if (ImGui::Checkbox("loop", &edited.loop)) session_.change_keys(edited);
-        items_.note("timeline.loop");
+        if (check_box(items_, "loop", "timeline.loop", edited.loop)) session_.change_keys(edited);
+        tip("Whether the end is the beginning again.");
     }
 
     void length() {
         KeyedAnimation edited = animation_;
         const double low = 0.01, high = 3600.0;
-        ImGui::SetNextItemWidth(scaled(64.0f));
+        ImGui::SetNextItemWidth(scaled(number_width));
         const bool moved = ImGui::DragScalar("s", ImGuiDataType_Double, &edited.seconds, 0.02f,
                                              &low, &high, "%.2f", ImGuiSliderFlags_AlwaysClamp);
         items_.note("timeline.seconds");
         follow_gesture(session_.history());
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("How long the animation is");
+        tip("How long the animation is.");
         if (moved) session_.change_keys(edited);
     }
 
     void rate() {
         KeyedAnimation edited = animation_;
-        ImGui::SetNextItemWidth(scaled(44.0f));
+        ImGui::SetNextItemWidth(scaled(number_width));
         const bool moved = ImGui::DragInt("frames/s", &edited.rate, 0.1f, 1, 240, "%d",
                                           ImGuiSliderFlags_AlwaysClamp);
         items_.note("timeline.rate");
         follow_gesture(session_.history());
+        tip("How many frames are exported for each second.");
         if (moved) session_.change_keys(edited);
     }
 
     /// Draws the choice of the number that the next key animates.
     void key_row() {
         const std::string path = session_.touched();
-        ImGui::SetNextItemWidth(scaled(260.0f));
+        const std::vector<float> widths = key_widths(session_);
+        Flow flow(widths);
+        flow.next();
+        ImGui::SetNextItemWidth(std::min(widths[0], ImGui::GetContentRegionAvail().x));
         const std::string shown = path.empty() ? "choose a number" : label(path);
         const bool open = ImGui::BeginCombo("##number", shown.c_str(), ImGuiComboFlags_HeightLarge);
         items_.note("timeline.number");
         if (open) choices(path);
-        ImGui::SameLine();
+        flow.next();
         ImGui::BeginDisabled(path.empty());
-        if (ImGui::Button(has_key_now(session_, path) ? "Remove key" : "Set key",
-                          {scaled(96.0f), 0.0f}))
-            toggle_key(session_);
+        const bool has_key = has_key_now(session_, path);
+        if (ImGui::Button(has_key ? "Remove key" : "Set key", {widths[1], 0.0f}))
+            (has_key ? remove_key : set_key)(session_);
         items_.note("timeline.key");
         ImGui::EndDisabled();
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s (I)", path.c_str());
-        if (!find_track(animation_, path)) return;
-        ImGui::SameLine();
-        if (ImGui::Button("Remove all its keys"))
+        tip(fmt::format("{}{}", path, has_key ? "" : " (I)").c_str());
+        if (widths.size() < 3) return;
+        flow.next();
+        if (ImGui::Button(remove_all))
             session_.change_with(
                 [&] { return with_track_removed(session_.recipe(), path, session_.time()); });
         items_.note("timeline.remove");
@@ -168,12 +202,13 @@ class TimelinePanel {
             session_.set_time(nearest_frame(animation_, seconds_at(ImGui::GetIO().MousePos.x)));
         }
         ImDrawList& list = *ImGui::GetWindowDrawList();
-        list.AddRectFilled({lane_low_, at.y}, {lane_low_ + lane_width_, at.y + height}, lane_color);
+        list.AddRectFilled({lane_low_, at.y}, {lane_low_ + lane_width_, at.y + height},
+                           palette().lane);
         ticks(list, at.y, height);
         const float x = x_of(session_.time());
         list.AddTriangleFilled({x - diamond_, at.y}, {x + diamond_, at.y},
-                               {x, at.y + 1.6f * diamond_}, head_color);
-        list.AddLine({x, at.y}, {x, at.y + height}, head_color, 2.0f);
+                               {x, at.y + 1.6f * diamond_}, palette().head);
+        list.AddLine({x, at.y}, {x, at.y + height}, palette().head, 2.0f);
     }
 
     void ticks(ImDrawList& list, float y, float height) const {
@@ -184,10 +219,10 @@ class TimelinePanel {
         const int count = int(animation_.seconds / step + 1e-9);
         for (int i = 0; i <= count; ++i) {
             const float x = x_of(i * step);
-            list.AddLine({x, y + 0.6f * height}, {x, y + height}, tick_color);
+            list.AddLine({x, y + 0.6f * height}, {x, y + height}, palette().tick);
             const std::string text = fmt::format("{:.4g}", i * step);
             if (x + scaled(tick_gap) * 0.5f < lane_low_ + lane_width_)
-                list.AddText({x + 3.0f, y + 0.5f * (height - ImGui::GetFontSize())}, tick_color,
+                list.AddText({x + 3.0f, y + 0.5f * (height - ImGui::GetFontSize())}, palette().tick,
                              text.c_str());
         }
     }
@@ -219,14 +254,14 @@ class TimelinePanel {
         ImDrawList& list = *ImGui::GetWindowDrawList();
         const float middle = at.y + 0.5f * height;
         list.AddRectFilled({lane_low_, at.y + 2.0f},
-                           {lane_low_ + lane_width_, at.y + height - 2.0f}, lane_color);
+                           {lane_low_ + lane_width_, at.y + height - 2.0f}, palette().lane);
         const float x = x_of(session_.time());
-        list.AddLine({x, at.y}, {x, at.y + height}, head_color, 1.0f);
+        list.AddLine({x, at.y}, {x, at.y + height}, palette().head, 1.0f);
         if (track.keys.size() > 1)
             list.AddLine(
                 {x_of(track.keys.front().seconds), middle},
                 {std::min(x_of(track.keys.back().seconds), lane_low_ + lane_width_), middle},
-                tick_color, 2.0f);
+                palette().tick, 2.0f);
         for (std::size_t i = 0; i < track.keys.size(); ++i)
             if (track.keys[i].seconds <= animation_.seconds) key(track, i, middle);
         ImGui::SetCursorScreenPos({at.x, at.y + height + 2.0f});
@@ -243,8 +278,7 @@ class TimelinePanel {
             session_.change_keys(edited);
         }
         items_.note("timeline.ease:" + track.path);
-        if (ImGui::IsItemHovered())
-            ImGui::SetTooltip("How it goes from key to key; smooth: at rest in every key");
+        tip("How it goes from key to key; smooth: at rest in every key.");
     }
 
     void key(const KeyTrack& track, std::size_t index, float y) {
@@ -254,9 +288,9 @@ class TimelinePanel {
         ImGui::InvisibleButton("key", {2.0f * diamond_, 2.0f * diamond_});
         items_.note(fmt::format("timeline.key:{}.{}", track.path, index));
         const bool chosen = timeline_.chosen == KeyChoice{track.path, index};
-        ImGui::GetWindowDrawList()->AddNgonFilled({x, y}, diamond_ + 1.0f, edge_color, 4);
+        ImGui::GetWindowDrawList()->AddNgonFilled({x, y}, diamond_ + 1.0f, palette().edge, 4);
         ImGui::GetWindowDrawList()->AddNgonFilled({x, y}, diamond_ - 0.5f,
-                                                  chosen ? chosen_color : key_color, 4);
+                                                  chosen ? palette().chosen : palette().key, 4);
         key_input(track, index);
         ImGui::PopID();
     }
@@ -309,11 +343,13 @@ void remove_chosen(EditSession& session) {
 
 }  // namespace
 
-float timeline_height(const EditSession& session) {
+float timeline_height(EditSession& session, float width) {
     const std::size_t rows =
         std::clamp<std::size_t>(session.recipe().animation.tracks.size(), 2, rows_seen);
     const ImGuiStyle& style = ImGui::GetStyle();
-    return 3.0f * ImGui::GetFrameHeightWithSpacing() +
+    const float room = width - 2.0f * style.WindowPadding.x;
+    const int lines = Flow::lines(clock_widths(), room) + Flow::lines(key_widths(session), room);
+    return float(1 + lines) * ImGui::GetFrameHeightWithSpacing() +
            float(rows) * (ImGui::GetFrameHeightWithSpacing() + 2.0f) + 2.0f * style.WindowPadding.y;
 }
 
@@ -327,7 +363,7 @@ void timeline_shortcuts(EditSession& session) {
     if (pressed("K")) timeline.open = !timeline.open;
     if (!timeline.open) return;
     if (pressed("Space") && !ImGui::GetIO().NavVisible) toggle_playing(session);
-    if (pressed("I")) toggle_key(session);
+    if (pressed("I")) set_key(session);
     if (pressed("Delete")) remove_chosen(session);
 }
 

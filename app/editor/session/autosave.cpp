@@ -42,6 +42,22 @@ std::string lock_of(const std::string& file) {
     return file + ".lock";
 }
 
+/// The file of what was beside a recipe.
+std::string view_of(const std::string& file) {
+    return fs::path(file).replace_extension(".view").string();
+}
+
+void remove_files(const std::string& file) {
+    std::error_code unknown;
+    fs::remove(file, unknown);
+    fs::remove(view_of(file), unknown);
+}
+
+std::string text_of(const std::string& file) {
+    const auto bytes = read_file_bytes(file);
+    return {bytes.begin(), bytes.end()};
+}
+
 bool is_there(const std::string& file) {
     std::error_code unknown;
     return fs::is_regular_file(file, unknown);
@@ -67,10 +83,10 @@ std::string name_in(const std::string& json) {
 
 std::optional<LeftRecipe> read_left(const std::string& file) {
     try {
-        const auto bytes = read_file_bytes(file);
-        std::string json(bytes.begin(), bytes.end());
-        std::string title = fmt::format("{}, {}", name_in(json), age_of(file));
-        return LeftRecipe{file, std::move(json), std::move(title)};
+        LeftRecipe left{file, text_of(file), "", ""};
+        left.title = fmt::format("{}, {}", name_in(left.json), age_of(file));
+        if (is_there(view_of(file))) left.view = text_of(view_of(file));
+        return left;
     } catch (const Error&) {
         return {};
     }
@@ -150,9 +166,16 @@ EditAutosave::Kept& EditAutosave::kept(std::uint64_t document) {
 
 void EditAutosave::write(const EditHistory::Unsaved& unsaved) {
     Kept& place = kept(unsaved.document);
+    write_view(place);
     if (place.written == *unsaved.recipe) return;
     write_file(place.file, to_json(with_absolute_images(*unsaved.recipe, unsaved.path)));
     place.written = *unsaved.recipe;
+}
+
+void EditAutosave::write_view(Kept& place) const {
+    if (place.view == view_) return;
+    write_file(view_of(place.file), view_);
+    place.view = view_;
 }
 
 void EditAutosave::write_all(const AllUnsaved& all) {
@@ -171,14 +194,14 @@ void EditAutosave::remove_others(const AllUnsaved& all) {
     std::erase_if(kept_, [&](const Kept& one) {
         const auto is_this = [&](const auto& unsaved) { return unsaved.document == one.document; };
         if (std::ranges::any_of(all, is_this)) return false;
-        std::error_code unknown;
-        fs::remove(one.file, unknown);
+        remove_files(one.file);
         return true;
     });
 }
 
-void EditAutosave::keep(const EditHistory& history, double seconds) {
+void EditAutosave::keep(const EditHistory& history, double seconds, const std::string& view) {
     if (first_.empty()) return;
+    view_ = view;
     const AllUnsaved all = history.all_unsaved();
     remove_others(all);
     if (all.empty() || seconds - last_ < every_seconds) return;
@@ -195,8 +218,7 @@ void EditAutosave::take(std::size_t left, const EditHistory& history) {
 }
 
 void EditAutosave::throw_away(std::size_t left) {
-    std::error_code unknown;
-    fs::remove(left_[left].file, unknown);
+    remove_files(left_[left].file);
     forget(left);
 }
 

@@ -38,6 +38,7 @@ struct LeftRecipe {
     std::string file{};
     std::string json{};
     std::string title{};  ///< the recipe's name and the age of the file, for display
+    std::string view{};   ///< what keep() was given beside the recipe; empty: nothing
 };
 
 /// Writes and recovers autosave files. All functions are called by one thread.
@@ -51,7 +52,8 @@ class EditAutosave {
     /// Writes the unsaved recipes of `history` at most every 3 seconds, and removes the files of
     /// those saved since. `seconds` is the time on any steady clock. Autosave turns itself off
     /// silently where the folder cannot be written: that is no reason to interrupt somebody's work.
-    void keep(const EditHistory& history, double seconds);
+    /// `view` is a text kept beside each recipe: what it was looked at on, and from where.
+    void keep(const EditHistory& history, double seconds, const std::string& view = {});
     /// Recipes left behind by crashed editors; they are locked, so that no other editor offers
     /// them.
     const std::vector<LeftRecipe>& left_behind() const { return left_; }
@@ -72,6 +74,7 @@ class EditAutosave {
         std::string file;
         EditLock lock;
         std::optional<Recipe> written;  ///< the recipe as last written
+        std::string view{};             ///< the view as last written
     };
     using AllUnsaved = std::vector<EditHistory::Unsaved>;
 
@@ -80,12 +83,14 @@ class EditAutosave {
     Kept& claim(std::uint64_t document);
     Kept& kept(std::uint64_t document);
     void write(const EditHistory::Unsaved& unsaved);
+    void write_view(Kept& place) const;
     void write_all(const AllUnsaved& all);
     void remove_others(const AllUnsaved& all);
     void forget(std::size_t left);
 
     std::string first_;  ///< path of the first file; empty: autosave is off
     std::vector<Kept> kept_;
+    std::string view_;  ///< the view that keep() was given last
     std::vector<LeftRecipe> left_;
     std::vector<EditLock> left_locks_;  ///< locks of `left_`, in the same order
     double last_ = -1e9;                ///< time of the last write, in seconds

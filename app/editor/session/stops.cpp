@@ -23,8 +23,22 @@ ColorStop stop_of(const ColorMap& map, double position, double f) {
 
 }  // namespace
 
-std::vector<ColorStop> with_stop_moved(std::vector<ColorStop> stops, std::size_t index,
+std::vector<ColorStop> with_stop_moved(std::vector<ColorStop> stops, std::size_t& at,
                                        double position) {
+    ColorStop moved = stops[at];
+    const bool up = position > moved.position;
+    moved.position = std::clamp(position, 0.0, 1.0);
+    stops.erase(stops.begin() + std::ptrdiff_t(at));
+    const auto positions = &ColorStop::position;
+    const auto place = up ? std::ranges::upper_bound(stops, moved.position, {}, positions)
+                          : std::ranges::lower_bound(stops, moved.position, {}, positions);
+    at = std::size_t(place - stops.begin());
+    stops.insert(place, moved);
+    return stops;
+}
+
+std::vector<ColorStop> with_stop_moved_between(std::vector<ColorStop> stops, std::size_t index,
+                                               double position) {
     const double low = index > 0 ? stops[index - 1].position : 0.0;
     const double high = index + 1 < stops.size() ? stops[index + 1].position : 1.0;
     stops[index].position = std::clamp(position, low, high);

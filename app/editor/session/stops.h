@@ -1,6 +1,6 @@
 #pragma once
-// Edits of a colour map's stops that keep the map valid: positions ascend, and at least one stop
-// remains.
+// Edits of a colour map's stops that keep the map valid: positions ascend from 0 to 1, and at least
+// one stop remains.
 #include <cstddef>
 #include <vector>
 
@@ -8,9 +8,14 @@
 
 namespace burl {
 
-/// Moves a stop to `position`, clamped between its neighbours.
-std::vector<ColorStop> with_stop_moved(std::vector<ColorStop> stops, std::size_t index,
+/// Moves a stop to `position`, past others where those are in the way; `at` is its index before and
+/// after.
+std::vector<ColorStop> with_stop_moved(std::vector<ColorStop> stops, std::size_t& at,
                                        double position);
+
+/// Moves a stop to `position`, clamped between its neighbours, so that all keep their indices.
+std::vector<ColorStop> with_stop_moved_between(std::vector<ColorStop> stops, std::size_t index,
+                                               double position);
 
 /// Adds a stop at `position` with the map's colour there; `at` returns its index. The map's colours
 /// change by no more than the rounding of that colour to 8 bits.

@@ -14,7 +14,30 @@ EditCamera turned_to(EditCamera camera, double azimuth, double elevation) {
     return camera;
 }
 
+/// Returns an orbit's camera, which sees the scene upright, as it stands in the scene itself.
+Camera in_scene(Camera camera, UpAxis up, const Vec3d& centre) {
+    const Mat3d back = glm::transpose(upright(up));
+    camera.eye = centre + back * (camera.eye - centre);
+    camera.right = back * camera.right;
+    camera.up = back * camera.up;
+    camera.back = back * camera.back;
+    return camera;
+}
+
+/// The radii of the scene that a pixel is wide at the target's depth.
+double radii_per_pixel(const EditCamera& camera, double side) {
+    const double half_field = 0.5 * vertical_field_of_view_degrees * std::numbers::pi / 180.0;
+    return 2.0 * camera.view.distance * std::tan(half_field) / std::max(side, 1.0);
+}
+
 }  // namespace
+
+Mat3d upright(UpAxis up) {
+    if (up == UpAxis::y) return Mat3d(1.0);
+    const double s = up == UpAxis::z ? 1.0 : -1.0;
+    // The rows say which of the scene's axes become x, y and z.
+    return glm::transpose(Mat3d(Vec3d(1.0, 0.0, 0.0), Vec3d(0.0, 0.0, s), Vec3d(0.0, -s, 0.0)));
+}
 
 EditCamera orbited(EditCamera camera, const glm::dvec2& pixels, double side) {
     const double degrees = 180.0 / std::max(side, 1.0);
@@ -26,16 +49,18 @@ EditCamera orbited(EditCamera camera, const glm::dvec2& pixels, double side) {
 }
 
 EditCamera panned(EditCamera camera, const glm::dvec2& pixels, double side) {
-    const Camera looking = orbit_camera(camera.view, {Vec3d(0.0), 1.0}, {1, 1});
-    const double half_field = 0.5 * vertical_field_of_view_degrees * std::numbers::pi / 180.0;
-    const double radii_per_pixel =
-        2.0 * camera.view.distance * std::tan(half_field) / std::max(side, 1.0);
-    camera.target += radii_per_pixel * (pixels.y * looking.up - pixels.x * looking.right);
+    const Camera looking =
+        in_scene(orbit_camera(camera.view, {Vec3d(0.0), 1.0}, {1, 1}), camera.up, Vec3d(0.0));
+    camera.target +=
+        radii_per_pixel(camera, side) * (pixels.y * looking.up - pixels.x * looking.right);
     return camera;
 }
 
-EditCamera zoomed(EditCamera camera, double notches) {
-    camera.view.distance = std::clamp(camera.view.distance * std::pow(0.9, notches), 0.05, 100.0);
+EditCamera zoomed(EditCamera camera, double notches, const glm::dvec2& pixels, double side) {
+    const double before = camera.view.distance;
+    const double after = std::clamp(before * std::pow(0.9, notches), 0.05, 100.0);
+    camera = panned(camera, -(1.0 - after / before) * pixels, side);
+    camera.view.distance = after;
     return camera;
 }
 
@@ -57,7 +82,7 @@ EditCamera from_top(EditCamera camera) {
 
 Camera camera_of(const EditCamera& camera, const Sphere& sphere, const PictureSize& size) {
     const double radius = sphere.radius > 0.0 ? sphere.radius : 1.0;
-    Camera result = orbit_camera(camera.view, sphere, size);
+    Camera result = in_scene(orbit_camera(camera.view, sphere, size), camera.up, sphere.centre);
     result.eye += radius * camera.target;
     // The field of view applies to the shorter side, so that the scene fits into narrow views, too.
     const double narrow = std::min(1.0, double(size.width) / std::max(size.height, 1));

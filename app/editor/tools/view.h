@@ -9,11 +9,15 @@
 
 namespace burl {
 
+/// The scene's axis that is up on the screen.
+enum class UpAxis { y, z, minus_z };
+
 /// An orbiting view, as `burl render --view` takes it, and the target it looks at.
 struct EditCamera {
     View view{};
     /// Offset of the target from the centre of the scene's bounding sphere, in its radii.
     Vec3d target{0.0};
+    UpAxis up = UpAxis::y;
     bool operator==(const EditCamera&) const = default;
 };
 
@@ -24,8 +28,10 @@ EditCamera orbited(EditCamera camera, const glm::dvec2& pixels, double side);
 /// Returns the camera moved sideways so that points at the target's depth follow the pointer.
 EditCamera panned(EditCamera camera, const glm::dvec2& pixels, double side);
 
-/// Returns the camera nearer by a tenth per notch, its distance clamped to 0.05 to 100 radii.
-EditCamera zoomed(EditCamera camera, double notches);
+/// Returns the camera nearer by a tenth per notch, its distance clamped to 0.05 to 100 radii. The
+/// point at the target's depth that is seen `pixels` from the view's middle (y down) stays there.
+EditCamera zoomed(EditCamera camera, double notches, const glm::dvec2& pixels = {0.0, 0.0},
+                  double side = 1.0);
 
 /// Returns the camera with the whole scene in view again, from the same direction.
 EditCamera fitted(EditCamera camera);
@@ -34,6 +40,10 @@ EditCamera fitted(EditCamera camera);
 EditCamera from_front(EditCamera camera);
 EditCamera from_side(EditCamera camera);
 EditCamera from_top(EditCamera camera);
+
+/// The rotation of the scene that brings its up axis to +y: by a quarter about x for z and -z, so
+/// that +x stays to the right.
+Mat3d upright(UpAxis up);
 
 /// Returns the camera for rendering; the field of view is that of the picture's shorter side.
 Camera camera_of(const EditCamera& camera, const Sphere& sphere, const PictureSize& size);

@@ -6,30 +6,22 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/editor/panels/files.h"
 #include "app/editor/panels/keys.h"
 #include "app/editor/panels/paint.h"
 #include "app/editor/panels/widgets.h"
+#include "app/editor/window/kept_view.h"
+#include "app/editor/window/panes.h"
 #include "app/editor/window/program.h"
 #include "app/recipe/edit/recipe_json.h"
-#include "procedural/numbers/simd_target.h"
 
 namespace burl {
 
 namespace {
 
-constexpr float side_share = 0.34f, side_text = 24.0f;
-
-/// Halves a view; the second half begins at `second`, beside the first one or below.
-void split(ImVec2& size, ImVec2& second) {
-    const bool beside = size.x >= 0.8f * size.y;
-    (beside ? size.x : size.y) *= 0.5f;
-    (beside ? second.x : second.y) += beside ? size.x : size.y;
-}
-
-/// Returns the width of the panels: a share of the window that has room for sliders with their
-/// labels, but at most half of it.
-float side_width(float window) {
-    return std::min(0.5f * window, std::max(side_share * window, side_text * ImGui::GetFontSize()));
+void place_next_window(const ScreenRect& rect) {
+    ImGui::SetNextWindowPos(rect.low);
+    ImGui::SetNextWindowSize({rect.high.x - rect.low.x, rect.high.y - rect.low.y});
 }
 
 }  // namespace
@@ -49,14 +41,24 @@ void EditorProgram::shortcuts() {
     if (pressed("F5")) loader_.files().reload();
     if (pressed("Ctrl+Z")) session_.history().undo();
     if (pressed("Ctrl+Y") || pressed("Ctrl+Shift+Z")) session_.history().redo();
-    if (pressed("Ctrl+C")) window_->set_clipboard(to_json(session_.recipe()));
+    if (pressed("Ctrl+C")) copy_recipe();
     if (pressed("Ctrl+V")) session_.paste_recipe(window_->clipboard());
-    if (pressed("Ctrl+Shift+C")) window_->set_clipboard(commands_.command_line());
+    if (pressed("Ctrl+Shift+C")) copy_command();
     view_shortcuts();
     if (pressed("G")) viewport_.take_tool(viewport_.move.on);
     if (pressed("P")) viewport_.take_tool(viewport_.paint.tool.on);
     paint_shortcuts(viewport_.paint.tool);
     timeline_shortcuts(session_);
+}
+
+void EditorProgram::copy_recipe() {
+    window_->set_clipboard(to_json(session_.recipe()));
+    session_.tell("copied the recipe as JSON");
+}
+
+void EditorProgram::copy_command() {
+    window_->set_clipboard(commands_.command_line());
+    session_.tell("copied the burl command");
 }
 
 void EditorProgram::view_shortcuts() {
@@ -95,9 +97,15 @@ void EditorProgram::edit_menu() {
     EditHistory& history = session_.history();
     if (menu_item(items_, "Undo", "Ctrl+Z", history.can_undo())) history.undo();
     if (menu_item(items_, "Redo", "Ctrl+Y", history.can_redo())) history.redo();
+    ImGui::Separator();
+    if (menu_item(items_, "Copy the recipe", "Ctrl+C")) copy_recipe();
+    if (menu_item(items_, "Paste a recipe", "Ctrl+V")) session_.paste_recipe(window_->clipboard());
+    if (menu_item(items_, "Copy the burl command", "Ctrl+Shift+C")) copy_command();
+    ImGui::Separator();
     if (menu_item(items_, "Compare", "A")) requests_.compare();
     if (menu_item(items_, "Keep as A", "Shift+A")) session_.kept[0] = session_.recipe();
     if (menu_item(items_, "Keep as B", "Shift+B")) session_.kept[1] = session_.recipe();
+    ImGui::Separator();
     if (menu_item(items_, "Move the texture", "G")) viewport_.take_tool(viewport_.move.on);
     if (menu_item(items_, "Paint", "P")) viewport_.take_tool(viewport_.paint.tool.on);
     if (menu_item(items_, "Clear paint", "", !session_.recipe().paint.empty()))
@@ -110,6 +118,7 @@ void EditorProgram::view_menu() {
     if (menu_item(items_, "Front", "1")) camera = from_front(camera);
     if (menu_item(items_, "Side", "3")) camera = from_side(camera);
     if (menu_item(items_, "Top", "7")) camera = from_top(camera);
+    up_menu();
     menu_toggle(items_, "Light", "L", viewport_.lit);
     menu_toggle(items_, "Turntable", "T", viewport_.turntable);
     menu_toggle(items_, "Graph", "N", graph_.shown);
@@ -120,6 +129,32 @@ void EditorProgram::view_menu() {
     ImGui::Separator();
     if (menu_item(items_, "Larger text", "Ctrl++")) scale_ = larger_scale(scale_);
     if (menu_item(items_, "Smaller text", "Ctrl+-")) scale_ = smaller_scale(scale_);
+    bool light = preferences_.theme == Theme::light;
+    menu_toggle(items_, "Light theme", "", light);
+    preferences_.theme = light ? Theme::light : Theme::dark;
+    if (menu_item(items_, "Panels where they were at first", "")) preferences_.panes = {};
+}
+
+/// Draws the choice of the axis that is up: scans and CAD have z.
+void EditorProgram::up_menu() {
+    const bool open = ImGui::BeginMenu("Up");
+    items_.note("menu:Up");
+    if (!open) return;
+    for (const UpAxis axis : {UpAxis::y, UpAxis::z, UpAxis::minus_z}) {
+        const std::string name = to_text(axis);
+        if (ImGui::MenuItem(name.c_str(), nullptr, viewport_.camera.up == axis))
+            viewport_.camera.up = axis;
+        items_.note("up:" + name);
+    }
+    ImGui::EndMenu();
+}
+
+/// Shows what to try until that is closed.
+void EditorProgram::first_steps(const ImVec2& corner) {
+    follow(steps_, session_.history(), viewport_.camera);
+    const bool tool = viewport_.move.on || viewport_.paint.tool.on;
+    if (preferences_.welcomed || tool) return;
+    preferences_.welcomed = !first_steps_window(items_, steps_, corner);
 }
 
 void EditorProgram::menu() {
@@ -136,6 +171,7 @@ void EditorProgram::menu() {
     under("View", [&] { view_menu(); });
     under("Help", [&] {
         if (menu_item(items_, "Keys", "F1")) keys_open_ = true;
+        if (menu_item(items_, "First steps", "")) preferences_.welcomed = false;
     });
     ImGui::Text("  %s%s", session_.recipe().name.c_str(), session_.history().unsaved() ? " *" : "");
     if (requests_.comparing())
@@ -145,41 +181,40 @@ void EditorProgram::menu() {
 
 void EditorProgram::layout() {
     menu();
-    const ImVec2 display = ImGui::GetIO().DisplaySize;
     const PanelContext context{session_, items_};
     const bool timeline = session_.timeline.open;
-    const float top = ImGui::GetFrameHeight();
-    const float side = side_width(display.x);
-    const float strip = timeline ? timeline_height(session_) : 0.0f;
-    const float bottom = display.y - graph_height(display.y - top);
+    PaneWishes wishes{ImGui::GetIO().DisplaySize, ImGui::GetFrameHeight(), ImGui::GetFrameHeight(),
+                      atlas_.state.shown, 0.0f};
+    // The graph lies below all else, over the window's whole width.
+    const ImVec2 display = wishes.size;
+    wishes.size.y -= graph_height(display.y - wishes.top);
+    const float left = panes_of(wishes, preferences_.panes).side.low.x;
+    if (timeline) wishes.timeline = timeline_height(session_, left);
+    const Panes panes = panes_of(wishes, preferences_.panes);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0f);
-    ImVec2 object{display.x - side, std::max(1.0f, bottom - top - strip)}, atlas{0.0f, top};
-    if (atlas_.state.shown) split(object, atlas);
-    ImGui::SetNextWindowPos({0.0f, top});
-    ImGui::SetNextWindowSize(object);
+    place_next_window(panes.tools);
+    toolbar();
+    place_next_window(panes.object);
     if (viewport_.window(items_, opening_, times_)) frames_to_draw_ = std::max(frames_to_draw_, 1);
-    if (atlas_.state.shown) {
-        ImGui::SetNextWindowPos(atlas);
-        ImGui::SetNextWindowSize(object);
-        atlas_window();
-    }
-    graph_window({0.0f, bottom}, {display.x, display.y - bottom});
-    if (timeline) {
-        ImGui::SetNextWindowPos({0.0f, bottom - strip});
-        ImGui::SetNextWindowSize({display.x - side, strip});
-        timeline_panel(context);
-    }
-    paint_panel(context, viewport_.paint.tool, {0.0f, top});
-    move_panel(context, viewport_.move, {0.0f, top});
-    ImGui::SetNextWindowPos({display.x - side, top});
-    ImGui::SetNextWindowSize({side, bottom - top});
-    side_.window(context, baker_, loader_.posed(), graph_, graph_hooks());
+    place_next_window(panes.atlas);
+    if (atlas_.state.shown) atlas_window();
+    graph_window({0.0f, wishes.size.y}, {display.x, display.y - wishes.size.y});
+    place_next_window(panes.timeline);
+    if (timeline) timeline_panel(context);
+    place_next_window(panes.side);
+    side_.window(context, baker_, loader_.posed(),
+                 {graph_, graph_hooks(), preferences_.favourites});
     ImGui::PopStyleVar();
-    look_badge({0.0f, top}, object);
+    splitters(items_, wishes, panes, preferences_.panes);
+    paint_panel(context, viewport_.paint.tool, panes.object.low);
+    move_panel(context, viewport_.move, panes.object.low);
+    look_badge(panes.object.low, {panes.object.high.x - panes.object.low.x,
+                                  panes.object.high.y - panes.object.low.y});
     if (keys_open_) keys_open_ = cheat_sheet(context);
-    recovery_window(context, autosave_);
+    if (const auto view = recovery_window(context, autosave_)) take_recovered(*view);
+    first_steps({panes.object.high.x, panes.object.low.y});
     commands_.closing_window(items_);
-    notices(bottom - strip);
+    notices(panes.object.high.y);
     commands_.show_dialog(items_);
 }
 
@@ -200,12 +235,19 @@ void EditorProgram::notices(float bottom) {
     if (baker_.laying_out())
         notices.push_back(
             {"Laying out patches; until they are done, pairs of triangles are shown"});
-    if (commands_.exporting()) notices.push_back({"Exporting ..."});
+    if (commands_.exporting()) {
+        const ExportProgress progress = commands_.progress();
+        notices.push_back({fmt::format("Exporting: {}", progress.next),
+                           {"Stop the export"},
+                           false,
+                           progress.share});
+    }
     if (files.asks())
         notices.push_back({fmt::format("{} has changed on disk; the recipe here is not saved",
                                        file_name(files.recipe())),
                            {"Take the file's", "Keep this one"}});
     const std::string answer = notices_.show(items_, std::move(notices), bottom);
+    if (answer == "Stop the export") commands_.stop_export();
     if (answer == "Take the file's") files.reload();
     if (answer == "Keep this one") {
         files.keep();

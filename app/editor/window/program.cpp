@@ -9,9 +9,11 @@
 #include <utility>
 
 #include "app/base/stopwatch.h"
+#include "app/editor/panels/files.h"
 #include "app/editor/panels/keys.h"
 #include "app/editor/panels/widgets.h"
 #include "app/editor/session/input.h"
+#include "app/editor/window/kept_view.h"
 #include "app/image/image_io.h"
 #include "app/recipe/edit/recipe_json.h"
 #include "atlas/base/error.h"
@@ -34,8 +36,11 @@ EditorProgram::ImGuiOwner::~ImGuiOwner() {
 
 EditorProgram::EditorProgram(std::unique_ptr<GlWindow> window, const EditorOptions& options)
     : window_(std::move(window)),
+      fonts_(options.fonts),
       renderer_(window_->context().gl()),
       session_(load_recipe(options.recipe, options.settings), options.recipe),
+      preference_file_(options.preferences),
+      preferences_(preference_file_.stored()),
       notices_([this] { return window_->seconds(); }),
       autosave_(options.autosave),
       baker_(wake()),
@@ -46,14 +51,19 @@ EditorProgram::EditorProgram(std::unique_ptr<GlWindow> window, const EditorOptio
       viewport_(window_->context().gl(), session_, baker_, requests_, atlas_, wake()),
       side_(window_->context(), options.gallery, wake()) {
     if (options.gallery) node_gallery_.emplace(window_->context().gl(), wake());
+    if (options.preferences.empty()) preferences_.welcomed = true;  // a script knows what to do
     scale_ = normal_scale_ = options.ui_scale * window_->text_scale();
 }
 
 void EditorProgram::take(const InputEvent& event) {
     feed(ImGui::GetIO(), event);
+    if (event.kind == InputKind::text) fonts_.meet(event.text);
     if (event.kind == InputKind::drop)
         for (const std::string& file : event.files) loader_.files().open(file);
-    if (event.kind == InputKind::close) commands_.quit();
+    if (event.kind == InputKind::close) {
+        release_keys(ImGui::GetIO());  // of Alt+F4 the window manager keeps the rest
+        commands_.quit();
+    }
 }
 
 /// Takes over the results of other threads and writes the autosave when it is due.
@@ -67,7 +77,8 @@ void EditorProgram::take_news() {
     commands_.take_outcome();
     if (const auto problem = session_.take_problem(); problem && !loader_.files().asks())
         notices_.tell(*problem, true);
-    autosave_.keep(session_.history(), last_seconds_);
+    follow_mesh();
+    autosave_.keep(session_.history(), last_seconds_, view_text(loader_.files(), viewport_.camera));
 }
 
 void EditorProgram::take_screenshot() {
@@ -113,6 +124,59 @@ void EditorProgram::begin_frame() {
     last_seconds_ = now;
 }
 
+/// Notes the characters of all texts that come from people and files.
+void EditorProgram::meet_texts() {
+    const std::deque<LogLine>& log = session_.log();
+    if (!log.empty() && std::exchange(met_line_, log.back().text) != log.back().text)
+        for (const LogLine& line : log) fonts_.meet(line.text);
+    if (const auto revision = session_.history().revision();
+        std::exchange(met_revision_, revision) != revision) {
+        fonts_.meet(session_.recipe().name);
+        fonts_.meet(session_.recipe().about);
+        for (const RecipeControl& control : session_.recipe().controls)
+            fonts_.meet(control.name + control.about);
+    }
+    for (const std::string& name : commands_.dialog().names()) fonts_.meet(name);
+}
+
+/// Stands a mesh that was opened as it stood last, and notes how it stands now.
+void EditorProgram::follow_mesh() {
+    const std::string& mesh = loader_.files().mesh();
+    if (mesh.empty()) return;
+    std::map<std::string, std::string>& axes = preferences_.up_axes;
+    if (std::exchange(seen_mesh_, mesh) != mesh) {
+        const auto known = axes.find(kept_name(mesh));
+        viewport_.camera.up = known == axes.end() ? UpAxis::y : up_axis_from(known->second);
+    } else if (viewport_.camera.up == UpAxis::y) {
+        axes.erase(kept_name(mesh));
+    } else {
+        axes[kept_name(mesh)] = to_text(viewport_.camera.up);
+    }
+}
+
+/// Goes back to the mesh, pose and camera that a recovered recipe was seen with.
+void EditorProgram::take_recovered(const std::string& view) {
+    const std::optional<KeptView> kept = kept_view_from(view);
+    if (!kept) return;
+    loader_.open_posed(kept->mesh, kept->pose);
+    viewport_.camera = kept->camera;
+    seen_mesh_ = kept->mesh;
+    preferences_.up_axes[kept_name(kept->mesh)] = to_text(kept->camera.up);
+}
+
+/// Follows scale, theme and characters wanted, between two frames.
+void EditorProgram::follow_look() {
+    meet_texts();
+    const bool scaled = std::exchange(shown_scale_, scale_) != scale_;
+    const bool themed = std::exchange(shown_theme_, preferences_.theme) != preferences_.theme;
+    if (scaled || themed || fonts_.has_news()) {
+        set_interface(scale_, preferences_.theme, fonts_);
+        renderer_.upload_fonts();
+        if (!fonts_.problem().empty()) session_.tell(fonts_.problem());
+    }
+    if (!ImGui::IsAnyMouseDown()) preference_file_.store(preferences_);
+}
+
 /// Runs a frame except for drawing the screen.
 void EditorProgram::panels(const std::vector<InputEvent>& events) {
     begin_frame();
@@ -124,10 +188,7 @@ void EditorProgram::panels(const std::vector<InputEvent>& events) {
     take_news();
     advance(session_, double(ImGui::GetIO().DeltaTime));
     items_.clear();
-    if (std::exchange(shown_scale_, scale_) != scale_) {
-        set_interface_scale(scale_);
-        renderer_.upload_fonts();
-    }
+    follow_look();
     const std::string new_title = title();
     if (std::exchange(shown_title_, new_title) != new_title) window_->set_title(new_title);
     viewport_.follow();
@@ -163,7 +224,9 @@ std::string EditorProgram::title() const {
 
 void EditorProgram::draw_screen() {
     window_->bind_screen();
-    renderer_.update(*ImGui::GetDrawData(), Vec3f(0.1f), viewport_.image());
+    const ImVec4 screen = style_color(palette().screen);
+    const Vec3f background(screen.x, screen.y, screen.z);
+    renderer_.update(*ImGui::GetDrawData(), background, viewport_.image());
 }
 
 Image<Rgb8> EditorProgram::screenshot() {

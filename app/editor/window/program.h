@@ -11,11 +11,14 @@
 #include "app/editor/jobs/loader.h"
 #include "app/editor/jobs/requests.h"
 #include "app/editor/panels/file_commands.h"
+#include "app/editor/panels/fonts.h"
 #include "app/editor/panels/graph.h"
 #include "app/editor/panels/items.h"
 #include "app/editor/panels/notices.h"
+#include "app/editor/panels/welcome.h"
 #include "app/editor/session/autosave.h"
 #include "app/editor/session/pace.h"
+#include "app/editor/session/preferences.h"
 #include "app/editor/session/session.h"
 #include "app/editor/window/atlas.h"
 #include "app/editor/window/imgui.h"
@@ -36,6 +39,9 @@ struct EditorOptions {
     bool gallery = true;  ///< whether presets have thumbnails
     /// Path of the list of recent files (app/editor/session/recent.h); empty: none.
     std::string recent{};
+    /// Path of the preferences (app/editor/session/preferences.h); empty: none.
+    std::string preferences{};
+    FontFiles fonts = find_fonts();
 };
 
 /// The editor. All functions are called by the main thread.
@@ -73,6 +79,7 @@ class EditorProgram {
     const EditItems& items() const { return items_; }
     const EditBaker& baker() const { return baker_; }
     EditCamera& camera() { return viewport_.camera; }
+    EditPreferences& preferences() { return preferences_; }
     const GlEditAtlas& atlas() const { return atlas_; }
     const EditGraph& graph() const { return graph_; }
     const TextureRequests& requests() const { return requests_; }
@@ -100,6 +107,10 @@ class EditorProgram {
     }
     void panels(const std::vector<InputEvent>& events);
     void begin_frame();
+    void follow_look();
+    void follow_mesh();
+    void take_recovered(const std::string& view);
+    void meet_texts();
     void take(const InputEvent& event);
     void take_news();
     void take_screenshot();
@@ -109,13 +120,21 @@ class EditorProgram {
     void settle();
     // layout.cpp: the windows of a frame, menus and shortcuts
     void shortcuts();
+    void copy_recipe();
+    void copy_command();
     void view_shortcuts();
     void file_menu();
     void edit_menu();
     void view_menu();
+    void up_menu();
     void menu();
     void layout();
+    // toolbar.cpp
+    void toolbar();
+    void tools_of_edits();
+    void tools_of_view();
     void atlas_window();
+    void first_steps(const ImVec2& corner);
     void notices(float bottom);
     // graph.cpp: the graph in the window
     GraphHooks graph_hooks();
@@ -124,10 +143,13 @@ class EditorProgram {
     void look_badge(const ImVec2& low, const ImVec2& size);
 
     std::unique_ptr<GlWindow> window_;
+    InterfaceFonts fonts_;  ///< outlives ImGui's context, which refers to it
     ImGuiOwner imgui_;
     GlImGui renderer_;
     EditSession session_;
     EditItems items_;
+    PreferenceFile preference_file_;
+    EditPreferences preferences_;
     EditNotices notices_;
     EditAutosave autosave_;
     EditBaker baker_;
@@ -141,9 +163,15 @@ class EditorProgram {
     std::optional<GlNodeGallery> node_gallery_;
     float graph_share_ = 0.5f;  ///< of the height that the object and the graph share
 
-    /// Scale of the user interface from the next frame on, the one at the start, and the last
-    /// frame's.
-    double scale_ = 1.0, normal_scale_ = 1.0, shown_scale_ = 0.0;
+    /// Scale of the user interface from the next frame on, and the one at the start.
+    double scale_ = 1.0, normal_scale_ = 1.0;
+    /// The look of the last frame.
+    double shown_scale_ = 0.0;
+    Theme shown_theme_ = Theme::dark;
+    std::string seen_mesh_;  ///< mesh of the last frame
+    FirstSteps steps_;
+    std::string met_line_;            ///< last line of the log whose characters are known
+    std::uint64_t met_revision_ = 0;  ///< revision of the history whose texts are known
     bool keys_open_ = false, screenshot_due_ = false;
     std::optional<InputScript> recording_;
     std::string shown_title_;

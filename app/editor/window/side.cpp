@@ -33,7 +33,8 @@ void SidePanels::wait() const {
 }
 
 void SidePanels::window(const PanelContext& context, const EditBaker& baker, bool posed,
-                        EditGraph& graph, const GraphHooks& hooks) {
+                        const SideParts& parts) {
+    const auto& [graph, hooks, favourites] = parts;
     const auto tab = [&](const char* name, auto panel, bool front = false) {
         const bool open = ImGui::BeginTabItem(
             name, nullptr, front ? ImGuiTabItemFlags_SetSelected : ImGuiTabItemFlags_None);
@@ -48,8 +49,9 @@ void SidePanels::window(const PanelContext& context, const EditBaker& baker, boo
         return gallery_ && baker.front().picture() ? gallery_->picture(preset, side) : nullptr;
     };
     if (ImGui::Begin("Side", nullptr, fixed_window) && ImGui::BeginTabBar("tabs")) {
-        tab("Presets", [&] { presets_panel(context, preset_search_, picture); });
+        tab("Library", [&] { library_panel(context, library_, favourites, picture); });
         tab("Parameters", [&] {
+            recipe_heading(context.session.recipe());
             controls_panel(context);
             parameters_panel(context, posed);
         });

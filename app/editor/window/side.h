@@ -1,10 +1,11 @@
 #pragma once
-// The panels at the window's side, in tabs: presets, parameters, colour maps, metrics and the log.
+// The panels at the window's side, in tabs: library, parameters, colour maps, metrics and the log.
 #include <imgui.h>
 
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -12,6 +13,7 @@
 #include "app/editor/jobs/figures.h"
 #include "app/editor/jobs/thumbnails.h"
 #include "app/editor/panels/graph.h"
+#include "app/editor/panels/library.h"
 #include "app/editor/panels/panels.h"
 #include "app/gl/device/context.h"
 #include "app/gl/device/objects.h"
@@ -40,6 +42,13 @@ class GlEditGallery {
     EditThumbnails thumbnails_;
 };
 
+/// What the side panel shows of the rest of the program.
+struct SideParts {
+    EditGraph& graph;
+    GraphHooks hooks;
+    std::set<std::string>& favourites;  ///< the library's
+};
+
 /// Draws the tabs. All functions are called by the user interface's thread.
 class SidePanels {
   public:
@@ -49,8 +58,8 @@ class SidePanels {
 
     /// Draws the window at the place set for ImGui's next window. `posed`: whether the mesh has a
     /// pose. A node that was just chosen in the graph brings its tab to the front.
-    void window(const PanelContext& context, const EditBaker& baker, bool posed, EditGraph& graph,
-                const GraphHooks& hooks);
+    void window(const PanelContext& context, const EditBaker& baker, bool posed,
+                const SideParts& parts);
     /// Drops the selection of a colour stop, for another document.
     void deselect() { stop_ = {}; }
 
@@ -64,7 +73,8 @@ class SidePanels {
 
     GlContext& context_;
     StopSelection stop_;
-    std::string preset_search_, node_shown_;
+    LibraryView library_;
+    std::string node_shown_;
     std::optional<GlEditGallery> gallery_;
     EditFigures figures_;
 };

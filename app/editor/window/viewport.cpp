@@ -82,8 +82,11 @@ void ObjectViewport::move_camera(const ImVec2& size) {
         camera = orbited(camera, {io.MouseDelta.x, io.MouseDelta.y}, shorter);
     else if (moving_camera_)
         camera = panned(camera, {io.MouseDelta.x, io.MouseDelta.y}, shorter);
-    if (ImGui::IsItemHovered() && io.MouseWheel != 0.0f)
-        camera = zoomed(camera, double(io.MouseWheel));
+    if (ImGui::IsItemHovered() && io.MouseWheel != 0.0f) {
+        const ImVec2 low = ImGui::GetItemRectMin(), at = io.MousePos;
+        camera = zoomed(camera, double(io.MouseWheel),
+                        {at.x - low.x - 0.5f * size.x, at.y - low.y - 0.5f * size.y}, shorter);
+    }
     if (turntable) {
         camera = orbited(camera, {-degrees_per_second * double(io.DeltaTime), 0.0}, 180.0);
         moving_camera_ = true;
@@ -144,6 +147,8 @@ bool ObjectViewport::window(EditItems& items, bool opening, FrameTimes& times) {
                     moving_camera_ || session_.moving() || is_rough(opening) || rests;
                 draw(low, size, rough ? 1 : 2, times);
             });
+            if (const EditPicture* picture = object_.picture())
+                coarse_sign(items, low, size, picture->level);
             paint.draw(view(low, size));
             move.draw(view(low, size), session_, items);
             atlas_.mark_object(view(low, size));

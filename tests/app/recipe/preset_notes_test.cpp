@@ -8,7 +8,6 @@
 #include <string>
 
 #include "app/base/embedded.h"
-#include "app/recipe/material_notes.h"
 
 namespace burl {
 namespace {
@@ -24,20 +23,12 @@ TEST(PresetNotes, TellOfEveryPresetOnce) {
     EXPECT_EQ(told, there);
 }
 
-TEST(PresetNotes, AreFoundByNameAndSentenceInAnyCase) {
-    EXPECT_EQ(presets_with("").size(), preset_notes().size() + material_notes().size());
-    EXPECT_EQ(presets_with("").back().name, material_notes().back().name);
-    EXPECT_TRUE(presets_with("no such thing").empty());
-    const auto names = [](std::string_view text) {
-        std::vector<std::string_view> found;
-        for (const PresetNote& note : presets_with(text))
-            if (std::ranges::count(preset_notes(), note.name, &PresetNote::name))
-                found.push_back(note.name);
-        return found;
-    };
-    EXPECT_EQ(names("ZONE"), std::vector<std::string_view>{"zoneplate"});
-    EXPECT_EQ(names("copper"), std::vector<std::string_view>{"hammered"});
-    EXPECT_GE(names("wood").size(), 4u);
+TEST(PresetNotes, TextsAreSearchedInAnyCase) {
+    EXPECT_TRUE(holds_text("zoneplate", "ZONE"));
+    EXPECT_TRUE(holds_text("Copper with the dents of a hammer.", "copper"));
+    EXPECT_TRUE(holds_text("", ""));
+    EXPECT_FALSE(holds_text("wood", "woods"));
+    EXPECT_FALSE(holds_text("", "a"));
 }
 
 }  // namespace

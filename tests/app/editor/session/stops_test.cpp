@@ -14,12 +14,32 @@ namespace {
 
 const std::vector<ColorStop> three{{0.1, {0, 0, 0}}, {0.5, {255, 0, 0}}, {0.9, {255, 255, 255}}};
 
-TEST(EditStops, AMovedStopStaysBetweenItsNeighbours) {
-    EXPECT_EQ(with_stop_moved(three, 1, 0.6)[1].position, 0.6);
-    EXPECT_EQ(with_stop_moved(three, 1, 0.95)[1].position, 0.9);
-    EXPECT_EQ(with_stop_moved(three, 1, -3.0)[1].position, 0.1);
-    EXPECT_EQ(with_stop_moved(three, 0, -3.0)[0].position, 0.0);
-    EXPECT_EQ(with_stop_moved(three, 2, 3.0)[2].position, 1.0);
+TEST(EditStops, AMovedStopStaysBetweenItsNeighboursWhereItMust) {
+    EXPECT_EQ(with_stop_moved_between(three, 1, 0.6)[1].position, 0.6);
+    EXPECT_EQ(with_stop_moved_between(three, 1, 0.95)[1].position, 0.9);
+    EXPECT_EQ(with_stop_moved_between(three, 1, -3.0)[1].position, 0.1);
+    EXPECT_EQ(with_stop_moved_between(three, 0, -3.0)[0].position, 0.0);
+    EXPECT_EQ(with_stop_moved_between(three, 2, 3.0)[2].position, 1.0);
+}
+
+/// Every stop to every place: the same stops but for one position, in order, and the index is that
+/// of the stop moved. Its colour says which it is.
+TEST(EditStops, AMovedStopPassesOthers) {
+    for (std::size_t stop = 0; stop < three.size(); ++stop)
+        for (const double place : {-1.0, 0.0, 0.1, 0.3, 0.5, 0.7, 0.9, 1.0, 2.0}) {
+            std::size_t at = stop;
+            const std::vector<ColorStop> moved = with_stop_moved(three, at, place);
+            ASSERT_EQ(moved.size(), three.size());
+            EXPECT_EQ(moved[at].color, three[stop].color);
+            EXPECT_EQ(moved[at].position, std::clamp(place, 0.0, 1.0));
+            EXPECT_TRUE(std::ranges::is_sorted(moved, {}, &ColorStop::position));
+            for (const ColorStop& other : three)
+                if (other.color != three[stop].color)
+                    EXPECT_EQ(std::ranges::count(moved, other), 1) << stop << ' ' << place;
+        }
+    std::size_t at = 0;
+    with_stop_moved(three, at, 0.5);
+    EXPECT_EQ(at, 1u) << "past the stop that it meets on its way up";
 }
 
 TEST(EditStops, AnAddedStopChangesNoColour) {

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <tuple>
 
 namespace burl {
 namespace {
@@ -53,6 +55,47 @@ TEST(EditCamera, NothingOfTheSceneIsCutOff) {
             EXPECT_LE(c.near_distance, std::max(depth - ball.radius, 0.01 * ball.radius));
             EXPECT_GT(c.near_distance, 0.0);
         }
+}
+
+/// Where the pointer is, wherever that is and however the camera was moved before.
+TEST(EditCamera, ZoomKeepsWhatIsUnderThePointer) {
+    EditCamera camera;
+    camera.view = {70, -35, 2.0};
+    camera = panned(camera, {33, -80}, 600);
+    for (const UpAxis up : {UpAxis::y, UpAxis::z, UpAxis::minus_z})
+        for (const PictureSize& size : {picture, PictureSize{300, 900}})
+            for (const double notches : {-4.0, 1.0, 9.0}) {
+                camera.up = up;
+                const double side = std::min(size.width, size.height);
+                const Vec2d offset(90, -140), middle(0.5 * size.width, 0.5 * size.height);
+                const Camera before = camera_of(camera, ball, size);
+                const double depth = ball.radius * camera.view.distance;
+                const Vec3d point = ray_through(before, size, middle + offset).at(depth);
+                const EditCamera near = zoomed(camera, notches, offset, side);
+                const Vec3d seen = project(camera_of(near, ball, size), size, point);
+                EXPECT_NEAR(seen.x, middle.x + offset.x, 1e-6);
+                EXPECT_NEAR(seen.y, middle.y + offset.y, 1e-6);
+                EXPECT_NEAR(near.view.distance, 2.0 * std::pow(0.9, notches), 1e-12);
+            }
+    EXPECT_EQ(zoomed(camera, 3).target, camera.target) << "without a pointer to the middle";
+}
+
+/// As Blender shows what it makes: +z is up, its front -y towards the viewer, +x on the right.
+TEST(EditCamera, TheUpAxisIsUpOnTheScreen) {
+    for (const auto& [up, axis, front] : {std::tuple{UpAxis::y, Vec3d(0, 1, 0), Vec3d(0, 0, 1)},
+                                          {UpAxis::z, Vec3d(0, 0, 1), Vec3d(0, -1, 0)},
+                                          {UpAxis::minus_z, Vec3d(0, 0, -1), Vec3d(0, 1, 0)}}) {
+        EditCamera camera = from_front({});
+        camera.up = up;
+        const Camera seen = camera_of(camera, ball, picture);
+        EXPECT_NEAR(glm::distance(seen.up, axis), 0.0, 1e-12);
+        EXPECT_NEAR(glm::distance(seen.right, Vec3d(1, 0, 0)), 0.0, 1e-12);
+        EXPECT_NEAR(glm::distance(seen.back, front), 0.0, 1e-12);
+        EXPECT_NEAR(glm::distance(seen.eye, ball.centre + 3.5 * ball.radius * front), 0.0, 1e-9);
+        const EditCamera moved = panned(camera, {50, 0}, 600);
+        EXPECT_LT(moved.target.x, 0.0) << "what is on the right comes into view";
+        EXPECT_EQ(fitted(moved), camera);
+    }
 }
 
 TEST(EditCamera, DraggingToTheRightTurnsTheNearSideToTheRight) {

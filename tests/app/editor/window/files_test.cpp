@@ -88,7 +88,8 @@ TEST_F(GlEditFilesTest, ARecipeReadAgainLeavesTheClockWhereItIs) {
 TEST_F(GlEditFilesTest, ABallIsLargeWhereThePointerRests) {
     save("marble");
     const auto editor = open("sample:cube", folder / "r.json", true);
-    play(*editor, R"({"wheel": "preset:sine-marble", "by": [0, 0]}, {"wait": 5})");
+    play(*editor, R"({"click": "category:classic"}, {"wait": 2},
+        {"wheel": "preset:sine-marble", "by": [0, 0]}, {"wait": 5})");
     EXPECT_FALSE(editor->items().find("preset enlarged"));
     play(*editor, R"({"wait": 20}, {"settle": true}, {"wait": 2})");
     const auto large = editor->items().find("preset enlarged");

@@ -80,7 +80,7 @@ TEST_F(GlEditPoseTest, AWeightMovesTheObjectAndNoTexture) {
     EXPECT_EQ(editor->last_request(), request);
     EXPECT_EQ(editor->baker().front().records()[Stage::synthesis].runs, runs);
     play(*editor, R"({"click": "menu:File"}, {"wait": 2}, {"click": "menu:Close pose"},
-                     {"settle": true}, {"click": "tab:Presets"}, {"wait": 2})");
+                     {"settle": true}, {"click": "tab:Library"}, {"wait": 2}, {"click": "category:classic"}, {"wait": 2})");
     EXPECT_EQ(settled(*editor), rest);
     EXPECT_EQ(editor->baker().front().records()[Stage::synthesis].runs, runs);
 }

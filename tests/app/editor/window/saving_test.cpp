@@ -60,7 +60,9 @@ TEST_F(GlEditSavingTest, AClickOnAPresetSavesNothing) {
     const auto editor = open("sample:cube", folder / "r.json");
     play(*editor, drag_amplitude);
     const Recipe edited = editor->session().recipe();
-    play(*editor, R"({"click": "tab:Presets"}, {"wait": 2}, {"click": "preset:sine-marble"},
+    play(
+        *editor,
+        R"({"click": "tab:Library"}, {"wait": 2}, {"click": "category:classic"}, {"wait": 2}, {"click": "preset:sine-marble"},
         {"wait": 200}, {"key": "Ctrl+Q"}, {"wait": 2})");
     ASSERT_EQ(editor->session().recipe(), load_recipe("sine-marble"));
     EXPECT_EQ(editor->title(), "sine-marble * on sample:cube - Burl");
