@@ -16,6 +16,7 @@
 #include "app/recipe/edit/images.h"
 #include "app/recipe/lattice_check.h"
 #include "app/scene/ground.h"
+#include "app/scene/up_axis.h"
 #include "app/surface/normals.h"
 #include "app/surface/posed_corners.h"
 #include "app/surface/sample_meshes.h"
@@ -229,6 +230,11 @@ void DirectOptions::add(CLI::App& verb) {
     verb.add_option(
         "--view", view,
         "Azimuth and elevation in degrees, distance in radii: AZ,EL,DIST (default 30,20,3.5)");
+    verb.add_option("--up", up,
+                    "Axis of the scene's coordinates that is up in the picture: x, -x, y, -y, z "
+                    "(scans, CAD) or -z; textures stay as they are")
+        ->check(one_of({up_axes.begin(), up_axes.end()}))
+        ->capture_default_str();
     verb.add_option("--filter", filter,
                     "Texture lookup: nearest, linear or mip (default: as the scene says); with "
                     "--direct: none, table-mip, table-sat, table-sat3, exact or trapezoid "
@@ -291,6 +297,7 @@ DirectPicture::DirectPicture(const DirectOptions& options)
     if (lit && picture_.background.kind == Background::Kind::light)
         backdrop_ = environment_of(picture_.light, backdrop_rows);
     if (!options.scene.empty()) mesh_ = options.meshes.load(options.scene);
+    turn(mesh_, upright(options.up));
     normals_ = corner_normals(mesh_, options.crease);
     Mesh posed;
     if (!options.pose.empty()) {
@@ -300,7 +307,8 @@ DirectPicture::DirectPicture(const DirectOptions& options)
         posed_normals_ = posed_corners(mesh_, *pose_, normals_).normals;
         posed = posed_mesh(mesh_, *pose_, 1.0);
     }
-    camera_ = orbit_camera(view, sphere_of(mesh_, posed), picture_.size);
+    sphere_ = sphere_of(mesh_, posed);
+    look(view);
 }
 
 DirectPicture::Shown DirectPicture::shown(const Recipe& recipe, FilterKind otherwise,

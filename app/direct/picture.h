@@ -24,12 +24,13 @@ struct PlaneArgument {
 /// length 1. Throws Error(usage).
 PlaneArgument parse_plane(const std::string& text);
 
-/// Options of `burl render`. The scene, --view, --size, --filter, --unlit, --supersample and the
-/// options of light apply to every picture; the others to --direct and, except --plane and
+/// Options of `burl render`. The scene, --view, --up, --size, --filter, --unlit, --supersample and
+/// the options of light apply to every picture; the others to --direct and, except --plane and
 /// --widths, to --lazy.
 struct DirectOptions {
     std::string scene;  ///< a mesh (file or "sample:NAME"); may be empty where there are planes
     std::optional<std::string> view, size, filter;
+    std::string up = "y";  ///< the axis that is up in the picture (app/scene/up_axis.h)
     PictureOptions picture;
     LightArguments light;
     bool unlit = false;
@@ -69,6 +70,9 @@ class DirectPicture {
     /// as load_pose and MeshOptions::load do.
     explicit DirectPicture(const DirectOptions& options);
 
+    /// Sets the view of the following pictures, at first that of --view.
+    void look(const View& view) { camera_ = orbit_camera(view, sphere_, picture_.size); }
+
     /// Draws a picture. `recipes` are those of picture_recipes(), or the main one alone where no
     /// plane names any. Throws Error(unsupported) as check_lattice does, and for bumps of a mesh in
     /// a pose.
@@ -96,6 +100,7 @@ class DirectPicture {
     std::vector<Vec3f> normals_, posed_normals_;
     std::optional<MeshPose> pose_;
     std::vector<Plane> planes_;
+    Sphere sphere_;
     Camera camera_;
 };
 

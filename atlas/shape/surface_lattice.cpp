@@ -73,6 +73,17 @@ double mean_texel(const SolidAtlas& solid, const ShapeScene& shape) {
 
 }  // namespace
 
+ShownPlace place_shown(const SolidAtlas& solid, const TexelOwners& owners, const ShapeScene& shape,
+                       std::uint32_t x, std::uint32_t y, std::uint32_t map) {
+    const Vec3d point = solid.maps[map](x, y);
+    ShownPlace place{solid.triangle_of(map), {}};
+    place.weights = shape.weights_at(place.triangle, point);
+    const bool inside = place.weights.x >= 0.0 && place.weights.y >= 0.0 && place.weights.z >= 0.0;
+    const std::uint32_t owner = inside ? place.triangle : owners(x, y, map);
+    if (owner != place.triangle) place = {owner, shape.weights_at(owner, point)};
+    return place;
+}
+
 SurfaceLattice::SurfaceLattice(const SolidAtlas& solid, const TexelOwners& owners,
                                const ShapeScene& shape, const PointMask& mask,
                                const LatticeOptions& options) {
@@ -92,7 +103,7 @@ void SurfaceLattice::choose_sides(const SolidAtlas& solid, const TexelOwners& ow
     for (std::uint32_t y = 0; y < solid.size; ++y)
         for (const Span& span : solid.row(y))
             for (std::uint32_t x = span.x; x < span.x + span.count; ++x) {
-                const std::uint32_t t = owners(x, y, span.map);
+                const std::uint32_t t = place_shown(solid, owners, shape, x, y, span.map).triangle;
                 const double side =
                     side_for(solid.maps[span.map], square * shape.areas()[t], options.spacing);
                 sides_[t] = std::max(sides_[t], std::uint32_t(side));

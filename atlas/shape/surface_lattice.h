@@ -24,6 +24,17 @@ using PointMask = std::function<void(std::span<const ShapePoint>, std::span<floa
 /// points, as PointMask does.
 using PointSlopes = std::function<void(std::span<const ShapePoint>, std::span<Vec3d>)>;
 
+/// The triangle that a texel shows, and the weights of its corners, some negative beyond it.
+struct ShownPlace {
+    std::uint32_t triangle = 0;
+    Vec3d weights{0.0};
+};
+
+/// What texel (x, y) shows by map number `map`: the map's triangle where the texel's point lies in
+/// it, such as one that is shown a second time to fill up a block, else the texel's owner.
+ShownPlace place_shown(const SolidAtlas& solid, const TexelOwners& owners, const ShapeScene& shape,
+                       std::uint32_t x, std::uint32_t y, std::uint32_t map);
+
 /// A point of a lattice: cells along the triangle's first edge and along its last one.
 using LatticePlace = std::array<std::uint32_t, 2>;
 

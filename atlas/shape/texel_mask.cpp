@@ -62,8 +62,7 @@ class RowMask {
     /// Fills a texel from the lattice, and adds its point to those that are asked for more.
     void add(std::uint32_t x, std::uint32_t y, std::uint32_t map, TexelField& field, Points& asked,
              Points& sloped) const {
-        const std::uint32_t triangle = owners_(x, y, map);
-        const Vec3d weights = shape_.weights_at(triangle, solid_.maps[map](x, y));
+        const auto [triangle, weights] = place_shown(solid_, owners_, shape_, x, y, map);
         if (const auto value = interpolated(triangle, weights))
             field.values(x, y) = *value;
         else

@@ -6,7 +6,6 @@
 #include <imgui.h>
 #include <nlohmann/json.hpp>
 
-#include "app/editor/panels/panels.h"
 #include "app/editor/session/groups.h"
 
 namespace burl {
@@ -46,7 +45,25 @@ void seed_button(const PanelContext& context, const RecipeLeaf& leaf) {
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("Another pattern of the same kind");
 }
 
-void show(const PanelContext& context, const std::vector<RecipeLeaf>& leaves) {
+void show(const PanelContext& context, const ParameterGroup& group) {
+    const std::string id = "##" + group.first.front().path;
+    const ImGuiTreeNodeFlags flags =
+        group.open ? ImGuiTreeNodeFlags_DefaultOpen : ImGuiTreeNodeFlags_None;
+    const bool open = ImGui::CollapsingHeader((group.title + id).c_str(), flags);
+    context.items.note("group:" + group.name);
+    if (!open) return;
+    parameter_rows(context, group.first);
+    if (group.more.empty()) return;
+    const bool more = ImGui::TreeNode(("more" + id).c_str());
+    context.items.note("more:" + group.name);
+    if (!more) return;
+    parameter_rows(context, group.more);
+    ImGui::TreePop();
+}
+
+}  // namespace
+
+void parameter_rows(const PanelContext& context, const std::vector<RecipeLeaf>& leaves) {
     for (const RecipeLeaf& leaf : leaves) {
         const bool keyed = is_keyed(context.session, leaf);
         if (keyed) ImGui::PushStyleColor(ImGuiCol_FrameBg, keyed_color);
@@ -57,27 +74,9 @@ void show(const PanelContext& context, const std::vector<RecipeLeaf>& leaves) {
     }
 }
 
-void show(const PanelContext& context, const ParameterGroup& group) {
-    const std::string id = "##" + group.first.front().path;
-    const ImGuiTreeNodeFlags flags =
-        group.open ? ImGuiTreeNodeFlags_DefaultOpen : ImGuiTreeNodeFlags_None;
-    const bool open = ImGui::CollapsingHeader((group.title + id).c_str(), flags);
-    context.items.note("group:" + group.name);
-    if (!open) return;
-    show(context, group.first);
-    if (group.more.empty()) return;
-    const bool more = ImGui::TreeNode(("more" + id).c_str());
-    context.items.note("more:" + group.name);
-    if (!more) return;
-    show(context, group.more);
-    ImGui::TreePop();
-}
-
-}  // namespace
-
 void parameters_panel(const PanelContext& context, bool posed) {
-    const auto leaves = recipe_leaves(slider_json(context.session.still()));
-    for (const ParameterGroup& group : parameter_groups(leaves))
+    const Json recipe = slider_json(context.session.still());
+    for (const ParameterGroup& group : parameter_groups(recipe_leaves(recipe), node_words(recipe)))
         if (posed || group.name != "pose") show(context, group);
 }
 

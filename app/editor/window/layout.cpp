@@ -38,7 +38,9 @@ void EditorProgram::shortcuts() {
     if (pressed("F1")) keys_open_ = !keys_open_;
     if (ImGui::GetIO().WantTextInput) return;
     if (pressed("F12")) screenshot_due_ = true;
-    if (commands_.asks()) return;
+    if (commands_.asks() || graph_.searching()) return;
+    if (!requests_.looking_at().empty() && pressed("Escape")) return requests_.look("");
+    if (graph_.shortcuts({session_, items_}, graph_hooks())) return;
     if (pressed("Ctrl+Q")) commands_.quit();
     if (pressed("Ctrl+O")) commands_.open_dialog();
     if (pressed("Ctrl+S")) commands_.save();
@@ -66,12 +68,16 @@ void EditorProgram::view_shortcuts() {
     if (pressed("L")) viewport_.lit = !viewport_.lit;
     if (pressed("T")) viewport_.turntable = !viewport_.turntable;
     if (pressed("A")) requests_.compare();
+    if (pressed("Shift+A")) session_.kept[0] = session_.recipe();
+    if (pressed("Shift+B")) session_.kept[1] = session_.recipe();
+    if (pressed("N")) graph_.shown = !graph_.shown;
     if (pressed("Ctrl+Plus") || pressed("Ctrl+Shift+Plus")) scale_ = larger_scale(scale_);
     if (pressed("Ctrl+Minus")) scale_ = smaller_scale(scale_);
     if (pressed("Ctrl+0")) scale_ = normal_scale_;
 }
 
 void EditorProgram::file_menu() {
+    if (menu_item(items_, "New", "")) session_.open_new();
     if (menu_item(items_, "Open...", "Ctrl+O")) commands_.open_dialog();
     commands_.recent_menu(items_);
     commands_.pose_menu(items_);
@@ -89,6 +95,9 @@ void EditorProgram::edit_menu() {
     EditHistory& history = session_.history();
     if (menu_item(items_, "Undo", "Ctrl+Z", history.can_undo())) history.undo();
     if (menu_item(items_, "Redo", "Ctrl+Y", history.can_redo())) history.redo();
+    if (menu_item(items_, "Compare", "A")) requests_.compare();
+    if (menu_item(items_, "Keep as A", "Shift+A")) session_.kept[0] = session_.recipe();
+    if (menu_item(items_, "Keep as B", "Shift+B")) session_.kept[1] = session_.recipe();
     if (menu_item(items_, "Move the texture", "G")) viewport_.take_tool(viewport_.move.on);
     if (menu_item(items_, "Paint", "P")) viewport_.take_tool(viewport_.paint.tool.on);
     if (menu_item(items_, "Clear paint", "", !session_.recipe().paint.empty()))
@@ -103,6 +112,7 @@ void EditorProgram::view_menu() {
     if (menu_item(items_, "Top", "7")) camera = from_top(camera);
     menu_toggle(items_, "Light", "L", viewport_.lit);
     menu_toggle(items_, "Turntable", "T", viewport_.turntable);
+    menu_toggle(items_, "Graph", "N", graph_.shown);
     menu_toggle(items_, "Atlas", "V", atlas_.state.shown);
     menu_toggle(items_, "Wireframe", "W", atlas_.edges);
     menu_toggle(items_, "Chart borders", "B", atlas_.borders);
@@ -128,7 +138,8 @@ void EditorProgram::menu() {
         if (menu_item(items_, "Keys", "F1")) keys_open_ = true;
     });
     ImGui::Text("  %s%s", session_.recipe().name.c_str(), session_.history().unsaved() ? " *" : "");
-    if (requests_.comparing()) ImGui::TextUnformatted("  as it was opened (A)");
+    if (requests_.comparing())
+        ImGui::TextUnformatted(fmt::format("  {} (A)", requests_.shown_words()).c_str());
     ImGui::EndMainMenuBar();
 }
 
@@ -140,8 +151,9 @@ void EditorProgram::layout() {
     const float top = ImGui::GetFrameHeight();
     const float side = side_width(display.x);
     const float strip = timeline ? timeline_height(session_) : 0.0f;
+    const float bottom = display.y - graph_height(display.y - top);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0f);
-    ImVec2 object{display.x - side, display.y - top - strip}, atlas{0.0f, top};
+    ImVec2 object{display.x - side, std::max(1.0f, bottom - top - strip)}, atlas{0.0f, top};
     if (atlas_.state.shown) split(object, atlas);
     ImGui::SetNextWindowPos({0.0f, top});
     ImGui::SetNextWindowSize(object);
@@ -151,21 +163,23 @@ void EditorProgram::layout() {
         ImGui::SetNextWindowSize(object);
         atlas_window();
     }
+    graph_window({0.0f, bottom}, {display.x, display.y - bottom});
     if (timeline) {
-        ImGui::SetNextWindowPos({0.0f, display.y - strip});
+        ImGui::SetNextWindowPos({0.0f, bottom - strip});
         ImGui::SetNextWindowSize({display.x - side, strip});
         timeline_panel(context);
     }
     paint_panel(context, viewport_.paint.tool, {0.0f, top});
     move_panel(context, viewport_.move, {0.0f, top});
     ImGui::SetNextWindowPos({display.x - side, top});
-    ImGui::SetNextWindowSize({side, display.y - top});
-    side_.window(context, baker_, loader_.posed());
+    ImGui::SetNextWindowSize({side, bottom - top});
+    side_.window(context, baker_, loader_.posed(), graph_, graph_hooks());
     ImGui::PopStyleVar();
+    look_badge({0.0f, top}, object);
     if (keys_open_) keys_open_ = cheat_sheet(context);
     recovery_window(context, autosave_);
     commands_.closing_window(items_);
-    notices(display.y - (session_.timeline.open ? timeline_height(session_) : 0.0f));
+    notices(bottom - strip);
     commands_.show_dialog(items_);
 }
 

@@ -11,6 +11,7 @@
 #include "app/editor/jobs/baker.h"
 #include "app/editor/jobs/figures.h"
 #include "app/editor/jobs/thumbnails.h"
+#include "app/editor/panels/graph.h"
 #include "app/editor/panels/panels.h"
 #include "app/gl/device/context.h"
 #include "app/gl/device/objects.h"
@@ -47,8 +48,9 @@ class SidePanels {
     SidePanels(GlContext& context, bool gallery, const std::function<void()>& wake);
 
     /// Draws the window at the place set for ImGui's next window. `posed`: whether the mesh has a
-    /// pose.
-    void window(const PanelContext& context, const EditBaker& baker, bool posed);
+    /// pose. A node that was just chosen in the graph brings its tab to the front.
+    void window(const PanelContext& context, const EditBaker& baker, bool posed, EditGraph& graph,
+                const GraphHooks& hooks);
     /// Drops the selection of a colour stop, for another document.
     void deselect() { stop_ = {}; }
 
@@ -62,7 +64,7 @@ class SidePanels {
 
     GlContext& context_;
     StopSelection stop_;
-    std::string preset_search_;
+    std::string preset_search_, node_shown_;
     std::optional<GlEditGallery> gallery_;
     EditFigures figures_;
 };

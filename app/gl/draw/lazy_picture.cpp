@@ -6,6 +6,7 @@
 #include "app/base/stopwatch.h"
 #include "app/gl/draw/view_pictures.h"
 #include "app/gl/draw/view_scene.h"
+#include "app/scene/up_axis.h"
 #include "atlas/base/error.h"
 #include "atlas/build/block_levels.h"
 #include "atlas/solid/level.h"
@@ -120,7 +121,8 @@ LazyPicture render_lazily(GlContext& context, Pipeline& pipeline, const View& vi
                           const LazyOptions& options) {
     context.make_current();
     LazyPicture result;
-    const Scene scene = baked_scene(pipeline, options.crease_degrees, options.pose);
+    Scene scene = baked_scene(pipeline, options.crease_degrees, options.pose);
+    turn(scene, options.upright);
     ViewPictures pictures(pipeline, scene, options);
     const ViewSource& source = pictures.source();
     const int colors = baked_material(scene).texture;

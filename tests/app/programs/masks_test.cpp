@@ -56,7 +56,7 @@ TEST(Masks, AreReadAtPointsOfAMeshThatIsNamed) {
                      "roughness": {"node": "facing", "direction": [1, 0, 0]}},
         "solid": {"space": "object"}})");
     // Off the side x = 1 of the cube from -1 to 1, and on its side y = 1.
-    const std::string points = scratch.write("p.csv", "1.5,0.2,0.3\n-0.5,1,0.25\n");
+    const std::string points = scratch.write("p.csv", "1.5,0.2,0.3\n-0.25,1,0.25\n");
     const auto eval = [&](const std::string& more) {
         return run_burl(scratch,
                         fmt::format("eval '{}' --points '{}' --json {}", recipe, points, more));
@@ -69,7 +69,7 @@ TEST(Masks, AreReadAtPointsOfAMeshThatIsNamed) {
     const Box3 box = bounding_box(sample_mesh("sample:cube"));
     const double side = box.size().x;
     EXPECT_NEAR(at(height, 0)["value"].get<double>(), 1.0, 1e-5);
-    EXPECT_NEAR(at(height, 1)["value"].get<double>(), (-0.5 - box.low.x) / side, 1e-5);
+    EXPECT_NEAR(at(height, 1)["value"].get<double>(), (-0.25 - box.low.x) / side, 1e-5);
     EXPECT_NEAR(at(height, 1)["gradient"][0].get<double>(), 1.0 / side, 1e-12);
     EXPECT_EQ(at(height, 1)["gradient"][1].get<double>(), 0.0);
     const Outcome rough = eval("--channel roughness --mesh sample:cube --set solid.space=object");

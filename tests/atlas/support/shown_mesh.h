@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "atlas/build/mesh_atlas.h"
-#include "atlas/shape/shape_scene.h"
+#include "atlas/shape/surface_lattice.h"
 #include "atlas/solid/texel_owners.h"
 
 namespace burl {
@@ -33,8 +33,8 @@ void for_texels(const Shown& all, const Visit& visit) {
     for (std::uint32_t y = 0; y < all.solid.size; ++y)
         for (const Span& span : all.solid.row(y))
             for (std::uint32_t x = span.x; x < span.x + span.count; ++x) {
-                const std::uint32_t t = owners(x, y, span.map);
-                visit(x, y, t, all.shape.weights_at(t, all.solid.maps[span.map](x, y)));
+                const ShownPlace place = place_shown(all.solid, owners, all.shape, x, y, span.map);
+                visit(x, y, place.triangle, place.weights);
             }
 }
 

@@ -9,7 +9,7 @@
 #include "app/bake/texture.h"
 #include "app/export/export.h"
 #include "app/image/image_io.h"
-#include "app/recipe/images.h"
+#include "app/recipe/edit/images.h"
 #include "tests/app/gl/device/fixture.h"
 #include "tests/app/support/export_scene.h"
 #include "tests/app/support/sample_scene.h"
