@@ -139,17 +139,7 @@ class KnobSearch {
                 shader = shader_with(d, value);
             }
             if (!shader) continue;
-            if (!same_structure(*shader, base_)) {
-                for (std::size_t i = 0; i < std::min(shader->around.size(), base_.around.size());
-                     ++i)
-                    if (shader->around[i] != base_.around[i]) {
-                        fprintf(stderr, "DBG structure %s at %g: [%s] [%s]\n",
-                                knobs_[dials_[d].knob].name().c_str(), value,
-                                shader->around[i].c_str(), base_.around[i].c_str());
-                        break;
-                    }
-                return false;
-            }
+            if (!same_structure(*shader, base_)) return false;
             samples_[d].push_back({value, values_of(*shader)});
         }
         return samples_[d].size() >= std::min<std::size_t>(4, dials_[d].samples.size());
@@ -169,14 +159,8 @@ class KnobSearch {
             u.clear();
             for (const Sample& sample : samples_[dial])
                 u.push_back(dials_[dial].variables[v].of(sample.value));
-            if (getenv("DBGV")) {
-            }
             if (const auto law = find_law(u, y)) return DialPart{dial, v, *law};
         }
-        fprintf(stderr, "DBG law %s: around [%s] [%s]\n", dials_[dial].variables[0].name.c_str(),
-                base_.around[number].c_str(), base_.around[number + 1].c_str());
-        for (std::size_t i = 0; i < u.size(); ++i)
-            fprintf(stderr, "   %g %.9g %.9g\n", samples_[dial][i].value, u[i], y[i]);
         return {};
     }
 
@@ -298,8 +282,6 @@ class KnobSearch {
         std::vector<double> quantities;
         for (const DialPart& part : parts) quantities.push_back(quantity(part, dials[part.dial]));
         if (law.agrees(quantities, value)) return true;
-        fprintf(stderr, "DBG joint %s: %.9g %.9g around [%s]\n", law.text().c_str(),
-                law.at(quantities), value, base_.around[number].c_str());
         keep(dials_[parts.back().dial].knob);
         return false;
     }

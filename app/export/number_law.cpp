@@ -15,6 +15,8 @@ namespace {
 
 /// Samples and factors are each rounded to float32, whose relative error is 6e-8.
 constexpr double rounding = 1.3e-7, several_roundings = 4e-7;
+/// A constant so many times the number itself would leave too little of it in float32.
+constexpr double most_cancelled = 100.0;
 constexpr int most_power = 8, most_digits = 9, most_divisor_digits = 4;
 
 double with_digits(double x, int digits) {
@@ -72,7 +74,10 @@ std::optional<SimpleLaw> law_of(const Quantity& quantity, std::span<const double
     const SimpleLaw product{quantity, 0.0, y[larger] / quantity.at(u[larger])};
     if (auto found = with_fewest_digits(product, u, y)) return found;
     const double factor = (y[high] - y[low]) / (last - first);
-    return with_fewest_digits({quantity, y[low] - factor * first, factor}, u, y);
+    const double constant = y[low] - factor * first;
+    if (std::abs(constant) > most_cancelled * std::max(std::abs(y[low]), std::abs(y[high])))
+        return {};
+    return with_fewest_digits({quantity, constant, factor}, u, y);
 }
 
 /// The shift of a reciprocal that goes through three samples.

@@ -54,21 +54,6 @@ const std::string clear_colors =
 const std::string opaque_colors =
     R"("base_color": {"node": "mix", "a": "#c9a06a", "b": "#6e4722", "amount": "grain"},)";
 
-/// The emitted shader with a main function that shows `color`, an expression of `solid` and of its
-/// material `m`.
-std::string showing(std::string shader, const std::string& color) {
-    const std::string main = "void main() {";
-    shader.replace(shader.find(main), main.size(), "void emitted_main() {");
-    return shader + fmt::format(R"(
-void main() {{
-    vec3 solid = solid_base + texelFetch(solid_map, ivec2(gl_FragCoord.xy), 0).xyz;
-    TextureMaterial m = texture_material(solid);
-    color = {};
-}}
-)",
-                                color);
-}
-
 class GlEmitMaterialTest : public EmittedShaderTest {
   protected:
     using Host = std::function<Vec4d(const Vec3d& solid)>;
