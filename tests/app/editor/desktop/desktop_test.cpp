@@ -58,6 +58,15 @@ TEST(EditDesktop, WithoutADisplayItSaysSo) {
     EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1);
 }
 
+TEST(EditDesktop, AnUnknownOptionIsAWrongCommandLine) {
+    const test::Scratch scratch;
+    const test::Outcome run = test::run_program(scratch, "burl-edit", "--nonsense");
+    EXPECT_EQ(run.exit_code, 1);
+    EXPECT_NE(run.err.find("--nonsense"), std::string::npos) << run.err;
+    EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1);
+    EXPECT_EQ(test::run_program(scratch, "burl-edit", "--help").exit_code, 0);
+}
+
 TEST(EditDesktop, ARecipeAloneIsShownOnTheTeapot) {
     const test::Scratch scratch;
     scratch.write("s.json", R"({"burl_input": 1, "size": [400, 300], "steps": [

@@ -240,7 +240,7 @@ TEST(EditExport, KnowsTheFilesItWillWrite) {
                 if (moves && name != "a.png") continue;
                 if (moves) request.recipe.animation.seconds = 0.1;
                 std::vector<std::string> expected = export_files(request), found;
-                (moves ? bake_frames : bake_file)(request);
+                (moves ? bake_frames : bake_file)(request, {}, {});
                 for (const auto& entry : std::filesystem::directory_iterator(place))
                     found.push_back(entry.path().string());
                 std::ranges::sort(expected);
@@ -257,7 +257,7 @@ std::string refusal_of(const ScratchFolder& folder, const ExportRequest& request
     const std::size_t before = folder.entries();
     std::string message;
     try {
-        (request.recipe.animation.tracks.empty() ? bake_file : bake_frames)(request);
+        (request.recipe.animation.tracks.empty() ? bake_file : bake_frames)(request, {}, {});
     } catch (const Error& error) {
         EXPECT_EQ(error.code(), ExitCode::io) << error.what();
         message = error.what();
