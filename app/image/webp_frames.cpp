@@ -2,6 +2,7 @@
 // frame to frame.
 #include <memory>
 
+#include <malloc.h>
 #include <webp/encode.h>
 #include <webp/mux.h>
 
@@ -56,6 +57,9 @@ class WebpFrames : public FrameWriter {
         WebpPicture copy(picture);
         const int added = ::WebPAnimEncoderAdd(encoder_.get(), &copy.raw, milliseconds_, &config_);
         check(added);
+        // Among the megabytes that libwebp takes and gives back for a frame it keeps some
+        // kilobytes, and the C library's heap would grow by those megabytes.
+        ::malloc_trim(0);
         milliseconds_ += frame_ticks(count_++, file_.rate, 1000);
     }
 

@@ -13,7 +13,7 @@
 namespace burl::test {
 namespace {
 
-const std::string small = "--size 40x30 --supersample 1";
+const std::string small = "--size 40x30 --supersample 1 --light headlight";
 const std::string small_atlas = "--set atlas.size=64";
 
 /// Pictures of a small cube by every way that `burl render` has.
@@ -169,6 +169,30 @@ TEST_F(RenderRecipes, OfASheetTurnTogether) {
     ASSERT_EQ(decoded.frames.size(), 3u);
     expect_done(lazy + " --recipes wood,marble --view 150,20,3.5 -o s.png");
     EXPECT_EQ(decoded.frames[1], opaque(picture("s.png")));
+}
+
+TEST_F(RenderRecipes, KeepATransparentBackground) {
+    expect_done(lazy + " -r wood --background transparent --turntable 2 -o t.png");
+    for (const std::string name : {"t.webp --quality 100", "t.apng", "t.gif"}) {
+        expect_done(lazy + " -r wood --background transparent --turntable 2 -o " + name);
+        const DecodedFrames decoded =
+            decoded_frames(scratch / name.substr(0, name.find_first_of(' ')));
+        ASSERT_EQ(decoded.frames.size(), 2u) << name;
+        for (std::size_t k = 0; k < 2; ++k) {
+            const std::string path = scratch / fmt::format("t.000{}.png", k + 1);
+            const auto wanted =
+                std::get<Image<Rgba8>>(decode_png_with_alpha(read_png_bytes(path), path));
+            EXPECT_EQ(wanted(0, 0).a, 0);
+            EXPECT_EQ(wanted(20, 15).a, 255);
+            for (std::size_t i = 0; i < wanted.pixels().size(); ++i) {
+                const Rgba8 &w = wanted.pixels()[i], &d = decoded.frames[k].pixels()[i];
+                ASSERT_EQ(d.a, name == "t.gif" ? (w.a >= 128 ? 255 : 0) : w.a) << name;
+                if (name != "t.gif" && w.a > 0) {
+                    ASSERT_EQ(d, w) << name;
+                }
+            }
+        }
+    }
 }
 
 TEST_F(RenderRecipes, TellTheWorkOfAllPictures) {
