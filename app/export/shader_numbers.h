@@ -13,7 +13,7 @@ std::string shader_number(double x);
 
 /// A floating-point number in a text; whole numbers are part of the text around.
 struct ShaderNumber {
-    std::string spelt;  ///< the number as it stands there, with its sign
+    std::string spelt;   ///< the number as it stands there, with its sign
     double value = 0.0;  ///< the float32 that it is read as
     bool added = false;  ///< whether its sign is that of a sum or difference, as in "x - 0.5"
 };

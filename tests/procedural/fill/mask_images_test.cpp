@@ -47,9 +47,10 @@ TEST(MaskImages, ATexelHasItsOwnNumbers) {
                 for (std::size_t y = 0; y < solid.size; ++y)
                     for (const Span& span : solid.row(y))
                         for (std::size_t x = span.x; x < span.x + span.count; ++x)
-                            ASSERT_NEAR(image(x, y).g,
-                                        masks[0]->values(x, y) + 2.0f * masks[1]->values(x, y) + 0.5f,
-                                        1e-6);
+                            ASSERT_NEAR(
+                                image(x, y).g,
+                                masks[0]->values(x, y) + 2.0f * masks[1]->values(x, y) + 0.5f,
+                                1e-6);
             }
 }
 
