@@ -17,7 +17,6 @@
 
 namespace burl::test {
 namespace {
-
 const char* const square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
 const std::string amplitude = "texture.input.noise.0.amplitude";
 const std::string phase = "texture.input.noise.0.phase.2";
