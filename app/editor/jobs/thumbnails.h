@@ -17,8 +17,9 @@ namespace burl {
 
 /// Draws a lit ball with the recipe's texture that touches all four sides of a picture of side x
 /// side pixels, side >= 1; pixels outside the circle have no meaning. Bit-identical for every
-/// thread count. Throws Error(unsupported) for a recipe that cannot be drawn.
-Image<Rgb8> ball_picture(const Recipe& recipe, int side);
+/// thread count. `filter` is that of `burl render --direct`. Throws Error(unsupported) for a recipe
+/// that cannot be drawn.
+Image<Rgb8> ball_picture(const Recipe& recipe, int side, const std::string& filter = "trapezoid");
 
 /// Returns the picture, which must be square with a power of two as its side, and its MIP levels
 /// down to one pixel, as means of sRGB codes. OpenGL's software renderer would compile a program
