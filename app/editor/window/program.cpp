@@ -45,6 +45,7 @@ EditorProgram::EditorProgram(std::unique_ptr<GlWindow> window, const EditorOptio
       atlas_(window_->context().gl(), wake()),
       viewport_(window_->context().gl(), session_, baker_, requests_, atlas_, wake()),
       side_(window_->context(), options.gallery, wake()) {
+    viewport_.light.choose(options.light);
     scale_ = normal_scale_ = options.ui_scale * window_->text_scale();
 }
 

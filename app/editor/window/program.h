@@ -28,6 +28,8 @@ namespace burl {
 struct EditorOptions {
     std::string mesh = "sample:teapot", recipe = "marble";
     std::vector<std::string> settings{};
+    /// The light of the object: a built-in environment, or "headlight".
+    std::string light = "studio";
     double ui_scale = 1.0;
     /// Path of the autosave file (app/editor/session/autosave.h); empty: none.
     std::string autosave{};
@@ -108,6 +110,7 @@ class EditorProgram {
     void view_shortcuts();
     void file_menu();
     void edit_menu();
+    void light_menu();
     void view_menu();
     void menu();
     void layout();
