@@ -25,18 +25,12 @@ bool is_light_file(const std::string& light) {
     return extension == ".exr" || extension == ".hdr";
 }
 
-/// The names of all lights that are no files.
-std::vector<std::string_view> light_names() {
-    std::vector<std::string_view> names{headlight_name};
-    for (const EnvironmentNote& note : environment_notes()) names.push_back(note.name);
-    return names;
-}
-
 /// Throws Error(usage) for a light that is neither a name nor the path of a picture.
 void check_light(const std::string& light) {
-    const std::vector<std::string_view> names = light_names();
+    const std::vector<std::string> names = light_names();
     if (is_light_file(light) || std::ranges::find(names, light) != names.end()) return;
-    const std::string_view nearest = nearest_word(light, names);
+    const std::vector<std::string_view> words(names.begin(), names.end());
+    const std::string_view nearest = nearest_word(light, words);
     const std::string hint = nearest.empty() ? "" : fmt::format("did you mean {}? ", nearest);
     throw Error(ExitCode::usage,
                 fmt::format("--light {}: {}it must be {}, or a picture of all directions, .exr or "
@@ -54,6 +48,12 @@ std::optional<Rgb8> color_of(std::string_view text) {
 }
 
 }  // namespace
+
+std::vector<std::string> light_names() {
+    std::vector<std::string> names{headlight_name};
+    for (const EnvironmentNote& note : environment_notes()) names.emplace_back(note.name);
+    return names;
+}
 
 void LightArguments::add(CLI::App& verb) {
     verb.add_option("--light", light,

@@ -13,6 +13,9 @@ class App;
 
 namespace burl {
 
+/// The names of all lights that are no files: the headlight and the environments.
+std::vector<std::string> light_names();
+
 /// --light, --turn-light, --exposure, --tone, --background and --ground.
 struct LightArguments {
     std::optional<std::string> light{}, tone{}, background{};

@@ -63,11 +63,14 @@ class Pipeline {
     Image<Pixel> synthesize(std::uint32_t level = 0) {
         return stages_.texture.run<Pixel>(context_, solid(level), recipe_, masks(), level);
     }
-    /// The pictures of the recipe's material (app/pipeline/material.h) by the host, without paint.
-    /// Defined for Rgba8, Rgba16 and RgbaF.
+    /// The pictures of the recipe's material (app/pipeline/material.h) by the host, without paint,
+    /// or level `level` of them; none if `stop` was requested first. Defined for Rgba8, Rgba16 and
+    /// RgbaF.
     template <class Pixel>
-    std::vector<Image<Pixel>> pictures(const std::vector<PicturePlan>& plans) {
-        return stages_.texture.run_pictures<Pixel>(context_, solid(), recipe_, masks(), plans);
+    std::vector<Image<Pixel>> pictures(const std::vector<PicturePlan>& plans,
+                                       std::uint32_t level = 0, const std::stop_token& stop = {}) {
+        return stages_.texture.run_pictures<Pixel>(context_, solid(level), recipe_, masks(), plans,
+                                                   stop);
     }
     /// Whether the texture can be synthesised in bands of rows: by the host without a cache.
     bool has_bands() const { return context_.cache == 0 && !context_.synthesizer; }

@@ -40,22 +40,31 @@ class LevelChoice {
 /// State of the slider: while it is dragged (`moving`), refine() shows one picture.
 enum class SliderState { moving, released };
 
-/// Calls show(level, picture) for one level of the pipeline's recipe after another, and tells
-/// `choice` how long each took. Meant for a worker thread, which is stopped and started again when
-/// the recipe changes. Returns false if `stop` was requested. `patience` is in seconds
-/// (LevelChoice::finer_than).
+/// Calls make(level), which returns what it made or nothing (a pointer or an optional), and
+/// show(level, what was made) for one level after another, and tells `choice` how long the making
+/// took. Meant for a worker thread, which is stopped and started again when the recipe changes.
+/// Returns false where nothing was made. `patience` is in seconds (LevelChoice::finer_than).
+template <class Make, class Show>
+bool refine_made(LevelChoice& choice, SliderState slider, double patience, const Make& make,
+                 const Show& show) {
+    for (std::uint32_t level = choice.level();; level = choice.finer_than(level, patience)) {
+        const auto start = std::chrono::steady_clock::now();
+        const auto made = make(level);
+        if (!made) return false;
+        const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+        choice.took(level, took.count());
+        show(level, *made);
+        if (level == 0 || slider == SliderState::moving) return true;
+    }
+}
+
+/// Calls show(level, picture) for one level of the pipeline's recipe after another, as
+/// refine_made() does. Returns false if `stop` was requested.
 template <class Pixel, class Show>
 bool refine(Pipeline& pipeline, LevelChoice& choice, SliderState slider, double patience,
             const std::stop_token& stop, const Show& show) {
-    for (std::uint32_t level = choice.level();; level = choice.finer_than(level, patience)) {
-        const auto start = std::chrono::steady_clock::now();
-        const Image<Pixel>* picture = pipeline.picture<Pixel>(level, stop);
-        if (!picture) return false;
-        const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
-        choice.took(level, took.count());
-        show(level, *picture);
-        if (level == 0 || slider == SliderState::moving) return true;
-    }
+    const auto make = [&](std::uint32_t level) { return pipeline.picture<Pixel>(level, stop); };
+    return refine_made(choice, slider, patience, make, show);
 }
 
 }  // namespace burl

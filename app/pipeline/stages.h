@@ -114,12 +114,13 @@ class TextureStage {
     void run_in_bands(StageContext& context, const SolidAtlas& solid, const Recipe& recipe,
                       const MaskSource& masks, const TakeRows& take,
                       std::size_t texels = std::size_t(1) << 22) const;
-    /// The pictures of the recipe's material by the host, without paint. Defined for Rgba8, Rgba16
-    /// and RgbaF.
+    /// The pictures of the recipe's material by the host, without paint; none if `stop` was
+    /// requested first. Defined for Rgba8, Rgba16 and RgbaF.
     template <class Pixel>
     std::vector<Image<Pixel>> run_pictures(StageContext& context, const SolidAtlas& solid,
                                            const Recipe& recipe, const MaskSource& masks,
-                                           const std::vector<PicturePlan>& plans) const;
+                                           const std::vector<PicturePlan>& plans,
+                                           const std::stop_token& stop) const;
     /// The texture of a program that shows it while it changes; valid until the next call for that
     /// level. Null if `stop` was requested first. Defined for Rgb8, Rgb16 and RgbF.
     template <class Pixel>

@@ -121,13 +121,17 @@ void TextureStage::run_in_bands(StageContext& context, const SolidAtlas& solid,
 template <class Pixel>
 std::vector<Image<Pixel>> TextureStage::run_pictures(StageContext& context, const SolidAtlas& solid,
                                                      const Recipe& recipe, const MaskSource& masks,
-                                                     const std::vector<PicturePlan>& plans) const {
-    const MaskImages read = masks(solid, recipe.texture, GraphOutput::planes, {});
+                                                     const std::vector<PicturePlan>& plans,
+                                                     const std::stop_token& asked) const {
+    const std::stop_token& stop = asked.stop_possible() ? asked : context.stop;
+    const MaskImages read = masks(solid, recipe.texture, GraphOutput::planes, stop);
+    if (stop.stop_requested()) return {};
     return context.records.time(Stage::synthesis, [&](StageCost& cost) {
         std::vector<Image<Pixel>> pictures = synthesize_pictures<Pixel>(
             solid, recipe.texture, plans, texture_from_solid(recipe), recipe.filter,
             context.way.threads, recipe.precision.kind.value_or(PrecisionKind::float32),
-            {context.skips, &cost.work, context.stop}, read);
+            {context.skips, &cost.work, stop}, read);
+        if (stop.stop_requested()) pictures.clear();
         for (const Image<Pixel>& picture : pictures) cost.bytes += bytes_of(picture);
         return pictures;
     });
@@ -167,15 +171,18 @@ template Image<Rgb16> TextureStage::run(StageContext&, const SolidAtlas&, const 
                                         const MaskSource&, std::uint32_t);
 template Image<RgbF> TextureStage::run(StageContext&, const SolidAtlas&, const Recipe&,
                                        const MaskSource&, std::uint32_t);
-template std::vector<Image<Rgba8>> TextureStage::run_pictures(
-    StageContext&, const SolidAtlas&, const Recipe&, const MaskSource&,
-    const std::vector<PicturePlan>&) const;
-template std::vector<Image<Rgba16>> TextureStage::run_pictures(
-    StageContext&, const SolidAtlas&, const Recipe&, const MaskSource&,
-    const std::vector<PicturePlan>&) const;
-template std::vector<Image<RgbaF>> TextureStage::run_pictures(
-    StageContext&, const SolidAtlas&, const Recipe&, const MaskSource&,
-    const std::vector<PicturePlan>&) const;
+template std::vector<Image<Rgba8>> TextureStage::run_pictures(StageContext&, const SolidAtlas&,
+                                                              const Recipe&, const MaskSource&,
+                                                              const std::vector<PicturePlan>&,
+                                                              const std::stop_token&) const;
+template std::vector<Image<Rgba16>> TextureStage::run_pictures(StageContext&, const SolidAtlas&,
+                                                               const Recipe&, const MaskSource&,
+                                                               const std::vector<PicturePlan>&,
+                                                               const std::stop_token&) const;
+template std::vector<Image<RgbaF>> TextureStage::run_pictures(StageContext&, const SolidAtlas&,
+                                                              const Recipe&, const MaskSource&,
+                                                              const std::vector<PicturePlan>&,
+                                                              const std::stop_token&) const;
 template const Image<Rgb8>* TextureStage::show(StageContext&, const SolidAtlas&, const Recipe&,
                                                const MaskSource&, std::uint32_t,
                                                const std::stop_token&);

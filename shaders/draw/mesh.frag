@@ -14,7 +14,7 @@ in vec4 vertex_color;
 // colour is developed and encoded to sRGB. LIT: light shades it, an environment's with AMBIENT,
 // else the headlight. BUMPED: a normal map bumps the normal. PLACES: the fragment is u, v, level
 // and light instead of a colour. MASKS: what has little alpha is not there. BLENDS: the colour is
-// multiplied by alpha, and shown only between two depths.
+// multiplied by alpha. LAYERED: it is shown only between two depths.
 uniform sampler2D base_color;
 uniform sampler2D normal_map;
 uniform float normal_scale;
@@ -79,7 +79,7 @@ void main() {
     vec3 light = !LIT ? color.rgb : AMBIENT ? environment_light(color.rgb) : color.rgb * headlight();
     // Last, because lookups need the neighbours of fragments that are discarded.
     if (MASKS && color.a < alpha_cutoff) discard;
-    if (BLENDS && (color.a <= 0.0 || !is_in_layer())) discard;
+    if (BLENDS && (color.a <= 0.0 || (LAYERED && !is_in_layer()))) discard;
     float alpha = BLENDS ? min(color.a, 1.0) : 1.0;
     fragment = vec4(ENCODED ? srgb_encoded(developed(light)) : BLENDS ? alpha * light : light, alpha);
 }

@@ -10,6 +10,8 @@
 #include "app/base/messages.h"
 #include "app/base/version.h"
 #include "app/editor/window/program.h"
+#include "app/options/command_options.h"
+#include "app/options/light.h"
 #include "atlas/base/error.h"
 
 namespace {
@@ -56,6 +58,11 @@ int main(int argc, char** argv) {
         ->capture_default_str();
     program.add_option("--set", command.editor.settings,
                        "Edit of the recipe: path=value or control=value");
+    program
+        .add_option("--light", command.editor.light,
+                    "Light of the object: a built-in environment, or headlight")
+        ->check(burl::one_of(burl::light_names()))
+        ->capture_default_str();
     program.add_option("--ui-scale", command.editor.ui_scale, "Size of text and panels")
         ->check(CLI::Range(0.5, 4.0));
     auto* script = program.add_option("--script", command.script, "Input to replay");

@@ -6,6 +6,7 @@
 
 #include <tbb/parallel_invoke.h>
 
+#include "app/editor/jobs/material.h"
 #include "app/gl/draw/view_scene.h"
 #include "app/pipeline/refinement.h"
 #include "app/recipe/lattice_check.h"
@@ -129,6 +130,7 @@ AtlasOptions EditBaker::take_atlas(const AtlasOptions& wanted) {
         front_.announce(std::move(own->surface), std::move(own->pick));
         wake_();
         shown_bumps_ = !pipeline_->recipe().bump.empty();
+        shown_maps_ = scene_material(pipeline_->recipe()).maps;
         laid_out_ = shown_atlas_ = wanted;
         finest_.reset();
     }
@@ -137,11 +139,12 @@ AtlasOptions EditBaker::take_atlas(const AtlasOptions& wanted) {
     return atlas_at_once(wanted, pipeline_->mesh().triangles.size());
 }
 
-/// Announces another surface where the mesh, its atlas, its pose (`posed`) or whether it has bumps
-/// has changed since the last one.
+/// Announces another surface where the mesh, its atlas, its pose (`posed`) or which pictures its
+/// material has changed since the last one.
 void EditBaker::renew_surface(const Recipe& recipe, bool posed) {
-    const bool other =
-        fresh_ || shown_atlas_ != recipe.atlas || shown_bumps_ == recipe.bump.empty();
+    const SceneMaterial material = scene_material(recipe);
+    const bool other = fresh_ || shown_atlas_ != recipe.atlas ||
+                       shown_bumps_ == recipe.bump.empty() || shown_maps_ != material.maps;
     if (other || posed) {
         const SceneParts parts = scene_parts(*pipeline_, edit_crease_degrees);
         tbb::parallel_invoke(
@@ -155,6 +158,7 @@ void EditBaker::renew_surface(const Recipe& recipe, bool posed) {
     normals_.reset();
     shown_bumps_ = !recipe.bump.empty();
     shown_atlas_ = recipe.atlas;
+    shown_maps_ = material.maps;
     choice_.emplace(budget_, coarsest_level(recipe.atlas.size));
     fresh_ = false;
 }
@@ -217,20 +221,34 @@ bool EditBaker::bake_levels(const WorkerRequest& request, bool better,
     // level choice, and the sharp texture on screen need not become blurred first.
     LevelChoice finest(budget_, 0);
     const bool whole = better || (finest_ && only_paint_differs(*finest_, recipe));
-    return refine<Rgb8>(*pipeline_, whole ? finest : *choice_, slider, patience, stop,
-                        [&](std::uint32_t level, const Image<Rgb8>& texels) {
-                            const auto now = std::chrono::steady_clock::now();
-                            if (level == 0) finest_ = recipe;
-                            EditPicture picture;
-                            picture.request = request.number;
-                            picture.level = level;
-                            picture.texels = texels;
-                            picture.levels = make_levels_(texels);
-                            picture.seconds = std::chrono::duration<double>(now - start).count();
-                            picture.normals = normals_;
-                            publish(std::move(picture));
-                            start = std::chrono::steady_clock::now();
-                        });
+    const auto make = [&](std::uint32_t level) { return make_level(level, stop); };
+    const auto show = [&](std::uint32_t level, const MadeLevel& made) {
+        const auto now = std::chrono::steady_clock::now();
+        if (level == 0) finest_ = recipe;
+        EditPicture picture;
+        picture.request = request.number;
+        picture.level = level;
+        picture.texels = *made.texels;
+        picture.levels = make_levels_(*made.texels);
+        picture.material = made.material;
+        picture.seconds = std::chrono::duration<double>(now - start).count();
+        picture.normals = normals_;
+        publish(std::move(picture));
+        start = std::chrono::steady_clock::now();
+    };
+    return refine_made(whole ? finest : *choice_, slider, patience, make, show);
+}
+
+/// Makes a level of all pictures but the normals; nothing where `stop` was requested first.
+std::optional<EditBaker::MadeLevel> EditBaker::make_level(std::uint32_t level,
+                                                          const std::stop_token& stop) {
+    const Recipe& recipe = pipeline_->recipe();
+    const Image<Rgb8>* texels = pipeline_->picture<Rgb8>(level, stop);
+    if (!texels) return {};
+    const bool painted = level == 0 && finest_ && only_paint_differs(*finest_, recipe);
+    if (!painted || !material_) material_ = edit_material(*pipeline_, level, make_levels_, stop);
+    if (!material_) return {};
+    return MadeLevel{texels, material_};
 }
 
 void EditBaker::work(const WorkerRequest& request, const std::stop_token& stop) {

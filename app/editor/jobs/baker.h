@@ -1,6 +1,7 @@
 #pragma once
 // The baking thread of the editor: it owns the pipeline, takes the latest mesh, pose and recipe,
 // and publishes pictures, coarse MIP levels first, in a front buffer.
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -65,6 +66,12 @@ class EditBaker {
     void take_pose(std::shared_ptr<const MeshPose> pose);
     AtlasOptions take_atlas(const AtlasOptions& wanted);
     void renew_surface(const Recipe& recipe, bool posed);
+    /// A level that is not published yet.
+    struct MadeLevel {
+        const Image<Rgb8>* texels;  ///< of the pipeline, until it makes that level again
+        std::shared_ptr<const EditMaterial> material;
+    };
+    std::optional<MadeLevel> make_level(std::uint32_t level, const std::stop_token& stop);
     bool bake_levels(const WorkerRequest& request, bool better, const std::stop_token& stop);
     void publish(EditPicture picture);
     void publish_normals();
@@ -93,7 +100,9 @@ class EditBaker {
     std::optional<LevelChoice> choice_;     ///< chooses the level to bake while a slider moves
     AtlasOptions shown_atlas_;              ///< atlas in `pipeline_`
     bool shown_bumps_ = false;              ///< whether the surface has bumps
-    bool fresh_ = true;                     ///< no surface of this mesh was made yet
+    std::array<int, material_slots.size()> shown_maps_ = no_material_maps;  ///< the surface's
+    std::shared_ptr<const EditMaterial> material_;                          ///< the newest level's
+    bool fresh_ = true;          ///< no surface of this mesh was made yet
     bool posed_ = false;         ///< the pose was taken, and its surface not yet announced
     std::uint64_t jobs_of_ = 0;  ///< number of the surface whose background jobs were queued
     std::optional<AtlasOptions> laid_out_;  ///< the recipe's own atlas, once `pipeline_` has it

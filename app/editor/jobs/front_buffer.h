@@ -3,6 +3,7 @@
 // sheet. A new surface is announced ahead and takes the place of the one shown together with its
 // first picture (double buffering).
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <utility>
@@ -12,8 +13,17 @@
 #include "app/editor/jobs/surface.h"
 #include "app/measure/atlas_sheet.h"
 #include "app/pipeline/stage_records.h"
+#include "app/scene/material.h"
 
 namespace burl {
+
+/// A recipe's material as a surface's scene has it: its numbers, and its pictures besides normals
+/// and an opaque base colour, by the numbers of the scene's textures, in OpenGL's format with the
+/// coarser MIP levels.
+struct EditMaterial {
+    SceneMaterial numbers{};
+    std::map<int, std::vector<Image<Rgba8>>> pictures{};
+};
 
 /// A texture baked for the surface whose number is `surface`, at one MIP level.
 struct EditPicture {
@@ -23,6 +33,8 @@ struct EditPicture {
     /// `texels` in OpenGL's format, with the coarser MIP levels.
     std::vector<Image<Rgba8>> levels{};
     double seconds = 0.0;  ///< time it took to bake, in seconds
+    /// The material of the same recipe, at the same level.
+    std::shared_ptr<const EditMaterial> material{};
     /// Normal map of the bumps; null: no bumps, or not baked yet.
     std::shared_ptr<const Image<Rgb8>> normals{};
 };

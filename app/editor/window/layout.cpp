@@ -112,6 +112,23 @@ void EditorProgram::edit_menu() {
         clear_paint(session_);
 }
 
+/// The light's entries of the View menu.
+void EditorProgram::light_menu() {
+    const bool open = ImGui::BeginMenu("Light");
+    items_.note("menu:Light");
+    if (!open) return;
+    menu_toggle(items_, "Lit", "L", viewport_.lit);
+    ImGui::Separator();
+    const auto entry = [&](std::string_view name) {
+        bool chosen = viewport_.light.name() == name;
+        menu_toggle(items_, std::string(name).c_str(), "", chosen);
+        if (chosen) viewport_.light.choose(name);
+    };
+    for (const EnvironmentNote& note : environment_notes()) entry(note.name);
+    entry(EditLight::headlight);
+    ImGui::EndMenu();
+}
+
 void EditorProgram::view_menu() {
     EditCamera& camera = viewport_.camera;
     if (menu_item(items_, "Fit", "F")) camera = fitted(camera);
@@ -119,7 +136,7 @@ void EditorProgram::view_menu() {
     if (menu_item(items_, "Side", "3")) camera = from_side(camera);
     if (menu_item(items_, "Top", "7")) camera = from_top(camera);
     up_menu();
-    menu_toggle(items_, "Light", "L", viewport_.lit);
+    light_menu();
     menu_toggle(items_, "Turntable", "T", viewport_.turntable);
     menu_toggle(items_, "Graph", "N", graph_.shown);
     menu_toggle(items_, "Atlas", "V", atlas_.state.shown);

@@ -30,10 +30,17 @@ PictureSize sample_size(const ObjectViewOptions& options) {
     return {options.size.width * options.supersample, options.size.height * options.supersample};
 }
 
-/// Whether the view can be drawn without a second pass: with one sample per pixel and no lines,
-/// where that pass would take longer than the first.
-bool is_direct(const ObjectViewOptions& options) {
-    return options.supersample == 1 && !options.edges && !options.borders;
+GlProgram encode_program(const GladGLContext& gl, bool tone_curve) {
+    return make_full_screen_program(gl, "the view of the object",
+                                    ShaderSource()
+                                        .define("TONE", tone_curve ? "true" : "false")
+                                        .add("color/srgb_encode.glsl")
+                                        .add("draw/tone.glsl")
+                                        .add("draw/encode.frag"));
+}
+
+GlShading shading_of(const ObjectViewOptions& options) {
+    return {options.lit, options.light.get(), 1.0f, options.lit && options.light};
 }
 
 }  // namespace
@@ -41,7 +48,7 @@ bool is_direct(const ObjectViewOptions& options) {
 void GlEditTexture::make_storage(const std::vector<Image<Rgba8>>& levels) {
     check_size(*gl_, levels.front());
     for (std::size_t level = 0; level < levels.size(); ++level)
-        gl_->TexImage2D(GL_TEXTURE_2D, GLint(level), GL_SRGB8_ALPHA8,
+        gl_->TexImage2D(GL_TEXTURE_2D, GLint(level), is_color_ ? GL_SRGB8_ALPHA8 : GL_RGBA8,
                         GLsizei(levels[level].width()), GLsizei(levels[level].height()), 0, GL_RGBA,
                         GL_UNSIGNED_BYTE, nullptr);
     gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
@@ -69,9 +76,8 @@ void GlEditTexture::show(const std::vector<Image<Rgba8>>& levels) {
 
 GlEditObject::GlEditObject(const GladGLContext& gl)
     : gl_(&gl),
-      encode_(make_full_screen_program(
-          gl, "the view of the object",
-          ShaderSource().add("color/srgb_encode.glsl").add("draw/encode.frag"))),
+      encode_(encode_program(gl, false)),
+      develop_(encode_program(gl, true)),
       pass_(gl),
       programs_(std::make_shared<GlScenePrograms>(gl)),
       lines_(gl),
@@ -109,9 +115,7 @@ void GlEditObject::take_over() {
     // Freeing hundreds of megabytes takes longer than a frame, so another thread does it.
     dropping_ = std::async(std::launch::async,
                            [old = std::exchange(surface_, next_)]() mutable { old.reset(); });
-    texture_.reset();
-    if (scene_)
-        texture_.emplace(*gl_, scene_->texture(baked_material(surface_->scene).texture).get());
+    textures_.clear();
     picture_.reset();
     normals_.reset();
     drawn_.reset();
@@ -131,10 +135,23 @@ const GlTexture* GlEditObject::texture() const {
 }
 
 void GlEditObject::upload(const std::shared_ptr<const EditPicture>& picture) {
-    texture_->show(picture->levels);
+    const int colors = baked_material(surface_->scene).texture;
+    const EditMaterial* material = picture->material.get();
+    if (!material || !material->pictures.contains(colors)) upload(colors, picture->levels);
+    if (material && (!picture_ || material != picture_->material.get())) {
+        scene_->set_material(material->numbers);
+        for (const auto& [number, levels] : material->pictures) upload(number, levels);
+    }
     if (picture->normals != normals_) upload_normals(picture->normals);
     picture_ = picture;
     drawn_.reset();
+}
+
+/// Uploads the levels of the scene's texture `number`.
+void GlEditObject::upload(int number, const std::vector<Image<Rgba8>>& levels) {
+    const bool is_color = surface_->scene.textures[std::size_t(number)].is_color;
+    textures_.try_emplace(number, *gl_, scene_->texture(number).get(), is_color)
+        .first->second.show(levels);
 }
 
 void GlEditObject::upload_normals(std::shared_ptr<const Image<Rgb8>> normals) {
@@ -153,8 +170,17 @@ void GlEditObject::make_target(std::optional<GlDepthTarget>& target, const Pictu
     placed_.reset();
 }
 
+/// Whether the view can be drawn without a second pass: with one sample per pixel, no lines and
+/// nothing that blends, where that pass would take longer than the first.
+bool GlEditObject::is_direct(const ObjectViewOptions& options) const {
+    return options.supersample == 1 && !options.edges && !options.borders && !scene_->has_layers();
+}
+
 void GlEditObject::make_targets(const ObjectViewOptions& options) {
     make_target(shown_, options.size, GL_RGBA8);
+    gl_->BindTexture(GL_TEXTURE_2D, shown_->colors.texture().get());
+    gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     if (!is_direct(options)) make_target(samples_, sample_size(options), GL_RGBA16F);
 }
 
@@ -163,8 +189,11 @@ void GlEditObject::draw_samples(const ObjectViewOptions& options) {
     const Camera camera = camera_of(options.camera, surface_->sphere, options.size);
     samples_->colors.bind();
     const SampleTile tile{0, 0, samples.width, samples.height};
-    scene_->clear(tile, Vec4f(Vec3f(background_linear()), 1.0f));
-    scene_->draw(camera, samples, tile, {.lit = options.lit});
+    const GlShading shading = shading_of(options);
+    const Vec4f background(Vec3f(background_linear()), 1.0f);
+    scene_->clear(tile, shading.tone_curve ? Vec4f(0.0f) : background);
+    scene_->draw(camera, samples, tile, shading);
+    if (scene_->has_layers()) scene_->draw_blended(camera, samples, tile, shading);
     for (const auto& [kind, shown] : {std::pair(GlEditLines::Kind::edges, options.edges),
                                       std::pair(GlEditLines::Kind::borders, options.borders)})
         if (shown) lines_.draw(kind, camera, samples, options.supersample, options.share);
@@ -176,15 +205,19 @@ void GlEditObject::draw_pixels(const ObjectViewOptions& options) {
     const PictureSize& size = options.size;
     shown_->colors.bind();
     scene_->draw_encoded(camera_of(options.camera, surface_->sphere, size), size,
-                         {0, 0, size.width, size.height}, {.lit = options.lit});
+                         {0, 0, size.width, size.height}, shading_of(options));
     gl_->Disable(GL_DEPTH_TEST);
 }
 
 void GlEditObject::encode(const ObjectViewOptions& options) const {
+    const GlShading shading = shading_of(options);
+    const GlProgram& program = shading.tone_curve ? develop_ : encode_;
     shown_->colors.bind();
-    encode_.use();
-    encode_.set("samples", 0);
-    encode_.set("side", options.supersample);
+    program.use();
+    program.set("samples", 0);
+    program.set("side", options.supersample);
+    program.set("exposure", shading.exposure);
+    program.set("background", Vec3f(background_linear()));
     bind_texture(*gl_, 0, samples_->colors.texture());
     pass_.draw();
     check_gl(*gl_, "drawing the object");
@@ -201,7 +234,7 @@ void GlEditObject::draw_view(const ObjectViewOptions& options) {
 /// Shades from the G-buffer where only the texture has changed since the last frame; returns
 /// whether that was possible.
 bool GlEditObject::draw_places(const ObjectViewOptions& options) {
-    if (seen_ != options || !scene_->has_places()) return false;
+    if (seen_ != options || options.light || !scene_->has_places()) return false;
     if (placed_ != options) {
         scene_->set_target_share(options.share);
         places_.find(*scene_, camera_of(options.camera, surface_->sphere, options.size), *shown_,

@@ -3,6 +3,7 @@
 // texture, and only when something has changed.
 #include <cstdint>
 #include <future>
+#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -21,8 +22,9 @@ namespace burl {
 /// of its MIP levels. The OpenGL context must be current in every call.
 class GlEditTexture {
   public:
-    /// `texture` is owned by the caller.
-    GlEditTexture(const GladGLContext& gl, GLuint texture) : gl_(&gl), texture_(texture) {}
+    /// `texture` is owned by the caller; its codes are sRGB if it `is_color`.
+    GlEditTexture(const GladGLContext& gl, GLuint texture, bool is_color)
+        : gl_(&gl), texture_(texture), is_color_(is_color) {}
 
     /// Uploads MIP levels and sets trilinear filtering, clamped to the edges. Where only level 0 is
     /// given, OpenGL generates the others. Throws Error(unsupported) where the texture is larger
@@ -34,6 +36,7 @@ class GlEditTexture {
 
     const GladGLContext* gl_;
     GLuint texture_;
+    bool is_color_;
     std::size_t width_ = 0, height_ = 0, count_ = 0;  ///< size of level 0, and number of levels
 };
 
@@ -42,7 +45,8 @@ struct ObjectViewOptions {
     PictureSize size{};  ///< size of the view in pixels
     EditCamera camera{};
     bool lit = true;
-    double share = 0.0;  ///< share of the way to the pose, 0 to 1
+    std::shared_ptr<const GlLight> light{};  ///< an environment's light; null: the headlight
+    double share = 0.0;                      ///< share of the way to the pose, 0 to 1
     /// Whether edges of triangles and borders of charts are drawn, once available.
     bool edges = false, borders = false;
     int supersample = 1;  ///< samples per side of a pixel: 1 while anything moves, 2 at rest
@@ -86,6 +90,7 @@ class GlEditObject {
     void begin(const std::shared_ptr<const EditSurface>& surface);
     void take_over();
     void upload(const std::shared_ptr<const EditPicture>& picture);
+    void upload(int number, const std::vector<Image<Rgba8>>& levels);
     void upload_normals(std::shared_ptr<const Image<Rgb8>> normals);
     void make_target(std::optional<GlDepthTarget>& target, const PictureSize& size, GLenum format);
     void make_targets(const ObjectViewOptions& options);
@@ -94,16 +99,17 @@ class GlEditObject {
     void draw_pixels(const ObjectViewOptions& options);
     void draw_samples(const ObjectViewOptions& options);
     void encode(const ObjectViewOptions& options) const;
+    bool is_direct(const ObjectViewOptions& options) const;
 
     const GladGLContext* gl_;
-    GlProgram encode_;
+    GlProgram encode_, develop_;  ///< samples to the screen, as they are and by the tone curve
     GlFullScreen pass_;
     std::shared_ptr<GlScenePrograms> programs_;
     /// The surface shown, and the one being uploaded.
     std::shared_ptr<const EditSurface> surface_, next_;
     std::unique_ptr<GlScene> scene_, next_scene_;  ///< scenes of `surface_` and `next_`
     bool uploaded_ = false;                        ///< whether `next_scene_` is complete
-    std::optional<GlEditTexture> texture_;         ///< texture of the scene's surfaces
+    std::map<int, GlEditTexture> textures_;        ///< of the scene, by their numbers
     std::shared_ptr<const EditPicture> picture_;
     GlEditLines lines_;
     std::shared_ptr<const Image<Rgb8>> normals_;  ///< normal map on the graphics processor

@@ -52,6 +52,7 @@ EditorProgram::EditorProgram(std::unique_ptr<GlWindow> window, const EditorOptio
       side_(window_->context(), options.gallery, wake()) {
     if (options.gallery) node_gallery_.emplace(window_->context().gl(), wake());
     if (options.preferences.empty()) preferences_.welcomed = true;  // a script knows what to do
+    viewport_.light.choose(options.light);
     scale_ = normal_scale_ = options.ui_scale * window_->text_scale();
 }
 

@@ -33,6 +33,8 @@ namespace burl {
 struct EditorOptions {
     std::string mesh = "sample:teapot", recipe = "marble";
     std::vector<std::string> settings{};
+    /// The light of the object: a built-in environment, or "headlight".
+    std::string light = "studio";
     double ui_scale = 1.0;
     /// Path of the autosave file (app/editor/session/autosave.h); empty: none.
     std::string autosave{};
@@ -125,6 +127,7 @@ class EditorProgram {
     void view_shortcuts();
     void file_menu();
     void edit_menu();
+    void light_menu();
     void view_menu();
     void up_menu();
     void menu();

@@ -19,10 +19,12 @@ constexpr double degrees_per_second = 20.0;  // of the turntable
 ObjectViewport::ObjectViewport(const GladGLContext& gl, EditSession& session,
                                const EditBaker& baker, TextureRequests& requests,
                                GlEditAtlas& atlas, std::function<void()> wake)
-    : session_(session),
+    : light(gl, wake),
+      session_(session),
       baker_(baker),
       requests_(requests),
       atlas_(atlas),
+      is_software_(is_software(gl)),
       posed_pick_(std::move(wake)),
       object_(gl) {}
 
@@ -34,6 +36,7 @@ void ObjectViewport::take_tool(bool& tool) {
 }
 
 void ObjectViewport::follow() {
+    light.light();
     const auto& surface = object_.surface();
     share_ = surface && surface->posed ? requests_.recipe().pose.weight : 0.0;
     posed_pick_.follow(surface, share_, session_.moving());
@@ -109,17 +112,20 @@ bool ObjectViewport::comes_to_rest() const {
     return shown != newest.get() || (shown->request < requests_.last() && !baker_.idle());
 }
 
-void ObjectViewport::draw(const ImVec2& low, const ImVec2& size, int supersample,
-                          FrameTimes& times) {
+/// `rough`: with one sample per pixel, and where the processor works out an environment's light,
+/// with half as many pixels a side.
+void ObjectViewport::draw(const ImVec2& low, const ImVec2& size, bool rough, FrameTimes& times) {
     const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
     ObjectViewOptions options;
-    options.size = {int(size.x * scale.x), int(size.y * scale.y)};
     options.camera = camera;
     options.lit = lit;
+    options.light = lit ? light.light() : nullptr;
+    const int coarse = rough && options.light && is_software_ ? 2 : 1;
+    options.size = {int(size.x * scale.x) / coarse, int(size.y * scale.y) / coarse};
     options.share = share_;
     options.edges = atlas_.edges;
     options.borders = atlas_.borders;
-    options.supersample = supersample;
+    options.supersample = rough ? 1 : 2;
     const double began = thread_seconds();
     const GlTexture* texture = object_.draw(options);
     times.worked -= thread_seconds() - began;
@@ -145,7 +151,7 @@ bool ObjectViewport::window(EditItems& items, bool opening, FrameTimes& times) {
                 object_.show_lines(object_.uploading() ? nullptr : atlas_.lines());
                 const bool rough =
                     moving_camera_ || session_.moving() || is_rough(opening) || rests;
-                draw(low, size, rough ? 1 : 2, times);
+                draw(low, size, rough, times);
             });
             if (const EditPicture* picture = object_.picture())
                 coarse_sign(items, low, size, picture->level);

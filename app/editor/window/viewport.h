@@ -8,6 +8,7 @@
 #include "app/editor/panels/paint.h"
 #include "app/editor/window/atlas.h"
 #include "app/editor/window/imgui.h"
+#include "app/editor/window/light.h"
 #include "app/editor/window/object.h"
 
 namespace burl {
@@ -31,12 +32,13 @@ class ObjectViewport {
 
     EditCamera camera{};
     bool lit = true, turntable = false;
+    EditLight light;
     EditPaint paint;
     EditMove move;
 
     /// Switches a tool (`paint.tool.on` or `move.on`) on or off; the other tool goes off.
     void take_tool(bool& tool);
-    /// Follows the pose's weight on screen, at the beginning of a frame.
+    /// Follows the pose's weight on screen and the light, at the beginning of a frame.
     void follow();
     /// Draws the window at the place set for ImGui's next window. `opening`: whether a mesh is
     /// being opened. Adds to `times`. Returns whether the frame after this one must be drawn, too.
@@ -49,8 +51,11 @@ class ObjectViewport {
     /// The BVH of the surface on screen; null: not ready.
     std::shared_ptr<const SurfacePick> pick() const;
 
-    bool idle() const { return posed_pick_.idle(); }
-    void wait() const { posed_pick_.wait(); }
+    bool idle() const { return posed_pick_.idle() && light.idle(); }
+    void wait() const {
+        posed_pick_.wait();
+        light.wait();
+    }
 
   private:
     ObjectView view(const ImVec2& low, const ImVec2& size) const;
@@ -58,12 +63,13 @@ class ObjectViewport {
     void move_camera(const ImVec2& size);
     bool is_rough(bool opening) const;
     bool comes_to_rest() const;
-    void draw(const ImVec2& low, const ImVec2& size, int supersample, FrameTimes& times);
+    void draw(const ImVec2& low, const ImVec2& size, bool rough, FrameTimes& times);
 
     EditSession& session_;
     const EditBaker& baker_;
     TextureRequests& requests_;
     GlEditAtlas& atlas_;
+    bool is_software_;  ///< whether the processor draws
     bool moving_camera_ = false;
     double share_ = 0.0;  ///< share of the way to the pose that is shown, 0 to 1
     EditPosedPick posed_pick_;

@@ -22,7 +22,8 @@ class GlScenePrograms {
     /// The properties that a program is compiled for.
     struct Look {
         bool encoded = false, lit = false, ambient = false, bumped = false, levels = false,
-             in_blocks = false, places = false, masks = false, blends = false, tone = false;
+             in_blocks = false, places = false, masks = false, blends = false, layered = false,
+             tone = false;
         bool clearcoat = false, sheen = false, transmits = false, one_orm = false;
         std::uint32_t maps = 0;  ///< bit k: the material has the picture MaterialMap(k)
         auto operator<=>(const Look&) const = default;

@@ -133,6 +133,10 @@ void GlScene::set_texture(int number, const SceneTexture& texture) {
     textures_[n] = burl::upload(gl_, texture, filters_[n]);
 }
 
+void GlScene::set_material(const SceneMaterial& material) {
+    for (GlSurface& surface : surfaces_) surface.set_material(material);
+}
+
 void GlScene::set_target_share(double share) {
     for (GlSurface& surface : surfaces_) surface.set_target_share(share);
 }
@@ -167,7 +171,27 @@ void GlScene::draw_layer(const Camera& camera, const PictureSize& samples, const
                          const GlShading& shading, const GlLayerDepths& depths) const {
     clear(tile, Vec4f(0.0f));
     depths.bind();
-    draw_surfaces(TileView(camera, samples, tile), {.blends = true}, shading, Drawn::layers);
+    draw_surfaces(TileView(camera, samples, tile), {.blends = true, .layered = true}, shading,
+                  Drawn::layers);
+}
+
+void GlScene::draw_blended(const Camera& camera, const PictureSize& samples, const SampleTile& tile,
+                           const GlShading& shading) const {
+    gl_.Viewport(0, 0, tile.width, tile.height);
+    gl_.Enable(GL_DEPTH_TEST);
+    gl_.DepthMask(GL_FALSE);
+    gl_.Enable(GL_BLEND);
+    gl_.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    gl_.Enable(GL_CULL_FACE);
+    gl_.FrontFace(GL_CW);  // rows are drawn top first
+    for (const GLenum hidden : {GL_FRONT, GL_BACK}) {
+        gl_.CullFace(hidden);
+        draw_surfaces(TileView(camera, samples, tile), {.blends = true}, shading, Drawn::layers);
+    }
+    gl_.FrontFace(GL_CCW);
+    gl_.Disable(GL_CULL_FACE);
+    gl_.Disable(GL_BLEND);
+    gl_.DepthMask(GL_TRUE);
 }
 
 void GlScene::draw_encoded(const Camera& camera, const PictureSize& samples, const SampleTile& tile,
@@ -185,7 +209,8 @@ bool GlScene::has_places() const {
     const auto shows = [&](const GlSurface& surface) {
         const SceneMaterial& material = surface.material();
         return material.texture >= 0 && material.texture == surfaces_.front().material().texture &&
-               material.normals < 0 && material.factor == Vec4f(1.0f) && has_levels(surface) &&
+               material.normals < 0 && material.factor == Vec4f(1.0f) &&
+               material.alpha == SceneAlpha::opaque && has_levels(surface) &&
                !surface.in_blocks() && !surface.colored();
     };
     return !surfaces_.empty() && std::ranges::all_of(surfaces_, shows);

@@ -42,6 +42,8 @@ class GlScene {
     /// Replaces the pixels of texture `number`; its filter stays.
     void set_texture(int number, const SceneTexture& texture);
 
+    /// Replaces the material of all surfaces.
+    void set_material(const SceneMaterial& material);
     /// Sets the weight, 0..1, of the morph targets of all surfaces that have one.
     void set_target_share(double share);
 
@@ -60,6 +62,11 @@ class GlScene {
     /// their colours multiplied by alpha, and alpha, which is 0 where there are none.
     void draw_layer(const Camera& camera, const PictureSize& samples, const SampleTile& tile,
                     const GlShading& shading, const GlLayerDepths& depths) const;
+
+    /// Draws the surfaces that blend over what the bound framebuffer shows, their far sides before
+    /// their near ones: what a picture that moves shows of layers.
+    void draw_blended(const Camera& camera, const PictureSize& samples, const SampleTile& tile,
+                      const GlShading& shading) const;
 
     /// Draws a tile of the picture in sRGB codes, for a framebuffer whose samples are pixels of the
     /// screen.

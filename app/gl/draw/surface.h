@@ -44,6 +44,7 @@ class GlSurface {
     void set_target_share(double share) { target_share_ = share; }
 
     const SceneMaterial& material() const { return material_; }
+    void set_material(const SceneMaterial& material) { material_ = material; }
     bool in_blocks() const { return has(Stream::block); }
     bool colored() const { return has(Stream::color); }
     bool bumped() const { return material_.normals >= 0 && has(Stream::tangent); }

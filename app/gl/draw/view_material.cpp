@@ -52,6 +52,11 @@ ViewMaterial view_material(const Recipe& recipe) {
     return material;
 }
 
+SceneMaterial scene_material(const Recipe& recipe) {
+    Scene nothing;
+    return add_textures(nothing, recipe.atlas, view_material(recipe), !recipe.bump.empty());
+}
+
 int texture_number(const SceneMaterial& material, const MaterialPicture& picture) {
     for (const MaterialSlot& slot : material_slots)
         if (std::ranges::find(picture.slots, slot.pointer) != picture.slots.end())

@@ -19,6 +19,9 @@ struct ViewMaterial {
 /// The material that a plain bake to a .glb writes.
 ViewMaterial view_material(const Recipe& recipe);
 
+/// The material of every surface of a scene of the recipe (app/gl/draw/view_scene.h).
+SceneMaterial scene_material(const Recipe& recipe);
+
 /// The scene's number of a picture; -1: none.
 int texture_number(const SceneMaterial& material, const MaterialPicture& picture);
 

@@ -61,6 +61,18 @@ TEST(EditLevels, TheFinestIsTheTextureAndOneColourStaysIt) {
     }
 }
 
+/// Data are averaged as they are, and alpha always.
+TEST(EditLevels, NumbersAndAlphaAreMeansOfCodes) {
+    Image<Rgba8> texels(2, 2);
+    texels(0, 0) = {0, 10, 255, 0}, texels(1, 0) = {100, 10, 255, 255};
+    texels(0, 1) = {200, 30, 0, 40}, texels(1, 1) = {50, 30, 0, 60};
+    const Rgba8 data = EditLevels()(texels, false).at(1)(0, 0);
+    EXPECT_EQ(data, (Rgba8{88, 20, 128, 89}));
+    const Rgba8 color = EditLevels()(texels, true).at(1)(0, 0);
+    EXPECT_EQ(color.a, 89);
+    EXPECT_NEAR(color.b, 255.0 * srgb_encode(0.5), 0.55);
+}
+
 TEST(EditLevels, OtherSidesThanPowersOfTwoHaveNone) {
     EXPECT_EQ(EditLevels()(random_texels(48, 48)).size(), 1u);
 }

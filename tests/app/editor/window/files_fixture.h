@@ -19,6 +19,7 @@ class GlEditFilesTest : public GlEditProgramTest {
     std::unique_ptr<EditorProgram> open(const std::string& mesh, const std::string& recipe,
                                         bool gallery = false) {
         EditorOptions options;
+        options.light = "headlight";  // an environment takes longer to prepare than most tests
         options.mesh = mesh;
         options.recipe = recipe;
         options.recent = folder / "recent";

@@ -254,6 +254,7 @@ TEST_F(GlEditFilesTest, ABadFileDroppedBeforeTheFirstMeshIsThereEndsNothing) {
     write_file(folder / "bad.obj", "v 0 0 0\nf 1 2 3\n");
     save("marble");
     EditorOptions options;
+    options.light = "headlight";  // an environment takes longer to prepare than most tests
     options.mesh = "sample:cube";
     options.recipe = folder / "r.json";
     options.gallery = false;

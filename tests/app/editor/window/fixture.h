@@ -14,6 +14,7 @@ class GlEditProgramTest : public GlTest {
     std::unique_ptr<EditorProgram> start(const std::string& recipe = "marble",
                                          const std::string& autosave = "") {
         EditorOptions options;
+        options.light = "headlight";  // an environment takes longer to prepare than most tests
         options.mesh = "sample:cube";
         options.recipe = recipe;
         options.settings = {"atlas.size=64", "atlas.tries=1"};

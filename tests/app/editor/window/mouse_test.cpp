@@ -163,6 +163,7 @@ class GlEditMouseTest : public testing::Test {
 
     static EditorOptions options(const std::string& mesh, const std::string& recipe) {
         EditorOptions options;
+        options.light = "headlight";  // an environment takes longer to prepare than most tests
         options.mesh = mesh;
         options.recipe = recipe;
         options.gallery = false;

@@ -38,6 +38,7 @@ class GlEditPoseTest : public GlEditProgramTest {
         write_file(folder / "r.json",
                    to_json(load_recipe("marble", {"atlas.size=64", "atlas.tries=1"})));
         EditorOptions options;
+        options.light = "headlight";  // an environment takes longer to prepare than most tests
         options.mesh = folder / "sheet.obj";
         options.recipe = folder / "r.json";
         options.gallery = false;

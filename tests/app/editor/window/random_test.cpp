@@ -252,6 +252,7 @@ class GlEditRandomTest : public GlTest {
     void start() {
         editor.reset();
         EditorOptions options;
+        options.light = "headlight";  // an environment takes longer to prepare than most tests
         options.mesh = folder / "m.obj";
         options.recipe = folder / "r.json";
         options.autosave = folder / "state/autosave.json";

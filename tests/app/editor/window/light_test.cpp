@@ -1,0 +1,131 @@
+// The editor's view under an environment: materials as `burl render` shows them, live.
+#include "app/editor/window/light.h"
+
+#include <gtest/gtest.h>
+
+#include "app/editor/window/object.h"
+#include "app/gl/draw/lazy_picture.h"
+#include "app/image/image_diff.h"
+#include "app/image/image_io.h"
+#include "app/recipe/images.h"
+#include "app/surface/sample_meshes.h"
+#include "tests/app/editor/window/fixture.h"
+
+namespace burl {
+namespace {
+
+/// A material whose pictures are all seen, with this opacity.
+Recipe material_of(const std::string& opacity) {
+    RecipeImages images;
+    return parse_recipe(R"({"atlas": {"size": 256, "tries": 1}, "solid": {"scale": 3},
+        "define": {"grain": {"node": "smoothstep", "low": -1, "high": 1, "input":
+            {"node": "fbm", "octaves": 2}}},
+        "material": {"base_color": {"node": "mix", "a": "#203050", "b": "#f0c0a0",
+            "amount": "grain"}, "metallic": "grain", "roughness": {"node": "remap", "input":
+            "grain", "out_low": 0.2, "out_high": 0.8}, "emissive": {"node": "scale", "a": "#402000",
+            "b": "grain"}, "clearcoat": 0.5, "height": "grain")" +
+                            opacity + R"(}, "bump": {"height": 0.02}})",
+                        "m.json", {}, images);
+}
+
+class GlEditLightTest : public GlTest {
+  protected:
+    void SetUp() override {
+        GlTest::SetUp();
+        if (!context) return;
+        context->make_current();
+        light = std::make_shared<const GlLight>(context->gl(),
+                                                prefilter(make_environment("studio", 64), 32));
+    }
+
+    Image<Rgb8> edited(const Recipe& recipe) {
+        EditBaker baker([] {});
+        baker.set_mesh(sample_mesh("sample:icosphere", {}));
+        baker.request(recipe, false);
+        baker.wait();
+        GlEditObject object(context->gl());
+        object.show(baker.front().surface(), baker.front().picture());
+        ObjectViewOptions options;
+        options.size = {size.width, size.height};
+        options.light = light;
+        options.supersample = 2;
+        object.draw(options);
+        const auto codes = object.target()->read<std::uint8_t>();
+        Image<Rgb8> picture{std::size_t(size.width), std::size_t(size.height)};
+        for (std::size_t y = 0; y < picture.height(); ++y)
+            for (std::size_t x = 0; x < picture.width(); ++x) {
+                const std::uint8_t* code = &codes[4 * (y * picture.width() + x)];
+                picture(x, y) = {code[0], code[1], code[2]};
+            }
+        return picture;
+    }
+
+    Image<Rgb8> rendered(const Recipe& recipe) {
+        Pipeline pipeline(sample_mesh("sample:icosphere", {}));
+        pipeline.set_recipe(recipe);
+        LazyOptions options;
+        options.picture.size = size;
+        options.picture.light.light = "studio";
+        options.light = light;
+        return colors_and_alpha(render_lazily(*context, pipeline, {}, options).picture).first;
+    }
+
+    PictureSize size{120, 90};
+    std::shared_ptr<const GlLight> light;
+};
+
+TEST_F(GlEditLightTest, ShowsMaterialsAsRenderDoes) {
+    const Recipe recipe = material_of("");
+    EXPECT_GT(diff_images(edited(recipe), rendered(recipe)).psnr_db, 40.0);
+}
+
+TEST_F(GlEditLightTest, ShowsWhatIsTransparentOverTheBackground) {
+    const Recipe recipe =
+        material_of(R"(, "opacity": {"node": "multiply", "a": 0.7, "b": "grain"})");
+    EXPECT_GT(diff_images(edited(recipe), rendered(recipe)).psnr_db, 35.0);
+}
+
+/// A number of the material that no picture has, and a channel that begins to vary.
+TEST(EditBakerMaterial, FollowsTheRecipe) {
+    EditBaker baker([] {});
+    baker.set_mesh(sample_mesh("sample:cube", {}));
+    const auto shown = [&](const std::string& settings) {
+        baker.request(load_recipe("marble", {"atlas.size=64", "atlas.tries=1", settings}), false);
+        baker.wait();
+        return baker.front().picture();
+    };
+    const auto rough = shown("material.roughness=0.875");
+    EXPECT_EQ(rough->material->numbers.roughness, 0.875f);
+    EXPECT_TRUE(rough->material->pictures.empty());
+    const auto metal = shown(R"(material.metallic={"node": "fbm"})");
+    const SceneMaterial& numbers = metal->material->numbers;
+    EXPECT_EQ(numbers.metallic, 1.0f);
+    ASSERT_GE(numbers.map(MaterialMap::metallic_roughness), 0);
+    EXPECT_EQ(metal->material->pictures.size(), 1u);
+    EXPECT_NE(metal->surface, rough->surface) << "it has another texture";
+    EXPECT_EQ(baker.front().surface()->scene.surfaces[0].material.maps, numbers.maps);
+}
+
+using GlEditLightMenu = GlEditProgramTest;
+
+TEST_F(GlEditLightMenu, ChoosesAnEnvironment) {
+    auto editor = start();
+    const Image<Rgb8> head = settled(*editor);
+    const auto choose = [&](const std::string& name) {
+        play(*editor, R"({"click": "menu:View"}, {"wait": 2}, {"click": "menu:Light"}, {"wait": 2},
+            {"click": "menu:)" +
+                          name + R"("}, {"wait": 2})");
+        return settled(*editor);
+    };
+    const Image<Rgb8> neutral = choose("neutral");
+    EXPECT_GT(differing(neutral, head), 1000u);
+    EXPECT_EQ(differing(choose("headlight"), head), 0u);
+    EXPECT_EQ(differing(choose("neutral"), neutral), 0u);
+    play(*editor, R"({"key": "L"}, {"wait": 2})");
+    EXPECT_GT(differing(settled(*editor), neutral), 1000u);
+    play(*editor, R"({"key": "L"}, {"wait": 2})");
+    EXPECT_EQ(differing(settled(*editor), neutral), 0u);
+}
+
+}  // namespace
+}  // namespace burl
