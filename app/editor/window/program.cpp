@@ -20,6 +20,16 @@
 
 namespace burl {
 
+namespace {
+
+/// Returns the light for an option's value, of which "auto" depends on OpenGL.
+std::string light_chosen(const std::string& option, const GladGLContext& gl) {
+    if (option != "auto") return option;
+    return is_software(gl) ? std::string(EditLight::headlight) : "studio";
+}
+
+}  // namespace
+
 EditorProgram::ImGuiOwner::ImGuiOwner() {
     IMGUI_CHECKVERSION();
     ImGui::CreateContext();
@@ -52,7 +62,7 @@ EditorProgram::EditorProgram(std::unique_ptr<GlWindow> window, const EditorOptio
       side_(window_->context(), options.gallery, wake()) {
     if (options.gallery) node_gallery_.emplace(window_->context().gl(), wake());
     if (options.preferences.empty()) preferences_.welcomed = true;  // a script knows what to do
-    viewport_.light.choose(options.light);
+    viewport_.light.choose(light_chosen(options.light, window_->context().gl()));
     scale_ = normal_scale_ = options.ui_scale * window_->text_scale();
 }
 
